@@ -1,0 +1,58 @@
+// What a user can choose about a sequence. Plain data; the defaults are the paper's.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/types.h"
+
+namespace shapespline {
+
+/// How the keys are joined. The first is the method; the others are the baselines it is compared with.
+enum class Method {
+  Lri,          ///< cubic splines in LRI space (the method)
+  Geodesic,     ///< piecewise linear in LRI space (Kilian et al. 2007, as in Fig. 1)
+  Linear,       ///< piecewise linear vertex positions: what morph targets do
+  CubicVertex,  ///< cubic splines of the vertex positions
+};
+
+enum class BoundaryKind { Natural, Hermite, Periodic };
+
+/// How the symmetric factor S_f of a face is interpolated.
+enum class Stretch {
+  Linear,  ///< S_f itself (the paper); may lose positive definiteness far outside the keys
+  Log,     ///< log S_f; cannot turn inside out
+};
+
+/// Where numbers are kept that a frame streams through.
+enum class Precision { Single, Double };
+
+/// Whole turns added to the mean rotation on its way to a key.
+struct AddedTurns {
+  int key = 1;    ///< 0-based, at least 1: the turns happen between key - 1 and key
+  int turns = 0;  ///< whole turns about the axis of that increment; negative turns go the other way
+};
+
+/// Choices that refit the spline only: changing them never encodes or factorises again.
+struct MotionOptions {
+  Method method = Method::Lri;
+  BoundaryKind boundary = BoundaryKind::Natural;
+  double startSpeed = 1;         ///< hermite: times the one-sided difference at the first key; 0 = ease
+  double endSpeed = 1;           ///< hermite: the same at the last key
+  std::optional<double> period;  ///< periodic: whole period in units of time; default: see BoundaryKind in spline.h
+  std::vector<double> tension;   ///< empty, or J values: slope at a key = (1 - tension) * the C2 spline's own
+  std::vector<AddedTurns> turns;
+  bool inPlace = false;          ///< take out the translation that accumulates along the sequence
+};
+
+/// Choices that change the encoding: a new sequence is built for them.
+struct EncodingOptions {
+  int reference = 0;                     ///< 0-based key that deformation gradients are measured from
+  int patches = 0;                       ///< wanted number of patches, 0 = the default formula (patches.h)
+  Stretch stretch = Stretch::Linear;
+  Precision precision = Precision::Single;
+  std::optional<Positions> startTangent; ///< hermite: a shape that takes the place of key 2 in the difference at key 1
+  std::optional<Positions> endTangent;   ///< hermite: a shape that takes the place of key J - 1 in the difference at key J
+};
+
+}  // namespace shapespline

@@ -1,0 +1,96 @@
+// The facade: keyframes and options in, the shape at any time out.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/keyframes.h"
+#include "core/options.h"
+#include "core/status.h"
+
+namespace shapespline {
+
+/// Called with a stage's name and the fraction of the whole work done, in [0, 1] and never falling.
+using Progress = std::function<void(const char* stage, double fraction)>;
+
+/// How often the costly stages ran. Neither encodings nor factorisations move while t, the motion options or the key
+/// times change.
+struct SequenceStats {
+  int encodings = 0;
+  int factorisations = 0;
+  long long solves = 0;
+  int patches = 0;
+  int weldedVertices = 0;
+  int components = 0;
+  double weldMs = 0, encodeMs = 0, orderMs = 0, factorMs = 0;  ///< wall time of each stage
+  long long factorBytes = 0;
+  bool alignedByPatches = false;  ///< the mean rotation was badly conditioned (rotation alignment, DESIGN "weak spots")
+};
+
+/// Something the user should know that is no error.
+struct Warning {
+  std::string code;     ///< stable, such as "non-manifold-edges"
+  std::string message;  ///< one sentence
+  int count = 0;        ///< how many places, 0 where that has no meaning
+};
+
+/// One shape of the sequence, in the input's own vertices.
+struct Frame {
+  std::vector<float> positions;  ///< 3n, xyz interleaved
+  std::vector<float> normals;    ///< 3n, unit, xyz interleaved
+  int lostDefiniteness = 0;      ///< faces whose interpolated S_f is not positive definite
+};
+
+/// Where the shapes of a sequence lie in the plane of the two leading principal components (Fig. 2b).
+struct ShapePlane {
+  std::vector<double> keys;   ///< 2J
+  std::vector<double> curve;  ///< 2 values for each of the asked times
+  double explained = 0;       ///< share of the keys' variance that the plane holds, in [0, 1]
+};
+
+/// A completed motion. Built once (weld, encode, factorise), then evaluated at any time; evaluate is a pure function of
+/// keys, options and t, bit for bit. Not thread-safe.
+class Sequence {
+ public:
+  static Result<Sequence> create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
+                                 const Progress& progress = {});
+
+  Sequence(Sequence&&) noexcept;
+  Sequence& operator=(Sequence&&) noexcept;
+  ~Sequence();
+
+  /// Refits the spline. Errors: InvalidOption, TimesNotIncreasing, TimeCountMismatch; the old motion stays then.
+  Status update(const MotionOptions& motion, const std::vector<double>& keyTimes);
+
+  /// The shape at time t, which may lie beyond the keys.
+  Status evaluate(double t, Frame& frame);
+
+  /// The same in double precision, n positions: for measures and tests.
+  Status evaluate(double t, Positions& positions);
+
+  const Keyframes& keyframes() const;
+  const MotionOptions& motion() const;
+  SequenceStats stats() const;
+  const std::vector<Warning>& warnings() const;
+
+  /// First and last time at which the curve is defined by keys (for periodic: one whole period).
+  std::pair<double, double> range() const;
+
+  /// Patch index of each raw face, in [0, stats().patches); -1 for faces without area.
+  const std::vector<int>& patchOfFace() const;
+
+  ShapePlane shapePlane(const std::vector<double>& times);
+
+  /// Bending energy density |x''(t)|^2 of the feature curve at each time (Eq. 6, Fig. 9), over the keys' average
+  /// deformation energy.
+  std::vector<double> bendingEnergy(const std::vector<double>& times);
+
+ private:
+  struct State;
+  explicit Sequence(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace shapespline

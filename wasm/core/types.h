@@ -1,0 +1,23 @@
+// The small fixed-size types that every file of the core shares.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace shapespline {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Mat2 = Eigen::Matrix2d;
+using Mat3 = Eigen::Matrix3d;
+
+/// Vertex indices of one triangle, counter-clockwise seen from outside.
+using Triangle = std::array<int, 3>;
+
+/// n positions, one a vertex, in the unit of the input file.
+using Positions = std::vector<Vec3>;
+
+}  // namespace shapespline

@@ -1,0 +1,62 @@
+/** The engine as its users see it. Implemented by client.ts (browser worker) and node.ts (Node worker thread). */
+import type {
+  EncodingOptions, ErrorPlace, ExportedFile, ExportOptions, Frame, ImportOptions, InputFile, KeysInfo, Measures,
+  MotionOptions, Progress, SequenceOptions, SequenceStats, ShapePlane, Warning,
+} from './types.ts';
+
+export interface CallOptions {
+  /** Cancels: the promise rejects with code 'cancelled' and everything built so far stays as it was. */
+  signal?: AbortSignal;
+  onProgress?: (progress: Progress) => void;
+}
+
+export interface Engine {
+  /** Reads files into keys. Nothing of an earlier import or sequence changes, whatever happens. */
+  importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys>;
+  /** Encodes and factorises in a fresh worker; the old sequence keeps serving until the caller disposes of it. */
+  createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence>;
+  /** Ends every worker. Idempotent. */
+  dispose(): void;
+}
+
+/** An import: a worker-independent handle (the bytes are kept so that a fresh worker can read them again). */
+export interface Keys {
+  readonly info: KeysInfo;
+  /** 3 x vertices of one key. */
+  positions(key: number): Float32Array;
+  /** The same keys with some left out, put in another order or at other times, without reading a file again. */
+  arrange(order: number[], times: number[], names?: string[]): Keys;
+  /** Adds one pose (3 x vertices) as a key, kept in order of time. */
+  withPose(name: string, time: number, positions: Float32Array): Keys;
+  dispose(): void;
+}
+
+export interface Sequence {
+  readonly options: Readonly<SequenceOptions>;
+  readonly keyTimes: readonly number[];
+  /** First and last time at which the curve is defined by keys; for periodic one whole period. */
+  readonly range: readonly [number, number];
+  readonly warnings: readonly Warning[];
+  /** Latest wins: a request that a newer one overtakes resolves to null. */
+  evaluate(t: number): Promise<Frame | null>;
+  /** Every one of them, in order; used by exports and measures. */
+  evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]>;
+  /** Refits without encoding or factorising. */
+  update(change: Partial<MotionOptions> & { keyTimes?: number[] }): Promise<void>;
+  stats(): Promise<SequenceStats>;
+  measures(times: number[], call?: CallOptions): Promise<Measures>;
+  shapePlane(times: number[]): Promise<ShapePlane>;
+  bendingEnergy(times: number[]): Promise<number[]>;
+  /** Patch index of each face, -1 for faces without area. */
+  patches(): Promise<Int32Array>;
+  export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]>;
+  /** Idempotent. */
+  dispose(): void;
+}
+
+/** The only thing the engine throws. `code` is stable; `message` is a sentence for the user. */
+export declare class EngineErrorShape extends Error {
+  readonly code: string;
+  readonly place: ErrorPlace;
+}
+export type { EncodingOptions };

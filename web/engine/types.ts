@@ -1,0 +1,256 @@
+/**
+ * The engine's public types: plain data only. No DOM, no three.js; the same in the browser and in Node.
+ *
+ * Times are in seconds or any unit the user likes. Positions are in the unit of the input file. Indices are 0-based.
+ */
+
+export type Method = 'lri' | 'geodesic' | 'linear' | 'cubic-vertex';
+export type Boundary = 'natural' | 'hermite' | 'periodic';
+export type Stretch = 'linear' | 'log';
+export type Precision = 'single' | 'double';
+
+/** One dropped or named file. `name` may hold a path relative to the dropped folder; `bytes` are copied, never kept. */
+export interface InputFile {
+  name: string;
+  bytes: Uint8Array;
+}
+
+/** What to take from the files. */
+export interface ImportOptions {
+  /** Name or index of the animation to sample keys from; default: the first. */
+  animation?: string | number;
+  /** Times on the animation's own time line, in seconds, or how many evenly spaced ones; default 8. */
+  sample?: number[] | number;
+  /** Key times; default: the animation's own, else evenly over [0, 1]. */
+  keyTimes?: number[];
+  /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
+  up?: 'y' | 'z';
+  /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
+  unit?: number;
+}
+
+export const IMPORT_DEFAULTS: Readonly<ImportOptions> = { up: 'y', unit: 1 };
+
+/** Choices that refit the spline only: changing them never encodes or factorises again. */
+export interface MotionOptions {
+  method: Method;
+  boundary: Boundary;
+  /** Hermite: times the one-sided difference at the first key; 0 = ease. */
+  startSpeed: number;
+  /** Hermite: the same at the last key. */
+  endSpeed: number;
+  /** Periodic: the whole period in units of time; null = the default. */
+  period: number | null;
+  /** Empty, or one value a key: slope at the key = (1 - tension) times the C2 spline's own. */
+  tension: number[];
+  /** Whole turns added to the mean rotation on its way to a key (0-based, at least 1). */
+  turns: { key: number; turns: number }[];
+  /** Take out the translation that accumulates along the sequence. */
+  inPlace: boolean;
+}
+
+export const MOTION_DEFAULTS: Readonly<MotionOptions> = {
+  method: 'lri',
+  boundary: 'natural',
+  startSpeed: 1,
+  endSpeed: 1,
+  period: null,
+  tension: [],
+  turns: [],
+  inPlace: false,
+};
+
+/** Choices that change the encoding: a new sequence is built for them. */
+export interface EncodingOptions {
+  /** 0-based key that deformation gradients are measured from. */
+  reference: number;
+  /** Wanted number of patches; 0 = the default formula. */
+  patches: number;
+  stretch: Stretch;
+  precision: Precision;
+  /** Hermite: 3 x vertices positions of a shape that takes the neighbour key's place in the difference at that end. */
+  startTangent: Float32Array | null;
+  endTangent: Float32Array | null;
+}
+
+export const ENCODING_DEFAULTS: Readonly<EncodingOptions> = {
+  reference: 0,
+  patches: 0,
+  stretch: 'linear',
+  precision: 'single',
+  startTangent: null,
+  endTangent: null,
+};
+
+export type SequenceOptions = EncodingOptions & MotionOptions;
+export const SEQUENCE_DEFAULTS: Readonly<SequenceOptions> = { ...ENCODING_DEFAULTS, ...MOTION_DEFAULTS };
+
+/** Something the user should know that is no error. `code` is stable. */
+export interface Warning {
+  code: string;
+  message: string;
+  /** How many places; 0 where that has no meaning. */
+  count: number;
+}
+
+/** Where and what of a failure, for programs; the sentence for people is the error's message. */
+export interface ErrorPlace {
+  file?: string;
+  key?: number;
+  vertex?: number;
+  face?: number;
+}
+
+export interface Progress {
+  /** What is being done, such as 'factorising', in words that can be shown. */
+  stage: string;
+  /** Fraction of the whole work, in [0, 1], never falling. */
+  fraction: number;
+}
+
+/** Part of the mesh that is drawn with one material. */
+export interface MaterialGroup {
+  /** First face and number of faces. */
+  start: number;
+  count: number;
+  /** Index into `materials`, or -1 for none. */
+  material: number;
+}
+
+export interface Material {
+  name: string;
+  /** Linear RGBA in [0, 1]. */
+  baseColor: [number, number, number, number];
+  metallic: number;
+  roughness: number;
+  doubleSided: boolean;
+  alphaMode: 'OPAQUE' | 'MASK' | 'BLEND';
+  alphaCutoff: number;
+  /** Index into `images`, or -1. */
+  baseColorImage: number;
+}
+
+export interface TextureImage {
+  mimeType: string;
+  /** The encoded image as it was in the file. */
+  bytes: Uint8Array;
+}
+
+/** What an import found; the counts are of the input, raw and welded. */
+export interface MeshReport {
+  vertices: number;
+  weldedVertices: number;
+  faces: number;
+  components: number;
+  boundaryEdges: number;
+  nonManifoldEdges: number;
+  degenerateFaces: number;
+  duplicateFaces: number;
+  unreferencedVertices: number;
+  inconsistentEdges: number;
+  /** Length of the bounding box's diagonal over all keys. */
+  diagonal: number;
+}
+
+export interface AnimationInfo {
+  name: string;
+  /** Seconds. */
+  start: number;
+  end: number;
+  /** Number of distinct key times. */
+  keys: number;
+}
+
+/** Keys that a worker holds, with everything needed to list and draw them. */
+export interface KeysInfo {
+  names: string[];
+  times: number[];
+  report: MeshReport;
+  warnings: Warning[];
+  /** Animations that the input offers, to sample keys from. */
+  animations: AnimationInfo[];
+  /** Index of the animation that the keys were taken from, or -1. */
+  animation: number;
+  /** 3 x faces. */
+  indices: Uint32Array;
+  /** 2 x vertices, or null. */
+  uvs: Float32Array | null;
+  groups: MaterialGroup[];
+  materials: Material[];
+  images: TextureImage[];
+  /** Options that a project file brought along; empty for other files. */
+  project: Partial<SequenceOptions> | null;
+}
+
+export interface SequenceStats {
+  encodings: number;
+  factorisations: number;
+  solves: number;
+  patches: number;
+  weldedVertices: number;
+  components: number;
+  weldMs: number;
+  encodeMs: number;
+  orderMs: number;
+  factorMs: number;
+  factorBytes: number;
+  alignedByPatches: boolean;
+  /** Bytes of the wasm heap. */
+  heapBytes: number;
+}
+
+/** One shape of the motion. The arrays belong to the receiver until release() gives them back to the pool. */
+export interface Frame {
+  t: number;
+  /** 3 x vertices, xyz interleaved. */
+  positions: Float32Array;
+  /** 3 x vertices, unit. */
+  normals: Float32Array;
+  /** Milliseconds that the worker needed. */
+  ms: number;
+  /** Faces whose interpolated stretch is not positive definite. */
+  lostDefiniteness: number;
+  release(): void;
+}
+
+/** Volume and area of the shape at each time. */
+export interface Measures {
+  times: number[];
+  volume: number[];
+  area: number[];
+}
+
+/** The plane of the two leading principal components (Fig. 2b): 2 numbers a point. */
+export interface ShapePlane {
+  keys: number[];
+  curve: number[];
+  /** Share of the keys' variance that the plane holds, in [0, 1]. */
+  explained: number;
+}
+
+export interface ExportOptions {
+  format: 'glb' | 'obj' | 'ply';
+  /** Evenly spaced frames over the range; the keys inside it are added. */
+  frames: number;
+  /** First and last time; default: first and last key. */
+  range: [number, number] | null;
+  /** Seconds that the exported animation plays; default: the length of the range. */
+  duration: number | null;
+  /** One pose only, at this time: frames, range and duration are ignored. */
+  pose: number | null;
+  inPlace: boolean;
+}
+
+export const EXPORT_DEFAULTS: Readonly<ExportOptions> = {
+  format: 'glb',
+  frames: 60,
+  range: null,
+  duration: null,
+  pose: null,
+  inPlace: false,
+};
+
+export interface ExportedFile {
+  name: string;
+  bytes: Uint8Array;
+}
