@@ -1,0 +1,38 @@
+// Shapes -> bytes of files that other tools read.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/keyframes.h"
+#include "core/status.h"
+#include "io/scene.h"
+
+namespace shapespline {
+
+/// A sequence of shapes to be written: frame k's 3n positions are asked for once, in order.
+struct AnimationSource {
+  const std::vector<Triangle>* faces = nullptr;
+  const Scene* scene = nullptr;
+  std::vector<double> seconds;  ///< strictly increasing, the first is 0
+  std::function<Status(int frame, std::vector<float>& positions, std::vector<float>& normals)> frame;
+  std::string project;          ///< JSON object for extras.shapespline, or empty
+};
+
+/// One GLB: a mesh whose base is frame 0 and a morph target for every later frame, and one LINEAR weight animation that
+/// plays them (glTF 2.0). Passes the Khronos validator without error or warning.
+Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source);
+
+/// Bytes that writeAnimatedGlb will produce, to a few percent.
+std::size_t animatedGlbSize(int vertices, int faces, int frames, const Scene& scene);
+
+/// One pose. positions: 3n.
+Result<std::vector<std::uint8_t>> writePoseGlb(std::span<const float> positions, std::span<const float> normals,
+                                               const std::vector<Triangle>& faces, const Scene& scene);
+std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces);
+std::vector<std::uint8_t> writePly(std::span<const float> positions, const std::vector<Triangle>& faces);  ///< binary little endian
+
+}  // namespace shapespline
