@@ -1,0 +1,129 @@
+#include "core/keyframes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+
+namespace shapespline {
+
+namespace {
+
+std::string keyName(const std::string& name, int key) {
+  const std::string number = "key " + std::to_string(key + 1);
+  return name.empty() ? number : name + " (" + number + ")";
+}
+
+Triangle sorted(Triangle face) {
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+std::vector<Triangle> sortedSet(const std::vector<Triangle>& faces) {
+  std::vector<Triangle> set(faces.size());
+  std::transform(faces.begin(), faces.end(), set.begin(), sorted);
+  std::sort(set.begin(), set.end());
+  return set;
+}
+
+// In which way the same triangles differ, as an addition to the sentence; empty where they are other triangles.
+std::string sameTrianglesHint(const std::vector<Triangle>& first, const std::vector<Triangle>& other) {
+  bool inPlace = true;
+  for (std::size_t f = 0; f < first.size() && inPlace; ++f) inPlace = sorted(first[f]) == sorted(other[f]);
+  if (inPlace) return " The triangles are the same but some are wound or started differently.";
+  if (sortedSet(first) == sortedSet(other)) return " The triangles are the same but in another order.";
+  return "";
+}
+
+std::string faceText(const Triangle& f) {
+  return "(" + std::to_string(f[0]) + ", " + std::to_string(f[1]) + ", " + std::to_string(f[2]) + ")";
+}
+
+Status validateFaces(const Keyframes& k) {
+  if (k.faces.empty())
+    return Error{ErrorCode::NoTriangles, "The keys have no triangles. Add at least one mesh with faces."};
+  const int n = k.vertexCount();
+  for (int f = 0; f < k.faceCount(); ++f)
+    for (int v : k.faces[f])
+      if (v < 0 || v >= n)
+        return Error{ErrorCode::IndexOutOfRange,
+                     "Face " + grouped(f) + " names vertex " + grouped(v) + ", but there are " + grouped(n) +
+                         " vertices (0 to " + grouped(n - 1) + "). Export the mesh again.", -1, v, f};
+  return {};
+}
+
+Status validatePositions(const Keyframes& k, int key) {
+  const Key& pose = k.keys[key];
+  const auto n = static_cast<std::size_t>(k.vertexCount());
+  if (pose.positions.size() != n)
+    return Error{ErrorCode::VertexCountMismatch,
+                 keyName(pose.name, key) + " has " + grouped(pose.positions.size()) + " vertices, but " +
+                     keyName(k.keys[0].name, 0) + " has " + grouped(n) + ". All keys must be poses of one mesh.", key};
+  for (std::size_t v = 0; v < n; ++v)
+    if (!pose.positions[v].allFinite())
+      return Error{ErrorCode::NotFinite,
+                   keyName(pose.name, key) + ": the position of vertex " + grouped(v) +
+                       " is not a finite number. Repair the mesh and export it again.", key, static_cast<int>(v)};
+  return {};
+}
+
+Status validateArea(const Keyframes& k, int key) {
+  const Positions& p = k.keys[key].positions;
+  for (const Triangle& f : k.faces)
+    if ((p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]]).squaredNorm() > 0) return {};
+  return Error{ErrorCode::NoArea, keyName(k.keys[key].name, key) +
+                                      ": every triangle has zero area. Use a pose in which the shape is not collapsed.", key};
+}
+
+}  // namespace
+
+Status validateTimes(const std::vector<double>& times, int keyCount) {
+  if (static_cast<int>(times.size()) != keyCount)
+    return Error{ErrorCode::TimeCountMismatch, "There are " + grouped(times.size()) + " key times for " +
+                                                   grouped(keyCount) + " keys. Give one time a key."};
+  for (int j = 0; j < keyCount; ++j) {
+    if (!std::isfinite(times[j]))
+      return Error{ErrorCode::NotFinite, "The time of key " + std::to_string(j + 1) + " is not a finite number.", j};
+    if (j > 0 && !(times[j] > times[j - 1]))
+      return Error{ErrorCode::TimesNotIncreasing,
+                   "Key " + std::to_string(j + 1) + " is at time " + shortNumber(times[j]) + ", not after key " +
+                       std::to_string(j) + " at " + shortNumber(times[j - 1]) + ". Key times must increase.", j};
+  }
+  return {};
+}
+
+Status validate(const Keyframes& k) {
+  if (k.keyCount() < 2)
+    return Error{ErrorCode::TooFewKeys, k.keyCount() == 0 ? "There are no keys. Give at least two poses of one mesh."
+                                                          : "There is only one key. Give at least two poses of one mesh."};
+  if (Status faces = validateFaces(k); !faces) return faces;
+  for (int j = 0; j < k.keyCount(); ++j) {
+    if (Status positions = validatePositions(k, j); !positions) return positions;
+    if (Status area = validateArea(k, j); !area) return area;
+  }
+  std::vector<double> times;
+  for (const Key& key : k.keys) times.push_back(key.time);
+  return validateTimes(times, k.keyCount());
+}
+
+Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triangle>& other, int key, const std::string& name) {
+  if (first.size() != other.size())
+    return Error{ErrorCode::FaceCountMismatch,
+                 keyName(name, key) + " has " + grouped(other.size()) + " faces, but key 1 has " + grouped(first.size()) +
+                     ". All keys must be poses of one mesh.", key};
+  const auto [a, b] = std::mismatch(first.begin(), first.end(), other.begin());
+  if (a == first.end()) return {};
+  const int face = static_cast<int>(a - first.begin());
+  return Error{ErrorCode::FaceMismatch,
+               keyName(name, key) + ": face " + grouped(face) + " is " + faceText(*b) + ", but in key 1 it is " +
+                   faceText(*a) + "." + sameTrianglesHint(first, other) +
+                   " Export all keys from one mesh without reordering it.", key, -1, face};
+}
+
+std::vector<double> evenTimes(int keyCount) {
+  std::vector<double> times(keyCount);
+  for (int j = 0; j < keyCount; ++j) times[j] = keyCount > 1 ? static_cast<double>(j) / (keyCount - 1) : 0;
+  return times;
+}
+
+}  // namespace shapespline

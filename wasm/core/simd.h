@@ -1,0 +1,115 @@
+// Four floats or two doubles in one register: WebAssembly SIMD, SSE2, or plain C++ (SHAPESPLINE_SCALAR).
+// Each operation rounds once per lane, nothing is fused: all three give the same bits.
+#pragma once
+
+#if defined(SHAPESPLINE_SCALAR)
+#define SHAPESPLINE_SIMD_SCALAR 1
+#elif defined(__wasm_simd128__)
+#define SHAPESPLINE_SIMD_WASM 1
+#include <wasm_simd128.h>
+#elif defined(__SSE2__)
+#define SHAPESPLINE_SIMD_SSE 1
+#include <emmintrin.h>
+#else
+#define SHAPESPLINE_SIMD_SCALAR 1
+#endif
+
+namespace shapespline {
+
+/// Four float lanes.
+struct Float4 {
+#if SHAPESPLINE_SIMD_WASM
+  v128_t v;
+  static Float4 load(const float* p) { return {wasm_v128_load(p)}; }
+  static Float4 splat(float s) { return {wasm_f32x4_splat(s)}; }
+  static Float4 loadSplat(const float* p) { return {wasm_v128_load32_splat(p)}; }
+  static Float4 zero() { return {wasm_f32x4_const_splat(0.0f)}; }
+  void store(float* p) const { wasm_v128_store(p, v); }
+  friend Float4 operator+(Float4 a, Float4 b) { return {wasm_f32x4_add(a.v, b.v)}; }
+  friend Float4 operator-(Float4 a, Float4 b) { return {wasm_f32x4_sub(a.v, b.v)}; }
+  friend Float4 operator*(Float4 a, Float4 b) { return {wasm_f32x4_mul(a.v, b.v)}; }
+#elif SHAPESPLINE_SIMD_SSE
+  __m128 v;
+  static Float4 load(const float* p) { return {_mm_loadu_ps(p)}; }
+  static Float4 splat(float s) { return {_mm_set1_ps(s)}; }
+  static Float4 loadSplat(const float* p) { return {_mm_set1_ps(*p)}; }
+  static Float4 zero() { return {_mm_setzero_ps()}; }
+  void store(float* p) const { _mm_storeu_ps(p, v); }
+  friend Float4 operator+(Float4 a, Float4 b) { return {_mm_add_ps(a.v, b.v)}; }
+  friend Float4 operator-(Float4 a, Float4 b) { return {_mm_sub_ps(a.v, b.v)}; }
+  friend Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.v, b.v)}; }
+#else
+  float v[4];
+  static Float4 load(const float* p) { return {{p[0], p[1], p[2], p[3]}}; }
+  static Float4 splat(float s) { return {{s, s, s, s}}; }
+  static Float4 loadSplat(const float* p) { return splat(*p); }
+  static Float4 zero() { return splat(0.0f); }
+  void store(float* p) const {
+    for (int i = 0; i < 4; ++i) p[i] = v[i];
+  }
+  friend Float4 operator+(Float4 a, Float4 b) {
+    for (int i = 0; i < 4; ++i) a.v[i] += b.v[i];
+    return a;
+  }
+  friend Float4 operator-(Float4 a, Float4 b) {
+    for (int i = 0; i < 4; ++i) a.v[i] -= b.v[i];
+    return a;
+  }
+  friend Float4 operator*(Float4 a, Float4 b) {
+    for (int i = 0; i < 4; ++i) a.v[i] *= b.v[i];
+    return a;
+  }
+#endif
+};
+
+/// Two double lanes.
+struct Double2 {
+#if SHAPESPLINE_SIMD_WASM
+  v128_t v;
+  static Double2 load(const double* p) { return {wasm_v128_load(p)}; }
+  static Double2 splat(double s) { return {wasm_f64x2_splat(s)}; }
+  static Double2 loadSplat(const double* p) { return {wasm_v128_load64_splat(p)}; }
+  static Double2 zero() { return {wasm_f64x2_const_splat(0.0)}; }
+  void store(double* p) const { wasm_v128_store(p, v); }
+  friend Double2 operator+(Double2 a, Double2 b) { return {wasm_f64x2_add(a.v, b.v)}; }
+  friend Double2 operator-(Double2 a, Double2 b) { return {wasm_f64x2_sub(a.v, b.v)}; }
+  friend Double2 operator*(Double2 a, Double2 b) { return {wasm_f64x2_mul(a.v, b.v)}; }
+#elif SHAPESPLINE_SIMD_SSE
+  __m128d v;
+  static Double2 load(const double* p) { return {_mm_loadu_pd(p)}; }
+  static Double2 splat(double s) { return {_mm_set1_pd(s)}; }
+  static Double2 loadSplat(const double* p) { return {_mm_set1_pd(*p)}; }
+  static Double2 zero() { return {_mm_setzero_pd()}; }
+  void store(double* p) const { _mm_storeu_pd(p, v); }
+  friend Double2 operator+(Double2 a, Double2 b) { return {_mm_add_pd(a.v, b.v)}; }
+  friend Double2 operator-(Double2 a, Double2 b) { return {_mm_sub_pd(a.v, b.v)}; }
+  friend Double2 operator*(Double2 a, Double2 b) { return {_mm_mul_pd(a.v, b.v)}; }
+#else
+  double v[2];
+  static Double2 load(const double* p) { return {{p[0], p[1]}}; }
+  static Double2 splat(double s) { return {{s, s}}; }
+  static Double2 loadSplat(const double* p) { return splat(*p); }
+  static Double2 zero() { return splat(0.0); }
+  void store(double* p) const { p[0] = v[0], p[1] = v[1]; }
+  friend Double2 operator+(Double2 a, Double2 b) { return {{a.v[0] + b.v[0], a.v[1] + b.v[1]}}; }
+  friend Double2 operator-(Double2 a, Double2 b) { return {{a.v[0] - b.v[0], a.v[1] - b.v[1]}}; }
+  friend Double2 operator*(Double2 a, Double2 b) { return {{a.v[0] * b.v[0], a.v[1] * b.v[1]}}; }
+#endif
+};
+
+/// Four double lanes in two registers: the (x, y, z, pad) of the double solve.
+struct Double4 {
+  Double2 low, high;
+  static Double4 load(const double* p) { return {Double2::load(p), Double2::load(p + 2)}; }
+  static Double4 loadSplat(const double* p) {
+    const Double2 s = Double2::loadSplat(p);
+    return {s, s};
+  }
+  static Double4 zero() { return {Double2::zero(), Double2::zero()}; }
+  void store(double* p) const { low.store(p), high.store(p + 2); }
+  friend Double4 operator+(Double4 a, Double4 b) { return {a.low + b.low, a.high + b.high}; }
+  friend Double4 operator-(Double4 a, Double4 b) { return {a.low - b.low, a.high - b.high}; }
+  friend Double4 operator*(Double4 a, Double4 b) { return {a.low * b.low, a.high * b.high}; }
+};
+
+}  // namespace shapespline

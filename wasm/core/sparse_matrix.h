@@ -1,0 +1,37 @@
+// The symmetric sparse matrix that the solver takes: lower triangle, compressed by columns.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/status.h"
+
+namespace shapespline {
+
+/// One contribution to entry (row, column) of a matrix; contributions to the same entry are added.
+struct Triplet {
+  int row = 0;
+  int column = 0;
+  double value = 0.0;
+};
+
+/// A symmetric size x size matrix, of which the lower triangle with its diagonal is stored.
+/// Column c holds row[i], value[i] for i in [columnStart[c], columnStart[c + 1]), rows strictly ascending
+/// and none above the diagonal.
+struct SymmetricMatrix {
+  int size = 0;
+  std::vector<int> columnStart = {0};
+  std::vector<int> row;
+  std::vector<double> value;
+};
+
+/// The matrix that the triplets add up to, in the order in which they are given (so that the sums are reproducible).
+/// Every triplet must lie in the lower triangle of a size x size matrix. Every diagonal entry is stored, zero if
+/// nothing contributes to it.
+SymmetricMatrix assembleSymmetric(int size, std::span<const Triplet> lowerTriplets);
+
+/// Error unless the matrix has the form that SymmetricMatrix promises and every value is finite;
+/// error.vertex is the offending row or column.
+Status checkSymmetric(const SymmetricMatrix& matrix);
+
+}  // namespace shapespline

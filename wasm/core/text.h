@@ -1,0 +1,15 @@
+// Numbers as people read them, for error sentences.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace shapespline {
+
+/// An integer with thousands separated by commas: 5,261.
+std::string grouped(std::int64_t number);
+
+/// A number with at most six significant digits and no trailing zeros: 0.25, 1e-07.
+std::string shortNumber(double number);
+
+}  // namespace shapespline
