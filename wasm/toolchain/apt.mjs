@@ -1,0 +1,112 @@
+// Debian packages: installed into the system where that is what they are for, or unpacked into a folder
+// of the repository where the system's own versions must stay as they are.
+import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { capture, run, which, withRetries } from './exec.mjs';
+import { Explained, step } from './log.mjs';
+import { toolchainDir } from './paths.mjs';
+
+const quiet = { DEBIAN_FRONTEND: 'noninteractive', DEBCONF_NOWARNINGS: 'yes', LC_ALL: 'C.UTF-8' };
+const retries = '-oAcquire::Retries=3';
+// Debian's Emscripten is old enough to fail on Node 18 before this release.
+const emscriptenSuite = 'trixie';
+
+function osRelease() {
+  try {
+    const lines = readFileSync('/etc/os-release', 'utf8').split('\n');
+    return Object.fromEntries(lines.filter((l) => l.includes('=')).map((l) => l.replaceAll('"', '').split('=', 2)));
+  } catch {
+    return {};
+  }
+}
+
+/** Why packages cannot be installed here, or null when they can. */
+export function whyNoInstall() {
+  if (process.env.SHAPESPLINE_NO_INSTALL) return 'SHAPESPLINE_NO_INSTALL is set';
+  const { ID, VERSION_ID } = osRelease();
+  if (ID !== 'debian' || !['12', '13'].includes(VERSION_ID) || !which('apt-get')) {
+    return 'packages are installed automatically on Debian 12 and 13 only';
+  }
+  if (process.getuid() !== 0) return 'installing Debian packages needs root';
+  return null;
+}
+
+async function update(options, label) {
+  step(`fetching the package lists${label}`);
+  await withRetries('apt-get update', () =>
+    run('apt-get', ['update', '-q', retries, '-oAcquire::Languages=none', ...options], { env: quiet }),
+  );
+}
+
+/** Installs packages into the system. */
+export async function installPackages(names) {
+  // Lists that are missing or out of date make a first attempt fail; only then are they fetched.
+  const install = () =>
+    run('apt-get', ['install', '-y', '-q', '--no-install-recommends', retries, ...names], { env: quiet });
+  const known = names.every((name) => capture('apt-cache', ['show', '--no-all-versions', name], { env: quiet }));
+  if (!known) await update([], '');
+  step(`installing ${names.join(' ')}`);
+  try {
+    await install();
+  } catch {
+    await update([], '');
+    await withRetries('apt-get install', install);
+  }
+}
+
+// The system's own mirror, as written in its sources.
+function mirror() {
+  const { VERSION_CODENAME: codename } = osRelease();
+  const format = '$(REPO_URI) $(RELEASE) $(COMPONENT)';
+  const targets = capture('apt-get', ['indextargets', '--format', format, 'Created-By: Packages'], { env: quiet }) ?? '';
+  const main = targets.split('\n').map((line) => line.split(' '));
+  const found = main.find(([, suite, part]) => [codename, 'stable'].includes(suite) && part === 'main');
+  if (!found) throw new Explained(`no source for Debian's ${codename} main archive among apt's sources`);
+  return found[0];
+}
+
+function separateLists() {
+  const folder = path.join(toolchainDir, 'apt');
+  mkdirSync(path.join(folder, 'lists/partial'), { recursive: true });
+  const sources = path.join(folder, 'sources.list');
+  const keys = '/usr/share/keyrings/debian-archive-keyring.gpg';
+  const signed = existsSync(keys) ? `[signed-by=${keys}] ` : '';
+  writeFileSync(sources, `deb ${signed}${mirror()} ${emscriptenSuite} main\n`);
+  const status = path.join(folder, 'status');
+  writeFileSync(status, '');
+  return [
+    `-oDir::State::Lists=${path.join(folder, 'lists')}`,
+    `-oDir::State::status=${status}`,
+    `-oDir::Etc::SourceList=${sources}`,
+    '-oDir::Etc::SourceParts=/dev/null',
+    '-oDir::Cache::pkgcache=',
+    '-oDir::Cache::srcpkgcache=',
+    '-oAPT::Sandbox::User=root',
+    '-oAcquire::IndexTargets::deb::Contents-deb::DefaultEnabled=false',
+    '-oAPT::Update::Post-Invoke-Success=',
+  ];
+}
+
+/** Downloads packages of the newer release and unpacks them into `folder`, which appears only when complete. */
+export async function unpackPackages(names, folder, finish = () => {}) {
+  const options = separateLists();
+  const partial = `${folder}.partial`;
+  const archives = path.join(toolchainDir, 'archives');
+  rmSync(partial, { recursive: true, force: true });
+  mkdirSync(partial, { recursive: true });
+  mkdirSync(archives, { recursive: true });
+  await update(options, ` of Debian ${emscriptenSuite}`);
+  step(`downloading ${names.join(' ')} from Debian ${emscriptenSuite}`);
+  await withRetries('apt-get download', () =>
+    run('apt-get', [...options, retries, '-q', 'download', ...names], { cwd: archives, env: quiet }),
+  );
+  const wanted = (file) => file.endsWith('.deb') && names.includes(file.split('_')[0]);
+  for (const file of readdirSync(archives).filter(wanted)) {
+    step(`unpacking ${file.split('_', 2).join(' ')}`);
+    await run('dpkg', ['-x', path.join(archives, file), partial]);
+  }
+  await finish(partial);
+  rmSync(folder, { recursive: true, force: true });
+  renameSync(partial, folder);
+  rmSync(archives, { recursive: true, force: true });
+}

@@ -1,0 +1,69 @@
+// Running other programs.
+import { spawn, spawnSync } from 'node:child_process';
+import { accessSync, constants, statSync } from 'node:fs';
+import path from 'node:path';
+import { Explained, step } from './log.mjs';
+import { root } from './paths.mjs';
+
+const tailLength = 16_000;
+
+/**
+ * Runs a program to its end; rejects with the last part of what it printed when it fails.
+ * `show` 'all' passes its output on to stderr as it comes, 'quiet' keeps it for the error message;
+ * `inherit` connects all three streams, for programs whose output is the command's own.
+ */
+export function run(program, args, { cwd = root, env = {}, show = 'quiet', inherit = false, allowFailure = false } = {}) {
+  return new Promise((resolve, reject) => {
+    const child = spawn(program, args, {
+      cwd,
+      env: { ...process.env, ...env },
+      stdio: inherit ? 'inherit' : ['ignore', 'pipe', 'pipe'],
+    });
+    let tail = '';
+    const take = (chunk) => {
+      tail = (tail + chunk).slice(-tailLength);
+      if (show === 'all') process.stderr.write(chunk);
+    };
+    child.stdout?.on('data', take);
+    child.stderr?.on('data', take);
+    child.on('error', (error) => reject(new Explained(`cannot run ${program}: ${error.message}`)));
+    child.on('close', (code, signal) => {
+      if (code === 0 || allowFailure) return resolve({ code: code ?? 1, tail });
+      const said = show === 'all' || inherit ? '' : `\n${tail.trimEnd()}`;
+      reject(new Explained(`${program} ${args.join(' ')} failed (${signal ?? `exit code ${code}`})${said}`));
+    });
+  });
+}
+
+/** What a program prints on stdout, or null when it cannot be run or fails. */
+export function capture(program, args, { env = {}, cwd = root } = {}) {
+  const result = spawnSync(program, args, { encoding: 'utf8', cwd, env: { ...process.env, ...env } });
+  return result.status === 0 ? result.stdout : null;
+}
+
+/** The full path of a program on PATH, or null. */
+export function which(program, searchPath = process.env.PATH ?? '') {
+  for (const folder of searchPath.split(path.delimiter)) {
+    const candidate = path.join(folder, program);
+    try {
+      accessSync(candidate, constants.X_OK);
+      if (folder && statSync(candidate).isFile()) return candidate;
+    } catch {
+      // not in this folder
+    }
+  }
+  return null;
+}
+
+/** Tries an action that uses the network a few times, waiting longer each time. */
+export async function withRetries(what, action, attempts = 3) {
+  for (let attempt = 1; ; ++attempt) {
+    try {
+      return await action();
+    } catch (error) {
+      if (attempt === attempts) throw error;
+      step(`${what} failed, trying again (${attempt} of ${attempts - 1})`);
+      await new Promise((wake) => setTimeout(wake, 3000 * attempt));
+    }
+  }
+}
