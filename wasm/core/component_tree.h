@@ -1,0 +1,30 @@
+// Meshes of several pieces (eyes, clothes, hooves): each piece hangs on its neighbour, so that parts stay attached.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/mesh.h"
+#include "core/types.h"
+
+namespace shapespline {
+
+/// How one component hangs on another.
+struct ComponentLink {
+  int parent = -1;       ///< -1 for the root
+  int anchorFace = -1;   ///< face of the parent that carries this component
+  int contactFace = -1;  ///< face of this component nearest to it
+};
+
+struct ComponentTree {
+  std::vector<ComponentLink> link;  ///< one a component
+  std::vector<int> order;           ///< components, parents before children; the root is first
+  int root() const { return order.front(); }
+};
+
+/// Minimum spanning tree of the components, the distance of two being the largest over all poses, rooted at the component
+/// of largest area in the first pose. faceUse: faces without area take no part.
+ComponentTree linkComponents(const std::vector<Triangle>& faces, const Pieces& pieces,
+                             std::span<const Positions* const> poses);
+
+}  // namespace shapespline

@@ -1,0 +1,60 @@
+// What a list of triangles says about itself: shared edges, neighbours, pieces, and the flaws that real files have.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/types.h"
+
+namespace shapespline {
+
+/// A graph on faces in compressed rows: the neighbours of face f are neighbour[start[f]] to neighbour[start[f + 1] - 1].
+struct FaceGraph {
+  std::vector<int> start;
+  std::vector<int> neighbour;
+
+  std::span<const int> of(int face) const {
+    return {neighbour.data() + start[face], static_cast<std::size_t>(start[face + 1] - start[face])};
+  }
+};
+
+/// For each vertex the faces at it, in compressed rows.
+struct VertexFaces {
+  std::vector<int> start;
+  std::vector<int> face;
+
+  std::span<const int> of(int vertex) const {
+    return {face.data() + start[vertex], static_cast<std::size_t>(start[vertex + 1] - start[vertex])};
+  }
+};
+
+VertexFaces facesOfVertices(int vertexCount, const std::vector<Triangle>& faces);
+
+/// Flaws and features of a mesh, counted.
+struct MeshCounts {
+  int edges = 0;
+  int boundaryEdges = 0;         ///< with one face
+  int nonManifoldEdges = 0;      ///< with three faces or more
+  int inconsistentEdges = 0;     ///< two faces run along it in the same direction
+  int duplicateFaces = 0;        ///< faces with the same three vertices as an earlier one
+  int unreferencedVertices = 0;  ///< in no face
+};
+
+MeshCounts countMesh(int vertexCount, const std::vector<Triangle>& faces);
+
+/// Neighbours across edges, between those faces for which `use` is true. Where faces meet only in a vertex (and no chain
+/// of edges joins them) one link is added, so that the pieces of this graph are the pieces that share vertices.
+FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use);
+
+/// Connected pieces of a face graph.
+struct Pieces {
+  std::vector<int> ofFace;  ///< piece of each face; -1 where the face is not used
+  int count = 0;
+};
+
+Pieces connectedPieces(const FaceGraph& graph, const std::vector<char>& use);
+
+/// Length of the diagonal of the box around all positions of all poses.
+double boundingDiagonal(std::span<const Positions* const> poses);
+
+}  // namespace shapespline

@@ -1,0 +1,195 @@
+#include "core/patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+#include "core/rotation.h"
+
+namespace shapespline {
+
+namespace {
+
+// Rounds of growing and re-seeding. The cost hardly falls after the third; large meshes pay for each.
+constexpr int rounds = 4, roundsWhenLarge = 2, largeFaceCount = 200000;
+
+// Weight of the squared distance to the patch centre, over the squared mean patch radius, against the rotation cost.
+// It keeps patches compact where all rotations agree, and is below the cost of a turn by 7 degrees in one key.
+constexpr double distanceWeight = 0.03;
+
+// Faces that may become a first seed, as a multiple of the number of seeds.
+constexpr int candidatesPerSeed = 48;
+
+// A patch while it grows.
+struct Centre {
+  std::vector<Eigen::Quaternionf> rotation;  // one a key
+  Vec3 position;
+  double inverseRadiusSquared;
+  int seed;
+};
+
+class Partition {
+ public:
+  Partition(const PatchInput& input, int wanted) : in_(input), faceCount_(static_cast<int>(input.area.size())) {
+    patches_.ofFace.assign(faceCount_, -1);
+    chooseSeeds(wanted);
+  }
+
+  Patches run() {
+    const int count = faceCount_ > largeFaceCount ? roundsWhenLarge : rounds;
+    for (int round = 0; round < count; ++round) {
+      if (round > 0) recentre();
+      grow();
+    }
+    collectPairs();
+    patches_.count = static_cast<int>(centres_.size());
+    return std::move(patches_);
+  }
+
+ private:
+  double rotationCost(int face, const std::vector<Eigen::Quaternionf>& rotation) const {
+    double cost = 0;  // |R - G|_F^2 = 8 (1 - (q . g)^2)
+    for (std::size_t j = 0; j < rotation.size(); ++j) {
+      const double dot = in_.rotations[j][face].dot(rotation[j]);
+      cost += 8 * (1 - dot * dot);
+    }
+    return cost;
+  }
+
+  double cost(int face, const Centre& centre) const {
+    return rotationCost(face, centre.rotation) +
+           distanceWeight * (in_.centroid[face] - centre.position).squaredNorm() * centre.inverseRadiusSquared;
+  }
+
+  Centre centreAt(int face, double inverseRadiusSquared) const {
+    Centre centre{{}, in_.centroid[face], inverseRadiusSquared, face};
+    for (const auto& key : in_.rotations) centre.rotation.push_back(key[face]);
+    return centre;
+  }
+
+  void chooseSeeds(int wanted) {
+    std::vector<std::vector<int>> members(in_.pieces.count);
+    int used = 0;
+    for (int f = 0; f < faceCount_; ++f)
+      if (in_.pieces.ofFace[f] >= 0) members[in_.pieces.ofFace[f]].push_back(f), ++used;
+    for (int piece = 0; piece < in_.pieces.count; ++piece) {
+      const auto size = static_cast<int>(members[piece].size());
+      const auto share = static_cast<int>(std::lround(static_cast<double>(wanted) * size / std::max(1, used)));
+      chooseSeedsOf(piece, members[piece], std::clamp(share, 1, size));
+    }
+  }
+
+  void chooseSeedsOf(int piece, const std::vector<int>& members, int count) {
+    double area = 0;
+    Vec3 middle = Vec3::Zero();
+    for (int f : members) area += in_.area[f], middle += in_.area[f] * in_.centroid[f];
+    middle /= area;
+    const double inverseRadiusSquared = count * std::numbers::pi / area;
+
+    const int candidateCount = std::min<int>(static_cast<int>(members.size()), std::max(count * candidatesPerSeed, 512));
+    std::vector<int> candidates(candidateCount);
+    for (int i = 0; i < candidateCount; ++i)
+      candidates[i] = members[static_cast<std::int64_t>(i) * static_cast<std::int64_t>(members.size()) / candidateCount];
+
+    std::vector<double> nearest(candidateCount, std::numeric_limits<double>::infinity());
+    int next = 0;
+    for (int i = 1; i < candidateCount; ++i)  // the first seed lies farthest out
+      if ((in_.centroid[candidates[i]] - middle).squaredNorm() > (in_.centroid[candidates[next]] - middle).squaredNorm())
+        next = i;
+    for (int s = 0; s < count; ++s) {
+      centres_.push_back(centreAt(candidates[next], inverseRadiusSquared));
+      patches_.pieceOf.push_back(piece);
+      nearest[next] = -1;
+      for (int i = 0; i < candidateCount; ++i)
+        if (nearest[i] >= 0) nearest[i] = std::min(nearest[i], cost(candidates[i], centres_.back()));
+      next = static_cast<int>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
+      if (nearest[next] < 0) break;  // every candidate is a seed
+    }
+  }
+
+  // Floods all patches from their seeds at once, the cheapest face first, so that patches stay connected.
+  void grow() {
+    struct Claim {
+      float cost;
+      int face, patch;
+      bool operator<(const Claim& o) const {  // reversed: the priority queue serves the greatest
+        if (cost != o.cost) return cost > o.cost;
+        return face != o.face ? face > o.face : patch > o.patch;
+      }
+    };
+    std::fill(patches_.ofFace.begin(), patches_.ofFace.end(), -1);
+    std::priority_queue<Claim> queue;
+    const int count = static_cast<int>(centres_.size());
+    for (int k = 0; k < count; ++k) patches_.ofFace[centres_[k].seed] = k;
+    const auto claimNeighbours = [&](int face, int patch) {
+      for (int g : in_.graph.of(face))
+        if (patches_.ofFace[g] < 0) queue.push({static_cast<float>(cost(g, centres_[patch])), g, patch});
+    };
+    for (int k = 0; k < count; ++k) claimNeighbours(centres_[k].seed, k);
+    while (!queue.empty()) {
+      const Claim claim = queue.top();
+      queue.pop();
+      if (patches_.ofFace[claim.face] >= 0) continue;
+      patches_.ofFace[claim.face] = claim.patch;
+      claimNeighbours(claim.face, claim.patch);
+    }
+  }
+
+  // Moves each centre to its patch's means and seeds it with the face that suits them best.
+  void recentre() {
+    const int count = static_cast<int>(centres_.size());
+    const std::size_t keys = in_.rotations.size();
+    std::vector<Vec3> position(count, Vec3::Zero());
+    std::vector<double> area(count, 0);
+    std::vector<RotationMean> mean(count * keys);
+    for (int f = 0; f < faceCount_; ++f) {
+      const int k = patches_.ofFace[f];
+      if (k < 0) continue;
+      area[k] += in_.area[f];
+      position[k] += in_.area[f] * in_.centroid[f];
+      for (std::size_t j = 0; j < keys; ++j) mean[k * keys + j].add(in_.rotations[j][f].cast<double>(), in_.area[f]);
+    }
+    for (int k = 0; k < count; ++k) {
+      centres_[k].position = position[k] / area[k];
+      for (std::size_t j = 0; j < keys; ++j) centres_[k].rotation[j] = mean[k * keys + j].mean().cast<float>();
+    }
+    std::vector<double> best(count, std::numeric_limits<double>::infinity());
+    for (int f = 0; f < faceCount_; ++f) {
+      const int k = patches_.ofFace[f];
+      if (k < 0) continue;
+      const double c = cost(f, centres_[k]);
+      if (c < best[k]) best[k] = c, centres_[k].seed = f;
+    }
+  }
+
+  void collectPairs() {
+    std::vector<std::pair<int, int>> links;
+    for (int f = 0; f < faceCount_; ++f) {
+      const int a = patches_.ofFace[f];
+      if (a < 0) continue;
+      for (int g : in_.graph.of(f))
+        if (a < patches_.ofFace[g]) links.emplace_back(a, patches_.ofFace[g]);
+    }
+    std::sort(links.begin(), links.end());
+    for (std::size_t i = 0, j; i < links.size(); i = j) {
+      for (j = i + 1; j < links.size() && links[j] == links[i]; ++j) {}
+      patches_.pairs.push_back({links[i].first, links[i].second, static_cast<int>(j - i)});
+    }
+  }
+
+  const PatchInput& in_;
+  int faceCount_;
+  std::vector<Centre> centres_;
+  Patches patches_;
+};
+
+}  // namespace
+
+int defaultPatchCount(int faceCount) { return std::max(1, static_cast<int>(std::lround(std::sqrt(faceCount)))); }
+
+Patches partitionFaces(const PatchInput& input, int wanted) { return Partition(input, wanted).run(); }
+
+}  // namespace shapespline

@@ -1,0 +1,45 @@
+// A deterministic partition of the faces into connected patches that turn as one, and the graph of neighbouring patches
+// (paper section 4.2, after Wang et al. 2007).
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "core/mesh.h"
+#include "core/types.h"
+
+namespace shapespline {
+
+/// Everything the partition looks at. All arrays are indexed by face; faces outside every piece are left out.
+struct PatchInput {
+  const FaceGraph& graph;
+  const Pieces& pieces;
+  const std::vector<double>& area;   ///< in the reference pose
+  const Positions& centroid;         ///< in the reference pose
+  /// R_f of each key: rotations[key][face]. Single precision is enough to decide a partition.
+  const std::vector<std::vector<Eigen::Quaternionf>>& rotations;
+};
+
+/// Two patches that share an edge (or, at a pinched place, a vertex).
+struct PatchPair {
+  int first, second;  ///< first < second
+  int sharedEdges;
+};
+
+struct Patches {
+  std::vector<int> ofFace;       ///< -1 where the face is in no piece
+  int count = 0;
+  std::vector<int> pieceOf;      ///< piece of each patch
+  std::vector<PatchPair> pairs;  ///< ascending
+};
+
+/// Number of patches used when none is asked for: the square root of the number of faces, rounded. The pairs then number
+/// a few times sqrt(m), so that the first system stays tiny beside the second.
+int defaultPatchCount(int faceCount);
+
+/// Farthest-point seeds, then rounds of region growing on the dual graph and re-seeding (Lloyd). Every piece gets at
+/// least one patch, so that the count may exceed `wanted`; it never exceeds the number of faces.
+Patches partitionFaces(const PatchInput& input, int wanted);
+
+}  // namespace shapespline

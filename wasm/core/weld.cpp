@@ -1,0 +1,130 @@
+#include "core/weld.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace shapespline {
+
+namespace {
+
+// Vertices of one pose hashed by cubes much wider than the tolerance, so that almost every look-up visits one cube.
+class Grid {
+ public:
+  Grid(const Positions& positions, double tolerance)
+      : positions_(positions), tolerance_(tolerance), cell_(8 * tolerance), next_(positions.size(), -1) {
+    std::size_t size = 16;
+    while (size < 2 * positions.size()) size *= 2;
+    head_.assign(size, -1);
+  }
+
+  void add(int vertex) {
+    int& head = head_[slot(cube(positions_[vertex]))];
+    next_[vertex] = head;
+    head = vertex;
+  }
+
+  // The lowest vertex for which match holds among those that can lie within the tolerance of p; -1 if none.
+  template <class Match>
+  int find(const Vec3& p, Match match) const {
+    const Cube low = cube(p - Vec3::Constant(tolerance_)), high = cube(p + Vec3::Constant(tolerance_));
+    int best = -1;
+    for (std::int64_t x = low[0]; x <= high[0]; ++x)
+      for (std::int64_t y = low[1]; y <= high[1]; ++y)
+        for (std::int64_t z = low[2]; z <= high[2]; ++z)
+          for (int v = head_[slot({x, y, z})]; v >= 0; v = next_[v])
+            if (match(v) && (best < 0 || v < best)) best = v;
+    return best;
+  }
+
+ private:
+  using Cube = std::array<std::int64_t, 3>;
+
+  Cube cube(const Vec3& p) const {
+    // Clamped, so that far coordinates over a tiny tolerance cannot overflow the conversion.
+    const auto index = [&](double x) { return static_cast<std::int64_t>(std::clamp(std::floor(x / cell_), -1e18, 1e18)); };
+    return {index(p.x()), index(p.y()), index(p.z())};
+  }
+
+  // Different cubes may share a slot: find() compares positions anyway.
+  std::size_t slot(const Cube& c) const {
+    std::uint64_t h = static_cast<std::uint64_t>(c[0]) * 0x9E3779B97F4A7C15ull;
+    h = (h ^ (h >> 29)) + static_cast<std::uint64_t>(c[1]) * 0xBF58476D1CE4E5B9ull;
+    h = (h ^ (h >> 31)) + static_cast<std::uint64_t>(c[2]) * 0x94D049BB133111EBull;
+    h ^= h >> 30;
+    return static_cast<std::size_t>(h & (head_.size() - 1));
+  }
+
+  const Positions& positions_;
+  double tolerance_, cell_;
+  std::vector<int> head_, next_;
+};
+
+}  // namespace
+
+Welding weld(std::span<const Positions* const> poses, double tolerance) {
+  Welding welding;
+  const int n = static_cast<int>(poses[0]->size());
+  welding.weldedOfRaw.resize(n);
+  Grid grid(*poses[0], std::max(tolerance, 1e-300));
+  const auto coincide = [&](int a, int b) {
+    return std::all_of(poses.begin(), poses.end(), [&](const Positions* p) {
+      return ((*p)[a] - (*p)[b]).squaredNorm() <= tolerance * tolerance;
+    });
+  };
+  for (int v = 0; v < n; ++v) {
+    const int twin = grid.find((*poses[0])[v], [&](int candidate) { return coincide(candidate, v); });
+    if (twin >= 0) {
+      welding.weldedOfRaw[v] = welding.weldedOfRaw[twin];
+      continue;
+    }
+    grid.add(v);
+    welding.weldedOfRaw[v] = welding.count++;
+    welding.rawOfWelded.push_back(v);
+  }
+  return welding;
+}
+
+std::vector<Triangle> weldFaces(const std::vector<Triangle>& faces, const Welding& welding) {
+  std::vector<Triangle> welded(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (int c = 0; c < 3; ++c) welded[f][c] = welding.weldedOfRaw[faces[f][c]];
+  return welded;
+}
+
+Positions weldPositions(const Positions& raw, const Welding& welding) {
+  Positions welded(welding.count);
+  for (int w = 0; w < welding.count; ++w) welded[w] = raw[welding.rawOfWelded[w]];
+  return welded;
+}
+
+std::vector<int> shadingGroups(const Welding& welding, const Positions& rawNormals, int& groups) {
+  const double agree = std::cos(std::numbers::pi / 180);
+  const int n = static_cast<int>(welding.weldedOfRaw.size());
+  std::vector<int> group(n);
+  if (rawNormals.size() != static_cast<std::size_t>(n)) {
+    groups = welding.count;
+    return welding.weldedOfRaw;
+  }
+  groups = 0;
+  std::vector<int> next(n, -1), last(welding.count, -1);  // chains of the groups' first copies, by welded vertex
+  std::vector<int> head(welding.count, -1);
+  for (int v = 0; v < n; ++v) {
+    const int w = welding.weldedOfRaw[v];
+    const Vec3 normal = rawNormals[v].normalized();
+    int twin = head[w];
+    while (twin >= 0 && !(rawNormals[twin].normalized().dot(normal) >= agree)) twin = next[twin];
+    if (twin >= 0) {
+      group[v] = group[twin];
+      continue;
+    }
+    group[v] = groups++;
+    (head[w] < 0 ? head[w] : next[last[w]]) = v;
+    last[w] = v;
+  }
+  return group;
+}
+
+}  // namespace shapespline
