@@ -230,11 +230,13 @@ export interface ShapePlane {
 
 export interface ExportOptions {
   format: 'glb' | 'obj' | 'ply';
-  /** Evenly spaced frames over the range; the keys inside it are added. */
+  /** Evenly spaced frames over the range; a GLB gets the keys inside it too, so that it passes through them. */
   frames: number;
   /** First and last time; default: first and last key. */
   range: [number, number] | null;
-  /** Seconds that the exported animation plays; default: the length of the range. */
+  /** These times instead of frames and range, in any order; a GLB gets the keys between them too. */
+  times: number[] | null;
+  /** Seconds that the exported animation plays; default: the length of the range. GLB only. */
   duration: number | null;
   /** One pose only, at this time: frames, range and duration are ignored. */
   pose: number | null;
@@ -245,10 +247,20 @@ export const EXPORT_DEFAULTS: Readonly<ExportOptions> = {
   format: 'glb',
   frames: 60,
   range: null,
+  times: null,
   duration: null,
   pose: null,
   inPlace: false,
 };
+
+/** What an export will be, before it is made. */
+export interface ExportPlan {
+  /** Times of its frames, in the sequence's own unit, increasing for a GLB. */
+  times: number[];
+  /** Bytes of all files together, to a few percent. */
+  bytes: number;
+  warnings: Warning[];
+}
 
 export interface ExportedFile {
   name: string;

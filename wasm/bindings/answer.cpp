@@ -1,0 +1,47 @@
+#include "bindings/answer.h"
+
+#include <string>
+
+namespace shapespline::bindings {
+namespace {
+
+std::string text;
+
+// File names and names inside files may be broken UTF-8: those bytes are replaced rather than refused.
+const char* keep(const Json& json) {
+  text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.c_str();
+}
+
+Json failure(const Error& error) {
+  return {{"ok", false},
+          {"code", errorCodeName(error.code)},
+          {"message", error.message},
+          {"key", error.key},
+          {"vertex", error.vertex},
+          {"face", error.face}};
+}
+
+}  // namespace
+
+const char* keepAnswer(Result<Json> result) {
+  if (!result) return keep(failure(result.error()));
+  (*result)["ok"] = true;
+  return keep(*result);
+}
+
+const char* keepOutOfMemory() {
+  return R"({"ok":false,"code":"out-of-memory","message":"There is not enough memory for this. Close other pages, or )"
+         R"(use fewer keys or a mesh with fewer faces.","key":-1,"vertex":-1,"face":-1})";
+}
+
+const char* keepInternal(const char* what) {
+  try {
+    return keep(failure({ErrorCode::Internal, std::string("Something unforeseen happened in the computation: ") + what +
+                                                  ". Please report it with the files that led to it."}));
+  } catch (...) {
+    return keepOutOfMemory();
+  }
+}
+
+}  // namespace shapespline::bindings

@@ -1,0 +1,38 @@
+// One answer a call: JSON text, {"ok": true, ...} or {"code", "message", "key", "vertex", "face"}. Nothing is thrown
+// across the boundary.
+#pragma once
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "core/status.h"
+
+namespace shapespline::bindings {
+
+using Json = nlohmann::json;
+
+/// Text that stays where it is until the next answer.
+const char* keepAnswer(Result<Json> result);
+const char* keepOutOfMemory();
+const char* keepInternal(const char* what);
+
+/// Runs `work`, which returns Result<Json>, and turns whatever comes of it into an answer.
+template <class Work>
+const char* answer(Work&& work) {
+  try {
+    return keepAnswer(work());
+  } catch (const std::bad_alloc&) {
+    return keepOutOfMemory();
+  } catch (const std::length_error&) {  // a container asked for more than it could ever hold
+    return keepOutOfMemory();
+  } catch (const std::exception& error) {
+    return keepInternal(error.what());
+  } catch (...) {
+    return keepInternal("unknown exception");
+  }
+}
+
+}  // namespace shapespline::bindings

@@ -1,0 +1,6 @@
+// Marks a function that JavaScript calls. Requests are JSON text ended by a NUL; answers are valid until the next call.
+#pragma once
+
+#include <emscripten.h>
+
+#define ENTRY extern "C" EMSCRIPTEN_KEEPALIVE

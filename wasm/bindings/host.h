@@ -1,0 +1,13 @@
+// What the bindings ask of the JavaScript around them.
+#pragma once
+
+namespace shapespline::bindings {
+
+/// Calls Module.onProgress(stage, fraction), if there is one.
+void reportProgress(const char* stage, double fraction);
+
+/// Calls Module.takeFrame(frame, positions, normals), which writes two arrays of 3n floats at the addresses; false if it
+/// has no such frame.
+bool takeFrame(int frame, float* positions, float* normals);
+
+}  // namespace shapespline::bindings

@@ -1,0 +1,75 @@
+// Files -> an import object, and its parts -> JSON and heap ranges.
+#include "bindings/entry.h"
+#include "bindings/marshal.h"
+#include "bindings/objects.h"
+#include "core/mesh_report.h"
+#include "io/import.h"
+
+namespace shapespline::bindings {
+namespace {
+
+Json toJson(const MeshReport& report) {
+  return {{"vertices", report.vertices},
+          {"weldedVertices", report.weldedVertices},
+          {"faces", report.faces},
+          {"components", report.components},
+          {"boundaryEdges", report.counts.boundaryEdges},
+          {"nonManifoldEdges", report.counts.nonManifoldEdges},
+          {"degenerateFaces", report.degenerateFaces},
+          {"duplicateFaces", report.counts.duplicateFaces},
+          {"unreferencedVertices", report.counts.unreferencedVertices},
+          {"inconsistentEdges", report.counts.inconsistentEdges},
+          {"diagonal", report.diagonal}};
+}
+
+Json describe(const ImportObject& object) {
+  const Import& import = object.import;
+  Json names = Json::array(), times = Json::array();
+  for (const Key& key : import.keyframes.keys) {
+    names.push_back(key.name);
+    times.push_back(key.time);
+  }
+  const auto& faces = import.keyframes.faces;
+  const auto& normals = object.normals;
+  return {{"names", names},
+          {"times", times},
+          {"faces", range(faces.data()->data(), 3 * faces.size())},
+          {"normals", normals.empty() ? Json() : range(normals.data(), normals.size())},
+          {"scene", bindings::toJson(import.scene)},
+          {"report", toJson(reportOf(import.keyframes))},
+          {"warnings", bindings::toJson(import.warnings)},
+          {"animations", bindings::toJson(import.animations)},
+          {"animation", import.animation},
+          {"project", import.project}};
+}
+
+}  // namespace
+
+/// {files: [{name, bytes}], options} -> {handle, names, times, faces, normals, scene, report, ...}. The ranges belong to
+/// the handle.
+ENTRY const char* shapespline_import(const char* request) {
+  return answer([&]() -> Result<Json> {
+    const Json json = Json::parse(request);
+    std::vector<NamedBytes> files;
+    for (const Json& file : json.at("files")) files.push_back({file.at("name"), elements<std::uint8_t>(file.at("bytes"))});
+    Result<Import> import = importKeyframes(files, importOptionsFrom(json.at("options")));
+    if (!import) return import.error();
+    if (const Status valid = validate(import->keyframes); !valid) return valid.error();
+    ImportObject object{std::move(*import), {}, {}};
+    object.normals = floatsFrom(object.import.keyframes.normals);
+    Json described = describe(object);
+    described["handle"] = objects().add(std::move(object));
+    return described;
+  });
+}
+
+/// {positions}: 3n floats of one key, valid until the next call for the same handle.
+ENTRY const char* shapespline_import_positions(int handle, int key) {
+  return answer([&]() -> Result<Json> {
+    ImportObject& object = objects().get<ImportObject>(handle);
+    object.positions = floatsFrom(object.import.keyframes.keys.at(key).positions);
+    return Json{{"positions", range(object.positions.data(), object.positions.size())}};
+  });
+}
+
+}  // namespace shapespline::bindings

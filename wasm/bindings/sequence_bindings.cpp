@@ -1,0 +1,94 @@
+// Keyframes -> a sequence object; times -> shapes and what can be measured on them.
+#include "bindings/entry.h"
+#include "bindings/host.h"
+#include "bindings/marshal.h"
+#include "bindings/objects.h"
+#include "core/metrics.h"
+
+namespace shapespline::bindings {
+namespace {
+
+Json state(const Sequence& sequence) {
+  const auto [first, last] = sequence.range();
+  return {{"range", {first, last}}, {"warnings", toJson(sequence.warnings())}};
+}
+
+Sequence& sequenceOf(int handle) { return objects().get<SequenceObject>(handle).sequence; }
+
+}  // namespace
+
+/// {faces, normals, keys: [{name, time, positions}], encoding, motion} -> {handle, range, warnings}.
+ENTRY const char* shapespline_sequence(const char* request) {
+  return answer([&]() -> Result<Json> {
+    const Json json = Json::parse(request);
+    Result<Sequence> sequence = Sequence::create(keyframesFrom(json), encodingFrom(json.at("encoding")),
+                                                 motionFrom(json.at("motion")), reportProgress);
+    if (!sequence) return sequence.error();
+    Json described = state(*sequence);
+    described["handle"] = objects().add(SequenceObject{std::move(*sequence), {}});
+    return described;
+  });
+}
+
+/// {motion, keyTimes} -> {range, warnings}.
+ENTRY const char* shapespline_update(int handle, const char* request) {
+  return answer([&]() -> Result<Json> {
+    const Json json = Json::parse(request);
+    Sequence& sequence = sequenceOf(handle);
+    const Status status = sequence.update(motionFrom(json.at("motion")), json.at("keyTimes").get<std::vector<double>>());
+    if (!status) return status.error();
+    return state(sequence);
+  });
+}
+
+/// {positions, normals, lostDefiniteness} of the shape at t: 3n floats each, valid until the next frame of this handle.
+ENTRY const char* shapespline_evaluate(int handle, double t) {
+  return answer([&]() -> Result<Json> {
+    auto& [sequence, frame] = objects().get<SequenceObject>(handle);
+    if (const Status status = sequence.evaluate(t, frame); !status) return status.error();
+    return Json{{"positions", range(frame.positions.data(), frame.positions.size())},
+                {"normals", range(frame.normals.data(), frame.normals.size())},
+                {"lostDefiniteness", frame.lostDefiniteness}};
+  });
+}
+
+/// {volume, area} of the shape at t, in double precision, on the input's own faces.
+ENTRY const char* shapespline_measure(int handle, double t) {
+  return answer([&]() -> Result<Json> {
+    Sequence& sequence = sequenceOf(handle);
+    Positions positions;
+    if (const Status status = sequence.evaluate(t, positions); !status) return status.error();
+    const auto& faces = sequence.keyframes().faces;
+    return Json{{"volume", volume(positions, faces)}, {"area", area(positions, faces)}};
+  });
+}
+
+/// {times} -> {keys, curve, explained}.
+ENTRY const char* shapespline_plane(int handle, const char* request) {
+  return answer([&]() -> Result<Json> {
+    const ShapePlane plane = sequenceOf(handle).shapePlane(Json::parse(request).at("times").get<std::vector<double>>());
+    return Json{{"keys", plane.keys}, {"curve", plane.curve}, {"explained", plane.explained}};
+  });
+}
+
+/// {times} -> {energy}.
+ENTRY const char* shapespline_bending(int handle, const char* request) {
+  return answer([&]() -> Result<Json> {
+    const auto times = Json::parse(request).at("times").get<std::vector<double>>();
+    return Json{{"energy", sequenceOf(handle).bendingEnergy(times)}};
+  });
+}
+
+/// {patches}: an int32 a face, belonging to the handle.
+ENTRY const char* shapespline_patches(int handle) {
+  return answer([&]() -> Result<Json> {
+    const std::vector<int>& patches = sequenceOf(handle).patchOfFace();
+    return Json{{"patches", range(patches.data(), patches.size())}};
+  });
+}
+
+ENTRY const char* shapespline_stats(int handle) {
+  return answer([&]() -> Result<Json> { return toJson(sequenceOf(handle).stats()); });
+}
+
+}  // namespace shapespline::bindings

@@ -1,0 +1,23 @@
+// What is worth saying about a set of keys before anything is computed with them.
+#pragma once
+
+#include "core/keyframes.h"
+#include "core/mesh.h"
+
+namespace shapespline {
+
+/// Counts of the input; edges and pieces are those of the welded mesh, so that seams are no boundary.
+struct MeshReport {
+  int vertices = 0;
+  int weldedVertices = 0;
+  int faces = 0;
+  int components = 0;      ///< pieces that share no welded vertex, faces without area left out
+  int degenerateFaces = 0; ///< without area in some key
+  MeshCounts counts;       ///< unreferencedVertices counts raw vertices
+  double diagonal = 0;     ///< of the box around all keys
+};
+
+/// Of keys that passed validate().
+MeshReport reportOf(const Keyframes& keyframes);
+
+}  // namespace shapespline

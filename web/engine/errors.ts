@@ -1,0 +1,73 @@
+/** The only thing that the engine throws, and the sentences of those failures that the engine itself finds. */
+import type { ErrorPlace } from './types.ts';
+
+/** Codes that arise outside the core; the core's own are listed in wasm/core/status.h. */
+export type EngineCode =
+  | 'cancelled' // the caller's AbortSignal
+  | 'disposed' // a call on something that was disposed of
+  | 'invalid-option' // an unknown name, or a value of the wrong type or range
+  | 'crashed' // the worker trapped or ended by itself
+  | 'out-of-memory'
+  | 'no-simd' // this browser's WebAssembly lacks SIMD
+  | 'not-loaded'; // the worker's script or the wasm file could not be fetched or started
+
+/** What crosses the worker's boundary: an error as plain data. */
+export interface ErrorData {
+  code: string;
+  message: string;
+  place: ErrorPlace;
+}
+
+/** A failure. `code` is stable, `message` is a sentence for the user, `place` says where in numbers. */
+export class EngineError extends Error {
+  override readonly name = 'EngineError';
+  readonly code: string;
+  readonly place: ErrorPlace;
+
+  constructor(code: string, message: string, place: ErrorPlace = {}, cause?: unknown) {
+    super(message, cause === undefined ? undefined : { cause });
+    this.code = code;
+    this.place = place;
+  }
+
+  static from(data: ErrorData): EngineError {
+    return new EngineError(data.code, data.message, data.place);
+  }
+}
+
+/** One of the engine's own codes, so that they are spelt right. */
+export function engineError(code: EngineCode, message: string, cause?: unknown): EngineError {
+  return new EngineError(code, message, {}, cause);
+}
+
+export function cancelled(): EngineError {
+  return engineError('cancelled', 'The work was cancelled; everything built before is unchanged.');
+}
+
+export function disposed(what: string): EngineError {
+  return engineError('disposed', `This ${what} was disposed of and cannot be used any more.`);
+}
+
+export function crashed(reason: string): EngineError {
+  return engineError('crashed', `The computation stopped unexpectedly (${reason}). It starts afresh with the next step; `
+    + 'if it happens again, try fewer or smaller keys.');
+}
+
+export function outOfMemory(): EngineError {
+  return engineError('out-of-memory', 'There is not enough memory for this. Close other pages, or use fewer keys or a mesh '
+    + 'with fewer faces.');
+}
+
+export function invalidOption(message: string): EngineError {
+  return engineError('invalid-option', message);
+}
+
+/** The sentence of anything that was thrown. */
+export function messageOf(reason: unknown): string {
+  return reason instanceof Error ? reason.message : String(reason);
+}
+
+/** Whether an engine's own words mean that memory ran out (they differ between browsers and Emscripten). */
+export function isOutOfMemory(text: string): boolean {
+  return /out of memory|\bOOM\b|enlarge memory|allocation (failed|size)|could not allocate|ERR_WORKER_OUT_OF_MEMORY/i.test(text);
+}

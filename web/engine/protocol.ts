@@ -1,0 +1,106 @@
+/**
+ * The messages between the engine and its workers: plain data, one union in each direction. A worker answers every
+ * request exactly once, in order, and reports progress in between.
+ */
+import type { ErrorData } from './errors.ts';
+import type {
+  AnimationInfo, EncodingOptions, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, MotionOptions,
+  SequenceOptions, SequenceStats, ShapePlane, TextureImage, Warning,
+} from './types.ts';
+
+/** Everything that a sequence is made from, apart from its options. Never changed once made. */
+export interface KeyData {
+  names: readonly string[];
+  times: readonly number[];
+  /** 3 x faces. */
+  faces: Uint32Array;
+  /** 3 x vertices for each key. */
+  positions: readonly Float32Array[];
+  /** 3 x vertices of the first key as the file had them, or null. */
+  normals: Float32Array | null;
+}
+
+/** What is kept of the look of the input. */
+export interface SceneData {
+  uvs: Float32Array | null;
+  groups: MaterialGroup[];
+  materials: Material[];
+  images: TextureImage[];
+}
+
+export interface ImportedData {
+  keys: KeyData;
+  scene: SceneData;
+  report: MeshReport;
+  warnings: Warning[];
+  animations: AnimationInfo[];
+  animation: number;
+  project: Partial<SequenceOptions> | null;
+}
+
+/** The motion that a request means; the worker refits when `version` is not the one that it holds. */
+export interface MotionSpec {
+  version: number;
+  options: MotionOptions;
+  keyTimes: readonly number[];
+}
+
+/** Two arrays of 3 x vertices, spent ones given back or new ones. */
+export interface FrameBuffers {
+  positions: Float32Array;
+  normals: Float32Array;
+}
+
+export interface FrameData extends FrameBuffers {
+  ms: number;
+  lostDefiniteness: number;
+}
+
+/** Request and result of every call. */
+export interface Calls {
+  import: { request: { files: InputFile[]; options: ImportOptions }; result: ImportedData };
+  create: {
+    request: { keys: KeyData; encoding: EncodingOptions; motion: MotionSpec };
+    result: { range: [number, number]; warnings: Warning[] };
+  };
+  /** Refits; on an error the motion before stays. */
+  update: { request: { motion: MotionSpec }; result: { range: [number, number]; warnings: Warning[] } };
+  evaluate: { request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null }; result: FrameData };
+  measure: { request: { motion: MotionSpec; t: number }; result: { volume: number; area: number } };
+  plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
+  bending: { request: { motion: MotionSpec; times: number[] }; result: number[] };
+  patches: { request: object; result: Int32Array };
+  stats: { request: object; result: SequenceStats };
+  /** Bytes of an animated GLB, to a few percent; the images' own bytes are not in it. */
+  glbSize: { request: { vertices: number; faces: number; frames: number; scene: SceneData }; result: number };
+  /** Takes one frame of the animation that is about to be written. */
+  addFrame: { request: FrameBuffers; result: null };
+  writeAnimation: {
+    request: { faces: Uint32Array; scene: SceneData; seconds: number[]; project: string };
+    result: Uint8Array;
+  };
+  writePose: {
+    request: { format: 'glb' | 'obj' | 'ply'; faces: Uint32Array; scene: SceneData; pose: FrameBuffers };
+    result: Uint8Array;
+  };
+}
+
+export type CallName = keyof Calls;
+export type RequestOf<K extends CallName> = Calls[K]['request'];
+export type ResultOf<K extends CallName> = Calls[K]['result'];
+
+export type Request = { [K in CallName]: { type: K; id: number } & RequestOf<K> }[CallName];
+
+/** The first message to a worker: the compiled wasm, so that it is compiled once a page. */
+export interface Start {
+  type: 'start';
+  module: WebAssembly.Module;
+}
+
+export type ToWorker = Start | Request;
+
+export type FromWorker =
+  | { type: 'result'; id: number; value: ResultOf<CallName> }
+  /** `fatal`: the worker's memory can no longer be trusted; it must be ended. */
+  | { type: 'error'; id: number; error: ErrorData; fatal: boolean }
+  | { type: 'progress'; id: number; stage: string; fraction: number };
