@@ -1,0 +1,148 @@
+#include "core/cholesky.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/graph.h"
+#include "core/multifrontal.h"
+#include "core/ordering.h"
+#include "core/panels.h"
+#include "core/symbolic.h"
+
+namespace shapespline {
+
+namespace {
+
+// FNV-1a over the structure: enough to catch a matrix that is not the analysed one.
+std::uint64_t patternHash(const SymmetricMatrix& matrix) {
+  std::uint64_t hash = 14695981039346656037ull;
+  const auto add = [&](int value) { hash = (hash ^ static_cast<std::uint32_t>(value)) * 1099511628211ull; };
+  for (int start : matrix.columnStart) add(start);
+  for (int row : matrix.row) add(row);
+  return hash;
+}
+
+}  // namespace
+
+struct Cholesky::State {
+  Precision precision = Precision::Double;
+  SymbolicFactor symbolic;
+  EntryMap map;
+  std::uint64_t hash = 0;
+  double flops = 0.0;
+  PanelFactor<float> single;
+  PanelFactor<double> full;
+  std::optional<Multifrontal> running;
+  // of the last factorisation
+  int regularised = 0;
+  int failedPosition = -1;
+  std::size_t workBytes = 0;
+  bool factorised = false;
+
+  void store(int s, const double* front) {
+    if (precision == Precision::Single) single.store(s, front);
+    else full.store(s, front);
+  }
+};
+
+Cholesky::Cholesky() : state_(std::make_unique<State>()) {}
+Cholesky::~Cholesky() = default;
+Cholesky::Cholesky(Cholesky&&) noexcept = default;
+Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
+
+Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision) {
+  if (Status status = checkSymmetric(matrix); !status) return status;
+  if (!coordinates.empty() && coordinates.size() != static_cast<std::size_t>(matrix.size))
+    return Error{ErrorCode::Internal, "The coordinates given for the elimination order are not one per unknown."};
+  state_ = std::make_unique<State>();
+  state_->precision = precision;
+  state_->hash = patternHash(matrix);
+  const Graph graph = graphOf(matrix);
+  state_->symbolic = analyseFactor(graph, fillReducingOrder(graph, coordinates));
+  state_->map = mapEntries(matrix, state_->symbolic.position);
+  state_->flops = factorisationFlops(state_->symbolic);
+  if (precision == Precision::Single) state_->single.allocate(state_->symbolic);
+  else state_->full.allocate(state_->symbolic);
+  return {};
+}
+
+Status Cholesky::beginFactorise(const SymmetricMatrix& matrix) {
+  if (Status status = checkSymmetric(matrix); !status) return status;
+  if (matrix.size != state_->symbolic.size() || patternHash(matrix) != state_->hash)
+    return Error{ErrorCode::Internal, "The matrix to factorise has not the structure that was analysed."};
+  std::vector<double> values(matrix.value.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = matrix.value[state_->map.source[i]];
+  state_->running.emplace(state_->symbolic, state_->map, std::move(values));
+  state_->factorised = false;
+  state_->failedPosition = -1;
+  state_->regularised = 0;
+  return {};
+}
+
+bool Cholesky::factoriseSome(std::int64_t flopBudget) {
+  if (!state_->running) return false;
+  Multifrontal& running = *state_->running;
+  double budget = static_cast<double>(flopBudget);
+  while (!running.done() && running.eliminate(budget)) {
+    state_->store(running.supernode(), running.front());
+    running.finishFront();
+    if (running.failedPosition() != -1) break;
+  }
+  if (!running.done() && running.failedPosition() == -1) return true;
+  state_->regularised = running.regularisedPivots();
+  state_->failedPosition = running.failedPosition();
+  state_->workBytes = running.stackDoubles() * sizeof(double);
+  state_->factorised = running.done() && state_->failedPosition == -1;
+  state_->running.reset();
+  return false;
+}
+
+double Cholesky::factoriseProgress() const {
+  if (!state_->running || state_->flops <= 0.0) return 1.0;
+  return std::fmin(1.0, state_->running->flopsDone() / state_->flops);
+}
+
+Status Cholesky::factoriseStatus() const {
+  if (state_->failedPosition != -1) {
+    const int unknown = state_->symbolic.order[state_->failedPosition];
+    Error error{ErrorCode::NotPositiveDefinite,
+                "The matrix is not positive definite: its factorisation breaks down at unknown " + std::to_string(unknown) + "."};
+    error.vertex = unknown;
+    return error;
+  }
+  if (!state_->factorised) return Error{ErrorCode::Internal, "The matrix has not been factorised to the end."};
+  return {};
+}
+
+Status Cholesky::factorise(const SymmetricMatrix& matrix) {
+  if (Status status = beginFactorise(matrix); !status) return status;
+  while (factoriseSome(std::int64_t{1} << 40)) {
+  }
+  return factoriseStatus();
+}
+
+std::span<const int> Cholesky::eliminationPosition() const { return state_->symbolic.position; }
+
+int Cholesky::paddedSize() const {
+  return state_->precision == Precision::Single ? state_->single.paddedSize() : state_->full.paddedSize();
+}
+
+void Cholesky::solve(float* xyzp) const { state_->single.solve(xyzp); }
+void Cholesky::solve(double* xyzp) const { state_->full.solve(xyzp); }
+
+CholeskyStats Cholesky::stats() const {
+  const bool isSingle = state_->precision == Precision::Single;
+  CholeskyStats stats;
+  stats.factorEntries = static_cast<std::int64_t>(isSingle ? state_->single.entries() : state_->full.entries());
+  stats.factorBytes = stats.factorEntries * static_cast<std::int64_t>(isSingle ? sizeof(float) : sizeof(double));
+  stats.indexBytes = static_cast<std::int64_t>(state_->symbolic.row.size() * sizeof(int));
+  stats.workBytes = static_cast<std::int64_t>(state_->workBytes);
+  stats.flops = state_->flops;
+  stats.supernodes = state_->symbolic.supernodes();
+  stats.regularisedPivots = state_->regularised;
+  return stats;
+}
+
+}  // namespace shapespline

@@ -1,0 +1,157 @@
+#include "core/multifrontal.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/dense_front.h"
+
+namespace shapespline {
+
+namespace {
+
+// Strips eliminated between two looks at the budget.
+constexpr int kStripsAtOnce = 32;
+
+int pivotStrips(const SymbolicFactor& symbolic, int s) { return stripsFor(symbolic.columns(s)); }
+int updateStrips(const SymbolicFactor& symbolic, int s) { return stripsFor(symbolic.rows(s)); }
+
+// The largest size that the stack will have, in doubles.
+std::size_t stackPeak(const SymbolicFactor& symbolic) {
+  std::vector<std::size_t> childUpdates(symbolic.supernodes(), 0);
+  std::size_t top = 0, peak = 0;
+  for (int s = 0; s < symbolic.supernodes(); ++s) {
+    const int update = updateStrips(symbolic, s);
+    peak = std::max(peak, top + stripOffset(pivotStrips(symbolic, s) + update));
+    top = top - childUpdates[s] + stripOffset(update);
+    if (symbolic.parent[s] != -1) childUpdates[symbolic.parent[s]] += stripOffset(update);
+  }
+  return peak;
+}
+
+}  // namespace
+
+EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position) {
+  EntryMap map;
+  map.start.assign(static_cast<std::size_t>(matrix.size) + 1, 0);
+  const auto forEachEntry = [&](auto visit) {
+    for (int column = 0; column < matrix.size; ++column)
+      for (int i = matrix.columnStart[column]; i < matrix.columnStart[column + 1]; ++i) {
+        const int p = position[column], q = position[matrix.row[i]];
+        visit(std::min(p, q), std::max(p, q), i);
+      }
+  };
+  forEachEntry([&](int p, int, int) { ++map.start[p + 1]; });
+  for (int p = 0; p < matrix.size; ++p) map.start[p + 1] += map.start[p];
+  map.row.resize(matrix.row.size());
+  map.source.resize(matrix.row.size());
+  std::vector<int> next(map.start.begin(), map.start.end() - 1);
+  forEachEntry([&](int p, int q, int i) {
+    map.row[next[p]] = q;
+    map.source[next[p]++] = i;
+  });
+  return map;
+}
+
+Multifrontal::Multifrontal(const SymbolicFactor& symbolic, const EntryMap& map, std::vector<double> values)
+    : symbolic_(symbolic), map_(map), values_(std::move(values)) {
+  const int count = symbolic.supernodes();
+  stack_.resize(stackPeak(symbolic));
+  firstChild_.assign(count, -1);
+  sibling_.assign(count, -1);
+  updateBase_.assign(count, 0);
+  local_.assign(symbolic.size(), -1);
+  for (int s = 0; s < count; ++s) {
+    if (symbolic.parent[s] == -1) continue;
+    sibling_[s] = firstChild_[symbolic.parent[s]];
+    firstChild_[symbolic.parent[s]] = s;
+  }
+}
+
+void Multifrontal::assembleFront() {
+  const int s = supernode_, first = symbolic_.first[s], columns = symbolic_.columns(s), rows = symbolic_.rows(s);
+  const int pivots = 4 * pivotStrips(symbolic_, s);
+  const int* row = symbolic_.rowsOf(s);
+  frontBase_ = stackTop_;
+  double* front = stack_.data() + frontBase_;
+  std::memset(front, 0, stripOffset(pivots / 4 + updateStrips(symbolic_, s)) * sizeof(double));
+
+  for (int c = 0; c < columns; ++c) local_[first + c] = c;
+  for (int r = 0; r < rows; ++r) local_[row[r]] = pivots + r;
+  const auto at = [&](int r, int c) -> double& { return front[stripOffset(r / 4) + 4 * static_cast<std::size_t>(c) + r % 4]; };
+  reference_.assign(pivots, 1.0);
+  inverse_.resize(4 * static_cast<std::size_t>(pivots));
+  for (int c = 0; c < columns; ++c) {
+    for (int i = map_.start[first + c]; i < map_.start[first + c + 1]; ++i) at(local_[map_.row[i]], c) += values_[i];
+    reference_[c] = at(c, c);
+  }
+  for (int c = columns; c < pivots; ++c) at(c, c) = 1.0;  // padding to whole strips
+  for (int child = firstChild_[s]; child != -1; child = sibling_[child]) addChild(child, front, pivots);
+}
+
+void Multifrontal::addChild(int child, double* front, int pivots) {
+  const int rows = symbolic_.rows(child);
+  const int* row = symbolic_.rowsOf(child);
+  offset_.resize(rows);
+  column_.resize(rows);
+  for (int r = 0; r < rows; ++r) {
+    const int to = local_[row[r]];
+    offset_[r] = stripOffset(to / 4) + to % 4;
+    column_[r] = 4 * to;
+  }
+  const double* update = stack_.data() + updateBase_[child];
+  for (int r = 0; r < rows; ++r) {
+    const double* source = update + stripOffset(r / 4) + r % 4;
+    double* target = front + offset_[r];
+    for (int c = 0; c <= r; ++c) target[column_[c]] += source[4 * static_cast<std::size_t>(c)];
+  }
+  (void)pivots;
+}
+
+bool Multifrontal::eliminate(double& flopBudget) {
+  if (nextStrip_ == -1) {
+    assembleFront();
+    nextStrip_ = 0;
+  }
+  const int pivots = pivotStrips(symbolic_, supernode_), strips = pivots + updateStrips(symbolic_, supernode_);
+  double* front = stack_.data() + frontBase_;
+  while (nextStrip_ < strips && flopBudget > 0.0) {
+    const int end = std::min(strips, nextStrip_ + kStripsAtOnce);
+    PivotReport report;
+    eliminateStrips(front, pivots, nextStrip_, end, reference_.data(), inverse_.data(), report);
+    regularised_ += report.regularised;
+    if (report.failed != -1 && failed_ == -1) failed_ = symbolic_.first[supernode_] + report.failed;
+    const double flops = eliminationFlops(pivots, nextStrip_, end);
+    flopBudget -= flops;
+    flopsDone_ += flops;
+    nextStrip_ = end;
+  }
+  return nextStrip_ == strips;
+}
+
+void Multifrontal::finishFront() {
+  const int s = supernode_, pivots = pivotStrips(symbolic_, s), update = updateStrips(symbolic_, s);
+  // The children's update matrices lie directly below the front, the first pushed one lowest.
+  std::size_t base = frontBase_;
+  for (int child = firstChild_[s]; child != -1; child = sibling_[child]) base = updateBase_[child];
+  double* target = stack_.data() + base;
+  const double* front = stack_.data() + frontBase_;
+  for (int i = 0; i < update; ++i) {
+    const double* strip = front + stripOffset(pivots + i) + 16 * static_cast<std::size_t>(pivots);
+    std::memmove(target + stripOffset(i), strip, 16 * static_cast<std::size_t>(i + 1) * sizeof(double));
+  }
+  updateBase_[s] = base;
+  stackTop_ = base + stripOffset(update);
+  nextStrip_ = -1;
+  ++supernode_;
+}
+
+double factorisationFlops(const SymbolicFactor& symbolic) {
+  double flops = 0.0;
+  for (int s = 0; s < symbolic.supernodes(); ++s) {
+    const int pivots = pivotStrips(symbolic, s);
+    flops += eliminationFlops(pivots, 0, pivots + updateStrips(symbolic, s));
+  }
+  return flops;
+}
+
+}  // namespace shapespline

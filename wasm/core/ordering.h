@@ -1,0 +1,19 @@
+// Fill-reducing elimination orders.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/graph.h"
+#include "core/types.h"
+
+namespace shapespline {
+
+/// Approximate minimum degree (Amestoy, Davis and Duff 1996): order[p] is the node eliminated at position p.
+std::vector<int> minimumDegreeOrder(const Graph& graph);
+
+/// The order the solver uses: nested dissection for large graphs with coordinates, else minimum degree.
+/// coordinates: one position a node, or empty.
+std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates);
+
+}  // namespace shapespline
