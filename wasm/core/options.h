@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/precision.h"
 #include "core/types.h"
 
 namespace shapespline {
@@ -23,9 +24,6 @@ enum class Stretch {
   Linear,  ///< S_f itself (the paper); may lose positive definiteness far outside the keys
   Log,     ///< log S_f; cannot turn inside out
 };
-
-/// Where numbers are kept that a frame streams through.
-enum class Precision { Single, Double };
 
 /// Whole turns added to the mean rotation on its way to a key.
 struct AddedTurns {
