@@ -1,0 +1,72 @@
+// Bodies made of limbs: centre lines with a radius, which give both the surface (implicit.h) and the joints (pose.h).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/types.h"
+
+namespace shapespline {
+
+/// A control point of a centre line and the radius of the limb there.
+struct Knot {
+  Vec3 centre;
+  double radius;
+};
+
+/// Grooves along a limb, as on a cactus.
+struct Ribs {
+  int count = 0;     ///< 0 = none
+  double depth = 0;  ///< of the grooves, as a fraction of the radius
+};
+
+/// A limb is flattened along one direction, as an ear is: its thickness there is `factor` times the radius.
+struct Flattening {
+  Vec3 direction = Vec3::UnitZ();
+  double factor = 1;
+};
+
+/// A tube of varying radius with round ends about a curve that is sampled evenly by arc length. Every sample is a joint.
+struct Limb {
+  Positions centre;
+  std::vector<double> radius;
+  std::vector<Mat3> frame;  ///< columns: two normals, transported in parallel, and the tangent
+  double blend = 0;         ///< width over which the limb melts into those before it
+  double edge = 0;          ///< wanted edge length on its surface
+  Ribs ribs;
+  Flattening flattening;
+  int parent = -1;          ///< limb that carries it; -1 for the root
+  int parentJoint = 0;      ///< joint of that limb
+  Vec3 middle = Vec3::Zero();  ///< of a sphere that holds the limb
+  double reach = 0;            ///< radius of that sphere
+
+  int jointCount() const { return static_cast<int>(centre.size()); }
+};
+
+/// Limbs with every parent before its children.
+struct Body {
+  std::vector<Limb> limbs;
+  std::optional<double> floor;  ///< the body is cut off below this y
+
+  int jointCount() const;
+  int firstJoint(int limb) const;  ///< index of a limb's first joint among all joints
+};
+
+/// A limb along a Catmull-Rom curve through the knots, resampled to `joints` samples (at least 2).
+Limb makeLimb(const std::vector<Knot>& knots, int joints);
+
+/// Adds a limb that hangs on the joint of `parent` nearest to its own first joint. Returns its index.
+int attach(Body& body, int parent, Limb limb);
+
+/// The place on a limb nearest to a point.
+struct LimbPoint {
+  double along = 0;     ///< in joints: 2.25 is a quarter of the way from joint 2 to joint 3
+  double distance = 0;  ///< from the limb's surface, negative inside; exact only near the surface of a plain limb
+};
+
+/// A cheap lower bound of nearestOnLimb().distance.
+double distanceBound(const Limb& limb, const Vec3& point);
+
+LimbPoint nearestOnLimb(const Limb& limb, const Vec3& point);
+
+}  // namespace shapespline

@@ -1,0 +1,23 @@
+// What makes a sample fit to be shown: closed, oriented, well-shaped triangles, no passing through itself.
+#pragma once
+
+#include "core/keyframes.h"
+
+namespace shapespline {
+
+/// Every edge belongs to two faces that run along it in opposite directions, and every vertex to one fan of faces.
+bool isClosedManifold(const std::vector<Triangle>& faces, int vertices);
+
+/// Of the region that a closed surface encloses, positive if its faces are counter-clockwise seen from outside.
+double enclosedVolume(const std::vector<Triangle>& faces, const Positions& positions);
+
+/// The smallest angle of any face, in degrees.
+double smallestAngle(const std::vector<Triangle>& faces, const Positions& positions);
+
+/// The largest angle between the normals of two faces that share an edge, in degrees; 180 is a fold.
+double sharpestEdge(const std::vector<Triangle>& faces, const Positions& positions);
+
+/// Pairs of faces without a common vertex that cut each other.
+int selfIntersections(const std::vector<Triangle>& faces, const Positions& positions);
+
+}  // namespace shapespline

@@ -1,0 +1,15 @@
+// A closed triangle surface under construction.
+#pragma once
+
+#include <vector>
+
+#include "core/types.h"
+
+namespace shapespline {
+
+struct Surface {
+  Positions positions;
+  std::vector<Triangle> faces;
+};
+
+}  // namespace shapespline
