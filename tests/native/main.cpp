@@ -1,3 +1,64 @@
-// The test runner; every other file of this folder registers its cases with it.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+// The test runner; every other file of this folder registers its cases with it. Takes doctest's options, and
+// --report=FILE for the counts as JSON. A case that cannot run here (say, without its data) says
+// MESSAGE("SKIPPED: <why>") and returns: it is counted as skipped.
+#define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+namespace {
+
+struct Counts {
+  int passed = 0;
+  int failed = 0;
+  int skipped = 0;
+};
+Counts counts;
+
+struct Counter : doctest::IReporter {
+  explicit Counter(const doctest::ContextOptions&) {}
+
+  void test_case_start(const doctest::TestCaseData&) override { saidSkipped = false; }
+  void log_message(const doctest::MessageData& message) override {
+    saidSkipped |= std::strncmp(message.m_string.c_str(), "SKIPPED", 7) == 0;
+  }
+  void test_case_end(const doctest::CurrentTestCaseStats& stats) override {
+    ++(stats.failure_flags != 0 ? counts.failed : saidSkipped ? counts.skipped : counts.passed);
+  }
+
+  void report_query(const doctest::QueryData&) override {}
+  void test_run_start() override {}
+  void test_run_end(const doctest::TestRunStats&) override {}
+  void test_case_reenter(const doctest::TestCaseData&) override {}
+  void test_case_exception(const doctest::TestCaseException&) override {}
+  void subcase_start(const doctest::SubcaseSignature&) override {}
+  void subcase_end() override {}
+  void log_assert(const doctest::AssertData&) override {}
+  // Called for cases that a filter leaves out, too: those are not counted.
+  void test_case_skipped(const doctest::TestCaseData&) override {}
+
+  bool saidSkipped = false;
+};
+REGISTER_LISTENER("counts", 1, Counter);
+
+bool writeReport(const std::string& path) {
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (!file) return false;
+  std::fprintf(file, "{\"passed\":%d,\"failed\":%d,\"skipped\":%d}\n", counts.passed, counts.failed, counts.skipped);
+  return std::fclose(file) == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  doctest::Context context(argc, argv);
+  const int result = context.run();
+  const std::string option = "--report=";
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.rfind(option, 0) == 0 && !writeReport(argument.substr(option.size()))) return 1;
+  }
+  return result;
+}

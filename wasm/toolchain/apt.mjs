@@ -65,31 +65,35 @@ function mirror() {
   return found[0];
 }
 
-function separateLists() {
+// Apt's options for a world of its own: the newer release's lists, none of the system's packages or hooks.
+function separateWorld() {
   const folder = path.join(toolchainDir, 'apt');
   mkdirSync(path.join(folder, 'lists/partial'), { recursive: true });
-  const sources = path.join(folder, 'sources.list');
   const keys = '/usr/share/keyrings/debian-archive-keyring.gpg';
   const signed = existsSync(keys) ? `[signed-by=${keys}] ` : '';
-  writeFileSync(sources, `deb ${signed}${mirror()} ${emscriptenSuite} main\n`);
-  const status = path.join(folder, 'status');
-  writeFileSync(status, '');
-  return [
-    `-oDir::State::Lists=${path.join(folder, 'lists')}`,
-    `-oDir::State::status=${status}`,
-    `-oDir::Etc::SourceList=${sources}`,
-    '-oDir::Etc::SourceParts=/dev/null',
-    '-oDir::Cache::pkgcache=',
-    '-oDir::Cache::srcpkgcache=',
-    '-oAPT::Sandbox::User=root',
-    '-oAcquire::IndexTargets::deb::Contents-deb::DefaultEnabled=false',
-    '-oAPT::Update::Post-Invoke-Success=',
+  writeFileSync(path.join(folder, 'sources.list'), `deb ${signed}${mirror()} ${emscriptenSuite} main\n`);
+  writeFileSync(path.join(folder, 'status'), '');
+  const lines = [
+    `Dir::State::Lists "${folder}/lists";`,
+    `Dir::State::status "${folder}/status";`,
+    `Dir::Etc::SourceList "${folder}/sources.list";`,
+    'Dir::Etc::SourceParts "/dev/null";',
+    'Dir::Cache::pkgcache "";',
+    'Dir::Cache::srcpkgcache "";',
+    'APT::Sandbox::User "root";',
+    // Hooks of the system may tidy caches that another apt is using at the moment.
+    '#clear APT::Update::Pre-Invoke;',
+    '#clear APT::Update::Post-Invoke;',
+    '#clear APT::Update::Post-Invoke-Success;',
+    '#clear Acquire::IndexTargets::deb::DEP-11;',
   ];
+  writeFileSync(path.join(folder, 'apt.conf'), `${lines.join('\n')}\n`);
+  return ['-c', path.join(folder, 'apt.conf')];
 }
 
 /** Downloads packages of the newer release and unpacks them into `folder`, which appears only when complete. */
 export async function unpackPackages(names, folder, finish = () => {}) {
-  const options = separateLists();
+  const options = separateWorld();
   const partial = `${folder}.partial`;
   const archives = path.join(toolchainDir, 'archives');
   rmSync(partial, { recursive: true, force: true });

@@ -20,6 +20,9 @@ function versionOf(emcc) {
   return capture(emcc, ['--version'])?.match(/\b(\d+\.\d+\.\d+)/)?.[1] ?? null;
 }
 
+/** What of PATH decides which Emscripten is used; quick, for stamps. */
+export const emccOnPath = () => which('emcc') ?? 'unpacked';
+
 function unpackedEnvironment() {
   const bin = path.join(emscriptenDir, 'usr/share/emscripten');
   return {
@@ -38,9 +41,10 @@ export function findEmscripten() {
     const env = { PATH: [process.env.PATH, inRoot('node_modules/.bin')].join(path.delimiter) };
     return { emcc: onPath, version, env };
   }
-  if (!existsSync(complete) || !existsSync(path.join(llvmBin, 'clang')) || !which('python3')) return null;
+  const programs = ['clang', 'wasm-ld', 'llvm-ar'].map((name) => path.join(llvmBin, name));
+  if (![complete, ...programs].every((file) => existsSync(file)) || !which('python3')) return null;
   const env = unpackedEnvironment();
-  return { emcc: path.join(emscriptenDir, 'usr/share/emscripten/emcc'), version: 'Debian', env };
+  return { emcc: path.join(emscriptenDir, 'usr/share/emscripten/emcc'), version: '', env };
 }
 
 // Binaryen is linked against a newer C library than the system's, which comes along and stays beside it.

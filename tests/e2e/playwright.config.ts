@@ -1,0 +1,54 @@
+import { chromium, defineConfig, devices } from '@playwright/test';
+import { fileURLToPath } from 'node:url';
+import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+// `npm test` passes free ports; these are for running Playwright by hand.
+const devPort = process.env.SHAPESPLINE_DEV_PORT ?? '5273';
+const builtPort = process.env.SHAPESPLINE_BUILT_PORT ?? '5274';
+const subPath = '/some/sub/path/';
+
+const args = [
+  // WebGL 2 without a graphics card.
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  // No traffic of the browser's own.
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--no-first-run',
+];
+if (process.getuid?.() === 0) args.push('--no-sandbox');
+
+const project = (name: string, baseURL: string) => ({ name, use: { ...devices['Desktop Chrome'], baseURL } });
+
+export default defineConfig({
+  testDir: '.',
+  outputDir: '../../build/playwright',
+  // Software rendering keeps both cores of a small machine busy with one page.
+  workers: 1,
+  timeout: 90_000,
+  expect: { timeout: 20_000 },
+  forbidOnly: Boolean(process.env.CI),
+  use: {
+    launchOptions: { executablePath: findBrowser(chromium) ?? undefined, args },
+    trace: 'retain-on-failure',
+  },
+  // The same tests against the development server and against the built page under a sub-path.
+  projects: [
+    project('dev', `http://localhost:${devPort}/`),
+    project('built', `http://localhost:${builtPort}${subPath}`),
+  ],
+  webServer: [
+    {
+      command: `npx vite --config web/vite.config.ts --port ${devPort} --strictPort`,
+      url: `http://localhost:${devPort}/`,
+      cwd: repository,
+    },
+    {
+      command: `node wasm/toolchain/serve.mjs dist --port ${builtPort} --prefix ${subPath}`,
+      url: `http://localhost:${builtPort}${subPath}`,
+      cwd: repository,
+    },
+  ],
+});

@@ -1,0 +1,134 @@
+// The steps of a build. Each has `isCurrent()`, which is quick and silent, and `make()`.
+import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import path from 'node:path';
+import { emccOnPath, findEmscripten } from './emscripten.mjs';
+import { run } from './exec.mjs';
+import { step } from './log.mjs';
+import { buildDir, inRoot } from './paths.mjs';
+import { digest, isStamped, stamp } from './stamps.mjs';
+
+const node = process.execPath;
+const jobs = process.env.SHAPESPLINE_JOBS ?? String(availableParallelism());
+
+// A build folder belongs to one compiler: with another it starts afresh.
+function useFolder(folder, compiler) {
+  const note = path.join(folder, 'compiler');
+  if (existsSync(folder) && (!existsSync(note) || readFileSync(note, 'utf8') !== compiler)) rmSync(folder, { recursive: true });
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(note, compiler);
+}
+
+async function cmake({ folder, compiler, wrap = [], options = [], targets, env }) {
+  useFolder(folder, compiler);
+  const [program, ...args] = [...wrap, 'cmake', '-S', inRoot(), '-B', folder, '-G', 'Ninja', ...options];
+  await run(program, args, { env });
+  await run('cmake', ['--build', folder, '-j', jobs, '--target', ...targets], { env, show: 'all' });
+}
+
+/** Builds targets with Emscripten in build/cmake-wasm. */
+export async function buildWasm(targets) {
+  const { emcc, version, env } = findEmscripten();
+  step(`building ${targets.join(' and ')} with Emscripten${version ? ` ${version}` : ''}`);
+  const folder = path.join(buildDir, 'cmake-wasm');
+  const emcmake = path.join(path.dirname(emcc), 'emcmake');
+  await cmake({ folder, compiler: `${emcc} ${version}`, wrap: [emcmake], targets, env });
+  return folder;
+}
+
+/** Builds the native tests under sanitizers in build/cmake-native. */
+export async function buildNative(targets) {
+  step(`building ${targets.join(' and ')} with the system's compiler`);
+  const folder = path.join(buildDir, 'cmake-native');
+  await cmake({ folder, compiler: process.env.CXX ?? '', options: ['-DSHAPESPLINE_SANITIZE=ON'], targets });
+  return folder;
+}
+
+/** Builds the fuzz targets in build/cmake-fuzz. */
+export async function buildFuzzers() {
+  step('building the fuzz targets');
+  const folder = path.join(buildDir, 'cmake-fuzz');
+  const options = ['-DSHAPESPLINE_FUZZ=ON', '-DBUILD_TESTING=OFF', '-DCMAKE_CXX_COMPILER=clang++-19'];
+  await cmake({ folder, compiler: 'clang++-19', options, targets: ['all'] });
+  return folder;
+}
+
+const wasmInputs = ['CMakeLists.txt', 'wasm/core', 'wasm/io', 'wasm/bindings', 'wasm/samples'];
+const wasmOutputs = ['build/wasm/shapespline.mjs', 'build/wasm/shapespline.wasm', 'public/samples'];
+
+/** A step that a digest of its inputs guards. The digest is taken before it runs, so that edits meanwhile count. */
+function guarded(name, value, outputs, action) {
+  return {
+    isCurrent: () => isStamped(name, value(), outputs),
+    async make() {
+      const before = value();
+      await action();
+      stamp(name, before);
+    },
+  };
+}
+
+export const wasmModule = guarded(
+  'wasm',
+  () => digest(wasmInputs, emccOnPath()),
+  wasmOutputs,
+  async () => {
+    const folder = await buildWasm(['shapespline', 'shapespline_samples']);
+    await makeSamples(folder);
+  },
+);
+
+async function makeSamples(folder) {
+  step('making the samples');
+  const partial = inRoot('build/samples.partial');
+  rmSync(partial, { recursive: true, force: true });
+  mkdirSync(partial, { recursive: true });
+  mkdirSync(inRoot('public'), { recursive: true });
+  await run(node, [path.join(folder, 'shapespline_samples.js'), partial]);
+  rmSync(inRoot('public/samples'), { recursive: true, force: true });
+  renameSync(partial, inRoot('public/samples'));
+}
+
+export const page = guarded(
+  'page',
+  () => digest(['web', 'public', 'build/wasm', 'package-lock.json']),
+  ['dist/index.html'],
+  async () => {
+    step('building the page');
+    await run(node, [inRoot('node_modules/vite/bin/vite.js'), 'build', '--config', 'web/vite.config.ts'], { show: 'all' });
+  },
+);
+
+// Bundled for Node, which reads no TypeScript. The wasm module is not part of the bundle: the relative path to it is the
+// same from web/engine and from build/node.
+async function bundle(entries) {
+  const { build } = await import('esbuild');
+  await build({
+    entryPoints: entries.filter(({ in: file }) => existsSync(file)),
+    outdir: inRoot('build/node'),
+    outExtension: { '.js': '.mjs' },
+    bundle: true,
+    platform: 'node',
+    target: 'node20',
+    format: 'esm',
+    sourcemap: true,
+    external: ['../../build/wasm/shapespline.mjs'],
+    logLevel: 'warning',
+  });
+}
+
+const entry = (out, file) => ({ out, in: inRoot(file) });
+
+export const nodeBundle = guarded(
+  'node-bundle',
+  () => digest(['web/engine', 'web/cli', 'package.json', 'package-lock.json']),
+  ['build/node/cli.mjs'],
+  () => bundle([entry('cli', 'web/cli/main.ts'), entry('node-worker', 'web/engine/node-worker.ts')]),
+);
+
+export const benchBundle = guarded(
+  'bench-bundle',
+  () => digest(['web/engine', 'tests/bench', 'package.json', 'package-lock.json']),
+  ['build/node/bench.mjs'],
+  () => bundle([entry('bench', 'tests/bench/main.ts'), entry('node-worker', 'web/engine/node-worker.ts')]),
+);

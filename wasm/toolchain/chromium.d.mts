@@ -1,0 +1,2 @@
+export function findBrowser(chromium: { executablePath(): string }): string | null;
+export function hasBrowser(): boolean;

@@ -1,0 +1,23 @@
+// The browser for the end-to-end tests.
+import { existsSync, readdirSync } from 'node:fs';
+import { homedir } from 'node:os';
+import path from 'node:path';
+import { which } from './exec.mjs';
+
+const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
+
+/** Playwright's own browser if it has been downloaded, else the system's; null when there is neither. */
+export function findBrowser(chromium) {
+  return existsSync(chromium.executablePath()) ? chromium.executablePath() : findSystemBrowser();
+}
+
+function findSystemBrowser() {
+  return names.map((name) => which(name)).find(Boolean) ?? null;
+}
+
+/** Whether there is a browser, asked before Playwright itself is installed. */
+export function hasBrowser() {
+  const downloads = process.env.PLAYWRIGHT_BROWSERS_PATH ?? path.join(homedir(), '.cache/ms-playwright');
+  const downloaded = existsSync(downloads) && readdirSync(downloads).some((name) => name.startsWith('chromium'));
+  return findSystemBrowser() !== null || downloaded;
+}

@@ -1,0 +1,94 @@
+// A plain static file server, as any host would be: no special headers, optionally below a sub-path.
+//   node serve.mjs FOLDER [--port N] [--prefix /sub/path/]
+import { createReadStream, statSync } from 'node:fs';
+import { createServer } from 'node:http';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { parseArgs } from 'node:util';
+
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.mjs': 'text/javascript; charset=utf-8',
+  '.css': 'text/css; charset=utf-8',
+  '.json': 'application/json',
+  '.webmanifest': 'application/manifest+json',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.ico': 'image/x-icon',
+  '.wasm': 'application/wasm',
+  '.glb': 'model/gltf-binary',
+  '.gltf': 'model/gltf+json',
+  '.txt': 'text/plain; charset=utf-8',
+};
+
+// The file a URL stands for: `{ file, size }`, or null when there is none below `folder`.
+function locate(folder, prefix, url) {
+  let wanted;
+  try {
+    wanted = decodeURIComponent(new URL(url, 'http://localhost').pathname);
+  } catch {
+    return null;
+  }
+  if (!wanted.startsWith(prefix) || wanted.includes('\0')) return null;
+  const file = path.join(folder, wanted.slice(prefix.length));
+  if (file !== folder && !file.startsWith(folder + path.sep)) return null;
+  return [file, path.join(file, 'index.html')]
+    .map((candidate) => ({ file: candidate, stats: statSync(candidate, { throwIfNoEntry: false }) }))
+    .find(({ stats }) => stats?.isFile());
+}
+
+/** Serves `folder` on the first free port from `port` on; resolves to the page's URL and the server. */
+export async function serve(folder, { port = 4173, prefix = '/', tries = 50 } = {}) {
+  const top = path.resolve(folder);
+  const server = createServer((request, response) => {
+    const found = ['GET', 'HEAD'].includes(request.method) ? locate(top, prefix, request.url) : null;
+    if (!found) {
+      response.writeHead(404, { 'content-type': 'text/plain' }).end('not found\n');
+      return;
+    }
+    response.writeHead(200, {
+      'content-type': types[path.extname(found.file)] ?? 'application/octet-stream',
+      'content-length': found.stats.size,
+      'cache-control': 'no-cache',
+    });
+    if (request.method === 'HEAD') response.end();
+    else createReadStream(found.file).on('error', () => response.destroy()).pipe(response);
+  });
+  for (let candidate = port; ; ++candidate) {
+    try {
+      await listen(server, candidate);
+      return { url: `http://localhost:${candidate}${prefix}`, server };
+    } catch (error) {
+      if (error.code !== 'EADDRINUSE' || candidate + 1 >= port + tries) throw error;
+    }
+  }
+}
+
+function listen(server, port) {
+  return new Promise((resolve, reject) => {
+    server.once('error', reject);
+    server.listen(port, 'localhost', () => {
+      server.off('error', reject);
+      resolve();
+    });
+  });
+}
+
+/** A port nobody listens on at the moment. */
+export async function freePort() {
+  const server = createServer();
+  await listen(server, 0);
+  const { port } = server.address();
+  await new Promise((closed) => server.close(closed));
+  return port;
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  const { values, positionals } = parseArgs({
+    allowPositionals: true,
+    options: { port: { type: 'string', default: '4173' }, prefix: { type: 'string', default: '/' } },
+  });
+  const { url } = await serve(positionals[0], { port: Number(values.port), prefix: values.prefix, tries: 1 });
+  console.log(url);
+}

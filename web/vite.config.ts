@@ -1,0 +1,30 @@
+import { existsSync, readdirSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+
+const here = fileURLToPath(new URL('.', import.meta.url));
+const repository = fileURLToPath(new URL('..', import.meta.url));
+
+// Every HTML file of these folders is a page of its own.
+const pages = ['', 'embed/']
+  .filter((folder) => existsSync(here + folder))
+  .flatMap((folder) => readdirSync(here + folder).map((file) => here + folder + file))
+  .filter((file) => file.endsWith('.html'));
+
+export default defineConfig({
+  root: here,
+  publicDir: `${repository}public`,
+  cacheDir: `${repository}build/vite`,
+  // Relative URLs: the built page works from any sub-path of any static host.
+  base: './',
+  build: {
+    outDir: `${repository}dist`,
+    emptyOutDir: true,
+    target: 'es2022',
+    rollupOptions: { input: pages },
+    // three.js alone is larger than Vite's warning limit.
+    chunkSizeWarningLimit: 1200,
+  },
+  worker: { format: 'es' },
+  server: { fs: { allow: [repository] } },
+});
