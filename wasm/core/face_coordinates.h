@@ -21,9 +21,12 @@ class FaceCoordinates {
  public:
   FaceCoordinates() = default;
   FaceCoordinates(int faces, int columns)
-      : columns_(columns), data_(static_cast<std::size_t>((faces + faceLanes - 1) / faceLanes) * blockSize(columns)) {}
+      : blocks_((faces + faceLanes - 1) / faceLanes),
+        columns_(columns),
+        data_(static_cast<std::size_t>(blocks_) * blockSize(columns)) {}
 
   int columns() const { return columns_; }
+  int paddedFaces() const { return blocks_ * faceLanes; }
   Real& at(int face, int column, int number) { return data_[index(face, column, number)]; }
   Real at(int face, int column, int number) const { return data_[index(face, column, number)]; }
   const Real* block(int block) const { return data_.data() + static_cast<std::size_t>(block) * blockSize(columns_); }
@@ -43,7 +46,7 @@ class FaceCoordinates {
            (static_cast<std::size_t>(column) * numbersPerFace + number) * faceLanes + face % faceLanes;
   }
 
-  int columns_ = 0;
+  int blocks_ = 0, columns_ = 0;
   std::vector<Real> data_;
 };
 

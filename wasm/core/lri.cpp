@@ -155,7 +155,16 @@ class Encoder {
       }
       if (largest > tameAngle) wild.push_back(f);
     });
+    keepRest();
     unwrapWildFaces(wild);
+  }
+
+  // Faces without area and the padding behind the last face rest at the identity, so that no sum over lanes counts them.
+  void keepRest() {
+    const Real one = stretch_ == Stretch::Log ? Real(0) : Real(1);
+    for (int f = 0; f < out_.face.paddedFaces(); ++f)
+      for (int c = 0; c < shape_.columns() && (f >= shape_.faceCount() || !out_.hasArea[f]); ++c)
+        out_.face.at(f, c, 3) = out_.face.at(f, c, 5) = one;
   }
 
   // Faces that turn far against their patch: branches agree with the pose before and with a neighbour in the patch that is
@@ -251,19 +260,19 @@ class Encoder {
     }
   }
 
-  // Vertices held only by faces without area take the anchor of a vertex that such a face joins them to.
+  // Vertices held only by faces without area take the anchor of the nearest vertex that such faces join them to.
   void spreadOverFacesWithoutArea(std::vector<int>& anchor) const {
-    std::vector<int> flat;
-    for (int f = 0; f < shape_.faceCount(); ++f)
-      if (!out_.hasArea[f]) flat.push_back(f);
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (int f : flat) {
-        int known = -1;
-        for (int v : shape_.faces[f]) known = std::max(known, anchor[v]);
-        if (known < 0) continue;
-        for (int v : shape_.faces[f])
-          if (anchor[v] < 0) anchor[v] = known, changed = true;
+    const VertexFaces facesAt = facesOfVertices(shape_.vertexCount(), shape_.faces);
+    std::queue<int> settled;
+    for (int v = 0; v < shape_.vertexCount(); ++v)
+      if (anchor[v] >= 0) settled.push(v);
+    while (!settled.empty()) {
+      const int v = settled.front();
+      settled.pop();
+      for (int f : facesAt.of(v)) {
+        if (out_.hasArea[f]) continue;
+        for (int u : shape_.faces[f])
+          if (anchor[u] < 0) anchor[u] = anchor[v], settled.push(u);
       }
     }
   }

@@ -47,6 +47,7 @@ struct MotionOptions {
 struct EncodingOptions {
   int reference = 0;                     ///< 0-based key that deformation gradients are measured from
   int patches = 0;                       ///< wanted number of patches, 0 = the default formula (patches.h)
+  int rootPatch = 0;                     ///< where the first system starts; moves no vertex
   Stretch stretch = Stretch::Linear;
   Precision precision = Precision::Single;
   std::optional<Positions> startTangent; ///< hermite: a shape that takes the place of key 2 in the difference at key 1

@@ -105,6 +105,7 @@ struct Double4 {
     const Double2 s = Double2::loadSplat(p);
     return {s, s};
   }
+  static Double4 splat(double s) { return {Double2::splat(s), Double2::splat(s)}; }
   static Double4 zero() { return {Double2::zero(), Double2::zero()}; }
   void store(double* p) const { low.store(p), high.store(p + 2); }
   friend Double4 operator+(Double4 a, Double4 b) { return {a.low + b.low, a.high + b.high}; }

@@ -1,0 +1,49 @@
+// Coordinates -> right-hand side of the second system, four faces at a time: spline, exponential, product, divergence.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/face_coordinates.h"
+#include "core/lri.h"
+#include "core/options.h"
+#include "core/types.h"
+
+namespace shapespline {
+
+/// What a face contributes that does not depend on time. Lanes of one block lie side by side.
+template <class Real>
+struct FaceBlock {
+  Real tangent[6][faceLanes];         ///< t1 and t2 of the reference frame, xyz each
+  Real gradient[4][faceLanes];        ///< area times the hat functions' gradients of corners 0 and 1, in (t1, t2)
+  std::int32_t frame[faceLanes];      ///< index into the frames
+  std::int32_t corner[3][faceLanes];  ///< where each corner's right-hand side lies
+};
+
+/// Faces of the welded mesh, ready to be evaluated.
+template <class Real>
+class FaceKernel {
+ public:
+  FaceKernel() = default;
+
+  /// position: where each vertex's right-hand side lies, or `dump` for vertices that have none.
+  void build(const WeldedShape& shape, const LriCoordinates<Real>& coordinates, Stretch stretch,
+             const std::vector<int>& position, int dump);
+
+  /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
+  /// frames: G_k as row-major 3x3 matrices, 9 numbers each. weights: one a column of the coordinates.
+  /// Returns the number of faces whose interpolated S_f is not positive definite.
+  int accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+                 const std::vector<Real>& weights, Real* rhs) const;
+
+  /// Adds to rhs what changes when face f's rotation vector is shifted by `difference`.
+  void accumulateShift(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+                       const std::vector<Real>& weights, int face, const Vec3& difference, Real* rhs) const;
+
+ private:
+  std::vector<FaceBlock<Real>> blocks_;
+  int faceCount_ = 0;
+  Stretch stretch_ = Stretch::Linear;
+};
+
+}  // namespace shapespline

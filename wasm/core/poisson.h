@@ -1,0 +1,52 @@
+// The second system: vertices from face gradients (paper section 4.2). Its matrix is the reference pose's cotangent
+// Laplacian, constant for a sequence, so that a frame costs one back-substitution.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/cholesky.h"
+#include "core/lri.h"
+#include "core/status.h"
+
+namespace shapespline {
+
+/// Cotangent Laplacian of the faces that have area, over the welded vertices that such a face holds. One vertex of each
+/// piece is left out (it is tied to zero), which makes the matrix positive definite.
+struct CotangentLaplacian {
+  SymmetricMatrix matrix;
+  std::vector<int> unknown;      ///< of each vertex; -1 where it is tied or loose
+  std::vector<Vec3> coordinates; ///< reference position of each unknown
+};
+
+CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const std::vector<char>& hasArea,
+                                      const Pieces& pieces, const Positions& reference);
+
+/// The factored system and where each vertex lies in its vectors.
+class PoissonSystem {
+ public:
+  /// onProgress: fraction of the factorisation in [0, 1], called at least a few times a second on large meshes.
+  Status build(const CotangentLaplacian& laplacian, Precision precision, const std::function<void(double)>& onOrder,
+               const std::function<void(double)>& onFactor);
+
+  /// Slot of each vertex in right-hand sides and solutions; dump() for tied and loose ones.
+  const std::vector<int>& slot() const { return slot_; }
+  int dump() const { return solver_.paddedSize(); }
+  /// Length of the vectors, in slots: the solver's and the dump, which reads as zero after solve().
+  int size() const { return solver_.paddedSize() + 1; }
+
+  /// In place; 4 * size() numbers.
+  template <class Real>
+  void solve(Real* xyzp) const {
+    solver_.solve(xyzp);
+    for (int i = 0; i < 4; ++i) xyzp[4 * static_cast<std::size_t>(dump()) + i] = 0;
+  }
+
+  CholeskyStats stats() const { return solver_.stats(); }
+
+ private:
+  Cholesky solver_;
+  std::vector<int> slot_;
+};
+
+}  // namespace shapespline
