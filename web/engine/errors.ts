@@ -71,3 +71,14 @@ export function messageOf(reason: unknown): string {
 export function isOutOfMemory(text: string): boolean {
   return /out of memory|\bOOM\b|enlarge memory|allocation (failed|size)|could not allocate|ERR_WORKER_OUT_OF_MEMORY/i.test(text);
 }
+
+/** The work's own outcome, or 'cancelled' as soon as the signal says so; the work itself is left to end unheard. */
+export function untilAborted<T>(signal: AbortSignal | undefined, work: Promise<T>): Promise<T> {
+  if (!signal) return work;
+  return new Promise<T>((resolve, reject) => {
+    const abort = (): void => reject(cancelled());
+    if (signal.aborted) abort();
+    signal.addEventListener('abort', abort, { once: true });
+    work.then(resolve, reject).finally(() => signal.removeEventListener('abort', abort));
+  });
+}

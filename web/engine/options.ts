@@ -4,7 +4,7 @@
  */
 import { invalidOption } from './errors.ts';
 import {
-  ENCODING_DEFAULTS, EXPORT_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS,
+  EXPORT_DEFAULTS, IMPORT_DEFAULTS, SEQUENCE_DEFAULTS,
   type EncodingOptions, type ExportOptions, type ImportOptions, type MotionOptions, type SequenceOptions,
 } from './types.ts';
 
@@ -107,8 +107,7 @@ export function checkExportOptions(given?: object): ExportOptions {
 }
 
 export function checkSequenceOptions(given?: object): SequenceOptions {
-  const checks = { ...encodingChecks, ...motionChecks };
-  return checked('sequence', checks, { ...ENCODING_DEFAULTS, ...MOTION_DEFAULTS }, given);
+  return checked<SequenceOptions>('sequence', { ...encodingChecks, ...motionChecks }, SEQUENCE_DEFAULTS, given);
 }
 
 /** A change of motion options over the present ones, and the key times taken out of it. */

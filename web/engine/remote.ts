@@ -52,14 +52,14 @@ export class Remote {
     return this.ended === null;
   }
 
-  async call<K extends CallName>(type: K, request: RequestOf<K>, { transfer, onProgress }: RemoteCall = {}): Promise<ResultOf<K>> {
-    await this.started;
-    if (this.ended) throw this.ended;
+  call<K extends CallName>(type: K, request: RequestOf<K>, { transfer, onProgress }: RemoteCall = {}): Promise<ResultOf<K>> {
+    if (this.ended) return Promise.reject(this.ended);
     const id = ++this.lastId;
     return new Promise<ResultOf<K>>((resolve, reject) => {
       this.open.set(id, { resolve: resolve as (value: unknown) => void, reject, onProgress, fraction: 0 });
       // The union of all requests cannot be formed from a generic K without this one assertion.
-      this.post({ ...request, type, id } as unknown as ToWorker, transfer ?? []);
+      const message = { ...request, type, id } as unknown as ToWorker;
+      void this.started.then(() => this.post(message, transfer ?? []));
     });
   }
 

@@ -1,0 +1,72 @@
+/** The engine in a browser. */
+import defaultWasmUrl from '../../build/wasm/shapespline.wasm?url';
+import type { Engine } from './api.ts';
+import { EngineClient } from './engine.ts';
+import { engineError, messageOf, type EngineError } from './errors.ts';
+import type { FromWorker } from './protocol.ts';
+import { endedWorker, type Spawn } from './remote.ts';
+
+export interface EngineUrls {
+  /** The worker's script, a module; default: the one that was bundled with this file. May be on another origin. */
+  workerUrl?: string | URL;
+  /** shapespline.wasm; default: the one that was bundled with this file. */
+  wasmUrl?: string | URL;
+}
+
+/** Starts fetching the wasm at once; workers are made when they are needed. */
+export function createEngine({ workerUrl, wasmUrl }: EngineUrls = {}): Engine {
+  const url = new URL(wasmUrl ?? defaultWasmUrl, document.baseURI);
+  return new EngineClient({ spawn: spawnFrom(workerUrl), module: compile(url) });
+}
+
+function spawnFrom(workerUrl: string | URL | undefined): Spawn {
+  return (events) => {
+    const worker = workerUrl
+      ? new Worker(sameOrigin(new URL(workerUrl, document.baseURI)), { type: 'module' })
+      : new Worker(new URL('./engine.worker.ts', import.meta.url), { type: 'module' });
+    let answered = false;
+    worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
+      answered = true;
+      events.message(data);
+    };
+    worker.onmessageerror = () => events.failure(endedWorker('an answer could not be received'));
+    worker.onerror = (event) => {
+      event.preventDefault();
+      events.failure(answered || event.message ? endedWorker(event.message) : notLoaded("the worker's script", 'it did not start'));
+    };
+    return { post: (message, transfer) => worker.postMessage(message, transfer), terminate: () => worker.terminate() };
+  };
+}
+
+// A worker must come from the page's own origin: a script of another one is imported by a small one of ours.
+function sameOrigin(url: URL): URL | string {
+  if (url.origin === location.origin) return url;
+  return URL.createObjectURL(new Blob([`import ${JSON.stringify(url.href)};`], { type: 'text/javascript' }));
+}
+
+async function compile(url: URL): Promise<WebAssembly.Module> {
+  if (!hasSimd()) {
+    throw engineError('no-simd', 'This browser cannot run the computation: its WebAssembly lacks SIMD. '
+      + 'Any current version of Firefox, Chrome, Edge or Safari can.');
+  }
+  try {
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+    // Streaming needs the server to name the type; without it the bytes are compiled as a whole.
+    const typed = response.headers.get('Content-Type')?.startsWith('application/wasm');
+    return await (typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer()));
+  } catch (error) {
+    throw notLoaded(url.href, messageOf(error));
+  }
+}
+
+function notLoaded(what: string, reason: string): EngineError {
+  return engineError('not-loaded', `The computation could not be loaded (${what}: ${reason}). Check the connection and reload the page.`);
+}
+
+/** Validates the smallest module that uses a vector instruction: a function that returns i8x16.splat(0). */
+function hasSimd(): boolean {
+  return WebAssembly.validate(new Uint8Array([
+    0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11,
+  ]));
+}

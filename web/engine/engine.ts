@@ -1,0 +1,114 @@
+/** The engine over any kind of worker. A task that fails or is cancelled takes its worker with it. */
+import type { CallOptions, Engine, Keys, Sequence } from './api.ts';
+import { cancelled, disposed, invalidOption } from './errors.ts';
+import { KeysHandle } from './keys.ts';
+import { checkCall, checkImportOptions, checkSequenceOptions } from './options.ts';
+import { Remote, type Spawn } from './remote.ts';
+import { SequenceClient } from './sequence.ts';
+import type { ImportOptions, InputFile, SequenceOptions } from './types.ts';
+
+export interface Platform {
+  spawn: Spawn;
+  /** The compiled wasm, fetched once. */
+  module: Promise<WebAssembly.Module>;
+}
+
+export class EngineClient implements Engine {
+  private readonly platform: Platform;
+  private readonly workers = new Set<Remote>();
+  private readonly sequences = new Set<SequenceClient>();
+  /** A worker that has nothing to do and read nothing bad. */
+  private idle: Remote | null = null;
+  private over = false;
+
+  constructor(platform: Platform) {
+    this.platform = platform;
+    platform.module.catch(() => undefined);  // said by the first call
+  }
+
+  async importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys> {
+    this.checkAlive();
+    checkCall(call);
+    const checked = checkImportOptions(options);
+    checkFiles(files);
+    const remote = this.takeWorker();
+    const imported = await this.task(remote, call, () =>
+      remote.call('import', { files, options: checked }, { onProgress: call?.onProgress }));
+    this.keepIdle(remote);
+    return KeysHandle.of(imported);
+  }
+
+  async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence> {
+    this.checkAlive();
+    checkCall(call);
+    if (!(keys instanceof KeysHandle)) throw invalidOption('The keys must come from importKeyframes of this engine.');
+    const parts = {
+      keys: keys.data,
+      scene: keys.scene,
+      options: checkSequenceOptions(options),
+      freshWorker: () => this.freshWorker(),
+      onDispose: (gone: SequenceClient) => void this.sequences.delete(gone),
+    };
+    const remote = this.takeWorker();
+    const sequence = await this.task(remote, call, () => SequenceClient.create(parts, remote, { onProgress: call?.onProgress }));
+    this.sequences.add(sequence);
+    return sequence;
+  }
+
+  dispose(): void {
+    if (this.over) return;
+    this.over = true;
+    for (const sequence of this.sequences) sequence.dispose();
+    for (const worker of this.workers) worker.terminate(disposed('engine'));
+    this.workers.clear();
+  }
+
+  private takeWorker(): Remote {
+    const remote = this.idle?.alive ? this.idle : this.freshWorker();
+    this.idle = null;
+    return remote;
+  }
+
+  private freshWorker(): Remote {
+    this.checkAlive();
+    for (const worker of this.workers) if (!worker.alive) this.workers.delete(worker);
+    const remote = new Remote(this.platform.spawn, this.platform.module);
+    this.workers.add(remote);
+    return remote;
+  }
+
+  /** Work in one worker, which ends when the work fails or the caller cancels. */
+  private async task<T>(remote: Remote, call: CallOptions | undefined, work: () => Promise<T>): Promise<T> {
+    const cancel = (): void => remote.terminate(cancelled());
+    const signal = call?.signal;
+    if (signal?.aborted) cancel();
+    signal?.addEventListener('abort', cancel, { once: true });
+    try {
+      return await work();
+    } catch (error) {
+      remote.terminate(cancelled());
+      throw error;
+    } finally {
+      signal?.removeEventListener('abort', cancel);
+    }
+  }
+
+  private keepIdle(remote: Remote): void {
+    if (this.idle || this.over) remote.terminate(disposed('engine'));
+    else this.idle = remote;
+  }
+
+  private checkAlive(): void {
+    if (this.over) throw disposed('engine');
+  }
+}
+
+function checkFiles(files: unknown): void {
+  const good = (file: unknown): boolean => {
+    const { name, bytes } = (file ?? {}) as Partial<InputFile>;
+    return typeof name === 'string' && bytes instanceof Uint8Array;
+  };
+  if (!Array.isArray(files) || files.length === 0 || !files.every(good)) {
+    throw invalidOption('Give at least one file as { name, bytes: Uint8Array }.');
+  }
+}

@@ -1,0 +1,19 @@
+/** The browser's worker. */
+import createWasm from '../../build/wasm/shapespline.mjs';
+import { decoder } from './decode.ts';
+import type { ToWorker } from './protocol.ts';
+import { Service } from './service.ts';
+
+async function dracoWasm(): Promise<Uint8Array> {
+  const { default: url } = await import('draco3dgltf/draco_decoder_gltf.wasm?url');
+  const response = await fetch(new URL(url, import.meta.url));
+  if (!response.ok) throw new Error(`the decoder could not be fetched: ${response.status}`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+const service = new Service({
+  post: (message, transfer) => self.postMessage(message, { transfer }),
+  create: createWasm,
+  decode: decoder(dracoWasm),
+});
+self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => service.receive(data));

@@ -1,0 +1,61 @@
+/** Which times an export holds, and where they lie on the exported animation's own time line. */
+import { invalidOption } from './errors.ts';
+import type { ExportOptions, Warning } from './types.ts';
+
+/** Morph targets that WebGL2 players are sure to hold: 256 layers of an array texture. */
+const SAFE_TARGETS = 256;
+
+/** A grid time this close to a key, relative to the export's length, is the key's: linspace rounds, keys are exact. */
+const SAME_TIME = 1e-9;
+
+export interface Frames {
+  /** In the sequence's own unit. */
+  times: number[];
+  /** For each time its place on the exported animation's time line, in float32; the first is 0. */
+  seconds: number[];
+  /** Indices of the keys that are among the times. */
+  keys: number[];
+}
+
+/** `range`: what is exported unless the options say otherwise. */
+export function framesOf(options: ExportOptions, keyTimes: readonly number[], range: readonly [number, number]): Frames {
+  if (options.pose !== null) return { times: [options.pose], seconds: [0], keys: [] };
+  const asked = options.times ?? evenly(options.range ?? range, options.frames);
+  if (options.format !== 'glb' || asked.length === 1) return { times: asked, seconds: asked.map(() => 0), keys: [] };
+  const times = withKeys([...asked].sort((a, b) => a - b), keyTimes);
+  return onTimeLine(times, keyTimes, options.duration);
+}
+
+function evenly([first, last]: readonly [number, number], count: number): number[] {
+  return Array.from({ length: count }, (_, i) => (i === count - 1 ? last : first + ((last - first) * i) / (count - 1)));
+}
+
+/** The sorted times and the keys between them, each once; a key wins over a time that is nearly its own. */
+function withKeys(times: number[], keyTimes: readonly number[]): number[] {
+  const first = times[0]!;
+  const last = times.at(-1)!;
+  const near = SAME_TIME * (last - first);
+  const keys = keyTimes.filter((key) => key >= first - near && key <= last + near);
+  const free = times.filter((t) => !keys.some((key) => Math.abs(key - t) <= near));
+  return [...new Set([...free, ...keys])].sort((a, b) => a - b);
+}
+
+function onTimeLine(times: number[], keyTimes: readonly number[], duration: number | null): Frames {
+  const first = times[0]!;
+  const length = times.at(-1)! - first;
+  if (!(length > 0)) throw invalidOption('An animation needs at least two different times.');
+  const scale = (duration ?? length) / length;
+  const seconds = times.map((t) => Math.fround((t - first) * scale));
+  if (seconds.some((s, i) => i > 0 && !(s > seconds[i - 1]!) )) {
+    throw invalidOption('Some frames are closer together than the file can tell apart: take fewer frames or a longer duration.');
+  }
+  return { times, seconds, keys: [...keyTimes.keys()].filter((key) => times.includes(keyTimes[key]!)) };
+}
+
+export function exportWarnings(options: ExportOptions, frames: Frames): Warning[] {
+  const targets = frames.times.length - 1;
+  if (options.format !== 'glb' || targets <= SAFE_TARGETS) return [];
+  const message = `The animation has ${targets} morph targets; some players take no more than ${SAFE_TARGETS}. `
+    + 'Fewer frames make it safe.';
+  return [{ code: 'many-targets', message, count: targets }];
+}

@@ -1,0 +1,113 @@
+/**
+ * Exports. Frames come from the sequence's own worker, one at a time, so that it stays free for scrubbing; they are
+ * written in a fresh worker, so that neither a cancelled export nor one that runs out of memory touches the sequence.
+ */
+import type { CallOptions } from './api.ts';
+import { cancelled, untilAborted } from './errors.ts';
+import { exportWarnings, framesOf, type Frames } from './export-plan.ts';
+import { writeProject } from './project.ts';
+import type { KeyData, SceneData } from './protocol.ts';
+import type { Remote } from './remote.ts';
+import type { ExportedFile, ExportOptions, ExportPlan, Frame, SequenceOptions } from './types.ts';
+
+export interface ExportSource {
+  keys: KeyData;
+  keyTimes: readonly number[];
+  scene: SceneData;
+  options: SequenceOptions;
+  range: readonly [number, number];
+  freshWorker(): Remote;
+  frame(t: number): Promise<Frame>;
+  /** Bytes of an animated GLB without its images. */
+  glbSize(vertices: number, faces: number, frames: number, scene: SceneData): Promise<number>;
+}
+
+const NO_SCENE: SceneData = { uvs: null, groups: [], materials: [], images: [] };
+
+export async function planExport(source: ExportSource, options: ExportOptions): Promise<ExportPlan> {
+  const frames = framesOf(options, source.keyTimes, source.range);
+  const bytes = await estimate(source, options, frames.times.length);
+  return { times: frames.times, bytes, warnings: exportWarnings(options, frames) };
+}
+
+export async function exportFiles(source: ExportSource, options: ExportOptions, call: CallOptions): Promise<ExportedFile[]> {
+  const frames = framesOf(options, source.keyTimes, source.range);
+  const writer = source.freshWorker();
+  const stop = (): void => writer.terminate(cancelled());
+  if (call.signal?.aborted) stop();
+  call.signal?.addEventListener('abort', stop, { once: true });
+  try {
+    const animated = options.format === 'glb' && frames.times.length > 1;
+    const files = await (animated ? writeAnimation : writePoses)({ source, options, frames, writer, call });
+    call.onProgress?.({ stage: 'writing', fraction: 1 });
+    return files;
+  } finally {
+    call.signal?.removeEventListener('abort', stop);
+    stop();
+  }
+}
+
+interface Job {
+  source: ExportSource;
+  options: ExportOptions;
+  frames: Frames;
+  writer: Remote;
+  call: CallOptions;
+}
+
+function report({ call, frames }: Job, done: number): void {
+  call.onProgress?.({ stage: 'evaluating', fraction: (0.95 * done) / frames.times.length });
+}
+
+async function writeAnimation(job: Job): Promise<ExportedFile[]> {
+  const { source, frames, writer, call: { signal } } = job;
+  for (const [index, t] of frames.times.entries()) {
+    const { positions, normals } = await untilAborted(signal, source.frame(t));
+    const transfer = [positions.buffer, normals.buffer] as ArrayBuffer[];
+    await writer.call('addFrame', { positions, normals }, { transfer });
+    report(job, index + 1);
+  }
+  const { keys: { faces }, scene } = source;
+  const bytes = await writer.call('writeAnimation', { faces, scene, seconds: frames.seconds, project: projectOf(source, frames) });
+  return [{ name: 'shapespline.glb', bytes }];
+}
+
+async function writePoses(job: Job): Promise<ExportedFile[]> {
+  const { source, options: { format }, frames, writer, call: { signal } } = job;
+  const files: ExportedFile[] = [];
+  const scene = format === 'glb' ? source.scene : NO_SCENE;
+  for (const [index, t] of frames.times.entries()) {
+    const frame = await untilAborted(signal, source.frame(t));
+    const pose = { positions: frame.positions, normals: frame.normals };
+    const bytes = await writer.call('writePose', { format, faces: source.keys.faces, scene, pose });
+    frame.release();
+    files.push({ name: `${String(index).padStart(4, '0')}.${format}`, bytes });
+    report(job, index + 1);
+  }
+  return files;
+}
+
+/** The keys among the frames, and the options; those that count keys only where every key is there. */
+function projectOf(source: ExportSource, { times, seconds, keys }: Frames): string {
+  const { turns, tension, reference, ...rest } = source.options;
+  const all = keys.length === source.keyTimes.length;
+  const place = (key: number): number => times.indexOf(source.keyTimes[key]!);
+  return writeProject({
+    keys: {
+      times: keys.map((key) => source.keyTimes[key]!),
+      names: keys.map((key) => source.keys.names[key]!),
+      seconds: keys.map((key) => seconds[place(key)]!),
+    },
+    options: all ? { ...rest, turns, tension, reference } : rest,
+  });
+}
+
+async function estimate(source: ExportSource, { format }: ExportOptions, frames: number): Promise<number> {
+  const vertices = source.keys.positions[0]!.length / 3;
+  const faces = source.keys.faces.length / 3;
+  if (format === 'ply') return frames * (12 * vertices + 13 * faces);
+  if (format === 'obj') return frames * (33 * vertices + (5 + 3 * String(vertices).length) * faces);
+  const images = source.scene.images.reduce((sum, image) => sum + image.bytes.length, 0);
+  const bare = { ...source.scene, images: source.scene.images.map((image) => ({ ...image, bytes: new Uint8Array(0) })) };
+  return images + (await source.glbSize(vertices, faces, frames, bare));
+}

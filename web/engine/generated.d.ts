@@ -1,0 +1,10 @@
+/** The glue that Emscripten writes; it need not be there for types to be checked. */
+declare module '*/build/wasm/shapespline.mjs' {
+  const create: import('./wasm-module.ts').CreateWasmModule;
+  export default create;
+}
+
+/** Published without types: the decoder module of Draco, handed on to glTF Transform as it is. */
+declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
+  export default function createDecoder(settings: { wasmBinary: Uint8Array }): Promise<object>;
+}

@@ -1,0 +1,5 @@
+/** What users of the engine import in a browser; in Node it is node.ts. */
+export type { CallOptions, Engine, Keys, Sequence } from './api.ts';
+export { createEngine, type EngineUrls } from './client.ts';
+export { EngineError } from './errors.ts';
+export * from './types.ts';

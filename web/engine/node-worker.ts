@@ -1,0 +1,17 @@
+/** The worker thread of Node. */
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { parentPort } from 'node:worker_threads';
+import createWasm from '../../build/wasm/shapespline.mjs';
+import { decoder } from './decode.ts';
+import type { ToWorker } from './protocol.ts';
+import { Service } from './service.ts';
+
+const require = createRequire(import.meta.url);
+
+const service = new Service({
+  post: (message, transfer) => parentPort?.postMessage(message, transfer),
+  create: createWasm,
+  decode: decoder(() => readFile(require.resolve('draco3dgltf/draco_decoder_gltf.wasm'))),
+});
+parentPort?.on('message', (message: ToWorker) => service.receive(message));

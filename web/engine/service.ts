@@ -1,0 +1,126 @@
+/** A worker's inside: one core, at most one sequence, requests answered in the order in which they came. */
+import { Core, type OnProgress } from './core.ts';
+import { crashed, EngineError, isOutOfMemory, messageOf, outOfMemory, type ErrorData } from './errors.ts';
+import { importFiles, type Decode } from './import-files.ts';
+import type { CallName, FrameBuffers, FromWorker, MotionSpec, Request, RequestOf, ResultOf, ToWorker } from './protocol.ts';
+import type { CreateWasmModule } from './wasm-module.ts';
+
+export interface ServiceHost {
+  post(message: FromWorker, transfer: ArrayBuffer[]): void;
+  create: CreateWasmModule;
+  /** Undoes mesh compression that the core does not know, before it sees the files. */
+  decode: Decode;
+}
+
+type Handlers = {
+  [K in CallName]: (core: Core, request: RequestOf<K>, report: OnProgress) => ResultOf<K> | Promise<ResultOf<K>>;
+};
+
+export class Service {
+  private readonly host: ServiceHost;
+  private readonly handlers: Handlers;
+  private core: Promise<Core> | null = null;
+  private tail: Promise<void> = Promise.resolve();
+  private sequence = 0;
+  private motionVersion = -1;
+  private frames: FrameBuffers[] = [];
+
+  constructor(host: ServiceHost) {
+    this.host = host;
+    this.handlers = this.makeHandlers();
+  }
+
+  receive(message: ToWorker): void {
+    if (message.type === 'start') {
+      this.core = Core.start(this.host.create, message.module);
+      this.core.catch(() => undefined);  // said by the first request
+      return;
+    }
+    this.tail = this.tail.then(() => this.serve(message));
+  }
+
+  private async serve(request: Request): Promise<void> {
+    const { type, id } = request;
+    const report: OnProgress = (stage, fraction) => this.host.post({ type: 'progress', id, stage, fraction }, []);
+    try {
+      const core = await this.core;
+      if (!core) throw crashed('the worker was not started');
+      // Request and handler belong to the same name, which the compiler cannot follow through the table.
+      const handler = this.handlers[type] as (core: Core, request: Request, report: OnProgress) => ResultOf<CallName>;
+      const value = await handler(core, request, report);
+      this.host.post({ type: 'result', id, value }, buffersOf(value));
+    } catch (reason) {
+      const { error, fatal } = describe(reason);
+      this.host.post({ type: 'error', id, error, fatal }, []);
+    }
+  }
+
+  private makeHandlers(): Handlers {
+    return {
+      import: (core, { files, options }) => importFiles(core, this.host.decode, files, options),
+      create: (core, { keys, encoding, motion }, report) => {
+        const { handle, range, warnings } = core.createSequence(keys, encoding, motion, report);
+        this.sequence = handle;
+        this.motionVersion = motion.version;
+        return { range, warnings };
+      },
+      update: (core, { motion }) => this.refit(core, motion),
+      evaluate: (core, { motion, t, buffers }) => {
+        const start = performance.now();
+        this.follow(core, motion);
+        const frame = core.evaluate(this.sequence, t, buffers);
+        return { ...frame, ms: performance.now() - start };
+      },
+      measure: (core, { motion, t }) => core.measure(this.follow(core, motion), t),
+      plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
+      bending: (core, { motion, times }) => core.bending(this.follow(core, motion), times),
+      patches: (core) => core.patches(this.sequence),
+      stats: (core) => core.stats(this.sequence),
+      glbSize: (core, { vertices, faces, frames, scene }) => core.animationSize(vertices, faces, frames, scene),
+      addFrame: (_, { positions, normals }) => {
+        this.frames.push({ positions, normals });
+        return null;
+      },
+      writeAnimation: (core, { faces, scene, seconds, project }) => {
+        const frames = this.frames;
+        this.frames = [];
+        return core.writeAnimation(faces, scene, frames, seconds, project);
+      },
+      writePose: (core, { format, faces, scene, pose }) => core.writePose(format, faces, scene, pose),
+    };
+  }
+
+  private refit(core: Core, motion: MotionSpec): ResultOf<'update'> {
+    const state = core.update(this.sequence, motion);
+    this.motionVersion = motion.version;
+    return state;
+  }
+
+  /** Refits where a request means another motion than the last one did. */
+  private follow(core: Core, motion: MotionSpec): number {
+    if (motion.version !== this.motionVersion) this.refit(core, motion);
+    return this.sequence;
+  }
+}
+
+// What the core says of itself leaves it sound, but for memory that ran out in the middle and its own defects. Anything
+// else that arrives here is a trap.
+function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
+  const error = reason instanceof EngineError ? reason : trapped(messageOf(reason));
+  const fatal = error !== reason || ['out-of-memory', 'internal', 'crashed'].includes(error.code);
+  return { error: { code: error.code, message: error.message, place: error.place }, fatal };
+}
+
+function trapped(text: string): EngineError {
+  return isOutOfMemory(text) ? outOfMemory() : crashed(text);
+}
+
+/** The buffers of all typed arrays in a result, to be transferred. */
+export function buffersOf(value: unknown, found = new Set<ArrayBuffer>()): ArrayBuffer[] {
+  if (ArrayBuffer.isView(value)) {
+    if (value.buffer instanceof ArrayBuffer) found.add(value.buffer);
+  } else if (typeof value === 'object' && value !== null) {
+    for (const part of Object.values(value)) buffersOf(part, found);
+  }
+  return [...found];
+}

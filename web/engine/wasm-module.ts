@@ -1,0 +1,43 @@
+/** The generated wasm module as this folder sees it: what wasm/bindings exports, and the two calls that it makes. */
+
+/** An address in the heap; above 2 GB it arrives negative, hence `>>> 0` wherever one is used. */
+export type Address = number;
+
+/** What the module calls out to; set on the module itself. */
+export interface WasmHost {
+  onProgress?: (stage: string, fraction: number) => void;
+  takeFrame?: (frame: number, positions: Address, normals: Address) => boolean;
+}
+
+export interface WasmModule extends WasmHost {
+  /** Made anew whenever the memory grows: never kept. */
+  readonly HEAPU8: Uint8Array;
+  _malloc(bytes: number): Address;
+  _free(address: Address): void;
+  _shapespline_import(request: Address): Address;
+  _shapespline_import_positions(handle: number, key: number): Address;
+  _shapespline_sequence(request: Address): Address;
+  _shapespline_update(handle: number, request: Address): Address;
+  _shapespline_evaluate(handle: number, t: number): Address;
+  _shapespline_measure(handle: number, t: number): Address;
+  _shapespline_plane(handle: number, request: Address): Address;
+  _shapespline_bending(handle: number, request: Address): Address;
+  _shapespline_patches(handle: number): Address;
+  _shapespline_stats(handle: number): Address;
+  _shapespline_write_animation(request: Address): Address;
+  _shapespline_animation_size(request: Address): Address;
+  _shapespline_write_pose(request: Address): Address;
+  _shapespline_objects(): Address;
+  _shapespline_release(handle: number): void;
+}
+
+export interface WasmSettings {
+  instantiateWasm(
+    imports: WebAssembly.Imports,
+    receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+  ): object;
+  print?: (text: string) => void;
+  printErr?: (text: string) => void;
+}
+
+export type CreateWasmModule = (settings: WasmSettings) => Promise<WasmModule>;
