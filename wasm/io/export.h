@@ -17,19 +17,27 @@ namespace shapespline {
 struct AnimationSource {
   const std::vector<Triangle>* faces = nullptr;
   const Scene* scene = nullptr;
-  std::vector<double> seconds;  ///< strictly increasing, the first is 0
+  std::vector<double> seconds;  ///< strictly increasing, the first is 0: when each frame is shown
+  /// Frames behind those of `seconds` that the animation never shows: a place for keys outside the exported range, so
+  /// that the file still holds the whole project.
+  int stills = 0;
+  /// k in [0, seconds.size() + stills). Normals: 3n unit vectors, or empty for a file without normals.
   std::function<Status(int frame, std::vector<float>& positions, std::vector<float>& normals)> frame;
-  std::string project;          ///< JSON object for extras.shapespline, or empty
+  /// JSON object for extras.shapespline of the file, or empty. Import takes the keys from its member
+  /// "keys": [{"name": text, "time": number, "frame": k}, ...], k a frame as above, and hands the rest back unread.
+  std::string project;
 };
 
 /// One GLB: a mesh whose base is frame 0 and a morph target for every later frame, and one LINEAR weight animation that
 /// plays them (glTF 2.0). Passes the Khronos validator without error or warning.
+/// Errors: InvalidOption for times that do not increase from 0, NotFinite with the frame as `key`, TooLarge beyond the
+/// 4 GB of a GLB, and whatever `frame` returns.
 Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source);
 
-/// Bytes that writeAnimatedGlb will produce, to a few percent.
-std::size_t animatedGlbSize(int vertices, int faces, int frames, const Scene& scene);
+/// Bytes that writeAnimatedGlb will produce, to a few percent. `frames` counts stills too.
+std::uint64_t animatedGlbSize(int vertices, int faces, int frames, const Scene& scene);
 
-/// One pose. positions: 3n.
+/// One pose. positions: 3n; normals: 3n or empty.
 Result<std::vector<std::uint8_t>> writePoseGlb(std::span<const float> positions, std::span<const float> normals,
                                                const std::vector<Triangle>& faces, const Scene& scene);
 std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces);

@@ -16,12 +16,17 @@ struct Material {
   bool doubleSided = false;
   enum class Alpha { Opaque, Mask, Blend } alpha = Alpha::Opaque;
   float alphaCutoff = 0.5f;
-  int baseColorImage = -1;  ///< index into Scene::images
+  bool unlit = false;  ///< KHR_materials_unlit
+  std::array<float, 3> emissive{0, 0, 0};  ///< linear RGB
+  float normalScale = 1, occlusionStrength = 1;
+  /// Indices into Scene::images, or -1. All of them are looked up with Scene::uvs.
+  int baseColorImage = -1, metallicRoughnessImage = -1, normalImage = -1, occlusionImage = -1, emissiveImage = -1;
+  enum class Wrap { Repeat, Clamp, Mirror } wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;
 };
 
 /// An encoded image, byte for byte as it came; nothing here decodes it.
 struct Image {
-  std::string mimeType;  ///< "image/png", "image/jpeg", ...
+  std::string mimeType;  ///< "image/png", "image/jpeg", ..., told from the bytes where they tell
   std::vector<std::uint8_t> bytes;
 };
 
@@ -32,7 +37,8 @@ struct MaterialGroup {
 };
 
 struct Scene {
-  std::vector<float> uvs;  ///< 2n, or empty
+  std::vector<float> uvs;     ///< 2n, or empty; origin at the upper left (glTF)
+  std::vector<float> colors;  ///< 4n linear RGBA, or empty
   std::vector<MaterialGroup> groups;
   std::vector<Material> materials;
   std::vector<Image> images;

@@ -1,0 +1,22 @@
+// Sizes and names as people read them, for error sentences about files.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace shapespline {
+
+/// 812 bytes, 3.1 MB, 2.4 GB.
+std::string sizeText(std::uint64_t bytes);
+
+/// The part of a path behind its last slash.
+std::string_view baseName(std::string_view path);
+
+/// The lower-case extension without its dot, or "".
+std::string extensionOf(std::string_view path);
+
+/// Text of a hostile file made fit for a sentence: at most 80 bytes, control and non-ASCII bytes as '?'.
+std::string inQuotes(std::string_view text);
+
+}  // namespace shapespline

@@ -1,0 +1,19 @@
+// What a file is: told by its first bytes, and by its name only where they do not tell.
+#pragma once
+
+#include <string>
+
+#include "core/status.h"
+#include "io/import.h"
+
+namespace shapespline {
+
+enum class FileKind { Gltf, Obj, Ply, Off };
+
+/// Whether a file of this name only accompanies mesh files: buffers, images, OBJ materials, read-me files.
+bool isCompanion(std::string_view name);
+
+/// Errors: EmptyFile, NotRecognised with what the file seems to be (a web page, an archive, another 3D format).
+Result<FileKind> fileKind(const NamedBytes& file, const std::string& where);
+
+}  // namespace shapespline

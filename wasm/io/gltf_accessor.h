@@ -1,0 +1,28 @@
+// glTF accessors -> numbers, every byte range checked before it is read.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/status.h"
+#include "io/gltf_document.h"
+
+namespace shapespline {
+
+/// More vertices than a browser can complete; also the bound for accessors that declare a count without bytes behind it.
+constexpr std::uint64_t kMostElements = 16'000'000;
+
+/// Number of elements of accessor `index`, or 0 where there is no such accessor.
+std::size_t accessorCount(const GltfDocument& doc, int index);
+
+/// The accessor as numbers, `components` an element; normalised integers are mapped to [-1, 1] or [0, 1], sparse
+/// substitutions applied. `what` names it in messages ("POSITION of mesh 0").
+/// Errors: MalformedFile, TooLarge.
+Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int components, const std::string& what);
+
+/// The accessor as whole numbers of an unsigned integer type, `components` an element.
+Result<std::vector<std::uint32_t>> readWholeNumbers(const GltfDocument& doc, int index, int components,
+                                                    const std::string& what);
+
+}  // namespace shapespline

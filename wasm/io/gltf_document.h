@@ -1,0 +1,32 @@
+// A glTF file whose outer shell has been checked: JSON, version, extensions, buffers, images.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/sequence.h"
+#include "core/status.h"
+#include "io/import.h"
+#include "io/scene.h"
+#include "io/tinygltf.h"
+#include "io/uri.h"
+
+namespace shapespline {
+
+/// tinygltf gives the JSON types; buffers and images are resolved here, because tinygltf copies, guesses and opens
+/// where we must check. `model.buffers` and `model.images` are therefore empty.
+struct GltfDocument {
+  std::string where;               ///< how messages call the file
+  tinygltf::Model model;
+  std::vector<Resource> buffers;   ///< at least byteLength bytes each
+  std::vector<Image> images;       ///< one for every image of the file; without bytes where it could not be had
+  std::string project;             ///< JSON of extras.shapespline, or empty
+  std::vector<Warning> warnings;
+};
+
+/// Opens .glb (told by its magic) or .gltf. Errors: all of reading; see ErrorCode.
+Result<GltfDocument> openGltf(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where);
+
+}  // namespace shapespline

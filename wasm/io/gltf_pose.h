@@ -1,0 +1,18 @@
+// The vertices of a glTF scene in one state: morph targets, then skin or node transform.
+#pragma once
+
+#include "core/status.h"
+#include "io/gltf_animation.h"
+#include "io/gltf_shape.h"
+
+namespace shapespline {
+
+/// The state that the file itself describes: node transforms and default morph weights.
+SceneState restState(const GltfDocument& doc, const GltfShape& shape);
+
+/// World positions of all vertices; with `normals`, also their unit normals (where the shape has them).
+/// Errors: MalformedFile for morph targets that do not fit the mesh.
+Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state,
+                                Positions* normals = nullptr);
+
+}  // namespace shapespline

@@ -1,0 +1,32 @@
+// glTF -> keys: one pose, morph targets, a sampled animation, or the keys of a saved project.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/keyframes.h"
+#include "core/sequence.h"
+#include "core/status.h"
+#include "io/import.h"
+#include "io/scene.h"
+
+namespace shapespline {
+
+/// One pose with everything around it.
+struct PoseFile {
+  Positions positions;
+  std::vector<Triangle> faces;
+  Positions normals;  ///< n, or empty
+  Scene scene;
+  std::vector<Warning> warnings;
+};
+
+/// The scene as the file itself poses it. `where` is how messages call the file.
+Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where);
+
+/// Several keys of one file. Times are set; nothing is validated beyond what reading needs.
+Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
+                            const std::string& where);
+
+}  // namespace shapespline

@@ -1,0 +1,9 @@
+// tinygltf as it is used here: types and JSON only. No file system, no image decoding, no network.
+#pragma once
+
+#define TINYGLTF_NO_FS
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+
+#include <tiny_gltf.h>
