@@ -311,6 +311,10 @@ TEST_CASE("cholesky: malformed input is refused") {
   CHECK_FALSE(cholesky.analyse(backwards, {}, Precision::Single).ok());
   const std::vector<Vec3> tooFew(49);
   CHECK_FALSE(cholesky.analyse(good, tooFew, Precision::Single).ok());
+  std::vector<Vec3> infinite(50, Vec3::Zero());
+  infinite[13].y() = std::numeric_limits<double>::infinity();
+  REQUIRE_FALSE(cholesky.analyse(good, infinite, Precision::Single).ok());
+  CHECK(cholesky.analyse(good, infinite, Precision::Single).error().vertex == 13);
 
   REQUIRE(cholesky.analyse(good, {}, Precision::Single).ok());
   CHECK_FALSE(cholesky.factorise(randomDefinite(50, 3, random)).ok());

@@ -56,6 +56,12 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
   if (Status status = checkSymmetric(matrix); !status) return status;
   if (!coordinates.empty() && coordinates.size() != static_cast<std::size_t>(matrix.size))
     return Error{ErrorCode::Internal, "The coordinates given for the elimination order are not one per unknown."};
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (coordinates[i].allFinite()) continue;
+    Error error{ErrorCode::NotFinite, "The coordinates of unknown " + std::to_string(i) + " are not finite."};
+    error.vertex = static_cast<int>(i);
+    return error;
+  }
   state_ = std::make_unique<State>();
   state_->precision = precision;
   state_->hash = patternHash(matrix);

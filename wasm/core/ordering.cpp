@@ -5,6 +5,8 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
+#include "core/nested_dissection.h"
+
 namespace shapespline {
 
 std::vector<int> minimumDegreeOrder(const Graph& graph) {
@@ -26,8 +28,11 @@ std::vector<int> minimumDegreeOrder(const Graph& graph) {
   return {permutation.indices().data(), permutation.indices().data() + size};
 }
 
-std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3>) {
-  return minimumDegreeOrder(graph);
+std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates) {
+  // Below this nested dissection has no less fill than minimum degree.
+  constexpr int kLarge = 40000;
+  if (graph.size() < kLarge || coordinates.empty()) return minimumDegreeOrder(graph);
+  return nestedDissectionOrder(graph, coordinates);
 }
 
 }  // namespace shapespline

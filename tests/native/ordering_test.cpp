@@ -1,0 +1,230 @@
+// Orderings and the symbolic analysis against brute force on small graphs, and their quality on a mesh.
+#include "core/ordering.h"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <set>
+
+#include "core/elimination_tree.h"
+#include "core/nested_dissection.h"
+#include "core/separator.h"
+#include "core/symbolic.h"
+#include "core/vertex_cover.h"
+#include "laplacian_meshes.h"
+
+using namespace shapespline;
+using namespace shapespline::testing;
+
+namespace {
+
+Graph graphFromEdges(int size, const std::vector<std::pair<int, int>>& edges) {
+  std::vector<Triplet> triplets;
+  for (auto [a, b] : edges) triplets.push_back({std::max(a, b), std::min(a, b), 1.0});
+  return graphOf(assembleSymmetric(size, triplets));
+}
+
+Graph randomGraph(int size, int edgeCount, Random& random) {
+  std::vector<std::pair<int, int>> edges;
+  for (int i = 0; i < edgeCount; ++i) edges.emplace_back(random.below(size), random.below(size));
+  return graphFromEdges(size, edges);
+}
+
+Graph meshGraph(const PlainMesh& mesh) { return graphOf(pinnedLaplacian(mesh)); }
+
+std::vector<Vec3> randomPoints(int size, Random& random) {
+  std::vector<Vec3> points(size);
+  for (Vec3& p : points) p = Vec3(random.signedUnit(), random.signedUnit(), random.signedUnit());
+  return points;
+}
+
+bool isPermutation(std::vector<int> order, int size) {
+  std::sort(order.begin(), order.end());
+  for (int i = 0; i < size; ++i)
+    if (i >= static_cast<int>(order.size()) || order[i] != i) return false;
+  return static_cast<int>(order.size()) == size;
+}
+
+// Rows below the diagonal of each column of the factor, by elimination.
+std::vector<std::set<int>> eliminate(const Graph& graph) {
+  std::vector<std::set<int>> below(graph.size());
+  for (int v = 0; v < graph.size(); ++v)
+    for (int u : graph.neighbours(v))
+      if (u > v) below[v].insert(u);
+  for (const std::set<int>& clique : below)
+    for (auto a = clique.begin(); a != clique.end(); ++a) below[*a].insert(std::next(a), clique.end());
+  return below;
+}
+
+std::int64_t factorEntries(const Graph& graph, const std::vector<int>& order) {
+  const Graph ordered = permuted(graph, order);
+  const std::vector<int> parent = eliminationTree(ordered), post = postorder(parent);
+  std::vector<int> composed(order.size());
+  for (std::size_t p = 0; p < order.size(); ++p) composed[p] = order[post[p]];
+  const Graph postordered = permuted(graph, composed);
+  std::int64_t sum = 0;
+  for (int count : factorColumnCounts(postordered, eliminationTree(postordered))) sum += count;
+  return sum;
+}
+
+bool separates(const Graph& graph, const std::vector<Side>& side) {
+  for (int v = 0; v < graph.size(); ++v)
+    for (int u : graph.neighbours(v))
+      if (side[v] != Side::Separator && side[u] != Side::Separator && side[u] != side[v]) return false;
+  return true;
+}
+
+std::array<int, 3> sizes(const std::vector<Side>& side) {
+  std::array<int, 3> count = {0, 0, 0};
+  for (Side s : side) ++count[static_cast<int>(s)];
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("ordering: elimination tree and column counts agree with elimination by hand") {
+  Random random(1);
+  for (int round = 0; round < 60; ++round) {
+    const int size = 1 + random.below(40);
+    const Graph graph = randomGraph(size, random.below(3 * size), random);
+    const std::vector<int> post = postorder(eliminationTree(graph));
+    REQUIRE(isPermutation(post, size));
+    const Graph ordered = permuted(graph, post);
+    const std::vector<int> parent = eliminationTree(ordered), count = factorColumnCounts(ordered, parent);
+    const std::vector<std::set<int>> below = eliminate(ordered);
+    for (int v = 0; v < size; ++v) {
+      CHECK(parent[v] == (below[v].empty() ? -1 : *below[v].begin()));
+      CHECK(count[v] == static_cast<int>(below[v].size()) + 1);
+    }
+  }
+}
+
+TEST_CASE("ordering: the symbolic factor covers all fill") {
+  Random random(2);
+  for (int round = 0; round < 60; ++round) {
+    const int size = 1 + random.below(60);
+    const Graph graph = randomGraph(size, random.below(3 * size), random);
+    const SymbolicFactor factor = analyseFactor(graph, minimumDegreeOrder(graph));
+    REQUIRE(isPermutation(factor.order, size));
+    REQUIRE(factor.first.back() == size);
+    const std::vector<std::set<int>> below = eliminate(permuted(graph, factor.order));
+    for (int s = 0; s < factor.supernodes(); ++s) {
+      const std::set<int> rows(factor.rowsOf(s), factor.rowsOf(s) + factor.rows(s));
+      CHECK(std::is_sorted(factor.rowsOf(s), factor.rowsOf(s) + factor.rows(s)));
+      CHECK(static_cast<int>(rows.size()) == factor.rows(s));
+      for (int p = factor.first[s]; p < factor.first[s + 1]; ++p) {
+        CHECK(factor.position[factor.order[p]] == p);
+        for (int r : below[p]) CHECK((r < factor.first[s + 1] || rows.count(r) == 1));
+      }
+      // The update matrix must fit into the parent's front.
+      if (factor.parent[s] == -1) {
+        CHECK(rows.empty());
+      } else {
+        const int parent = factor.parent[s];
+        const std::set<int> above(factor.rowsOf(parent), factor.rowsOf(parent) + factor.rows(parent));
+        REQUIRE(parent > s);
+        for (int r : rows) CHECK(((r >= factor.first[parent] && r < factor.first[parent + 1]) || above.count(r) == 1));
+      }
+    }
+  }
+}
+
+TEST_CASE("ordering: vertex covers are smallest, by trying all") {
+  Random random(3);
+  for (int round = 0; round < 300; ++round) {
+    const int left = 1 + random.below(8), right = 1 + random.below(8);
+    BipartiteGraph graph;
+    graph.rightSize = right;
+    graph.start.push_back(0);
+    for (int v = 0; v < left; ++v) {
+      for (int u = 0; u < right; ++u)
+        if (random.below(3) == 0) graph.neighbour.push_back(u);
+      graph.start.push_back(static_cast<int>(graph.neighbour.size()));
+    }
+    const auto covers = [&](unsigned leftSet, unsigned rightSet) {
+      for (int v = 0; v < left; ++v)
+        for (int i = graph.start[v]; i < graph.start[v + 1]; ++i)
+          if (!((leftSet >> v) & 1) && !((rightSet >> graph.neighbour[i]) & 1)) return false;
+      return true;
+    };
+    int smallest = left + right;
+    for (unsigned leftSet = 0; leftSet < (1u << left); ++leftSet) {
+      unsigned rightSet = 0;  // what the left choice leaves to the right
+      for (int v = 0; v < left; ++v)
+        if (!((leftSet >> v) & 1))
+          for (int i = graph.start[v]; i < graph.start[v + 1]; ++i) rightSet |= 1u << graph.neighbour[i];
+      smallest = std::min(smallest, std::popcount(leftSet) + std::popcount(rightSet));
+    }
+    const VertexCover cover = minimumVertexCover(graph);
+    unsigned leftSet = 0, rightSet = 0;
+    for (int v : cover.left) leftSet |= 1u << v;
+    for (int u : cover.right) rightSet |= 1u << u;
+    CHECK(covers(leftSet, rightSet));
+    CHECK(static_cast<int>(cover.left.size() + cover.right.size()) == smallest);
+  }
+}
+
+TEST_CASE("ordering: separators separate, are balanced and near the shortest") {
+  Random random(4);
+  const PlainMesh sheet = irregularSheet(120, 30, random);
+  const Graph graph = meshGraph(sheet);
+  const std::vector<Side> side = findSeparator(graph, sheet.positions);
+  REQUIRE(separates(graph, side));
+  const auto [left, right, separator] = sizes(side);
+  CHECK(separator <= 30);  // one column of the sheet
+  CHECK(std::max(left, right) <= 0.63 * graph.size());
+}
+
+TEST_CASE("ordering: refinement straightens a ragged separator") {
+  Random random(5);
+  const int columns = 60, rows = 40;
+  const PlainMesh sheet = irregularSheet(columns, rows, random);
+  const Graph graph = meshGraph(sheet);
+  std::vector<Side> side(graph.size());
+  for (int v = 0; v < graph.size(); ++v) {
+    const int x = v % columns, jag = 30 + (v / columns) % 7;
+    side[v] = x < jag - 8 ? Side::Left : x > jag ? Side::Right : Side::Separator;
+  }
+  REQUIRE(separates(graph, side));
+  const int before = sizes(side)[2];
+  refineSeparator(graph, side, 0.12);
+  REQUIRE(separates(graph, side));
+  CHECK(before == 9 * rows);
+  CHECK(sizes(side)[2] <= 1.2 * rows);
+}
+
+TEST_CASE("ordering: nested dissection has far less fill than the given order and less than minimum degree") {
+  Random random(6);
+  PlainMesh mesh = bumpySphere(64, random);
+  shuffleVertices(mesh, random);
+  const Graph graph = meshGraph(mesh);
+  const std::vector<int> dissected = nestedDissectionOrder(graph, mesh.positions);
+  REQUIRE(isPermutation(dissected, graph.size()));
+  const double ratio = static_cast<double>(factorEntries(graph, dissected)) /
+                       static_cast<double>(factorEntries(graph, minimumDegreeOrder(graph)));
+  MESSAGE("entries of the factor, nested dissection over minimum degree, " << graph.size() << " vertices: " << ratio);
+  CHECK(ratio < 0.9);
+  CHECK(nestedDissectionOrder(graph, mesh.positions) == dissected);
+}
+
+TEST_CASE("ordering: nested dissection copes with graphs that are no meshes") {
+  Random random(7);
+  const int size = 500;
+  const std::vector<Vec3> same(size, Vec3(1, 2, 3)), scattered = randomPoints(size, random);
+  std::vector<std::pair<int, int>> none, path, star, complete;
+  for (int i = 1; i < size; ++i) path.emplace_back(i - 1, i), star.emplace_back(0, i);
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < i; ++j) complete.emplace_back(i, j);
+  for (const auto& edges : {none, path, star, complete})
+    for (const auto& points : {same, scattered}) {
+      const Graph graph = graphFromEdges(size, edges);
+      CHECK(isPermutation(nestedDissectionOrder(graph, points), size));
+    }
+  CHECK(isPermutation(nestedDissectionOrder(randomGraph(size, 2000, random), scattered), size));
+  CHECK(nestedDissectionOrder(Graph{}, {}).empty());
+  // Many leaves around one dense node: the leaf's neighbours do not fit its bit sets.
+  std::vector<std::pair<int, int>> hubs;
+  for (int hub = 0; hub < 300; ++hub)
+    for (int i = 300; i < size; ++i) hubs.emplace_back(hub, i);
+  CHECK(isPermutation(nestedDissectionOrder(graphFromEdges(size, hubs), scattered), size));
+}

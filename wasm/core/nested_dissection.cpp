@@ -1,0 +1,161 @@
+#include "core/nested_dissection.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "core/ordering.h"
+#include "core/separator.h"
+
+namespace shapespline {
+
+namespace {
+
+constexpr int kLeafSize = 100;
+// A separator of more than this part of the nodes is none: no mesh, so minimum degree does better.
+constexpr double kUselessSeparator = 0.3;
+
+// A piece of the graph, compactly renumbered.
+struct Piece {
+  Graph graph;
+  std::vector<Vec3> coordinates;
+  std::vector<int> original;
+};
+
+class Dissection {
+ public:
+  Dissection(const Graph& graph, std::span<const Vec3> coordinates) : whole_(graph), local_(graph.size(), -1) {
+    order_.resize(graph.size());
+    Piece piece{graph, {coordinates.begin(), coordinates.end()}, std::vector<int>(graph.size())};
+    std::iota(piece.original.begin(), piece.original.end(), 0);
+    end_ = graph.size();
+    dissect(std::move(piece));
+  }
+
+  std::vector<int> takeOrder() { return std::move(order_); }
+
+ private:
+  // Fills the order from its end: the separator, then the right side, then the left one.
+  void dissect(Piece piece) {
+    const int size = piece.graph.size();
+    if (size <= kLeafSize) return orderLeaf(piece.original);
+    const std::vector<Side> side = findSeparator(piece.graph, piece.coordinates);
+    std::array<int, 3> count = {0, 0, 0};
+    for (Side s : side) ++count[static_cast<int>(s)];
+    if (count[0] == 0 || count[1] == 0 || count[2] > kUselessSeparator * size) return orderByDegree(piece);
+    placeSeparator(piece, side);
+    Piece right = extract(piece, side, Side::Right);
+    Piece left = extract(piece, side, Side::Left);
+    piece = {};
+    dissect(std::move(right));
+    dissect(std::move(left));
+  }
+
+  // Along its longest axis, so that the rows that a neighbouring block shares with it are contiguous.
+  void placeSeparator(const Piece& piece, const std::vector<Side>& side) {
+    std::vector<int> nodes;
+    Vec3 low = Vec3::Constant(1e300), high = -low;
+    for (int v = 0; v < piece.graph.size(); ++v) {
+      if (side[v] != Side::Separator) continue;
+      nodes.push_back(v);
+      low = low.cwiseMin(piece.coordinates[v]);
+      high = high.cwiseMax(piece.coordinates[v]);
+    }
+    int axis = 0;
+    (high - low).maxCoeff(&axis);
+    std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
+      return std::pair(piece.coordinates[a][axis], a) < std::pair(piece.coordinates[b][axis], b);
+    });
+    end_ -= static_cast<int>(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) order_[end_ + static_cast<int>(i)] = piece.original[nodes[i]];
+  }
+
+  static Piece extract(const Piece& piece, const std::vector<Side>& side, Side which) {
+    Piece result;
+    std::vector<int> renumbered(piece.graph.size(), -1);
+    for (int v = 0; v < piece.graph.size(); ++v) {
+      if (side[v] != which) continue;
+      renumbered[v] = static_cast<int>(result.original.size());
+      result.original.push_back(piece.original[v]);
+      result.coordinates.push_back(piece.coordinates[v]);
+    }
+    for (int v = 0; v < piece.graph.size(); ++v) {
+      if (side[v] != which) continue;
+      for (int u : piece.graph.neighbours(v))
+        if (renumbered[u] != -1) result.graph.neighbour.push_back(renumbered[u]);
+      result.graph.start.push_back(static_cast<int>(result.graph.neighbour.size()));
+    }
+    return result;
+  }
+
+  void orderByDegree(const Piece& piece) {
+    const std::vector<int> order = minimumDegreeOrder(piece.graph);
+    end_ -= piece.graph.size();
+    for (std::size_t i = 0; i < order.size(); ++i) order_[end_ + static_cast<int>(i)] = piece.original[order[i]];
+  }
+
+  // Minimum degree on bit sets. Neighbours outside the leaf are eliminated later but count in the degrees.
+  void orderLeaf(const std::vector<int>& nodes) {
+    using Bits = std::array<std::uint64_t, 4>;
+    constexpr int kBits = 256;
+    const int size = static_cast<int>(nodes.size());
+    const auto degree = [](const Bits& bits) {
+      int sum = 0;
+      for (std::uint64_t word : bits) sum += std::popcount(word);
+      return sum;
+    };
+    std::array<Bits, kLeafSize> adjacent = {};
+    std::array<int, kLeafSize> degrees = {};
+    halo_.clear();
+    for (int v = 0; v < size; ++v) local_[nodes[v]] = v;
+    for (int v = 0; v < size; ++v) {
+      for (int u : whole_.neighbours(nodes[v])) {
+        if (local_[u] == -1 && size + static_cast<int>(halo_.size()) < kBits) {
+          local_[u] = size + static_cast<int>(halo_.size());
+          halo_.push_back(u);
+        }
+        if (local_[u] != -1) adjacent[v][local_[u] / 64] |= std::uint64_t{1} << (local_[u] % 64);
+      }
+      degrees[v] = degree(adjacent[v]);
+    }
+    for (int u : halo_) local_[u] = -1;
+    for (int v = 0; v < size; ++v) local_[nodes[v]] = -1;
+
+    end_ -= size;
+    constexpr int kGone = 1 << 30;
+    for (int i = 0; i < size; ++i) {
+      const int v = static_cast<int>(std::min_element(degrees.begin(), degrees.begin() + size) - degrees.begin());
+      order_[end_ + i] = nodes[v];
+      degrees[v] = kGone;
+      const Bits clique = adjacent[v];
+      for (int word = 0; word < 4; ++word) {
+        for (std::uint64_t rest = clique[word]; rest != 0; rest &= rest - 1) {
+          const int u = 64 * word + std::countr_zero(rest);
+          if (u >= size) break;
+          for (int k = 0; k < 4; ++k) adjacent[u][k] |= clique[k];
+          adjacent[u][u / 64] &= ~(std::uint64_t{1} << (u % 64));
+          adjacent[u][v / 64] &= ~(std::uint64_t{1} << (v % 64));
+          degrees[u] = degree(adjacent[u]);
+        }
+      }
+    }
+  }
+
+  const Graph& whole_;
+  std::vector<int> local_;  // of a leaf's nodes and their neighbours while it is ordered, else -1
+  std::vector<int> halo_;
+  std::vector<int> order_;
+  int end_ = 0;             // order_ is filled from here on
+};
+
+}  // namespace
+
+std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates) {
+  return Dissection(graph, coordinates).takeOrder();
+}
+
+}  // namespace shapespline
