@@ -59,7 +59,7 @@ ENTRY const char* shapespline_measure(int handle, double t) {
     Positions positions;
     if (const Status status = sequence.evaluate(t, positions); !status) return status.error();
     const auto& faces = sequence.keyframes().faces;
-    return Json{{"volume", volume(positions, faces)}, {"area", area(positions, faces)}};
+    return Json{{"volume", enclosedVolume(positions, faces)}, {"area", surfaceArea(positions, faces)}};
   });
 }
 

@@ -1,0 +1,50 @@
+/** Words of the command line -> values by name. Every option but a flag takes a value, which may begin with a minus. */
+
+/** Wrong use: one line, exit code 2. */
+export class UsageError extends Error {}
+
+export interface Arguments {
+  files: string[];
+  values: Map<string, string>;
+  flags: Set<string>;
+}
+
+export interface Known {
+  options: ReadonlySet<string>;
+  flags: ReadonlySet<string>;
+}
+
+export function parseArguments(words: string[], known: Known): Arguments {
+  const result: Arguments = { files: [], values: new Map(), flags: new Set() };
+  const rest = [...words];
+  for (let word = rest.shift(); word !== undefined; word = rest.shift()) {
+    if (word === '--') {
+      result.files.push(...rest.splice(0));
+    } else if (word.startsWith('-') && word.length > 1) {
+      takeOption(word, rest, known, result);
+    } else {
+      result.files.push(word);
+    }
+  }
+  return result;
+}
+
+function takeOption(word: string, rest: string[], known: Known, result: Arguments): void {
+  const [, dashes, name = '', given] = /^(--?)([^=]*)(?:=(.*))?$/s.exec(word) ?? [];
+  if (dashes === '--' && known.flags.has(name)) {
+    if (given !== undefined) throw new UsageError(`--${name} takes no value`);
+    result.flags.add(name);
+    return;
+  }
+  if (dashes !== '--' || !known.options.has(name)) throw new UsageError(`there is no option ${word.split('=')[0]} (see --help)`);
+  const value = given ?? takeValue(rest, known);
+  if (value === undefined || value === '') throw new UsageError(`--${name} needs a value`);
+  if (result.values.has(name)) throw new UsageError(`--${name} is given twice`);
+  result.values.set(name, value);
+}
+
+// The next word, unless it is an option itself: -0.3,1.3 is a value, --report is not.
+function takeValue(rest: string[], known: Known): string | undefined {
+  const name = /^--([^=]*)/.exec(rest[0] ?? '')?.[1];
+  return name !== undefined && (known.options.has(name) || known.flags.has(name)) ? undefined : rest.shift();
+}

@@ -1,0 +1,129 @@
+/** What the two commands do. */
+import { version } from '../../package.json';
+import type { Engine, Keys, Sequence } from '../engine/api.ts';
+import { createEngine } from '../engine/node.ts';
+import { readPose } from '../engine/pose.ts';
+import type { ExportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/types.ts';
+import { UsageError, type Arguments } from './arguments.ts';
+import { readInputs } from './input.ts';
+import { writeOutputs, type Output } from './output.ts';
+import { exportOptions, importOptions, sequenceOptions } from './settings.ts';
+
+/** Milliseconds of each stage, in the order in which they came. */
+class Timings {
+  readonly ms: Record<string, number> = {};
+
+  async time<T>(stage: string, work: Promise<T>): Promise<T> {
+    const start = performance.now();
+    const result = await work;
+    this.ms[stage] = rounded(performance.now() - start);
+    return result;
+  }
+}
+
+const rounded = (ms: number): number => Math.round(ms * 100) / 100;
+
+async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
+  const engine = createEngine();
+  try {
+    return await work(engine);
+  } finally {
+    engine.dispose();
+  }
+}
+
+function checkFiles(args: Arguments): void {
+  if (args.files.length === 0) throw new UsageError('name at least one file (see --help)');
+}
+
+function describe({ names, times, report, animations, animation, project }: KeysInfo): object {
+  const { vertices, weldedVertices, ...rest } = report;
+  return {
+    keys: names.map((name, key) => ({ name, time: times[key] })),
+    vertices: { raw: vertices, welded: weldedVertices },
+    ...rest,
+    animations,
+    animation: animations[animation]?.name ?? null,
+    isProject: project !== null,
+  };
+}
+
+/** What is in the files, as JSON. */
+export async function inspect(args: Arguments): Promise<string> {
+  checkFiles(args);
+  const options = importOptions(args);
+  return withEngine(async (engine) => {
+    const { info } = await engine.importKeyframes(await readInputs(args.files), options);
+    return `${JSON.stringify({ version, files: args.files, ...describe(info), warnings: info.warnings }, null, 2)}\n`;
+  });
+}
+
+export interface Completed {
+  summary: string;
+  warnings: Warning[];
+}
+
+/** Writes the completed motion and, if asked for, the report. */
+export async function complete(args: Arguments): Promise<Completed> {
+  const started = performance.now();
+  checkFiles(args);
+  const output = args.values.get('output');
+  if (!output) throw new UsageError('complete needs --output (see --help)');
+  const options = { import: importOptions(args), sequence: sequenceOptions(args), export: exportOptions(args, output) };
+  return withEngine(async (engine) => {
+    const timings = new Timings();
+    const inputs = await timings.time('read', readInputs(args.files));
+    const keys = await timings.time('import', engine.importKeyframes(inputs, options.import));
+    const tangents = await readTangents(engine, args, keys);
+    const sequence = await timings.time('build', engine.createSequence(keys, { ...keys.info.project, ...options.sequence, ...tangents }));
+    const plan = await sequence.planExport(options.export);
+    const files = await timings.time('export', sequence.export(options.export));
+    const warnings = [...keys.info.warnings, ...sequence.warnings, ...plan.warnings];
+    const outputs: Output[] = [{ path: output, files }];
+    const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0);
+    const report = args.values.get('report');
+    if (report) {
+      const measures = await timings.time('measure', sequence.measures(plan.times));
+      const { options: all, counts, stages } = await settled(sequence, options.export);
+      timings.ms.total = rounded(performance.now() - started);
+      const json = {
+        version,
+        files: args.files,
+        output: { path: output, files: files.length, bytes },
+        options: { import: options.import, ...all },
+        ...describe(keys.info),
+        range: sequence.range,
+        frames: plan.times,
+        timings: { ...timings.ms, ...stages },
+        counts,
+        warnings,
+        measures,
+      };
+      outputs.push({ path: report, files: [{ name: report, bytes: `${JSON.stringify(json, null, 2)}\n` }] });
+    }
+    await writeOutputs(outputs);
+    const count = plan.times.length;
+    return { summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}, ${bytes} bytes\n`, warnings };
+  });
+}
+
+async function readTangents(engine: Engine, args: Arguments, keys: Keys): Promise<Partial<SequenceOptions>> {
+  const tangents: Partial<SequenceOptions> = {};
+  for (const [option, name] of [['start-tangent', 'startTangent'], ['end-tangent', 'endTangent']] as const) {
+    const file = args.values.get(option);
+    if (file) tangents[name] = await readPose(engine, await readInputs([file]), keys);
+  }
+  return tangents;
+}
+
+/** Every option as it was used, and what the sequence counted; tangents are said, not spelt out. */
+async function settled(sequence: Sequence, exported: Partial<ExportOptions>): Promise<Record<'options' | 'counts' | 'stages', object>> {
+  const { weldMs, encodeMs, orderMs, factorMs, ...counts } = await sequence.stats();
+  const { startTangent, endTangent, ...rest } = sequence.options;
+  const options = {
+    sequence: { ...rest, startTangent: startTangent !== null, endTangent: endTangent !== null, keyTimes: sequence.keyTimes },
+    export: exported,
+  };
+  const stages = { weld: rounded(weldMs), encode: rounded(encodeMs), order: rounded(orderMs), factor: rounded(factorMs) };
+  return { options, counts, stages };
+}

@@ -1,0 +1,56 @@
+/** Named files, and what a .gltf among them names: from its own folder only, and never over the network. */
+import { readFile, realpath } from 'node:fs/promises';
+import path from 'node:path';
+import { EngineError, messageOf } from '../engine/errors.ts';
+import type { InputFile } from '../engine/types.ts';
+
+export async function readInputs(names: string[]): Promise<InputFile[]> {
+  const files: InputFile[] = [];
+  for (const name of names) {
+    const file = { name: toSlashes(name), bytes: await read(name) };
+    files.push(file);
+    for (const uri of urisOf(file.bytes)) {
+      const resource = await readBeside(name, uri);
+      if (resource && !files.some((other) => other.name === resource.name)) files.push(resource);
+    }
+  }
+  return files;
+}
+
+async function read(name: string): Promise<Uint8Array> {
+  try {
+    return await readFile(name);
+  } catch (error) {
+    const { code } = error as NodeJS.ErrnoException;
+    const reason = code === 'ENOENT' ? 'there is no such file' : code === 'EISDIR' ? 'it is a folder' : messageOf(error);
+    throw new EngineError('missing-file', `${name}: ${reason}.`, { file: name });
+  }
+}
+
+/** Relative URIs of the buffers and images of a .gltf; what is not JSON is for the engine to judge. */
+function urisOf(bytes: Uint8Array): string[] {
+  if (!/^[\uFEFF\s]*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)))) return [];
+  try {
+    const { buffers, images } = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, unknown>;
+    const entries = [buffers, images].flatMap((list): unknown[] => (Array.isArray(list) ? list : []));
+    const uris = entries.map((entry) => (entry as { uri?: unknown } | null)?.uri);
+    return uris.filter((uri): uri is string => typeof uri === 'string' && !/^[a-z][a-z0-9+.-]*:/i.test(uri));
+  } catch {
+    return [];
+  }
+}
+
+/** The file that a URI names, or null where it is missing or leaves the folder: the engine says so in its own words. */
+async function readBeside(gltf: string, uri: string): Promise<InputFile | null> {
+  try {
+    const relative = decodeURIComponent(uri);
+    const folder = await realpath(path.dirname(gltf));
+    const found = await realpath(path.resolve(folder, relative));
+    if (!found.startsWith(folder + path.sep)) return null;
+    return { name: toSlashes(path.join(path.dirname(gltf), relative)), bytes: await readFile(found) };
+  } catch {
+    return null;
+  }
+}
+
+const toSlashes = (name: string): string => name.replaceAll(path.sep, '/');

@@ -1,0 +1,35 @@
+#!/usr/bin/env node
+/** The terminal's entrance: 0 done, 1 the input is bad, 2 wrong use; one line on stderr says what is wrong. */
+import { version } from '../../package.json';
+import { EngineError, messageOf } from '../engine/errors.ts';
+import { parseArguments, UsageError } from './arguments.ts';
+import { complete, inspect } from './commands.ts';
+import { COMPLETE, HELP, INSPECT } from './settings.ts';
+
+async function run([command, ...words]: string[]): Promise<string> {
+  if (command === '--version') return `${version}\n`;
+  if (command === '--help' || command === '-h' || command === 'help') return HELP;
+  if (command !== 'inspect' && command !== 'complete') {
+    throw new UsageError(command ? `there is no command ${command} (see --help)` : 'name a command: inspect or complete (see --help)');
+  }
+  const args = parseArguments(words, command === 'inspect' ? INSPECT : COMPLETE);
+  if (args.flags.has('help')) return HELP;
+  if (command === 'inspect') return inspect(args);
+  const { summary, warnings } = await complete(args);
+  for (const { message } of warnings) process.stderr.write(`warning: ${oneLine(message)}\n`);
+  return summary;
+}
+
+function exitCodeOf(error: unknown): number {
+  const wrongUse = error instanceof UsageError || (error instanceof EngineError && error.code === 'invalid-option');
+  return wrongUse ? 2 : 1;
+}
+
+const oneLine = (text: string): string => text.replace(/\s+/g, ' ').trim();
+
+try {
+  process.stdout.write(await run(process.argv.slice(2)));
+} catch (error) {
+  process.stderr.write(`shapespline: ${oneLine(messageOf(error))}\n`);
+  process.exitCode = exitCodeOf(error);
+}

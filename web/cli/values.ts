@@ -1,0 +1,68 @@
+/** Text of an option -> its value. Each refuses what it cannot read with a UsageError that names the option. */
+import { UsageError } from './arguments.ts';
+
+type Read<T> = (text: string, option: string) => T;
+
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+export const number: Read<number> = (text, option) => {
+  if (!NUMBER.test(text.trim()) || !Number.isFinite(Number(text))) throw new UsageError(`${option}: '${text}' is not a number`);
+  return Number(text);
+};
+
+export const whole: Read<number> = (text, option) => {
+  if (!/^[+-]?\d+$/.test(text.trim()) || !Number.isSafeInteger(Number(text))) {
+    throw new UsageError(`${option}: '${text}' is not a whole number`);
+  }
+  return Number(text);
+};
+
+export const wholeFrom = (least: number): Read<number> => (text, option) => {
+  const value = whole(text, option);
+  if (value < least) throw new UsageError(`${option}: must be at least ${least}, not ${value}`);
+  return value;
+};
+
+export const positive: Read<number> = (text, option) => {
+  const value = number(text, option);
+  if (!(value > 0)) throw new UsageError(`${option}: must be above 0, not ${value}`);
+  return value;
+};
+
+export const numbers: Read<number[]> = (text, option) => text.split(',').map((part) => number(part, option));
+
+export const times: Read<number[]> = (text, option) => {
+  const values = numbers(text, option);
+  if (values.some((t, i) => i > 0 && !(t > values[i - 1]!))) throw new UsageError(`${option}: the times must increase`);
+  return values;
+};
+
+export const range: Read<[number, number]> = (text, option) => {
+  const parts = text.split(':');
+  if (parts.length !== 2) throw new UsageError(`${option}: '${text}' is not A:B`);
+  const [first, last] = parts.map((part) => number(part, option)) as [number, number];
+  if (!(first < last)) throw new UsageError(`${option}: ${first} is not before ${last}`);
+  return [first, last];
+};
+
+export const oneOf = <T extends string>(...names: T[]): Read<T> => (text, option) => {
+  const found = names.find((name) => name === text);
+  if (!found) throw new UsageError(`${option}: '${text}' is none of ${names.join(', ')}`);
+  return found;
+};
+
+/** KEY, counted from 1 -> index from 0. */
+export const key: Read<number> = (text, option) => wholeFrom(1)(text, option) - 1;
+
+/** KEY:N,KEY:N,... -> whole turns on the way to a key. */
+export const turns: Read<{ key: number; turns: number }[]> = (text, option) =>
+  text.split(',').map((part) => {
+    const [place, count, ...rest] = part.split(':');
+    if (!place || !count || rest.length > 0) throw new UsageError(`${option}: '${part}' is not KEY:N`);
+    const index = key(place, option);
+    if (index === 0) throw new UsageError(`${option}: no turns lead to key 1, count from key 2`);
+    return { key: index, turns: whole(count, option) };
+  });
+
+/** A number is an index, counted from 0 as glTF does; anything else a name. */
+export const animation: Read<string | number> = (text) => (/^\d+$/.test(text) ? Number(text) : text);

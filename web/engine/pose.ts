@@ -1,0 +1,31 @@
+/** One pose of the keys' mesh from files of its own: an end tangent, or a key to be added. */
+import type { Engine, Keys } from './api.ts';
+import { EngineError } from './errors.ts';
+import type { InputFile } from './types.ts';
+
+/** 3 x vertices. Errors: those of an import, and another number of vertices or other faces than the keys have. */
+export async function readPose(engine: Engine, files: InputFile[], keys: Keys): Promise<Float32Array> {
+  // An import holds at least two keys: the same pose stands for both.
+  const pose = await engine.importKeyframes([...files, { ...files[0]! }]);
+  try {
+    const [file, positions, { vertices, faces }] = [files[0]!.name, pose.positions(0), keys.info.report];
+    if (positions.length !== 3 * vertices) {
+      const sentence = `${file} has ${positions.length / 3} vertices, the keys have ${vertices}: a pose must be of the same mesh.`;
+      throw new EngineError('vertex-count-mismatch', sentence, { file });
+    }
+    const { indices } = pose.info;
+    if (indices.length !== 3 * faces) {
+      const sentence = `${file} has ${indices.length / 3} faces, the keys have ${faces}: a pose must be of the same mesh.`;
+      throw new EngineError('face-count-mismatch', sentence, { file });
+    }
+    const place = indices.findIndex((vertex, corner) => vertex !== keys.info.indices[corner]);
+    if (place >= 0) {
+      const face = Math.floor(place / 3);
+      const sentence = `${file} has other faces than the keys from face ${face + 1} on: a pose must be of the same mesh.`;
+      throw new EngineError('face-mismatch', sentence, { file, face });
+    }
+    return positions;
+  } finally {
+    pose.dispose();
+  }
+}
