@@ -70,6 +70,9 @@ class Sequence {
   /// The same in double precision, n positions: for measures and tests.
   Status evaluate(double t, Positions& positions);
 
+  /// The shape at an affine combination of the keys: one weight a key, sum 1. evaluate(t) is this at the curve's weights.
+  Status evaluateBlend(const std::vector<double>& weights, Frame& frame);
+
   const Keyframes& keyframes() const;
   const MotionOptions& motion() const;
   SequenceStats stats() const;
@@ -83,8 +86,9 @@ class Sequence {
 
   ShapePlane shapePlane(const std::vector<double>& times);
 
-  /// Bending energy density |x''(t)|^2 of the feature curve at each time (Eq. 6, Fig. 9), over the keys' average
-  /// deformation energy.
+  /// Bending energy density |x''(t)|^2 of the feature curve at each time (Eq. 6, Fig. 9), by second differences over a
+  /// hundredth of the range and normalised by the average deformation energy |x_j - x_(j-1)|^2 between keys. Corners of a
+  /// piecewise linear curve show as peaks.
   std::vector<double> bendingEnergy(const std::vector<double>& times);
 
  private:

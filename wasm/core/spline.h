@@ -24,8 +24,8 @@ struct CurveOptions {
   bool startShape = false;         ///< hermite: the start tangent column takes key 2's place in the difference at key 1
   bool endShape = false;           ///< hermite: the end tangent column takes key J - 1's place in the difference at key J
   Closing closing = Closing::Extra;
-  std::optional<double> period;
-  std::vector<double> tension;
+  std::optional<double> period = {};
+  std::vector<double> tension = {};
 };
 
 /// The columns that a weight vector of J keys ranges over: keys 0 to J - 1, then these.

@@ -1,0 +1,485 @@
+#include "core/sequence.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "core/lri.h"
+#include "core/mesh.h"
+#include "core/metrics.h"
+#include "core/reconstruct.h"
+#include "core/shading.h"
+#include "core/spline.h"
+#include "core/text.h"
+#include "core/weld.h"
+
+namespace shapespline {
+
+namespace {
+
+// Poses closer than this, over the diagonal, are the same up to rounding and a modeller's noise.
+constexpr double samePose = 1e-4;
+// Above this the keys leave open which way and how often a part turned between them.
+constexpr double ambiguousTurn = 150 * std::numbers::pi / 180;
+// Times at which the mean rotation's condition is sampled, as an upper bound.
+constexpr int conditionSamples = 240;
+// The slider reaches this far beyond the ends, as a share of the key range.
+constexpr double margin = 0.4;
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+    return ms;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::vector<double> timesOf(const Keyframes& keyframes) {
+  std::vector<double> times;
+  for (const Key& key : keyframes.keys) times.push_back(key.time);
+  return times;
+}
+
+Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
+  const auto invalid = [](std::string message) { return Error{ErrorCode::InvalidOption, std::move(message)}; };
+  if (o.reference < 0 || o.reference >= k.keyCount())
+    return invalid("The reference is key " + std::to_string(o.reference + 1) + ", but there are " +
+                   std::to_string(k.keyCount()) + " keys.");
+  if (o.patches < 0) return invalid("The number of patches is " + grouped(o.patches) + ". Use 0 for the default, or more.");
+  if (o.rootPatch < 0) return invalid("The root patch must not be negative.");
+  for (const auto* tangent : {&o.startTangent, &o.endTangent}) {
+    if (!*tangent) continue;
+    if (static_cast<int>((*tangent)->size()) != k.vertexCount())
+      return Error{ErrorCode::VertexCountMismatch, "A tangent shape has " + grouped(static_cast<std::int64_t>((*tangent)->size())) +
+                                                       " vertices, but the keys have " + grouped(k.vertexCount()) +
+                                                       ". Use a pose of the same mesh."};
+    for (std::size_t v = 0; v < (*tangent)->size(); ++v)
+      if (!(**tangent)[v].allFinite())
+        return Error{ErrorCode::NotFinite, "A tangent shape's vertex " + grouped(static_cast<std::int64_t>(v)) + " is not finite.", -1, static_cast<int>(v)};
+  }
+  return {};
+}
+
+Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount) {
+  for (const AddedTurns& t : turns)
+    if (t.key < 1 || t.key >= keyCount || std::abs(t.turns) > 1000)
+      return Error{ErrorCode::InvalidOption, "Whole turns can be added to keys 2 to " + std::to_string(keyCount) +
+                                                 ", up to 1000 each; got " + std::to_string(t.turns) + " for key " +
+                                                 std::to_string(t.key + 1) + "."};
+  return {};
+}
+
+bool isLinear(Method method) { return method == Method::Geodesic || method == Method::Linear; }
+bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
+
+// The two precisions of the reconstructor behind one face; results are handed on in double.
+class AnyReconstructor {
+ public:
+  virtual ~AnyReconstructor() = default;
+  virtual Status build(const WeldedShape& shape, const EncodingOptions& options, SequenceStats& stats,
+                       const StageProgress& progress) = 0;
+  virtual int reconstruct(const Weights& weights, Positions& welded) = 0;
+  virtual int reconstruct(const Weights& weights, std::vector<float>& welded) = 0;
+  virtual void patchRotations(const Weights& weights, std::vector<Quaternion>& rotation) = 0;
+  virtual Alignment& alignment() = 0;
+  virtual Eigen::MatrixXd gram(const WeldedShape& shape, double diagonal) const = 0;
+  virtual const Patches& patches() const = 0;
+  virtual const std::vector<Vec3>& meanPosition() const = 0;
+  virtual bool hasWinding() const = 0;
+  virtual double largestPairTurn() const = 0;
+  virtual CholeskyStats solverStats() const = 0;
+};
+
+template <class Real>
+class TypedReconstructor final : public AnyReconstructor {
+ public:
+  Status build(const WeldedShape& shape, const EncodingOptions& options, SequenceStats& stats,
+               const StageProgress& progress) override {
+    Stopwatch watch;
+    progress("encoding", 0);
+    auto coordinates = encode<Real>(shape, options.patches, options.stretch);
+    stats.encodeMs = watch.lap();
+    ++stats.encodings;
+    if (coordinates.pieces.count == 0)
+      return Error{ErrorCode::NoArea, "No triangle has area in every key. Use poses in which the shape is not collapsed."};
+    progress("encoding", 1);
+    const Status status = reconstructor_.build(shape, std::move(coordinates), options, [&](const char* stage, double f) {
+      if (stage[0] == 'o' && f == 1) stats.orderMs = watch.lap();
+      progress(stage, f);
+    });
+    stats.factorMs = watch.lap();
+    stats.factorisations += 2;  // one a system
+    return status;
+  }
+
+  int reconstruct(const Weights& weights, Positions& welded) override {
+    const int lost = reconstructor_.reconstruct(weights, xyz_);
+    welded.resize(xyz_.size() / 3);
+    for (std::size_t v = 0; v < welded.size(); ++v) welded[v] = {xyz_[3 * v], xyz_[3 * v + 1], xyz_[3 * v + 2]};
+    return lost;
+  }
+
+  int reconstruct(const Weights& weights, std::vector<float>& welded) override {
+    if constexpr (std::is_same_v<Real, float>) {
+      return reconstructor_.reconstruct(weights, welded);
+    } else {
+      const int lost = reconstructor_.reconstruct(weights, xyz_);
+      welded.assign(xyz_.begin(), xyz_.end());
+      return lost;
+    }
+  }
+
+  void patchRotations(const Weights& weights, std::vector<Quaternion>& rotation) override {
+    reconstructor_.patchRotations(weights, rotation);
+  }
+  Alignment& alignment() override { return reconstructor_.alignment(); }
+  Eigen::MatrixXd gram(const WeldedShape& shape, double diagonal) const override {
+    return gramMatrix(coordinates(), shape, diagonal);
+  }
+  const Patches& patches() const override { return coordinates().patches; }
+  const std::vector<Vec3>& meanPosition() const override { return coordinates().meanPosition; }
+  bool hasWinding() const override { return !coordinates().pairWinding.empty() || !coordinates().faceWinding.empty(); }
+  double largestPairTurn() const override { return coordinates().largestPairTurn; }
+  CholeskyStats solverStats() const override { return reconstructor_.solverStats(); }
+
+ private:
+  const LriCoordinates<Real>& coordinates() const { return reconstructor_.coordinates(); }
+
+  Reconstructor<Real> reconstructor_;
+  std::vector<Real> xyz_;
+};
+
+}  // namespace
+
+struct Sequence::State {
+  Keyframes raw;
+  MotionOptions motion;
+  Welding welding;
+  WeldedShape shape;
+  Shading shading;
+  double diagonal = 0;
+  Closing closing = Closing::Extra;
+  Quaternion closingRotation = Quaternion::Identity();  // of the rigid motion from the first key to the last
+  std::unique_ptr<AnyReconstructor> reconstructor;
+  std::optional<Curve> curve;
+  SequenceStats stats;
+  std::vector<Warning> warnings;
+  Eigen::MatrixXd gram;  // made when it is first asked for
+  std::vector<float> weldedXyz;
+  Positions weldedPositions;
+
+  Columns columns() const { return {shape.keys}; }
+
+  void weldKeys(const EncodingOptions& encoding);
+  void findClosing();
+  void decideAlignment();
+  CurveOptions curveOptions(const MotionOptions& options) const;
+  void collectWarnings();
+  // How far and how the whole shape is moved after its reconstruction at a wrapped time.
+  struct Global {
+    Mat3 rotation = Mat3::Identity();
+    Vec3 pivot = Vec3::Zero(), translation = Vec3::Zero();
+    bool moves = false;
+    Vec3 apply(const Vec3& p) const { return rotation * (p - pivot) + pivot + translation; }
+  };
+  Global globalMotion(double t, const WrappedTime& wrapped, const Weights& weights) const;
+  Vec3 meanPosition(const Weights& weights) const;
+  template <class Out>
+  int weldedShape(const Weights& weights, Out& out);
+  void fill(const Weights& weights, const Global& global, Frame& frame);
+  void fill(const Weights& weights, const Global& global, Positions& positions);
+  const Eigen::MatrixXd& gramMatrix();
+  Eigen::VectorXd poseWeightsAt(double t) const;
+};
+
+void Sequence::State::weldKeys(const EncodingOptions& encoding) {
+  std::vector<const Positions*> poses;
+  for (const Key& key : raw.keys) poses.push_back(&key.positions);
+  shape.keys = raw.keyCount();
+  shape.reference = encoding.reference;
+  if (encoding.startTangent) shape.startTangent = static_cast<int>(poses.size()), poses.push_back(&*encoding.startTangent);
+  if (encoding.endTangent) shape.endTangent = static_cast<int>(poses.size()), poses.push_back(&*encoding.endTangent);
+  diagonal = boundingDiagonal(poses);
+  welding = weld(poses, weldTolerance * diagonal);
+  shape.faces = weldFaces(raw.faces, welding);
+  for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, welding));
+  int groups = 0;
+  std::vector<int> group = shadingGroups(welding, raw.normals, groups);
+  shading = Shading(std::move(group), groups);
+}
+
+void Sequence::State::findClosing() {
+  const RigidFit fit = fitRigid(shape.poses.front(), shape.poses[shape.keys - 1]);
+  if (fit.largestDistance > samePose * diagonal) return;
+  closing = Closing::LastKey;
+  closingRotation = Quaternion(fit.rotation);
+}
+
+// Whether the mean rotation can be trusted is asked once, at the keys and at fixed times between and beyond them: asked for
+// every frame, the shape would jump while the time is dragged.
+void Sequence::State::decideAlignment() {
+  const std::vector<double> times = timesOf(raw);
+  const double span = times.back() - times.front();
+  const int samples = std::min(conditionSamples, 8 * shape.keys);
+  std::vector<std::vector<Quaternion>> sampled;
+  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Periodic}) {
+    const auto curveFit = Curve::fit(times, {.boundary = boundary, .closing = closing});
+    if (!curveFit) continue;
+    for (int i = 0; i <= samples; ++i) {
+      const double t = times.front() + span * (-margin + (1 + 2 * margin) * i / samples);
+      sampled.emplace_back();
+      reconstructor->patchRotations(curveFit->weights(curveFit->wrap(t).time), sampled.back());
+    }
+  }
+  reconstructor->alignment().decide(sampled);
+}
+
+CurveOptions Sequence::State::curveOptions(const MotionOptions& o) const {
+  return {.linear = isLinear(o.method),
+          .boundary = o.boundary,
+          .startSpeed = o.startSpeed,
+          .endSpeed = o.endSpeed,
+          .startShape = shape.startTangent >= 0,
+          .endShape = shape.endTangent >= 0,
+          .closing = closing,
+          .period = o.period,
+          .tension = o.tension};
+}
+
+void Sequence::State::collectWarnings() {
+  warnings.clear();
+  if (reconstructor->alignment().largestIncrement() > ambiguousTurn)
+    warnings.push_back({"ambiguous-turn",
+                        "Between two keys the whole shape turns by more than 150 degrees. The keys alone do not say which "
+                        "way and how often: add whole turns to a key, or a key in between."});
+  if (reconstructor->largestPairTurn() > ambiguousTurn)
+    warnings.push_back({"ambiguous-part-turn",
+                        "Between two keys neighbouring parts turn by more than 150 degrees against each other. Add a key in "
+                        "between if they go the wrong way."});
+  if (motion.boundary == BoundaryKind::Periodic && closing == Closing::Extra && reconstructor->hasWinding())
+    warnings.push_back({"winding", "Some parts turn on by a whole turn in each period. Their motion is continuous where "
+                                   "the loop closes, but its speed may jump there."});
+  if (const int pivots = reconstructor->solverStats().regularisedPivots; pivots > 0)
+    warnings.push_back({"regularised", "The mesh has places so thin that the solver had to hold them in place.", pivots});
+}
+
+Vec3 Sequence::State::meanPosition(const Weights& weights) const {
+  const PoseWeights w = poseWeights(weights, shape);
+  Vec3 sum = Vec3::Zero();
+  for (int c = 0; c < shape.columns(); ++c) sum += w.column[c] * reconstructor->meanPosition()[c];
+  return sum;
+}
+
+Sequence::State::Global Sequence::State::globalMotion(double t, const WrappedTime& wrapped, const Weights& weights) const {
+  Global global;
+  const auto& mean = reconstructor->meanPosition();
+  const Vec3 travel = mean[shape.keys - 1] - mean[0];
+  const bool closesOnLast = closing == Closing::LastKey && curve->end() <= raw.keys.back().time;
+  if (wrapped.periods != 0 && closesOnLast) {
+    // One more period is one more of the rigid motion that takes the first key to the last.
+    const Eigen::AngleAxisd once(closingRotation);
+    global.rotation = Eigen::AngleAxisd(once.angle() * wrapped.periods, once.axis()).toRotationMatrix();
+    global.pivot = meanPosition(weights);
+    global.translation = wrapped.periods * travel;
+    global.moves = true;
+  }
+  if (motion.inPlace && (!curve->periodic() || closesOnLast)) {
+    const double span = raw.keys.back().time - raw.keys.front().time;
+    global.translation -= (t - raw.keys.front().time) / span * travel;
+    global.moves = true;
+  }
+  return global;
+}
+
+template <class Out>
+int Sequence::State::weldedShape(const Weights& weights, Out& out) {
+  ++stats.solves;
+  if (!blendsVertices(motion.method)) return reconstructor->reconstruct(weights, out);
+  --stats.solves;
+  const PoseWeights w = poseWeights(weights, shape);
+  const std::size_t n = shape.poses.front().size();
+  if constexpr (std::is_same_v<Out, Positions>) out.resize(n);
+  else out.resize(3 * n);
+  for (std::size_t v = 0; v < n; ++v) {
+    Vec3 sum = Vec3::Zero();
+    for (int c = 0; c < shape.columns(); ++c) sum += w.column[c] * shape.poses[c][v];
+    if constexpr (std::is_same_v<Out, Positions>) out[v] = sum;
+    else for (int i = 0; i < 3; ++i) out[3 * v + i] = static_cast<float>(sum[i]);
+  }
+  return 0;
+}
+
+void Sequence::State::fill(const Weights& weights, const Global& global, Positions& positions) {
+  weldedShape(weights, weldedPositions);
+  if (global.moves)
+    for (Vec3& p : weldedPositions) p = global.apply(p);
+  positions.resize(welding.weldedOfRaw.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = weldedPositions[welding.weldedOfRaw[v]];
+}
+
+void Sequence::State::fill(const Weights& weights, const Global& global, Frame& frame) {
+  frame.lostDefiniteness = weldedShape(weights, weldedXyz);
+  if (global.moves)
+    for (std::size_t i = 0; i < weldedXyz.size(); i += 3) {
+      const Vec3 p = global.apply({weldedXyz[i], weldedXyz[i + 1], weldedXyz[i + 2]});
+      for (int k = 0; k < 3; ++k) weldedXyz[i + k] = static_cast<float>(p[k]);
+    }
+  frame.positions.resize(3 * welding.weldedOfRaw.size());
+  for (std::size_t v = 0; v < welding.weldedOfRaw.size(); ++v)
+    std::copy_n(&weldedXyz[3 * static_cast<std::size_t>(welding.weldedOfRaw[v])], 3, &frame.positions[3 * v]);
+  shading.normals(raw.faces, frame.positions, frame.normals);
+}
+
+const Eigen::MatrixXd& Sequence::State::gramMatrix() {
+  if (gram.size() == 0) gram = reconstructor->gram(shape, diagonal);
+  return gram;
+}
+
+Eigen::VectorXd Sequence::State::poseWeightsAt(double t) const {
+  const PoseWeights w = poseWeights(curve->weights(curve->wrap(t).time), shape);
+  return Eigen::Map<const Eigen::VectorXd>(w.column.data(), static_cast<Eigen::Index>(w.column.size()));
+}
+
+Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
+                                  const Progress& progress) {
+  if (Status status = validate(keyframes); !status) return status.error();
+  if (Status status = checkEncoding(encoding, keyframes); !status) return status.error();
+  if (keyframes.normals.size() != static_cast<std::size_t>(keyframes.vertexCount())) keyframes.normals.clear();
+
+  // Share of each stage in the whole, from measured runs.
+  const auto report = [&](const char* stage, double fraction) {
+    if (!progress) return;
+    const std::string_view name(stage);
+    const double start = name == "welding" ? 0 : name == "encoding" ? 0.08 : name == "ordering" ? 0.5 : 0.65;
+    const double share = name == "welding" ? 0.08 : name == "encoding" ? 0.42 : name == "ordering" ? 0.15 : 0.35;
+    progress(stage, std::min(1.0, start + share * fraction));
+  };
+
+  auto state = std::make_unique<State>();
+  State& s = *state;
+  s.raw = std::move(keyframes);
+  Stopwatch watch;
+  report("welding", 0);
+  s.weldKeys(encoding);
+  s.stats.weldMs = watch.lap();
+  report("welding", 1);
+  if (encoding.precision == Precision::Double) s.reconstructor = std::make_unique<TypedReconstructor<double>>();
+  else s.reconstructor = std::make_unique<TypedReconstructor<float>>();
+  if (Status status = s.reconstructor->build(s.shape, encoding, s.stats, report); !status) return status.error();
+  s.findClosing();
+  s.decideAlignment();
+
+  s.stats.patches = s.reconstructor->patches().count;
+  s.stats.weldedVertices = s.welding.count;
+  s.stats.components = 1 + *std::max_element(s.reconstructor->patches().pieceOf.begin(), s.reconstructor->patches().pieceOf.end());
+  s.stats.factorBytes = s.reconstructor->solverStats().factorBytes;
+  s.stats.alignedByPatches = s.reconstructor->alignment().byPatches();
+
+  Sequence sequence(std::move(state));
+  if (Status status = sequence.update(motion, timesOf(s.raw)); !status) return status.error();
+  report("factorising", 1);
+  return sequence;
+}
+
+Sequence::Sequence(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Sequence::Sequence(Sequence&&) noexcept = default;
+Sequence& Sequence::operator=(Sequence&&) noexcept = default;
+Sequence::~Sequence() = default;
+
+Status Sequence::update(const MotionOptions& motion, const std::vector<double>& keyTimes) {
+  State& s = *state_;
+  if (Status status = validateTimes(keyTimes, s.shape.keys); !status) return status;
+  if (Status status = checkTurns(motion.turns, s.shape.keys); !status) return status;
+  Result<Curve> curve = Curve::fit(keyTimes, s.curveOptions(motion));
+  if (!curve) return curve.error();
+  s.curve = std::move(*curve);
+  s.motion = motion;
+  for (int j = 0; j < s.shape.keys; ++j) s.raw.keys[j].time = keyTimes[j];
+  s.reconstructor->alignment().setTurns(motion.turns);
+  s.collectWarnings();
+  return {};
+}
+
+namespace {
+
+Status checkTime(double t) {
+  if (std::isfinite(t)) return {};
+  return Error{ErrorCode::InvalidOption, "The time is not a finite number."};
+}
+
+}  // namespace
+
+Status Sequence::evaluate(double t, Frame& frame) {
+  if (Status status = checkTime(t); !status) return status;
+  const WrappedTime wrapped = state_->curve->wrap(t);
+  const Weights weights = state_->curve->weights(wrapped.time);
+  state_->fill(weights, state_->globalMotion(t, wrapped, weights), frame);
+  return {};
+}
+
+Status Sequence::evaluate(double t, Positions& positions) {
+  if (Status status = checkTime(t); !status) return status;
+  const WrappedTime wrapped = state_->curve->wrap(t);
+  const Weights weights = state_->curve->weights(wrapped.time);
+  state_->fill(weights, state_->globalMotion(t, wrapped, weights), positions);
+  return {};
+}
+
+Status Sequence::evaluateBlend(const std::vector<double>& blend, Frame& frame) {
+  const Columns columns = state_->columns();
+  if (static_cast<int>(blend.size()) != columns.keys)
+    return Error{ErrorCode::InvalidOption, "There are " + grouped(static_cast<std::int64_t>(blend.size())) +
+                                               " weights for " + grouped(columns.keys) + " keys. Give one a key."};
+  Weights weights = Weights::Zero(columns.count());
+  weights.head(columns.keys) = Eigen::Map<const Eigen::VectorXd>(blend.data(), columns.keys);
+  if (!weights.allFinite() || std::abs(weights.sum() - 1) > 1e-6)
+    return Error{ErrorCode::InvalidOption, "The weights must be finite and sum to 1."};
+  state_->fill(weights, {}, frame);
+  return {};
+}
+
+const Keyframes& Sequence::keyframes() const { return state_->raw; }
+const MotionOptions& Sequence::motion() const { return state_->motion; }
+SequenceStats Sequence::stats() const { return state_->stats; }
+const std::vector<Warning>& Sequence::warnings() const { return state_->warnings; }
+std::pair<double, double> Sequence::range() const { return {state_->curve->start(), state_->curve->end()}; }
+const std::vector<int>& Sequence::patchOfFace() const { return state_->reconstructor->patches().ofFace; }
+
+ShapePlane Sequence::shapePlane(const std::vector<double>& times) {
+  State& s = *state_;
+  const PrincipalPlane plane(s.gramMatrix(), s.shape.keys);
+  ShapePlane result;
+  result.explained = plane.explained();
+  const auto append = [](std::vector<double>& list, const Vec2& p) { list.insert(list.end(), {p.x(), p.y()}); };
+  for (int j = 0; j < s.shape.keys; ++j) append(result.keys, plane.project(Eigen::VectorXd::Unit(s.shape.columns(), j)));
+  for (double t : times) append(result.curve, plane.project(s.poseWeightsAt(t)));
+  return result;
+}
+
+std::vector<double> Sequence::bendingEnergy(const std::vector<double>& times) {
+  State& s = *state_;
+  const Eigen::MatrixXd& gram = s.gramMatrix();
+  const auto energy = [&](const Eigen::VectorXd& w) { return std::max(0.0, w.dot(gram * w)); };
+  double average = 0;
+  for (int j = 1; j < s.shape.keys; ++j) {
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(s.shape.columns());
+    step[j] = 1, step[j - 1] = -1;
+    average += energy(step) / (s.shape.keys - 1);
+  }
+  const double h = (s.curve->end() - s.curve->start()) / 100;
+  std::vector<double> result;
+  for (double t : times) {
+    const Eigen::VectorXd second =
+        (s.poseWeightsAt(t - h) - 2 * s.poseWeightsAt(t) + s.poseWeightsAt(t + h)) / (h * h);
+    result.push_back(average > 0 ? energy(second) / average : 0);
+  }
+  return result;
+}
+
+}  // namespace shapespline
