@@ -1,0 +1,264 @@
+/** The composition root: puts state, engine, viewer and components together and says who hears of what. */
+import { createEngine } from '../engine/index.ts';
+import type { Warning } from '../engine/types.ts';
+import type { AppState, Doc } from '../model/state.ts';
+import { EMPTY_STATE } from '../model/state.ts';
+import type { Range } from '../model/time-scale.ts';
+import { clampTime } from '../model/time-scale.ts';
+import { createTheme } from '../ui/theme.ts';
+import { createCommands } from './commands.ts';
+import type { Context } from './context.ts';
+import { createExporting } from './exporting.ts';
+import { installHook } from './hook.ts';
+import { createInsightPanel } from './insight.ts';
+import { createInterface } from './interface.ts';
+import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
+import { isCancelled } from './lanes.ts';
+import { createOpening } from './opening.ts';
+import { readPermalink, writePermalink } from './permalink.ts';
+import { Picture } from './picture.ts';
+import { Player } from './player.ts';
+import { problemOf } from './problem.ts';
+import { Pump } from './pump.ts';
+import { EMPTY_RUNTIME } from './runtime.ts';
+import type { Runtime } from './runtime.ts';
+import { fetchSamples } from './samples.ts';
+import { createShell } from './shell.ts';
+import { listen, shortcutLines } from './shortcuts.ts';
+import type { Spec } from './spec.ts';
+import { specOf } from './spec.ts';
+import { createStore } from './store.ts';
+import { createThumbnails } from './thumbnails.ts';
+import { Workspace } from './workspace.ts';
+
+const LINK_DELAY_MS = 300;
+
+export function startApp(root: HTMLElement): void {
+  const engine = createEngine();
+  const store = createStore(EMPTY_STATE);
+  const theme = createTheme(() => { applyLook(); render(); });
+  const shell = createShell();
+  let runtime: Runtime = { ...EMPTY_RUNTIME, welcome: true };
+  let good: { doc: Doc; compare: AppState['view']['compare'] } | null = null;
+  let drawnState = store.get();
+
+  const picture = new Picture(shell.picture, {
+    onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
+    onContextLost: () => context.say('The graphics card was taken away. The picture comes back by itself.'),
+    onContextRestored: () => void pump.request(store.get().time),
+  });
+
+  const workspace = new Workspace(engine, {
+    onProgress: (working) => context.inform({ working }),
+    onReady: (spec) => served(spec),
+    onRefused: (error) => {
+      context.fail(error);
+      goBack();
+    },
+  });
+
+  const pump = new Pump({
+    lanes: () => workspace.lanes,
+    async show(t, frames, lanes) {
+      await picture.show(t, frames, lanes, store.get(), context.range());
+      context.inform({ ms: frames[0]?.ms ?? null, lost: frames[0]?.lostDefiniteness ?? 0 });
+    },
+    drawn: () => picture.viewer.drawn(),
+    onError: (error) => context.fail(error),
+  });
+
+  const player = new Player(
+    () => ({ time: store.get().time, play: store.get().play, range: context.range(), periodic: store.get().doc.motion.boundary === 'periodic' }),
+    (time, playing) => store.set({ time, play: { ...store.get().play, playing } }),
+  );
+
+  const context: Context = {
+    engine, store, workspace, picture, pump,
+    runtime: () => runtime,
+    inform(change) {
+      runtime = { ...runtime, ...change };
+      render();
+    },
+    range: () => rangeOf(store.get(), runtime),
+    reducedMotion: () => window.matchMedia('(prefers-reduced-motion: reduce)').matches,
+    say: (text) => ui.say(text),
+    fail(error) {
+      if (!isCancelled(error)) context.inform({ problem: problemOf(error) });
+    },
+  };
+
+  const thumbnails = createThumbnails(context);
+  const commands = createCommands(context);
+  const opening = createOpening(context);
+  const insight = createInsightPanel(
+    () => ({ lanes: workspace.lanes, keyTimes: store.get().doc.keys.map((key) => key.time), range: context.range(), ms: runtime.ms ?? 1 }),
+    commands.seek, context.fail);
+  const exporting = createExporting(context, insight);
+  const cancel = (): void => {
+    exporting.cancel();
+    workspace.cancel();
+    goBack();
+  };
+  const shortcuts = createShortcuts(context, commands, {
+    openFiles: () => ui.openFiles(), openExport: () => { if (runtime.info) ui.openExport(); }, openHelp: () => ui.openHelp(),
+    toggleLook: () => ui.toggleLook(), nextTheme: theme.next, undo: store.undo, redo: store.redo,
+    escape: () => (runtime.working ? cancel() : context.inform({ problem: null })),
+  });
+  const ui = createInterface({
+    shell, root, commands, opening, insight, shortcuts: shortcutLines(shortcuts),
+    onUndo: store.undo, onRedo: store.redo, onTheme: theme.next, onCancel: cancel,
+    onLink: () => void copyLink(),
+    onCloseProblem: () => context.inform({ problem: null }),
+    onSingleKeys: (singleKeys) => context.inform({ singleKeys }),
+    onExportOpen: () => exporting.plan(),
+    onExportChange: (request) => exporting.plan(request),
+    onExport: (request) => void exporting.run(request),
+  });
+  listen(shortcuts, () => runtime.singleKeys);
+  listenToArrows(context, commands, shell.picture);
+  listenToCamera(context, shell.picture);
+
+  // Everything below reacts to changes.
+
+  let frame = 0;
+  function render(): void {
+    if (frame === 0) frame = requestAnimationFrame(draw);
+  }
+
+  function draw(): void {
+    frame = 0;
+    ui.update({
+      state: store.get(), runtime, range: context.range(), theme: theme.theme(), labels: picture.labels,
+      undo: store.undoLabel(), redo: store.redoLabel(),
+    });
+  }
+
+  function applyLook(): void {
+    picture.setLook(store.get().view, theme.isDark());
+  }
+
+  /** The lanes now follow the document. */
+  function served(spec: Spec): void {
+    const { doc, view } = store.get();
+    good = { doc, compare: view.compare };
+    const main = workspace.lanes[0]?.sequence;
+    if (!main) return;
+    context.inform({ range: main.range, warnings: distinct([...(runtime.info?.warnings ?? []), ...main.warnings]) });
+    main.stats().then((stats) => context.inform({ stats }), context.fail);
+    void pump.request(store.get().time);
+    insight.invalidate();
+    thumbnails.refresh();
+    if (spec.methods.length !== picture.viewer.views) picture.viewer.setViews(spec.methods.length);
+  }
+
+  /** After a refused or cancelled edit the document is again what the sequences serve. */
+  function goBack(): void {
+    if (!good) return;
+    if (store.get().view.compare !== good.compare) store.set({ view: { ...store.get().view, compare: good.compare } });
+    if (store.get().doc !== good.doc) store.revert(good.doc);
+  }
+
+  store.subscribe((state) => {
+    const before = drawnState;
+    drawnState = state;
+    if (state.doc !== before.doc || state.view.compare !== before.view.compare) workspace.want(specOf(state.doc, state.view.compare));
+    if (lookOf(state) !== lookOf(before)) applyLook();
+    if (state.time !== before.time || drawsOtherwise(state, before)) void pump.request(state.time);
+    if (state.play.playing && !before.play.playing) player.start();
+    if (!state.play.playing && before.play.playing) {
+      player.stop();
+      void pump.request(state.time);
+    }
+    if (!state.play.playing) saveLink();
+    render();
+  });
+
+  let linkTimer = 0;
+  function saveLink(): void {
+    window.clearTimeout(linkTimer);
+    linkTimer = window.setTimeout(() => {
+      const { initial } = runtime;
+      const link = initial && writePermalink(store.get(), initial);
+      history.replaceState(null, '', link ? `#${link}` : location.pathname + location.search);
+    }, LINK_DELAY_MS);
+  }
+
+  async function copyLink(): Promise<void> {
+    const link = runtime.initial && writePermalink(store.get(), runtime.initial);
+    if (!link) return;
+    const url = new URL(`#${link}`, location.href).href;
+    try {
+      await navigator.clipboard.writeText(url);
+      context.say('Link copied.');
+    } catch {
+      history.replaceState(null, '', url);
+      context.say('The link is in the address bar now.');
+    }
+  }
+
+  window.addEventListener('hashchange', () => {
+    const link = readPermalink(location.hash);
+    if (link) void opening.sample(link.sample, link);
+  });
+  window.addEventListener('offline', () => context.inform({ offline: true }));
+  window.addEventListener('online', () => context.inform({ offline: false }));
+
+  const ready = start();
+  ready.catch(context.fail);
+  installHook({
+    ready,
+    async setTime(t) {
+      const time = clampTime(t, context.range());
+      store.set({ time, play: { ...store.get().play, playing: false } });
+      await pump.request(time);
+    },
+    settled: () => settled(),
+    get state() { return structuredClone(store.get()); },
+    stats: async () => (await workspace.lanes[0]?.sequence.stats()) ?? null,
+    positions: (view = 0) => picture.viewer.positions(view),
+    project: (points, view = 0) => picture.viewer.project(Float32Array.from(points), view),
+  });
+  applyLook();
+  render();
+
+  async function start(): Promise<void> {
+    context.inform({ samples: await fetchSamples(), offline: !navigator.onLine });
+    const link = readPermalink(location.hash);
+    const first = runtime.samples.find(({ id }) => id === link?.sample) ?? runtime.samples[0];
+    if (!first) throw new Error('There are no samples beside this page. Open files of your own.');
+    await opening.sample(first.id, first.id === link?.sample ? link : null);
+    await pump.idle();
+  }
+
+  async function settled(): Promise<void> {
+    do {
+      await opening.idle();
+      await workspace.idle();
+      await pump.idle();
+      await picture.viewer.drawn();
+      // What the last frame changed is shown by the components on the next one.
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+    } while (opening.busy || (pump.busy && !store.get().play.playing));
+  }
+}
+
+/** Where the keys define the motion. Only the engine knows the period of a closed motion that does not close by itself. */
+function rangeOf({ doc }: AppState, runtime: Runtime): Range {
+  const first = doc.keys[0]?.time ?? 0;
+  const last = doc.keys.at(-1)?.time ?? 1;
+  if (doc.motion.boundary !== 'periodic') return [first, last];
+  return doc.motion.period !== null ? [first, first + doc.motion.period] : runtime.range;
+}
+
+/** Changes that the viewer draws without asking for another shape. */
+function lookOf({ view }: AppState): string {
+  return `${view.colouring} ${view.shading} ${view.wireframe} ${view.floor}`;
+}
+
+function drawsOtherwise({ view }: AppState, before: AppState): boolean {
+  return view.onion !== before.view.onion || view.film !== before.view.film || view.colouring !== before.view.colouring;
+}
+
+function distinct(warnings: readonly Warning[]): Warning[] {
+  return warnings.filter(({ message }, index) => warnings.findIndex((other) => other.message === message) === index);
+}

@@ -1,0 +1,92 @@
+/** What the controls do to the document, the time and the view. */
+import type { Method } from '../engine/types.ts';
+import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setTension } from '../model/edits.ts';
+import type { Encoding, LoopMode, Motion, View } from '../model/state.ts';
+import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, METHODS, SPEEDS, ignoresHermite } from '../model/state.ts';
+import { SAME_TIME, clampTime, formatTime, length, neighbourKey } from '../model/time-scale.ts';
+import type { Context } from './context.ts';
+
+const LOOPS: readonly LoopMode[] = ['bounce', 'loop', 'once'];
+
+export type Commands = ReturnType<typeof createCommands>;
+
+export function createCommands(context: Context) {
+  const { store, workspace, pump, picture } = context;
+  const state = store.get;
+  const times = (): number[] => state().doc.keys.map((key) => key.time);
+
+  const seek = (t: number): void => {
+    if (!Number.isFinite(t)) return;
+    store.set({ time: clampTime(t, context.range()), play: { ...state().play, playing: false } });
+    context.inform({ welcome: false });
+  };
+  const view = (change: Partial<View>): void => store.set({ view: { ...state().view, ...change } });
+  const motion = (change: Partial<Motion>, merge?: string): void =>
+    store.edit(Object.keys(change)[0] ?? 'motion', (doc) => setMotion(doc, change), merge);
+
+  return {
+    seek,
+    view,
+    motion,
+    encoding: (change: Partial<Encoding>): void => store.edit(Object.keys(change)[0] ?? 'shape', (doc) => setEncoding(doc, change)),
+    resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, DEFAULT_MOTION)),
+    resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, DEFAULT_ENCODING)),
+    compare: (methods: Method[]): void => view({ compare: methods }),
+
+    moveKey: (from: number, to: number): void => store.edit('order of keys', (doc) => moveKey(doc, from, to)),
+    removeKey: (key: number): void => store.edit('remove a key', (doc) => removeKey(doc, key)),
+    renameKey: (key: number, name: string): void => store.edit('rename a key', (doc) => renameKey(doc, key, name)),
+    retimeKey: (key: number, time: number): void => store.edit('time of a key', (doc) => retimeKey(doc, key, time), `time ${key}`),
+    tension: (key: number, value: number): void => store.edit('tension', (doc) => setTension(doc, key, value), `tension ${key}`),
+    reference: (key: number): void => store.edit('reference', (doc) => setEncoding(doc, { referencePose: doc.keys[key]?.pose ?? null })),
+
+    /** Takes the shape on the screen as a key at its own time. */
+    async addCurrent(): Promise<void> {
+      const { pool } = workspace;
+      const t = state().time;
+      if (!pool || addReason(times(), t, context.range()) !== null) return;
+      await pump.request(t);
+      const positions = picture.viewer.positions(0);
+      if (workspace.pool !== pool || positions.length === 0) return;
+      const name = `at ${formatTime(t, context.range())}`;
+      const pose = pool.add(name, positions);
+      store.edit('add a key', (doc) => addKey(doc, { pose, name, time: t }));
+    },
+
+    togglePlay(): void {
+      const { play } = state();
+      store.set({ play: { ...play, playing: !play.playing } });
+      if (play.playing) context.inform({ welcome: false });
+    },
+    loop: (loop: LoopMode): void => store.set({ play: { ...state().play, loop } }),
+    nextLoop: (): void => {
+      const { play } = state();
+      store.set({ play: { ...play, loop: LOOPS[(LOOPS.indexOf(play.loop) + 1) % LOOPS.length]! } });
+    },
+    speed: (speed: number): void => store.set({ play: { ...state().play, speed } }),
+    stepSpeed: (by: 1 | -1): void => {
+      const { play } = state();
+      const next = SPEEDS[SPEEDS.indexOf(play.speed) + by];
+      if (next) store.set({ play: { ...play, speed: next } });
+    },
+    jumpKey: (direction: 1 | -1): void => seek(neighbourKey(state().time, times(), direction, context.range())),
+
+    nextMethod: (): void => {
+      const { method, boundary } = state().doc.motion;
+      const next = METHODS[(METHODS.indexOf(method) + 1) % METHODS.length]!;
+      motion({ method: next, ...(ignoresHermite(next) && boundary === 'hermite' ? { boundary: 'natural' } : {}) });
+    },
+    nextBoundary: (): void => {
+      const { method, boundary } = state().doc.motion;
+      const usable = BOUNDARIES.filter((one) => one !== 'hermite' || !ignoresHermite(method));
+      motion({ boundary: usable[(usable.indexOf(boundary) + 1) % usable.length]! });
+    },
+    fit: (name: 'home' | 'front' | 'top' | 'right' | null): void => picture.fit(name, !context.reducedMotion()),
+  };
+}
+
+/** Why there can be no key at t, or null. */
+export function addReason(keyTimes: readonly number[], t: number, range: readonly [number, number]): string | null {
+  const taken = keyTimes.some((time) => Math.abs(time - t) <= 1000 * SAME_TIME * length(range));
+  return taken ? 'There is a key at this time already. Move the slider first.' : null;
+}

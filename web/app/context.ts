@@ -1,0 +1,26 @@
+/** What the parts of the app share. */
+import type { Engine } from '../engine/api.ts';
+import type { Range } from '../model/time-scale.ts';
+import type { Picture } from './picture.ts';
+import type { Pump } from './pump.ts';
+import type { Runtime } from './runtime.ts';
+import type { Store } from './store.ts';
+import type { Workspace } from './workspace.ts';
+
+export interface Context {
+  engine: Engine;
+  store: Store;
+  workspace: Workspace;
+  picture: Picture;
+  pump: Pump;
+  runtime(): Runtime;
+  /** Changes what is shown besides the state. */
+  inform(change: Partial<Runtime>): void;
+  /** Where the keys define the motion, also while an edit is still being worked out. */
+  range(): Range;
+  reducedMotion(): boolean;
+  /** Short news. */
+  say(text: string): void;
+  /** Shows a failure; a cancelled call is none. */
+  fail(error: unknown): void;
+}

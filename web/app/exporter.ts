@@ -1,0 +1,99 @@
+/** From what the export dialog asks for to a download. */
+import packageJson from '../../package.json';
+import type { Sequence } from '../engine/api.ts';
+import type { ExportOptions, Progress } from '../engine/types.ts';
+import type { Doc } from '../model/state.ts';
+import type { ExportRequest } from '../ui/export-dialog.ts';
+import { bytesText } from '../ui/export-dialog.ts';
+import { measuresCsv, patchesCsv } from './csv.ts';
+import { download } from './download.ts';
+import type { Insight } from './insight.ts';
+import { record } from './record.ts';
+import { zip } from './zip.ts';
+
+export interface ExportContext {
+  sequence: Sequence;
+  doc: Doc;
+  /** Stem of the file's name. */
+  name: string;
+  time: number;
+  range: readonly [number, number];
+  canvas: HTMLCanvasElement;
+  insight(): Promise<Insight | null>;
+  /** Shows the moment and resolves when it is drawn. */
+  show(t: number): Promise<void>;
+  /** Turns the view to a share of a whole turn about the upright axis. */
+  turn(share: number): Promise<void>;
+  picture(): Promise<Blob>;
+  onProgress(progress: Progress | null): void;
+  signal: AbortSignal;
+}
+
+const FRAMES_PER_SECOND = 30;
+
+/** Options of the engine for the kinds of export that it writes; null for pictures, videos and tables. */
+export function engineOptions(request: ExportRequest, time: number): Partial<ExportOptions> | null {
+  if (request.kind === 'pose') return { format: request.pose, pose: time };
+  if (request.kind !== 'animation' || request.animation === 'webm') return null;
+  const { animation, frames, range, duration, inPlace } = request;
+  return animation === 'glb' ? { format: 'glb', frames, range, duration, inPlace } : { format: 'obj', frames, range, inPlace };
+}
+
+/** In words, before anything is made. */
+export async function describeExport(request: ExportRequest, sequence: Sequence, time: number, range: readonly [number, number]): Promise<{ text: string; warnings: string[] }> {
+  const options = engineOptions(request, time);
+  if (options) {
+    const plan = await sequence.planExport(options);
+    const size = `about ${bytesText(plan.bytes)}`;
+    return { text: request.kind === 'pose' ? `One shape, ${size}` : `${plan.times.length} frames, ${size}`, warnings: plan.warnings.map(({ message }) => message) };
+  }
+  if (request.kind === 'animation' || request.picture === 'turntable' && request.kind === 'picture') {
+    const seconds = videoSeconds(request, range);
+    return { text: `${seconds.toFixed(1)} s of video, takes as long to make`, warnings: [] };
+  }
+  return { text: request.kind === 'picture' ? 'A picture' : 'A table', warnings: [] };
+}
+
+export async function runExport(request: ExportRequest, context: ExportContext): Promise<void> {
+  const { name } = context;
+  if (request.kind === 'picture') {
+    if (request.picture === 'png') return download(await context.picture(), `${name}.png`);
+    return video(request, context, (share) => context.turn(share));
+  }
+  if (request.kind === 'numbers') return table(request, context);
+  if (request.kind === 'animation' && request.animation === 'webm') {
+    const [start, end] = request.range ?? context.range;
+    return video(request, context, (share) => context.show(start + share * (end - start)));
+  }
+  const options = engineOptions(request, context.time)!;
+  const files = await context.sequence.export(options, { signal: context.signal, onProgress: context.onProgress });
+  const [first] = files;
+  if (!first) return;
+  if (files.length > 1) return download(zip(files), `${name}.zip`);
+  const extension = first.name.split('.').at(-1) ?? 'glb';
+  download(new Blob([first.bytes as Uint8Array<ArrayBuffer>], { type: extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream' }), `${name}.${extension}`);
+}
+
+async function video(request: ExportRequest, context: ExportContext, draw: (share: number) => Promise<void>): Promise<void> {
+  const { blob, extension } = await record({
+    canvas: context.canvas, seconds: videoSeconds(request, context.range), framesPerSecond: FRAMES_PER_SECOND, draw, signal: context.signal,
+    onProgress: (fraction) => context.onProgress({ stage: 'recording', fraction }),
+  });
+  download(blob, `${context.name}.${extension}`);
+}
+
+async function table(request: ExportRequest, context: ExportContext): Promise<void> {
+  const version = packageJson.version;
+  if (request.numbers === 'patches') {
+    const text = patchesCsv(await context.sequence.patches(), context.doc, version);
+    return download(new Blob([text], { type: 'text/csv' }), `${context.name}-patches.csv`);
+  }
+  const insight = await context.insight();
+  if (!insight) throw new Error('There is nothing to tabulate yet. Open some shapes first.');
+  download(new Blob([measuresCsv(insight, context.doc, version)], { type: 'text/csv' }), `${context.name}-measures.csv`);
+}
+
+function videoSeconds(request: ExportRequest, range: readonly [number, number]): number {
+  const [start, end] = request.kind === 'animation' ? request.range ?? range : [0, 6];
+  return Math.min(request.duration ?? end - start, 600);
+}

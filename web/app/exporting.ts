@@ -1,0 +1,78 @@
+/** The export dialog's side of things: the plan while it is open, the work and its cancel afterwards. */
+import type { AppState } from '../model/state.ts';
+import type { ExportRequest } from '../ui/export-dialog.ts';
+import type { Context } from './context.ts';
+import { describeExport, runExport } from './exporter.ts';
+import type { InsightPanel } from './insight.ts';
+import { isCancelled } from './lanes.ts';
+
+export interface Exporting {
+  /** Works out the size of what is asked for. */
+  plan(request?: ExportRequest): void;
+  run(request: ExportRequest): Promise<void>;
+  cancel(): void;
+}
+
+export function createExporting(context: Context, insight: InsightPanel): Exporting {
+  const { store, workspace, picture, pump } = context;
+  let abort: AbortController | null = null;
+  let planned = 0;
+
+  const show = async (t: number): Promise<void> => {
+    store.set({ time: t });
+    await pump.request(t);
+  };
+
+  const turned = (): ((share: number) => Promise<void>) => {
+    let last = 0;
+    return async (share) => {
+      picture.viewer.orbit((share - last) * 2 * Math.PI, 0);
+      last = share;
+      await picture.viewer.drawn();
+    };
+  };
+
+  return {
+    plan(request = context.runtime().exporting.request) {
+      const sequence = workspace.lanes[0]?.sequence;
+      planned += 1;
+      const mine = planned;
+      context.inform({ exporting: { request, plan: null } });
+      if (!sequence) return;
+      describeExport(request, sequence, store.get().time, context.range()).then(
+        (plan) => { if (mine === planned) context.inform({ exporting: { request, plan } }); },
+        (error: unknown) => { if (mine === planned) context.inform({ exporting: { request, plan: { text: error instanceof Error ? error.message : '', warnings: [] } } }); },
+      );
+    },
+    async run(request) {
+      const sequence = workspace.lanes[0]?.sequence;
+      if (!sequence || abort) return;
+      abort = new AbortController();
+      const { signal } = abort;
+      const before = store.get();
+      store.set({ play: { ...before.play, playing: false } });
+      context.inform({ problem: null });
+      try {
+        await runExport(request, {
+          sequence, signal, show, doc: before.doc, name: fileStem(before), time: before.time, range: context.range(),
+          canvas: picture.viewer.canvas, insight: () => insight.data(), turn: turned(), picture: () => picture.png(),
+          onProgress: (working) => { if (!signal.aborted) context.inform({ working }); },
+        });
+        context.say('Saved to your downloads.');
+      } catch (error) {
+        if (!isCancelled(error) && !signal.aborted) context.fail(error);
+      } finally {
+        abort = null;
+        context.inform({ working: null });
+        store.set({ time: before.time });
+      }
+    },
+    cancel: () => abort?.abort(),
+  };
+}
+
+function fileStem({ source }: AppState): string {
+  if (source.kind === 'sample') return source.id;
+  const first = source.kind === 'files' ? source.names[0] : undefined;
+  return first?.replace(/^.*[/\\]/, '').replace(/\.[a-z]+$/i, '') || 'shapespline';
+}

@@ -1,0 +1,32 @@
+/**
+ * `window.__shapespline`, for tests of pages that use the app, in the production build too. Everything is plain data;
+ * times are in the unit of the key times, positions xyz interleaved.
+ */
+import type { SequenceStats } from '../engine/types.ts';
+import type { AppState } from '../model/state.ts';
+
+export interface TestHook {
+  /** Resolves when the first shape is on the screen. */
+  ready: Promise<void>;
+  /** Moves to t and resolves when that frame is drawn. */
+  setTime(t: number): Promise<void>;
+  /** Resolves when nothing is under way: no import, no build, no frame. */
+  settled(): Promise<void>;
+  readonly state: AppState;
+  /** Counters of the main sequence: encodings, factorisations, solves. */
+  stats(): Promise<SequenceStats | null>;
+  /** What is drawn now in a view, 3 x vertices, copied. */
+  positions(view?: number): Float32Array;
+  /** Where points appear: x, y in CSS pixels from the canvas' top left corner. */
+  project(points: ArrayLike<number>, view?: number): Float32Array;
+}
+
+declare global {
+  interface Window {
+    __shapespline?: TestHook;
+  }
+}
+
+export function installHook(hook: TestHook): void {
+  window.__shapespline = hook;
+}

@@ -1,0 +1,59 @@
+/** Picked files -> bytes, and poses out of further files of the same mesh. */
+import type { Engine, Keys } from '../engine/api.ts';
+import type { InputFile, KeysInfo } from '../engine/types.ts';
+import type { PickedFile } from '../ui/file-drop.ts';
+
+export interface NewPose {
+  name: string;
+  /** 3 x vertices. */
+  positions: Float32Array;
+}
+
+const MODEL = /\.(glb|gltf|obj|ply|off)$/i;
+
+export async function readFiles(files: readonly PickedFile[]): Promise<InputFile[]> {
+  return Promise.all(files.map(async ({ name, file }) => {
+    try {
+      return { name, bytes: new Uint8Array(await file.arrayBuffer()) };
+    } catch {
+      throw new Error(`${name} could not be read. Was it moved, or is it a folder? Drop it again.`);
+    }
+  }));
+}
+
+/** Every pose that the files hold; each must be a pose of the mesh that is open. */
+export async function importPoses(engine: Engine, files: InputFile[], open: KeysInfo, signal: AbortSignal): Promise<NewPose[]> {
+  const { keys, count } = await importAny(engine, files, signal);
+  try {
+    checkSameMesh(files[0]?.name ?? 'The file', keys.info, open);
+    return Array.from({ length: count }, (_, key) => ({ name: keys.info.names[key] ?? '', positions: keys.positions(key) }));
+  } finally {
+    keys.dispose();
+  }
+}
+
+/** An import needs two keys; a file with one pose is read as both. */
+async function importAny(engine: Engine, files: InputFile[], signal: AbortSignal): Promise<{ keys: Keys; count: number }> {
+  const models = files.filter(({ name }) => MODEL.test(name));
+  try {
+    const keys = await engine.importKeyframes(files, {}, { signal });
+    return { keys, count: keys.info.times.length };
+  } catch (error) {
+    const single = models[0];
+    const tooFew = error instanceof Error && 'code' in error && error.code === 'too-few-keys';
+    if (!tooFew || models.length !== 1 || !single) throw error;
+    const twin = { name: `again/${single.name}`, bytes: single.bytes };
+    return { keys: await engine.importKeyframes([...files, twin], {}, { signal }), count: 1 };
+  }
+}
+
+function checkSameMesh(name: string, { report, indices }: KeysInfo, open: KeysInfo): void {
+  const mesh = open.report;
+  if (report.vertices !== mesh.vertices || report.faces !== mesh.faces) {
+    throw new Error(`${name} has ${report.vertices} vertices and ${report.faces} faces, the open shape ${mesh.vertices} and ${mesh.faces}. A key must be a pose of the same mesh.`);
+  }
+  const corner = indices.findIndex((vertex, index) => vertex !== open.indices[index]);
+  if (corner >= 0) {
+    throw new Error(`${name} joins other vertices than the open shape, first in face ${Math.floor(corner / 3)}. A key must be a pose of the same mesh.`);
+  }
+}

@@ -1,0 +1,171 @@
+/** The components, what they are shown of the state, and which command each of their events is. */
+import type { AppState } from '../model/state.ts';
+import { referenceKey } from '../model/state.ts';
+import { formatTime, phaseOf } from '../model/time-scale.ts';
+import type { Range } from '../model/time-scale.ts';
+import { tensionOf } from '../model/edits.ts';
+import { createExportDialog } from '../ui/export-dialog.ts';
+import type { ExportRequest } from '../ui/export-dialog.ts';
+import { createDropZone, createPicker } from '../ui/file-drop.ts';
+import type { PickedFile } from '../ui/file-drop.ts';
+import { createHeader } from '../ui/header.ts';
+import { createHelp } from '../ui/help.ts';
+import type { ShortcutLine } from '../ui/help.ts';
+import { createKeyStrip } from '../ui/key-strip.ts';
+import { createProblem, createProgress, createToast, createWelcome } from '../ui/messages.ts';
+import { createMotionPanel } from '../ui/motion-panel.ts';
+import { createShapePanel } from '../ui/shape-panel.ts';
+import { createStatusLine } from '../ui/status-line.ts';
+import type { Theme } from '../ui/theme.ts';
+import { createTimeline } from '../ui/timeline.ts';
+import { createTransport } from '../ui/transport.ts';
+import { createPhaseLabel, createTileLabels, createViewBar } from '../ui/view-bar.ts';
+import type { TileLabel } from '../ui/view-bar.ts';
+import { addReason } from './commands.ts';
+import type { Commands } from './commands.ts';
+import type { InsightPanel } from './insight.ts';
+import type { Opening } from './opening.ts';
+import { hasTexture } from './opening.ts';
+import { PLAYING_TOLERANCE } from './picture.ts';
+import { videoType } from './record.ts';
+import type { Runtime } from './runtime.ts';
+import type { Shell } from './shell.ts';
+
+export interface InterfaceInput {
+  shell: Shell;
+  root: HTMLElement;
+  commands: Commands;
+  opening: Opening;
+  insight: InsightPanel;
+  shortcuts: readonly ShortcutLine[];
+  onUndo(): void;
+  onRedo(): void;
+  onLink(): void;
+  onTheme(): void;
+  onCancel(): void;
+  onCloseProblem(): void;
+  onSingleKeys(on: boolean): void;
+  onExportOpen(): void;
+  onExportChange(request: ExportRequest): void;
+  onExport(request: ExportRequest): void;
+}
+
+export interface Shown {
+  state: AppState;
+  runtime: Runtime;
+  range: Range;
+  theme: Theme;
+  undo: string | null;
+  redo: string | null;
+  labels: readonly TileLabel[];
+}
+
+export interface Interface {
+  update(shown: Shown): void;
+  say(text: string): void;
+  openFiles(): void;
+  openExport(): void;
+  openHelp(): void;
+  toggleLook(): void;
+  timeline: HTMLElement;
+}
+
+export function createInterface(input: InterfaceInput): Interface {
+  const { commands, opening, insight, shell } = input;
+  const openFiles = (files: PickedFile[]): void => void opening.files(files);
+  const picker = createPicker('file-input', openFiles);
+  const keyPicker = createPicker('key-file-input', (files) => void opening.addKeys(files));
+  const dropZone = createDropZone(openFiles);
+  const header = createHeader({
+    onSample: (id) => void opening.sample(id), onOpen: picker.open, onUndo: input.onUndo, onRedo: input.onRedo,
+    onExport: () => openExport(), onLink: input.onLink, onHelp: () => help.open(), onTheme: input.onTheme,
+  });
+  const timeline = createTimeline({ onSeek: commands.seek, onRetime: commands.retimeKey });
+  const transport = createTransport(timeline, { onTogglePlay: commands.togglePlay, onLoop: commands.loop, onSpeed: commands.speed, onSeek: commands.seek });
+  const keyStrip = createKeyStrip({
+    onSeek: commands.seek, onMove: commands.moveKey, onRemove: commands.removeKey, onRetime: commands.retimeKey, onRename: commands.renameKey,
+    onTension: commands.tension, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
+  });
+  const motionPanel = createMotionPanel({ onMotion: commands.motion, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
+  const shapePanel = createShapePanel({ onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, count) => void opening.resample(animation, count) });
+  const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
+  const phaseLabel = createPhaseLabel();
+  const tileLabels = createTileLabels();
+  const status = createStatusLine();
+  const progress = createProgress(input.onCancel);
+  const problem = createProblem(input.onCloseProblem);
+  const welcome = createWelcome(picker.open);
+  const toast = createToast();
+  const exporting = createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
+  const help = createHelp(input.shortcuts, input.onSingleKeys);
+  const videoReason = videoType() ? null : 'This browser cannot write videos.';
+  const openExport = (): void => { input.onExportOpen(); exporting.open(); };
+
+  shell.mount(input.root, {
+    header: header.element, transport: transport.element, keyStrip: keyStrip.element, status: status.element,
+    overlays: [tileLabels.element, welcome.element, phaseLabel.element, viewBar.element],
+    messages: [problem.element, progress.element],
+    panels: [motionPanel.element, shapePanel.element, insight.element],
+    floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, toast.element],
+  });
+
+  const update = ({ state, runtime, range, theme, undo, redo, labels }: Shown): void => {
+    const { doc, play, time, view, source } = state;
+    const { info } = runtime;
+    const disabled = info === null;
+    const periodic = doc.motion.boundary === 'periodic';
+    const phase = phaseOf({ t: time, keys: doc.keys, range, periodic, tolerance: play.playing ? PLAYING_TOLERANCE : undefined });
+    header.update({
+      samples: runtime.samples, sample: source.kind === 'sample' ? source.id : null, theme, undo, redo,
+      fileName: source.kind === 'files' ? sourceName(source.names) : '', canExport: !disabled, canLink: source.kind === 'sample',
+    });
+    timeline.update({ range, keys: doc.keys, time, phase, periodic, disabled });
+    transport.update({ play, time, range, periodic, disabled });
+    keyStrip.update({
+      keys: keyItems(state, runtime), time, range, disabled, canRemove: doc.keys.length > 2,
+      addReason: addReason(doc.keys.map((key) => key.time), time, range),
+    });
+    motionPanel.update({ motion: doc.motion, encoding: doc.encoding, compare: view.compare, keys: doc.keys, period: range[1] - range[0], disabled });
+    shapePanel.update({
+      encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: runtime.stats, lost: runtime.lost, disabled,
+      lriMethod: doc.motion.method === 'lri' || doc.motion.method === 'geodesic',
+    });
+    viewBar.update({ view, hasTexture: hasTexture(info), disabled });
+    phaseLabel.update(disabled ? null : phase, formatTime(time, range));
+    tileLabels.update(labels);
+    status.update({
+      keys: doc.keys.length, vertices: info?.report.vertices ?? 0, faces: info?.report.faces ?? 0,
+      ms: runtime.ms, warnings: runtime.warnings, offline: runtime.offline,
+    });
+    progress.update(runtime.working);
+    problem.update(runtime.problem);
+    welcome.update(runtime.welcome && runtime.problem === null && runtime.working === null);
+    exporting.update({ ...runtime.exporting, range, timeText: formatTime(time, range), videoReason });
+    help.update(runtime.singleKeys);
+    insight.setCursor(time);
+  };
+  return { update, say: toast.say, openFiles: picker.open, openExport, openHelp: help.open, toggleLook: viewBar.toggleLook, timeline: timeline.slider };
+}
+
+function sourceName(names: readonly string[]): string {
+  const [first = ''] = names;
+  return names.length > 1 ? `${first} and ${names.length - 1} more` : first;
+}
+
+/** The same list as long as nothing in it changes, so that the strip is not drawn anew on every frame. */
+const keyItems = (() => {
+  let last: { doc: unknown; thumbnails: unknown; items: ReturnType<typeof makeItems> } | null = null;
+  return ({ doc }: AppState, { thumbnails }: Runtime): ReturnType<typeof makeItems> => {
+    if (last?.doc !== doc || last.thumbnails !== thumbnails) last = { doc, thumbnails, items: makeItems(doc, thumbnails) };
+    return last.items;
+  };
+})();
+
+function makeItems(doc: AppState['doc'], thumbnails: Runtime['thumbnails']): { pose: number; name: string; time: number; tension: number; isReference: boolean; thumbnail: string | null }[] {
+  const tension = tensionOf(doc);
+  const reference = referenceKey(doc);
+  return doc.keys.map((key, index) => ({
+    pose: key.pose, name: key.name, time: key.time, tension: tension[index] ?? 0, isReference: index === reference, thumbnail: thumbnails.get(key.pose) ?? null,
+  }));
+}
+

@@ -1,0 +1,18 @@
+/** The page's entrance. */
+import { startApp } from './app.ts';
+
+const root = document.getElementById('app');
+if (root) start(root);
+
+function start(element: HTMLElement): void {
+  try {
+    startApp(element);
+  } catch (error) {
+    // Before there is an interface nothing else can say it.
+    const message = document.createElement('p');
+    message.setAttribute('role', 'alert');
+    message.textContent = `This page needs WebGL 2, which this browser does not offer now. Try another browser, or switch hardware acceleration on. (${error instanceof Error ? error.message : String(error)})`;
+    message.style.cssText = 'max-width: 60ch; margin: 20vh auto; padding: 0 24px';
+    element.replaceChildren(message);
+  }
+}

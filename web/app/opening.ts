@@ -1,0 +1,145 @@
+/** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
+import type { ImportOptions, InputFile, KeysInfo } from '../engine/types.ts';
+import { addKey, setMotion } from '../model/edits.ts';
+import type { Doc, Play, Source, View } from '../model/state.ts';
+import { DEFAULT_VIEW, SPEEDS, comfortableSpeed } from '../model/state.ts';
+import { length } from '../model/time-scale.ts';
+import type { PickedFile } from '../ui/file-drop.ts';
+import type { Context } from './context.ts';
+import { importPoses, readFiles } from './input-files.ts';
+import { applyPermalink } from './permalink.ts';
+import type { Permalink } from './permalink.ts';
+import type { Sample } from './samples.ts';
+import { fetchSample } from './samples.ts';
+
+export interface Opening {
+  /** Resolve to whether what was asked for is open now. */
+  sample(id: string, link?: Permalink | null): Promise<boolean>;
+  files(files: PickedFile[]): Promise<boolean>;
+  resample(animation: number, count: number): Promise<boolean>;
+  /** Adds the files' poses after the last key. */
+  addKeys(files: PickedFile[]): Promise<void>;
+  readonly busy: boolean;
+  /** Resolves when nothing is being opened. */
+  idle(): Promise<void>;
+}
+
+interface Request {
+  input: InputFile[];
+  options: ImportOptions;
+  source: Source;
+  adjust(doc: Doc): Doc;
+  link: Permalink | null;
+}
+
+export function createOpening(context: Context): Opening {
+  const { store, workspace, picture } = context;
+  let fetching = new AbortController();
+  const running = new Set<Promise<unknown>>();
+
+  const open = async ({ input, options, source, adjust, link }: Request): Promise<boolean> => {
+    context.inform({ problem: null });
+    let initial: Doc | null = null;
+    const opened = await workspace.open(input, options, (doc) => {
+      initial = adjust(doc);
+      return link ? applyPermalink(initial, link) : initial;
+    });
+    if (!opened) return false;
+    const { info, doc } = opened;
+    const view = openingView(store.get().view, info, link);
+    picture.setImport(info, workspace.pool!, view.camera);
+    context.inform({
+      info, initial, warnings: info.warnings, thumbnails: new Map(), stats: null, lost: 0, ms: null,
+      range: workspace.lanes[0]?.sequence.range ?? [0, 1], welcome: context.runtime().welcome && source.kind === 'sample',
+    });
+    store.reset({ source, doc, view, time: link?.time ?? doc.keys[0]?.time ?? 0, play: openingPlay(context, info, doc, source, link) });
+    return true;
+  };
+
+  const guarded = (work: () => Promise<boolean>): Promise<boolean> => {
+    const task = work().catch((error: unknown) => {
+      context.fail(error);
+      return false;
+    });
+    running.add(task);
+    return task.finally(() => running.delete(task));
+  };
+
+  const addKeys = async (files: PickedFile[]): Promise<boolean> => {
+    const { info } = context.runtime();
+    const { pool } = workspace;
+    if (!info || !pool) return false;
+    context.inform({ problem: null, working: { stage: 'reading', fraction: 0 } });
+    try {
+      const poses = await importPoses(context.engine, await readFiles(files), info, new AbortController().signal);
+      if (workspace.pool !== pool) return false;
+      const added = poses.map(({ name, positions }) => ({ name: name.replace(/\.[a-z]+$/i, ''), pose: pool.add(name, positions) }));
+      store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => added.reduce(appendKey, doc));
+      return true;
+    } finally {
+      context.inform({ working: null });
+    }
+  };
+
+  return {
+    sample: (id, link = null) => guarded(async () => {
+      const sample = context.runtime().samples.find((one) => one.id === id);
+      if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
+      fetching.abort();
+      fetching = new AbortController();
+      const { signal } = fetching;
+      const input = await fetchSample(sample, signal).catch((error: unknown) => {
+        if (signal.aborted) return null;
+        throw error;
+      });
+      if (!input || signal.aborted) return false;
+      return open({ input, options: {}, source: { kind: 'sample', id }, adjust: (doc) => ofSample(doc, sample), link });
+    }),
+    files: (files) => guarded(async () => {
+      fetching.abort();
+      const input = await readFiles(files);
+      return open({ input, options: {}, source: { kind: 'files', names: input.map(({ name }) => name) }, adjust: (doc) => doc, link: null });
+    }),
+    resample: (animation, count) => guarded(() => {
+      const { source } = store.get();
+      return open({ input: workspace.input, options: { animation, sample: count }, source, adjust: (doc) => doc, link: null });
+    }),
+    addKeys: async (files) => { await guarded(() => addKeys(files)); },
+    get busy() { return running.size > 0; },
+    idle: async () => { while (running.size > 0) await Promise.all(running); },
+  };
+}
+
+/** After the last key, as far from it as the keys are from each other on average. */
+function appendKey(doc: Doc, { name, pose }: { name: string; pose: number }): Doc {
+  const first = doc.keys[0]?.time ?? 0;
+  const last = doc.keys.at(-1)?.time ?? 0;
+  const step = (last - first) / Math.max(doc.keys.length - 1, 1);
+  return addKey(doc, { pose, name, time: last + (step || 1) });
+}
+
+function ofSample(doc: Doc, { boundary }: Sample): Doc {
+  return setMotion(doc, { boundary });
+}
+
+/** The look stays, but for what another mesh cannot have; the camera is fitted unless a link says where it was. */
+function openingView(view: View, info: KeysInfo, link: Permalink | null): View {
+  const textured = hasTexture(info);
+  const base = link ? { ...DEFAULT_VIEW, ...link.view } : { ...view, camera: null, film: false };
+  if (base.colouring === 'texture' && !textured) base.colouring = 'phase';
+  return base;
+}
+
+export function hasTexture(info: KeysInfo | null): boolean {
+  return info !== null && info.materials.length > 0;
+}
+
+/** Samples start moving slowly by themselves, unless the visitor wants no motion or came by a link to a moment. */
+function openingPlay(context: Context, info: KeysInfo, doc: Doc, source: Source, link: Permalink | null): Play {
+  const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
+  const own = info.animation >= 0 ? 1 : comfortableSpeed(length(range));
+  const speed = SPEEDS.find((known) => known === link?.speed) ?? own;
+  const playing = link ? link.playing : source.kind === 'sample' && !context.reducedMotion();
+  return { playing: playing && !context.reducedMotion(), speed, loop: link?.loop ?? context.store.get().play.loop };
+}
+

@@ -1,0 +1,146 @@
+/** Between the sequences and the viewer: what is drawn for a moment, for a document, for a look. */
+import type { Sequence } from '../engine/api.ts';
+import type { Frame, KeysInfo } from '../engine/types.ts';
+import type { AppState, View } from '../model/state.ts';
+import { METHOD_WORDS } from '../ui/motion-panel.ts';
+import { phaseOf } from '../model/time-scale.ts';
+import type { Range } from '../model/time-scale.ts';
+import type { TileLabel } from '../ui/view-bar.ts';
+import type { Extra } from '../viewer/types.ts';
+import { Viewer } from '../viewer/viewer.ts';
+import type { ViewerEvents } from '../viewer/viewer.ts';
+import { PHASE_COLOURS, filmStrip, filmTimes, onionSkins, onionTimes } from './extras.ts';
+import type { ExtrasInput } from './extras.ts';
+import { boundsOf, measure, patchColours, radiusOf, samplePoints } from './geometry.ts';
+import type { Measure } from './geometry.ts';
+import type { Lane } from './lanes.ts';
+import type { PosePool } from './workspace.ts';
+
+/** While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then. */
+export const PLAYING_TOLERANCE = 0.006;
+/** Larger shapes are not measured on every frame. */
+const MEASURED_FACES = 60_000;
+/** Stands for onion skins where the document of a film strip would stand. */
+const ONION = 'onion';
+const THUMBNAIL = { width: 88, height: 60 };
+
+export class Picture {
+  readonly viewer: Viewer;
+  labels: TileLabel[] = [];
+  private info: KeysInfo | null = null;
+  private pool: PosePool | null = null;
+  private base: Measure | null = null;
+  private patchesOf: Sequence | null = null;
+  private filmKey: unknown = null;
+
+  constructor(host: HTMLElement, events: ViewerEvents) {
+    this.viewer = new Viewer(host, events);
+  }
+
+  /** A new import: another mesh, another size. `camera` keeps a view that came with a link. */
+  setImport(info: KeysInfo, pool: PosePool, camera: View['camera']): void {
+    this.info = info;
+    this.pool = pool;
+    this.patchesOf = null;
+    this.filmKey = null;
+    const poses = info.times.map((_, pose) => pool.keys.positions(pose));
+    const bounds = boundsOf(poses);
+    this.base = poses[0] && info.report.faces <= MEASURED_FACES ? measure(poses[0], info.indices) : null;
+    this.viewer.setTopology({
+      vertices: info.report.vertices, indices: info.indices, uvs: info.uvs, groups: info.groups, materials: info.materials, images: info.images,
+    }, bounds, samplePoints(poses));
+    this.viewer.setViews(1);
+    if (camera) this.viewer.setCameraPose(camera);
+    else this.viewer.fit('home', false);
+  }
+
+  /** Fits the view to the keys and to what is drawn now, which may have left them. */
+  fit(view: 'home' | 'front' | 'top' | 'right' | null, eased: boolean): void {
+    if (!this.pool) return;
+    const poses = Array.from({ length: this.pool.count }, (_, pose) => this.pool!.keys.positions(pose));
+    for (let index = 0; index < this.viewer.views; index += 1) poses.push(this.viewer.positions(index));
+    const drawn = poses.filter((positions) => positions.length > 0);
+    this.viewer.setFitPoints(samplePoints(drawn), radiusOf(boundsOf(drawn)));
+    this.viewer.fit(view, eased);
+  }
+
+  /** Copies the frames of a moment to the screen, with what belongs to it. */
+  async show(t: number, frames: readonly Frame[], lanes: readonly Lane[], state: AppState, range: Range): Promise<void> {
+    const input = extrasInput(t, state, range);
+    const phase = phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
+    if (this.viewer.views !== lanes.length) this.viewer.setViews(lanes.length);
+    frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind]));
+    this.labels = lanes.length > 1 ? this.tileLabels(frames, lanes) : [];
+    await this.showExtras(input, lanes[0]?.sequence, state);
+    await this.showPatches(lanes[0]?.sequence, state.view);
+  }
+
+  setLook(view: View, dark: boolean): void {
+    this.viewer.setLook({ colouring: view.colouring, shading: view.shading, wireframe: view.wireframe, floor: view.floor, dark });
+  }
+
+  thumbnail(frame: Frame): string {
+    return this.viewer.thumbnail(frame.positions, frame.normals, THUMBNAIL.width, THUMBNAIL.height, PHASE_COLOURS.key);
+  }
+
+  /** A PNG of the view, without background. */
+  async png(): Promise<Blob> {
+    await this.viewer.drawn();
+    return new Promise((resolve, reject) => {
+      this.viewer.snapshot((canvas) => canvas.toBlob((blob) => {
+        if (blob) resolve(blob);
+        else reject(new Error('The browser could not make a picture of this size. Make the window smaller.'));
+      }, 'image/png'));
+    });
+  }
+
+  private tileLabels(frames: readonly Frame[], lanes: readonly Lane[]): TileLabel[] {
+    const rects = this.viewer.rects();
+    return lanes.map((lane, index) => {
+      const rect = rects[index] ?? { x: 0, y: 0, width: 0 };
+      return { title: METHOD_WORDS[lane.method].label, detail: this.measureText(frames[index]), x: rect.x, y: rect.y, width: rect.width };
+    });
+  }
+
+  private measureText(frame: Frame | undefined): string {
+    if (!frame || !this.base || !this.info) return '';
+    const { volume, area } = measure(frame.positions, this.info.indices);
+    const percent = (value: number, base: number): string => (base === 0 ? '?' : `${((100 * value) / base).toFixed(1)} %`);
+    return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)} of the first key`;
+  }
+
+  private async showExtras(input: ExtrasInput, sequence: Sequence | undefined, { view, doc }: AppState): Promise<void> {
+    if (!sequence || (!view.onion && !view.film)) {
+      if (this.filmKey === null) return;
+      this.viewer.setExtras([]);
+      if (this.filmKey !== ONION) this.fit(null, true);
+      this.filmKey = null;
+      return;
+    }
+    // The strip does not depend on the moment: it is made once for a document.
+    if (view.film && this.filmKey === doc) return;
+    const frames = await sequence.evaluateMany(view.film ? filmTimes(input) : onionTimes(input));
+    const extras = view.film ? filmStrip(input, frames) : onionSkins(input, frames);
+    this.viewer.setExtras(extras, view.film);
+    if (view.film) this.fitTo(extras);
+    this.filmKey = view.film ? doc : ONION;
+    for (const frame of frames) frame.release();
+  }
+
+  private fitTo(extras: readonly Extra[]): void {
+    const placed = extras.map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
+    this.viewer.setFitPoints(samplePoints(placed), radiusOf(boundsOf(placed)));
+    this.viewer.fit('front', true);
+  }
+
+  private async showPatches(sequence: Sequence | undefined, view: View): Promise<void> {
+    if (!sequence || !this.info || view.colouring !== 'patches' || this.patchesOf === sequence) return;
+    const patches = await sequence.patches();
+    this.patchesOf = sequence;
+    this.viewer.setPatchColours(patchColours(patches, this.info.indices, this.info.report.vertices));
+  }
+}
+
+export function extrasInput(t: number, { doc }: AppState, range: Range): ExtrasInput {
+  return { t, keys: doc.keys, range, periodic: doc.motion.boundary === 'periodic' };
+}

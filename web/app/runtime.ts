@@ -1,0 +1,33 @@
+/** What the page shows besides the state: work under way, what was found, pictures. It is never saved. */
+import type { KeysInfo, SequenceStats, Warning } from '../engine/types.ts';
+import type { Doc } from '../model/state.ts';
+import type { ExportRequest } from '../ui/export-dialog.ts';
+import { DEFAULT_REQUEST } from '../ui/export-dialog.ts';
+import type { Problem, Working } from '../ui/messages.ts';
+import type { Sample } from './samples.ts';
+
+export interface Runtime {
+  samples: readonly Sample[];
+  info: KeysInfo | null;
+  /** The document that the open files started with: links are written against it. */
+  initial: Doc | null;
+  warnings: readonly Warning[];
+  working: Working | null;
+  problem: Problem | null;
+  stats: SequenceStats | null;
+  /** The range of the running sequence. */
+  range: readonly [number, number];
+  ms: number | null;
+  lost: number;
+  /** By pose. */
+  thumbnails: ReadonlyMap<number, string>;
+  welcome: boolean;
+  offline: boolean;
+  singleKeys: boolean;
+  exporting: { request: ExportRequest; plan: { text: string; warnings: readonly string[] } | null };
+}
+
+export const EMPTY_RUNTIME: Runtime = {
+  samples: [], info: null, initial: null, warnings: [], working: null, problem: null, stats: null, range: [0, 1], ms: null, lost: 0,
+  thumbnails: new Map(), welcome: false, offline: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
+};

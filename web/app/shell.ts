@@ -1,0 +1,63 @@
+/** Where everything stands on the page; on a small screen the keys and panels come up as sheets. */
+import { h, setAttribute } from '../ui/dom.ts';
+import { icon } from '../ui/icons.ts';
+import type { IconName } from '../ui/icons.ts';
+
+export interface ShellParts {
+  header: HTMLElement;
+  /** What lies over the picture. */
+  overlays: HTMLElement[];
+  /** Progress and errors, on top of everything in the viewport. */
+  messages: HTMLElement[];
+  panels: HTMLElement[];
+  keyStrip: HTMLElement;
+  transport: HTMLElement;
+  status: HTMLElement;
+  /** Dialogs, drop zone, file inputs, toast. */
+  floating: HTMLElement[];
+}
+
+export interface Shell {
+  /** The viewer puts its canvas in here; takes the keyboard. */
+  picture: HTMLElement;
+  mount(root: HTMLElement, parts: ShellParts): void;
+}
+
+type Sheet = 'keys' | 'motion' | 'shape' | 'see';
+
+const SHEETS: readonly { name: Sheet; label: string; icon: IconName }[] = [
+  { name: 'keys', label: 'Keys', icon: 'keys' },
+  { name: 'motion', label: 'Motion', icon: 'motion' },
+  { name: 'shape', label: 'Shape', icon: 'shape' },
+  { name: 'see', label: 'See', icon: 'chart' },
+];
+
+export function createShell(): Shell {
+  const picture = h('div', {
+    class: 'picture', tabindex: 0, role: 'application', 'data-testid': 'viewport',
+    'aria-label': 'The shape. Arrow keys turn it, plus and minus zoom, Shift with arrows moves it.',
+  });
+  return {
+    picture,
+    mount(root, parts) {
+      const app = h('div', { class: 'app' }, parts.header,
+        h('main', { class: 'viewport', 'aria-label': 'Viewport' }, picture, ...parts.overlays, h('div', { class: 'overlay-top' }, ...parts.messages)),
+        h('aside', { class: 'side', 'aria-label': 'Options' }, ...parts.panels),
+        h('div', { class: 'deck' }, parts.keyStrip, parts.transport), parts.status);
+      app.append(createTabs(app));
+      root.replaceChildren(app, ...parts.floating);
+    },
+  };
+}
+
+function createTabs(app: HTMLElement): HTMLElement {
+  const buttons = SHEETS.map(({ name, label, icon: picture }) => h('button', {
+    type: 'button', 'data-testid': `tab-${name}`, 'aria-pressed': 'false', onclick: () => show(app.dataset['sheet'] === name ? null : name),
+  }, icon(picture), h('span', {}, label)));
+  const show = (sheet: Sheet | null): void => {
+    setAttribute(app, 'data-sheet', sheet);
+    SHEETS.forEach(({ name }, index) => setAttribute(buttons[index]!, 'aria-pressed', String(name === sheet)));
+  };
+  app.addEventListener('keydown', (event) => { if (event.key === 'Escape' && app.dataset['sheet']) show(null); });
+  return h('nav', { class: 'tabs', 'aria-label': 'Panels' }, ...buttons);
+}

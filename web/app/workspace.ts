@@ -1,0 +1,150 @@
+/** What is open: the poses, the sequences made of them, and the way a new import takes the place of the old one. */
+import type { Engine, Keys } from '../engine/api.ts';
+import type { ImportOptions, InputFile, KeysInfo, Progress } from '../engine/types.ts';
+import type { Doc } from '../model/state.ts';
+import { docOf } from './doc-of.ts';
+import { Lanes, isCancelled } from './lanes.ts';
+import type { Lane } from './lanes.ts';
+import type { Spec } from './spec.ts';
+import { specOf } from './spec.ts';
+
+export interface Opened {
+  info: KeysInfo;
+  doc: Doc;
+}
+
+export interface WorkspaceEvents {
+  onProgress(progress: Progress | null): void;
+  onReady(spec: Spec): void;
+  onRefused(error: unknown, current: Spec | null): void;
+}
+
+interface Current {
+  lanes: Lanes;
+  pool: PosePool;
+  input: InputFile[];
+}
+
+/** How much of the bar the reading takes; the rest is encoding and factorising. */
+const READING = 0.3;
+const NO_LANES: readonly Lane[] = [];
+
+/** The poses of an import and those taken from shapes since; an index into it never changes its meaning. */
+export class PosePool {
+  count: number;
+
+  constructor(public keys: Keys) {
+    this.count = keys.info.times.length;
+  }
+
+  /** Returns the new pose's index. */
+  add(name: string, positions: Float32Array): number {
+    const last = this.keys.info.times.at(-1) ?? 0;
+    const before = this.keys;
+    this.keys = before.withPose(name, last + 1, positions);
+    before.dispose();
+    this.count += 1;
+    return this.count - 1;
+  }
+}
+
+export class Workspace {
+  private current: Current | null = null;
+  private opening: AbortController | null = null;
+
+  constructor(private readonly engine: Engine, private readonly events: WorkspaceEvents) {}
+
+  get lanes(): readonly Lane[] {
+    return this.current?.lanes.all ?? NO_LANES;
+  }
+
+  get pool(): PosePool | null {
+    return this.current?.pool ?? null;
+  }
+
+  /** The files that are open, to take other keys from. */
+  get input(): InputFile[] {
+    return this.current?.input ?? [];
+  }
+
+  /**
+   * Reads files and makes the motion; only when both have succeeded does it replace what is open. `adjust` may change
+   * the document first. Resolves to null when it was cancelled or overtaken by another call.
+   */
+  async open(input: InputFile[], options: ImportOptions, adjust: (doc: Doc, info: KeysInfo) => Doc): Promise<Opened | null> {
+    this.opening?.abort();
+    const abort = new AbortController();
+    this.opening = abort;
+    let keys: Keys | null = null;
+    try {
+      const onProgress = ({ stage, fraction }: Progress): void => this.progress(abort, { stage, fraction: READING * fraction });
+      onProgress({ stage: 'reading', fraction: 0 });
+      keys = await this.engine.importKeyframes(input, options, { signal: abort.signal, onProgress });
+      const { info } = keys;
+      const pool = new PosePool(keys);
+      const doc = adjust(docOf(info, pool), info);
+      const lanes = await this.firstLanes(pool, specOf(doc, []), abort);
+      this.close();
+      this.current = { lanes, pool, input };
+      return { info, doc };
+    } catch (error) {
+      keys?.dispose();
+      if (isCancelled(error) || abort.signal.aborted) return null;
+      throw error;
+    } finally {
+      this.progress(abort, null);
+      if (this.opening === abort) this.opening = null;
+    }
+  }
+
+  want(spec: Spec): void {
+    this.current?.lanes.want(spec);
+  }
+
+  /** Ends what is under way; what is open stays. */
+  cancel(): void {
+    this.opening?.abort();
+    this.current?.lanes.cancel();
+  }
+
+  async idle(): Promise<void> {
+    await this.current?.lanes.idle();
+  }
+
+  private progress(abort: AbortController, progress: Progress | null): void {
+    if (this.opening === abort) this.events.onProgress(progress);
+  }
+
+  private async firstLanes(pool: PosePool, spec: Spec, abort: AbortController): Promise<Lanes> {
+    let failure: unknown = null;
+    let open = false;
+    const lanes = new Lanes(this.engine, pool, {
+      onProgress: (progress) => {
+        if (open) this.events.onProgress(progress);
+        else if (progress) this.progress(abort, { ...progress, fraction: READING + (1 - READING) * progress.fraction });
+      },
+      onReady: (ready) => { if (open) this.events.onReady(ready); },
+      onRefused: (error, current) => {
+        failure = error;
+        if (open) this.events.onRefused(error, current);
+      },
+    });
+    const stop = (): void => lanes.cancel();
+    abort.signal.addEventListener('abort', stop);
+    lanes.want(spec);
+    await lanes.idle();
+    abort.signal.removeEventListener('abort', stop);
+    if (abort.signal.aborted || lanes.spec === null) {
+      lanes.dispose();
+      throw failure ?? abort.signal.reason;
+    }
+    open = true;
+    return lanes;
+  }
+
+  private close(): void {
+    this.current?.lanes.dispose();
+    this.current?.pool.keys.dispose();
+    this.current = null;
+  }
+}

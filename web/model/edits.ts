@@ -1,0 +1,70 @@
+/** Edits of the document: each takes one and returns the next, or the same where nothing changes. */
+import type { Doc, Encoding, KeyRef, Motion } from './state.ts';
+import { clamp } from './time-scale.ts';
+
+/** Puts a key elsewhere in the order; the times stay where they are and the shapes change places. */
+export function moveKey(doc: Doc, from: number, to: number): Doc {
+  const target = clamp(to, 0, doc.keys.length - 1);
+  if (from === target || !doc.keys[from]) return doc;
+  const times = doc.keys.map((key) => key.time);
+  const keys = moved(doc.keys, from, target).map((key, index) => ({ ...key, time: times[index]! }));
+  return { ...doc, keys, tension: moved(tensionOf(doc), from, target) };
+}
+
+/** A motion needs two keys: the last two stay. */
+export function removeKey(doc: Doc, index: number): Doc {
+  if (doc.keys.length <= 2 || !doc.keys[index]) return doc;
+  const without = <T>(list: readonly T[]): T[] => list.filter((_, other) => other !== index);
+  return { ...doc, keys: without(doc.keys), tension: without(tensionOf(doc)) };
+}
+
+/** Gives a key another time; past its neighbours it takes another place in the order. Equal times are refused. */
+export function retimeKey(doc: Doc, index: number, time: number): Doc {
+  const key = doc.keys[index];
+  if (!key || key.time === time || doc.keys.some((other, at) => at !== index && other.time === time)) return doc;
+  return sorted(doc, doc.keys.map((other, at) => (at === index ? { ...other, time } : other)), tensionOf(doc));
+}
+
+export function renameKey(doc: Doc, index: number, name: string): Doc {
+  if (name === '' || doc.keys[index]?.name === name) return doc;
+  return { ...doc, keys: doc.keys.map((key, at) => (at === index ? { ...key, name } : key)) };
+}
+
+/** Adds a key in order of time. */
+export function addKey(doc: Doc, key: KeyRef): Doc {
+  if (doc.keys.some((other) => other.time === key.time)) return doc;
+  return sorted(doc, [...doc.keys, key], [...tensionOf(doc), 0]);
+}
+
+export function setTension(doc: Doc, index: number, value: number): Doc {
+  const tension = tensionOf(doc);
+  if (tension[index] === value) return doc;
+  return { ...doc, tension: tension.map((other, at) => (at === index ? value : other)) };
+}
+
+export function setMotion(doc: Doc, change: Partial<Motion>): Doc {
+  return changed(doc.motion, change) ? { ...doc, motion: { ...doc.motion, ...change } } : doc;
+}
+
+export function setEncoding(doc: Doc, change: Partial<Encoding>): Doc {
+  return changed(doc.encoding, change) ? { ...doc, encoding: { ...doc.encoding, ...change } } : doc;
+}
+
+/** One value a key, in the keys' order. */
+export function tensionOf({ keys, tension }: Doc): number[] {
+  return keys.map((_, index) => tension[index] ?? 0);
+}
+
+function sorted(doc: Doc, keys: KeyRef[], tension: number[]): Doc {
+  const order = keys.map((_, index) => index).sort((a, b) => keys[a]!.time - keys[b]!.time);
+  return { ...doc, keys: order.map((index) => keys[index]!), tension: order.map((index) => tension[index]!) };
+}
+
+function moved<T>(list: readonly T[], from: number, to: number): T[] {
+  const rest = list.filter((_, index) => index !== from);
+  return [...rest.slice(0, to), list[from]!, ...rest.slice(to)];
+}
+
+function changed<T extends object>(before: T, change: Partial<T>): boolean {
+  return (Object.keys(change) as (keyof T)[]).some((key) => change[key] !== before[key]);
+}

@@ -1,0 +1,133 @@
+/**
+ * The one serialisable state: what is loaded, the keys and their times, the options, the moment and the view.
+ * Permalinks, undo, the saved project and the test hook all read this and nothing else.
+ */
+import { MOTION_DEFAULTS } from '../engine/types.ts';
+import type { Boundary, Method, MotionOptions, Stretch } from '../engine/types.ts';
+
+export type Source = { kind: 'none' } | { kind: 'sample'; id: string } | { kind: 'files'; names: string[] };
+
+/** One key: which pose of the import, under which name, at which time. */
+export interface KeyRef {
+  /** Index into the poses that the session holds; stays the same for the whole life of an import. */
+  pose: number;
+  name: string;
+  time: number;
+}
+
+/** Motion options as the app edits them; the tension is kept per key so that it travels with the key. */
+export type Motion = Omit<MotionOptions, 'tension' | 'turns' | 'inPlace'>;
+
+export interface Encoding {
+  /** Pose that deformations are measured from; null = the first key. */
+  referencePose: number | null;
+  /** 0 = the default formula. */
+  patches: number;
+  stretch: Stretch;
+  /** Hermite: pose that takes the neighbour's place at that end; null = the keys' own difference. */
+  startTangentPose: number | null;
+  endTangentPose: number | null;
+}
+
+/** What undo and redo step through. */
+export interface Doc {
+  keys: KeyRef[];
+  motion: Motion;
+  encoding: Encoding;
+  /** One value a key, in the keys' order; empty = all 0. */
+  tension: number[];
+}
+
+export type LoopMode = 'once' | 'loop' | 'bounce';
+
+export interface Play {
+  playing: boolean;
+  /** Units of time a second. */
+  speed: number;
+  loop: LoopMode;
+}
+
+export interface CameraPose {
+  position: [number, number, number];
+  target: [number, number, number];
+}
+
+export type Colouring = 'phase' | 'texture' | 'patches';
+
+export interface View {
+  colouring: Colouring;
+  shading: 'smooth' | 'flat';
+  wireframe: boolean;
+  floor: boolean;
+  onion: boolean;
+  film: boolean;
+  /** Methods shown beside the main one. */
+  compare: Method[];
+  /** null = fitted to the shape. */
+  camera: CameraPose | null;
+}
+
+export interface AppState {
+  source: Source;
+  doc: Doc;
+  time: number;
+  play: Play;
+  view: View;
+}
+
+export const METHODS: readonly Method[] = ['lri', 'geodesic', 'linear', 'cubic-vertex'];
+export const BOUNDARIES: readonly Boundary[] = ['natural', 'hermite', 'periodic'];
+export const SPEEDS: readonly number[] = [0.1, 0.25, 0.5, 1, 2, 4];
+
+export const DEFAULT_MOTION: Readonly<Motion> = {
+  method: MOTION_DEFAULTS.method,
+  boundary: MOTION_DEFAULTS.boundary,
+  startSpeed: MOTION_DEFAULTS.startSpeed,
+  endSpeed: MOTION_DEFAULTS.endSpeed,
+  period: MOTION_DEFAULTS.period,
+};
+
+export const DEFAULT_ENCODING: Readonly<Encoding> = {
+  referencePose: null,
+  patches: 0,
+  stretch: 'linear',
+  startTangentPose: null,
+  endTangentPose: null,
+};
+
+export const DEFAULT_VIEW: Readonly<View> = {
+  colouring: 'phase',
+  shading: 'smooth',
+  wireframe: false,
+  floor: true,
+  onion: false,
+  film: false,
+  compare: [],
+  camera: null,
+};
+
+export const EMPTY_STATE: AppState = {
+  source: { kind: 'none' },
+  doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [] },
+  time: 0,
+  play: { playing: false, speed: 0.25, loop: 'bounce' },
+  view: { ...DEFAULT_VIEW },
+};
+
+/** The methods in which the end derivatives have no meaning: the motion is straight between the keys. */
+export function ignoresHermite(method: Method): boolean {
+  return method === 'geodesic' || method === 'linear';
+}
+
+/** Index of the reference among the keys; the first key where the chosen pose is no longer one of them. */
+export function referenceKey(doc: Doc): number {
+  const index = doc.keys.findIndex((key) => key.pose === doc.encoding.referencePose);
+  return Math.max(index, 0);
+}
+
+/** Speed at which the range plays in about four seconds, among the offered ones. */
+export function comfortableSpeed(length: number): number {
+  const wanted = length / 4;
+  const distance = (speed: number): number => Math.abs(Math.log(speed / wanted));
+  return SPEEDS.reduce((best, speed) => (distance(speed) < distance(best) ? speed : best));
+}

@@ -1,0 +1,131 @@
+/** Times and where they lie: the slider's scale, snapping, stepping, and how a moment relates to the keys. */
+
+/** The slider reaches this share of the key range beyond either end. */
+export const MARGIN = 0.4;
+/** Two times closer than this share of the range are the same. */
+export const SAME_TIME = 1e-6;
+
+export type Range = readonly [number, number];
+
+export function length(range: Range): number {
+  return range[1] - range[0];
+}
+
+/** Lowest and highest time that the slider reaches. */
+export function limits(range: Range): Range {
+  const margin = MARGIN * length(range);
+  return [range[0] - margin, range[1] + margin];
+}
+
+export function clamp(value: number, low: number, high: number): number {
+  return Math.min(Math.max(value, low), high);
+}
+
+export function clampTime(t: number, range: Range): number {
+  const [low, high] = limits(range);
+  return clamp(t, low, high);
+}
+
+/** Where t lies on the slider, 0 at its left end and 1 at its right. */
+export function toFraction(t: number, range: Range): number {
+  const [low, high] = limits(range);
+  return (t - low) / (high - low);
+}
+
+export function toTime(fraction: number, range: Range): number {
+  const [low, high] = limits(range);
+  return low + clamp(fraction, 0, 1) * (high - low);
+}
+
+/** The key time within `reach` of t, or t itself. */
+export function snap(t: number, keyTimes: readonly number[], reach: number): number {
+  const near = nearestKey(t, keyTimes);
+  const keyTime = keyTimes[near];
+  return keyTime !== undefined && Math.abs(keyTime - t) <= reach ? keyTime : t;
+}
+
+/** Index of the key nearest in time, -1 without keys. */
+export function nearestKey(t: number, keyTimes: readonly number[]): number {
+  let best = -1;
+  let bestDistance = Infinity;
+  keyTimes.forEach((keyTime, index) => {
+    const distance = Math.abs(keyTime - t);
+    if (distance < bestDistance) {
+      best = index;
+      bestDistance = distance;
+    }
+  });
+  return best;
+}
+
+/** The next key time after t, or the previous before it; t itself where there is none. */
+export function neighbourKey(t: number, keyTimes: readonly number[], direction: 1 | -1, range: Range): number {
+  const gap = SAME_TIME * length(range);
+  const candidates = keyTimes.filter((keyTime) => (keyTime - t) * direction > gap);
+  if (candidates.length === 0) return t;
+  return direction > 0 ? Math.min(...candidates) : Math.max(...candidates);
+}
+
+/** Keeps a dragged key strictly between its neighbours, and the ends free. */
+export function clampKeyTime(times: readonly number[], index: number, wanted: number): number {
+  const gap = ((times.at(-1) ?? 1) - (times[0] ?? 0)) * 0.01;
+  const low = times[index - 1];
+  const high = times[index + 1];
+  return clamp(wanted, low === undefined ? -Infinity : low + gap, high === undefined ? Infinity : high - gap);
+}
+
+export type PhaseKind = 'key' | 'between' | 'beyond';
+
+/** How the moment relates to the keys; `kind` chooses the colour, `text` says the same in words. */
+export interface Phase {
+  kind: PhaseKind;
+  text: string;
+  short: string;
+}
+
+export interface PhaseInput {
+  t: number;
+  keys: readonly { time: number; name: string }[];
+  range: Range;
+  /** A closed motion repeats outside its range, it is not extrapolated. */
+  periodic: boolean;
+  /** How near to a key counts as being at it, as a share of the range. */
+  tolerance?: number;
+}
+
+export function phaseOf({ t, keys, range, periodic, tolerance = SAME_TIME }: PhaseInput): Phase {
+  const reach = tolerance * length(range);
+  const inside = periodic ? wrap(t, range) : t;
+  const times = keys.map((key) => key.time);
+  const near = nearestKey(inside, times);
+  const key = keys[near];
+  if (key && Math.abs(key.time - inside) <= reach) {
+    return { kind: 'key', text: `At key ${near + 1}, ${key.name}`, short: `Key ${near + 1}` };
+  }
+  const first = times[0] ?? 0;
+  const last = times.at(-1) ?? 1;
+  if (!periodic && inside < first) {
+    return { kind: 'beyond', text: 'Before the first key (extrapolated)', short: 'Before the first key' };
+  }
+  if (!periodic && inside > last) {
+    return { kind: 'beyond', text: 'Beyond the last key (extrapolated)', short: 'Beyond the last key' };
+  }
+  const before = times.filter((time) => time <= inside).length;
+  const after = before >= times.length ? 1 : before + 1;
+  return { kind: 'between', text: `Between keys ${Math.max(before, 1)} and ${after}`, short: `Between ${Math.max(before, 1)} and ${after}` };
+}
+
+/** t brought into the range by whole periods. The end itself stays the end. */
+export function wrap(t: number, range: Range): number {
+  const period = length(range);
+  if (period <= 0 || (t >= range[0] && t <= range[1])) return t;
+  return range[0] + ((((t - range[0]) % period) + period) % period);
+}
+
+/** A time as people write it: up to three decimals that mean something at this range. */
+export function formatTime(t: number, range: Range = [0, 1]): string {
+  const size = Math.max(length(range), 1e-9);
+  const decimals = clamp(Math.ceil(3 - Math.log10(size) - 1e-9), 0, 6);
+  const text = t.toFixed(decimals);
+  return Number(text) === 0 ? (0).toFixed(decimals) : text;
+}

@@ -1,0 +1,125 @@
+/** Curves over time with the keys marked, the extrapolated ends shaded, and a cursor at the current moment. */
+import { extent, linearScale, padded, path, tickLabel, ticks } from './scale.ts';
+import type { Scale } from './scale.ts';
+
+export interface Series {
+  label: string;
+  /** One value for each of the chart's times. */
+  values: readonly number[];
+  /** CSS class that colours it. */
+  style: string;
+}
+
+export interface LineChartData {
+  title: string;
+  /** What the vertical axis counts, with its unit. */
+  unit: string;
+  times: readonly number[];
+  series: readonly Series[];
+  keyTimes: readonly number[];
+  /** Where the keys define the curve; outside it is extrapolated. */
+  range: readonly [number, number];
+  /** The smallest span of the vertical axis, so that noise does not fill the picture. */
+  leastSpan?: number;
+  /** Always show this value. */
+  include?: number;
+}
+
+const WIDTH = 272;
+const HEIGHT = 112;
+const LEFT = 36;
+const RIGHT = 6;
+const TOP = 8;
+const BOTTOM = 16;
+
+export interface LineChart {
+  element: SVGSVGElement;
+  draw(data: LineChartData): void;
+  /** Moves the cursor without drawing the rest again. */
+  setCursor(t: number): void;
+}
+
+export function createLineChart(onPick: (t: number) => void): LineChart {
+  const element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot line-chart', role: 'img' });
+  const content = make('g', {});
+  const cursor = make('line', { class: 'cursor', y1: TOP, y2: HEIGHT - BOTTOM });
+  element.append(content, cursor);
+  let x: Scale | null = null;
+
+  element.addEventListener('pointerdown', (event) => {
+    if (!x) return;
+    const pick = (at: PointerEvent): void => {
+      const box = element.getBoundingClientRect();
+      const place = ((at.clientX - box.left) / box.width) * WIDTH;
+      const [low, high] = x!.domain;
+      const t = low + ((place - LEFT) / (WIDTH - LEFT - RIGHT)) * (high - low);
+      onPick(Math.min(Math.max(t, low), high));
+    };
+    event.preventDefault();
+    element.setPointerCapture(event.pointerId);
+    element.addEventListener('pointermove', pick);
+    element.addEventListener('pointerup', () => element.removeEventListener('pointermove', pick), { once: true });
+    pick(event);
+  });
+
+  return {
+    element,
+    draw(data) {
+      x = linearScale(extent(data.times), LEFT, WIDTH - RIGHT);
+      content.replaceChildren(...parts(data, x));
+      element.setAttribute('aria-label', describe(data));
+    },
+    setCursor(t) {
+      if (!x) return;
+      const place = Math.min(Math.max(x(t), LEFT), WIDTH - RIGHT).toFixed(2);
+      cursor.setAttribute('x1', place);
+      cursor.setAttribute('x2', place);
+    },
+  };
+}
+
+function parts(data: LineChartData, x: Scale): SVGElement[] {
+  const span = extent([...data.series.flatMap((series) => [...series.values]), ...(data.include === undefined ? [] : [data.include])]);
+  const least = data.leastSpan ?? 0;
+  const y = linearScale(padded(span, 0.08, Math.max(0, (least - (span[1] - span[0])) / 2)), HEIGHT - BOTTOM, TOP);
+  const [start, end] = data.range;
+  const shade = (from: number, to: number): SVGElement => make('rect', {
+    class: 'beyond', x: from, y: TOP, width: Math.max(to - from, 0), height: HEIGHT - BOTTOM - TOP,
+  });
+  return [
+    shade(LEFT, x(start)), shade(x(end), WIDTH - RIGHT),
+    ...ticks(y.domain, 3).flatMap((value) => [
+      make('line', { class: 'grid', x1: LEFT, x2: WIDTH - RIGHT, y1: y(value), y2: y(value) }),
+      text('tick-y', LEFT - 5, y(value) + 3.5, tickLabel(value)),
+    ]),
+    ...data.keyTimes.flatMap((time, index) => [
+      make('line', { class: 'key-line', x1: x(time), x2: x(time), y1: TOP, y2: HEIGHT - BOTTOM }),
+      text('tick-x', x(time), HEIGHT - 4, String(index + 1)),
+    ]),
+    ...data.series.map((series) => make('path', {
+      class: `curve ${series.style}`, d: path(data.times.map((t, index) => [x(t), y(series.values[index] ?? NaN)])),
+    })),
+  ];
+}
+
+function describe({ title, unit, series, times }: LineChartData): string {
+  const spans = series.map(({ label, values }) => {
+    const [low, high] = extent(values);
+    return `${label} from ${tickLabel(low)} to ${tickLabel(high)}`;
+  });
+  return `${title} (${unit}) at ${times.length} times: ${spans.join('; ')}`;
+}
+
+export function make<Tag extends keyof SVGElementTagNameMap>(tag: Tag, attributes: Record<string, string | number>): SVGElementTagNameMap[Tag] {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    element.setAttribute(name, typeof value === 'number' ? String(Number(value.toFixed(2))) : value);
+  }
+  return element;
+}
+
+export function text(style: string, x: number, y: number, content: string): SVGTextElement {
+  const element = make('text', { class: style, x, y });
+  element.textContent = content;
+  return element;
+}

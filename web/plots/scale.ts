@@ -1,0 +1,66 @@
+/** From numbers to places on a picture, and round numbers for the axes. */
+
+export interface Scale {
+  (value: number): number;
+  readonly domain: readonly [number, number];
+}
+
+export function linearScale(domain: readonly [number, number], from: number, to: number): Scale {
+  const [low, high] = domain;
+  const factor = high === low ? 0 : (to - from) / (high - low);
+  const middle = (from + to) / 2;
+  return Object.assign((value: number) => (factor === 0 ? middle : from + (value - low) * factor), { domain });
+}
+
+/** Lowest and highest of the finite values; [0, 1] without any. */
+export function extent(values: Iterable<number>): [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const value of values) {
+    if (!Number.isFinite(value)) continue;
+    low = Math.min(low, value);
+    high = Math.max(high, value);
+  }
+  return low <= high ? [low, high] : [0, 1];
+}
+
+/** The interval widened by a share of itself, and by something where it is a point. */
+export function padded([low, high]: readonly [number, number], share: number, least = 0): [number, number] {
+  const pad = Math.max((high - low) * share, least, Math.abs(high) * 1e-9, 1e-12);
+  return [low - pad, high + pad];
+}
+
+/** About `count` round numbers inside the interval. */
+export function ticks([low, high]: readonly [number, number], count: number): number[] {
+  const step = niceStep((high - low) / Math.max(count, 1));
+  if (!(step > 0)) return [];
+  const first = Math.ceil(low / step - 1e-9);
+  const last = Math.floor(high / step + 1e-9);
+  return Array.from({ length: Math.min(last - first + 1, 50) }, (_, index) => Number(((first + index) * step).toPrecision(12)));
+}
+
+function niceStep(rough: number): number {
+  if (!(rough > 0) || !Number.isFinite(rough)) return 0;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const digit = rough / power;
+  return power * (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10);
+}
+
+export function tickLabel(value: number): string {
+  if (value !== 0 && (Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3)) return value.toExponential(0);
+  return String(Number(value.toPrecision(4)));
+}
+
+/** Points of a polyline that leaves gaps where a value is not finite, as an SVG path. */
+export function path(points: readonly (readonly [number, number])[]): string {
+  let pen = 'M';
+  return points.map(([x, y]) => {
+    if (!Number.isFinite(x) || !Number.isFinite(y)) {
+      pen = 'M';
+      return '';
+    }
+    const part = `${pen}${x.toFixed(2)} ${y.toFixed(2)}`;
+    pen = 'L';
+    return part;
+  }).join('');
+}

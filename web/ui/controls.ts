@@ -1,0 +1,190 @@
+/** The small controls that the panels are made of: each has a label, a test id, a tooltip with its key, and a way back. */
+import { h, setAttribute, setField, setHidden, setText, uniqueId } from './dom.ts';
+import type { IconName } from './icons.ts';
+import { icon } from './icons.ts';
+
+export interface ButtonOptions {
+  label: string;
+  testId: string;
+  icon?: IconName;
+  /** Show the label beside the icon. */
+  text?: string;
+  /** Key that does the same, as shown in the tooltip. */
+  shortcut?: string;
+  kind?: 'plain' | 'primary' | 'quiet';
+  onClick: (event: MouseEvent) => void;
+}
+
+export function tooltip(label: string, shortcut?: string): string {
+  return shortcut ? `${label} (${shortcut})` : label;
+}
+
+export function button(options: ButtonOptions): HTMLButtonElement {
+  const { label, testId, text, shortcut, kind = 'quiet', onClick } = options;
+  return h('button', {
+    type: 'button', class: `button ${kind}${text ? '' : ' square'}`, 'data-testid': testId, 'aria-label': label,
+    title: tooltip(label, shortcut), onclick: onClick,
+  }, options.icon && icon(options.icon), text && h('span', {}, text));
+}
+
+export interface Choice<T extends string> {
+  value: T;
+  label: string;
+  hint?: string;
+}
+
+export interface Segments<T extends string> {
+  element: HTMLElement;
+  /** `reasons` holds a sentence for each value that cannot be chosen now. */
+  update(value: T, reasons?: Partial<Record<T, string>>): void;
+}
+
+/** A row of radio buttons for two to four choices. The reason of a disabled one is written under the row. */
+export function segments<T extends string>(
+  label: string, testId: string, choices: readonly Choice<T>[], onChange: (value: T) => void,
+): Segments<T> {
+  const name = uniqueId(testId);
+  const reason = h('p', { class: 'reason', id: `${name}-reason`, 'data-testid': `${testId}-reason`, hidden: true });
+  const inputs = choices.map(({ value }) => h('input', {
+    type: 'radio', name, value, 'data-testid': `${testId}-${value}`, 'aria-describedby': reason.id,
+    onchange: () => onChange(value),
+  }));
+  const row = h('div', { class: 'segments' }, ...choices.map(({ label: text, hint }, index) => {
+    const input = inputs[index];
+    return h('label', { title: hint }, input, h('span', {}, text));
+  }));
+  const element = h('fieldset', { class: 'field', 'data-testid': testId }, h('legend', {}, label), row, reason);
+  return {
+    element,
+    update(value, reasons = {}) {
+      for (const input of inputs) {
+        input.checked = input.value === value;
+        input.disabled = reasons[input.value as T] !== undefined;
+      }
+      const texts = Object.values(reasons) as string[];
+      setText(reason, texts.join(' ').trim());
+      setHidden(reason, texts.length === 0);
+    },
+  };
+}
+
+export interface Select<T extends string> {
+  element: HTMLElement;
+  update(value: T, choices?: readonly Choice<T>[]): void;
+}
+
+export function select<T extends string>(
+  label: string, testId: string, choices: readonly Choice<T>[], onChange: (value: T) => void, shortcut?: string,
+): Select<T> {
+  const id = uniqueId(testId);
+  const field = h('select', {
+    id, 'data-testid': testId, title: tooltip(label, shortcut), onchange: () => onChange(field.value as T),
+  });
+  let shown: readonly Choice<T>[] = [];
+  const fill = (next: readonly Choice<T>[]): void => {
+    if (next.length === shown.length && next.every((c, i) => c.value === shown[i]?.value && c.label === shown[i]?.label)) return;
+    shown = next;
+    field.replaceChildren(...next.map(({ value, label: text, hint }) => h('option', { value, title: hint }, text)));
+  };
+  fill(choices);
+  return {
+    element: h('div', { class: 'field' }, h('label', { for: id }, label), h('div', { class: 'select' }, field, icon('down'))),
+    update(value, next) {
+      if (next) fill(next);
+      setField(field, value);
+    },
+  };
+}
+
+export interface NumberOptions {
+  label: string;
+  testId: string;
+  min: number;
+  max: number;
+  step: number;
+  /** What the reset button goes back to. */
+  fallback: number;
+  hint?: string;
+  format?: (value: number) => string;
+  onInput: (value: number) => void;
+}
+
+export interface NumberControl {
+  element: HTMLElement;
+  update(value: number, disabledReason?: string): void;
+}
+
+/** A slider with its number beside it, which can be typed, and a button back to the default. */
+export function slider(options: NumberOptions): NumberControl {
+  const { label, testId, min, max, step, fallback, hint, onInput } = options;
+  const format = options.format ?? ((value) => String(Number(value.toFixed(3))));
+  const id = uniqueId(testId);
+  const range = h('input', {
+    type: 'range', id, min, max, step, 'data-testid': testId, title: hint,
+    oninput: () => onInput(Number(range.value)),
+  });
+  const number = numberField({ label: `${label}, as a number`, testId: `${testId}-number`, min, max, step, onInput });
+  const reset = button({
+    label: `Set ${label.toLowerCase()} back to ${format(fallback)}`, testId: `${testId}-reset`, icon: 'reset',
+    onClick: () => onInput(fallback),
+  });
+  const element = h('div', { class: 'field slider' },
+    h('label', { for: id, title: hint }, label), h('div', { class: 'slider-row' }, range, number, reset));
+  return {
+    element,
+    update(value, disabledReason) {
+      if (Number(range.value) !== value) range.value = String(value);
+      setAttribute(range, 'aria-valuetext', format(value));
+      setField(number, format(value));
+      const disabled = disabledReason !== undefined;
+      for (const control of [range, number]) control.disabled = disabled;
+      setAttribute(reset, 'data-idle', disabled || value === fallback);
+      reset.disabled = disabled || value === fallback;
+    },
+  };
+}
+
+interface NumberFieldOptions {
+  label: string;
+  testId: string;
+  min?: number;
+  max?: number;
+  step?: number | 'any';
+  onInput: (value: number) => void;
+}
+
+/** A field for one number. What is not a number is put back when the field is left. */
+export function numberField({ label, testId, min, max, step = 'any', onInput }: NumberFieldOptions): HTMLInputElement {
+  let before = '';
+  const commit = (): void => {
+    const value = field.valueAsNumber;
+    if (!Number.isFinite(value)) {
+      field.value = before;
+      return;
+    }
+    onInput(Math.min(Math.max(value, min ?? -Infinity), max ?? Infinity));
+  };
+  const field = h('input', {
+    type: 'number', class: 'number', min, max, step, inputmode: 'decimal', 'data-testid': testId, 'aria-label': label,
+    title: label, onchange: commit,
+    onfocus: () => { before = field.value; field.select(); },
+    onkeydown: (event: KeyboardEvent) => { if (event.key === 'Enter') field.blur(); },
+  });
+  return field;
+}
+
+export interface Toggle {
+  element: HTMLElement;
+  update(on: boolean, disabled?: boolean): void;
+}
+
+export function checkbox(label: string, testId: string, onChange: (on: boolean) => void, shortcut?: string): Toggle {
+  const input = h('input', { type: 'checkbox', 'data-testid': testId, onchange: () => onChange(input.checked) });
+  return {
+    element: h('label', { class: 'check', title: tooltip(label, shortcut) }, input, h('span', {}, label)),
+    update(on, disabled = false) {
+      input.checked = on;
+      input.disabled = disabled;
+    },
+  };
+}

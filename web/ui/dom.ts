@@ -1,0 +1,80 @@
+/** The little that the components need to make and change elements. */
+
+export type Child = Node | string | null | undefined | false;
+type Value = string | number | boolean | null | undefined | ((event: never) => void);
+export type Props = Record<string, Value>;
+
+/** An element with attributes, `on...` listeners and children. `true` sets an empty attribute, `false` and null none. */
+export function h<Tag extends keyof HTMLElementTagNameMap>(
+  tag: Tag, props: Props = {}, ...children: Child[]
+): HTMLElementTagNameMap[Tag] {
+  const element = document.createElement(tag);
+  assign(element, props);
+  append(element, children);
+  return element;
+}
+
+/** The same in SVG. */
+export function svg<Tag extends keyof SVGElementTagNameMap>(
+  tag: Tag, props: Props = {}, ...children: Child[]
+): SVGElementTagNameMap[Tag] {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  assign(element, props);
+  append(element, children);
+  return element;
+}
+
+function assign(element: Element, props: Props): void {
+  for (const [name, value] of Object.entries(props)) {
+    if (typeof value === 'function') element.addEventListener(name.slice(2), value as EventListener);
+    else setAttribute(element, name, value);
+  }
+}
+
+function append(element: Element, children: Child[]): void {
+  for (const child of children) if (child !== null && child !== undefined && child !== false) element.append(child);
+}
+
+export function setAttribute(element: Element, name: string, value: string | number | boolean | null | undefined): void {
+  const text = value === true ? '' : value === false || value === null || value === undefined ? null : String(value);
+  if (element.getAttribute(name) === text) return;
+  if (text === null) element.removeAttribute(name);
+  else element.setAttribute(name, text);
+}
+
+export function setText(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+export function setHidden(element: HTMLElement | SVGElement, hidden: boolean): void {
+  setAttribute(element, 'hidden', hidden);
+}
+
+export function setStyle(element: HTMLElement | SVGElement, name: string, value: string): void {
+  if (element.style.getPropertyValue(name) !== value) element.style.setProperty(name, value);
+}
+
+/** Sets a field's value unless the user is typing in it. */
+export function setField(field: HTMLInputElement | HTMLSelectElement, value: string): void {
+  if (document.activeElement === field && field instanceof HTMLInputElement && field.type !== 'range') return;
+  if (field.value !== value) field.value = value;
+}
+
+/** Runs `draw` only when one of the props it is given differs from the last time. */
+export function memo<P extends object>(draw: (props: P) => void): (props: P) => void {
+  let last: P | undefined;
+  return (props) => {
+    const before = last;
+    last = props;
+    if (before && (Object.keys(props) as (keyof P)[]).every((key) => Object.is(before[key], props[key]))) return;
+    draw(props);
+  };
+}
+
+let count = 0;
+
+/** An id that no other element has, for labels and descriptions. */
+export function uniqueId(stem: string): string {
+  count += 1;
+  return `${stem}-${count}`;
+}

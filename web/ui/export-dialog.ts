@@ -1,0 +1,142 @@
+/** What to take along: an animation, one pose, a picture, a video, or the numbers; the size is stated before. */
+import { button, checkbox, numberField, segments } from './controls.ts';
+import { h, memo, setField, setHidden, setText } from './dom.ts';
+
+export type ExportKind = 'animation' | 'pose' | 'picture' | 'numbers';
+export type AnimationFormat = 'glb' | 'obj' | 'webm';
+export type PoseFormat = 'glb' | 'obj' | 'ply';
+export type PictureFormat = 'png' | 'turntable';
+export type NumbersFormat = 'measures' | 'patches';
+
+/** What the dialog asks for; kept while the page is open, so that the next export starts from it. */
+export interface ExportRequest {
+  kind: ExportKind;
+  animation: AnimationFormat;
+  pose: PoseFormat;
+  picture: PictureFormat;
+  numbers: NumbersFormat;
+  frames: number;
+  /** First and last time; null = the keys. */
+  range: [number, number] | null;
+  /** Seconds; null = the length of the range. */
+  duration: number | null;
+  inPlace: boolean;
+}
+
+export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
+  kind: 'animation', animation: 'glb', pose: 'glb', picture: 'png', numbers: 'measures',
+  frames: 60, range: null, duration: null, inPlace: false,
+};
+
+export interface ExportDialogProps {
+  request: ExportRequest;
+  /** What the export will be, in words and size; null while it is being worked out. */
+  plan: { text: string; warnings: readonly string[] } | null;
+  range: readonly [number, number];
+  timeText: string;
+  videoReason: string | null;
+}
+
+export interface ExportDialogEvents {
+  onChange(request: ExportRequest): void;
+  onExport(request: ExportRequest): void;
+}
+
+const WORDS: Record<string, string> = {
+  glb: 'Plays in Blender, three.js and most viewers, with the materials of the files. It is also the project: opened here again, it brings back keys, times and options.',
+  obj: 'One OBJ a frame in a zip, in the order of vertices and faces of your files.',
+  webm: 'A video of the view as it is now, played once through.',
+  'pose-glb': 'The shape as it is now, with the materials of the files.',
+  'pose-obj': 'The shape as it is now.',
+  'pose-ply': 'The shape as it is now, binary.',
+  png: 'A picture of the view as it is now, without background.',
+  turntable: 'A video of the shape as it is now, turned once.',
+  measures: 'A table of volume, area, bending energy and place in the shape plane over time.',
+  patches: 'A table of the patch that each face belongs to.',
+};
+
+export function createExportDialog(events: ExportDialogEvents): {
+  element: HTMLDialogElement; open(): void; close(): void; update(props: ExportDialogProps): void;
+} {
+  let request: ExportRequest = DEFAULT_REQUEST;
+  let shown: ExportDialogProps | null = null;
+  const change = (part: Partial<ExportRequest>): void => events.onChange({ ...request, ...part });
+  const bounds = (): [number, number] => [...(request.range ?? shown?.range ?? [0, 1])] as [number, number];
+
+  const kind = segments<ExportKind>('What', 'export-kind', [
+    { value: 'animation', label: 'Animation' }, { value: 'pose', label: 'Pose' }, { value: 'picture', label: 'Picture' }, { value: 'numbers', label: 'Numbers' },
+  ], (value) => change({ kind: value }));
+  const animation = segments<AnimationFormat>('Format', 'export-animation', [
+    { value: 'glb', label: 'GLB' }, { value: 'obj', label: 'OBJ frames' }, { value: 'webm', label: 'Video' },
+  ], (value) => change({ animation: value }));
+  const pose = segments<PoseFormat>('Format', 'export-pose', [
+    { value: 'glb', label: 'GLB' }, { value: 'obj', label: 'OBJ' }, { value: 'ply', label: 'PLY' },
+  ], (value) => change({ pose: value }));
+  const picture = segments<PictureFormat>('Format', 'export-picture', [
+    { value: 'png', label: 'PNG' }, { value: 'turntable', label: 'Turning video' },
+  ], (value) => change({ picture: value }));
+  const numbers = segments<NumbersFormat>('Format', 'export-numbers', [
+    { value: 'measures', label: 'Measures (CSV)' }, { value: 'patches', label: 'Patches (CSV)' },
+  ], (value) => change({ numbers: value }));
+
+  const frames = numberField({ label: 'Frames', testId: 'export-frames', min: 2, max: 2000, step: 1, onInput: (value) => change({ frames: Math.round(value) }) });
+  const from = numberField({ label: 'From', testId: 'export-from', onInput: (value) => { const [, end] = bounds(); if (value < end) change({ range: [value, end] }); } });
+  const to = numberField({ label: 'To', testId: 'export-to', onInput: (value) => { const [start] = bounds(); if (value > start) change({ range: [start, value] }); } });
+  const duration = numberField({ label: 'Seconds', testId: 'export-duration', min: 0.01, max: 3600, onInput: (value) => change({ duration: value }) });
+  const inPlace = checkbox('Stay in place', 'export-in-place', (on) => change({ inPlace: on }));
+  const row = (label: string, ...fields: Node[]): HTMLElement => h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
+  const framesRow = row('Frames', frames);
+  const rangeRow = row('From, to', from, to);
+  const durationRow = row('Seconds', duration);
+  const about = h('p', { class: 'hint' });
+  const plan = h('p', { class: 'plan', 'data-testid': 'export-size', role: 'status' });
+  const warnings = h('ul', { class: 'warning-list' });
+  const go = button({ label: 'Download', testId: 'export-go', icon: 'download', text: 'Download', kind: 'primary', onClick: () => { element.close(); events.onExport(request); } });
+  const element = h('dialog', { class: 'dialog', 'data-testid': 'export-dialog', 'aria-label': 'Export' },
+    h('header', {}, h('h2', {}, 'Export'), button({ label: 'Close', testId: 'export-close', icon: 'close', onClick: () => element.close() })),
+    kind.element, animation.element, pose.element, picture.element, numbers.element, about,
+    framesRow, rangeRow, durationRow, inPlace.element,
+    h('footer', {}, h('div', {}, plan, warnings), go));
+  element.addEventListener('click', (event) => { if (event.target === element) element.close(); });
+
+  const draw = memo((props: ExportDialogProps) => {
+    request = props.request;
+    shown = props;
+    const { kind: what } = request;
+    const files = what === 'animation' && request.animation !== 'webm';
+    kind.update(what);
+    const noVideo = props.videoReason;
+    animation.update(request.animation, noVideo ? { webm: noVideo } : {});
+    pose.update(request.pose);
+    picture.update(request.picture, noVideo ? { turntable: noVideo } : {});
+    numbers.update(request.numbers);
+    setHidden(animation.element, what !== 'animation');
+    setHidden(pose.element, what !== 'pose');
+    setHidden(picture.element, what !== 'picture');
+    setHidden(numbers.element, what !== 'numbers');
+    setHidden(framesRow, !files);
+    setHidden(rangeRow, what !== 'animation');
+    setHidden(durationRow, !(what === 'animation' && request.animation !== 'obj') && !(what === 'picture' && request.picture === 'turntable'));
+    setHidden(inPlace.element, !files);
+    inPlace.update(request.inPlace);
+    setText(about, WORDS[wordsFor(request)] ?? '');
+    const [start, end] = bounds();
+    setField(frames, String(request.frames));
+    setField(from, String(Number(start.toFixed(4))));
+    setField(to, String(Number(end.toFixed(4))));
+    setField(duration, String(Number((request.duration ?? end - start).toFixed(3))));
+    setText(plan, props.plan ? props.plan.text : 'Working out the size');
+    warnings.replaceChildren(...(props.plan?.warnings ?? []).map((warning) => h('li', {}, warning)));
+  });
+  return { element, open: () => element.showModal(), close: () => element.close(), update: draw };
+}
+
+function wordsFor({ kind, animation, pose, picture, numbers }: ExportRequest): string {
+  return { animation, pose: `pose-${pose}`, picture, numbers }[kind];
+}
+
+export function bytesText(bytes: number): string {
+  if (bytes < 1000) return `${bytes} B`;
+  if (bytes < 999_500) return `${(bytes / 1e3).toFixed(0)} kB`;
+  return bytes < 999.5e6 ? `${(bytes / 1e6).toFixed(bytes < 9.95e6 ? 1 : 0)} MB` : `${(bytes / 1e9).toFixed(2)} GB`;
+}

@@ -1,0 +1,82 @@
+/** The top bar: name, sample, open, undo and redo, export, link, help, theme. */
+import { button, select, tooltip } from './controls.ts';
+import { h, memo, setAttribute } from './dom.ts';
+import type { IconName } from './icons.ts';
+import { setIcon } from './icons.ts';
+import type { Theme } from './theme.ts';
+
+export interface SampleItem {
+  id: string;
+  title: string;
+  description: string;
+}
+
+export interface HeaderProps {
+  samples: readonly SampleItem[];
+  /** Id of the loaded sample, or null where files of the user are loaded. */
+  sample: string | null;
+  fileName: string;
+  undo: string | null;
+  redo: string | null;
+  theme: Theme;
+  canExport: boolean;
+  canLink: boolean;
+}
+
+export interface HeaderEvents {
+  onSample(id: string): void;
+  onOpen(): void;
+  onUndo(): void;
+  onRedo(): void;
+  onExport(): void;
+  onLink(): void;
+  onHelp(): void;
+  onTheme(): void;
+}
+
+const THEMES: Record<Theme, { icon: IconName; label: string }> = {
+  system: { icon: 'system', label: 'Colours follow the system' },
+  light: { icon: 'light', label: 'Light colours' },
+  dark: { icon: 'dark', label: 'Dark colours' },
+};
+
+/** Value of the entry that stands for the user's own files. */
+const OWN = '';
+
+export function createHeader(events: HeaderEvents): { element: HTMLElement; update(props: HeaderProps): void } {
+  const sample = select<string>('Sample', 'sample', [], (id) => { if (id !== OWN) events.onSample(id); });
+  sample.element.classList.add('compact', 'sample');
+  const open = button({ label: 'Open files', testId: 'open', icon: 'open', text: 'Open', shortcut: 'Ctrl+O', kind: 'plain', onClick: () => events.onOpen() });
+  const undo = button({ label: 'Undo', testId: 'undo', icon: 'undo', shortcut: 'Ctrl+Z', onClick: () => events.onUndo() });
+  const redo = button({ label: 'Redo', testId: 'redo', icon: 'redo', shortcut: 'Ctrl+Shift+Z', onClick: () => events.onRedo() });
+  const exporting = button({ label: 'Export', testId: 'export', icon: 'download', text: 'Export', shortcut: 'E', kind: 'primary', onClick: () => events.onExport() });
+  const link = button({ label: 'Copy a link to this view', testId: 'link', icon: 'link', onClick: () => events.onLink() });
+  const help = button({ label: 'Help', testId: 'help', icon: 'help', shortcut: '?', onClick: () => events.onHelp() });
+  const theme = button({ label: 'Colours', testId: 'theme', icon: 'system', shortcut: 'D', onClick: () => events.onTheme() });
+  const element = h('header', { class: 'app-header' },
+    h('h1', { class: 'wordmark' }, 'shape', h('span', {}, 'spline')),
+    sample.element, open, h('div', { class: 'history' }, undo, redo), h('div', { class: 'spacer' }), exporting, link, help, theme);
+
+  const draw = memo((props: HeaderProps) => {
+    const own = props.sample === null && props.fileName ? [{ value: OWN, label: props.fileName }] : [];
+    sample.update(props.sample ?? OWN, [...own, ...props.samples.map((s) => ({ value: s.id, label: s.title, hint: s.description }))]);
+    describe(undo, 'Undo', props.undo, 'Ctrl+Z');
+    describe(redo, 'Redo', props.redo, 'Ctrl+Shift+Z');
+    exporting.disabled = !props.canExport;
+    link.disabled = !props.canLink;
+    setAttribute(link, 'title', props.canLink ? 'Copy a link to this view' : 'Links work for the built-in samples; your own files stay on your machine. Export saves them as a project.');
+    setIcon(theme, THEMES[props.theme].icon);
+    const words = `${THEMES[props.theme].label}; click to change`;
+    setAttribute(theme, 'aria-label', words);
+    setAttribute(theme, 'title', tooltip(words, 'D'));
+    setAttribute(theme, 'data-theme-choice', props.theme);
+  });
+  return { element, update: draw };
+}
+
+function describe(control: HTMLButtonElement, verb: string, what: string | null, shortcut: string): void {
+  control.disabled = what === null;
+  const words = what ? `${verb}: ${what}` : `Nothing to ${verb.toLowerCase()}`;
+  setAttribute(control, 'aria-label', words);
+  setAttribute(control, 'title', tooltip(words, shortcut));
+}

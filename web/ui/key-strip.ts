@@ -1,0 +1,220 @@
+/** The keys as thumbnails: go to one, put it elsewhere in the order, give it another time or name, remove it, add one. */
+import { button, numberField } from './controls.ts';
+import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
+import { icon } from './icons.ts';
+import type { Range } from '../model/time-scale.ts';
+import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
+
+export interface KeyItem {
+  pose: number;
+  name: string;
+  time: number;
+  tension: number;
+  isReference: boolean;
+  /** Picture of the key, or null while there is none. */
+  thumbnail: string | null;
+}
+
+export interface KeyStripProps {
+  keys: readonly KeyItem[];
+  time: number;
+  range: Range;
+  disabled: boolean;
+  canRemove: boolean;
+  /** Why the current shape cannot become a key, or null when it can. */
+  addReason: string | null;
+}
+
+export interface KeyStripEvents {
+  onSeek(t: number): void;
+  onMove(from: number, to: number): void;
+  onRemove(key: number): void;
+  onRetime(key: number, time: number): void;
+  onRename(key: number, name: string): void;
+  onTension(key: number, tension: number): void;
+  onReference(key: number): void;
+  onAddCurrent(): void;
+  onAddFile(): void;
+}
+
+interface Card {
+  element: HTMLElement;
+  update(item: KeyItem, index: number, props: KeyStripProps): void;
+}
+
+export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; update(props: KeyStripProps): void } {
+  const list = h('ol', { class: 'key-list', 'data-testid': 'keys' });
+  const editor = createEditor(events);
+  const addCurrent = button({
+    label: 'Add the current shape as a key', testId: 'add-current', icon: 'plus', text: 'Key here', shortcut: 'K', kind: 'plain',
+    onClick: () => events.onAddCurrent(),
+  });
+  const addFile = button({
+    label: 'Add a key from a file', testId: 'add-file', icon: 'open', text: 'From file', kind: 'plain',
+    onClick: () => events.onAddFile(),
+  });
+  const element = h('section', { class: 'key-strip', 'aria-label': 'Keys' }, list,
+    h('div', { class: 'key-actions' }, addCurrent, addFile), editor.element);
+  const cards: Card[] = [];
+  let edited = -1;
+  let props: KeyStripProps | null = null;
+
+  const openEditor = (index: number): void => {
+    edited = index;
+    if (props) editor.update(index, props);
+    editor.open(list.children[index] as HTMLElement | undefined);
+  };
+
+  const draw = memo((next: KeyStripProps) => {
+    while (cards.length > next.keys.length) cards.pop()?.element.remove();
+    next.keys.forEach((item, index) => {
+      let card = cards[index];
+      if (!card) {
+        card = createCard(events, openEditor);
+        cards.push(card);
+        list.append(card.element);
+      }
+      card.update(item, index, next);
+    });
+    setAttribute(element, 'data-empty', next.keys.length === 0);
+    addCurrent.disabled = next.disabled || next.addReason !== null;
+    setAttribute(addCurrent, 'title', next.addReason ?? 'Add the current shape as a key (K)');
+    addFile.disabled = next.disabled;
+    if (edited >= next.keys.length) editor.close();
+    else if (edited >= 0) editor.update(edited, next);
+  });
+
+  return {
+    element,
+    update(next) {
+      props = next;
+      draw(next);
+    },
+  };
+}
+
+function createCard(events: KeyStripEvents, onEdit: (index: number) => void): Card {
+  let index = 0;
+  let time = 0;
+  const image = h('img', { alt: '', draggable: 'false', width: 72, height: 54 });
+  const badge = h('span', { class: 'badge' });
+  const name = h('span', { class: 'key-name' });
+  const when = h('span', { class: 'key-time' });
+  const go = h('button', { type: 'button', class: 'key-go', onclick: () => events.onSeek(time) },
+    h('span', { class: 'thumb' }, image, badge), name, when);
+  const edit = h('button', { type: 'button', class: 'key-edit', onclick: () => onEdit(index) }, icon('down'));
+  const element = h('li', { class: 'key-card', draggable: 'true' }, go, edit);
+
+  element.addEventListener('dragstart', (event) => {
+    event.dataTransfer?.setData('application/x-shapespline-key', String(index));
+    if (event.dataTransfer) event.dataTransfer.effectAllowed = 'move';
+  });
+  element.addEventListener('dragover', (event) => {
+    if (!event.dataTransfer?.types.includes('application/x-shapespline-key')) return;
+    event.preventDefault();
+    element.classList.add('drop-target');
+  });
+  element.addEventListener('dragleave', () => element.classList.remove('drop-target'));
+  element.addEventListener('drop', (event) => {
+    element.classList.remove('drop-target');
+    const from = event.dataTransfer?.getData('application/x-shapespline-key');
+    if (!from) return;
+    event.preventDefault();
+    event.stopPropagation();
+    events.onMove(Number(from), index);
+  });
+
+  return {
+    element,
+    update(item, at, { range, time: now, disabled }) {
+      index = at;
+      time = item.time;
+      const current = Math.abs(now - item.time) <= SAME_TIME * length(range);
+      setAttribute(element, 'data-testid', `key-${at}`);
+      setAttribute(element, 'data-pose', item.pose);
+      setAttribute(element, 'data-current', current);
+      setAttribute(go, 'aria-current', current ? 'true' : null);
+      setAttribute(go, 'aria-label', `Key ${at + 1}, ${item.name}, at ${formatTime(item.time, range)}${item.isReference ? ', reference' : ''}`);
+      setAttribute(go, 'title', `Go to ${item.name}; drag to put it elsewhere in the order`);
+      setAttribute(go, 'data-testid', `key-${at}-go`);
+      setAttribute(edit, 'data-testid', `key-${at}-edit`);
+      setAttribute(edit, 'aria-label', `Edit key ${at + 1}, ${item.name}`);
+      setAttribute(edit, 'title', 'Name, time, order, remove');
+      setAttribute(image, 'src', item.thumbnail);
+      setAttribute(image, 'hidden', item.thumbnail === null);
+      setText(badge, String(at + 1));
+      setText(name, item.name);
+      setText(when, formatTime(item.time, range));
+      go.disabled = disabled;
+      edit.disabled = disabled;
+    },
+  };
+}
+
+interface Editor {
+  element: HTMLDialogElement;
+  open(anchor: HTMLElement | undefined): void;
+  close(): void;
+  update(index: number, props: KeyStripProps): void;
+}
+
+function createEditor(events: KeyStripEvents): Editor {
+  let index = 0;
+  const title = h('h2', {});
+  const name = h('input', {
+    type: 'text', maxlength: 60, 'data-testid': 'key-name', 'aria-label': 'Name',
+    onchange: () => events.onRename(index, name.value.trim()),
+  });
+  const time = numberField({ label: 'Time', testId: 'key-time', onInput: (t) => events.onRetime(index, t) });
+  const tension = h('input', {
+    type: 'range', min: 0, max: 1, step: 0.05, 'data-testid': 'key-tension', 'aria-label': 'Tension',
+    title: 'Slope at this key = (1 - tension) times the smooth one. Above 0 the motion bends at the key: it is C1 there, no longer C2.',
+    oninput: () => events.onTension(index, Number(tension.value)),
+  });
+  const tensionValue = h('output', { class: 'number-text' });
+  const earlier = button({ label: 'Earlier in the order', testId: 'key-earlier', icon: 'left', text: 'Earlier', kind: 'plain', onClick: () => move(-1) });
+  const later = button({ label: 'Later in the order', testId: 'key-later', icon: 'right', text: 'Later', kind: 'plain', onClick: () => move(1) });
+  const reference = button({
+    label: 'Measure deformations from this key', testId: 'key-reference', icon: 'check', text: 'Use as reference', kind: 'plain',
+    onClick: () => events.onReference(index),
+  });
+  const remove = button({
+    label: 'Remove this key', testId: 'key-remove', icon: 'trash', text: 'Remove', kind: 'plain',
+    onClick: () => { events.onRemove(index); element.close(); },
+  });
+  const reason = h('p', { class: 'reason', hidden: true }, 'A motion needs two keys.');
+  const element = h('dialog', { class: 'dialog small', 'data-testid': 'key-editor', 'aria-label': 'Edit key' },
+    h('header', {}, title, button({ label: 'Close', testId: 'key-editor-close', icon: 'close', onClick: () => element.close() })),
+    h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Name'), name),
+    h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Time'), time),
+    h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Tension'), tension, tensionValue),
+    h('div', { class: 'button-row' }, earlier, later), h('div', { class: 'button-row' }, reference, remove), reason);
+  element.addEventListener('click', (event) => { if (event.target === element) element.close(); });
+
+  const move = (by: 1 | -1): void => {
+    const from = index;
+    index += by;
+    events.onMove(from, from + by);
+  };
+
+  return {
+    element,
+    open: () => { element.showModal(); name.select(); },
+    close: () => { if (element.open) element.close(); },
+    update(at, { keys, range, canRemove }) {
+      if (!element.open) index = at;
+      const item = keys[index];
+      if (!item) return;
+      setText(title, `Key ${index + 1}`);
+      setField(name, item.name);
+      setField(time, formatTime(item.time, range));
+      tension.value = String(item.tension);
+      setText(tensionValue, item.tension.toFixed(2));
+      earlier.disabled = index === 0;
+      later.disabled = index === keys.length - 1;
+      reference.disabled = item.isReference;
+      remove.disabled = !canRemove;
+      setHidden(reason, canRemove);
+    },
+  };
+}

@@ -1,0 +1,77 @@
+/** What is laid over the viewport: the work under way, what went wrong, and the sentence of a first visit. */
+import { button } from './controls.ts';
+import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
+import { icon } from './icons.ts';
+
+export interface Working {
+  stage: string;
+  /** In [0, 1]. */
+  fraction: number;
+}
+
+/** The stage, a bar, and a way out; the shape behind it can still be played. */
+export function createProgress(onCancel: () => void): { element: HTMLElement; update(working: Working | null): void } {
+  const stage = h('span', { class: 'stage', 'data-testid': 'stage' });
+  const bar = h('div', { class: 'bar' });
+  const meter = h('div', { class: 'meter', role: 'progressbar', 'aria-label': 'Progress', 'aria-valuemin': 0, 'aria-valuemax': 100 }, bar);
+  const cancel = button({ label: 'Cancel', testId: 'cancel', text: 'Cancel', shortcut: 'Esc', kind: 'plain', onClick: onCancel });
+  const element = h('div', { class: 'card progress', 'data-testid': 'progress', hidden: true }, h('div', { class: 'progress-text', role: 'status' }, stage, meter), cancel);
+  return {
+    element,
+    update(working) {
+      setHidden(element, working === null);
+      if (!working) return;
+      setText(stage, working.stage);
+      setAttribute(meter, 'aria-valuenow', Math.round(working.fraction * 100));
+      setStyle(bar, 'width', `${(working.fraction * 100).toFixed(1)}%`);
+    },
+  };
+}
+
+export interface Problem {
+  /** One sentence: what, where, what to do. */
+  message: string;
+  /** For experts. */
+  details: string;
+}
+
+export function createProblem(onClose: () => void): { element: HTMLElement; update(problem: Problem | null): void } {
+  const message = h('p', { class: 'message', 'data-testid': 'error-message' });
+  const details = h('p', { class: 'expert' });
+  const more = h('details', {}, h('summary', {}, 'Details'), details);
+  const element = h('div', { class: 'card problem', role: 'alert', 'data-testid': 'error', hidden: true },
+    icon('warning'), h('div', {}, message, more),
+    button({ label: 'Close this message', testId: 'error-close', icon: 'close', shortcut: 'Esc', onClick: onClose }));
+  const draw = memo(({ problem }: { problem: Problem | null }) => {
+    setHidden(element, problem === null);
+    if (!problem) return;
+    setText(message, problem.message);
+    setText(details, problem.details);
+    setHidden(more, problem.details === '');
+  });
+  return { element, update: (problem) => draw({ problem }) };
+}
+
+/** Says in one sentence what the page does, until the visitor has done something. */
+export function createWelcome(onPick: () => void): { element: HTMLElement; update(shown: boolean): void } {
+  const element = h('div', { class: 'welcome', 'data-testid': 'welcome', hidden: true },
+    h('p', {}, h('strong', {}, 'Poses in, motion out. '),
+      'Drag the slider, also past both ends, or drop two or more poses of your own mesh here.'),
+    button({ label: 'Choose files', testId: 'welcome-open', text: 'Choose files', icon: 'open', kind: 'plain', onClick: onPick }));
+  return { element, update: (shown) => setHidden(element, !shown) };
+}
+
+/** Short news that goes away by itself, read out by screen readers. */
+export function createToast(): { element: HTMLElement; say(text: string): void } {
+  const element = h('div', { class: 'toast', role: 'status', 'aria-live': 'polite', 'data-testid': 'toast' });
+  let timer = 0;
+  return {
+    element,
+    say(text) {
+      window.clearTimeout(timer);
+      element.textContent = text;
+      setAttribute(element, 'data-shown', true);
+      timer = window.setTimeout(() => setAttribute(element, 'data-shown', false), 4000);
+    },
+  };
+}

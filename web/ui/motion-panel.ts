@@ -1,0 +1,117 @@
+/** How the keys are joined: the method, what stands beside it, and the boundary with what it asks for. */
+import type { Boundary, Method } from '../engine/types.ts';
+import type { Encoding, KeyRef, Motion } from '../model/state.ts';
+import { BOUNDARIES, DEFAULT_MOTION, METHODS, ignoresHermite } from '../model/state.ts';
+import type { Choice } from './controls.ts';
+import { button, checkbox, numberField, segments, select, slider } from './controls.ts';
+import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
+
+export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: string }> = {
+  lri: { label: 'LRI spline', short: 'LRI spline', hint: 'Cubic splines of rotations and stretches. Smooth, and the shape keeps its volume.' },
+  geodesic: { label: 'LRI geodesic', short: 'Geodesic', hint: 'The same space, straight from key to key. Keeps the volume, jerks at the keys.' },
+  linear: { label: 'Linear vertices', short: 'Linear', hint: 'Blends positions, as morph targets do. Shrinks and shears where the shape turns.' },
+  'cubic-vertex': { label: 'Cubic vertices', short: 'Cubic', hint: 'Cubic splines of positions. Smooth, but shrinks and shears where the shape turns.' },
+};
+
+const BOUNDARY_WORDS: Record<Boundary, { label: string; hint: string }> = {
+  natural: { label: 'Natural', hint: 'No bending at the ends: the motion leaves the first and last key straight on.' },
+  hermite: { label: 'Hermite', hint: 'You set how fast the motion leaves the first key and arrives at the last.' },
+  periodic: { label: 'Periodic', hint: 'A closed loop without a seam.' },
+};
+
+export interface MotionPanelProps {
+  motion: Motion;
+  encoding: Encoding;
+  compare: readonly Method[];
+  keys: readonly KeyRef[];
+  /** The default period, for the field's placeholder. */
+  period: number;
+  disabled: boolean;
+}
+
+export interface MotionPanelEvents {
+  onMotion(change: Partial<Motion>, merge?: string): void;
+  onEncoding(change: Partial<Encoding>): void;
+  onCompare(methods: Method[]): void;
+  onReset(): void;
+}
+
+export function createMotionPanel(events: MotionPanelEvents): { element: HTMLElement; update(props: MotionPanelProps): void } {
+  const method = select<Method>('Method', 'method', METHODS.map((value) => ({ value, ...METHOD_WORDS[value] })),
+    (value) => events.onMotion(forMethod(value, motion)), 'M');
+  const methodHint = h('p', { class: 'hint', 'data-testid': 'method-hint' });
+  let motion: Motion = DEFAULT_MOTION;
+  let compared: readonly Method[] = [];
+  const others = METHODS.map((value) => ({
+    value,
+    toggle: checkbox(METHOD_WORDS[value].short, `compare-${value}`, (on) => {
+      events.onCompare(METHODS.filter((m) => (m === value ? on : compared.includes(m))));
+    }),
+  }));
+  const boundary = segments<Boundary>('Boundary', 'boundary', BOUNDARIES.map((value) => ({ value, ...BOUNDARY_WORDS[value] })),
+    (value) => events.onMotion({ boundary: value }));
+  const boundaryHint = h('p', { class: 'hint' });
+  const start = speedSlider('Start speed', 'start-speed', (value) => events.onMotion({ startSpeed: value }, 'start-speed'));
+  const end = speedSlider('End speed', 'end-speed', (value) => events.onMotion({ endSpeed: value }, 'end-speed'));
+  const startTangent = select<string>('Leaves the first key towards', 'start-tangent', [], (value) => events.onEncoding({ startTangentPose: poseOf(value) }));
+  const endTangent = select<string>('Arrives at the last key from', 'end-tangent', [], (value) => events.onEncoding({ endTangentPose: poseOf(value) }));
+  const hermite = h('div', { class: 'group' }, start.element, end.element, startTangent.element, endTangent.element);
+  const period = numberField({ label: 'Period', testId: 'period', min: 1e-6, onInput: (value) => events.onMotion({ period: value }) });
+  const periodReset = button({ label: 'Set the period back', testId: 'period-reset', icon: 'reset', onClick: () => events.onMotion({ period: null }) });
+  const periodic = h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Period'), period, periodReset);
+  const reset = button({ label: 'Set the motion back to its defaults', testId: 'motion-reset', icon: 'reset', onClick: () => events.onReset() });
+  const element = h('section', { class: 'panel', 'aria-labelledby': 'motion-title', 'data-testid': 'panel-motion' },
+    h('header', {}, h('h2', { id: 'motion-title' }, 'Motion'), reset),
+    method.element, methodHint,
+    h('fieldset', { class: 'field' }, h('legend', {}, 'Side by side with'), h('div', { class: 'chips' }, ...others.map((o) => o.toggle.element))),
+    boundary.element, boundaryHint, hermite, periodic);
+
+  const draw = memo((props: MotionPanelProps) => {
+    motion = props.motion;
+    compared = props.compare;
+    method.update(motion.method);
+    setText(methodHint, METHOD_WORDS[motion.method].hint);
+    for (const { value, toggle } of others) {
+      setHidden(toggle.element, value === motion.method);
+      toggle.update(compared.includes(value), props.disabled);
+    }
+    boundary.update(motion.boundary, ignoresHermite(motion.method)
+      ? { hermite: 'Hermite sets speeds at the ends; this method moves straight from key to key.' } : {});
+    setText(boundaryHint, BOUNDARY_WORDS[motion.boundary].hint);
+    setHidden(hermite, motion.boundary !== 'hermite');
+    setHidden(periodic, motion.boundary !== 'periodic');
+    start.update(motion.startSpeed);
+    end.update(motion.endSpeed);
+    const poses = poseChoices(props.keys, 'the next key');
+    startTangent.update(String(props.encoding.startTangentPose ?? ''), poses);
+    endTangent.update(String(props.encoding.endTangentPose ?? ''), poseChoices(props.keys, 'the key before'));
+    setField(period, String(Number((motion.period ?? props.period).toFixed(4))));
+    periodReset.disabled = motion.period === null;
+    setAttribute(periodReset, 'data-idle', motion.period === null);
+    const touched = (Object.keys(DEFAULT_MOTION) as (keyof Motion)[]).some((key) => motion[key] !== DEFAULT_MOTION[key]);
+    reset.disabled = !touched;
+    setAttribute(reset, 'data-idle', !touched);
+  });
+  return { element, update: draw };
+}
+
+/** A method that has no use for Hermite takes natural ends. */
+function forMethod(method: Method, motion: Motion): Partial<Motion> {
+  return ignoresHermite(method) && motion.boundary === 'hermite' ? { method, boundary: 'natural' } : { method };
+}
+
+function speedSlider(label: string, testId: string, onInput: (value: number) => void): ReturnType<typeof slider> {
+  return slider({
+    label, testId, min: 0, max: 4, step: 0.05, fallback: 1, onInput, format: (value) => `${Number(value.toFixed(2))}`,
+    hint: 'Times the speed between the end key and its neighbour; 0 eases in and out',
+  });
+}
+
+function poseOf(value: string): number | null {
+  return value === '' ? null : Number(value);
+}
+
+function poseChoices(keys: readonly KeyRef[], none: string): Choice<string>[] {
+  return [{ value: '', label: none }, ...keys.map((key, index) => ({ value: String(key.pose), label: `${index + 1}  ${key.name}` }))];
+}
+

@@ -1,0 +1,116 @@
+/** How the shape is measured: stretches, the reference, patches, and what the import found. */
+import type { KeysInfo, SequenceStats, Stretch } from '../engine/types.ts';
+import type { Encoding, KeyRef } from '../model/state.ts';
+import { DEFAULT_ENCODING } from '../model/state.ts';
+import type { Choice } from './controls.ts';
+import { button, numberField, segments, select } from './controls.ts';
+import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
+
+export interface ShapePanelProps {
+  encoding: Encoding;
+  keys: readonly KeyRef[];
+  reference: number;
+  info: KeysInfo | null;
+  stats: SequenceStats | null;
+  /** Faces that are no longer positive definite at the current time. */
+  lost: number;
+  lriMethod: boolean;
+  disabled: boolean;
+}
+
+export interface ShapePanelEvents {
+  onEncoding(change: Partial<Encoding>): void;
+  onReset(): void;
+  onSample(animation: number, count: number): void;
+}
+
+const STRETCHES: readonly Choice<Stretch>[] = [
+  { value: 'linear', label: 'Linear', hint: 'As in the paper: stretches are blended as they are' },
+  { value: 'log', label: 'Logarithmic', hint: 'Never turns a triangle inside out, however far outside the keys' },
+];
+
+export function createShapePanel(events: ShapePanelEvents): { element: HTMLElement; update(props: ShapePanelProps): void } {
+  const stretch = segments<Stretch>('Stretch', 'stretch', STRETCHES, (value) => events.onEncoding({ stretch: value }));
+  const reference = select<string>('Reference pose', 'reference', [], (value) => events.onEncoding({ referencePose: Number(value) }));
+  const patches = numberField({ label: 'Patches; 0 lets the app choose', testId: 'patches', min: 0, max: 5000, step: 1, onInput: (value) => events.onEncoding({ patches: Math.round(value) }) });
+  const patchesUsed = h('span', { class: 'muted', 'data-testid': 'patches-used' });
+  const reset = button({ label: 'Set the shape options back to their defaults', testId: 'shape-reset', icon: 'reset', onClick: () => events.onReset() });
+  const lost = h('p', { class: 'notice-inline', 'data-testid': 'lost-hint', hidden: true });
+  const facts = h('dl', { class: 'facts' });
+  const sampling = createSampling(events);
+  const element = h('section', { class: 'panel', 'aria-labelledby': 'shape-title', 'data-testid': 'panel-shape' },
+    h('header', {}, h('h2', { id: 'shape-title' }, 'Shape'), reset),
+    stretch.element, lost, reference.element,
+    h('div', { class: 'field row' }, h('span', { class: 'label', title: 'Pieces that the shape is cut into; each turns as one, and the faces turn within them' }, 'Patches'), patches, patchesUsed),
+    sampling.element,
+    h('details', { class: 'details', 'data-testid': 'mesh-report' }, h('summary', {}, 'What was read'), facts));
+
+  const draw = memo((props: ShapePanelProps) => {
+    const { encoding, keys, info, stats } = props;
+    stretch.update(encoding.stretch, props.lriMethod ? {} : {
+      log: 'This method blends positions and has no stretches.', linear: '',
+    });
+    setHidden(lost, props.lost === 0);
+    setText(lost, lostText(props.lost));
+    reference.update(String(keys[props.reference]?.pose ?? ''), keys.map((key, index) => ({ value: String(key.pose), label: `${index + 1}  ${key.name}` })));
+    setField(patches, String(encoding.patches));
+    setText(patchesUsed, stats ? `${stats.patches} used` : '');
+    const touched = (Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]).some((key) => encoding[key] !== DEFAULT_ENCODING[key]);
+    reset.disabled = !touched;
+    setAttribute(reset, 'data-idle', !touched);
+    sampling.update(info);
+    drawFacts(facts, info, stats);
+  });
+  return { element, update: draw };
+}
+
+function lostText(faces: number): string {
+  const places = faces === 1 ? 'One triangle has' : `${faces.toLocaleString('en')} triangles have`;
+  return `${places} turned inside out this far from the keys. Logarithmic stretch never does that.`;
+}
+
+const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStats | null): void => {
+  if (!info) return list.replaceChildren();
+  const { report } = info;
+  const rows: [string, number, boolean][] = [
+    ['Vertices', report.vertices, true],
+    ['Vertices, seams joined', report.weldedVertices, report.weldedVertices !== report.vertices],
+    ['Triangles', report.faces, true],
+    ['Separate parts', report.components, report.components > 1],
+    ['Edges at a boundary', report.boundaryEdges, report.boundaryEdges > 0],
+    ['Edges with three or more faces', report.nonManifoldEdges, report.nonManifoldEdges > 0],
+    ['Edges wound both ways', report.inconsistentEdges, report.inconsistentEdges > 0],
+    ['Triangles without area', report.degenerateFaces, report.degenerateFaces > 0],
+    ['Triangles given twice', report.duplicateFaces, report.duplicateFaces > 0],
+    ['Vertices without a triangle', report.unreferencedVertices, report.unreferencedVertices > 0],
+  ];
+  const entries = rows.filter(([, , shown]) => shown).map(([label, value]) => [label, value.toLocaleString('en')]);
+  if (stats) {
+    entries.push(['Encoding', `${stats.encodeMs.toFixed(0)} ms`], ['Factorisation', `${(stats.orderMs + stats.factorMs).toFixed(0)} ms`],
+      ['Factor', `${(stats.factorBytes / 1e6).toFixed(1)} MB`]);
+  }
+  list.replaceChildren(...entries.flatMap(([label, value]) => [h('dt', {}, label), h('dd', {}, value)]));
+};
+
+/** Where the file holds animations: which one the keys are taken from, and how many. */
+function createSampling(events: ShapePanelEvents): { element: HTMLElement; update(info: KeysInfo | null): void } {
+  let count = 8;
+  let chosen = 0;
+  const animation = select<string>('Keys from animation', 'animation', [], (value) => { chosen = Number(value); });
+  const number = numberField({ label: 'How many keys', testId: 'sample-count', min: 2, max: 64, step: 1, onInput: (value) => { count = Math.round(value); } });
+  const take = button({ label: 'Take the keys from this animation', testId: 'sample-apply', text: 'Take', kind: 'plain', onClick: () => events.onSample(chosen, count) });
+  const element = h('div', { class: 'group', hidden: true, 'data-testid': 'sampling' }, animation.element,
+    h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Evenly spaced keys'), number, take));
+  const draw = memo(({ info }: { info: KeysInfo | null }) => {
+    const list = info?.animations ?? [];
+    setHidden(element, list.length === 0);
+    if (!info || list.length === 0) return;
+    chosen = Math.max(info.animation, 0);
+    animation.update(String(chosen), list.map((a, index) => ({
+      value: String(index), label: `${a.name || `Animation ${index + 1}`}  (${(a.end - a.start).toFixed(2)} s, ${a.keys} keys)`,
+    })));
+    count = Math.max(2, Math.min(info.names.length, 64));
+    setField(number, String(count));
+  });
+  return { element, update: (info) => draw({ info }) };
+}

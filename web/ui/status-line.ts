@@ -1,0 +1,58 @@
+/** One quiet line: what is loaded, how fast it is, and how many warnings there are; the count opens the list. */
+import type { Warning } from '../engine/types.ts';
+import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
+import { icon } from './icons.ts';
+
+export interface StatusProps {
+  keys: number;
+  vertices: number;
+  faces: number;
+  /** Milliseconds of the last frame in the worker, or null before the first. */
+  ms: number | null;
+  warnings: readonly Warning[];
+  offline: boolean;
+}
+
+export function createStatusLine(): { element: HTMLElement; update(props: StatusProps): void } {
+  const keys = h('span', { 'data-testid': 'status-keys' });
+  const vertices = h('span', { 'data-testid': 'status-vertices' });
+  const faces = h('span', { 'data-testid': 'status-faces' });
+  const ms = h('span', { 'data-testid': 'status-ms', class: 'ms' });
+  const offline = h('span', { hidden: true }, 'offline');
+  const list = h('ul', { class: 'warning-list' });
+  const popover = h('dialog', { class: 'dialog', 'data-testid': 'warnings', 'aria-label': 'Warnings' },
+    h('header', {}, h('h2', {}, 'What to know about these shapes'),
+      h('button', { type: 'button', class: 'button quiet square', 'aria-label': 'Close', onclick: () => popover.close() }, icon('close'))),
+    list);
+  popover.addEventListener('click', (event) => { if (event.target === popover) popover.close(); });
+  const count = h('span', {});
+  const warnings = h('button', {
+    type: 'button', class: 'button quiet warning-count', 'data-testid': 'warning-count', hidden: true, title: 'Show the warnings',
+    onclick: () => popover.showModal(),
+  }, icon('warning'), count);
+  const element = h('footer', { class: 'status-line', 'data-testid': 'status' }, keys, vertices, faces, ms, warnings, offline, popover);
+
+  const drawCounts = memo((props: Omit<StatusProps, 'ms'>) => {
+    setText(keys, plural(props.keys, 'key', 'keys'));
+    setText(vertices, plural(props.vertices, 'vertex', 'vertices'));
+    setText(faces, plural(props.faces, 'face', 'faces'));
+    setAttribute(element, 'data-empty', props.keys === 0);
+    setHidden(offline, !props.offline);
+    setHidden(warnings, props.warnings.length === 0);
+    setText(count, plural(props.warnings.length, 'warning', 'warnings'));
+    list.replaceChildren(...props.warnings.map((warning) =>
+      h('li', { 'data-code': warning.code }, icon('warning'), h('span', {}, warning.message))));
+  });
+
+  return {
+    element,
+    update({ ms: time, ...rest }) {
+      drawCounts(rest);
+      setText(ms, time === null ? '' : `${time < 9.95 ? time.toFixed(1) : time.toFixed(0)} ms a frame`);
+    },
+  };
+}
+
+export function plural(count: number, one: string, many: string): string {
+  return `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
+}

@@ -1,0 +1,51 @@
+/** Light or dark: the system's choice unless the user made one, remembered on this machine only. */
+
+export type Theme = 'system' | 'light' | 'dark';
+
+const KEY = 'shapespline.theme';
+const NEXT: Record<Theme, Theme> = { system: 'light', light: 'dark', dark: 'system' };
+
+export interface ThemeSwitch {
+  theme(): Theme;
+  isDark(): boolean;
+  next(): void;
+}
+
+export function createTheme(onChange: () => void): ThemeSwitch {
+  const system = window.matchMedia('(prefers-color-scheme: dark)');
+  let theme = remembered();
+  const apply = (): void => {
+    document.documentElement.style.colorScheme = theme === 'system' ? 'light dark' : theme;
+    onChange();
+  };
+  system.addEventListener('change', onChange);
+  document.documentElement.style.colorScheme = theme === 'system' ? 'light dark' : theme;
+  return {
+    theme: () => theme,
+    isDark: () => (theme === 'system' ? system.matches : theme === 'dark'),
+    next() {
+      theme = NEXT[theme];
+      remember(theme);
+      apply();
+    },
+  };
+}
+
+/** Storage can be forbidden by the browser; then nothing is remembered. */
+function remembered(): Theme {
+  try {
+    const value = localStorage.getItem(KEY);
+    return value === 'light' || value === 'dark' ? value : 'system';
+  } catch {
+    return 'system';
+  }
+}
+
+function remember(theme: Theme): void {
+  try {
+    if (theme === 'system') localStorage.removeItem(KEY);
+    else localStorage.setItem(KEY, theme);
+  } catch {
+    // Nothing to remember with.
+  }
+}

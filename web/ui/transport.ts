@@ -1,0 +1,80 @@
+/** Play, loop, speed and the typed time, around the timeline. */
+import type { LoopMode, Play } from '../model/state.ts';
+import { SPEEDS } from '../model/state.ts';
+import { button, numberField, select, tooltip } from './controls.ts';
+import { h, memo, setAttribute, setField } from './dom.ts';
+import type { IconName } from './icons.ts';
+import { setIcon } from './icons.ts';
+import type { Timeline } from './timeline.ts';
+import type { Range } from '../model/time-scale.ts';
+import { formatTime } from '../model/time-scale.ts';
+
+export interface TransportProps {
+  play: Play;
+  time: number;
+  range: Range;
+  periodic: boolean;
+  disabled: boolean;
+}
+
+export interface TransportEvents {
+  onTogglePlay(): void;
+  onLoop(loop: LoopMode): void;
+  onSpeed(speed: number): void;
+  onSeek(t: number): void;
+}
+
+const LOOPS: Record<LoopMode, { next: LoopMode; icon: IconName; label: string }> = {
+  bounce: { next: 'loop', icon: 'bounce', label: 'Plays back and forth' },
+  loop: { next: 'once', icon: 'loop', label: 'Plays in a loop' },
+  once: { next: 'bounce', icon: 'once', label: 'Plays once' },
+};
+
+export function createTransport(timeline: Timeline, events: TransportEvents): {
+  element: HTMLElement; update(props: TransportProps): void;
+} {
+  let loop: LoopMode = 'bounce';
+  const play = button({
+    label: 'Play', testId: 'play', icon: 'play', shortcut: 'Space', kind: 'primary', onClick: () => events.onTogglePlay(),
+  });
+  const loopButton = button({
+    label: 'Loop', testId: 'loop', icon: 'bounce', shortcut: 'L', onClick: () => events.onLoop(LOOPS[loop].next),
+  });
+  const speed = select('Speed', 'speed', SPEEDS.map((value) => ({ value: String(value), label: `${value}×` })),
+    (value) => events.onSpeed(Number(value)), ', and .');
+  speed.element.classList.add('compact');
+  const time = numberField({ label: 'Time; type a number to go there', testId: 'time', onInput: (t) => events.onSeek(t) });
+  time.classList.add('time');
+  const element = h('section', { class: 'transport', 'aria-label': 'Time' },
+    h('div', { class: 'transport-buttons' }, play, loopButton, speed.element), timeline.element, time);
+
+  const drawButtons = memo(({ play: state, disabled, periodic }: Pick<TransportProps, 'play' | 'disabled' | 'periodic'>) => {
+    const label = state.playing ? 'Pause' : 'Play';
+    setIcon(play, state.playing ? 'pause' : 'play');
+    setAttribute(play, 'aria-label', label);
+    setAttribute(play, 'title', tooltip(label, 'Space'));
+    loop = state.loop;
+    const shown = periodic && loop === 'bounce' ? 'loop' : loop;
+    const words = `${LOOPS[shown].label}; click to change`;
+    setIcon(loopButton, LOOPS[shown].icon);
+    setAttribute(loopButton, 'aria-label', words);
+    setAttribute(loopButton, 'title', tooltip(words, 'L'));
+    setAttribute(loopButton, 'data-loop', shown);
+    speed.update(String(state.speed));
+    for (const control of [play, loopButton, time]) control.disabled = disabled;
+  });
+
+  return {
+    element,
+    update(props) {
+      drawButtons({ play: props.play, disabled: props.disabled, periodic: props.periodic });
+      setField(time, formatTime(props.time, props.range));
+      if (time.step !== stepFor(props.range)) time.step = stepFor(props.range);
+    },
+  };
+}
+
+/** The field accepts any number; its arrows move by a hundredth of the range. */
+function stepFor([start, end]: Range): string {
+  return String(Number(((end - start) / 100).toPrecision(1)));
+}

@@ -1,0 +1,118 @@
+/** What lies on the viewport: standard views, the look of the shape, the phase in words, and the names of the views. */
+import type { Colouring, View } from '../model/state.ts';
+import type { Phase } from '../model/time-scale.ts';
+import { button, checkbox, segments } from './controls.ts';
+import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
+
+export type ViewName = 'home' | 'front' | 'top' | 'right';
+
+export interface ViewBarProps {
+  view: View;
+  /** The import has texture or materials worth showing. */
+  hasTexture: boolean;
+  disabled: boolean;
+}
+
+export interface ViewBarEvents {
+  onFit(view: ViewName | null): void;
+  onView(change: Partial<View>): void;
+}
+
+export function createViewBar(events: ViewBarEvents): { element: HTMLElement; toggleLook(): void; update(props: ViewBarProps): void } {
+  const colouring = segments<Colouring>('Colour', 'colouring', [
+    { value: 'phase', label: 'Time', hint: 'Blue at a key, green between, yellow beyond the ends' },
+    { value: 'texture', label: 'Texture', hint: 'As the file has it' },
+    { value: 'patches', label: 'Patches', hint: 'The pieces that turn as one' },
+  ], (value) => events.onView({ colouring: value }));
+  const shading = segments<View['shading']>('Shading', 'shading', [
+    { value: 'smooth', label: 'Smooth' }, { value: 'flat', label: 'Flat' },
+  ], (value) => events.onView({ shading: value }));
+  const wireframe = checkbox('Wireframe', 'wireframe', (on) => events.onView({ wireframe: on }), 'W');
+  const floor = checkbox('Floor', 'floor', (on) => events.onView({ floor: on }), 'G');
+  const onion = checkbox('Onion skin', 'onion', (on) => events.onView({ onion: on, film: false }), 'O');
+  const film = checkbox('Film strip', 'film', (on) => events.onView({ film: on, onion: false }), 'I');
+  const look = h('div', { class: 'card popover', id: 'look', 'data-testid': 'look', hidden: true },
+    colouring.element, shading.element, h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element));
+  const toggle = button({ label: 'Look', testId: 'look-toggle', icon: 'eye', text: 'Look', shortcut: 'V', kind: 'plain', onClick: () => toggleLook() });
+  setAttribute(toggle, 'aria-expanded', 'false');
+  setAttribute(toggle, 'aria-controls', 'look');
+  const view = (name: ViewName, label: string, key: string): HTMLButtonElement => button({
+    label: `${label} view`, testId: `view-${name}`, text: label, shortcut: key, kind: 'plain', onClick: () => events.onFit(name),
+  });
+  const fit = button({ label: 'Fit the shape into view', testId: 'fit', icon: 'fit', text: 'Fit', shortcut: 'F', kind: 'plain', onClick: () => events.onFit(null) });
+  const bar = h('div', { class: 'view-buttons', role: 'toolbar', 'aria-label': 'View' }, fit,
+    view('front', 'Front', '1'), view('top', 'Top', '7'), view('right', 'Right', '3'), toggle);
+  const element = h('div', { class: 'view-bar' }, look, bar);
+
+  const toggleLook = (): void => {
+    look.hidden = !look.hidden;
+    setAttribute(toggle, 'aria-expanded', String(!look.hidden));
+    if (!look.hidden) look.querySelector('input')?.focus();
+  };
+  element.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape' || look.hidden) return;
+    event.stopPropagation();
+    toggleLook();
+    toggle.focus();
+  });
+  document.addEventListener('pointerdown', (event) => {
+    if (!look.hidden && !element.contains(event.target as Node)) toggleLook();
+  });
+
+  const draw = memo(({ view: state, hasTexture, disabled }: ViewBarProps) => {
+    colouring.update(state.colouring, hasTexture ? {} : { texture: 'The files hold no texture.' });
+    shading.update(state.shading);
+    wireframe.update(state.wireframe);
+    floor.update(state.floor);
+    onion.update(state.onion);
+    film.update(state.film);
+    for (const control of bar.querySelectorAll('button')) control.disabled = disabled;
+  });
+  return { element, toggleLook, update: draw };
+}
+
+/** Where the moment lies, large enough to read from afar; the colour's meaning in words. */
+export function createPhaseLabel(): { element: HTMLElement; update(phase: Phase | null, time: string): void } {
+  const text = h('span', { 'data-testid': 'phase' });
+  const time = h('span', { class: 'phase-time' });
+  const element = h('div', { class: 'phase', hidden: true }, h('span', { class: 'dot' }), text, time);
+  return {
+    element,
+    update(phase, at) {
+      setHidden(element, phase === null);
+      if (!phase) return;
+      setAttribute(element, 'data-phase', phase.kind);
+      setText(text, phase.text);
+      setText(time, at);
+    },
+  };
+}
+
+export interface TileLabel {
+  title: string;
+  detail: string;
+  x: number;
+  y: number;
+  width: number;
+}
+
+/** The method's name and its measures over each of several views. */
+export function createTileLabels(): { element: HTMLElement; update(labels: readonly TileLabel[]): void } {
+  const element = h('div', { class: 'tile-labels' });
+  return {
+    element,
+    update(labels) {
+      while (element.children.length > labels.length) element.lastElementChild?.remove();
+      labels.forEach((label, index) => {
+        const tile = (element.children[index] ?? element.appendChild(
+          h('div', { class: 'tile-label', 'data-testid': `tile-${index}` }, h('strong', {}), h('span', {})))) as HTMLElement;
+        setStyle(tile, 'left', `${label.x}px`);
+        setStyle(tile, 'top', `${label.y}px`);
+        setStyle(tile, 'width', `${label.width}px`);
+        setAttribute(tile, 'data-edge', label.x > 0);
+        setText(tile.firstElementChild!, label.title);
+        setText(tile.lastElementChild!, label.detail);
+      });
+    },
+  };
+}

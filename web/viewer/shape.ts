@@ -1,0 +1,125 @@
+/** One drawn shape: buffers that every frame is copied into, and the materials of the ways to look at it. */
+import {
+  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial,
+} from 'three';
+import type { Material as ThreeMaterial, Texture } from 'three';
+import type { Material } from '../engine/types.ts';
+import type { Look, Topology } from './types.ts';
+
+/** What several shapes of one import share: the index and the decoded images. */
+export interface SharedTopology extends Topology {
+  index: BufferAttribute;
+  uv: BufferAttribute | null;
+  textures: (Texture | null)[];
+}
+
+export class Shape {
+  readonly object = new Group();
+  private readonly geometry = new BufferGeometry();
+  private readonly position: BufferAttribute;
+  private readonly normal: BufferAttribute;
+  private readonly plain = new MeshStandardMaterial({
+    roughness: 0.62, metalness: 0, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+  });
+  private readonly lines = new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 });
+  private textured: MeshStandardMaterial[] = [];
+  private readonly mesh: Mesh;
+  private readonly wire: Mesh;
+
+  constructor(private readonly topology: SharedTopology) {
+    this.position = dynamic(topology.vertices);
+    this.normal = dynamic(topology.vertices);
+    this.geometry.setIndex(topology.index);
+    this.geometry.setAttribute('position', this.position);
+    this.geometry.setAttribute('normal', this.normal);
+    if (topology.uv) this.geometry.setAttribute('uv', topology.uv);
+    for (const [index, group] of topology.groups.entries()) this.geometry.addGroup(group.start * 3, group.count * 3, index);
+    this.mesh = new Mesh(this.geometry, this.plain);
+    this.wire = new Mesh(this.geometry, this.lines);
+    this.mesh.castShadow = true;
+    for (const mesh of [this.mesh, this.wire]) mesh.frustumCulled = false;
+    this.object.add(this.mesh, this.wire);
+  }
+
+  /** The positions that are drawn now, 3 x vertices. A view, valid until the next frame. */
+  get positions(): Float32Array {
+    return this.position.array as Float32Array;
+  }
+
+  setFrame(positions: Float32Array, normals: Float32Array): void {
+    this.position.copyArray(positions).needsUpdate = true;
+    this.normal.copyArray(normals).needsUpdate = true;
+  }
+
+  /** 3 x vertices, linear RGB in [0, 1]; null takes the colours away. */
+  setVertexColours(colours: Float32Array | null): void {
+    if (colours) this.geometry.setAttribute('color', new BufferAttribute(colours, 3));
+    else this.geometry.deleteAttribute('color');
+  }
+
+  setLook(look: Look): void {
+    const patches = look.colouring === 'patches' && this.geometry.hasAttribute('color');
+    this.setShading(this.plain, look.shading, patches);
+    if (look.colouring === 'texture') this.mesh.material = this.texturedMaterials(look);
+    else this.mesh.material = this.plain;
+    this.wire.visible = look.wireframe;
+    this.lines.color.set(look.dark ? 0xffffff : 0x10151b);
+  }
+
+  setColour(colour: string, patches: boolean): void {
+    this.plain.color.set(patches ? '#ffffff' : colour);
+  }
+
+  /** Drawn through, without writing over what lies behind. */
+  setOpacity(opacity: number): void {
+    this.plain.transparent = opacity < 1;
+    this.plain.opacity = opacity;
+    this.plain.depthWrite = opacity >= 1;
+    this.mesh.castShadow = opacity >= 1;
+  }
+
+  dispose(): void {
+    this.object.removeFromParent();
+    this.geometry.setIndex(null);
+    this.geometry.dispose();
+    for (const material of [this.plain, this.lines, ...this.textured]) material.dispose();
+  }
+
+  private setShading(material: MeshStandardMaterial, shading: Look['shading'], vertexColors: boolean): void {
+    const flat = shading === 'flat';
+    if (material.flatShading === flat && material.vertexColors === vertexColors) return;
+    material.flatShading = flat;
+    material.vertexColors = vertexColors;
+    material.needsUpdate = true;
+  }
+
+  private texturedMaterials(look: Look): ThreeMaterial[] {
+    if (this.textured.length === 0) {
+      this.textured = this.topology.groups.map((group) =>
+        texturedMaterial(this.topology.materials[group.material], this.topology.textures));
+    }
+    for (const material of this.textured) this.setShading(material, look.shading, false);
+    return this.textured;
+  }
+}
+
+function dynamic(vertices: number): BufferAttribute {
+  return new BufferAttribute(new Float32Array(3 * vertices), 3).setUsage(DynamicDrawUsage);
+}
+
+function texturedMaterial(material: Material | undefined, textures: (Texture | null)[]): MeshStandardMaterial {
+  const result = new MeshStandardMaterial({
+    side: DoubleSide, roughness: 0.8, metalness: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+  });
+  if (!material) return result;
+  const [red, green, blue, alpha] = material.baseColor;
+  result.color.setRGB(red, green, blue);
+  result.opacity = alpha;
+  result.transparent = material.alphaMode === 'BLEND';
+  result.alphaTest = material.alphaMode === 'MASK' ? material.alphaCutoff : 0;
+  // Without an environment map a metal would be black.
+  result.metalness = Math.min(material.metallic, 0.2);
+  result.roughness = Math.max(material.roughness, 0.4);
+  result.map = textures[material.baseColorImage] ?? null;
+  return result;
+}

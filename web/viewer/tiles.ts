@@ -1,0 +1,22 @@
+/** How the canvas is shared by one to four views. */
+import type { Rect } from './types.ts';
+
+/** Equal parts, laid out so that each is as near to a square as it gets. */
+export function tiles(count: number, width: number, height: number): Rect[] {
+  let columns = 1;
+  let best = Infinity;
+  for (let candidate = 1; candidate <= count; candidate += 1) {
+    const rows = Math.ceil(count / candidate);
+    const shape = Math.abs(Math.log((width / candidate) / (height / rows))) + (rows * candidate - count) * 0.5;
+    if (shape < best) {
+      best = shape;
+      columns = candidate;
+    }
+  }
+  const rows = Math.ceil(count / columns);
+  return Array.from({ length: count }, (_, index) => {
+    const column = index % columns;
+    const row = Math.floor(index / columns);
+    return { x: (column * width) / columns, y: (row * height) / rows, width: width / columns, height: height / rows };
+  });
+}

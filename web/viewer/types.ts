@@ -1,0 +1,49 @@
+/** What the viewer is given and gives back: plain data, so that nobody else needs three.js. */
+import type { Material, MaterialGroup, TextureImage } from '../engine/types.ts';
+
+/** What stays the same for all shapes of one import. */
+export interface Topology {
+  vertices: number;
+  /** 3 x faces. */
+  indices: Uint32Array;
+  /** 2 x vertices, or null. */
+  uvs: Float32Array | null;
+  groups: MaterialGroup[];
+  materials: Material[];
+  images: TextureImage[];
+}
+
+export interface Look {
+  colouring: 'phase' | 'texture' | 'patches';
+  shading: 'smooth' | 'flat';
+  wireframe: boolean;
+  floor: boolean;
+  dark: boolean;
+}
+
+/** A further shape in the picture: an onion skin or one of a film strip. */
+export interface Extra {
+  /** 3 x vertices each; copied. */
+  positions: Float32Array;
+  normals: Float32Array;
+  colour: string;
+  /** 1 is solid. */
+  opacity: number;
+  /** How far along x it stands from where it is. */
+  offset: number;
+}
+
+export interface CameraPose {
+  position: [number, number, number];
+  target: [number, number, number];
+}
+
+export type ViewName = 'home' | 'front' | 'top' | 'right';
+
+/** Part of the canvas, in CSS pixels from its top left corner. */
+export interface Rect {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}

@@ -1,0 +1,322 @@
+/** The picture: shapes in one to four views with one camera, drawn only when something changed. */
+import {
+  BufferAttribute, NoToneMapping, VSMShadowMap, Scene, Vector3, WebGLRenderer,
+} from 'three';
+import { CameraRig } from './camera.ts';
+import { Shape } from './shape.ts';
+import type { SharedTopology } from './shape.ts';
+import { Stage } from './stage.ts';
+import type { Bounds } from './stage.ts';
+import { decodeTextures } from './textures.ts';
+import { tiles } from './tiles.ts';
+import type { CameraPose, Extra, Look, Rect, Topology, ViewName } from './types.ts';
+
+export interface ViewerEvents {
+  /** The user, or a standard view, has moved the camera. */
+  onCamera(pose: CameraPose): void;
+  onContextLost(): void;
+  onContextRestored(): void;
+}
+
+const DEFAULT_LOOK: Look = { colouring: 'phase', shading: 'smooth', wireframe: false, floor: true, dark: false };
+
+export class Viewer {
+  readonly canvas: HTMLCanvasElement;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly stage = new Stage();
+  private readonly rig: CameraRig;
+  private topology: SharedTopology | null = null;
+  private shapes: Shape[] = [];
+  private extras: Shape[] = [];
+  private colours: string[] = [];
+  private look = DEFAULT_LOOK;
+  private patchColours: Float32Array | null = null;
+  private hideShapes = false;
+  private pending = 0;
+  private waiting: (() => void)[] = [];
+  private readonly resize: ResizeObserver;
+
+  /** Throws where the browser has no WebGL 2. */
+  constructor(private readonly host: HTMLElement, events: ViewerEvents) {
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.renderer.toneMapping = NoToneMapping;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = VSMShadowMap;
+    this.renderer.setClearColor(0x000000, 0);
+    this.renderer.autoClear = false;
+    this.canvas = this.renderer.domElement;
+    host.append(this.canvas);
+    this.scene.add(this.stage.object);
+    this.rig = new CameraRig(this.canvas, () => this.invalidate(), () => events.onCamera(this.rig.pose()));
+    this.canvas.addEventListener('webglcontextlost', () => events.onContextLost());
+    this.canvas.addEventListener('webglcontextrestored', () => { events.onContextRestored(); this.invalidate(); });
+    this.resize = new ResizeObserver(() => this.fitCanvas());
+    this.resize.observe(host);
+    this.fitCanvas();
+  }
+
+  /** A new import: fresh buffers for `views` shapes, which stay hidden until their first frame. */
+  setTopology(topology: Topology, bounds: Bounds, points: Float32Array): void {
+    this.clearShapes();
+    for (const texture of this.topology?.textures ?? []) texture?.dispose();
+    this.topology = {
+      ...topology,
+      index: new BufferAttribute(topology.indices, 1),
+      uv: topology.uvs ? new BufferAttribute(topology.uvs, 2) : null,
+      textures: topology.images.map(() => null),
+    };
+    this.patchColours = null;
+    this.stage.setBounds(bounds);
+    this.rig.setPoints(points, new Vector3(...bounds.max).distanceTo(new Vector3(...bounds.min)) / 2);
+    void this.loadTextures(this.topology);
+  }
+
+  get views(): number {
+    return this.shapes.length;
+  }
+
+  /** How many shapes are shown side by side; those that exist keep their frame. */
+  setViews(count: number): void {
+    if (!this.topology) return;
+    while (this.shapes.length > count) this.shapes.pop()?.dispose();
+    while (this.shapes.length < count) {
+      const shape = this.addShape();
+      shape.setVertexColours(this.patchColours);
+      shape.setLook(this.look);
+      shape.object.visible = false;
+      this.shapes.push(shape);
+    }
+    this.invalidate();
+  }
+
+  setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string): void {
+    const shape = this.shapes[view];
+    if (!shape) return;
+    shape.setFrame(positions, normals);
+    shape.object.visible = true;
+    this.colours[view] = colour;
+    this.applyColours();
+    this.invalidate();
+  }
+
+  /** Onion skins or a film strip; `instead` hides the moving shapes. */
+  setExtras(extras: readonly Extra[], instead = false): void {
+    while (this.extras.length > extras.length) this.extras.pop()?.dispose();
+    while (this.extras.length < extras.length && this.topology) this.extras.push(this.addShape());
+    extras.forEach((extra, index) => {
+      const shape = this.extras[index];
+      if (!shape) return;
+      shape.setFrame(extra.positions, extra.normals);
+      shape.setColour(extra.colour, false);
+      shape.setOpacity(extra.opacity);
+      shape.object.position.x = extra.offset;
+    });
+    this.hideShapes = instead;
+    this.invalidate();
+  }
+
+  /** Colour of each patch on the shape: 3 x vertices, linear RGB; null takes them away. */
+  setPatchColours(colours: Float32Array | null): void {
+    this.patchColours = colours;
+    for (const shape of this.shapes) shape.setVertexColours(colours);
+    this.setLook(this.look);
+  }
+
+  setLook(look: Look): void {
+    this.look = look;
+    for (const shape of this.shapes) shape.setLook(look);
+    for (const shape of this.extras) shape.setLook({ ...look, colouring: 'phase', wireframe: false });
+    this.stage.setLook(look.floor, look.dark);
+    this.applyColours();
+    this.invalidate();
+  }
+
+  fit(view: ViewName | null, eased: boolean): void {
+    this.rig.setAspect(this.aspect());
+    this.rig.fit(view, eased);
+  }
+
+  setFitPoints(points: Float32Array, radius: number): void {
+    this.rig.setPoints(points, radius);
+  }
+
+  cameraPose(): CameraPose {
+    return this.rig.pose();
+  }
+
+  setCameraPose(pose: CameraPose): void {
+    this.rig.setPose(pose);
+  }
+
+  orbit(horizontal: number, vertical: number): void {
+    this.rig.orbit(horizontal, vertical);
+  }
+
+  zoom(factor: number): void {
+    this.rig.zoom(factor);
+  }
+
+  pan(right: number, up: number): void {
+    this.rig.pan(right, up);
+  }
+
+  /** Positions drawn in a view now, copied; empty before the first frame. */
+  positions(view: number): Float32Array {
+    const shape = this.shapes[view];
+    return shape?.object.visible ? shape.positions.slice() : new Float32Array();
+  }
+
+  /** Where points (xyz interleaved) appear: x, y in CSS pixels from the canvas' top left corner. */
+  project(points: Float32Array, view = 0): Float32Array {
+    const rect = this.rects()[view];
+    if (!rect) return new Float32Array();
+    this.rig.prepare(rect.width / rect.height);
+    const result = new Float32Array((points.length / 3) * 2);
+    const point = new Vector3();
+    for (let i = 0; i < points.length / 3; i += 1) {
+      point.fromArray(points, 3 * i).project(this.rig.camera);
+      result[2 * i] = rect.x + ((point.x + 1) / 2) * rect.width;
+      result[2 * i + 1] = rect.y + ((1 - point.y) / 2) * rect.height;
+    }
+    return result;
+  }
+
+  /** The parts of the canvas that the views take, in CSS pixels. */
+  rects(): Rect[] {
+    return tiles(Math.max(this.shapes.length, 1), Math.max(this.host.clientWidth, 1), Math.max(this.host.clientHeight, 1));
+  }
+
+  invalidate(): void {
+    if (this.pending === 0) this.pending = requestAnimationFrame(() => this.draw());
+  }
+
+  /** Resolves once everything set so far has been drawn and no view is being turned to. */
+  async drawn(): Promise<void> {
+    do {
+      await new Promise<void>((resolve) => {
+        this.waiting.push(resolve);
+        this.invalidate();
+      });
+    } while (this.rig.turning);
+  }
+
+  /** Draws now and calls `use` before the browser may clear the canvas. */
+  snapshot<T>(use: (canvas: HTMLCanvasElement) => T): T {
+    this.draw();
+    return use(this.canvas);
+  }
+
+  /** A small picture of one shape in the current look, as a data URL. */
+  thumbnail(positions: Float32Array, normals: Float32Array, width: number, height: number, colour: string): string {
+    if (!this.topology) return '';
+    const shape = this.addShape();
+    shape.setFrame(positions, normals);
+    shape.setLook({ ...this.look, wireframe: false });
+    shape.setColour(colour, false);
+    const picture = this.drawAlone(width, height);
+    shape.dispose();
+    return picture;
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.pending);
+    this.resize.disconnect();
+    this.clearShapes();
+    this.rig.dispose();
+    this.renderer.dispose();
+    this.canvas.remove();
+  }
+
+  private addShape(): Shape {
+    const shape = new Shape(this.topology!);
+    shape.setLook(this.look);
+    this.scene.add(shape.object);
+    return shape;
+  }
+
+  private clearShapes(): void {
+    for (const shape of [...this.shapes, ...this.extras]) shape.dispose();
+    this.shapes = [];
+    this.extras = [];
+    this.hideShapes = false;
+  }
+
+  private applyColours(): void {
+    const patches = this.look.colouring === 'patches' && this.patchColours !== null;
+    this.shapes.forEach((shape, index) => shape.setColour(this.colours[index] ?? '#888888', patches));
+  }
+
+  private async loadTextures(topology: SharedTopology): Promise<void> {
+    const textures = await decodeTextures(topology.images);
+    if (this.topology !== topology) return;
+    topology.textures = textures;
+    this.setLook(this.look);
+  }
+
+  private aspect(): number {
+    const rect = this.rects()[0]!;
+    return rect.width / rect.height;
+  }
+
+  private fitCanvas(): void {
+    const { clientWidth, clientHeight } = this.host;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(clientWidth, clientHeight);
+    this.draw();
+  }
+
+  private draw(): void {
+    cancelAnimationFrame(this.pending);
+    this.pending = 0;
+    const visible = this.shapes.map((shape) => shape.object.visible);
+    this.rects().forEach((rect, view) => {
+      this.shapes.forEach((shape, index) => { shape.object.visible = visible[index]! && index === view && !this.hideShapes; });
+      this.renderOne(rect);
+    });
+    this.shapes.forEach((shape, index) => { shape.object.visible = visible[index]!; });
+    const waiting = this.waiting;
+    this.waiting = [];
+    for (const resolve of waiting) resolve();
+  }
+
+  /** Uses a corner of the canvas, which is drawn anew before the browser shows it. */
+  private drawAlone(width: number, height: number): string {
+    const { clientWidth, clientHeight } = this.host;
+    const scale = Math.min(1, clientWidth / width, clientHeight / height);
+    const [w, h] = [Math.max(Math.floor(width * scale), 1), Math.max(Math.floor(height * scale), 1)];
+    const shown = [...this.shapes, ...this.extras].map((other) => [other, other.object.visible] as const);
+    for (const [other] of shown) other.object.visible = false;
+    const pose = this.rig.pose();
+    this.rig.setAspect(w / h);
+    this.rig.fit('home', false);
+    this.stage.setLook(false, this.look.dark);
+    this.renderOne({ x: 0, y: clientHeight - h, width: w, height: h });
+    const picture = cut(this.canvas, w, h, this.renderer.getPixelRatio());
+    this.stage.setLook(this.look.floor, this.look.dark);
+    for (const [other, visible] of shown) other.object.visible = visible;
+    this.rig.setPose(pose);
+    return picture;
+  }
+
+  private renderOne(rect: Rect): void {
+    const bottom = this.host.clientHeight - rect.y - rect.height;
+    this.renderer.setViewport(rect.x, bottom, rect.width, rect.height);
+    this.renderer.setScissor(rect.x, bottom, rect.width, rect.height);
+    this.renderer.setScissorTest(true);
+    this.renderer.clear();
+    this.rig.prepare(rect.width / rect.height);
+    this.stage.follow(this.rig.camera, this.rig.target);
+    this.renderer.render(this.scene, this.rig.camera);
+  }
+}
+
+/** The bottom left corner of the canvas as a PNG; in the same task as the drawing, before the buffer is cleared. */
+function cut(source: HTMLCanvasElement, width: number, height: number, ratio: number): string {
+  const canvas = document.createElement('canvas');
+  canvas.width = Math.round(width * ratio);
+  canvas.height = Math.round(height * ratio);
+  canvas.getContext('2d')?.drawImage(source, 0, source.height - canvas.height, canvas.width, canvas.height, 0, 0, canvas.width, canvas.height);
+  return canvas.toDataURL('image/png');
+}
