@@ -44,7 +44,7 @@ export class Lanes {
   want(spec: Spec): void {
     this.wanted = spec;
     if (this.building && this.building.shape !== buildKey(spec)) this.building.abort.abort();
-    this.running ??= this.run().finally(() => { this.running = null; });
+    this.running ??= this.run();
   }
 
   /** Goes back to what is served now; only a build can be cancelled. */
@@ -74,9 +74,9 @@ export class Lanes {
         const superseded = this.wanted !== spec;
         if (!superseded) this.wanted = this.served;
         if (!superseded || isFailure(error)) this.events.onRefused(error, this.served);
-        if (!superseded) return;
       }
     }
+    this.running = null;
   }
 
   private async serve(spec: Spec): Promise<void> {

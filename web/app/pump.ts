@@ -35,7 +35,7 @@ export class Pump {
     this.ticket += 1;
     const { ticket } = this;
     const done = new Promise<void>((resolve) => this.waiting.push({ resolve, ticket }));
-    this.running ??= this.run().finally(() => { this.running = null; });
+    this.running ??= this.run();
     return done;
   }
 
@@ -44,6 +44,8 @@ export class Pump {
   }
 
   private async run(): Promise<void> {
+    // Whoever waits for a frame may ask for the next one at once: that the work has ended must be known by then.
+    await Promise.resolve();
     while (this.shown < this.ticket) {
       const { ticket, wanted } = this;
       try {
@@ -58,6 +60,7 @@ export class Pump {
         return mine > ticket;
       });
     }
+    this.running = null;
   }
 
   private async frame(t: number): Promise<boolean> {

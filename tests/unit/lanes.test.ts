@@ -1,0 +1,171 @@
+import { describe, expect, it } from 'vitest';
+import { Lanes } from '../../web/app/lanes.ts';
+import type { Spec } from '../../web/app/spec.ts';
+import { specOf } from '../../web/app/spec.ts';
+import type { Engine, Keys, Sequence } from '../../web/engine/api.ts';
+import { EngineError } from '../../web/engine/errors.ts';
+import type { Method, MotionOptions } from '../../web/engine/types.ts';
+import { retimeKey, setEncoding, setMotion } from '../../web/model/edits.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION } from '../../web/model/state.ts';
+import type { Doc } from '../../web/model/state.ts';
+
+const doc: Doc = {
+  keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 1 }],
+  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [],
+};
+
+/** An engine that notes what it is asked and answers when it is told to. */
+function fakeEngine() {
+  const log: string[] = [];
+  const builds: { method: Method; resolve(): void; reject(error: unknown): void }[] = [];
+  let alive = 0;
+  const makeSequence = (method: Method): Sequence => {
+    alive += 1;
+    let disposed = false;
+    return {
+      update: async (change: Partial<MotionOptions> & { keyTimes?: number[] }) => {
+        if (change.keyTimes?.includes(99)) throw new EngineError('invalid-option', 'Refused.');
+        log.push(`update ${method} ${change.boundary} ${change.keyTimes?.join()}`);
+      },
+      dispose: () => { if (!disposed) alive -= 1; disposed = true; },
+    } as unknown as Sequence;
+  };
+  const engine = {
+    createSequence: (_: Keys, options: { method: Method; stretch: string }, { signal }: { signal: AbortSignal }) => {
+      log.push(`build ${options.method} ${options.stretch}`);
+      return new Promise<Sequence>((resolve, reject) => {
+        builds.push({ method: options.method, resolve: () => resolve(makeSequence(options.method)), reject });
+        signal.addEventListener('abort', () => reject(new EngineError('cancelled', 'Cancelled.')));
+      });
+    },
+  } as unknown as Engine;
+  const pool = { keys: { arrange: () => ({ dispose: () => undefined }), positions: () => new Float32Array(3) } as unknown as Keys };
+  return { engine, pool, log, builds, alive: () => alive };
+}
+
+function setUp() {
+  const fake = fakeEngine();
+  const ready: Spec[] = [];
+  const refused: string[] = [];
+  const lanes = new Lanes(fake.engine, fake.pool, {
+    onProgress: () => undefined, onReady: (spec) => ready.push(spec), onRefused: (error) => refused.push((error as Error).message),
+  });
+  const tick = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
+  const build = async (): Promise<void> => { await tick(); fake.builds.shift()!.resolve(); await tick(); };
+  return { ...fake, lanes, ready, refused, tick, build };
+}
+
+describe('lanes', () => {
+  it('build once and refit for other times and boundaries', async () => {
+    const { lanes, log, build, ready } = setUp();
+    lanes.want(specOf(doc, []));
+    await build();
+    lanes.want(specOf(setMotion(doc, { boundary: 'periodic' }), []));
+    await lanes.idle();
+    lanes.want(specOf(retimeKey(doc, 1, 3), []));
+    await lanes.idle();
+    expect(log).toEqual(['build lri linear', 'update lri periodic 0,1', 'update lri natural 0,3']);
+    expect(ready).toHaveLength(3);
+  });
+
+  it('build again for another encoding and dispose of the old sequence only then', async () => {
+    const { lanes, log, build, alive, tick } = setUp();
+    lanes.want(specOf(doc, []));
+    await build();
+    const before = lanes.all;
+    lanes.want(specOf(setEncoding(doc, { stretch: 'log' }), []));
+    await tick();
+    expect(lanes.all).toBe(before);
+    expect(alive()).toBe(1);
+    await build();
+    await lanes.idle();
+    expect(log).toEqual(['build lri linear', 'build lri log']);
+    expect(lanes.all).not.toBe(before);
+    expect(alive()).toBe(1);
+  });
+
+  it('add a lane for a compared method and keep the first', async () => {
+    const { lanes, log, build, alive } = setUp();
+    lanes.want(specOf(doc, []));
+    await build();
+    const first = lanes.all[0];
+    lanes.want(specOf(doc, ['linear']));
+    await build();
+    await lanes.idle();
+    expect(lanes.all[0]).toBe(first);
+    expect(lanes.all.map((lane) => lane.method)).toEqual(['lri', 'linear']);
+    expect(log.filter((line) => line.startsWith('build'))).toEqual(['build lri linear', 'build linear linear']);
+    lanes.want(specOf(doc, []));
+    await lanes.idle();
+    expect(alive()).toBe(1);
+  });
+
+  it('give up a build that is no longer wanted', async () => {
+    const { lanes, log, build, refused, builds, tick, alive } = setUp();
+    lanes.want(specOf(doc, []));
+    await tick();
+    lanes.want(specOf(setEncoding(doc, { stretch: 'log' }), []));
+    await tick();
+    expect(builds).toHaveLength(2);
+    builds.shift();
+    await build();
+    await lanes.idle();
+    expect(log).toEqual(['build lri linear', 'build lri log']);
+    expect(refused).toEqual([]);
+    expect(alive()).toBe(1);
+  });
+
+  it('fit key times that moved during a build in afterwards', async () => {
+    const { lanes, log, build } = setUp();
+    lanes.want(specOf(doc, []));
+    lanes.want(specOf(retimeKey(doc, 1, 2), []));
+    await build();
+    await lanes.idle();
+    expect(log[0]).toBe('build lri linear');
+    expect(lanes.spec?.times).toEqual([0, 2]);
+  });
+
+  it('serve on what they served when a build is cancelled or refused', async () => {
+    const { lanes, build, refused, builds, tick } = setUp();
+    lanes.want(specOf(doc, []));
+    await build();
+    const before = lanes.all;
+    const spec = lanes.spec;
+    lanes.want(specOf(setEncoding(doc, { patches: 9 }), []));
+    await tick();
+    lanes.cancel();
+    await lanes.idle();
+    expect(lanes.all).toBe(before);
+    expect(refused).toEqual([]);
+    lanes.want(specOf(setEncoding(doc, { patches: 10 }), []));
+    await tick();
+    builds.at(-1)!.reject(new EngineError('out-of-memory', 'Too large.'));
+    await lanes.idle();
+    expect(refused).toEqual(['Too large.']);
+    expect(lanes.all).toBe(before);
+    expect(lanes.spec).toBe(spec);
+  });
+
+  it('report a refused refit and can be asked for something else afterwards', async () => {
+    const { lanes, build, refused } = setUp();
+    lanes.want(specOf(doc, []));
+    await build();
+    lanes.want(specOf(retimeKey(doc, 1, 99), []));
+    await lanes.idle();
+    expect(refused).toEqual(['Refused.']);
+    lanes.want(specOf(retimeKey(doc, 1, 5), []));
+    await lanes.idle();
+    expect(lanes.spec?.times).toEqual([0, 5]);
+  });
+
+  it('leave nothing behind', async () => {
+    const { lanes, build, alive } = setUp();
+    lanes.want(specOf(doc, ['linear']));
+    await build();
+    await build();
+    await lanes.idle();
+    expect(alive()).toBe(2);
+    lanes.dispose();
+    expect(alive()).toBe(0);
+  });
+});

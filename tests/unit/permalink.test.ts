@@ -1,0 +1,66 @@
+import { describe, expect, it } from 'vitest';
+import { applyPermalink, readPermalink, writePermalink } from '../../web/app/permalink.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, DEFAULT_VIEW, EMPTY_STATE } from '../../web/model/state.ts';
+import type { AppState, Doc } from '../../web/model/state.ts';
+
+const initial: Doc = {
+  keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 0.5 }, { pose: 2, name: 'c', time: 1 }],
+  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [],
+};
+const state: AppState = {
+  ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, time: 1.25,
+  doc: {
+    keys: [{ pose: 2, name: 'c', time: -0.25 }, { pose: 0, name: 'a', time: 0.5 }, { pose: 1, name: 'b', time: 1 }],
+    motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0, endSpeed: 2.5 },
+    encoding: { ...DEFAULT_ENCODING, stretch: 'log', patches: 40, referencePose: 1 },
+    tension: [0, 0.25, 0],
+  },
+  view: { ...DEFAULT_VIEW, wireframe: true, floor: false, compare: ['linear', 'cubic-vertex'], camera: { position: [1, 2, 3], target: [0, 0.5, 0] } },
+  play: { playing: false, speed: 0.5, loop: 'loop' },
+};
+
+describe('permalinks', () => {
+  it('bring the whole state of a sample back', () => {
+    const link = readPermalink(`#${writePermalink(state, initial)}`)!;
+    expect(link.sample).toBe('cactus');
+    expect(applyPermalink(initial, link)).toEqual(state.doc);
+    expect({ ...DEFAULT_VIEW, ...link.view }).toEqual(state.view);
+    expect([link.time, link.speed, link.loop]).toEqual([1.25, 0.5, 'loop']);
+  });
+
+  it('write down what was set back to a default that the sample did not start with', () => {
+    const periodic: Doc = { ...initial, motion: { ...DEFAULT_MOTION, boundary: 'periodic' } };
+    const natural: AppState = { ...state, doc: initial };
+    const link = readPermalink(writePermalink(natural, periodic)!)!;
+    expect(applyPermalink(periodic, link).motion.boundary).toBe('natural');
+  });
+
+  it('are short where nothing was changed', () => {
+    const untouched: AppState = { ...EMPTY_STATE, source: { kind: 'sample', id: 'bar' }, doc: initial };
+    expect(writePermalink(untouched, initial)).toBe('sample=bar&t=0&speed=0.25');
+  });
+
+  it('are not made for the files of the user', () => {
+    expect(writePermalink({ ...state, source: { kind: 'files', names: ['mine.glb'] } }, initial)).toBeNull();
+  });
+
+  it('ignore whatever does not fit', () => {
+    const link = readPermalink('sample=x&keys=0@0,9@1&boundary=evil&startSpeed=NaN&t=Infinity&patches=-3&camera=1,2&compare=lri,nonsense&tension=1,2&speed=0')!;
+    expect(applyPermalink(initial, link)).toEqual(initial);
+    expect(link.time).toBeNull();
+    expect(link.speed).toBeNull();
+    expect(link.view).toEqual({ compare: ['lri'] });
+  });
+
+  it('refuse unordered or repeated key times', () => {
+    for (const keys of ['0@0,1@0', '0@1,1@0', '0@0', '0@0,1@x', '1.5@0,1@1']) {
+      const link = readPermalink(`sample=x&keys=${keys}`)!;
+      expect(applyPermalink(initial, link).keys, keys).toBe(initial.keys);
+    }
+  });
+
+  it('need a sample', () => {
+    expect(readPermalink('#t=0.5')).toBeNull();
+    expect(readPermalink('')).toBeNull();
+  });
+});

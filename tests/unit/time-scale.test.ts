@@ -1,0 +1,102 @@
+import { describe, expect, it } from 'vitest';
+import {
+  MARGIN, clampKeyTime, clampTime, formatTime, limits, neighbourKey, phaseOf, snap, toFraction, toTime, wrap,
+} from '../../web/model/time-scale.ts';
+
+const range = [2, 4] as const;
+const keys = [{ time: 2, name: 'bent' }, { time: 3.5, name: 'straight' }, { time: 4, name: 'left' }];
+
+describe('the slider', () => {
+  it('reaches 40 % of the range beyond both ends', () => {
+    expect(MARGIN).toBe(0.4);
+    expect(limits(range)).toEqual([1.2, 4.8]);
+  });
+
+  it('has times and places that are inverse to each other', () => {
+    for (const t of [1.2, 2, 2.71, 4, 4.8]) expect(toTime(toFraction(t, range), range)).toBeCloseTo(t, 12);
+    expect(toFraction(1.2, range)).toBe(0);
+    expect(toFraction(4.8, range)).toBe(1);
+  });
+
+  it('does not leave its limits', () => {
+    expect(clampTime(-9, range)).toBe(1.2);
+    expect(clampTime(9, range)).toBe(4.8);
+    expect(toTime(7, range)).toBeCloseTo(4.8, 12);
+  });
+
+  it('snaps to the nearest key within reach only', () => {
+    expect(snap(3.45, [2, 3.5, 4], 0.1)).toBe(3.5);
+    expect(snap(3.3, [2, 3.5, 4], 0.1)).toBe(3.3);
+  });
+
+  it('jumps from key to key and stays where there is none', () => {
+    const times = [2, 3.5, 4];
+    expect(neighbourKey(2, times, 1, range)).toBe(3.5);
+    expect(neighbourKey(3.6, times, -1, range)).toBe(3.5);
+    expect(neighbourKey(4, times, 1, range)).toBe(4);
+    expect(neighbourKey(1.5, times, 1, range)).toBe(2);
+  });
+
+  it('keeps a dragged key between its neighbours and leaves the ends free', () => {
+    const times = [0, 1, 2];
+    expect(clampKeyTime(times, 1, 5)).toBeLessThan(2);
+    expect(clampKeyTime(times, 1, -5)).toBeGreaterThan(0);
+    expect(clampKeyTime(times, 2, 9)).toBe(9);
+    expect(clampKeyTime(times, 0, -9)).toBe(-9);
+  });
+});
+
+describe('the phase', () => {
+  const at = (t: number, periodic = false, tolerance?: number): ReturnType<typeof phaseOf> => phaseOf({ t, keys, range, periodic, tolerance });
+
+  it('is a key only at its very time', () => {
+    expect(at(3.5)).toMatchObject({ kind: 'key', text: 'At key 2, straight' });
+    expect(at(3.501).kind).toBe('between');
+    expect(at(3.501, false, 0.01).kind).toBe('key');
+  });
+
+  it('names the keys it lies between', () => {
+    expect(at(3).text).toBe('Between keys 1 and 2');
+    expect(at(3.9).text).toBe('Between keys 2 and 3');
+  });
+
+  it('says on which side it is extrapolated', () => {
+    expect(at(1.9)).toMatchObject({ kind: 'beyond', text: 'Before the first key (extrapolated)' });
+    expect(at(4.1)).toMatchObject({ kind: 'beyond', text: 'Beyond the last key (extrapolated)' });
+  });
+
+  it('repeats a closed motion instead of extrapolating it', () => {
+    expect(at(4.7, true).text).toBe('Between keys 1 and 2');
+    expect(at(1.5, true)).toMatchObject({ kind: 'key', text: 'At key 2, straight' });
+  });
+
+  it('knows the stretch of a closed motion from the last key back to the first', () => {
+    const phase = phaseOf({ t: 4.5, keys, range: [2, 5], periodic: true });
+    expect(phase.text).toBe('Between keys 3 and 1');
+  });
+});
+
+describe('wrap', () => {
+  it('leaves the range alone, its end included', () => {
+    expect(wrap(4, range)).toBe(4);
+    expect(wrap(2, range)).toBe(2);
+  });
+
+  it('brings other times in by whole periods', () => {
+    expect(wrap(4.5, range)).toBeCloseTo(2.5, 12);
+    expect(wrap(1.5, range)).toBeCloseTo(3.5, 12);
+    expect(wrap(-10.5, range)).toBeCloseTo(3.5, 12);
+  });
+});
+
+describe('formatTime', () => {
+  it('has as many decimals as mean something', () => {
+    expect(formatTime(0.42)).toBe('0.420');
+    expect(formatTime(12.3456, [0, 100])).toBe('12.3');
+    expect(formatTime(0.00012, [0, 0.001])).toBe('0.000120');
+  });
+
+  it('knows no negative zero', () => {
+    expect(formatTime(-1e-9)).toBe('0.000');
+  });
+});
