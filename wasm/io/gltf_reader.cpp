@@ -82,11 +82,14 @@ struct KeyReader {
     return {};
   }
 
-  // The morph frames that a project file says are its keys.
+  // The frames that a project file says are its keys.
   Status takeProject(const Project& project) {
     if (Status size = checkSize(project.keys.size()); !size) return size;
-    for (const ProjectKey& key : project.keys)
-      if (Status added = addKey(key.name, key.time, morphState(key.frame - 1)); !added) return added;
+    for (const ProjectKey& key : project.keys) {
+      SceneState state = key.frame >= 0 ? morphState(key.frame - 1) : restState(doc, shape);
+      if (key.frame < 0) applyAnimation(animations[0], key.seconds, state);
+      if (Status added = addKey(key.name, key.time, state); !added) return added;
+    }
     out.project = doc.project;
     return {};
   }
@@ -187,7 +190,7 @@ struct KeyReader {
 
   Status takeKeys() {
     if (!doc.project.empty() && !animationAsked()) {
-      auto project = parseProject(doc.project, morphTargets());
+      auto project = parseProject(doc.project, morphTargets(), !animations.empty());
       if (project) return takeProject(*project);
       out.warnings.push_back({"project-ignored", doc.where + ": " + project.error().message, 0});
     }

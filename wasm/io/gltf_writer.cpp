@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "io/export.h"
 #include "io/byte_text.h"
+#include "io/tangents.h"
 
 namespace shapespline {
 
@@ -186,6 +187,15 @@ struct MeshWriter {
     return glb.addArray(indices, "SCALAR", 1, kUnsignedInt, kElementArrayBuffer);
   }
 
+  // A normal map without tangents would look different in every viewer. They do not turn with the morph targets, for
+  // which few viewers have a place.
+  void addTangents(json& attributes, std::span<const float> positions, std::span<const float> normals) {
+    const auto& m = scene.materials;
+    const bool wanted = std::any_of(m.begin(), m.end(), [](const Material& one) { return one.normalImage >= 0; });
+    if (!wanted || normals.empty() || scene.uvs.size() != 2 * vertices) return;
+    attributes["TANGENT"] = glb.addArray(tangentsOf(positions, normals, scene.uvs, faces), "VEC4", 4, kFloat, kArrayBuffer);
+  }
+
   // A primitive for every material group, all on the same vertices.
   json primitives(json attributes, const json& targets) {
     if (scene.uvs.size() == 2 * vertices) attributes["TEXCOORD_0"] = glb.addArray(scene.uvs, "VEC2", 2, kFloat, kArrayBuffer);
@@ -352,6 +362,7 @@ struct AnimationWriter {
     }
     LookWriter{glb, *source.scene, {}}.write();
     MeshWriter mesh{glb, *source.faces, *source.scene, vertices};
+    mesh.addTangents(attributes, positions.base, normals.base);
     json out = {{"primitives", mesh.primitives(std::move(attributes), targets)}};
     if (!targets.empty()) out["weights"] = std::vector<int>(targets.size(), 0);
     glb.doc["meshes"].push_back(std::move(out));
@@ -388,6 +399,8 @@ std::uint64_t animatedGlbSize(int vertices, int faces, int frames, const Scene& 
   std::uint64_t size = n * 24 * f + std::uint64_t(faces) * (vertices <= 0xffff ? 6 : 12) + f * 500 + 2000;
   size += f <= kMostDenseFrames ? dense : sparse;
   size += 4 * (scene.uvs.size() + scene.colors.size());
+  const auto mapped = [](const Material& m) { return m.normalImage >= 0; };
+  if (std::any_of(scene.materials.begin(), scene.materials.end(), mapped)) size += 16 * n;  // tangents
   for (const Image& image : scene.images) size += image.bytes.size();
   return size;
 }

@@ -1,11 +1,15 @@
 #include "io/import.h"
 
-#include <algorithm>
+#include <cmath>
+#include <new>
+#include <optional>
+#include <stdexcept>
 
 #include "core/text.h"
 #include "io/byte_text.h"
 #include "io/file_kind.h"
 #include "io/gltf_reader.h"
+#include "io/polygon_readers.h"
 
 namespace shapespline {
 
@@ -33,10 +37,10 @@ Result<std::vector<MeshFile>> meshFiles(std::span<const NamedBytes> files) {
   for (const NamedBytes& file : files) {
     if (isCompanion(file.name)) continue;
     const int key = static_cast<int>(meshes.size());
-    const auto kind = fileKind(file, std::string(baseName(file.name)));
+    const auto kind = fileKind(file, placeName(file, key, files.size()));
     if (!kind) {
       Error error = kind.error();
-      error.key = key;
+      if (files.size() > 1) error.key = key;
       return error;
     }
     meshes.push_back({&file, *kind});
@@ -44,9 +48,39 @@ Result<std::vector<MeshFile>> meshFiles(std::span<const NamedBytes> files) {
   return meshes;
 }
 
-Result<PoseFile> readPose(const MeshFile& mesh, std::span<const NamedBytes> files, const std::string& where) {
-  return readGltfPose(*mesh.file, files, where);
+Result<PolygonMesh> readPolygons(const MeshFile& mesh, std::span<const NamedBytes> files, const std::string& where) {
+  if (mesh.kind == FileKind::Obj) return readObj(*mesh.file, files, where);
+  return mesh.kind == FileKind::Ply ? readPly(*mesh.file, where) : readOff(*mesh.file, where);
 }
+
+// Y up, metres.
+void orient(Positions& positions, bool zUp, double scale) {
+  for (Vec3& p : positions) p = scale * (zUp ? Vec3(p.x(), p.z(), -p.y()) : p);
+}
+
+// Reads one pose after the other; polygons are cut as in the first one that has any.
+struct PoseReader {
+  std::span<const NamedBytes> files;
+  const ImportOptions& options;
+  std::optional<PolygonCuts> cuts;
+
+  Result<PoseFile> read(const MeshFile& mesh, const std::string& where) {
+    if (mesh.kind == FileKind::Gltf) return readGltfPose(*mesh.file, files, where);
+    auto polygons = readPolygons(mesh, files, where);
+    if (!polygons) return polygons.error();
+    orient(polygons->positions, options.zUp, options.unit);
+    orient(polygons->normals, options.zUp, 1);
+    if (!cuts) cuts = cutPolygons(*polygons);
+    PoseFile pose;
+    pose.faces = trianglesOf(*polygons, *cuts);
+    polygons->scene.groups = triangleGroups(*polygons);
+    pose.positions = std::move(polygons->positions);
+    pose.normals = std::move(polygons->normals);
+    pose.scene = std::move(polygons->scene);
+    pose.warnings = std::move(polygons->warnings);
+    return pose;
+  }
+};
 
 // Keys are compared and added one by one, so that only one file's scene is held beside the positions.
 Status addPose(PoseFile&& pose, const MeshFile& mesh, Import& out, const std::string& where) {
@@ -68,12 +102,13 @@ Status addPose(PoseFile&& pose, const MeshFile& mesh, Import& out, const std::st
   return {};
 }
 
-Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files) {
+Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files, const ImportOptions& options) {
   Import out;
+  PoseReader reader{files, options, {}};
   for (std::size_t j = 0; j < meshes.size(); ++j) {
     const int key = static_cast<int>(j);
     const std::string where = placeName(*meshes[j].file, key, meshes.size());
-    auto pose = readPose(meshes[j], files, where);
+    auto pose = reader.read(meshes[j], where);
     Status added = pose ? addPose(std::move(*pose), meshes[j], out, where) : Status(pose.error());
     if (added) continue;
     Error error = added.error();
@@ -85,11 +120,20 @@ Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const 
   return out;
 }
 
+// A lone OBJ, PLY or OFF cannot be enough, but what is wrong in it comes first.
+Error onePoseOnly(const MeshFile& mesh, std::span<const NamedBytes> files, const ImportOptions& options) {
+  const std::string where = placeName(*mesh.file, 0, 1);
+  const auto pose = PoseReader{files, options, {}}.read(mesh, where);
+  if (!pose) return pose.error();
+  return {ErrorCode::TooFewKeys, where + " holds one pose only. Add a file for every other key."};
+}
+
 Result<Import> readKeys(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files, const ImportOptions& options) {
   if (meshes.empty())
     return Error{ErrorCode::TooFewKeys, files.empty() ? "No files were given. Give at least two poses of one mesh."
                                                       : "None of the files holds a mesh. Give glTF, OBJ, PLY or OFF files."};
-  if (meshes.size() > 1) return importPoses(meshes, files);
+  if (meshes.size() > 1) return importPoses(meshes, files, options);
+  if (meshes[0].kind != FileKind::Gltf) return onePoseOnly(meshes[0], files, options);
   return readGltfKeys(*meshes[0].file, files, options, placeName(*meshes[0].file, 0, 1));
 }
 
@@ -101,6 +145,8 @@ Status setTimes(Keyframes& keyframes, const std::vector<double>& times) {
 }
 
 Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOptions& options) {
+  if (!(options.unit > 0) || !std::isfinite(options.unit))
+    return Error{ErrorCode::InvalidOption, "The unit must be a positive number of metres."};
   const auto meshes = meshFiles(files);
   if (!meshes) return meshes.error();
   auto keys = readKeys(*meshes, files, options);

@@ -43,11 +43,14 @@ struct Import {
   std::vector<AnimationInfo> animations;
   int animation = -1;              ///< which one the keys were taken from
   std::vector<Warning> warnings;
-  std::string project;             ///< JSON of extras.shapespline, or empty
+  /// JSON of extras.shapespline where the keys were taken from a saved project, else empty.
+  std::string project;
 };
 
 /// Reads keys from files: several files with one pose each (keys in the order given), or one with morph targets or an
-/// animation. Errors: every ErrorCode of reading and of keys that do not fit; the message names file, key and place.
+/// animation. Buffers and images that a file names are looked up among the files. What a saved project holds
+/// (export.h) becomes its keys again, unless an animation or samples are asked for.
+/// Errors: every ErrorCode of reading and of keys that do not fit; the message names file, key and place.
 Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options);
 
 }  // namespace shapespline

@@ -1,0 +1,40 @@
+// A mesh of polygons, as OBJ, PLY and OFF hold it, and its triangles.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/sequence.h"
+#include "core/status.h"
+#include "core/types.h"
+#include "io/scene.h"
+
+namespace shapespline {
+
+/// One pose as it stands in a file.
+struct PolygonMesh {
+  Positions positions;
+  Positions normals;            ///< n unit vectors, or empty
+  std::vector<int> corners;     ///< vertex of every corner of every polygon, in range
+  std::vector<int> ends;        ///< of each polygon: one past its last corner; at least 3 corners each
+  Scene scene;                  ///< its groups count polygons
+  std::vector<Warning> warnings;
+
+  int polygonCount() const { return static_cast<int>(ends.size()); }
+  int firstCorner(int polygon) const { return polygon == 0 ? 0 : ends[polygon - 1]; }
+};
+
+/// How every polygon is cut: triangles of corner numbers counted within the polygon, polygon after polygon.
+using PolygonCuts = std::vector<Triangle>;
+
+/// Chooses the cuts from one pose: the diagonal of a quad that lies inside and is shorter, ears of larger polygons.
+PolygonCuts cutPolygons(const PolygonMesh& mesh);
+
+/// The triangles of a mesh under given cuts, so that every key is split the same way. Where the polygons have other
+/// sizes than those that were cut, each is split as a fan: the keys do not fit together then, and comparing them says so.
+std::vector<Triangle> trianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts);
+
+/// Groups of triangles from groups of polygons.
+std::vector<MaterialGroup> triangleGroups(const PolygonMesh& mesh);
+
+}  // namespace shapespline

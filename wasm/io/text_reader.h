@@ -1,0 +1,39 @@
+// Lines, words and numbers of text files, without streams or locale.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace shapespline {
+
+/// A text, taken from the front line by line. Ends of line may be LF, CRLF or CR.
+class LineReader {
+ public:
+  explicit LineReader(std::span<const std::uint8_t> bytes)
+      : rest_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {}
+
+  /// The next line without its end; false at the end of the text.
+  bool next(std::string_view& line);
+
+  std::int64_t lineNumber() const { return number_; }  ///< of the last line, from 1
+  std::string_view rest() const { return rest_; }      ///< behind the last line
+
+ private:
+  std::string_view rest_;
+  std::int64_t number_ = 0;
+};
+
+/// Takes the next word (anything between blanks) off the front of `text`; empty where there is none.
+std::string_view takeWord(std::string_view& text);
+
+/// Takes a decimal number; false, with `text` unchanged, where the next word is none. Accepts nan and inf.
+bool takeNumber(std::string_view& text, double& value);
+
+/// Takes a whole number at the very front of `text`, up to the first byte that is no digit.
+bool takeInteger(std::string_view& text, std::int64_t& value);
+
+/// Whether a whole word is one number, and which.
+bool parseNumber(std::string_view word, double& value);
+
+}  // namespace shapespline
