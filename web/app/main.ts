@@ -1,8 +1,10 @@
 /** The page's entrance. */
+import { registerServiceWorker } from '../offline/register.ts';
 import { startApp } from './app.ts';
 
 const root = document.getElementById('app');
 if (root) start(root);
+registerServiceWorker();
 
 function start(element: HTMLElement): void {
   try {

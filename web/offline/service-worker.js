@@ -1,0 +1,42 @@
+// Keeps the files of one build. FILES and BUILD are put in front of this text by the build.
+/* global FILES, BUILD */
+const CACHE = `shapespline-${BUILD}`;
+
+self.addEventListener('install', (event) => {
+  event.waitUntil(fill().then(() => self.skipWaiting()));
+});
+
+self.addEventListener('activate', (event) => {
+  event.waitUntil(dropOthers().then(() => self.clients.claim()));
+});
+
+self.addEventListener('fetch', (event) => {
+  const url = new URL(event.request.url);
+  if (event.request.method !== 'GET' || url.origin !== self.location.origin || !url.href.startsWith(self.registration.scope)) return;
+  event.respondWith(answer(event.request, url));
+});
+
+async function fill() {
+  const cache = await caches.open(CACHE);
+  await cache.addAll(FILES.map((file) => new Request(file, { cache: 'no-cache' })));
+}
+
+// Only this page's caches: other pages of the same host may have their own.
+async function dropOthers() {
+  const names = await caches.keys();
+  await Promise.all(names.filter((name) => name.startsWith('shapespline-') && name !== CACHE).map((name) => caches.delete(name)));
+}
+
+// Files with a hash in their name never change; the others are asked for first, so that a new build is seen at once.
+async function answer(request, url) {
+  const cache = await caches.open(CACHE);
+  const kept = await cache.match(request, { ignoreSearch: true });
+  if (kept && /\/assets\//.test(url.pathname)) return kept;
+  try {
+    return await fetch(request);
+  } catch (error) {
+    const page = request.mode === 'navigate' ? await cache.match('./') : undefined;
+    if (kept ?? page) return kept ?? page;
+    throw error;
+  }
+}
