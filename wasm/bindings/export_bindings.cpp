@@ -23,7 +23,7 @@ Result<Bytes> writePose(const std::string& format, std::span<const float> positi
 
 }  // namespace
 
-/// {faces, scene, vertices, seconds, project} -> {handle, bytes}; asks the host for one frame after the other.
+/// {faces, scene, vertices, seconds, stills, project} -> {handle, bytes}; asks the host for one frame after the other.
 ENTRY const char* shapespline_write_animation(const char* request) {
   return answer([&]() -> Result<Json> {
     const Json json = Json::parse(request);
@@ -34,6 +34,7 @@ ENTRY const char* shapespline_write_animation(const char* request) {
     source.faces = &faces;
     source.scene = &scene;
     source.seconds = json.at("seconds").get<std::vector<double>>();
+    source.stills = json.at("stills");
     source.project = json.at("project");
     source.frame = [&](int frame, std::vector<float>& positions, std::vector<float>& normals) -> Status {
       positions.resize(floats);

@@ -30,11 +30,10 @@ Json describe(const ImportObject& object) {
     times.push_back(key.time);
   }
   const auto& faces = import.keyframes.faces;
-  const auto& normals = object.normals;
   return {{"names", names},
           {"times", times},
           {"faces", range(faces.data()->data(), 3 * faces.size())},
-          {"normals", normals.empty() ? Json() : range(normals.data(), normals.size())},
+          {"normals", rangeOrNull(object.normals)},
           {"scene", bindings::toJson(import.scene)},
           {"report", toJson(reportOf(import.keyframes))},
           {"warnings", bindings::toJson(import.warnings)},

@@ -30,6 +30,15 @@ constexpr std::pair<const char*, Material::Alpha> alphas[] = {{"OPAQUE", Materia
                                                               {"MASK", Material::Alpha::Mask},
                                                               {"BLEND", Material::Alpha::Blend}};
 
+constexpr std::pair<const char*, Material::Wrap> wraps[] = {{"repeat", Material::Wrap::Repeat},
+                                                            {"clamp", Material::Wrap::Clamp},
+                                                            {"mirror", Material::Wrap::Mirror}};
+constexpr std::pair<const char*, int Material::*> images[] = {{"baseColorImage", &Material::baseColorImage},
+                                                              {"metallicRoughnessImage", &Material::metallicRoughnessImage},
+                                                              {"normalImage", &Material::normalImage},
+                                                              {"occlusionImage", &Material::occlusionImage},
+                                                              {"emissiveImage", &Material::emissiveImage}};
+
 template <class T, std::size_t count>
 const char* nameOf(T value, const std::pair<const char*, T> (&names)[count]) {
   for (const auto& [name, candidate] : names) {
@@ -52,19 +61,32 @@ Material materialFrom(const Json& json) {
   material.doubleSided = json.at("doubleSided");
   material.alpha = named(json.at("alphaMode"), alphas);
   material.alphaCutoff = json.at("alphaCutoff");
-  material.baseColorImage = json.at("baseColorImage");
+  material.unlit = json.at("unlit");
+  material.emissive = json.at("emissive");
+  material.normalScale = json.at("normalScale");
+  material.occlusionStrength = json.at("occlusionStrength");
+  for (const auto& [name, image] : images) material.*image = json.at(name);
+  material.wrapS = named(json.at("wrapS"), wraps);
+  material.wrapT = named(json.at("wrapT"), wraps);
   return material;
 }
 
 Json toJson(const Material& material) {
-  return {{"name", material.name},
-          {"baseColor", material.baseColor},
-          {"metallic", material.metallic},
-          {"roughness", material.roughness},
-          {"doubleSided", material.doubleSided},
-          {"alphaMode", nameOf(material.alpha, alphas)},
-          {"alphaCutoff", material.alphaCutoff},
-          {"baseColorImage", material.baseColorImage}};
+  Json json = {{"name", material.name},
+               {"baseColor", material.baseColor},
+               {"metallic", material.metallic},
+               {"roughness", material.roughness},
+               {"doubleSided", material.doubleSided},
+               {"alphaMode", nameOf(material.alpha, alphas)},
+               {"alphaCutoff", material.alphaCutoff},
+               {"unlit", material.unlit},
+               {"emissive", material.emissive},
+               {"normalScale", material.normalScale},
+               {"occlusionStrength", material.occlusionStrength},
+               {"wrapS", nameOf(material.wrapS, wraps)},
+               {"wrapT", nameOf(material.wrapT, wraps)}};
+  for (const auto& [name, image] : images) json[name] = material.*image;
+  return json;
 }
 
 }  // namespace
@@ -145,8 +167,9 @@ ImportOptions importOptionsFrom(const Json& json) {
 
 Scene sceneFrom(const Json& json) {
   Scene scene;
-  const auto uvs = elements<float>(json.at("uvs"));
+  const auto uvs = elements<float>(json.at("uvs")), colors = elements<float>(json.at("colors"));
   scene.uvs.assign(uvs.begin(), uvs.end());
+  scene.colors.assign(colors.begin(), colors.end());
   for (const Json& group : json.at("groups")) {
     scene.groups.push_back({group.at("start"), group.at("count"), group.at("material")});
   }
@@ -196,8 +219,11 @@ Json toJson(const Scene& scene) {
   for (const Image& image : scene.images) {
     images.push_back({{"mimeType", image.mimeType}, {"bytes", range(image.bytes.data(), image.bytes.size())}});
   }
-  Json uvs = scene.uvs.empty() ? Json() : range(scene.uvs.data(), scene.uvs.size());
-  return {{"uvs", uvs}, {"groups", groups}, {"materials", materials}, {"images", images}};
+  return {{"uvs", rangeOrNull(scene.uvs)},
+          {"colors", rangeOrNull(scene.colors)},
+          {"groups", groups},
+          {"materials", materials},
+          {"images", images}};
 }
 
 }  // namespace shapespline::bindings

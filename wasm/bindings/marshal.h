@@ -22,6 +22,10 @@ Json range(const T* data, std::size_t length) {
   return {{"address", reinterpret_cast<std::uintptr_t>(data)}, {"length", length}};
 }
 
+inline Json rangeOrNull(const std::vector<float>& numbers) {
+  return numbers.empty() ? Json() : range(numbers.data(), numbers.size());
+}
+
 /// The range that JSON names, as elements of type T; empty for null.
 template <class T>
 std::span<const T> elements(const Json& json) {

@@ -39,6 +39,8 @@ export interface Sequence {
   readonly warnings: readonly Warning[];
   /** Latest wins: a request that a newer one overtakes resolves to null. */
   evaluate(t: number): Promise<Frame | null>;
+  /** A frame for later: it yields to evaluate and is never overtaken. FramePlayer uses it. */
+  evaluateAhead(t: number): Promise<Frame>;
   /** Every one of them, in order; used by exports and measures. */
   evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]>;
   /** Refits without encoding or factorising. */

@@ -1,7 +1,7 @@
 /** The core as TypeScript sees it: typed calls into the bindings, arrays copied in and out. Runs inside a worker. */
 import { EngineError } from './errors.ts';
 import { Loan, readBytes, readFloats, readInts, readText, writeFloats, type Range } from './heap.ts';
-import type { FrameBuffers, FrameData, ImportedData, KeyData, MotionSpec, SceneData } from './protocol.ts';
+import type { FrameBuffers, FrameData, ImportedData, KeyData, MotionSpec, RequestOf, SceneData } from './protocol.ts';
 import type {
   AnimationInfo, EncodingOptions, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, SequenceStats, ShapePlane,
   Warning,
@@ -21,6 +21,7 @@ interface Failure {
 
 interface SceneAnswer {
   uvs: Range | null;
+  colors: Range | null;
   groups: MaterialGroup[];
   materials: Material[];
   images: { mimeType: string; bytes: Range }[];
@@ -157,8 +158,8 @@ export class Core {
     return { ...this.answer<SequenceStats>(this.module._shapespline_stats(handle)), heapBytes: this.heapBytes };
   }
 
-  /** One GLB that plays `frames` at `seconds`. */
-  writeAnimation(faces: Uint32Array, scene: SceneData, frames: FrameBuffers[], seconds: number[], project: string): Uint8Array {
+  /** One GLB that plays `frames` at their seconds; the last `stills` of them are in the file but never shown. */
+  writeAnimation(frames: FrameBuffers[], { faces, scene, seconds, stills, project }: RequestOf<'writeAnimation'>): Uint8Array {
     this.module.takeFrame = (index, positions, normals) => {
       const frame = frames[index];
       if (!frame) return false;
@@ -168,19 +169,19 @@ export class Core {
     };
     return this.lend((loan) => {
       const vertices = (frames[0]?.positions.length ?? 0) / 3;
-      const request = { faces: loan.put(faces), scene: lendScene(loan, scene), vertices, seconds, project };
+      const request = { faces: loan.put(faces), scene: lendScene(loan, scene), vertices, seconds, stills, project };
       return this.takeBytes(this.module._shapespline_write_animation(loan.putText(JSON.stringify(request))));
     });
   }
 
-  animationSize(vertices: number, faces: number, frames: number, scene: SceneData): number {
+  animationSize({ vertices, faces, frames, scene }: RequestOf<'glbSize'>): number {
     return this.lend((loan) => {
       const request = { vertices, faces, frames, scene: lendScene(loan, scene) };
       return this.answer<{ bytes: number }>(this.module._shapespline_animation_size(loan.putText(JSON.stringify(request)))).bytes;
     });
   }
 
-  writePose(format: 'glb' | 'obj' | 'ply', faces: Uint32Array, scene: SceneData, pose: FrameBuffers): Uint8Array {
+  writePose({ format, faces, scene, pose }: RequestOf<'writePose'>): Uint8Array {
     return this.lend((loan) => {
       const request = {
         format,
@@ -203,7 +204,7 @@ export class Core {
       const range = this.answer<{ positions: Range }>(module._shapespline_import_positions(answer.handle, key)).positions;
       return readFloats(module, range);
     });
-    const { uvs, groups, materials, images } = answer.scene;
+    const { uvs, colors, groups, materials, images } = answer.scene;
     return {
       keys: {
         names: answer.names,
@@ -214,6 +215,7 @@ export class Core {
       },
       scene: {
         uvs: uvs && readFloats(module, uvs),
+        colors: colors && readFloats(module, colors),
         groups,
         materials,
         images: images.map(({ mimeType, bytes }) => ({ mimeType, bytes: readBytes(module, bytes) })),
@@ -260,6 +262,7 @@ function lendScene(loan: Loan, scene: SceneData): object {
   return {
     ...scene,
     uvs: loan.putOrNull(scene.uvs),
+    colors: loan.putOrNull(scene.colors),
     images: scene.images.map(({ mimeType, bytes }) => ({ mimeType, bytes: loan.put(bytes) })),
   };
 }

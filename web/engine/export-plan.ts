@@ -13,15 +13,15 @@ export interface Frames {
   times: number[];
   /** For each time its place on the exported animation's time line, in float32; the first is 0. */
   seconds: number[];
-  /** Indices of the keys that are among the times. */
-  keys: number[];
+  /** Times of keys outside the range: they come along unseen, so that the file holds the whole project. */
+  stills: number[];
 }
 
 /** `range`: what is exported unless the options say otherwise. */
 export function framesOf(options: ExportOptions, keyTimes: readonly number[], range: readonly [number, number]): Frames {
-  if (options.pose !== null) return { times: [options.pose], seconds: [0], keys: [] };
+  if (options.pose !== null) return { times: [options.pose], seconds: [0], stills: [] };
   const asked = options.times ?? evenly(options.range ?? range, options.frames);
-  if (options.format !== 'glb' || asked.length === 1) return { times: asked, seconds: asked.map(() => 0), keys: [] };
+  if (options.format !== 'glb' || asked.length === 1) return { times: asked, seconds: asked.map(() => 0), stills: [] };
   const times = withKeys([...asked].sort((a, b) => a - b), keyTimes);
   return onTimeLine(times, keyTimes, options.duration);
 }
@@ -49,11 +49,11 @@ function onTimeLine(times: number[], keyTimes: readonly number[], duration: numb
   if (seconds.some((s, i) => i > 0 && !(s > seconds[i - 1]!) )) {
     throw invalidOption('Some frames are closer together than the file can tell apart: take fewer frames or a longer duration.');
   }
-  return { times, seconds, keys: [...keyTimes.keys()].filter((key) => times.includes(keyTimes[key]!)) };
+  return { times, seconds, stills: keyTimes.filter((t) => !times.includes(t)) };
 }
 
 export function exportWarnings(options: ExportOptions, frames: Frames): Warning[] {
-  const targets = frames.times.length - 1;
+  const targets = frames.times.length + frames.stills.length - 1;
   if (options.format !== 'glb' || targets <= SAFE_TARGETS) return [];
   const message = `The animation has ${targets} morph targets; some players take no more than ${SAFE_TARGETS}. `
     + 'Fewer frames make it safe.';

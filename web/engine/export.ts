@@ -22,11 +22,11 @@ export interface ExportSource {
   glbSize(vertices: number, faces: number, frames: number, scene: SceneData): Promise<number>;
 }
 
-const NO_SCENE: SceneData = { uvs: null, groups: [], materials: [], images: [] };
+const NO_SCENE: SceneData = { uvs: null, colors: null, groups: [], materials: [], images: [] };
 
 export async function planExport(source: ExportSource, options: ExportOptions): Promise<ExportPlan> {
   const frames = framesOf(options, source.keyTimes, source.range);
-  const bytes = await estimate(source, options, frames.times.length);
+  const bytes = await estimate(source, options, frames.times.length + frames.stills.length);
   return { times: frames.times, bytes, warnings: exportWarnings(options, frames) };
 }
 
@@ -56,19 +56,20 @@ interface Job {
 }
 
 function report({ call, frames }: Job, done: number): void {
-  call.onProgress?.({ stage: 'evaluating', fraction: (0.95 * done) / frames.times.length });
+  call.onProgress?.({ stage: 'evaluating', fraction: (0.95 * done) / (frames.times.length + frames.stills.length) });
 }
 
 async function writeAnimation(job: Job): Promise<ExportedFile[]> {
-  const { source, frames, writer, call: { signal } } = job;
-  for (const [index, t] of frames.times.entries()) {
+  const { source, frames: { times, seconds, stills }, writer, call: { signal } } = job;
+  for (const [index, t] of [...times, ...stills].entries()) {
     const { positions, normals } = await untilAborted(signal, source.frame(t));
     const transfer = [positions.buffer, normals.buffer] as ArrayBuffer[];
     await writer.call('addFrame', { positions, normals }, { transfer });
     report(job, index + 1);
   }
   const { keys: { faces }, scene } = source;
-  const bytes = await writer.call('writeAnimation', { faces, scene, seconds: frames.seconds, project: projectOf(source, frames) });
+  const project = projectOf(source, job.frames);
+  const bytes = await writer.call('writeAnimation', { faces, scene, seconds, stills: stills.length, project });
   return [{ name: 'shapespline.glb', bytes }];
 }
 
@@ -87,19 +88,10 @@ async function writePoses(job: Job): Promise<ExportedFile[]> {
   return files;
 }
 
-/** The keys among the frames, and the options; those that count keys only where every key is there. */
-function projectOf(source: ExportSource, { times, seconds, keys }: Frames): string {
-  const { turns, tension, reference, ...rest } = source.options;
-  const all = keys.length === source.keyTimes.length;
-  const place = (key: number): number => times.indexOf(source.keyTimes[key]!);
-  return writeProject({
-    keys: {
-      times: keys.map((key) => source.keyTimes[key]!),
-      names: keys.map((key) => source.keys.names[key]!),
-      seconds: keys.map((key) => seconds[place(key)]!),
-    },
-    options: all ? { ...rest, turns, tension, reference } : rest,
-  });
+/** Every key is one of the frames, shown or not. */
+function projectOf({ keys, keyTimes, options }: ExportSource, { times, stills }: Frames): string {
+  const all = [...times, ...stills];
+  return writeProject({ names: keys.names, times: keyTimes, frames: keyTimes.map((t) => all.indexOf(t)) }, options);
 }
 
 async function estimate(source: ExportSource, { format }: ExportOptions, frames: number): Promise<number> {

@@ -2,4 +2,6 @@
 export type { CallOptions, Engine, Keys, Sequence } from './api.ts';
 export { createEngine, type EngineUrls } from './client.ts';
 export { EngineError } from './errors.ts';
+export { FramePlayer, type PlayerOptions } from './frame-player.ts';
+export { readPose } from './pose.ts';
 export * from './types.ts';

@@ -1,70 +1,42 @@
 /**
  * A project: what an exported GLB holds in `extras.shapespline` besides its frames, so that it opens again with the same
- * keys, times and options. The text comes from a file and is trusted in nothing.
+ * keys, times and options. The core finds the keys in it (wasm/io/project.h), the options are read here. The text comes from
+ * a file and is trusted in nothing.
  */
 import { checkSequenceOptions } from './options.ts';
 import type { SequenceOptions } from './types.ts';
 
 const VERSION = 1;
 
-export interface Project {
-  keys: {
-    /** In the user's unit of time. */
-    times: number[];
-    names: string[];
-    /** On the exported animation's own time line, in the float32 that the file holds. */
-    seconds: number[];
-  };
-  options: Partial<SequenceOptions>;
+export interface ProjectKeys {
+  /** In the user's unit of time. */
+  times: readonly number[];
+  names: readonly string[];
+  /** For each key its frame: 0 is the mesh itself, k its morph target k - 1. */
+  frames: readonly number[];
 }
 
-/** Options as JSON holds them: end tangents as base64 of little-endian float32. */
-type StoredOptions = Omit<Partial<SequenceOptions>, 'startTangent' | 'endTangent'> & {
-  startTangent?: string;
-  endTangent?: string;
-};
-
-export function writeProject({ keys, options }: Project): string {
-  const { startTangent, endTangent, ...rest } = options;
-  const stored: StoredOptions = { ...rest };
-  if (startTangent) stored.startTangent = toBase64(startTangent);
-  if (endTangent) stored.endTangent = toBase64(endTangent);
-  return JSON.stringify({ version: VERSION, keys, options: stored });
+/** JSON holds end tangents as base64 of little-endian float32. */
+export function writeProject(keys: ProjectKeys, { startTangent, endTangent, ...rest }: SequenceOptions): string {
+  const options = { ...rest, startTangent: startTangent && toBase64(startTangent), endTangent: endTangent && toBase64(endTangent) };
+  return JSON.stringify({ version: VERSION, keys, options });
 }
 
-/** null where there is none, 'unreadable' where it is of another version, broken or made by hand. */
-export function readProject(text: string): Project | 'unreadable' | null {
-  if (text === '') return null;
+/** null where the text is of another version, broken, or made by hand and wrong. */
+export function readOptions(text: string): SequenceOptions | null {
   try {
-    return parse(JSON.parse(text));
+    const { version, options } = record(JSON.parse(text));
+    if (version !== VERSION) return null;
+    const { startTangent, endTangent, ...rest } = record(options);
+    return checkSequenceOptions({ ...rest, startTangent: fromBase64(startTangent), endTangent: fromBase64(endTangent) });
   } catch {
-    return 'unreadable';
+    return null;
   }
-}
-
-function parse(json: unknown): Project {
-  const { version, keys, options } = record(json);
-  if (version !== VERSION) throw new TypeError('another version');
-  const { times, names, seconds } = record(keys);
-  if (!isNumbers(times) || !isNumbers(seconds) || !isStrings(names)) throw new TypeError('keys');
-  if (times.length < 2 || times.length !== names.length || times.length !== seconds.length) throw new TypeError('keys');
-  const { startTangent, endTangent, ...rest } = record(options);
-  return {
-    keys: { times, names, seconds },
-    options: checkSequenceOptions({ ...rest, startTangent: tangent(startTangent), endTangent: tangent(endTangent) }),
-  };
 }
 
 function record(value: unknown): Record<string, unknown> {
   if (typeof value !== 'object' || value === null || Array.isArray(value)) throw new TypeError('not an object');
   return value as Record<string, unknown>;
-}
-
-const isNumbers = (value: unknown): value is number[] => Array.isArray(value) && value.every((v) => Number.isFinite(v));
-const isStrings = (value: unknown): value is string[] => Array.isArray(value) && value.every((v) => typeof v === 'string');
-
-function tangent(value: unknown): Float32Array | null {
-  return typeof value === 'string' ? fromBase64(value) : null;
 }
 
 function toBase64(numbers: Float32Array): string {
@@ -74,7 +46,8 @@ function toBase64(numbers: Float32Array): string {
   return btoa(text);
 }
 
-function fromBase64(text: string): Float32Array {
+function fromBase64(text: unknown): Float32Array | null {
+  if (typeof text !== 'string') return null;
   const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
   return new Float32Array(bytes.buffer, 0, bytes.length >> 2);
 }

@@ -23,6 +23,7 @@ export interface KeyData {
 /** What is kept of the look of the input. */
 export interface SceneData {
   uvs: Float32Array | null;
+  colors: Float32Array | null;
   groups: MaterialGroup[];
   materials: Material[];
   images: TextureImage[];
@@ -73,10 +74,10 @@ export interface Calls {
   stats: { request: object; result: SequenceStats };
   /** Bytes of an animated GLB, to a few percent; the images' own bytes are not in it. */
   glbSize: { request: { vertices: number; faces: number; frames: number; scene: SceneData }; result: number };
-  /** Takes one frame of the animation that is about to be written. */
+  /** Takes one frame of the animation that is about to be written: those that are shown, then the stills. */
   addFrame: { request: FrameBuffers; result: null };
   writeAnimation: {
-    request: { faces: Uint32Array; scene: SceneData; seconds: number[]; project: string };
+    request: { faces: Uint32Array; scene: SceneData; seconds: number[]; stills: number; project: string };
     result: Uint8Array;
   };
   writePose: {

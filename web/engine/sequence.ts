@@ -88,10 +88,10 @@ export class SequenceClient implements Sequence {
     });
   }
 
-  /** A frame that is not shown yet; it yields to evaluate and overtakes exports. */
   async evaluateAhead(t: number): Promise<Frame> {
     this.checkAlive();
-    return this.scheduler.run(urgency.ahead, () => this.frame(checkTime(t), this.motion));
+    checkTime(t);
+    return this.scheduler.run(urgency.ahead, () => this.frame(t, this.motion));
   }
 
   async evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]> {

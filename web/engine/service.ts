@@ -23,7 +23,7 @@ export class Service {
   private tail: Promise<void> = Promise.resolve();
   private sequence = 0;
   private motionVersion = -1;
-  private frames: FrameBuffers[] = [];
+  private readonly frames: FrameBuffers[] = [];
 
   constructor(host: ServiceHost) {
     this.host = host;
@@ -76,17 +76,13 @@ export class Service {
       bending: (core, { motion, times }) => core.bending(this.follow(core, motion), times),
       patches: (core) => core.patches(this.sequence),
       stats: (core) => core.stats(this.sequence),
-      glbSize: (core, { vertices, faces, frames, scene }) => core.animationSize(vertices, faces, frames, scene),
+      glbSize: (core, request) => core.animationSize(request),
       addFrame: (_, { positions, normals }) => {
         this.frames.push({ positions, normals });
         return null;
       },
-      writeAnimation: (core, { faces, scene, seconds, project }) => {
-        const frames = this.frames;
-        this.frames = [];
-        return core.writeAnimation(faces, scene, frames, seconds, project);
-      },
-      writePose: (core, { format, faces, scene, pose }) => core.writePose(format, faces, scene, pose),
+      writeAnimation: (core, request) => core.writeAnimation(this.frames.splice(0), request),
+      writePose: (core, request) => core.writePose(request),
     };
   }
 

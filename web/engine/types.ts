@@ -126,8 +126,20 @@ export interface Material {
   doubleSided: boolean;
   alphaMode: 'OPAQUE' | 'MASK' | 'BLEND';
   alphaCutoff: number;
-  /** Index into `images`, or -1. */
+  /** Drawn without light. */
+  unlit: boolean;
+  /** Linear RGB. */
+  emissive: [number, number, number];
+  normalScale: number;
+  occlusionStrength: number;
+  /** Indices into `images`, or -1; all of them are looked up with `uvs`. */
   baseColorImage: number;
+  metallicRoughnessImage: number;
+  normalImage: number;
+  occlusionImage: number;
+  emissiveImage: number;
+  wrapS: 'repeat' | 'clamp' | 'mirror';
+  wrapT: 'repeat' | 'clamp' | 'mirror';
 }
 
 export interface TextureImage {
@@ -173,8 +185,10 @@ export interface KeysInfo {
   animation: number;
   /** 3 x faces. */
   indices: Uint32Array;
-  /** 2 x vertices, or null. */
+  /** 2 x vertices, origin at the upper left, or null. */
   uvs: Float32Array | null;
+  /** 4 x vertices, linear RGBA, or null. */
+  colors: Float32Array | null;
   groups: MaterialGroup[];
   materials: Material[];
   images: TextureImage[];

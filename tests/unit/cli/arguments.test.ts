@@ -1,0 +1,63 @@
+import { describe, expect, it } from 'vitest';
+import { parseArguments, UsageError } from '../../../web/cli/arguments.ts';
+import { COMPLETE, exportOptions, HELP, importOptions, sequenceOptions } from '../../../web/cli/settings.ts';
+
+const parse = (...words: string[]) => parseArguments(words, COMPLETE);
+
+describe('the command line', () => {
+  it('takes values behind = or as the next word, negative ones too', () => {
+    const { files, values } = parse('a.glb', '--at=-0.3,1.3', '--range', '-1:2', '--output', 'out/', 'b.glb');
+    expect(files).toEqual(['a.glb', 'b.glb']);
+    expect(Object.fromEntries(values)).toEqual({ at: '-0.3,1.3', range: '-1:2', output: 'out/' });
+    expect(parse('--at', '-0.3,1.3').values.get('at')).toBe('-0.3,1.3');
+  });
+
+  it('takes anything behind -- as a file', () => {
+    expect(parse('--', '--at', '-x.glb').files).toEqual(['--at', '-x.glb']);
+  });
+
+  it.each([
+    [['--bounday', 'x']], [['-o', 'x']], [['--at']], [['--at', '--report', 'r']], [['--at=']], [['--at=1', '--at=2']], [['--in-place=1']],
+  ])('refuses %j', (words) => {
+    expect(() => parse(...words)).toThrow(UsageError);
+  });
+
+  it('explains every option that there is', () => {
+    const named = new Set([...HELP.matchAll(/--([a-z-]+)/g)].map(([, name]) => name));
+    for (const name of [...COMPLETE.options, ...COMPLETE.flags]) expect(named).toContain(name);
+  });
+});
+
+describe('the values of options', () => {
+  it('become options of the engine, keys counted from 0', () => {
+    const args = parse('--reference', '2', '--turns', '2:1,3:-2', '--boundary=hermite', '--start-speed=0', '--period', '1.5', '--in-place');
+    expect(sequenceOptions(args)).toEqual({
+      reference: 1, turns: [{ key: 1, turns: 1 }, { key: 2, turns: -2 }], boundary: 'hermite', startSpeed: 0, period: 1.5, inPlace: true,
+    });
+    expect(importOptions(parse('--key-times=0,.4,1e0', '--animation', '0', '--sample', '0,0.2'))).toEqual({
+      keyTimes: [0, 0.4, 1], animation: 0, sample: [0, 0.2],
+    });
+    expect(importOptions(parse('--animation', 'Walk', '--sample', '5'))).toEqual({ animation: 'Walk', sample: 5 });
+    expect(exportOptions(parse('--frames', '3', '--range=-0.3:1.3'), 'o.glb')).toEqual({ format: 'glb', frames: 3, range: [-0.3, 1.3] });
+    expect(exportOptions(parse('--at=-0.3,1.3'), 'out/')).toEqual({ format: 'obj', times: [-0.3, 1.3] });
+  });
+
+  it.each([
+    ['--reference=0'], ['--turns=1:1'], ['--turns=2'], ['--turns=2:1:3'], ['--period=0'], ['--start-speed=fast'], ['--start-speed=0x10'],
+    ['--stretch=both'], ['--patches=2.5'], ['--ghost-faces=500'], ['--ghost-faces=x'], ['--transfer=none'], ['--tension=1,,2'],
+  ])('of a sequence refuse %s', (word) => {
+    expect(() => sequenceOptions(parse(word))).toThrow(UsageError);
+  });
+
+  it.each([
+    [['--at=1', '--frames=3'], 'o.glb'], [['--frames=1'], 'o.glb'], [['--range=1:1'], 'o.glb'], [['--range=1'], 'o.glb'], [[], 'o.fbx'],
+    [[], 'o.obj'], [['--at=0,1'], 'o.ply'], [['--at=1,x'], 'o.glb'], [['--duration=-1'], 'o.glb'],
+  ])('of an export refuse %j to %s', (words, output) => {
+    expect(() => exportOptions(parse(...words), output)).toThrow(UsageError);
+  });
+
+  it('say that the ghost is to come, and take off', () => {
+    expect(() => sequenceOptions(parse('--ghost-faces', '500'))).toThrow(/to come/);
+    expect(sequenceOptions(parse('--ghost-faces', 'off', '--transfer', 'paper'))).toEqual({});
+  });
+});

@@ -1,0 +1,82 @@
+/** A worker that answers by hand, for tests of what the engine does with one. */
+import { EngineClient } from '../../../web/engine/engine.ts';
+import { EngineError } from '../../../web/engine/errors.ts';
+import type { FromWorker, Request, ToWorker } from '../../../web/engine/protocol.ts';
+import type { PortEvents } from '../../../web/engine/remote.ts';
+
+export class FakeWorker {
+  readonly requests: Request[] = [];
+  terminated = false;
+  private readonly events: PortEvents;
+  private readonly answer: (request: Request) => FromWorker | null;
+
+  constructor(events: PortEvents, answer: (request: Request) => FromWorker | null) {
+    this.events = events;
+    this.answer = answer;
+  }
+
+  receive(message: ToWorker): void {
+    if (message.type === 'start') return;
+    this.requests.push(message);
+    const answer = this.answer(message);
+    if (answer) queueMicrotask(() => this.say(answer));
+  }
+
+  say(message: FromWorker): void {
+    if (!this.terminated) this.events.message(message);
+  }
+
+  die(): void {
+    this.events.failure(new EngineError('crashed', 'it died'));
+  }
+
+  of<K extends Request['type']>(type: K): Extract<Request, { type: K }>[] {
+    return this.requests.filter((request): request is Extract<Request, { type: K }> => request.type === type);
+  }
+}
+
+/** Answers to everything that a test does not answer itself: three vertices, one face, keys at 0 and 1. */
+export function answerTo(request: Request): FromWorker {
+  const positions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
+  const result = (value: unknown): FromWorker => ({ type: 'result', id: request.id, value: value as never });
+  switch (request.type) {
+    case 'import':
+      return result({
+        keys: { names: ['a', 'b'], times: [0, 1], faces: Uint32Array.of(0, 1, 2), positions: [positions, positions.slice()], normals: null },
+        scene: { uvs: null, colors: null, groups: [], materials: [], images: [] },
+        report: { vertices: 3, faces: 1 },
+        warnings: [],
+        animations: [],
+        animation: -1,
+        project: null,
+      });
+    case 'create':
+    case 'update':
+      return result({ range: [0, 1], warnings: [] });
+    case 'evaluate':
+      return result({ ...(request.buffers ?? { positions, normals: positions.slice() }), ms: 0, lostDefiniteness: 0 });
+    default:
+      return result(null);
+  }
+}
+
+const EMPTY_MODULE = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
+
+/** An engine over fake workers; `answer` returns null for what the test answers itself. */
+export function fakeEngine(answer: (request: Request) => FromWorker | null = answerTo): { engine: EngineClient; workers: FakeWorker[] } {
+  const workers: FakeWorker[] = [];
+  const engine = new EngineClient({
+    module: Promise.resolve(EMPTY_MODULE),
+    spawn: (events) => {
+      const worker = new FakeWorker(events, answer);
+      workers.push(worker);
+      return { post: (message) => worker.receive(message), terminate: () => void (worker.terminated = true) };
+    },
+  });
+  return { engine, workers };
+}
+
+export const someFile = { name: 'a.glb', bytes: Uint8Array.of(1) };
+
+/** Until everything that is queued has happened. */
+export const settled = (): Promise<void> => new Promise((wake) => setTimeout(wake, 2));

@@ -1,0 +1,95 @@
+import { describe, expect, it } from 'vitest';
+import { FramePlayer } from '../../../web/engine/frame-player.ts';
+import type { Frame } from '../../../web/engine/types.ts';
+import { settled } from './fake-worker.ts';
+
+interface Asked {
+  t: number;
+  answer(): Promise<void>;
+  fail(): Promise<void>;
+}
+
+/** A sequence whose frames arrive when the test says so; counts those that are out. */
+function heldSequence(ms = 1) {
+  const asked: Asked[] = [];
+  const counts = { out: 0 };
+  const evaluateAhead = (t: number): Promise<Frame> => new Promise((resolve, reject) => {
+    const none = new Float32Array(0);
+    const frame: Frame = { t, positions: none, normals: none, ms, lostDefiniteness: 0, release: () => void --counts.out };
+    asked.push({
+      t,
+      answer: async () => {
+        ++counts.out;
+        resolve(frame);
+        await settled();
+      },
+      fail: async () => {
+        reject(new Error('gone'));
+        await settled();
+      },
+    });
+  });
+  return { sequence: { evaluateAhead }, asked, counts };
+}
+
+const settings = { timeOf: (tick: number) => tick / 10, tickSeconds: 1 / 60, ahead: 3 };
+
+describe('the frame player', () => {
+  it('asks for a bounded number of ticks ahead and hands each out when it is due', async () => {
+    const { sequence, asked, counts } = heldSequence();
+    const player = new FramePlayer(sequence, settings);
+    expect(player.take(0)).toBeNull();
+    expect(asked.map(({ t }) => t)).toEqual([0, 0.1, 0.2]);
+    for (const one of asked.slice()) await one.answer();
+    expect(asked).toHaveLength(3);
+    for (const tick of [0, 1, 2]) {
+      const frame = player.take(tick);
+      expect(frame?.t).toBe(tick / 10);
+      frame?.release();
+    }
+    expect(asked.map(({ t }) => t)).toEqual([0, 0.1, 0.2, 0.3, 0.4, 0.5]);
+    expect(counts.out).toBe(0);
+  });
+
+  it('skips what came too late and gives it back', async () => {
+    const { sequence, asked, counts } = heldSequence();
+    const player = new FramePlayer(sequence, settings);
+    player.take(0);
+    for (const one of asked.slice()) await one.answer();
+    expect(player.take(7)?.t).toBe(0.2);
+    expect(counts.out).toBe(1);
+    expect(asked.at(-1)?.t).toBeGreaterThan(0.7);
+  });
+
+  it('asks for ticks further apart where frames cost more than a tick', async () => {
+    const { sequence, asked } = heldSequence(40);  // 2.4 ticks
+    const player = new FramePlayer(sequence, settings);
+    player.take(0);
+    for (const one of asked.slice()) await one.answer();
+    player.take(4);
+    expect(asked.slice(3).map(({ t }) => Math.round(10 * t))).toEqual([7, 10, 13]);
+  });
+
+  it('gives everything back when it stops, also what arrives later', async () => {
+    const { sequence, asked, counts } = heldSequence();
+    const player = new FramePlayer(sequence, settings);
+    player.take(0);
+    await asked[0]?.answer();
+    player.stop();
+    await asked[1]?.answer();
+    expect(counts.out).toBe(0);
+    expect(player.take(1)).toBeNull();
+    expect(asked).toHaveLength(3);
+  });
+
+  it('says an error once and stops', async () => {
+    const { sequence, asked } = heldSequence();
+    const errors: unknown[] = [];
+    const player = new FramePlayer(sequence, { ...settings, onError: (error) => errors.push(error) });
+    player.take(0);
+    for (const one of asked.slice()) await one.fail();
+    expect(errors).toHaveLength(1);
+    player.take(1);
+    expect(asked).toHaveLength(3);
+  });
+});

@@ -1,0 +1,28 @@
+import { describe, expect, it } from 'vitest';
+import { readOptions, writeProject } from '../../../web/engine/project.ts';
+import { SEQUENCE_DEFAULTS, type SequenceOptions } from '../../../web/engine/types.ts';
+
+const keys = { times: [0, 1], names: ['a', 'b'], frames: [0, 9] };
+
+describe('a project', () => {
+  it('gives its options back, tangent shapes bit for bit', () => {
+    const tangent = Float32Array.from({ length: 3000 }, (_, i) => Math.sin(i) / 3);
+    const options: SequenceOptions = {
+      ...SEQUENCE_DEFAULTS, boundary: 'hermite', startSpeed: 0.25, period: 1.5, turns: [{ key: 1, turns: -2 }], endTangent: tangent,
+    };
+    const read = readOptions(writeProject(keys, options));
+    expect(read).toEqual(options);
+  });
+
+  it('names its keys as the reader expects them', () => {
+    expect(JSON.parse(writeProject(keys, SEQUENCE_DEFAULTS))).toMatchObject({ version: 1, keys });
+  });
+
+  it.each([
+    '', '{', 'null', '[]', '{"version":2,"options":{}}', '{"version":1}', '{"version":1,"options":[]}',
+    '{"version":1,"options":{"boundary":"none"}}', '{"version":1,"options":{"__proto__x":1}}',
+    '{"version":1,"options":{"startTangent":"???"}}',
+  ])('that is broken gives no options: %s', (text) => {
+    expect(readOptions(text)).toBeNull();
+  });
+});

@@ -1,0 +1,44 @@
+import { describe, expect, it } from 'vitest';
+import { Scheduler, urgency, type Task } from '../../../web/engine/scheduler.ts';
+
+describe('the scheduler', () => {
+  it('runs one task at a time, the most urgent first and equals in order', async () => {
+    const scheduler = new Scheduler();
+    const begun: string[] = [];
+    let running = 0;
+    const task = (name: string) => async () => {
+      begun.push(name);
+      expect(++running).toBe(1);
+      await new Promise((wake) => setTimeout(wake, 1));
+      --running;
+    };
+    await Promise.all([
+      scheduler.run(urgency.batch, task('first')),
+      scheduler.run(urgency.batch, task('batch 1')),
+      scheduler.run(urgency.batch, task('batch 2')),
+      scheduler.run(urgency.ahead, task('ahead')),
+      scheduler.run(urgency.shown, task('shown 1')),
+      scheduler.run(urgency.shown, task('shown 2')),
+    ]);
+    expect(begun).toEqual(['first', 'shown 1', 'shown 2', 'ahead', 'batch 1', 'batch 2']);
+  });
+
+  it('goes on after a task that failed', async () => {
+    const scheduler = new Scheduler();
+    await expect(scheduler.run(urgency.shown, () => Promise.reject(new Error('no')))).rejects.toThrow('no');
+    await expect(scheduler.run(urgency.shown, () => Promise.resolve(7))).resolves.toBe(7);
+  });
+
+  it('withdraws what has not begun', async () => {
+    const scheduler = new Scheduler();
+    let started = 0;
+    const task = (): Task => ({ urgency: urgency.shown, start: async () => void ++started });
+    const [first, second] = [task(), task()];
+    scheduler.add(first);
+    scheduler.add(second);
+    expect(scheduler.withdraw(first)).toBe(false);
+    expect(scheduler.withdraw(second)).toBe(true);
+    await new Promise((wake) => setTimeout(wake, 1));
+    expect(started).toBe(1);
+  });
+});

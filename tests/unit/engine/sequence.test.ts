@@ -1,0 +1,216 @@
+import { describe, expect, it } from 'vitest';
+import type { EngineError } from '../../../web/engine/errors.ts';
+import type { FromWorker, Request } from '../../../web/engine/protocol.ts';
+import { answerTo, fakeEngine, settled, someFile, type FakeWorker } from './fake-worker.ts';
+
+const failure = (work: Promise<unknown>): Promise<EngineError> => work.then(() => { throw new Error('no failure'); }, (e: EngineError) => e);
+
+/** A sequence whose frames wait until the test answers them. */
+async function heldSequence() {
+  const { engine, workers } = fakeEngine((request) => (request.type === 'evaluate' ? null : answerTo(request)));
+  const sequence = await engine.createSequence(await engine.importKeyframes([someFile]));
+  const worker = workers[0] as FakeWorker;
+  const answerNext = async (): Promise<void> => {
+    worker.say(answerTo(worker.requests.at(-1) as Request));
+    await settled();
+  };
+  return { engine, workers, sequence, worker, answerNext };
+}
+
+describe('evaluate', () => {
+  it('is latest-wins: one is under way, one waits, the overtaken ones are null', async () => {
+    const { sequence, worker, answerNext } = await heldSequence();
+    const frames = [0.1, 0.2, 0.3, 0.4].map((t) => sequence.evaluate(t));
+    await settled();
+    expect(worker.of('evaluate').map(({ t }) => t)).toEqual([0.1]);
+    await answerNext();
+    expect(worker.of('evaluate').map(({ t }) => t)).toEqual([0.1, 0.4]);
+    await answerNext();
+    expect((await Promise.all(frames)).map((frame) => frame?.t ?? null)).toEqual([0.1, null, null, 0.4]);
+  });
+
+  it('goes before the frames of an export, which go on afterwards', async () => {
+    const { sequence, worker, answerNext } = await heldSequence();
+    const many = sequence.evaluateMany([1, 2, 3]);
+    await settled();
+    const shown = sequence.evaluate(0.5);
+    for (let i = 0; i < 4; ++i) await answerNext();
+    expect(worker.of('evaluate').map(({ t }) => t)).toEqual([1, 0.5, 2, 3]);
+    expect((await shown)?.t).toBe(0.5);
+    expect((await many).map(({ t }) => t)).toEqual([1, 2, 3]);
+  });
+
+  it('sends released buffers back instead of asking for new ones', async () => {
+    const { sequence, worker, answerNext } = await heldSequence();
+    const first = sequence.evaluate(0);
+    await settled();
+    await answerNext();
+    const frame = await first;
+    frame?.release();
+    frame?.release();
+    const second = sequence.evaluate(1);
+    await settled();
+    expect(worker.of('evaluate').map(({ buffers }) => buffers !== null)).toEqual([false, true]);
+    await answerNext();
+    expect((await second)?.positions).toBe(frame?.positions);
+    void sequence.evaluate(2);
+    await settled();
+    expect(worker.of('evaluate').at(-1)?.buffers).toBeNull();  // released twice, but there once
+  });
+
+  it('refuses a time that is no number', async () => {
+    const { sequence } = await heldSequence();
+    expect((await failure(sequence.evaluate(NaN))).code).toBe('invalid-option');
+  });
+});
+
+describe('update', () => {
+  it('is followed by what is asked after it, not by an export that began before', async () => {
+    const { sequence, worker, answerNext } = await heldSequence();
+    const many = sequence.evaluateMany([1, 2]);
+    await settled();
+    await Promise.all([sequence.update({ boundary: 'periodic' }), answerNext()]);
+    expect(sequence.options.boundary).toBe('periodic');
+    const shown = sequence.evaluate(0.5);
+    for (let i = 0; i < 2; ++i) await answerNext();
+    await Promise.all([many, shown]);
+    const asked = worker.of('evaluate').map(({ t, motion }) => [t, motion.options.boundary, motion.version]);
+    expect(asked).toEqual([[1, 'natural', 0], [2, 'natural', 0], [0.5, 'periodic', 1]]);
+  });
+
+  it('that fails leaves the motion as it was', async () => {
+    const fails = (request: Request): FromWorker => request.type === 'update'
+      ? { type: 'error', id: request.id, error: { code: 'times-not-increasing', message: 'no', place: { key: 1 } }, fatal: false }
+      : answerTo(request);
+    const { engine, workers } = fakeEngine(fails);
+    const sequence = await engine.createSequence(await engine.importKeyframes([someFile]));
+    const error = await failure(sequence.update({ keyTimes: [1, 0], startSpeed: 3 }));
+    expect([error.code, error.place]).toEqual(['times-not-increasing', { key: 1 }]);
+    expect([sequence.keyTimes, sequence.options.startSpeed]).toEqual([[0, 1], 1]);
+    await sequence.evaluate(0);
+    expect(workers[0]?.of('evaluate')[0]?.motion.version).toBe(0);
+  });
+});
+
+describe('a worker that dies', () => {
+  it('rejects what is open and is replaced, with keys and motion, by the next call', async () => {
+    const { sequence, worker, workers } = await heldSequence();
+    await sequence.update({ boundary: 'hermite', keyTimes: [0, 3] });
+    const lost = sequence.evaluate(0.5);
+    await settled();
+    worker.die();
+    expect((await failure(lost)).code).toBe('crashed');
+    expect(worker.terminated).toBe(true);
+    const next = sequence.evaluate(0.6);
+    await settled();
+    const fresh = workers[1] as FakeWorker;
+    expect(fresh.of('create')[0]?.motion).toMatchObject({ options: { boundary: 'hermite' }, keyTimes: [0, 3] });
+    fresh.say(answerTo(fresh.requests.at(-1) as Request));
+    expect((await next)?.t).toBe(0.6);
+    expect(workers).toHaveLength(2);
+  });
+
+  it('is replaced after a fatal answer too', async () => {
+    let fatal = true;
+    const { engine, workers } = fakeEngine((request) => {
+      if (request.type !== 'evaluate' || !fatal) return answerTo(request);
+      fatal = false;
+      return { type: 'error', id: request.id, error: { code: 'out-of-memory', message: 'no', place: {} }, fatal: true };
+    });
+    const sequence = await engine.createSequence(await engine.importKeyframes([someFile]));
+    expect((await failure(sequence.evaluate(0))).code).toBe('out-of-memory');
+    expect(workers[0]?.terminated).toBe(true);
+    expect((await sequence.evaluate(0))?.t).toBe(0);
+  });
+});
+
+describe('cancelling', () => {
+  it('ends the worker of a new sequence at once and leaves the old one alone', async () => {
+    const { engine, workers } = fakeEngine((request) => (request.type === 'create' && workers.length > 1 ? null : answerTo(request)));
+    const keys = await engine.importKeyframes([someFile]);
+    const old = await engine.createSequence(keys);
+    const controller = new AbortController();
+    const made = failure(engine.createSequence(keys, {}, { signal: controller.signal }));
+    await settled();
+    controller.abort();
+    expect((await made).code).toBe('cancelled');
+    expect(workers.map(({ terminated }) => terminated)).toEqual([false, true]);
+    expect((await old.evaluate(0))?.t).toBe(0);
+  });
+
+  it('works before anything has begun', async () => {
+    const { engine } = fakeEngine();
+    const signal = AbortSignal.abort();
+    expect((await failure(engine.importKeyframes([someFile], {}, { signal }))).code).toBe('cancelled');
+  });
+
+  it('stops a series of frames while one is under way', async () => {
+    const { sequence, worker } = await heldSequence();
+    const controller = new AbortController();
+    const many = failure(sequence.evaluateMany([1, 2], { signal: controller.signal }));
+    await settled();
+    controller.abort();
+    expect((await many).code).toBe('cancelled');
+    expect(worker.terminated).toBe(false);
+  });
+});
+
+describe('progress', () => {
+  it('never falls, whatever the worker says', async () => {
+    const { engine, workers } = fakeEngine((request) => (request.type === 'create' ? null : answerTo(request)));
+    const seen: number[] = [];
+    const keys = await engine.importKeyframes([someFile]);
+    const made = engine.createSequence(keys, {}, { onProgress: ({ fraction }) => seen.push(fraction) });
+    await settled();
+    const worker = workers[0] as FakeWorker;
+    const { id } = worker.requests.at(-1) as Request;
+    for (const fraction of [0.1, 0.5, 0.3, 1.5]) worker.say({ type: 'progress', id, stage: 'encoding', fraction });
+    worker.say(answerTo(worker.requests.at(-1) as Request));
+    await made;
+    expect(seen).toEqual([0.1, 0.5, 0.5, 1]);
+  });
+});
+
+describe('a worker that read a bad file', () => {
+  it('is not kept; one that read a good file builds the next sequence', async () => {
+    let good = false;
+    const { engine, workers } = fakeEngine((request) => request.type === 'import' && !good
+      ? { type: 'error', id: request.id, error: { code: 'malformed-file', message: 'no', place: {} }, fatal: false }
+      : answerTo(request));
+    expect((await failure(engine.importKeyframes([someFile]))).code).toBe('malformed-file');
+    expect(workers[0]?.terminated).toBe(true);
+    good = true;
+    await engine.createSequence(await engine.importKeyframes([someFile]));
+    expect(workers).toHaveLength(2);
+    await engine.importKeyframes([someFile]);
+    expect(workers).toHaveLength(3);  // a sequence's worker reads no files
+  });
+});
+
+describe('disposing', () => {
+  it('is idempotent, ends the worker, and is said by every later call', async () => {
+    const { engine, sequence, worker } = await heldSequence();
+    const open = sequence.evaluate(0);
+    const waiting = sequence.evaluate(1);
+    await settled();
+    sequence.dispose();
+    sequence.dispose();
+    expect([await open, await waiting]).toEqual([null, null]);
+    expect(worker.terminated).toBe(true);
+    const calls = [sequence.evaluate(0), sequence.evaluateMany([0]), sequence.update({}), sequence.stats(), sequence.export()];
+    for (const call of calls) expect((await failure(call)).code).toBe('disposed');
+    engine.dispose();
+    engine.dispose();
+    expect((await failure(engine.importKeyframes([someFile]))).code).toBe('disposed');
+  });
+
+  it('of keys leaves a sequence alone', async () => {
+    const { engine } = fakeEngine();
+    const keys = await engine.importKeyframes([someFile]);
+    const sequence = await engine.createSequence(keys);
+    keys.dispose();
+    expect(() => keys.info).toThrow(/disposed/);
+    expect((await failure(engine.createSequence(keys))).code).toBe('disposed');
+    expect((await sequence.evaluate(0))?.t).toBe(0);
+  });
+});
