@@ -4,7 +4,7 @@ import path from 'node:path';
 import { unpackPackages } from './apt.mjs';
 import { capture, which } from './exec.mjs';
 import { Explained } from './log.mjs';
-import { emscriptenDir, inRoot } from './paths.mjs';
+import { emscriptenDir, inRoot, toolchainDir } from './paths.mjs';
 
 export const oldestVersion = [3, 1, 50];
 const llvmBin = '/usr/lib/llvm-19/bin';
@@ -27,19 +27,18 @@ function unpackedEnvironment() {
   const bin = path.join(emscriptenDir, 'usr/share/emscripten');
   return {
     EM_CONFIG: path.join(emscriptenDir, 'config'),
-    PATH: [bin, inRoot('node_modules/.bin'), process.env.PATH].join(path.delimiter),
+    PATH: [bin, process.env.PATH].join(path.delimiter),
   };
 }
 
 /**
- * The Emscripten to use: `{ root, version, env }`, or null. One on PATH wins, if it is new enough.
+ * The Emscripten to use, `{ emcc, version, env }`, or null. One on PATH wins, if it is new enough.
  */
 export function findEmscripten() {
   const onPath = which('emcc');
   const version = onPath && versionOf(onPath);
   if (version && isOldEnough(version)) {
-    const env = { PATH: [process.env.PATH, inRoot('node_modules/.bin')].join(path.delimiter) };
-    return { emcc: onPath, version, env };
+    return { emcc: onPath, version, env: {} };
   }
   const programs = ['clang', 'wasm-ld', 'llvm-ar'].map((name) => path.join(llvmBin, name));
   if (![complete, ...programs].every((file) => existsSync(file)) || !which('python3')) return null;
@@ -84,6 +83,15 @@ function writeConfig(folder) {
   writeFileSync(path.join(folder, 'config'), `${lines.join('\n')}\n`);
 }
 
+// For people: puts it on PATH.
+function writeShellEnvironment() {
+  const lines = [
+    `export EM_CONFIG='${path.join(emscriptenDir, 'config')}'`,
+    `export PATH='${path.join(emscriptenDir, 'usr/share/emscripten')}':"$PATH"`,
+  ];
+  writeFileSync(path.join(toolchainDir, 'env.sh'), `${lines.join('\n')}\n`);
+}
+
 // Emscripten's own script looks for this package beside itself, where Debian does not put it.
 function addAcorn(folder) {
   const modules = path.join(folder, 'usr/share/emscripten/node_modules');
@@ -103,4 +111,5 @@ export async function unpackEmscripten() {
     writeFileSync(path.join(folder, 'package.json'), '{ "type": "commonjs" }\n');
     writeFileSync(path.join(folder, 'complete'), '');
   });
+  writeShellEnvironment();
 }
