@@ -1,0 +1,72 @@
+/** The first five seconds: a shape is there, it moves, the page says what it is. */
+import { expect, test } from './support.ts';
+
+test('shows the first sample with its counts and a picture that is not flat', async ({ app }) => {
+  await app.open();
+  const { source, doc } = await app.state();
+  expect(source).toEqual({ kind: 'sample', id: 'cactus' });
+  expect(doc.keys.length).toBeGreaterThanOrEqual(3);
+  await expect(app.by('status-keys')).toHaveText(`${doc.keys.length} keys`);
+  const positions = await app.positions();
+  await expect(app.by('status-vertices')).toHaveText(`${(positions.length / 3).toLocaleString('en')} vertices`);
+  await expect(app.by('status-ms')).toHaveText(/^\d+(\.\d)? ms a frame$/);
+  expect(positions.every(Number.isFinite)).toBe(true);
+
+  const spread = await app.page.evaluate(async (text) => {
+    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    const colours = new Set<number>();
+    let shape = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      colours.add((data[i]! << 16) | (data[i + 1]! << 8) | data[i + 2]!);
+      if (Math.max(data[i]!, data[i + 1]!, data[i + 2]!) - Math.min(data[i]!, data[i + 1]!, data[i + 2]!) > 40) shape += 4;
+    }
+    return { colours: colours.size, shape: shape / data.length };
+  }, (await app.picture()).toString('base64'));
+  // A lit shape has many shades of its colour and fills a good part of the picture.
+  expect(spread.colours).toBeGreaterThan(100);
+  expect(spread.shape).toBeGreaterThan(0.02);
+  await app.expectNoProblems();
+});
+
+test('every sample opens without a complaint', async ({ app }) => {
+  await app.open();
+  const ids = await app.by('sample').locator('option').evaluateAll((options) => options.map((o) => (o as HTMLOptionElement).value));
+  expect(ids.length).toBeGreaterThanOrEqual(3);
+  for (const id of ids) {
+    await app.by('sample').selectOption(id);
+    await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id });
+    await app.settled();
+    await expect(app.by('error')).toBeHidden();
+    expect((await app.positions()).every(Number.isFinite)).toBe(true);
+  }
+  await app.expectNoProblems();
+});
+
+test.describe('where motion is welcome', () => {
+  test.use({ contextOptions: { reducedMotion: 'no-preference' } });
+
+  test('the sample is moving by itself, and stops when the slider is taken', async ({ app }) => {
+    await app.open();
+    expect((await app.state()).play.playing).toBe(true);
+    await expect(app.by('welcome')).toBeVisible();
+    const before = (await app.state()).time;
+    await expect.poll(async () => (await app.state()).time).not.toBe(before);
+    await app.by('timeline').click({ position: { x: 120, y: 30 } });
+    expect((await app.state()).play.playing).toBe(false);
+    await expect(app.by('welcome')).toBeHidden();
+    await app.expectNoProblems();
+  });
+});
+
+test('stands still where the visitor wants no motion, and plays when asked to', async ({ app }) => {
+  await app.open();
+  expect((await app.state()).play.playing).toBe(false);
+  await app.by('play').click();
+  await expect.poll(async () => (await app.state()).time).toBeGreaterThan(0.02);
+  await app.by('play').click();
+  expect((await app.state()).play.playing).toBe(false);
+});

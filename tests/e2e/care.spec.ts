@@ -1,0 +1,178 @@
+/** For everyone and everywhere: keyboard alone, 360 px, accessibility, nothing fetched from elsewhere, offline. */
+import { AxeBuilder } from '@axe-core/playwright';
+import { difference, expect, test } from './support.ts';
+import type { App } from './support.ts';
+
+async function expectAccessible(app: App): Promise<void> {
+  const { violations } = await new AxeBuilder({ page: app.page }).analyze();
+  const grave = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+  expect(grave.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => String(target)).join(' | ')}`)).toEqual([]);
+}
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const [width, height] of [[1280, 800], [360, 740]] as const) {
+    test(`axe finds nothing serious: ${colorScheme}, ${width} px`, async ({ app }) => {
+      await app.page.emulateMedia({ colorScheme });
+      await app.page.setViewportSize({ width, height });
+      await app.open();
+      await expectAccessible(app);
+      if (width < 768) {
+        for (const tab of ['tab-keys', 'tab-motion', 'tab-shape', 'tab-see']) {
+          await app.by(tab).click();
+          await expectAccessible(app);
+        }
+      } else {
+        await app.by('boundary-hermite').check({ force: true });
+        await app.by('compare-linear').check();
+        await app.settled();
+        await expectAccessible(app);
+        await app.by('look-toggle').click();
+        await expectAccessible(app);
+      }
+      for (const [opener, closer] of [['export', 'export-close'], ['help', 'help-close']] as const) {
+        await app.by(opener).click();
+        await expectAccessible(app);
+        await app.by(closer).click();
+      }
+      await app.by('file-input').setInputFiles({ name: 'bad.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('<html>') });
+      await expect(app.by('error')).toBeVisible();
+      await expectAccessible(app);
+    });
+  }
+}
+
+test('works with the keyboard alone, and the focus can always be seen', async ({ app }) => {
+  await app.open();
+  const { page } = app;
+  const focused = (): Promise<{ id: string; outline: boolean }> => page.evaluate(() => {
+    const element = document.activeElement as HTMLElement;
+    // The visible part of a radio button is the label's text after it.
+    const shown = element instanceof HTMLInputElement && element.type === 'radio' ? element.nextElementSibling! : element;
+    const style = getComputedStyle(shown);
+    return { id: element.dataset['testid'] ?? element.tagName, outline: style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2 };
+  });
+  const reach = async (id: string): Promise<void> => {
+    for (let presses = 0; presses < 90; presses += 1) {
+      const now = await focused();
+      if (now.id === id) {
+        expect(now.outline, `outline of ${id}`).toBe(true);
+        return;
+      }
+      await page.keyboard.press('Tab');
+    }
+    throw new Error(`Tab does not reach ${id}.`);
+  };
+
+  await reach('timeline');
+  await page.keyboard.press('End');
+  await page.keyboard.press('End');
+  await app.settled();
+  const beyond = await app.positions();
+  await reach('boundary-natural');
+  await page.keyboard.press('ArrowRight');
+  await app.settled();
+  expect((await app.state()).doc.motion.boundary).toBe('hermite');
+  expect((await app.state()).time).toBeCloseTo(1.4, 9);
+  expect(difference(await app.positions(), beyond)).toBeGreaterThan(0);
+  await reach('start-speed');
+  await page.keyboard.press('ArrowRight');
+  expect((await app.state()).doc.motion.startSpeed).toBeCloseTo(1.05, 9);
+  await reach('key-1-edit');
+  await page.keyboard.press('Enter');
+  await expect(app.by('key-editor')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(app.by('key-editor')).toBeHidden();
+  await page.keyboard.press('e');
+  await expect(app.by('export-dialog')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Shift+?');
+  await expect(app.by('help-dialog')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('m');
+  expect((await app.state()).doc.motion.method).toBe('geodesic');
+  await page.keyboard.press('Control+z');
+  expect((await app.state()).doc.motion.method).toBe('lri');
+  await app.expectNoProblems();
+});
+
+test('single-letter shortcuts can be switched off', async ({ app }) => {
+  await app.open();
+  await app.by('help').click();
+  await app.by('single-keys').uncheck();
+  await app.by('help-close').click();
+  await app.page.keyboard.press('m');
+  expect((await app.state()).doc.motion.method).toBe('lri');
+  await app.page.keyboard.press('ArrowRight');
+  expect((await app.state()).time).toBeCloseTo(0.01, 9);
+});
+
+test.describe('at 360 px', () => {
+  test.use({ viewport: { width: 360, height: 740 }, hasTouch: true });
+
+  test('everything is there and fits', async ({ app }) => {
+    await app.open();
+    const { page } = app;
+    const overflow = (): Promise<number> => page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+    expect(await overflow()).toBeLessThanOrEqual(0);
+    const slider = (await app.by('timeline').boundingBox())!;
+    expect(slider.width).toBeGreaterThan(280);
+    expect(slider.height).toBeGreaterThanOrEqual(44);
+    const picture = (await app.by('viewport').boundingBox())!;
+    expect(picture.height).toBeGreaterThan(300);
+    const before = await app.positions();
+    await page.touchscreen.tap(slider.x + slider.width * 0.45, slider.y + 10);
+    await app.settled();
+    expect(difference(await app.positions(), before)).toBeGreaterThan(0);
+    await app.by('tab-motion').tap();
+    await app.by('boundary-periodic').check({ force: true });
+    await app.settled();
+    expect((await app.state()).doc.motion.boundary).toBe('periodic');
+    for (const tab of ['shape', 'see', 'motion']) {
+      await app.by(`tab-${tab}`).tap();
+      await expect(app.by(`panel-${tab}`)).toBeVisible();
+      expect(await overflow()).toBeLessThanOrEqual(0);
+    }
+    await app.by('tab-motion').tap();
+    await expect(app.by('panel-motion')).toBeHidden();
+    await app.by('tab-keys').tap();
+    await expect(app.by('key-0-go')).toBeVisible();
+    await app.by('sample').selectOption({ index: 1 });
+    await app.settled();
+    expect(await overflow()).toBeLessThanOrEqual(0);
+    await app.expectNoProblems();
+  });
+});
+
+test('asks no other host for anything, under a policy that forbids inline scripts', async ({ app }) => {
+  await app.open();
+  const { page } = app;
+  const { origin } = new URL(page.url());
+  expect(app.requests.length).toBeGreaterThan(3);
+  expect(app.requests.filter((url) => new URL(url).origin !== origin && !/^(data|blob):/.test(url))).toEqual([]);
+  const policy = (await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content'))!;
+  const scripts = /script-src ([^;]*)/.exec(policy)![1]!;
+  expect(scripts.split(' ').sort()).toEqual(["'self'", "'wasm-unsafe-eval'"]);
+  const ran = await page.evaluate(async () => {
+    const script = document.createElement('script');
+    script.textContent = 'window.injected = true';
+    document.head.append(script);
+    const elsewhere = await fetch('https://example.invalid/').then(() => true, () => false);
+    return { script: 'injected' in window, elsewhere };
+  });
+  expect(ran).toEqual({ script: false, elsewhere: false });
+});
+
+test('works offline after the first visit', async ({ app, context }, info) => {
+  test.skip(info.project.name === 'dev', 'the development server has no service worker');
+  await app.open();
+  await app.page.evaluate(() => navigator.serviceWorker.ready);
+  // The worker of a first visit takes the page over once its files are kept.
+  await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  await context.setOffline(true);
+  await app.open();
+  expect((await app.positions()).length).toBeGreaterThan(0);
+  await app.by('sample').selectOption({ index: 1 });
+  await app.settled();
+  await expect(app.by('error')).toBeHidden();
+  await context.setOffline(false);
+});

@@ -1,0 +1,142 @@
+/** Files of the user: real ones where they are, broken ones, dropped and picked. */
+import { changedShare, difference, expect, realFile, test } from './support.ts';
+import { bytesOf } from './support.ts';
+
+const cactus = ['cactus/cactus-3.glb', 'cactus/cactus-1.glb', 'cactus/cactus-2.glb'].map(realFile);
+
+test('three files become three keys in natural order of name, and are scrubbed past both ends', async ({ app }) => {
+  test.skip(cactus.includes(null), 'the real inputs are not there');
+  await app.open();
+  await app.by('file-input').setInputFiles(cactus as string[]);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  const { doc } = await app.state();
+  expect(doc.keys.map((key) => key.name)).toEqual(['cactus-1', 'cactus-2', 'cactus-3']);
+  await expect(app.by('status-vertices')).toHaveText('5,261 vertices');
+  await expect(app.by('status-faces')).toHaveText('10,518 faces');
+  const shapes = [];
+  for (const t of [-0.3, 0, 0.25, 0.5, 1, 1.3]) shapes.push(await app.positionsAt(t));
+  for (const shape of shapes) expect(shape.every(Number.isFinite)).toBe(true);
+  for (let i = 1; i < shapes.length; i += 1) expect(difference(shapes[i]!, shapes[i - 1]!)).toBeGreaterThan(1e-3);
+  await app.by('boundary-hermite').check({ force: true });
+  await app.settled();
+  expect(difference(await app.positionsAt(0.25), shapes[2]!)).toBeGreaterThan(1e-3);
+  await app.expectNoProblems();
+});
+
+test('a file with morph targets becomes its keys', async ({ app }) => {
+  const horse = realFile('morph/Horse.glb');
+  test.skip(horse === null, 'the real inputs are not there');
+  await app.open();
+  await app.by('file-input').setInputFiles(horse!);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  await expect(app.by('status-vertices')).toHaveText('796 vertices');
+  expect((await app.state()).doc.keys.length).toBeGreaterThanOrEqual(8);
+  expect((await app.positions()).every(Number.isFinite)).toBe(true);
+  await app.expectNoProblems();
+});
+
+test('an animation is sampled anew with as many keys as are asked for', async ({ app }) => {
+  const man = realFile('skin/CesiumMan.glb');
+  test.skip(man === null, 'the real inputs are not there');
+  await app.open();
+  await app.by('file-input').setInputFiles(man!);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  await app.by('sample-count').fill('5');
+  await app.by('sample-apply').click();
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(5);
+  await app.settled();
+  expect((await app.positions()).every(Number.isFinite)).toBe(true);
+  await app.expectNoProblems();
+});
+
+const broken: { what: string; name: string; bytes: Buffer }[] = [
+  { what: 'a page saved as a model', name: 'model.glb', bytes: Buffer.from('<!doctype html><title>Not found</title>') },
+  { what: 'an empty file', name: 'empty.glb', bytes: Buffer.alloc(0) },
+  { what: 'a GLB that claims to be longer than it is', name: 'cut.glb', bytes: Buffer.from('676c544602000000ffffff7f', 'hex') },
+  { what: 'JSON that is no glTF', name: 'other.gltf', bytes: Buffer.from('{"asset":{}}') },
+];
+
+for (const { what, name, bytes } of broken) {
+  test(`${what} is refused in a sentence and leaves the shape`, async ({ app }) => {
+    await app.open();
+    await app.setTime(0.3);
+    const before = { state: await app.state(), positions: await app.positions(), picture: await app.picture() };
+    await app.by('file-input').setInputFiles({ name, mimeType: 'model/gltf-binary', buffer: bytes });
+    await expect(app.by('error')).toBeVisible();
+    const sentence = await app.by('error-message').innerText();
+    expect(sentence).toContain(name);
+    expect(sentence).toMatch(/[.!?]$/);
+    await app.settled();
+    expect((await app.state()).doc).toEqual(before.state.doc);
+    expect(await app.positions()).toEqual(before.positions);
+    expect(await changedShare(app.page, before.picture, await app.picture())).toBe(0);
+    expect(difference(await app.positionsAt(0.6), before.positions)).toBeGreaterThan(0);
+    await app.by('error-close').click();
+    await expect(app.by('error')).toBeHidden();
+    await app.expectNoProblems();
+  });
+}
+
+test('a broken second file names itself', async ({ app }) => {
+  const good = realFile('cactus/cactus-1.glb');
+  test.skip(good === null, 'the real inputs are not there');
+  await app.open();
+  await app.by('file-input').setInputFiles([
+    { name: 'pose-1.glb', mimeType: 'model/gltf-binary', buffer: bytesOf(good!) },
+    { name: 'pose-2.glb', mimeType: 'model/gltf-binary', buffer: bytesOf(good!).subarray(0, 5000) },
+  ]);
+  await expect(app.by('error-message')).toContainText('pose-2.glb');
+});
+
+test('files are dropped anywhere on the page, which answers while they hover', async ({ app }) => {
+  test.skip(cactus.includes(null), 'the real inputs are not there');
+  await app.open();
+  const files = cactus.map((file, index) => ({ name: `pose-${index}.glb`, text: bytesOf(file!).toString('base64') }));
+  const transfer = await app.page.evaluateHandle((list) => {
+    const data = new DataTransfer();
+    for (const { name, text } of list) data.items.add(new File([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], name));
+    return data;
+  }, files);
+  await app.page.dispatchEvent('body', 'dragenter', { dataTransfer: transfer });
+  await expect(app.by('drop-zone')).toBeVisible();
+  await app.page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
+  await expect(app.by('drop-zone')).toBeHidden();
+  await expect.poll(async () => (await app.state()).doc.keys.map((key) => key.name)).toEqual(['pose-0', 'pose-1', 'pose-2']);
+  await app.settled();
+  await expect(app.by('status-vertices')).toHaveText('5,261 vertices');
+});
+
+test('ten files dropped twice are opened once, and nothing is left behind', async ({ app }) => {
+  test.skip(cactus.includes(null), 'the real inputs are not there');
+  await app.open();
+  const poses = Array.from({ length: 10 }, (_, index) => ({
+    name: `pose-${index + 1}.glb`, mimeType: 'model/gltf-binary', buffer: bytesOf(cactus[index % 3]!),
+  }));
+  await app.by('file-input').setInputFiles(poses);
+  await app.by('file-input').setInputFiles(poses);
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(10);
+  await app.settled();
+  expect((await app.state()).doc.keys.map((key) => key.name)).toEqual(poses.map(({ name }) => name.replace('.glb', '')));
+  await expect(app.by('progress')).toBeHidden();
+  await expect(app.by('error')).toBeHidden();
+  await app.expectNoProblems();
+});
+
+test('a key of the same mesh is added from a file; another mesh is refused', async ({ app }) => {
+  const horse = realFile('morph/Horse.glb');
+  test.skip(cactus.includes(null) || horse === null, 'the real inputs are not there');
+  await app.open();
+  await app.by('file-input').setInputFiles([cactus[1]!, cactus[2]!]);
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(2);
+  await app.settled();
+  await app.by('key-file-input').setInputFiles(cactus[0]!);
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(3);
+  await app.settled();
+  expect((await app.state()).doc.keys.map(({ name, time }) => [name, time])).toEqual([['cactus-1', 0], ['cactus-2', 1], ['cactus-3', 2]]);
+  await app.by('key-file-input').setInputFiles(horse!);
+  await expect(app.by('error-message')).toContainText('same mesh');
+  expect((await app.state()).doc.keys.length).toBe(3);
+});

@@ -1,0 +1,135 @@
+/** The strip of keys: pictures, order, names, times, adding and removing, undo and redo; methods side by side. */
+import { changedShare, diagonal, difference, expect, test } from './support.ts';
+
+test('every key has its own picture', async ({ app }) => {
+  await app.open();
+  const { keys } = (await app.state()).doc;
+  const image = (index: number): string => `[data-testid="key-${index}"] img[src^="data:image/png"]`;
+  for (const index of keys.keys()) await expect(app.page.locator(image(index))).toBeVisible();
+  const sources = await app.by('keys').locator('img').evaluateAll((images) => images.map((one) => (one as HTMLImageElement).src));
+  expect(new Set(sources).size).toBe(keys.length);
+});
+
+test('a key is moved in the order, and undo and redo step through it', async ({ app }) => {
+  await app.open();
+  const start = (await app.state()).doc;
+  const first = await app.positionsAt(0);
+  await app.by('key-0-edit').click();
+  await app.by('key-later').click();
+  await app.by('key-editor-close').click();
+  await app.settled();
+  const moved = (await app.state()).doc;
+  expect(moved.keys.map((key) => key.pose)).toEqual([1, 0, ...start.keys.slice(2).map((key) => key.pose)]);
+  expect(moved.keys.map((key) => key.time)).toEqual(start.keys.map((key) => key.time));
+  expect(difference(await app.positionsAt(moved.keys[1]!.time), first)).toBeLessThan(1e-5 * diagonal(first));
+  await app.page.keyboard.press('Control+z');
+  await app.settled();
+  expect((await app.state()).doc).toEqual(start);
+  expect(await app.positionsAt(0)).toEqual(first);
+  await app.page.keyboard.press('Control+Shift+z');
+  expect((await app.state()).doc).toEqual(moved);
+});
+
+test('a card is dragged to another place', async ({ app }) => {
+  await app.open();
+  const { keys } = (await app.state()).doc;
+  await app.by('key-2').dragTo(app.by('key-0'));
+  await expect.poll(async () => (await app.state()).doc.keys[0]!.pose).toBe(keys[2]!.pose);
+});
+
+test('a key is renamed, retimed and removed; two always stay', async ({ app }) => {
+  await app.open();
+  await app.by('key-1-edit').click();
+  await app.by('key-name').fill('upright');
+  await app.by('key-name').press('Tab');
+  await app.by('key-time').fill('0.3');
+  await app.by('key-time').press('Enter');
+  await app.settled();
+  expect((await app.state()).doc.keys[1]).toMatchObject({ name: 'upright', time: 0.3 });
+  await expect(app.by('key-1-go')).toHaveAccessibleName(/upright, at 0\.300/);
+  await app.by('key-editor-close').click();
+  const count = (await app.state()).doc.keys.length;
+  for (let left = count; left > 2; left -= 1) {
+    await app.by('key-0-edit').click();
+    await app.by('key-remove').click();
+    await app.settled();
+    expect((await app.state()).doc.keys.length).toBe(left - 1);
+  }
+  await expect(app.by('status-keys')).toHaveText('2 keys');
+  await app.by('key-0-edit').click();
+  await expect(app.by('key-remove')).toBeDisabled();
+  await app.by('key-editor-close').click();
+  while (await app.by('undo').isEnabled()) await app.by('undo').click();
+  await app.settled();
+  expect((await app.state()).doc.keys.length).toBe(count);
+});
+
+test('two keys with natural ends move as the geodesic', async ({ app }) => {
+  await app.open();
+  while ((await app.state()).doc.keys.length > 2) {
+    await app.by('key-2-edit').click();
+    await app.by('key-remove').click();
+    await app.settled();
+  }
+  const { keys } = (await app.state()).doc;
+  const middle = (keys[0]!.time + keys[1]!.time) / 2;
+  const spline = await app.positionsAt(middle);
+  await app.by('method').selectOption('geodesic');
+  await app.settled();
+  expect(difference(await app.positionsAt(middle), spline)).toBeLessThan(1e-4 * diagonal(spline));
+});
+
+test('the shape on the screen becomes a key that the motion passes through', async ({ app }) => {
+  await app.open();
+  const count = (await app.state()).doc.keys.length;
+  const extrapolated = await app.positionsAt(1.3);
+  await app.by('add-current').click();
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(count + 1);
+  await app.settled();
+  expect((await app.state()).doc.keys.at(-1)!.time).toBeCloseTo(1.3, 9);
+  await expect(app.by('phase')).toHaveText(/^At key/);
+  expect(difference(await app.positionsAt(1.3), extrapolated)).toBeLessThan(1e-5 * diagonal(extrapolated));
+  await expect(app.by('add-current')).toBeDisabled();
+  await app.expectNoProblems();
+});
+
+test('methods stand side by side with one camera and one clock', async ({ app }) => {
+  await app.open();
+  await app.setTime(0.25);
+  const alone = await app.picture();
+  await app.by('compare-linear').check();
+  await app.settled();
+  const [spline, linear] = [await app.positions(0), await app.positions(1)];
+  expect(difference(spline, linear)).toBeGreaterThan(1e-3 * diagonal(spline));
+  expect(await changedShare(app.page, alone, await app.picture())).toBeGreaterThan(0.01);
+  await expect(app.by('tile-0')).toContainText('LRI spline');
+  await expect(app.by('tile-1')).toContainText('Linear vertices');
+  const volume = async (tile: number): Promise<number> => Number(/volume ([\d.]+) %/.exec(await app.by(`tile-${tile}`).innerText())![1]);
+  // What the method is for: the spline keeps more of the volume than a blend of positions.
+  expect(Math.abs(await volume(0) - 100)).toBeLessThan(Math.abs(await volume(1) - 100));
+  await app.setTime(0.6);
+  expect(difference(await app.positions(1), linear)).toBeGreaterThan(1e-3 * diagonal(spline));
+  await app.by('compare-linear').uncheck();
+  await app.settled();
+  expect(await app.positions(1)).toEqual([]);
+  await app.expectNoProblems();
+});
+
+test('the plots follow the motion and the cursor', async ({ app }) => {
+  await app.open();
+  const curve = app.by('plot-volume').locator('path.curve').first();
+  await curve.scrollIntoViewIfNeeded();
+  await expect(curve).toHaveAttribute('d', /^M[\d.]+ [\d.]+L/);
+  const before = await curve.getAttribute('d');
+  const cursor = app.by('plot-volume').locator('line.cursor');
+  const place = await cursor.getAttribute('x1');
+  await app.setTime(0.8);
+  await expect(cursor).not.toHaveAttribute('x1', place!);
+  await app.by('boundary-periodic').check({ force: true });
+  await expect(curve).not.toHaveAttribute('d', before!);
+  await expect(app.by('plot-plane').locator('circle.key')).toHaveCount((await app.state()).doc.keys.length);
+  const plot = app.by('plot-volume').locator('svg.plot');
+  await plot.scrollIntoViewIfNeeded();
+  await plot.click({ position: { x: 60, y: 40 } });
+  expect((await app.state()).time).not.toBe(0.8);
+});

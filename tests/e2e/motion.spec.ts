@@ -1,0 +1,153 @@
+/** Each option shows in the numbers and on the screen; those that refit only neither encode nor factorise. */
+import { changedShare, diagonal, difference, expect, test } from './support.ts';
+import type { App } from './support.ts';
+
+interface Shown {
+  positions: number[];
+  picture: Buffer;
+}
+
+async function shownAt(app: App, t: number): Promise<Shown> {
+  await app.setTime(t);
+  return { positions: await app.positions(), picture: await app.picture() };
+}
+
+async function expectChange(app: App, before: Shown, after: Shown): Promise<void> {
+  expect(difference(before.positions, after.positions)).toBeGreaterThan(1e-3 * diagonal(before.positions));
+  expect(await changedShare(app.page, before.picture, after.picture)).toBeGreaterThan(2e-4);
+}
+
+test('the boundary changes the motion between the keys, not the keys', async ({ app }) => {
+  await app.open();
+  const keys = (await app.state()).doc.keys;
+  const exact = await Promise.all([]).then(async () => { const all: number[][] = []; for (const key of keys) all.push(await app.positionsAt(key.time)); return all; });
+  const size = diagonal(exact[0]!);
+  const counters = await app.stats();
+  const natural = await shownAt(app, 0.2);
+  for (const boundary of ['hermite', 'periodic']) {
+    await app.by(`boundary-${boundary}`).check({ force: true });
+    await app.settled();
+    expect((await app.state()).doc.motion.boundary).toBe(boundary);
+    await expectChange(app, natural, await shownAt(app, 0.2));
+    for (const [index, key] of keys.entries()) expect(difference(await app.positionsAt(key.time), exact[index]!)).toBeLessThan(1e-5 * size);
+  }
+  await app.by('boundary-natural').check({ force: true });
+  await app.settled();
+  expect((await shownAt(app, 0.2)).positions).toEqual(natural.positions);
+  const after = await app.stats();
+  expect([after.encodings, after.factorisations]).toEqual([counters.encodings, counters.factorisations]);
+  expect(after.solves).toBeGreaterThan(counters.solves);
+  await app.expectNoProblems();
+});
+
+test('the Hermite speeds change the motion, and 0 eases in', async ({ app }) => {
+  await app.open();
+  await app.by('boundary-hermite').check({ force: true });
+  await app.settled();
+  const normal = await shownAt(app, 0.1);
+  for (const end of ['start', 'end']) {
+    const before = await shownAt(app, end === 'start' ? 0.1 : 0.9);
+    await app.by(`${end}-speed-number`).fill('3');
+    await app.by(`${end}-speed-number`).press('Enter');
+    await app.settled();
+    await expectChange(app, before, await shownAt(app, end === 'start' ? 0.1 : 0.9));
+  }
+  await app.by('start-speed-number').fill('0');
+  await app.by('start-speed-number').press('Enter');
+  await app.settled();
+  const start = await app.positionsAt(0);
+  const eased = difference(await app.positionsAt(0.02), start);
+  await app.by('start-speed-reset').click();
+  await app.settled();
+  expect((await app.state()).doc.motion.startSpeed).toBe(1);
+  expect(eased).toBeLessThan(0.3 * difference(await app.positionsAt(0.02), start));
+  await app.by('end-speed-reset').click();
+  await app.settled();
+  expect((await shownAt(app, 0.1)).positions).toEqual(normal.positions);
+});
+
+test('a shape can be taken as end tangent', async ({ app }) => {
+  await app.open();
+  await app.by('boundary-hermite').check({ force: true });
+  await app.settled();
+  const before = await shownAt(app, 0.2);
+  await app.by('start-tangent').selectOption({ index: 3 });
+  await app.settled();
+  await expectChange(app, before, await shownAt(app, 0.2));
+});
+
+test('each method moves otherwise between the keys and refits only', async ({ app }) => {
+  await app.open();
+  const counters = await app.stats();
+  const seen: Shown[] = [await shownAt(app, 0.3)];
+  for (const method of ['geodesic', 'linear', 'cubic-vertex']) {
+    await app.by('method').selectOption(method);
+    await app.settled();
+    const shown = await shownAt(app, 0.3);
+    for (const other of seen) await expectChange(app, other, shown);
+    seen.push(shown);
+  }
+  const after = await app.stats();
+  expect([after.encodings, after.factorisations]).toEqual([counters.encodings, counters.factorisations]);
+});
+
+test('Hermite is disabled with a reason where the motion is straight between the keys', async ({ app }) => {
+  await app.open();
+  await app.by('boundary-hermite').check({ force: true });
+  for (const method of ['geodesic', 'linear']) {
+    await app.by('method').selectOption(method);
+    await app.settled();
+    await expect(app.by('boundary-hermite')).toBeDisabled();
+    await expect(app.by('boundary-periodic')).toBeEnabled();
+    await expect(app.by('boundary-reason')).toHaveText(/straight from key to key/);
+    expect((await app.state()).doc.motion.boundary).toBe('natural');
+  }
+  await app.by('method').selectOption('lri');
+  await expect(app.by('boundary-hermite')).toBeEnabled();
+  await expect(app.by('boundary-reason')).toBeHidden();
+});
+
+test('a periodic motion closes without a seam', async ({ app }) => {
+  await app.open();
+  await app.by('boundary-periodic').check({ force: true });
+  await app.settled();
+  const first = await app.positionsAt(0);
+  const period = await app.page.evaluate(() => Number((document.querySelector('[data-testid="period"]') as HTMLInputElement).value));
+  expect(period).toBeGreaterThan(1);
+  const size = diagonal(first);
+  expect(difference(await app.positionsAt(period), first)).toBeLessThan(1e-4 * size);
+  await expect(app.by('timeline')).toHaveAttribute('data-periodic', '');
+});
+
+test('stretch, reference and patches change the encoding, and the old shape stays until the new one is there', async ({ app }) => {
+  await app.open();
+  const patches = await app.stats();
+  const before = await shownAt(app, 1.4);
+  await app.by('stretch-log').check({ force: true });
+  await app.settled();
+  const logarithmic = await shownAt(app, 1.4);
+  expect(difference(before.positions, logarithmic.positions)).toBeGreaterThan(1e-4 * diagonal(before.positions));
+  await app.by('patches').fill('12');
+  await app.by('patches').press('Enter');
+  await app.settled();
+  const fewer = await app.stats();
+  expect(fewer.patches).not.toBe(patches.patches);
+  await app.by('reference').selectOption({ index: 1 });
+  await app.settled();
+  expect((await app.state()).doc.encoding.referencePose).toBe(1);
+  await app.by('shape-reset').click();
+  await app.settled();
+  expect((await shownAt(app, 1.4)).positions).toEqual(before.positions);
+  await app.expectNoProblems();
+});
+
+test('the tension of a key changes the motion about it and not the key', async ({ app }) => {
+  await app.open();
+  const [near, key] = [await app.positionsAt(0.45), await app.positionsAt(0.5)];
+  await app.by('key-1-edit').click();
+  await app.by('key-tension').fill('1');
+  await app.by('key-editor-close').click();
+  await app.settled();
+  expect(difference(await app.positionsAt(0.45), near)).toBeGreaterThan(1e-4 * diagonal(near));
+  expect(difference(await app.positionsAt(0.5), key)).toBeLessThan(1e-5 * diagonal(key));
+});

@@ -1,0 +1,230 @@
+/** The drawn picture against the engine's numbers, and the ways to look at it. */
+import { changedShare, expect, test } from './support.ts';
+import type { App } from './support.ts';
+
+interface Overlap {
+  /** Share of the engine's vertices that fall on drawn pixels of the shape. */
+  verticesOnShape: number;
+  /** Share of the shape's pixels that have a projected vertex near. */
+  shapeNearVertices: number;
+  shapePixels: number;
+}
+
+/** Projects the engine's vertices (not what the viewer holds) and compares them with a screenshot of the canvas. */
+async function overlap(app: App, t: number): Promise<Overlap> {
+  await app.setTime(t);
+  const picture = (await app.picture()).toString('base64');
+  return app.page.evaluate(async ([time, text]) => {
+    const hook = window.__shapespline!;
+    const places = hook.project(await hook.evaluate(time));
+    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext('2d')!;
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
+    // The shape is the only thing with a strong colour; floor, shadow and background are grey.
+    const shape = new Uint8Array(width * height);
+    for (let i = 0; i < shape.length; i += 1) {
+      const [r, g, b] = [data[4 * i]!, data[4 * i + 1]!, data[4 * i + 2]!];
+      shape[i] = Math.max(r, g, b) - Math.min(r, g, b) > 36 ? 1 : 0;
+    }
+    const grow = (mask: Uint8Array, radius: number): Uint8Array => {
+      const grown = new Uint8Array(mask.length);
+      for (let y = 0; y < height; y += 1) {
+        for (let x = 0; x < width; x += 1) {
+          if (!mask[y * width + x]) continue;
+          for (let dy = -radius; dy <= radius; dy += 1) {
+            for (let dx = -radius; dx <= radius; dx += 1) {
+              const [px, py] = [x + dx, y + dy];
+              if (px >= 0 && py >= 0 && px < width && py < height) grown[py * width + px] = 1;
+            }
+          }
+        }
+      }
+      return grown;
+    };
+    const dots = new Uint8Array(width * height);
+    const nearShape = grow(shape, 2);
+    let inside = 0;
+    let seen = 0;
+    for (let i = 0; i < places.length; i += 2) {
+      const [x, y] = [Math.round(places[i]!), Math.round(places[i + 1]!)];
+      if (x < 0 || y < 0 || x >= width || y >= height) continue;
+      seen += 1;
+      inside += nearShape[y * width + x]!;
+      dots[y * width + x] = 1;
+    }
+    const nearDots = grow(dots, 9);
+    let pixels = 0;
+    let covered = 0;
+    shape.forEach((on, i) => {
+      pixels += on;
+      covered += on && nearDots[i]! ? 1 : 0;
+    });
+    return { verticesOnShape: inside / seen, shapeNearVertices: covered / pixels, shapePixels: pixels };
+  }, [t, picture] as const);
+}
+
+test('the drawn silhouette is that of the engine’s vertices, at three times', async ({ app }) => {
+  await app.open();
+  for (const t of [0, 0.3, 1.2]) {
+    const { verticesOnShape, shapeNearVertices, shapePixels } = await overlap(app, t);
+    expect(shapePixels, `t = ${t}`).toBeGreaterThan(2000);
+    expect(verticesOnShape, `t = ${t}`).toBeGreaterThan(0.99);
+    expect(shapeNearVertices, `t = ${t}`).toBeGreaterThan(0.97);
+  }
+  // The same comparison fails for another moment, so it can tell shapes apart.
+  await app.setTime(0);
+  const elsewhere = await app.page.evaluate(async () => {
+    const hook = window.__shapespline!;
+    return [...hook.project(await hook.evaluate(0))].some((place, index) => Math.abs(place - hook.project(hook.positions())[index]!) > 0.01);
+  });
+  expect(elsewhere).toBe(false);
+});
+
+test('key, between and beyond have their own colours', async ({ app }) => {
+  await app.open();
+  const hues: number[] = [];
+  for (const t of [0, 0.25, 1.3]) {
+    await app.setTime(t);
+    hues.push(await app.page.evaluate(async (text) => {
+      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      const sum = [0, 0, 0];
+      for (let i = 0; i < data.length; i += 4) {
+        const rgb = [data[i]!, data[i + 1]!, data[i + 2]!];
+        if (Math.max(...rgb) - Math.min(...rgb) > 60) rgb.forEach((value, c) => { sum[c]! += value; });
+      }
+      const [r, g, b] = sum as [number, number, number];
+      return ((Math.atan2(Math.sqrt(3) * (g - b), 2 * r - g - b) * 180) / Math.PI + 360) % 360;
+    }, (await app.picture()).toString('base64')));
+  }
+  const [blue, green, yellow] = hues as [number, number, number];
+  expect(blue).toBeGreaterThan(190);
+  expect(blue).toBeLessThan(225);
+  expect(green).toBeGreaterThan(145);
+  expect(green).toBeLessThan(185);
+  expect(yellow).toBeGreaterThan(30);
+  expect(yellow).toBeLessThan(55);
+});
+
+test('the look changes the picture and not the shape', async ({ app }) => {
+  await app.open();
+  await app.setTime(0.3);
+  const positions = await app.positions();
+  await app.by('look-toggle').click();
+  let before = await app.picture();
+  for (const change of [
+    () => app.by('wireframe').check(), () => app.by('shading-flat').check({ force: true }), () => app.by('floor').uncheck(),
+    () => app.by('colouring-patches').check({ force: true }), () => app.by('onion').check(),
+  ]) {
+    await change();
+    const after = await app.picture();
+    expect(await changedShare(app.page, before, after)).toBeGreaterThan(2e-3);
+    before = after;
+  }
+  expect(await app.positions()).toEqual(positions);
+  await app.expectNoProblems();
+});
+
+test('the film strip shows the motion in a row, and goes away again', async ({ app }) => {
+  await app.open();
+  await app.page.keyboard.press('g');
+  const before = await app.picture();
+  await app.page.keyboard.press('i');
+  const strip = await app.picture();
+  expect(await changedShare(app.page, before, strip)).toBeGreaterThan(0.01);
+  await app.page.keyboard.press('i');
+  await app.page.keyboard.press('h');
+  await app.settled();
+  expect((await app.state()).view.film).toBe(false);
+});
+
+test('standard views, fit, orbit, pan and zoom move one camera', async ({ app }) => {
+  await app.open();
+  const poses = new Set<string>();
+  const pose = async (): Promise<string> => { await app.settled(); return JSON.stringify((await app.state()).view.camera); };
+  for (const view of ['view-front', 'view-top', 'view-right']) {
+    await app.by(view).click();
+    poses.add(await pose());
+  }
+  const { camera } = (await app.state()).view;
+  expect(camera!.position[1]).toBeCloseTo(camera!.target[1], 3);
+  expect(camera!.position[2]).toBeCloseTo(camera!.target[2], 3);
+  const box = (await app.by('viewport').boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await app.page.mouse.move(x, y);
+  await app.page.mouse.down();
+  await app.page.mouse.move(x + 60, y + 30, { steps: 4 });
+  await app.page.mouse.up();
+  poses.add(await pose());
+  await app.page.mouse.down({ button: 'right' });
+  await app.page.mouse.move(x + 90, y + 60, { steps: 4 });
+  await app.page.mouse.up({ button: 'right' });
+  poses.add(await pose());
+  await app.page.mouse.wheel(0, 300);
+  await expect.poll(async () => poses.has(await pose())).toBe(false);
+  poses.add(await pose());
+  await app.by('viewport').focus();
+  await app.page.keyboard.press('ArrowLeft');
+  poses.add(await pose());
+  await app.page.keyboard.press('Shift+ArrowUp');
+  poses.add(await pose());
+  await app.page.keyboard.press('+');
+  poses.add(await pose());
+  await app.by('fit').click();
+  poses.add(await pose());
+  expect(poses.size).toBe(10);
+  expect((await app.state()).time).toBe(0);
+});
+
+test('dark and light look different, and the choice is kept', async ({ app }) => {
+  await app.open();
+  const background = (): Promise<string> => app.page.evaluate(() => getComputedStyle(document.querySelector('.deck')!).backgroundColor);
+  await app.page.emulateMedia({ colorScheme: 'light' });
+  const light = await background();
+  await app.page.emulateMedia({ colorScheme: 'dark' });
+  const dark = await background();
+  expect(dark).not.toBe(light);
+  await app.by('theme').click();
+  expect(await background()).toBe(light);
+  await app.open();
+  expect(await background()).toBe(light);
+  await app.by('theme').click();
+  await app.page.emulateMedia({ colorScheme: 'light' });
+  expect(await background()).toBe(dark);
+});
+
+test('a lost graphics context comes back with the same picture', async ({ app }) => {
+  await app.open();
+  await app.setTime(0.3);
+  const before = await app.picture();
+  await app.page.evaluate(async () => {
+    const canvas = document.querySelector<HTMLCanvasElement>('.picture canvas')!;
+    const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+    const restored = new Promise((resolve) => canvas.addEventListener('webglcontextrestored', resolve));
+    extension.loseContext();
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    extension.restoreContext();
+    await restored;
+  });
+  expect(await changedShare(app.page, before, await app.picture())).toBeLessThan(0.002);
+});
+
+test('a resize while playing loses nothing', async ({ app }) => {
+  await app.open();
+  await app.by('play').click();
+  for (const [width, height] of [[900, 700], [360, 640], [1400, 900]] as const) {
+    await app.page.setViewportSize({ width, height });
+    const { time } = await app.state();
+    await expect.poll(async () => (await app.state()).time).not.toBe(time);
+    const canvas = (await app.by('viewport').locator('canvas').boundingBox())!;
+    const host = (await app.by('viewport').boundingBox())!;
+    expect([canvas.width, canvas.height].map(Math.round)).toEqual([host.width, host.height].map(Math.round));
+  }
+  await app.expectNoProblems();
+});

@@ -1,0 +1,136 @@
+/** What the end-to-end tests share: the page with its hook, pixels of screenshots, real inputs where they are. */
+import { existsSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { test as base, expect } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
+import type { SequenceStats } from '../../web/engine/types.ts';
+import type { AppState } from '../../web/model/state.ts';
+import type {} from '../../web/app/hook.ts';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+const dataFolder = process.env['SHAPESPLINE_DATA'] ?? path.join(repository, '..', 'shared', 'data');
+
+/** Path of a real input, or null where the folder is missing. */
+export function realFile(name: string): string | null {
+  const file = path.join(dataFolder, name);
+  return existsSync(file) ? file : null;
+}
+
+export interface OpenOptions {
+  hash?: string;
+  sample?: string;
+}
+
+export class App {
+  readonly problems: string[] = [];
+  readonly requests: string[] = [];
+
+  constructor(readonly page: Page) {
+    page.on('console', (message) => {
+      if (message.type() === 'error' || message.type() === 'warning') this.problems.push(`${message.type()}: ${message.text()}`);
+    });
+    page.on('pageerror', (error) => this.problems.push(`exception: ${error.message}`));
+    page.on('request', (request) => this.requests.push(request.url()));
+  }
+
+  /** Loads the page and waits for the first shape; the motion stands still unless the test wants it. */
+  async open({ hash = '', sample }: OpenOptions = {}): Promise<this> {
+    await this.page.goto(`./${sample ? `#sample=${sample}` : hash}`);
+    await this.page.waitForFunction(() => window.__shapespline !== undefined);
+    await this.page.evaluate(() => window.__shapespline!.ready);
+    await this.settled();
+    return this;
+  }
+
+  by(testId: string): Locator {
+    return this.page.getByTestId(testId);
+  }
+
+  settled(): Promise<void> {
+    return this.page.evaluate(() => window.__shapespline!.settled());
+  }
+
+  state(): Promise<AppState> {
+    return this.page.evaluate(() => window.__shapespline!.state);
+  }
+
+  stats(): Promise<SequenceStats> {
+    return this.page.evaluate(async () => (await window.__shapespline!.stats())!);
+  }
+
+  async setTime(t: number): Promise<void> {
+    await this.page.evaluate((time) => window.__shapespline!.setTime(time), t);
+  }
+
+  /** Drawn positions, xyz interleaved. */
+  async positions(view = 0): Promise<number[]> {
+    return this.page.evaluate((index) => Array.from(window.__shapespline!.positions(index)), view);
+  }
+
+  async positionsAt(t: number, view = 0): Promise<number[]> {
+    await this.setTime(t);
+    return this.positions(view);
+  }
+
+  /** The canvas as it is on the screen, without what lies over it. */
+  async picture(): Promise<Buffer> {
+    await this.settled();
+    await this.page.addStyleTag({ content: '.viewport > :not(.picture) { visibility: hidden !important }' });
+    const shot = await this.by('viewport').locator('canvas').screenshot();
+    await this.page.evaluate(() => document.head.lastElementChild!.remove());
+    return shot;
+  }
+
+  async expectNoProblems(): Promise<void> {
+    expect(this.problems).toEqual([]);
+  }
+}
+
+export const test = base.extend<{ app: App }>({
+  // Without autoplay the picture stands still, so that it can be compared.
+  contextOptions: async ({ contextOptions }, use) => use({ ...contextOptions, reducedMotion: 'reduce' }),
+  app: async ({ page }, use) => use(new App(page)),
+});
+
+export { expect };
+
+/** Largest distance between corresponding coordinates. */
+export function difference(a: readonly number[], b: readonly number[]): number {
+  expect(a.length).toBe(b.length);
+  return a.reduce((most, value, index) => Math.max(most, Math.abs(value - b[index]!)), 0);
+}
+
+export function diagonal(positions: readonly number[]): number {
+  const size = [0, 1, 2].map((axis) => {
+    const values = positions.filter((_, index) => index % 3 === axis);
+    return values.reduce((a, b) => Math.max(a, b), -Infinity) - values.reduce((a, b) => Math.min(a, b), Infinity);
+  });
+  return Math.hypot(...size);
+}
+
+
+/** Decodes two pictures of the same size in the page and counts what differs. */
+export async function changedShare(page: Page, before: Buffer, after: Buffer): Promise<number> {
+  return page.evaluate(async ([a, b]) => {
+    const read = async (text: string): Promise<ImageData> => {
+      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+      context.drawImage(bitmap, 0, 0);
+      return context.getImageData(0, 0, bitmap.width, bitmap.height);
+    };
+    const [one, other] = [await read(a!), await read(b!)];
+    if (one.width !== other.width || one.height !== other.height) return 1;
+    let changed = 0;
+    for (let i = 0; i < one.data.length; i += 4) {
+      const step = [0, 1, 2].reduce((most, c) => Math.max(most, Math.abs(one.data[i + c]! - other.data[i + c]!)), 0);
+      if (step > 12) changed += 1;
+    }
+    return changed / (one.data.length / 4);
+  }, [before.toString('base64'), after.toString('base64')]);
+}
+
+export function bytesOf(file: string): Buffer {
+  return readFileSync(file);
+}
