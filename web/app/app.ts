@@ -215,6 +215,12 @@ export function startApp(root: HTMLElement): void {
     settled: () => settled(),
     get state() { return structuredClone(store.get()); },
     stats: async () => (await workspace.lanes[0]?.sequence.stats()) ?? null,
+    async evaluate(t) {
+      const [frame] = (await workspace.lanes[0]?.sequence.evaluateMany([t])) ?? [];
+      const positions = frame?.positions.slice() ?? new Float32Array();
+      frame?.release();
+      return positions;
+    },
     positions: (view = 0) => picture.viewer.positions(view),
     project: (points, view = 0) => picture.viewer.project(Float32Array.from(points), view),
   });

@@ -15,6 +15,8 @@ export interface TestHook {
   readonly state: AppState;
   /** Counters of the main sequence: encodings, factorisations, solves. */
   stats(): Promise<SequenceStats | null>;
+  /** The engine's own answer for a moment, 3 x vertices, without drawing it. */
+  evaluate(t: number): Promise<Float32Array>;
   /** What is drawn now in a view, 3 x vertices, copied. */
   positions(view?: number): Float32Array;
   /** Where points appear: x, y in CSS pixels from the canvas' top left corner. */
