@@ -28,5 +28,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 1200,
   },
   worker: { format: 'es' },
+  // The worker's packages, too, are bundled before the first request: finding one later would reload the page.
+  optimizeDeps: { entries: ['**/*.html', 'engine/*.worker.ts'] },
   server: { fs: { allow: [repository] } },
 });

@@ -41,7 +41,7 @@ export default defineConfig({
   ],
   webServer: [
     {
-      command: `npx vite --config web/vite.config.ts --port ${devPort} --strictPort`,
+      command: `node node_modules/vite/bin/vite.js --config web/vite.config.ts --port ${devPort} --strictPort`,
       url: `http://localhost:${devPort}/`,
       cwd: repository,
     },

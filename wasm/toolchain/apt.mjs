@@ -7,7 +7,8 @@ import { Explained, step } from './log.mjs';
 import { toolchainDir } from './paths.mjs';
 
 const quiet = { DEBIAN_FRONTEND: 'noninteractive', DEBCONF_NOWARNINGS: 'yes', LC_ALL: 'C.UTF-8' };
-const retries = '-oAcquire::Retries=3';
+// A network that fails once, another apt that is at work: both are waited for.
+const patience = ['-oAcquire::Retries=3', '-oDPkg::Lock::Timeout=600'];
 // Debian's Emscripten is old enough to fail on Node 18 before this release.
 const emscriptenSuite = 'trixie';
 
@@ -34,7 +35,7 @@ export function whyNoInstall() {
 async function update(options, label) {
   step(`fetching the package lists${label}`);
   await withRetries('apt-get update', () =>
-    run('apt-get', ['update', '-q', retries, '-oAcquire::Languages=none', ...options], { env: quiet }),
+    run('apt-get', ['update', '-q', ...patience, '-oAcquire::Languages=none', ...options], { env: quiet }),
   );
 }
 
@@ -42,7 +43,7 @@ async function update(options, label) {
 export async function installPackages(names) {
   // Lists that are missing or out of date make a first attempt fail; only then are they fetched.
   const install = () =>
-    run('apt-get', ['install', '-y', '-q', '--no-install-recommends', retries, ...names], { env: quiet });
+    run('apt-get', ['install', '-y', '-q', '--no-install-recommends', ...patience, ...names], { env: quiet });
   const known = names.every((name) => capture('apt-cache', ['show', '--no-all-versions', name], { env: quiet }));
   if (!known) await update([], '');
   step(`installing ${names.join(' ')}`);
@@ -102,7 +103,7 @@ export async function unpackPackages(names, folder, finish = () => {}) {
   await update(options, ` of Debian ${emscriptenSuite}`);
   step(`downloading ${names.join(' ')} from Debian ${emscriptenSuite}`);
   await withRetries('apt-get download', () =>
-    run('apt-get', [...options, retries, '-q', 'download', ...names], { cwd: archives, env: quiet }),
+    run('apt-get', [...options, ...patience, '-q', 'download', ...names], { cwd: archives, env: quiet }),
   );
   const wanted = (file) => file.endsWith('.deb') && names.includes(file.split('_')[0]);
   for (const file of readdirSync(archives).filter(wanted)) {

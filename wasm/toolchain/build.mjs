@@ -112,6 +112,8 @@ async function bundle(entries) {
     target: 'node20',
     format: 'esm',
     sourcemap: true,
+    // The decoders of compressed meshes stay packages of their own, loaded when a file needs them.
+    packages: 'external',
     external: ['../../build/wasm/shapespline.mjs'],
     logLevel: 'warning',
   });

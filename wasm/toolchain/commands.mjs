@@ -4,6 +4,7 @@ import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { benchBundle, buildFuzzers, nodeBundle, page, wasmModule } from './build.mjs';
 import { run } from './exec.mjs';
+import { whileLocked } from './lock.mjs';
 import { Explained } from './log.mjs';
 import { inRoot } from './paths.mjs';
 import { prepare, prepareSystem } from './prepare.mjs';
@@ -44,7 +45,7 @@ async function bench(args) {
 // fuzz [SECONDS] [TARGET]: each target, from its corpus, for so many seconds.
 async function fuzz([seconds = '60', only]) {
   await prepareSystem(forFuzzing);
-  const folder = await buildFuzzers();
+  const folder = await whileLocked(buildFuzzers);
   const targets = readdirSync(folder).filter((name) => name.endsWith('_fuzz') && (!only || name === only));
   if (targets.length === 0) throw new Explained('there is no such fuzz target in tests/fuzz');
   for (const target of targets) {

@@ -31,6 +31,12 @@ function unpackedEnvironment() {
   };
 }
 
+/** What is wrong with the emcc on PATH, for messages: '' if there is none. */
+export function emccTooOld() {
+  const onPath = which('emcc');
+  return onPath ? `; ${onPath} is ${versionOf(onPath) ?? 'broken'}` : '';
+}
+
 /**
  * The Emscripten to use, `{ emcc, version, env }`, or null. One on PATH wins, if it is new enough.
  */

@@ -3,7 +3,7 @@ import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { installPackages, unpackPackages, whyNoInstall } from './apt.mjs';
 import { hasBrowser } from './chromium.mjs';
-import { findEmscripten, oldestVersion, unpackEmscripten } from './emscripten.mjs';
+import { emccTooOld, findEmscripten, oldestVersion, unpackEmscripten } from './emscripten.mjs';
 import { which } from './exec.mjs';
 import { Explained } from './log.mjs';
 import { headersDir } from './paths.mjs';
@@ -23,7 +23,9 @@ const onPath = (...names) => names.some((name) => which(name));
 /** Each: `name` and `hint` for people, `has()`, and Debian `packages`, or its own `install()`. */
 const all = {
   emscripten: {
-    name: `Emscripten ${oldestVersion.join('.')} or newer (emcc on PATH)`,
+    get name() {
+      return `Emscripten ${oldestVersion.join('.')} or newer (emcc on PATH${emccTooOld()})`;
+    },
     hint: 'https://emscripten.org/docs/getting_started/downloads.html; macOS: brew install emscripten; Debian 13: apt-get install emscripten',
     has: () => findEmscripten() !== null,
     packages: ['clang-19', 'lld-19', 'llvm-19', 'python3'],

@@ -3,6 +3,7 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:f
 import path from 'node:path';
 import { buildNative, buildWasm, nodeBundle, page, wasmModule } from './build.mjs';
 import { run } from './exec.mjs';
+import { whileLocked } from './lock.mjs';
 import { Explained, step } from './log.mjs';
 import { buildDir, inRoot } from './paths.mjs';
 import { prepare, prepareSystem } from './prepare.mjs';
@@ -41,14 +42,14 @@ async function typecheck() {
 const doctestArguments = (words) => words.map((word) => (word.startsWith('-') ? word : `--test-case=*${word}*`));
 
 async function native(words) {
-  const folder = await buildNative(['shapespline_tests']);
+  const folder = await whileLocked(() => buildNative(['shapespline_tests']));
   step('native tests, under AddressSanitizer and UBSan');
   const args = (report) => [`--report=${report}`, ...doctestArguments(words)];
   return runReported('native', path.join(folder, 'shapespline_tests'), args, (counts) => counts);
 }
 
 async function wasm(words) {
-  const folder = await buildWasm(['shapespline_tests']);
+  const folder = await whileLocked(() => buildWasm(['shapespline_tests']));
   step('the same tests as wasm, in Node');
   const args = (report) => [path.join(folder, 'shapespline_tests.js'), `--report=${report}`, ...doctestArguments(words)];
   return runReported('wasm', node, args, (counts) => counts);
@@ -94,10 +95,7 @@ const suites = {
   native: { run: native, files: ['tests/native', '_test.cpp'], requirements: forNative, steps: [] },
   wasm: { run: wasm, files: ['tests/native', '_test.cpp'], requirements: forWasm, steps: [] },
   engine: { run: vitest('engine'), files: ['tests/engine', '.test.ts'], requirements: forWasm, steps: [wasmModule, nodeBundle] },
-  e2e: {
-    run: endToEnd, files: ['tests/e2e', '.spec.ts'], requirements: [...forWasm, ...forBrowser],
-    steps: [wasmModule, page, nodeBundle],
-  },
+  e2e: { run: endToEnd, files: ['tests/e2e', '.spec.ts'], requirements: [...forWasm, ...forBrowser], steps: [wasmModule, page] },
 };
 
 // A suite that cannot be built has failed; the others still run.
