@@ -8,9 +8,10 @@ namespace shapespline {
 
 namespace {
 
-// |mean matrix| over that of a rotation below which the mean rotation is not trusted. A twist by 270 degrees has 0.31, by
-// 360 degrees 0; the projection's derivative grows with the inverse.
-constexpr double trustedConcentration = 0.25;
+// Condition below which the mean rotation is not trusted: a twist by 270 degrees has 0.30, by 360 degrees 0, and the mean's
+// derivative grows with the inverse. (The norm of the mean matrix would not do: of a twist by 360 degrees it is 0.58 of a
+// rotation's, because the axis stays.)
+constexpr double trustedCondition = 0.25;
 
 // Index k of the representative angle + 2 pi k nearest `target`, where v is the principal rotation vector.
 Vec3 shifted(const Vec3& v, int turns, const Vec3& axisHint) {
@@ -28,7 +29,7 @@ Alignment::Alignment(const Input& in) : area_(in.patchArea), keys_(in.shape.keys
     RotationMean sum;
     for (int k = 0; k < in.patches.count; ++k) sum.add(in.rotation[c][k], area_[k]);
     mean.push_back(sum.mean());
-    smallestConcentration_ = std::min(smallestConcentration_, sum.concentration());
+    smallestCondition_ = std::min(smallestCondition_, sum.condition());
   }
   meanWithoutTurns_ = RotationPath({mean.begin(), mean.begin() + keys_});
   const int start = in.shape.startTangent, end = in.shape.endTangent;
@@ -85,9 +86,9 @@ void Alignment::decide(const std::vector<std::vector<Quaternion>>& sampled) {
   for (const auto& rotation : sampled) {
     RotationMean sum;
     for (std::size_t k = 0; k < rotation.size(); ++k) sum.add(rotation[k], area_[k]);
-    smallestConcentration_ = std::min(smallestConcentration_, sum.concentration());
+    smallestCondition_ = std::min(smallestCondition_, sum.condition());
   }
-  byPatches_ = smallestConcentration_ < trustedConcentration;
+  byPatches_ = smallestCondition_ < trustedCondition;
 }
 
 void Alignment::setTurns(const std::vector<AddedTurns>& turns) {

@@ -56,7 +56,7 @@ class Alignment {
   std::vector<RotationPath> patch_, patchWithoutTurns_;
   bool byPatches_ = false;
   int keys_ = 0;
-  double smallestConcentration_ = 1;
+  double smallestCondition_ = 1;
 };
 
 }  // namespace shapespline

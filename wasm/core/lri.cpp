@@ -78,14 +78,13 @@ class Encoder {
     const int m = shape_.faceCount(), columns = shape_.columns();
     std::vector<double> area(m, 0);
     Positions centroid(m, Vec3::Zero());
-    std::vector<std::vector<Eigen::Quaternionf>> rotations(columns,
-                                                           std::vector<Eigen::Quaternionf>(m, Eigen::Quaternionf::Identity()));
+    std::vector<std::vector<Quaternion>> rotations(columns, std::vector<Quaternion>(m, Quaternion::Identity()));
     eachUsedFace([&](int f) {
       const FaceFrame frame = referenceFrame(f);
       area[f] = frame.area;
       centroid[f] = centroidOf(shape_.poses[shape_.reference], shape_.faces[f]);
       for (int c = 0; c < columns; ++c)
-        rotations[c][f] = Quaternion(deformationOf(f, frame, c).rotation).template cast<float>();
+        rotations[c][f] = Quaternion(deformationOf(f, frame, c).rotation);
     });
     const int used = static_cast<int>(std::count(out_.hasArea.begin(), out_.hasArea.end(), 1));
     const int wanted = wantedPatches_ > 0 ? std::min(wantedPatches_, used) : defaultPatchCount(used);

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <queue>
 
-#include "core/rotation.h"
 
 namespace shapespline {
 
@@ -25,7 +24,7 @@ constexpr int candidatesPerSeed = 48;
 
 // A patch while it grows.
 struct Centre {
-  std::vector<Eigen::Quaternionf> rotation;  // one a key
+  std::vector<Quaternion> rotation;  // one a key
   Vec3 position;
   double inverseRadiusSquared;
   int seed;
@@ -50,7 +49,7 @@ class Partition {
   }
 
  private:
-  double rotationCost(int face, const std::vector<Eigen::Quaternionf>& rotation) const {
+  double rotationCost(int face, const std::vector<Quaternion>& rotation) const {
     double cost = 0;  // |R - G|_F^2 = 8 (1 - (q . g)^2)
     for (std::size_t j = 0; j < rotation.size(); ++j) {
       const double dot = in_.rotations[j][face].dot(rotation[j]);
@@ -59,9 +58,12 @@ class Partition {
     return cost;
   }
 
+  // In whole steps of 2^-20: ties of a symmetric mesh then go to the lower index, and a common rigid motion of all keys,
+  // which changes costs by rounding, does not change the partition.
   double cost(int face, const Centre& centre) const {
-    return rotationCost(face, centre.rotation) +
-           distanceWeight * (in_.centroid[face] - centre.position).squaredNorm() * centre.inverseRadiusSquared;
+    const double exact = rotationCost(face, centre.rotation) +
+                         distanceWeight * (in_.centroid[face] - centre.position).squaredNorm() * centre.inverseRadiusSquared;
+    return std::round(std::ldexp(exact, 20));
   }
 
   Centre centreAt(int face, double inverseRadiusSquared) const {
@@ -94,11 +96,11 @@ class Partition {
     for (int i = 0; i < candidateCount; ++i)
       candidates[i] = members[static_cast<std::int64_t>(i) * static_cast<std::int64_t>(members.size()) / candidateCount];
 
+    const auto farness = [&](int f) { return std::round(std::ldexp((in_.centroid[f] - middle).squaredNorm() / area, 20)); };
     std::vector<double> nearest(candidateCount, std::numeric_limits<double>::infinity());
     int next = 0;
     for (int i = 1; i < candidateCount; ++i)  // the first seed lies farthest out
-      if ((in_.centroid[candidates[i]] - middle).squaredNorm() > (in_.centroid[candidates[next]] - middle).squaredNorm())
-        next = i;
+      if (farness(candidates[i]) > farness(candidates[next])) next = i;
     for (int s = 0; s < count; ++s) {
       centres_.push_back(centreAt(candidates[next], inverseRadiusSquared));
       patches_.pieceOf.push_back(piece);
@@ -113,7 +115,7 @@ class Partition {
   // Floods all patches from their seeds at once, the cheapest face first, so that patches stay connected.
   void grow() {
     struct Claim {
-      float cost;
+      double cost;
       int face, patch;
       bool operator<(const Claim& o) const {  // reversed: the priority queue serves the greatest
         if (cost != o.cost) return cost > o.cost;
@@ -126,7 +128,7 @@ class Partition {
     for (int k = 0; k < count; ++k) patches_.ofFace[centres_[k].seed] = k;
     const auto claimNeighbours = [&](int face, int patch) {
       for (int g : in_.graph.of(face))
-        if (patches_.ofFace[g] < 0) queue.push({static_cast<float>(cost(g, centres_[patch])), g, patch});
+        if (patches_.ofFace[g] < 0) queue.push({cost(g, centres_[patch]), g, patch});
     };
     for (int k = 0; k < count; ++k) claimNeighbours(centres_[k].seed, k);
     while (!queue.empty()) {
@@ -150,11 +152,11 @@ class Partition {
       if (k < 0) continue;
       area[k] += in_.area[f];
       position[k] += in_.area[f] * in_.centroid[f];
-      for (std::size_t j = 0; j < keys; ++j) mean[k * keys + j].add(in_.rotations[j][f].cast<double>(), in_.area[f]);
+      for (std::size_t j = 0; j < keys; ++j) mean[k * keys + j].add(in_.rotations[j][f], in_.area[f]);
     }
     for (int k = 0; k < count; ++k) {
       centres_[k].position = position[k] / area[k];
-      for (std::size_t j = 0; j < keys; ++j) centres_[k].rotation[j] = mean[k * keys + j].mean().cast<float>();
+      for (std::size_t j = 0; j < keys; ++j) centres_[k].rotation[j] = mean[k * keys + j].mean();
     }
     std::vector<double> best(count, std::numeric_limits<double>::infinity());
     for (int f = 0; f < faceCount_; ++f) {

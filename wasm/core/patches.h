@@ -4,9 +4,8 @@
 
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "core/mesh.h"
+#include "core/rotation.h"
 #include "core/types.h"
 
 namespace shapespline {
@@ -17,8 +16,7 @@ struct PatchInput {
   const Pieces& pieces;
   const std::vector<double>& area;   ///< in the reference pose
   const Positions& centroid;         ///< in the reference pose
-  /// R_f of each key: rotations[key][face]. Single precision is enough to decide a partition.
-  const std::vector<std::vector<Eigen::Quaternionf>>& rotations;
+  const std::vector<std::vector<Quaternion>>& rotations;  ///< R_f of each pose: rotations[pose][face]
 };
 
 /// Two patches that share an edge (or, at a pinched place, a vertex).

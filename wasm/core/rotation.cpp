@@ -72,16 +72,10 @@ Quaternion RotationMean::mean() const {
   return weight_ > 0 ? leadingEigenvector(outer_) : Quaternion::Identity();
 }
 
-double RotationMean::concentration() const {
+double RotationMean::condition() const {
   if (weight_ <= 0) return 1;
-  const Eigen::Matrix4d& k = outer_;
-  const double xx = k(0, 0), yy = k(1, 1), zz = k(2, 2), ww = k(3, 3);
-  const double xy = k(0, 1), xz = k(0, 2), xw = k(0, 3), yz = k(1, 2), yw = k(1, 3), zw = k(2, 3);
-  Mat3 sum;  // sum w R from sum w q q^T
-  sum << ww + xx - yy - zz, 2 * (xy - zw), 2 * (xz + yw),
-         2 * (xy + zw), ww - xx + yy - zz, 2 * (yz - xw),
-         2 * (xz - yw), 2 * (yz + xw), ww - xx - yy + zz;
-  return sum.norm() / (weight_ * std::sqrt(3.0));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(outer_, Eigen::EigenvaluesOnly);
+  return (solver.eigenvalues()[3] - solver.eigenvalues()[2]) / weight_;
 }
 
 Mat3 projectToRotation(const Mat3& m) {

@@ -31,8 +31,9 @@ class RotationMean {
   void add(const Quaternion& rotation, double weight);
   Quaternion mean() const;
 
-  /// |sum w R|_F over |sum w I|_F, in [0, 1]: 1 when all agree. Small where the mean is ill-defined.
-  double concentration() const;
+  /// How well the mean is defined, in [0, 1]: the gap between the two largest eigenvalues over their sum's bound. 1 when all
+  /// rotations agree; for a uniform twist by an angle a it is |sin(a / 2) / (a / 2)|, 0 where two means are equally good.
+  double condition() const;
 
  private:
   Eigen::Matrix4d outer_ = Eigen::Matrix4d::Zero();  // coefficients in the order x, y, z, w

@@ -26,7 +26,7 @@ struct SequenceStats {
   int components = 0;
   double weldMs = 0, encodeMs = 0, orderMs = 0, factorMs = 0;  ///< wall time of each stage
   long long factorBytes = 0;
-  bool alignedByPatches = false;  ///< the mean rotation was badly conditioned (rotation alignment, DESIGN "weak spots")
+  bool alignedByPatches = false;  ///< the mean rotation was badly conditioned (alignment.h)
 };
 
 /// Something the user should know that is no error.
