@@ -4,7 +4,7 @@
 
 // clang-format off
 EM_JS(void, hostProgress, (const char* stage, double fraction), {
-  if (Module['onProgress']) Module['onProgress'](UTF8ToString(stage), fraction);
+  if (Module['onProgress']) Module['onProgress'](stage, fraction);
 });
 EM_JS(int, hostTakeFrame, (int frame, float* positions, float* normals), {
   return Module['takeFrame'] && Module['takeFrame'](frame, positions, normals) ? 1 : 0;

@@ -3,7 +3,7 @@
 
 namespace shapespline::bindings {
 
-/// Calls Module.onProgress(stage, fraction), if there is one.
+/// Calls Module.onProgress(stage, fraction), if there is one; stage is the address of text ended by a NUL.
 void reportProgress(const char* stage, double fraction);
 
 /// Calls Module.takeFrame(frame, positions, normals), which writes two arrays of 3n floats at the addresses; false if it

@@ -102,7 +102,7 @@ export class Core {
 
   /** Builds a sequence and returns its handle. */
   createSequence(keys: KeyData, encoding: EncodingOptions, motion: MotionSpec, onProgress: OnProgress): SequenceState & { handle: number } {
-    this.module.onProgress = onProgress;
+    this.module.onProgress = (stage, fraction) => onProgress(readText(this.module, stage), fraction);
     return this.lend((loan) => {
       const request = {
         faces: loan.put(keys.faces),

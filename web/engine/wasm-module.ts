@@ -5,7 +5,7 @@ export type Address = number;
 
 /** What the module calls out to; set on the module itself. */
 export interface WasmHost {
-  onProgress?: (stage: string, fraction: number) => void;
+  onProgress?: (stage: Address, fraction: number) => void;
   takeFrame?: (frame: number, positions: Address, normals: Address) => boolean;
 }
 

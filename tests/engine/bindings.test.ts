@@ -1,0 +1,114 @@
+import { readFile } from 'node:fs/promises';
+import { describe, expect, it } from 'vitest';
+import { EngineError } from '../../web/engine/errors.ts';
+import { ENCODING_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS } from '../../web/engine/types.ts';
+import { bendData, createBend, localCore, motion } from './support/core.ts';
+import { poseFiles } from './support/glb.ts';
+import { bar, bent } from './support/shapes.ts';
+
+function failure(work: () => unknown): EngineError {
+  try {
+    work();
+  } catch (error) {
+    expect(error).toBeInstanceOf(EngineError);
+    return error as EngineError;
+  }
+  throw new Error('it did not fail');
+}
+
+describe('the bindings', () => {
+  it('are those that the engine declares, and no others', async () => {
+    const { module } = await localCore();
+    const source = await readFile(new URL('../../web/engine/wasm-module.ts', import.meta.url), 'utf8');
+    const declared = [...source.matchAll(/^ {2}(_\w+)\(/gm)].map(([, name]) => name).sort();
+    const exported = Object.keys(module).filter((name) => /^_(shapespline_|malloc|free)/.test(name)).sort();
+    expect(declared.length).toBeGreaterThan(10);
+    expect(exported).toEqual(declared);
+  });
+
+  it('hand arrays over as they were: keys in, faces and positions out', async () => {
+    const { core } = await localCore();
+    const mesh = bar();
+    const poses = [0, 90].map((degrees) => bent(mesh, degrees));
+    const { keys } = core.importKeys(poseFiles(mesh, poses), IMPORT_DEFAULTS);
+    expect(keys.names).toEqual(['pose-1', 'pose-2']);
+    expect(keys.times).toEqual([0, 1]);
+    expect(keys.faces).toEqual(mesh.indices);
+    expect(keys.positions).toEqual(poses);
+    expect(core.objects).toBe(0);
+  });
+
+  it('pass every motion option on', async () => {
+    const { core } = await localCore();
+    const handle = createBend(core);
+    const at = (options: Partial<typeof MOTION_DEFAULTS>, t: number): Float32Array => {
+      core.update(handle, { ...motion, options: { ...MOTION_DEFAULTS, ...options } });
+      return core.evaluate(handle, t, null).positions;
+    };
+    const natural = at({}, 0.8);
+    const others = [
+      at({ boundary: 'hermite' }, 0.8),
+      at({ boundary: 'hermite', startSpeed: 5 }, 0.8),
+      at({ boundary: 'hermite', endSpeed: 0 }, 0.8),
+      at({ boundary: 'periodic' }, 0.8),
+      at({ boundary: 'periodic', period: 9 }, 0.8),
+      at({ method: 'geodesic' }, 0.8),
+      at({ method: 'linear' }, 0.8),
+      at({ method: 'cubic-vertex' }, 0.8),
+      at({ tension: [0, 1, 0] }, 0.8),
+      at({ turns: [{ key: 2, turns: 1 }] }, 0.8),
+    ];
+    const all = [natural, ...others].map((positions) => positions.join());
+    expect(new Set(all).size).toBe(all.length);
+    expect(at({}, 0.8)).toEqual(natural);
+    core.release(handle);
+  });
+
+  it('pass every encoding option on', async () => {
+    const { core } = await localCore();
+    const far = (options: Partial<typeof ENCODING_DEFAULTS>, boundary: 'natural' | 'hermite' = 'natural'): string => {
+      const spec = { ...motion, options: { ...MOTION_DEFAULTS, boundary } };
+      const { handle } = core.createSequence(bendData(), { ...ENCODING_DEFAULTS, ...options }, spec, () => undefined);
+      const frame = core.evaluate(handle, 1.4, null);
+      core.release(handle);
+      return frame.positions.join();
+    };
+    const shape = bent(bar(), 90);
+    const all = [
+      far({}), far({ reference: 2 }), far({ patches: 3 }), far({ stretch: 'log' }), far({ precision: 'double' }), far({}, 'hermite'),
+      far({ startTangent: shape }, 'hermite'), far({ endTangent: shape }, 'hermite'),
+    ];
+    expect(new Set(all).size).toBe(all.length);
+  });
+
+  it('answer a failure with code, sentence and place', async () => {
+    const { core } = await localCore();
+    const data = bendData();
+    data.positions[1]![7] = NaN;
+    const error = failure(() => createBend(core, data));
+    expect([error.code, error.place]).toEqual(['not-finite', { key: 1, vertex: 2 }]);
+    expect(error.message).toMatch(/key 2|b/);
+    expect(core.objects).toBe(0);
+  });
+
+  it('turn a stale handle and an unknown choice into an internal error, not a trap', async () => {
+    const { core } = await localCore();
+    const handle = createBend(core);
+    core.release(handle);
+    expect(failure(() => core.evaluate(handle, 0, null)).code).toBe('internal');
+    const odd = { ...motion, options: { ...MOTION_DEFAULTS, method: 'none' as 'lri' } };
+    expect(failure(() => createBend(core, bendData(), odd)).code).toBe('internal');
+    const good = createBend(core);
+    expect(core.evaluate(good, 0.5, null).positions).toHaveLength(bar().positions.length);
+  });
+
+  it('report progress that ends at 1 and names its stages', async () => {
+    const { core } = await localCore();
+    const seen: [string, number][] = [];
+    core.createSequence(bendData(), ENCODING_DEFAULTS, motion, (stage, fraction) => seen.push([stage, fraction]));
+    expect(seen.length).toBeGreaterThan(2);
+    expect(seen.every(([stage, fraction]) => stage.length > 0 && fraction >= 0 && fraction <= 1)).toBe(true);
+    expect(seen.map(([, f]) => f)).toEqual(seen.map(([, f]) => f).sort((a, b) => a - b));
+    expect(seen.at(-1)?.[1]).toBe(1);
+  });
+});

@@ -1,0 +1,113 @@
+import { describe, expect, it } from 'vitest';
+import { EngineError } from '../../web/engine/errors.ts';
+import { bendData, createBend, localCore, type LocalCore } from './support/core.ts';
+import { meshGlb, poseFiles } from './support/glb.ts';
+import { bar, bent } from './support/shapes.ts';
+import { IMPORT_DEFAULTS } from '../../web/engine/types.ts';
+
+const MIB = 2 ** 20;
+
+/** Takes all memory that the heap can have; returns how to give it back. */
+function takeAll({ module }: LocalCore): () => void {
+  const taken: number[] = [];
+  for (let size = 1024 * MIB; size >= 4096; size /= 2) {
+    for (let address = module._malloc(size); address !== 0; address = module._malloc(size)) taken.push(address);
+  }
+  return () => taken.splice(0).forEach((address) => module._free(address));
+}
+
+describe('the heap', () => {
+  it('stays flat over hundreds of sequences that are made, used and released', async () => {
+    const { core } = await localCore();
+    const data = bendData();
+    const cycle = (): void => {
+      const handle = createBend(core, data);
+      core.evaluate(handle, 0.3, null);
+      core.measure(handle, 0.3);
+      core.release(handle);
+    };
+    for (let i = 0; i < 10; ++i) cycle();
+    const bytes = core.heapBytes;
+    for (let i = 0; i < 300; ++i) cycle();
+    expect(core.heapBytes).toBe(bytes);
+    expect(core.objects).toBe(0);
+  });
+
+  it('stays flat over imports, good and bad, and exports', async () => {
+    const { core } = await localCore();
+    const mesh = bar();
+    const files = poseFiles(mesh, [mesh.positions, bent(mesh, 30)]);
+    const bad = [files[0]!, { name: 'cut.glb', bytes: files[1]!.bytes.slice(0, 5000) }];
+    const scene = { uvs: null, colors: null, groups: [], materials: [], images: [] };
+    const pose = { positions: mesh.positions, normals: mesh.positions };
+    const cycle = (): void => {
+      core.importKeys(files, IMPORT_DEFAULTS);
+      expect(() => core.importKeys(bad, IMPORT_DEFAULTS)).toThrow(EngineError);
+      core.writePose({ format: 'ply', faces: mesh.indices, scene, pose });
+      core.writeAnimation([pose, pose], { faces: mesh.indices, scene, seconds: [0, 1], stills: 0, project: '' });
+    };
+    for (let i = 0; i < 10; ++i) cycle();
+    const bytes = core.heapBytes;
+    for (let i = 0; i < 100; ++i) cycle();
+    expect(core.heapBytes).toBe(bytes);
+    expect(core.objects).toBe(0);
+  });
+
+  it('may grow between two frames: old frames stay, new ones are right', async () => {
+    const { core, module } = await localCore();
+    const handle = createBend(core);
+    const before = core.evaluate(handle, 0.3, null).positions;
+    const copy = before.slice();
+    const bytes = core.heapBytes;
+    const block = module._malloc(bytes);
+    expect(core.heapBytes).toBeGreaterThan(bytes);
+    expect(before).toEqual(copy);
+    expect(core.evaluate(handle, 0.3, null).positions).toEqual(copy);
+    module._free(block);
+  });
+
+  it('grows in the middle of building a sequence', async () => {
+    const { core } = await localCore();
+    const small = core.heapBytes;
+    const data = bendData(bar(24, 240));
+    const handle = createBend(core, data);
+    expect(core.heapBytes).toBeGreaterThan(small);
+    const { positions } = core.evaluate(handle, 0, null);
+    expect(positions).toHaveLength(data.positions[0]!.length);
+    expect(positions.every(Number.isFinite)).toBe(true);
+  });
+
+  it('that is full gives an error with a code, and works again when there is room', async () => {
+    const local = await localCore();
+    const data = bendData(bar(8, 80));
+    const handle = createBend(local.core, data);
+    const wanted = local.core.evaluate(handle, 0.3, null).positions;
+    local.core.release(handle);
+    const giveBack = takeAll(local);
+    let code = 'none';
+    try {
+      createBend(local.core, data);
+    } catch (error) {
+      code = error instanceof EngineError ? error.code : String(error);
+    }
+    giveBack();
+    expect(code).toBe('out-of-memory');
+    const again = createBend(local.core, data);
+    expect(local.core.evaluate(again, 0.3, null).positions).toEqual(wanted);
+  });
+
+  it('beyond 2 GB is addressed rightly', async () => {
+    const { core, module } = await localCore();
+    const blocks = [1, 2, 3].map(() => module._malloc(800 * MIB));
+    expect(blocks.every((address) => address !== 0)).toBe(true);
+    expect(core.heapBytes).toBeGreaterThan(2 ** 31);
+    const mesh = bar();
+    const poses = [0, 60, 120].map((degrees) => bent(mesh, degrees));
+    const files = poses.map((positions, i) => ({ name: `${i}.glb`, bytes: meshGlb(mesh, positions) }));
+    const { keys } = core.importKeys(files, IMPORT_DEFAULTS);
+    expect(keys.positions).toEqual(poses);
+    const high = core.evaluate(createBend(core, bendData()), 0.3, null).positions;
+    const low = (await localCore()).core;
+    expect(high).toEqual(low.evaluate(createBend(low), 0.3, null).positions);
+  });
+});

@@ -1,0 +1,186 @@
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Sequence } from '../../web/engine/api.ts';
+import { bendKeys, bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
+import { diagonal, largestDistance } from './support/shapes.ts';
+
+const engine = testEngine();
+let bend: Bend & { sequence: Sequence };
+
+beforeAll(async () => {
+  bend = await bendSequence(engine);
+});
+
+const positionsAt = async (sequence: Sequence, t: number): Promise<Float32Array> => (await frameAt(sequence, t)).positions;
+
+describe('a sequence', () => {
+  it('passes through its keys, to 1e-5 of the diagonal in float32', async () => {
+    for (const [key, t] of [0, 0.5, 1].entries()) {
+      const pose = bend.poses[key]!;
+      expect(largestDistance(await positionsAt(bend.sequence, t), pose)).toBeLessThan(1e-5 * diagonal(pose));
+    }
+  });
+
+  it('knows its times, its range and its options', () => {
+    expect(bend.sequence.keyTimes).toEqual([0, 0.5, 1]);
+    expect(bend.sequence.range).toEqual([0, 1]);
+    expect(bend.sequence.options).toMatchObject({ method: 'lri', boundary: 'natural', reference: 0 });
+  });
+
+  it('gives unit normals that point outward', async () => {
+    const { positions, normals } = await frameAt(bend.sequence, 0);
+    let outward = 0;
+    for (let i = 0; i < normals.length; i += 3) {
+      expect(Math.hypot(normals[i]!, normals[i + 1]!, normals[i + 2]!)).toBeCloseTo(1, 5);
+      outward += Math.sign(normals[i]! * positions[i]! + normals[i + 1]! * positions[i + 1]!);
+    }
+    expect(outward).toBeGreaterThan(0.8 * (normals.length / 3));
+  });
+
+  it('is pure: the same t gives the same bits, whatever was asked before, in every worker', async () => {
+    const first = await positionsAt(bend.sequence, 0.37);
+    await positionsAt(bend.sequence, -2);
+    await bend.sequence.update({ boundary: 'periodic', keyTimes: [0, 0.2, 3] });
+    await positionsAt(bend.sequence, 0.9);
+    await bend.sequence.update({ boundary: 'natural', keyTimes: [0, 0.5, 1] });
+    expect(await positionsAt(bend.sequence, 0.37)).toEqual(first);
+    const other = await engine.createSequence(bend.keys);
+    expect(await positionsAt(other, 0.37)).toEqual(first);
+    other.dispose();
+  });
+
+  it('keeps the volume of a bend that a blend of vertices loses', async () => {
+    const mean = (values: number[]): number => values.reduce((a, b) => a + b) / values.length;
+    const measured = async (): Promise<number> => {
+      const { volume } = await bend.sequence.measures([0, 0.5, 1, 0.25, 0.75]);
+      return Math.min(...volume.slice(3)) / mean(volume.slice(0, 3));
+    };
+    expect(await measured()).toBeGreaterThan(0.99);
+    await bend.sequence.update({ method: 'linear' });
+    expect(await measured()).toBeLessThan(0.96);
+    await bend.sequence.update({ method: 'lri' });
+  });
+
+  it('encodes and factorises once, whatever is scrubbed, toggled and moved', async () => {
+    const sequence = await engine.createSequence(bend.keys);
+    const before = await sequence.stats();
+    expect(before.encodings).toBeGreaterThan(0);
+    expect(before.factorisations).toBeGreaterThan(0);
+    for (const t of [-0.4, 0, 0.3, 1, 1.4]) (await frameAt(sequence, t)).release();
+    for (const boundary of ['hermite', 'periodic', 'natural'] as const) await sequence.update({ boundary });
+    for (const method of ['geodesic', 'linear', 'cubic-vertex', 'lri'] as const) {
+      await sequence.update({ method });
+      await frameAt(sequence, 0.3);
+    }
+    await sequence.update({ keyTimes: [0, 0.1, 5], startSpeed: 0.5, tension: [0, 0.5, 0] });
+    await frameAt(sequence, 2);
+    const after = await sequence.stats();
+    expect([after.encodings, after.factorisations]).toEqual([before.encodings, before.factorisations]);
+    expect(after.solves).toBeGreaterThan(before.solves);
+    sequence.dispose();
+  });
+
+  it('moves its keys in time', async () => {
+    const sequence = await engine.createSequence(bend.keys, { boundary: 'hermite' });
+    await sequence.update({ keyTimes: [-1, 3, 4] });
+    expect([sequence.keyTimes, sequence.range]).toEqual([[-1, 3, 4], [-1, 4]]);
+    expect(largestDistance(await positionsAt(sequence, 3), bend.poses[1]!)).toBeLessThan(1e-4);
+    sequence.dispose();
+  });
+
+  it('keeps its motion when an update is refused', async () => {
+    const before = await positionsAt(bend.sequence, 0.7);
+    const refused = [
+      { keyTimes: [0, 0, 1] }, { keyTimes: [0, 1] }, { tension: [1] }, { turns: [{ key: 9, turns: 1 }] },
+      { boundary: 'periodic' as const, period: 0.5 },
+    ];
+    const codes = [];
+    for (const change of refused) codes.push((await failureOf(bend.sequence.update(change))).code);
+    expect(codes).toEqual(['times-not-increasing', 'time-count-mismatch', 'invalid-option', 'invalid-option', 'invalid-option']);
+    expect(bend.sequence.options).toMatchObject({ boundary: 'natural', tension: [], turns: [], period: null });
+    expect(await positionsAt(bend.sequence, 0.7)).toEqual(before);
+  });
+
+  it('refuses options that do not fit its keys', async () => {
+    const wrong = [
+      { reference: 3 }, { tension: [0] }, { startTangent: new Float32Array(6) }, { boundary: 'periodic' as const, period: 0.5 },
+      { turns: [{ key: 3, turns: 1 }] },
+    ];
+    for (const options of wrong) {
+      const error = await failureOf(engine.createSequence(bend.keys, options));
+      expect([Object.keys(options)[0], error.code]).toEqual([Object.keys(options)[0], 'invalid-option']);
+    }
+  });
+
+  it('gives the plane, the bending energy and the patches', async () => {
+    const plane = await bend.sequence.shapePlane([0, 0.5, 0.75, 1]);
+    expect(plane.keys).toHaveLength(6);
+    expect(plane.curve).toHaveLength(8);
+    expect(plane.explained).toBeGreaterThan(0.99);
+    plane.curve.slice(0, 2).forEach((value, i) => expect(value).toBeCloseTo(plane.keys[i]!, 8));
+    const energy = await bend.sequence.bendingEnergy([0, 0.25, 0.5]);
+    expect(energy).toHaveLength(3);
+    expect(energy.every((e) => Number.isFinite(e) && e >= 0)).toBe(true);
+    const patches = await bend.sequence.patches();
+    const { patches: count } = await bend.sequence.stats();
+    expect(patches).toHaveLength(bend.mesh.indices.length / 3);
+    expect(Math.max(...patches)).toBe(count - 1);
+    expect(Math.min(...patches)).toBe(0);
+  });
+
+  it('resolves overtaken requests to null and the last one to its frame', async () => {
+    const times = Array.from({ length: 20 }, (_, i) => i / 10);
+    const frames = await Promise.all(times.map((t) => bend.sequence.evaluate(t)));
+    const shown = frames.filter((frame) => frame !== null);
+    expect(frames.at(-1)?.t).toBe(1.9);
+    expect(shown.length).toBeLessThan(times.length);
+    expect(frames.at(-1)?.positions).toEqual(await positionsAt(bend.sequence, 1.9));
+  });
+
+  it('gives every frame of a series, and stays free for others meanwhile', async () => {
+    const order: string[] = [];
+    const many = bend.sequence.evaluateMany([0, 0.25, 0.5, 0.75, 1]).then((frames) => {
+      order.push('series');
+      return frames;
+    });
+    await frameAt(bend.sequence, 0.1);
+    order.push('frame');
+    expect((await many).map(({ t }) => t)).toEqual([0, 0.25, 0.5, 0.75, 1]);
+    expect(order).toEqual(['frame', 'series']);
+  });
+
+  it('reports growing progress while it is built', async () => {
+    const fractions: number[] = [];
+    const stages = new Set<string>();
+    const onProgress = ({ stage, fraction }: { stage: string; fraction: number }): void => {
+      stages.add(stage);
+      fractions.push(fraction);
+    };
+    (await engine.createSequence(bend.keys, {}, { onProgress })).dispose();
+    expect(fractions).toEqual(fractions.slice().sort((a, b) => a - b));
+    expect(fractions.at(-1)).toBe(1);
+    expect(stages.size).toBeGreaterThan(1);
+  });
+
+  it('is one of many that are made and disposed of', async () => {
+    for (let i = 0; i < 20; ++i) {
+      const { sequence } = { sequence: await engine.createSequence(bend.keys) };
+      await frameAt(sequence, i / 20);
+      sequence.dispose();
+      sequence.dispose();
+      expect((await failureOf(sequence.evaluate(0))).code).toBe('disposed');
+    }
+  });
+});
+
+describe('arranged keys', () => {
+  it('make sequences of their own without another import', async () => {
+    const { keys, poses } = await bendKeys(engine);
+    const arranged = keys.arrange([2, 0], [0, 1]).withPose('last', 2, poses[1]!);
+    keys.dispose();
+    const sequence = await engine.createSequence(arranged);
+    for (const [t, pose] of [[0, 2], [1, 0], [2, 1]] as const) {
+      expect(largestDistance(await positionsAt(sequence, t), poses[pose]!)).toBeLessThan(1e-4);
+    }
+    sequence.dispose();
+  });
+});

@@ -1,0 +1,38 @@
+/** The core in this very thread, for tests of the bindings and of the heap. */
+import { readFile } from 'node:fs/promises';
+import createWasm from '../../../build/wasm/shapespline.mjs';
+import { Core } from '../../../web/engine/core.ts';
+import type { KeyData, MotionSpec } from '../../../web/engine/protocol.ts';
+import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../../web/engine/types.ts';
+import type { WasmModule } from '../../../web/engine/wasm-module.ts';
+import { bar, bent, type Mesh } from './shapes.ts';
+
+let compiled: Promise<WebAssembly.Module> | null = null;
+
+export interface LocalCore {
+  core: Core;
+  module: WasmModule;
+}
+
+export async function localCore(): Promise<LocalCore> {
+  compiled ??= readFile(new URL('../../../build/wasm/shapespline.wasm', import.meta.url)).then((bytes) => WebAssembly.compile(bytes));
+  let module: WasmModule | null = null;
+  const core = await Core.start(async (settings) => (module = await createWasm(settings)), await compiled);
+  return { core, module: module as unknown as WasmModule };
+}
+
+export const motion: MotionSpec = { version: 0, options: MOTION_DEFAULTS, keyTimes: [0, 0.5, 1] };
+
+export function bendData(mesh: Mesh = bar()): KeyData {
+  return {
+    names: ['a', 'b', 'c'],
+    times: [0, 0.5, 1],
+    faces: mesh.indices,
+    positions: [0, 60, 120].map((degrees) => bent(mesh, degrees)),
+    normals: null,
+  };
+}
+
+export function createBend(core: Core, data = bendData(), spec = motion): number {
+  return core.createSequence(data, ENCODING_DEFAULTS, spec, () => undefined).handle;
+}
