@@ -18,6 +18,7 @@ Limb ribbed(Limb limb, int ribs, double depth, double edge, double blend) {
 Body makeBody() {
   Body body;
   body.floor = 0;
+  body.floorRounding = 0.12;
   attach(body, -1, ribbed(makeLimb({{{0, 0, 0}, 0.54}, {{0, 0.55, 0}, 0.44}, {{0, 1.9, 0}, 0.47},
                                     {{0, 3.4, 0}, 0.475}, {{0, 4.35, 0}, 0.43}}, 46), 9, 0.26, trunkEdge, 0));
   attach(body, trunk, ribbed(makeLimb({{{0, 1.55, 0}, 0.22}, {{-0.5, 1.52, 0.02}, 0.235}, {{-0.93, 1.62, 0.05}, 0.27},
@@ -48,7 +49,7 @@ Sample makeCactus() {
       bent(body, 85 * degree * Vec3::UnitX(), {0.5, 0, 0.35}, {0.7, 0, -0.3}),
   };
   return {"cactus", "Cactus", "A cactus bent to one side, upright, and bent towards you: the paper's first example.",
-          BoundaryKind::Natural, posedKeyframes(body, poses, 24)};
+          BoundaryKind::Natural, posedKeyframes(body, poses, 0.5, 24)};
 }
 
 }  // namespace shapespline

@@ -23,7 +23,7 @@ BodyPoint nearestOnBody(const Body& body, const Vec3& point);
 /// Wanted edge length at a point: the smallest wish among the limbs, each growing by half the distance from the limb.
 double wantedEdge(const Body& body, const Vec3& point);
 
-/// Newton steps along the gradient until the point lies on the surface; `step` is the length for differences.
+/// Two Newton steps along the gradient towards the surface; `step` is the length for differences.
 Vec3 projectToSurface(const Field& field, Vec3 point, double step);
 
 }  // namespace shapespline

@@ -104,13 +104,14 @@ SpanPoint nearestOnSpan(const Limb& limb, int span, const Vec3& point) {
   return result;
 }
 
-// A sphere around the whole limb, for cheap bounds.
 void enclose(Limb& limb) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& c : limb.centre) sum += c;
-  limb.middle = sum / limb.jointCount();
-  for (int i = 0; i < limb.jointCount(); ++i) {
-    limb.reach = std::max(limb.reach, (limb.centre[i] - limb.middle).norm() + limb.radius[i]);
+  for (int first = 0; first + 1 < limb.jointCount(); first += Bound::spans) {
+    const int last = std::min(first + Bound::spans, limb.jointCount() - 1);
+    Bound bound{0.5 * (limb.centre[first] + limb.centre[last]), 0};
+    for (int i = first; i <= last; ++i) {
+      bound.radius = std::max(bound.radius, (limb.centre[i] - bound.middle).norm() + limb.radius[i]);
+    }
+    limb.bounds.push_back(bound);
   }
 }
 
@@ -146,19 +147,25 @@ int attach(Body& body, int parent, Limb limb) {
   return static_cast<int>(body.limbs.size()) - 1;
 }
 
-double distanceBound(const Limb& limb, const Vec3& point) {
-  return ((point - limb.middle).norm() - limb.reach) * limb.flattening.factor;
-}
+double wantedEdge(const Limb& limb, int joint) { return std::min(limb.edge, 2 * M_PI / 11 * limb.radius[joint]); }
 
-LimbPoint nearestOnLimb(const Limb& limb, const Vec3& point) {
-  int best = 0;
-  SpanPoint at = nearestOnSpan(limb, 0, point);
-  for (int span = 1; span + 1 < limb.jointCount(); ++span) {
-    const SpanPoint candidate = nearestOnSpan(limb, span, point);
-    if (candidate.distance >= at.distance) continue;
-    at = candidate;
-    best = span;
+LimbPoint nearestOnLimb(const Limb& limb, const Vec3& point, double limit) {
+  limit /= limb.flattening.factor;
+  int best = -1;
+  SpanPoint at;
+  for (int group = 0; group < static_cast<int>(limb.bounds.size()); ++group) {
+    const Bound& bound = limb.bounds[group];
+    if ((point - bound.middle).norm() - bound.radius >= limit) continue;
+    const int first = group * Bound::spans, end = std::min(first + Bound::spans, limb.jointCount() - 1);
+    for (int span = first; span < end; ++span) {
+      const SpanPoint candidate = nearestOnSpan(limb, span, point);
+      if (candidate.distance >= limit) continue;
+      limit = candidate.distance;
+      at = candidate;
+      best = span;
+    }
   }
+  if (best < 0) return {0, limit * limb.flattening.factor};
   const double along = best + at.t, radius = at.length - at.distance;
   const double surface = radius * ribFactor(limb, along, at.offset, at.length);
   return {along, (at.length - surface) * limb.flattening.factor};

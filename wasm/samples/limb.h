@@ -1,6 +1,7 @@
 // Bodies made of limbs: centre lines with a radius, which give both the surface (implicit.h) and the joints (pose.h).
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -26,19 +27,25 @@ struct Flattening {
   double factor = 1;
 };
 
+/// A sphere around a stretch of a limb.
+struct Bound {
+  static constexpr int spans = 6;  ///< that it covers, from one joint to the next
+  Vec3 middle;
+  double radius;
+};
+
 /// A tube of varying radius with round ends about a curve that is sampled evenly by arc length. Every sample is a joint.
 struct Limb {
   Positions centre;
   std::vector<double> radius;
   std::vector<Mat3> frame;  ///< columns: two normals, transported in parallel, and the tangent
   double blend = 0;         ///< width over which the limb melts into those before it
-  double edge = 0;          ///< wanted edge length on its surface
+  double edge = 0;          ///< wanted edge length on its surface, where that gives 11 edges around it
   Ribs ribs;
   Flattening flattening;
   int parent = -1;          ///< limb that carries it; -1 for the root
   int parentJoint = 0;      ///< joint of that limb
-  Vec3 middle = Vec3::Zero();  ///< of a sphere that holds the limb
-  double reach = 0;            ///< radius of that sphere
+  std::vector<Bound> bounds;   ///< of every Bound::spans spans
 
   int jointCount() const { return static_cast<int>(centre.size()); }
 };
@@ -47,6 +54,7 @@ struct Limb {
 struct Body {
   std::vector<Limb> limbs;
   std::optional<double> floor;  ///< the body is cut off below this y
+  double floorRounding = 0;     ///< of the edge that this leaves
 
   int jointCount() const;
   int firstJoint(int limb) const;  ///< index of a limb's first joint among all joints
@@ -64,9 +72,11 @@ struct LimbPoint {
   double distance = 0;  ///< from the limb's surface, negative inside; exact only near the surface of a plain limb
 };
 
-/// A cheap lower bound of nearestOnLimb().distance.
-double distanceBound(const Limb& limb, const Vec3& point);
+/// Wanted edge length on a limb at a joint.
+double wantedEdge(const Limb& limb, int joint);
 
-LimbPoint nearestOnLimb(const Limb& limb, const Vec3& point);
+/// Looks no further than `limit`: where the limb is not nearer than that, the distance returned is `limit` or more and
+/// `along` means nothing.
+LimbPoint nearestOnLimb(const Limb& limb, const Vec3& point, double limit = std::numeric_limits<double>::max());
 
 }  // namespace shapespline

@@ -1,5 +1,6 @@
 #include "samples/polygonise.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -13,14 +14,16 @@ namespace {
 // on the diagonals of their common face, so the surface closes.
 constexpr int tetrahedra[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
 
+constexpr int block = 6;  // cells
+
 class Marcher {
  public:
   Marcher(const Field& field, const Vec3& low, const Vec3& high, double cell) : low_(low), cell_(cell) {
     for (int k = 0; k < 3; ++k) size_[k] = static_cast<int>(std::ceil((high[k] - low[k]) / cell)) + 1;
-    values_.reserve(std::size_t(size_[0]) * size_[1] * size_[2]);
-    for (int z = 0; z < size_[2]; ++z) {
-      for (int y = 0; y < size_[1]; ++y) {
-        for (int x = 0; x < size_[0]; ++x) values_.push_back(awayFromZero(field(corner({x, y, z}))));
+    values_.resize(std::size_t(size_[0]) * size_[1] * size_[2]);
+    for (int z = 0; z < size_[2]; z += block) {
+      for (int y = 0; y < size_[1]; y += block) {
+        for (int x = 0; x < size_[0]; x += block) sampleBlock(field, {x, y, z});
       }
     }
   }
@@ -36,6 +39,19 @@ class Marcher {
 
  private:
   using Cell = std::array<int, 3>;
+
+  // Far from the surface one value stands for a whole block: the field changes about as fast as the distance.
+  void sampleBlock(const Field& field, const Cell& first) {
+    const double middle = field(corner(first) + Vec3::Constant(0.5 * block * cell_));
+    const bool far = std::abs(middle) > 2 * 0.5 * std::sqrt(3.0) * block * cell_;
+    for (int z = first[2]; z < std::min(first[2] + block, size_[2]); ++z) {
+      for (int y = first[1]; y < std::min(first[1] + block, size_[1]); ++y) {
+        for (int x = first[0]; x < std::min(first[0] + block, size_[0]); ++x) {
+          values_[index({x, y, z})] = far ? middle : awayFromZero(field(corner({x, y, z})));
+        }
+      }
+    }
+  }
 
   // A corner exactly on the surface would put several vertices in one place.
   double awayFromZero(double value) const { return std::abs(value) < 1e-3 * cell_ ? 1e-3 * cell_ : value; }

@@ -25,8 +25,8 @@ class Remesher {
     measure();
     collapseShort();
     mesh_.compact();
-    flip();
     measure();
+    flip();
     relax();
   }
 
@@ -91,7 +91,7 @@ class Remesher {
     const Vec3 normal = mesh_.normal(v).normalized();
     Vec3 step = sum / weights - mesh_.position(v);
     step -= normal.dot(step) * normal;
-    return projectToSurface(field_, mesh_.position(v) + step, 0.02 * wanted_[v]);
+    return projectToSurface(field_, mesh_.position(v) + step, 0.01 * wanted_[v]);
   }
 
   EditMesh mesh_;
@@ -113,8 +113,8 @@ Surface makeSurface(const Body& body) {
   Vec3 low = Vec3::Constant(infinity), high = Vec3::Constant(-infinity);
   double cell = infinity;
   for (const Limb& limb : body.limbs) {
-    cell = std::min(cell, limb.edge);
     for (int i = 0; i < limb.jointCount(); ++i) {
+      cell = std::min(cell, std::min(limb.edge, 0.9 * limb.radius[i]));
       low = low.cwiseMin(limb.centre[i] - Vec3::Constant(limb.radius[i]));
       high = high.cwiseMax(limb.centre[i] + Vec3::Constant(limb.radius[i]));
     }

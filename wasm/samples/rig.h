@@ -7,7 +7,7 @@
 
 namespace shapespline {
 
-/// Meshes the body, binds the mesh with `smoothing` rounds and poses it; times are spread evenly over [0, 1].
-Keyframes posedKeyframes(const Body& body, const std::vector<Pose>& poses, int smoothing);
+/// Meshes the body, binds the mesh with `smoothing` rounds and poses it; key j is at time j * spacing.
+Keyframes posedKeyframes(const Body& body, const std::vector<Pose>& poses, double spacing, int smoothing);
 
 }  // namespace shapespline

@@ -19,8 +19,15 @@ struct Sample {
 
 Sample makeCactus();
 Sample makeTwistedBar();
+Sample makeDachshund();
+Sample makeOctopus();
 
-/// All of them, in the order in which they are offered.
-std::vector<Sample> makeSamples();
+struct SampleMaker {
+  const char* id;
+  Sample (*make)();
+};
+
+/// All of them, in the order in which they are offered. Each takes a second or two.
+const std::vector<SampleMaker>& sampleMakers();
 
 }  // namespace shapespline

@@ -97,12 +97,6 @@ bool isClosedManifold(const std::vector<Triangle>& faces, int vertices) {
   return true;
 }
 
-double enclosedVolume(const std::vector<Triangle>& faces, const Positions& p) {
-  double sum = 0;
-  for (const Triangle& f : faces) sum += p[f[0]].dot(p[f[1]].cross(p[f[2]]));
-  return sum / 6;
-}
-
 double smallestAngle(const std::vector<Triangle>& faces, const Positions& p) {
   double smallest = M_PI;
   for (const Triangle& f : faces) {

@@ -8,9 +8,6 @@ namespace shapespline {
 /// Every edge belongs to two faces that run along it in opposite directions, and every vertex to one fan of faces.
 bool isClosedManifold(const std::vector<Triangle>& faces, int vertices);
 
-/// Of the region that a closed surface encloses, positive if its faces are counter-clockwise seen from outside.
-double enclosedVolume(const std::vector<Triangle>& faces, const Positions& positions);
-
 /// The smallest angle of any face, in degrees.
 double smallestAngle(const std::vector<Triangle>& faces, const Positions& positions);
 

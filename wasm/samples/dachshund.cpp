@@ -1,0 +1,151 @@
+// A dachshund's walk: eight keys of a cycle that closes, seen from a camera that walks along.
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "samples/rig.h"
+#include "samples/sample.h"
+
+namespace shapespline {
+namespace {
+
+// It looks along x; left is -z.
+enum Part { torso, neck, head, jaw, tail, leftFore, rightFore, leftHind, rightHind, leftEar, rightEar };
+
+constexpr int keyCount = 8;
+constexpr double tau = 2 * M_PI;
+constexpr double halfStride = 0.24, lift = 0.12, stance = 0.62;  // the share of the cycle that a paw stands
+
+Limb part(const std::vector<Knot>& knots, int joints, double edge, double blend) {
+  Limb limb = makeLimb(knots, joints);
+  limb.edge = edge;
+  limb.blend = blend;
+  return limb;
+}
+
+Limb foreleg(double side) {
+  return part({{{0.98, 0.88, 0.20 * side}, 0.26}, {{0.90, 0.58, 0.29 * side}, 0.165}, {{0.97, 0.30, 0.29 * side}, 0.125},
+               {{1.02, 0.13, 0.29 * side}, 0.125}, {{1.17, 0.08, 0.30 * side}, 0.12}}, 22, 0.058, 0.14);
+}
+
+Limb hindLeg(double side) {
+  return part({{{-1.13, 0.90, 0.17 * side}, 0.31}, {{-0.98, 0.58, 0.27 * side}, 0.20}, {{-1.22, 0.32, 0.28 * side}, 0.115},
+               {{-1.20, 0.13, 0.28 * side}, 0.12}, {{-1.04, 0.08, 0.29 * side}, 0.12}}, 24, 0.058, 0.14);
+}
+
+Limb ear(double side) {
+  Limb limb = part({{{1.72, 1.97, 0.19 * side}, 0.10}, {{1.66, 1.93, 0.32 * side}, 0.15}, {{1.62, 1.65, 0.40 * side}, 0.20},
+                    {{1.66, 1.38, 0.41 * side}, 0.17}}, 14, 0.048, 0.08);
+  limb.flattening = {Vec3(0.15, 0.25, side).normalized(), 0.36};
+  return limb;
+}
+
+Limb ball(const Vec3& centre, double radius, double edge) {
+  return part({{centre - Vec3(0.01, 0, 0), radius}, {centre, radius}}, 2, edge, 0.02);
+}
+
+Body makeBody() {
+  Body body;
+  body.floor = 0;
+  body.floorRounding = 0.05;
+  attach(body, -1, part({{{-1.38, 0.90, 0}, 0.33}, {{-0.9, 0.93, 0}, 0.375}, {{-0.1, 0.88, 0}, 0.36}, {{0.75, 0.88, 0}, 0.43}, {{1.08, 0.98, 0}, 0.36}}, 30, 0.088, 0));
+  attach(body, torso, part({{{1.0, 1.02, 0}, 0.33}, {{1.32, 1.36, 0}, 0.255}, {{1.55, 1.68, 0}, 0.25}}, 14, 0.072, 0.12));
+  attach(body, neck, part({{{1.60, 1.80, 0}, 0.27}, {{1.83, 1.87, 0}, 0.29}, {{2.10, 1.76, 0}, 0.185}, {{2.40, 1.69, 0}, 0.15}, {{2.62, 1.66, 0}, 0.13}}, 20, 0.058, 0.12));
+  attach(body, head, part({{{1.95, 1.67, 0}, 0.15}, {{2.25, 1.565, 0}, 0.115}, {{2.50, 1.53, 0}, 0.092}}, 8, 0.042, 0.035));
+  attach(body, torso, part({{{-1.45, 1.0, 0}, 0.16}, {{-1.85, 1.18, 0}, 0.105}, {{-2.15, 1.52, 0}, 0.075}, {{-2.24, 1.95, 0}, 0.05}}, 22, 0.05, 0.12));
+  attach(body, torso, foreleg(-1));
+  attach(body, torso, foreleg(1));
+  attach(body, torso, hindLeg(-1));
+  attach(body, torso, hindLeg(1));
+  attach(body, head, ear(-1));
+  attach(body, head, ear(1));
+  for (double side : {-1.0, 1.0}) attach(body, head, ball({2.03, 1.94, 0.165 * side}, 0.075, 0.03));
+  attach(body, head, ball({2.735, 1.73, 0}, 0.08, 0.034));
+  return body;
+}
+
+struct Leg {
+  Part part;
+  double phase;  ///< at which the paw touches down, as a share of the cycle
+};
+
+// The walk of most quadrupeds: hind, then fore of the same side, then the other side.
+constexpr Leg legs[] = {{leftHind, 0}, {leftFore, 0.25}, {rightHind, 0.5}, {rightFore, 0.75}};
+
+constexpr double wrist = 0.78;  // share of a leg's length above its paw
+
+Vec3 wristOf(const Body& body, const Pose& pose, Part leg) {
+  const int joint = static_cast<int>(wrist * (body.limbs[leg].jointCount() - 1));
+  return jointTransforms(body, pose)[body.firstJoint(leg) + joint] * body.limbs[leg].centre[joint];
+}
+
+struct Step {
+  double forward = 0, up = 0, pitch = 0;  ///< of the paw against its place at rest
+};
+
+Step stepAt(double phase) {
+  phase -= std::floor(phase);
+  if (phase < stance) return {halfStride * (1 - 2 * phase / stance), 0, 0};
+  const double swing = (phase - stance) / (1 - stance);
+  const double up = std::sin(M_PI * swing);
+  return {-halfStride * std::cos(M_PI * swing), lift * up * up, -0.9 * up * up * (1 - 0.6 * swing)};
+}
+
+void setLeg(Pose& pose, const Body& body, Part leg, double shoulder, double elbow, double paw) {
+  const int first = body.firstJoint(leg);
+  for (int j = 0; j < body.limbs[leg].jointCount(); ++j) pose.turns[first + j].setZero();
+  bend(pose, body, leg, 0, 0.2, shoulder * Vec3::UnitZ());
+  bend(pose, body, leg, 0.3, 0.6, elbow * Vec3::UnitZ());
+  bend(pose, body, leg, wrist - 0.08, wrist + 0.08, paw * Vec3::UnitZ());
+}
+
+// Inverse kinematics: Newton's method on shoulder and elbow until the wrist is where the step wants it; the paw then
+// turns back so that it keeps its pitch.
+void placePaw(Pose& pose, const Body& body, Part leg, const Step& step) {
+  const Vec3 target = wristOf(body, Pose(body), leg) + Vec3(step.forward, step.up, 0);
+  Vec2 angles(0, 0);
+  const auto miss = [&](const Vec2& a) -> Vec2 {
+    setLeg(pose, body, leg, a.x(), a.y(), 0);
+    return (wristOf(body, pose, leg) - target).head<2>();
+  };
+  for (int i = 0; i < 20; ++i) {
+    constexpr double h = 1e-5;
+    const Vec2 at = miss(angles);
+    Mat2 jacobian;
+    jacobian << (miss(angles + Vec2(h, 0)) - at) / h, (miss(angles + Vec2(0, h)) - at) / h;
+    Vec2 change = -jacobian.fullPivLu().solve(at);
+    if (change.norm() > 0.3) change *= 0.3 / change.norm();
+    angles += change;
+  }
+  setLeg(pose, body, leg, angles.x(), angles.y(), step.pitch - angles.sum());
+}
+
+Pose walkPose(const Body& body, double phase) {
+  const auto wave = [&](double beats, double delay) { return std::sin(tau * (beats * phase - delay)); };
+  Pose pose(body);
+  const Vec3 spine(0.06 * wave(1, 0.2), 0.22 * wave(1, 0), 0.03 * wave(2, 0.3));
+  bend(pose, body, torso, 0, 1, spine);
+  // Half of the bend turns the chest, half the pelvis the other way.
+  pose.root = Eigen::Translation3d(0, -0.03 + 0.015 * wave(2, 0.1), 0) * Eigen::AngleAxisd(-0.5 * spine.norm(), spine.normalized());
+  bend(pose, body, neck, 0, 1, {0, -0.10 * wave(1, 0), 0.08 * wave(2, 0.35)});
+  bend(pose, body, head, 0, 0.3, {0.06 * wave(1, 0.25), -0.05 * wave(1, 0.1), -0.06 * wave(2, 0.45)});
+  bend(pose, body, tail, 0, 0.9, {0.5 * wave(1, 0.1), 0.55 * wave(1, 0.1), 0.1 * wave(2, 0)});
+  for (Part side : {leftEar, rightEar}) {
+    const double out = side == leftEar ? 1 : -1;
+    bend(pose, body, side, 0.1, 1, {out * (0.12 + 0.14 * wave(2, 0.6)), 0, 0.25 * wave(2, 0.7)});
+  }
+  for (const Leg& leg : legs) placePaw(pose, body, leg.part, stepAt(phase - leg.phase));
+  return pose;
+}
+
+}  // namespace
+
+Sample makeDachshund() {
+  const Body body = makeBody();
+  std::vector<Pose> poses;
+  for (int j = 0; j < keyCount; ++j) poses.push_back(walkPose(body, double(j) / keyCount));
+  return {"dachshund", "Dachshund", "Eight poses of a walk; the periodic spline closes the loop.",
+          BoundaryKind::Periodic, posedKeyframes(body, poses, 1.0 / keyCount, 12)};
+}
+
+}  // namespace shapespline

@@ -1,0 +1,15 @@
+#include "samples/sample.h"
+
+namespace shapespline {
+
+const std::vector<SampleMaker>& sampleMakers() {
+  static const std::vector<SampleMaker> makers{
+      {"cactus", makeCactus},
+      {"dachshund", makeDachshund},
+      {"octopus", makeOctopus},
+      {"twisted-bar", makeTwistedBar},
+  };
+  return makers;
+}
+
+}  // namespace shapespline

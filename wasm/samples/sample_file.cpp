@@ -1,0 +1,82 @@
+#include "samples/sample_file.h"
+
+#define JSON_NO_IO
+#include <nlohmann/json.hpp>
+
+#include "io/export.h"
+
+namespace shapespline {
+namespace {
+
+constexpr const char* credit = "Made by the generator in wasm/samples; MIT licence";
+
+const char* boundaryName(BoundaryKind boundary) {
+  switch (boundary) {
+    case BoundaryKind::Hermite: return "hermite";
+    case BoundaryKind::Periodic: return "periodic";
+    case BoundaryKind::Natural: break;
+  }
+  return "natural";
+}
+
+std::vector<double> timesOf(const Keyframes& keyframes) {
+  std::vector<double> times;
+  for (const Key& key : keyframes.keys) times.push_back(key.time);
+  return times;
+}
+
+std::vector<float> toFloats(const Positions& positions) {
+  std::vector<float> floats;
+  floats.reserve(3 * positions.size());
+  for (const Vec3& p : positions) {
+    for (int k = 0; k < 3; ++k) floats.push_back(static_cast<float>(p[k]));
+  }
+  return floats;
+}
+
+// A surface for viewers that take the file's own colours: the blue of the keys, matt.
+Scene plainScene(int faces) {
+  Scene scene;
+  Material material;
+  material.name = "clay";
+  material.baseColor = {0.0f, 0.168f, 0.445f, 1.0f};  // #0072B2
+  material.roughness = 0.6f;
+  scene.materials.push_back(material);
+  scene.groups.push_back({0, faces, 0});
+  return scene;
+}
+
+}  // namespace
+
+std::string sampleFileName(const Sample& sample) { return sample.id + ".glb"; }
+
+Result<std::vector<std::uint8_t>> sampleGlb(const Sample& sample) {
+  const Keyframes& keyframes = sample.keyframes;
+  const Scene scene = plainScene(keyframes.faceCount());
+  AnimationSource source;
+  source.faces = &keyframes.faces;
+  source.scene = &scene;
+  source.seconds = timesOf(keyframes);
+  source.frame = [&](int frame, std::vector<float>& positions, std::vector<float>& normals) {
+    positions = toFloats(keyframes.keys[frame].positions);
+    normals.clear();
+    return Status();
+  };
+  return writeAnimatedGlb(source);
+}
+
+std::string sampleList(const std::vector<Sample>& samples) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Sample& sample : samples) {
+    list.push_back({{"id", sample.id},
+                    {"title", sample.title},
+                    {"description", sample.description},
+                    {"files", {sampleFileName(sample)}},
+                    {"times", timesOf(sample.keyframes)},
+                    {"boundary", boundaryName(sample.boundary)},
+                    {"credit", credit}});
+  }
+  return list.dump(2) + "\n";
+}
+
+}  // namespace shapespline
