@@ -1,0 +1,176 @@
+// Topology, welding and components on a zoo of small nasty meshes.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "core/component_tree.h"
+#include "core/lri.h"
+#include "core/weld.h"
+#include "shapes.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+Shape tetrahedron() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}}; }
+
+Shape moebius() {
+  Shape s;
+  const int n = 24;
+  for (int i = 0; i < n; ++i)
+    for (double side : {-0.3, 0.3}) {
+      const double a = 2 * pi * i / n;
+      const double r = 1 + side * std::cos(a / 2);
+      s.positions.emplace_back(r * std::cos(a), r * std::sin(a), side * std::sin(a / 2));
+    }
+  for (int i = 0; i < n; ++i) {
+    const bool last = i + 1 == n;
+    const int a = 2 * i, b = 2 * i + 1, c = last ? 1 : a + 2, d = last ? 0 : a + 3;
+    s.faces.push_back({a, b, c}), s.faces.push_back({b, d, c});
+  }
+  return s;
+}
+
+// Each shape under three poses; whatever it is made of, keys must come back and nothing may be NaN.
+void checkMotion(const Shape& shape, const char* name) {
+  CAPTURE(name);
+  const Keyframes k = keyframes(shape, {turn(Vec3::UnitX(), 0), turn(Vec3(1, 1, 0), 0.8, Vec3(0.1, 0, 0)), [](const Vec3& p) -> Vec3 {
+                                          return {1.2 * p.x() + 0.2 * p.y(), p.y(), p.z() + 0.3 * p.x() * p.x()};
+                                        }});
+  for (const Precision precision : {Precision::Double, Precision::Single}) {
+    EncodingOptions options;
+    options.precision = precision;
+    auto s = Sequence::create(k, options, {});
+    REQUIRE_MESSAGE(s.ok(), (s ? "" : s.error().message));
+    for (double t : {-0.4, 0.0, 0.25, 0.5, 0.8, 1.0, 1.4}) {
+      Positions p;
+      REQUIRE(s->evaluate(t, p).ok());
+      REQUIRE(p.size() == shape.positions.size());
+      for (const Vec3& x : p) CHECK(x.allFinite());
+      for (const Key& key : k.keys)
+        if (key.time == t) CHECK(largestDistance(p, key.positions) < (precision == Precision::Double ? 1e-9 : 1e-5) * diagonalOf(k));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("counts of a closed, an open and a non-manifold mesh") {
+  const Shape closed = tetrahedron();
+  MeshCounts c = countMesh(4, closed.faces);
+  CHECK(c.edges == 6);
+  CHECK(c.boundaryEdges == 0);
+  CHECK(c.inconsistentEdges == 0);
+
+  Shape open = closed;
+  open.faces.pop_back();
+  c = countMesh(4, open.faces);
+  CHECK(c.boundaryEdges == 3);
+
+  Shape fin = closed;  // a third face on an edge, one repeated face, one flipped, one vertex in no face
+  fin.positions.insert(fin.positions.end(), {{2, 2, 2}, {9, 9, 9}});
+  fin.faces.push_back({0, 1, 4});
+  fin.faces.push_back({1, 0, 2});
+  c = countMesh(6, fin.faces);
+  CHECK(c.nonManifoldEdges >= 1);
+  CHECK(c.duplicateFaces == 1);
+  CHECK(c.unreferencedVertices == 1);
+  CHECK(countMesh(48, moebius().faces).inconsistentEdges >= 1);
+}
+
+TEST_CASE("vertices weld where they coincide in every key, and only there") {
+  Positions a = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1e-9}, {1, 0, 0}};
+  Positions b = {{5, 0, 0}, {6, 0, 0}, {5, 0, 0}, {7, 0, 0}};  // the last two part in the second key
+  const Positions* poses[] = {&a, &b};
+  const Welding w = weld(poses, 1e-6);
+  CHECK(w.count == 3);
+  CHECK(w.weldedOfRaw[2] == w.weldedOfRaw[0]);
+  CHECK(w.weldedOfRaw[3] != w.weldedOfRaw[1]);
+}
+
+TEST_CASE("welding finds partners across cell borders") {
+  Positions p;
+  for (int i = 0; i < 2000; ++i) p.emplace_back(i * 0.37, -i * 0.11, 0.5 * i);
+  const std::size_t n = p.size();
+  for (std::size_t i = 0; i < n; ++i) p.push_back(p[i] + Vec3(9e-7, -9e-7, 9e-7) / std::sqrt(3.0));
+  const Positions* poses[] = {&p};
+  CHECK(weld(poses, 1e-6).count == static_cast<int>(n));
+}
+
+TEST_CASE("seams shade together where the file's normals agree within a degree") {
+  Welding w;
+  w.weldedOfRaw = {0, 0, 0};
+  w.rawOfWelded = {0};
+  w.count = 1;
+  int groups = 0;
+  const auto group = shadingGroups(w, {{0, 0, 1}, {0, 0.01, 1}, {0, 1, 0}}, groups);
+  CHECK(groups == 2);
+  CHECK(group[0] == group[1]);
+  CHECK(group[0] != group[2]);
+  CHECK(shadingGroups(w, {}, groups)[2] == 0);
+}
+
+TEST_CASE("components hang on their nearest neighbour, rooted at the largest") {
+  const Shape parts = joined(joined(sphere({0, 3, 0}, 0.2), sphere({0, 0, 0}, 1)), sphere({0, 1.6, 0}, 0.4));
+  const std::vector<char> use(parts.faces.size(), 1);
+  const Pieces pieces = connectedPieces(dualGraph(static_cast<int>(parts.positions.size()), parts.faces, use), use);
+  REQUIRE(pieces.count == 3);
+  const Positions* poses[] = {&parts.positions};
+  const ComponentTree tree = linkComponents(parts.faces, pieces, poses);
+  CHECK(tree.root() == 1);
+  CHECK(tree.link[2].parent == 1);
+  CHECK(tree.link[0].parent == 2);
+  CHECK(pieces.ofFace[tree.link[0].anchorFace] == 2);
+  CHECK(pieces.ofFace[tree.link[0].contactFace] == 0);
+}
+
+TEST_CASE("the zoo moves: every kind of mesh gives its keys back and stays finite") {
+  checkMotion(tetrahedron(), "tetrahedron");
+  Shape open = bar();
+  open.faces.resize(open.faces.size() / 2);
+  checkMotion(open, "open, with unreferenced vertices");
+  checkMotion(moebius(), "Moebius strip");
+  checkMotion({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, "one triangle");
+  Shape twoFans = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0.3}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}};
+  checkMotion(twoFans, "two faces that share a vertex");
+  Shape repeated = tetrahedron();
+  repeated.faces.push_back(repeated.faces[0]);
+  repeated.faces.push_back({0, 1, 2});
+  checkMotion(repeated, "repeated and flipped faces");
+  Shape flat = bar();
+  const int extra = static_cast<int>(flat.positions.size());
+  flat.positions.push_back((flat.positions[0] + flat.positions[1]) / 2);  // on an edge: a face without area
+  flat.positions.emplace_back(3, 3, 3);                                    // held by faces without area only
+  flat.faces.push_back({0, 1, extra});
+  flat.faces.push_back({extra, extra + 1, extra});
+  checkMotion(flat, "degenerate faces");
+  Shape needle = tetrahedron();
+  needle.positions[3] = {1e-4, 1e-4, 1e-7};
+  checkMotion(needle, "slivers");
+  checkMotion(joined(bar(), sphere({2, 0, 3}, 0.5)), "two parts");
+  Shape fin = bar();
+  fin.positions.emplace_back(2, 0, 0);
+  fin.faces.push_back({0, 1, static_cast<int>(fin.positions.size()) - 1});
+  checkMotion(fin, "non-manifold edge");
+}
+
+TEST_CASE("a triangle that is flat in one key only keeps its keys") {
+  const Shape shape = bar();
+  Keyframes k = keyframes(shape, {bend(0), bend(1), bend(2)});
+  const Triangle f = shape.faces[100];
+  k.keys[1].positions[f[2]] = (k.keys[1].positions[f[0]] + k.keys[1].positions[f[1]]) / 2;
+  auto s = Sequence::create(k, doublePrecision(), {});
+  REQUIRE(s.ok());
+  Positions p;
+  for (const Key& key : k.keys) {
+    REQUIRE(s->evaluate(key.time, p).ok());
+    CHECK(largestDistance(p, key.positions) < 1e-9 * diagonalOf(k));
+  }
+}
+
+TEST_CASE("weights of patch pairs fall with their turn") {
+  CHECK(pairWeight(0) == doctest::Approx(1 + 1e-5));
+  CHECK(pairWeight(pi) == doctest::Approx(1e-5));
+  CHECK(pairWeight(9) == pairWeight(pi));
+}

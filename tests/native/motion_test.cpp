@@ -1,0 +1,171 @@
+// What the options do to a motion: boundaries, turns, tangents, periods, measures.
+#include <doctest/doctest.h>
+
+#include "shapes.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+Sequence make(const Keyframes& k, const MotionOptions& motion = {}, const EncodingOptions& encoding = doublePrecision()) {
+  auto s = Sequence::create(k, encoding, motion);
+  REQUIRE_MESSAGE(s.ok(), (s ? "" : s.error().message));
+  return std::move(*s);
+}
+
+Positions at(Sequence& s, double t) {
+  Positions p;
+  REQUIRE(s.evaluate(t, p).ok());
+  return p;
+}
+
+Vec3 mean(const Positions& p) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& x : p) sum += x / double(p.size());
+  return sum;
+}
+
+MotionOptions with(BoundaryKind boundary) {
+  MotionOptions m;
+  m.boundary = boundary;
+  return m;
+}
+
+// A walk: the bar bends and straightens while it moves on; the last key is the first one, moved.
+Keyframes walk() {
+  const auto step = [](double bendAngle, double x) -> Map {
+    const Map b = bend(bendAngle);
+    return [=](const Vec3& p) -> Vec3 { return b(p) + Vec3(0, x, 0); };
+  };
+  return keyframes(bar(), {step(0, 0), step(0.8, 1), step(-0.5, 2), step(0, 3)}, {0, 1, 2, 3});
+}
+
+}  // namespace
+
+TEST_CASE("boundaries change the motion between the keys") {
+  const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
+  Sequence s = make(k);
+  const Positions natural = at(s, 0.2);
+  REQUIRE(s.update(with(BoundaryKind::Hermite), evenTimes(3)).ok());
+  CHECK(largestDistance(natural, at(s, 0.2)) > 0.01);
+  REQUIRE(s.update(with(BoundaryKind::Periodic), evenTimes(3)).ok());
+  CHECK(largestDistance(natural, at(s, 0.2)) > 0.01);
+}
+
+TEST_CASE("a periodic motion repeats, and runs on where its last key is the first one moved") {
+  Sequence s = make(walk(), with(BoundaryKind::Periodic));
+  CHECK(s.range().second == 3);
+  const Positions first = at(s, 0.7), next = at(s, 3.7), before = at(s, -2.3);
+  CHECK(largestDistance(mapped(first, [](const Vec3& p) -> Vec3 { return p + Vec3(0, 3, 0); }), next) < 1e-7);
+  CHECK(largestDistance(mapped(first, [](const Vec3& p) -> Vec3 { return p - Vec3(0, 3, 0); }), before) < 1e-7);
+  // one smooth motion where it closes
+  const double h = 1e-3;
+  const Positions a = at(s, 3 - h), b = at(s, 3 + h), c = at(s, 3);
+  double largest = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] + b[v] - 2 * c[v]).norm());
+  CHECK(largest < 1e-4);
+
+  MotionOptions inPlace = with(BoundaryKind::Periodic);
+  inPlace.inPlace = true;
+  REQUIRE(s.update(inPlace, {0, 1, 2, 3}).ok());
+  CHECK((mean(at(s, 0.7)) - mean(at(s, 9.7))).norm() < 1e-7);
+}
+
+TEST_CASE("an open periodic motion returns over a closing interval") {
+  const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)}, {0, 1, 2});
+  Sequence s = make(k, with(BoundaryKind::Periodic));
+  CHECK(s.range().second == doctest::Approx(3));
+  CHECK(largestDistance(at(s, 3), k.keys[0].positions) < 1e-8);
+  CHECK(largestDistance(at(s, 4), k.keys[1].positions) < 1e-8);
+  MotionOptions longer = with(BoundaryKind::Periodic);
+  longer.period = 5;
+  REQUIRE(s.update(longer, {0, 1, 2}).ok());
+  CHECK(largestDistance(at(s, 6), k.keys[1].positions) < 1e-8);
+  longer.period = 2;
+  CHECK(s.update(longer, {0, 1, 2}).error().code == ErrorCode::InvalidOption);
+}
+
+TEST_CASE("whole turns are added on the way to a key") {
+  const Keyframes k = keyframes(bar(), {turn(Vec3::UnitY(), 0), turn(Vec3::UnitY(), radians(60))});
+  Sequence s = make(k);
+  const auto halfway = [&] { return logRotation(Mat3(fitRigid(k.keys[0].positions, at(s, 0.25)).rotation)).norm(); };
+  CHECK(halfway() == doctest::Approx(radians(15)));
+  MotionOptions m;
+  m.turns = {{1, 1}};
+  REQUIRE(s.update(m, evenTimes(2)).ok());
+  CHECK(halfway() == doctest::Approx(radians(105)));
+  CHECK(largestDistance(at(s, 1), k.keys[1].positions) < 1e-9 * diagonalOf(k));
+}
+
+TEST_CASE("turns that the keys leave open draw a warning") {
+  const auto codes = [](double degrees) {
+    Sequence s = make(keyframes(bar(), {turn(Vec3::UnitY(), 0), turn(Vec3::UnitY(), radians(degrees))}));
+    std::vector<std::string> list;
+    for (const Warning& w : s.warnings()) list.push_back(w.code);
+    return list;
+  };
+  CHECK(codes(140).empty());
+  CHECK(codes(160) == std::vector<std::string>{"ambiguous-turn"});
+}
+
+TEST_CASE("end tangents given as shapes steer the ends, a neighbour key changes nothing") {
+  const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
+  Sequence plain = make(k, with(BoundaryKind::Hermite));
+  EncodingOptions same = doublePrecision(), other = doublePrecision();
+  same.startTangent = k.keys[1].positions;
+  other.startTangent = mapped(bar().positions, bend(-1));
+  Sequence steered = make(k, with(BoundaryKind::Hermite), same), away = make(k, with(BoundaryKind::Hermite), other);
+  CHECK(largestDistance(at(plain, 0.1), at(steered, 0.1)) < 1e-4);
+  CHECK(largestDistance(at(plain, 0.1), at(away, 0.1)) > 0.1);
+  for (const Key& key : k.keys) CHECK(largestDistance(at(away, key.time), key.positions) < 1e-9 * diagonalOf(k));
+}
+
+TEST_CASE("log stretch cannot turn inside out under extrapolation, linear stretch says when it does") {
+  const auto scale = [](double s) -> Map { return [=](const Vec3& p) -> Vec3 { return {p.x(), p.y(), s * p.z()}; }; };
+  const Keyframes k = keyframes(bar(), {scale(1), scale(0.4)});
+  EncodingOptions log;
+  log.stretch = Stretch::Log;
+  Sequence linear = make(k, {}, {}), safe = make(k, {}, log);
+  Frame frame;
+  REQUIRE(linear.evaluate(1.4, frame).ok());
+  CHECK(frame.lostDefiniteness == 0);
+  REQUIRE(linear.evaluate(2.0, frame).ok());
+  CHECK(frame.lostDefiniteness > 100);
+  REQUIRE(safe.evaluate(2.0, frame).ok());
+  CHECK(frame.lostDefiniteness == 0);
+  const Positions p = toPositions(frame.positions);
+  CHECK(enclosedVolume(p, k.faces) > 0);
+}
+
+TEST_CASE("a blend at the curve's weights is the curve") {
+  const Keyframes k = keyframes(bar(), {bend(0), bend(1)});
+  Sequence s = make(k, {}, {});
+  Frame a, b;
+  REQUIRE(s.evaluate(0.25, a).ok());
+  REQUIRE(s.evaluateBlend({0.75, 0.25}, b).ok());
+  CHECK(a.positions == b.positions);
+}
+
+TEST_CASE("volume, area and the KG error of known shapes") {
+  const Shape b = box(1, 2, 3, 2, 2, 2);
+  CHECK(enclosedVolume(b.positions, b.faces) == doctest::Approx(6));
+  CHECK(surfaceArea(b.positions, b.faces) == doctest::Approx(22));
+  const std::vector<Positions> a = {{{1, 0, 0}, {-1, 0, 0}}}, c = {{{1, 0.1, 0}, {-1, 0, 0}}};
+  CHECK(kgError(a, a) == 0);
+  CHECK(kgError(a, c) == doctest::Approx(100 * 0.1 / std::sqrt(2.0)));
+}
+
+TEST_CASE("the keys lie in their own principal plane, and the spline bends less than the geodesic") {
+  const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
+  Sequence s = make(k);
+  const ShapePlane plane = s.shapePlane({0, 0.5, 1});
+  CHECK(plane.explained == doctest::Approx(1));  // three keys span a plane
+  for (int i = 0; i < 6; ++i) CHECK(plane.keys[i] == doctest::Approx(plane.curve[i]).epsilon(1e-9));
+  const double spline = s.bendingEnergy({0.5})[0];
+  MotionOptions geodesic;
+  geodesic.method = Method::Geodesic;
+  REQUIRE(s.update(geodesic, evenTimes(3)).ok());
+  CHECK(s.bendingEnergy({0.5})[0] > 10 * spline);
+  CHECK(s.bendingEnergy({0.25})[0] < 1e-6 * s.bendingEnergy({0.5})[0]);
+}

@@ -1,0 +1,163 @@
+// Weights against formulas of their own: moments (second derivatives) by a dense solve, instead of slopes by elimination.
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include <Eigen/Dense>
+
+#include "core/spline.h"
+
+using namespace shapespline;
+
+namespace {
+
+const std::vector<double> times = {-1, 0.2, 0.5, 2, 2.3, 4};
+
+Curve fit(const CurveOptions& options, const std::vector<double>& at = times) {
+  auto curve = Curve::fit(at, options);
+  REQUIRE_MESSAGE(curve.ok(), (curve ? "" : curve.error().message));
+  return std::move(*curve);
+}
+
+double value(const Curve& curve, const Eigen::VectorXd& columns, double t, int derivative = 0) {
+  return curve.weights(t, derivative).dot(columns);
+}
+
+Eigen::VectorXd randomColumns(int keys) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Eigen::VectorXd y(keys + 3);
+  for (double& x : y) x = uniform(random);
+  y[keys + 2] = y[0];  // a closed curve returns to the first key
+  return y;
+}
+
+// Natural spline by its moments M: h_i M_i + 2 (h_i + h_(i+1)) M_(i+1) + h_(i+1) M_(i+2) = 6 (d_(i+1) - d_i).
+double naturalByMoments(const std::vector<double>& t, const Eigen::VectorXd& y, double at) {
+  const int n = static_cast<int>(t.size());
+  Eigen::MatrixXd a = Eigen::MatrixXd::Identity(n, n);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
+  for (int i = 1; i + 1 < n; ++i) {
+    const double h0 = t[i] - t[i - 1], h1 = t[i + 1] - t[i];
+    a(i, i - 1) = h0, a(i, i) = 2 * (h0 + h1), a(i, i + 1) = h1;
+    b[i] = 6 * ((y[i + 1] - y[i]) / h1 - (y[i] - y[i - 1]) / h0);
+  }
+  const Eigen::VectorXd m = a.fullPivLu().solve(b);
+  int i = 0;
+  while (i + 2 < n && at > t[i + 1]) ++i;
+  const double h = t[i + 1] - t[i], p = t[i + 1] - at, q = at - t[i];
+  return m[i] * p * p * p / (6 * h) + m[i + 1] * q * q * q / (6 * h) + (y[i] / h - m[i] * h / 6) * p + (y[i + 1] / h - m[i + 1] * h / 6) * q;
+}
+
+}  // namespace
+
+TEST_CASE("natural spline equals the one by moments") {
+  const Curve curve = fit({});
+  const Eigen::VectorXd y = randomColumns(6);
+  for (double t = -1; t <= 4; t += 0.07) CHECK(value(curve, y, t) == doctest::Approx(naturalByMoments(times, y, t)).epsilon(1e-12));
+}
+
+TEST_CASE("weights sum to one, their derivatives to zero") {
+  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic})
+    for (const bool linear : {false, true}) {
+      const Curve curve = fit({.linear = linear, .boundary = boundary, .startShape = true, .endShape = true});
+      for (double t = -3; t <= 6; t += 0.31) {
+        const double inside = curve.wrap(t).time;
+        CHECK(curve.weights(inside).sum() == doctest::Approx(1));
+        CHECK(std::abs(curve.weights(inside, 1).sum()) < 1e-12);
+        CHECK(std::abs(curve.weights(inside, 2).sum()) < 1e-10);
+      }
+    }
+}
+
+TEST_CASE("value, slope and second derivative are continuous across knots") {
+  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
+    const Curve curve = fit({.boundary = boundary});
+    const Eigen::VectorXd y = randomColumns(6);
+    for (std::size_t j = 1; j + 1 < times.size(); ++j)
+      for (int d = 0; d <= 2; ++d)
+        CHECK(value(curve, y, times[j] - 1e-9, d) == doctest::Approx(value(curve, y, times[j] + 1e-9, d)).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("natural ends have no second derivative and go on straight") {
+  const Curve curve = fit({});
+  const Eigen::VectorXd y = randomColumns(6);
+  CHECK(std::abs(value(curve, y, -1, 2)) < 1e-10);
+  CHECK(std::abs(value(curve, y, 4, 2)) < 1e-10);
+  const double slope = value(curve, y, 4, 1);
+  CHECK(value(curve, y, 5.5) == doctest::Approx(y[5] + 1.5 * slope));
+  CHECK(value(curve, y, -2) == doctest::Approx(y[0] - value(curve, y, -1, 1)));
+}
+
+TEST_CASE("hermite ends have the assigned slopes") {
+  const Eigen::VectorXd y = randomColumns(6);
+  const Curve speeds = fit({.boundary = BoundaryKind::Hermite, .startSpeed = 0, .endSpeed = 2});
+  CHECK(std::abs(value(speeds, y, -1, 1)) < 1e-12);
+  CHECK(value(speeds, y, 4, 1) == doctest::Approx(2 * (y[5] - y[4]) / 1.7));
+  const Curve shapes = fit({.boundary = BoundaryKind::Hermite, .startShape = true, .endShape = true});
+  CHECK(value(shapes, y, -1, 1) == doctest::Approx((y[6] - y[0]) / 1.2));
+  CHECK(value(shapes, y, 4, 1) == doctest::Approx((y[5] - y[7]) / 1.7));
+}
+
+TEST_CASE("a tangent shape equal to the neighbour key changes nothing") {
+  Eigen::VectorXd y = randomColumns(6);
+  y[6] = y[1], y[7] = y[4];
+  const Curve plain = fit({.boundary = BoundaryKind::Hermite}), shapes = fit({.boundary = BoundaryKind::Hermite, .startShape = true, .endShape = true});
+  for (double t = -2; t <= 5; t += 0.1) CHECK(value(plain, y, t) == doctest::Approx(value(shapes, y, t)).epsilon(1e-12));
+}
+
+TEST_CASE("a periodic curve closes with equal slope and second derivative") {
+  for (const std::size_t keys : {2u, 3u, 4u, 6u}) {
+    const std::vector<double> at(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(keys));
+    const Curve curve = fit({.boundary = BoundaryKind::Periodic}, at);
+    const Eigen::VectorXd y = randomColumns(static_cast<int>(keys));
+    const double span = at.back() - at.front();
+    CHECK(curve.end() == doctest::Approx(at.back() + span / double(keys - 1)));
+    for (int d = 0; d <= 2; ++d)
+      CHECK(value(curve, y, curve.start(), d) == doctest::Approx(value(curve, y, curve.end(), d)).epsilon(1e-9));
+    const double period = curve.end() - curve.start();
+    CHECK(curve.wrap(at[0] + 0.3 + 5 * period).periods == 5);
+    CHECK(curve.wrap(at[0] + 0.3 - 2 * period).time == doctest::Approx(at[0] + 0.3));
+  }
+}
+
+TEST_CASE("a last key that closes the curve ends the period") {
+  const Curve curve = fit({.boundary = BoundaryKind::Periodic, .closing = Closing::LastKey});
+  CHECK(curve.end() == times.back());
+  Eigen::VectorXd y = randomColumns(6);
+  y[5] = y[0];
+  for (int d = 0; d <= 2; ++d) CHECK(value(curve, y, -1, d) == doctest::Approx(value(curve, y, 4, d)));
+}
+
+TEST_CASE("tension scales the slope at a key") {
+  const Eigen::VectorXd y = randomColumns(6);
+  const Curve plain = fit({}), tense = fit({.tension = {0, 0, 1, 0.25, 0, 0}});
+  CHECK(std::abs(value(tense, y, 0.5, 1)) < 1e-12);
+  CHECK(value(tense, y, 2, 1) == doctest::Approx(0.75 * value(plain, y, 2, 1)));
+  CHECK(value(tense, y, -0.7) == doctest::Approx(value(plain, y, -0.7)));  // the first interval's slopes are unchanged
+}
+
+TEST_CASE("piecewise linear weights blend neighbours only") {
+  const Curve curve = fit({.linear = true});
+  const Weights w = curve.weights(0.35);
+  CHECK(w[1] == doctest::Approx(0.5));
+  CHECK(w[2] == doctest::Approx(0.5));
+  CHECK(curve.weights(5.7)[5] == doctest::Approx(2));
+}
+
+TEST_CASE("unusable options are refused in a sentence") {
+  const auto code = [](const CurveOptions& options, const std::vector<double>& at = times) {
+    const auto result = Curve::fit(at, options);
+    REQUIRE(!result.ok());
+    CHECK(result.error().message.size() > 20);
+    return result.error().code;
+  };
+  CHECK(code({.boundary = BoundaryKind::Periodic, .period = 5}) == ErrorCode::InvalidOption);  // the keys span 5
+  CHECK(code({.boundary = BoundaryKind::Periodic, .period = 1}) == ErrorCode::InvalidOption);
+  CHECK(code({.startSpeed = NAN}) == ErrorCode::InvalidOption);
+  CHECK(code({.tension = {1, 2}}) == ErrorCode::InvalidOption);
+  CHECK(code({}, {0, 1, 1}) == ErrorCode::TimesNotIncreasing);
+  CHECK(code({}, {0, 2, 1}) == ErrorCode::TimesNotIncreasing);
+  CHECK(code({}, {0, INFINITY}) == ErrorCode::NotFinite);
+}
