@@ -1,4 +1,5 @@
 /** The core in this very thread, for tests of the bindings and of the heap. */
+/// <reference path="../../../web/engine/generated.d.ts" />
 import { readFile } from 'node:fs/promises';
 import createWasm from '../../../build/wasm/shapespline.mjs';
 import { Core } from '../../../web/engine/core.ts';

@@ -1,0 +1,213 @@
+import { mkdir, readFile, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { beforeAll, describe, expect, it } from 'vitest';
+import packageJson from '../../package.json';
+import { folderOf, listed, runCli } from './support/cli.ts';
+import { meshGlb, poseFiles } from './support/glb.ts';
+import { bar, bent, diagonal, largestDistance } from './support/shapes.ts';
+import { threePlayer } from './support/three-player.ts';
+
+const mesh = bar();
+const poses = [0, 60, 120].map((degrees) => bent(mesh, degrees));
+const files = poseFiles(mesh, poses);
+const names = files.map(({ name }) => name);
+let folder: string;
+
+beforeAll(async () => {
+  folder = await folderOf(files);
+});
+
+async function json(place: string): Promise<Record<string, never>> {
+  return JSON.parse(await readFile(path.join(folder, place), 'utf8')) as Record<string, never>;
+}
+
+async function objOf(place: string): Promise<{ positions: Float32Array; faces: number[] }> {
+  const lines = (await readFile(path.join(folder, place), 'utf8')).split('\n').map((line) => line.split(' '));
+  const numbers = (kind: string): number[] => lines.filter(([first]) => first === kind).flatMap(([, ...rest]) => rest.map(Number));
+  return { positions: Float32Array.from(numbers('v')), faces: numbers('f').map((v) => v - 1) };
+}
+
+/** A .gltf of a pose, with its buffer beside it. */
+function gltfPair(name: string, positions: Float32Array, uri = `${name}.bin`): { name: string; bytes: Uint8Array }[] {
+  const bytes = meshGlb(mesh, positions);
+  const view = new DataView(bytes.buffer);
+  const length = view.getUint32(12, true);
+  const document = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as { buffers: object[] };
+  document.buffers[0] = { ...document.buffers[0], uri };
+  return [
+    { name: `${name}.gltf`, bytes: new TextEncoder().encode(JSON.stringify(document)) },
+    { name: `${name}.bin`, bytes: bytes.slice(28 + length) },
+  ];
+}
+
+describe('inspect', () => {
+  it('prints what the files hold', async () => {
+    const { code, stdout, stderr } = await runCli(folder, 'inspect', ...names);
+    expect([code, stderr]).toEqual([0, '']);
+    expect(JSON.parse(stdout)).toMatchObject({
+      keys: [{ name: 'pose-1', time: 0 }, { name: 'pose-2', time: 0.5 }, { name: 'pose-3', time: 1 }],
+      vertices: { raw: mesh.positions.length / 3, welded: mesh.positions.length / 3 },
+      faces: mesh.indices.length / 3,
+      components: 1,
+      boundaryEdges: 0,
+      warnings: [],
+    });
+  });
+
+  it('reads what a .gltf names from its own folder', async () => {
+    const where = await folderOf([...gltfPair('a', poses[0]!), ...gltfPair('b', poses[1]!)]);
+    const { code, stdout } = await runCli(where, 'inspect', 'a.gltf', 'b.gltf');
+    expect(code).toBe(0);
+    expect((JSON.parse(stdout) as { keys: object[] }).keys).toHaveLength(2);
+    const outside = await runCli(path.dirname(where), 'inspect', `${path.basename(where)}/a.gltf`, path.join(where, 'b.gltf'));
+    expect(outside.code).toBe(0);
+  });
+
+  it('reads nothing outside that folder', async () => {
+    const where = await folderOf([...gltfPair('a', poses[0]!), ...gltfPair('b', poses[1]!)]);
+    await mkdir(path.join(where, 'inner'));
+    for (const uri of ['../a.bin', '%2e%2e/a.bin', path.join(where, 'a.bin')]) {
+      await writeFile(path.join(where, 'inner/c.gltf'), gltfPair('c', poses[2]!, uri)[0]!.bytes);
+      const { code, stderr } = await runCli(where, 'inspect', 'inner/c.gltf', 'inner/c.gltf');
+      expect([code, stderr]).toEqual([1, expect.stringMatching(/^shapespline: .*c\.gltf.*\n$/)]);
+    }
+  });
+});
+
+describe('complete', () => {
+  it('writes an animation that holds the keys and plays the asked range', async () => {
+    const { code, stdout, stderr } = await runCli(folder, 'complete', ...names, '--output', 'out.glb', '--report', 'r.json',
+      '--key-times', '0,0.4,1', '--frames', '9', '--range=-0.3:1.3', '--duration', '2', '--boundary', 'hermite', '--start-speed', '0');
+    expect([code, stderr]).toEqual([0, '']);
+    expect(stdout).toMatch(/^out\.glb: \d+ shapes, \d+ bytes\n$/);
+    const player = await threePlayer(await readFile(path.join(folder, 'out.glb')));
+    expect(player.duration).toBeCloseTo(2, 6);
+    const seconds = (t: number): number => player.times.find((s) => Math.abs(s - ((t + 0.3) / 1.6) * 2) < 1e-6) ?? NaN;
+    for (const [key, t] of [0, 0.4, 1].entries()) {
+      expect(largestDistance(player.positionsAt(seconds(t)), poses[key]!)).toBeLessThan(1e-4 * diagonal(poses[key]!));
+    }
+    const report = await json('r.json');
+    expect(report).toMatchObject({
+      version: packageJson.version,
+      files: names,
+      output: { path: 'out.glb', files: 1 },
+      options: { sequence: { boundary: 'hermite', startSpeed: 0, endSpeed: 1, method: 'lri', keyTimes: [0, 0.4, 1] }, export: { duration: 2 } },
+      counts: { encodings: expect.any(Number), factorisations: expect.any(Number) },
+      range: [0, 1],
+      warnings: [],
+    });
+    for (const stage of ['read', 'import', 'build', 'weld', 'encode', 'order', 'factor', 'export', 'measure', 'total']) {
+      expect(report.timings[stage]).toBeGreaterThanOrEqual(0);
+    }
+    const { times, volume, area } = report.measures as { times: number[]; volume: number[]; area: number[] };
+    expect(times).toEqual(report.frames);
+    expect([volume.length, area.length]).toEqual([times.length, times.length]);
+    expect(volume[times.indexOf(0)]).toBeCloseTo(10, 4);
+  });
+
+  it('writes a folder of OBJ files in the input\'s own order, one for each asked time', async () => {
+    const { code } = await runCli(folder, 'complete', ...names, '--output', 'frames/', '--at', '-0.3,0.5,1.3');
+    expect(code).toBe(0);
+    expect(await listed(path.join(folder, 'frames'))).toEqual(['0000.obj', '0001.obj', '0002.obj']);
+    const { positions, faces } = await objOf('frames/0001.obj');
+    expect(largestDistance(positions, poses[1]!)).toBeLessThan(1e-5 * diagonal(poses[1]!));
+    expect(faces).toEqual([...mesh.indices]);
+    const again = await runCli(folder, 'complete', ...names, '--output=frames/', '--at=-0.3,0.5,1.3');
+    expect(again.code).toBe(0);
+    expect(await listed(path.join(folder, 'frames'))).toHaveLength(3);
+  });
+
+  it('writes one shape', async () => {
+    expect((await runCli(folder, 'complete', ...names, '--output', 'one.obj', '--at', '1')).code).toBe(0);
+    expect(largestDistance((await objOf('one.obj')).positions, poses[2]!)).toBeLessThan(1e-5 * diagonal(poses[2]!));
+  });
+
+  it('makes 60 frames over the keys unless told otherwise', async () => {
+    expect((await runCli(folder, 'complete', ...names, '--output', 'all/')).code).toBe(0);
+    expect(await listed(path.join(folder, 'all'))).toHaveLength(60);
+    expect((await objOf('all/0059.obj')).positions).toEqual((await objOf('one.obj')).positions);
+  });
+
+  it('takes tangent shapes', async () => {
+    const shape = async (...words: string[]): Promise<string> => {
+      const { code } = await runCli(folder, 'complete', ...names, '--output', 't.obj', '--at=0.2', '--boundary=hermite', ...words);
+      expect(code).toBe(0);
+      return readFile(path.join(folder, 't.obj'), 'utf8');
+    };
+    const plain = await shape();
+    expect(await shape('--start-tangent', 'pose-3.glb')).not.toBe(plain);
+    expect(await shape('--start-tangent', 'pose-2.glb')).toBe(plain);  // what it would be without
+    const other = await folderOf([{ name: 'other.glb', bytes: meshGlb(bar(2, 10)) }]);
+    const { code, stderr } = await runCli(folder, 'complete', ...names, '--output', 'x.glb', '--end-tangent', path.join(other, 'other.glb'));
+    expect([code, stderr]).toEqual([1, expect.stringMatching(/other\.glb has \d+ vertices, the keys have \d+/)]);
+  });
+
+  it('opens what it wrote, with its options', async () => {
+    expect((await runCli(folder, 'complete', ...names, '--output', 'p.glb', '--boundary=periodic', '--period=3')).code).toBe(0);
+    expect((await runCli(folder, 'complete', 'p.glb', '--output', 'p2.glb', '--report', 'p2.json')).code).toBe(0);
+    expect(await json('p2.json')).toMatchObject({ options: { sequence: { boundary: 'periodic', period: 3, keyTimes: [0, 0.5, 1] } }, isProject: true });
+  });
+});
+
+describe('wrong use', () => {
+  it.each([
+    [[]],
+    [['explode']],
+    [['inspect']],
+    [['inspect', 'pose-1.glb', '--frames', '3']],
+    [['complete', 'pose-1.glb', 'pose-2.glb']],
+    [['complete', '--output', 'x.glb']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.fbx']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundery', 'natural']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundary', 'open']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--at=0', '--frames=3']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--ghost-faces', '500']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--reference', '7']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundary=periodic', '--period=0.5']],
+  ])('is one line and exit code 2: %j', async (words) => {
+    const before = await listed(folder);
+    const { code, stdout, stderr } = await runCli(folder, ...words);
+    expect([code, stdout]).toEqual([2, '']);
+    expect(stderr).toMatch(/^shapespline: [^\n]+\n$/);
+    expect(await listed(folder)).toEqual(before);
+  });
+});
+
+describe('bad input', () => {
+  it.each([
+    [['no-such.glb', 'pose-1.glb'], /no-such\.glb/],
+    [['pose-1.glb'], /pose-1\.glb/],
+    [['pose-1.glb', 'cut.glb'], /cut\.glb/],
+    [['pose-1.glb', 'page.glb'], /page\.glb/],
+    [['pose-1.glb', 'pose-2.glb', '--key-times', '1,0'], /time/],
+    [['pose-1.glb', 'pose-2.glb', '--key-times', '0,1,2'], /3 .*2|times/],
+  ])('is one line that names it, exit code 1, and no output: %j', async (words, says) => {
+    await writeFile(path.join(folder, 'cut.glb'), files[1]!.bytes.slice(0, 3000));
+    await writeFile(path.join(folder, 'page.glb'), '<!DOCTYPE html><title>404</title>');
+    const before = await listed(folder);
+    for (const output of ['bad.glb', 'bad/', 'new/folder/bad.glb']) {
+      const { code, stdout, stderr } = await runCli(folder, 'complete', ...words, '--output', output, '--report', 'bad.json');
+      expect([code, stdout]).toEqual([1, '']);
+      expect(stderr).toMatch(/^shapespline: [^\n]+\n$/);
+      expect(stderr).toMatch(says);
+    }
+    expect(await listed(folder)).toEqual(before);
+  });
+
+  it('is also a place that cannot be written to', async () => {
+    const before = await listed(folder);
+    const { code, stderr } = await runCli(folder, 'complete', ...names, '--output', 'pose-1.glb/x.glb', '--frames=2');
+    expect([code, stderr]).toEqual([1, expect.stringMatching(/^shapespline: [^\n]+\n$/)]);
+    expect(await listed(folder)).toEqual(before);
+  });
+});
+
+describe('help and version', () => {
+  it('go to stdout with exit code 0', async () => {
+    expect(await runCli(folder, '--version')).toEqual({ code: 0, stdout: `${packageJson.version}\n`, stderr: '' });
+    for (const words of [['--help'], ['complete', '--help'], ['inspect', '--help']]) {
+      const { code, stdout } = await runCli(folder, ...words);
+      expect([code, stdout.includes('Keys are counted from 1')]).toEqual([0, true]);
+    }
+  });
+});

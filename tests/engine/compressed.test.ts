@@ -1,0 +1,67 @@
+import { type Document, WebIO } from '@gltf-transform/core';
+import { EXTMeshoptCompression, KHRDracoMeshCompression } from '@gltf-transform/extensions';
+import createEncoder from 'draco3dgltf/draco_encoder_gltf_nodejs.js';
+import { MeshoptEncoder } from 'meshoptimizer';
+import { describe, expect, it } from 'vitest';
+import { failureOf, testEngine } from './support/engines.ts';
+import { poseFiles } from './support/glb.ts';
+import { bar, bent, diagonal } from './support/shapes.ts';
+
+const mesh = bar();
+const poses = [0, 60].map((degrees) => bent(mesh, degrees));
+const engine = testEngine();
+
+async function compressed(prepare: (document: Document, io: WebIO) => Promise<void>): Promise<{ name: string; bytes: Uint8Array }[]> {
+  const io = new WebIO();
+  return Promise.all(poseFiles(mesh, poses).map(async ({ name, bytes }) => {
+    const document = await io.readBinary(bytes as Uint8Array<ArrayBuffer>);
+    await prepare(document, io);
+    return { name, bytes: await io.writeBinary(document) };
+  }));
+}
+
+const meshopt = () => compressed(async (document, io) => {
+  await MeshoptEncoder.ready;
+  io.registerExtensions([EXTMeshoptCompression]).registerDependencies({ 'meshopt.encoder': MeshoptEncoder });
+  const { QUANTIZE } = EXTMeshoptCompression.EncoderMethod;
+  document.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method: QUANTIZE });
+});
+
+const draco = () => compressed(async (document, io) => {
+  io.registerExtensions([KHRDracoMeshCompression]).registerDependencies({ 'draco3d.encoder': await createEncoder() });
+  document.createExtension(KHRDracoMeshCompression).setRequired(true).setEncoderOptions({ quantizationBits: { POSITION: 16 } });
+});
+
+/** Corners in the order of the faces: what remains of a mesh whose vertices were numbered anew. */
+const cornersOf = (positions: Float32Array, indices: Uint32Array): string[] => Array.from(indices, (v) =>
+  Array.from(positions.subarray(3 * v, 3 * v + 3), (value) => value.toFixed(2)).join()).sort();
+
+describe('compressed meshes', () => {
+  it('with EXT_meshopt_compression are read bit for bit', async () => {
+    const files = await meshopt();
+    expect(new TextDecoder('latin1').decode(files[0]!.bytes)).toContain('EXT_meshopt_compression');
+    const keys = await engine.importKeyframes(files);
+    expect(keys.info.names).toEqual(['pose-1', 'pose-2']);
+    expect(keys.positions(1)).toEqual(poses[1]);
+    expect(keys.info.indices).toEqual(mesh.indices);
+  });
+
+  it('with KHR_draco_mesh_compression are read to its quantisation', async () => {
+    const files = await draco();
+    expect(new TextDecoder('latin1').decode(files[0]!.bytes)).toContain('KHR_draco_mesh_compression');
+    const keys = await engine.importKeyframes(files);
+    expect(keys.info.report.faces).toBe(mesh.indices.length / 3);
+    expect(diagonal(keys.positions(1))).toBeCloseTo(diagonal(poses[1]!), 3);
+    expect(cornersOf(keys.positions(0), keys.info.indices)).toEqual(cornersOf(poses[0]!, mesh.indices));
+  });
+
+  it('that are broken are refused with the file\'s name', async () => {
+    for (const files of [await meshopt(), await draco()]) {
+      const bytes = files[1]!.bytes;
+      bytes.fill(0xee, bytes.length - 400);
+      const error = await failureOf(engine.importKeyframes(files));
+      expect(error.code).toBe('malformed-file');
+      expect(error.message).toMatch(/^pose-2\.glb: [^\n]+\.$/);
+    }
+  });
+});

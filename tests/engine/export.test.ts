@@ -1,0 +1,139 @@
+import { validateBytes } from 'gltf-validator';
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Sequence } from '../../web/engine/api.ts';
+import { bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
+import { diagonal, largestDistance } from './support/shapes.ts';
+import { threePlayer } from './support/three-player.ts';
+
+const engine = testEngine();
+let bend: Bend & { sequence: Sequence };
+const size = (): number => diagonal(bend.poses[0]!);
+
+beforeAll(async () => {
+  bend = await bendSequence(engine);
+});
+
+async function exported(sequence: Sequence, options: Parameters<Sequence['export']>[0]): Promise<Uint8Array> {
+  const files = await sequence.export(options);
+  expect(files).toHaveLength(1);
+  return files[0]!.bytes;
+}
+
+async function expectValid(bytes: Uint8Array): Promise<void> {
+  const { issues } = await validateBytes(bytes);
+  expect(issues.messages).toEqual([]);
+}
+
+describe('an animated GLB', () => {
+  it('passes the official validator, and three.js plays the computed vertices', async () => {
+    const options = { frames: 20, range: [-0.3, 1.3] as [number, number], duration: 4 };
+    const { times } = await bend.sequence.planExport(options);
+    const bytes = await exported(bend.sequence, options);
+    await expectValid(bytes);
+    const player = await threePlayer(bytes);
+    expect(player.duration).toBeCloseTo(4, 6);
+    expect(player.times).toHaveLength(times.length);
+    expect(times).toHaveLength(23);  // the three keys are not on this grid
+    for (const [index, t] of times.entries()) {
+      const computed = (await frameAt(bend.sequence, t)).positions;
+      expect(largestDistance(player.positionsAt(player.times[index]!), computed)).toBeLessThan(1e-4 * size());
+    }
+  });
+
+  it('opens again as the same project, also where the range leaves keys out', async () => {
+    const { sequence } = await bendSequence(engine, { boundary: 'hermite', startSpeed: 0, stretch: 'log', endTangent: bend.poses[0]! });
+    await sequence.update({ keyTimes: [2, 3, 7], tension: [0, 0.5, 0], turns: [{ key: 1, turns: 1 }] });
+    for (const range of [null, [2.5, 4] as [number, number]]) {
+      const bytes = await exported(sequence, { frames: 9, range, duration: 2 });
+      await expectValid(bytes);
+      const keys = await engine.importKeyframes([{ name: 'project.glb', bytes }]);
+      expect(keys.info.names).toEqual(bend.keys.info.names);
+      expect(keys.info.times).toEqual([2, 3, 7]);
+      expect(keys.info.project).toEqual(sequence.options);
+      const again = await engine.createSequence(keys, { ...keys.info.project });
+      for (const t of [2, 2.2, 5, 9]) {
+        const [a, b] = [await frameAt(sequence, t), await frameAt(again, t)];
+        expect(largestDistance(a.positions, b.positions)).toBeLessThan(1e-4 * size());
+      }
+      again.dispose();
+    }
+    sequence.dispose();
+  });
+
+  it('opens as its animation where that is asked for', async () => {
+    const bytes = await exported(bend.sequence, { frames: 5 });
+    const { info } = await engine.importKeyframes([{ name: 'a.glb', bytes }], { sample: 3 });
+    expect([info.times, info.project]).toEqual([[0, 0.5, 1], null]);
+  });
+
+  it('with broken options still opens, with a warning', async () => {
+    const bytes = await exported(bend.sequence, { frames: 5 });
+    const text = new TextDecoder('latin1').decode(bytes).replace('"boundary":"natural"', '"boundary":"nothing"');
+    const broken = Uint8Array.from(text, (character) => character.charCodeAt(0));
+    const { info } = await engine.importKeyframes([{ name: 'a.glb', bytes: broken }]);
+    expect([info.times, info.project]).toEqual([[0, 0.5, 1], null]);
+    expect(info.warnings.map(({ code }) => code)).toContain('project-options-ignored');
+  });
+
+  it('is as large as was said', async () => {
+    for (const frames of [3, 60]) {
+      const { bytes } = await bend.sequence.planExport({ frames });
+      const written = (await exported(bend.sequence, { frames })).length;
+      expect(Math.abs(bytes - written)).toBeLessThan(0.1 * written);
+    }
+  });
+
+  it('draws a warning above 256 targets', async () => {
+    const codes = async (frames: number) => (await bend.sequence.planExport({ frames })).warnings.map(({ code }) => code);
+    expect([await codes(257), await codes(259)]).toEqual([[], ['many-targets']]);
+  });
+
+  it('in place has no motion of the whole', async () => {
+    const centre = (positions: Float32Array): number => positions.reduce((sum, value, i) => (i % 3 === 1 ? sum + value : sum), 0);
+    const keys = bend.keys.arrange([0, 0], [0, 1]);
+    const lifted = keys.withPose('lifted', 2, bend.poses[0]!.map((value, i) => (i % 3 === 1 ? value + 20 : value)));
+    const sequence = await engine.createSequence(lifted);
+    const lift = async (inPlace: boolean): Promise<number> => {
+      const player = await threePlayer(await exported(sequence, { frames: 3, inPlace }));
+      return (centre(player.positionsAt(2)) - centre(player.positionsAt(0))) / (bend.poses[0]!.length / 3);
+    };
+    expect(await lift(false)).toBeCloseTo(20, 3);
+    expect(Math.abs(await lift(true))).toBeLessThan(1e-3);
+    expect(sequence.options.inPlace).toBe(false);
+    sequence.dispose();
+  });
+});
+
+describe('single shapes and series of files', () => {
+  it('are a pose as GLB, OBJ or PLY that opens again', async () => {
+    const t = 0.3;
+    const wanted = (await frameAt(bend.sequence, t)).positions;
+    for (const format of ['glb', 'obj', 'ply'] as const) {
+      const bytes = await exported(bend.sequence, { format, pose: t });
+      if (format === 'glb') await expectValid(bytes);
+      const files = [{ name: `a.${format}`, bytes }, { name: `b.${format}`, bytes }];
+      const keys = await engine.importKeyframes(files);
+      expect(largestDistance(keys.positions(0), wanted)).toBeLessThan(1e-6);
+      expect(keys.info.indices).toEqual(bend.mesh.indices);
+    }
+  });
+
+  it('are numbered files, one for each requested time and no more', async () => {
+    const files = await bend.sequence.export({ format: 'obj', times: [1.3, -0.3, 0.5] });
+    expect(files.map(({ name }) => name)).toEqual(['0000.obj', '0001.obj', '0002.obj']);
+    const keys = await engine.importKeyframes(files);
+    expect(largestDistance(keys.positions(0), (await frameAt(bend.sequence, 1.3)).positions)).toBeLessThan(1e-5);
+    const plan = await bend.sequence.planExport({ format: 'obj', times: [1.3, -0.3, 0.5] });
+    const written = files.reduce((sum, { bytes }) => sum + bytes.length, 0);
+    expect(Math.abs(plan.bytes - written)).toBeLessThan(0.35 * written);
+  });
+
+  it('report progress and refuse wrong options', async () => {
+    const fractions: number[] = [];
+    await bend.sequence.export({ frames: 4 }, { onProgress: ({ fraction }) => fractions.push(fraction) });
+    expect(fractions).toEqual(fractions.slice().sort((a, b) => a - b));
+    expect(fractions.at(-1)).toBe(1);
+    expect((await failureOf(bend.sequence.export({ frames: 0 }))).code).toBe('invalid-option');
+    expect((await failureOf(bend.sequence.export({ frame: 4 } as object))).code).toBe('invalid-option');
+  });
+});

@@ -1,0 +1,21 @@
+/** Real inputs that are not part of the repository: tests over them are skipped where the folder is missing. */
+import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { InputFile } from '../../../web/engine/types.ts';
+
+const folder = process.env.SHAPESPLINE_DATA ?? fileURLToPath(new URL('../../../../shared/data', import.meta.url));
+
+export const hasData = existsSync(folder);
+
+export function dataFile(name: string): InputFile {
+  return { name, bytes: readFileSync(path.join(folder, name)) };
+}
+
+/** Paths below the data folder of all files in one of its folders; none where it is missing. */
+export function dataFiles(inside: string): string[] {
+  const start = path.join(folder, inside);
+  if (!existsSync(start)) return [];
+  const all = readdirSync(start, { recursive: true }).map((name) => path.join(inside, name.toString()));
+  return all.filter((name) => statSync(path.join(folder, name)).isFile()).sort();
+}

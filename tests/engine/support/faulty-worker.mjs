@@ -1,0 +1,29 @@
+// The real worker, with faults that a test calls for by the time of a frame. Nothing of the worker itself is replaced:
+// the process ends, an exception is thrown, or the wasm memory is overwritten so that the next call traps.
+import { parentPort } from 'node:worker_threads';
+
+const memories = [];
+const instantiate = WebAssembly.instantiate;
+WebAssembly.instantiate = async (...args) => {
+  const instance = await instantiate(...args);
+  memories.push(...Object.values(instance.exports).filter((part) => part instanceof WebAssembly.Memory));
+  return instance;
+};
+
+const faults = {
+  1001: () => process.exit(3),
+  1002: () => {
+    throw new Error('something broke');
+  },
+  1003: () => memories.forEach((memory) => new Uint8Array(memory.buffer).fill(0xff)),
+  1004: () => {
+    throw new RangeError('Array buffer allocation failed');
+  },
+};
+
+// Before the worker's own listener, so that the fault comes first.
+parentPort.on('message', (message) => {
+  if (message.type === 'evaluate') faults[message.t]?.();
+});
+
+await import('../../../build/node/node-worker.mjs');
