@@ -7,6 +7,15 @@ import { root } from './paths.mjs';
 
 const tailLength = 16_000;
 
+// A script that is told to stop takes the programs that it runs along.
+const running = new Set();
+for (const [signal, number] of [['SIGINT', 2], ['SIGTERM', 15], ['SIGHUP', 1]]) {
+  process.on(signal, () => {
+    for (const child of running) child.kill(signal);
+    process.exit(128 + number);
+  });
+}
+
 /**
  * Runs a program to its end; rejects with the last part of what it printed when it fails.
  * `show` 'all' passes its output on to stderr as it comes, 'quiet' keeps it for the error message;
@@ -19,6 +28,8 @@ export function run(program, args, { cwd = root, env = {}, show = 'quiet', inher
       env: { ...process.env, ...env },
       stdio: inherit ? 'inherit' : ['ignore', 'pipe', 'pipe'],
     });
+    running.add(child);
+    child.on('close', () => running.delete(child));
     let tail = '';
     const take = (chunk) => {
       tail = (tail + chunk).slice(-tailLength);

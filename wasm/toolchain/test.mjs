@@ -39,7 +39,9 @@ async function typecheck() {
   return nothing;
 }
 
-const doctestArguments = (words) => words.map((word) => (word.startsWith('-') ? word : `--test-case=*${word}*`));
+const doctestArguments = (words) => [
+  '--no-version', '--no-colors', ...words.map((word) => (word.startsWith('-') ? word : `--test-case=*${word}*`)),
+];
 
 async function native(words) {
   const folder = await whileLocked(() => buildNative(['shapespline_tests']));
