@@ -77,7 +77,8 @@ export class App {
   async picture(): Promise<Buffer> {
     await this.settled();
     await this.page.addStyleTag({ content: '.viewport > :not(.picture) { visibility: hidden !important }' });
-    const shot = await this.by('viewport').locator('canvas').screenshot();
+    const clip = (await this.by('viewport').boundingBox())!;
+    const shot = await this.page.screenshot({ clip });
     await this.page.evaluate(() => document.head.lastElementChild!.remove());
     return shot;
   }

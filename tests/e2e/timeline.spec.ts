@@ -66,6 +66,7 @@ test('snaps to a key within reach, and not with Alt held', async ({ app }) => {
 test('is worked by the keyboard', async ({ app }) => {
   await app.open();
   const slider = app.by('timeline');
+  await app.setTime(0.3);
   await slider.focus();
   const press = async (key: string): Promise<number> => { await app.page.keyboard.press(key); return (await app.state()).time; };
   expect(await press('Home')).toBe(0);

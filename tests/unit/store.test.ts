@@ -41,6 +41,25 @@ describe('the store', () => {
     expect(store.get().doc.keys[1]!.time).toBe(1);
   });
 
+  it('takes a slow drag back as a whole too, and never joins two drags', () => {
+    let now = 0;
+    const store = createStore(start, () => now);
+    const drag = (times: number[]): void => {
+      store.hold(true);
+      for (const time of times) {
+        now += 5000;
+        store.edit('time', (doc) => retimeKey(doc, 1, time), 'time 1');
+      }
+      store.hold(false);
+    };
+    drag([1.1, 1.2, 1.3]);
+    drag([1.4, 1.5]);
+    store.undo();
+    expect(store.get().doc.keys[1]!.time).toBe(1.3);
+    store.undo();
+    expect(store.get().doc.keys[1]!.time).toBe(1);
+  });
+
   it('forgets what could be redone after another edit', () => {
     const store = createStore(start);
     store.edit('rename', (doc) => renameKey(doc, 0, 'x'));

@@ -25,7 +25,6 @@ import type { Runtime } from './runtime.ts';
 import { fetchSamples } from './samples.ts';
 import { createShell } from './shell.ts';
 import { listen, shortcutLines } from './shortcuts.ts';
-import type { Spec } from './spec.ts';
 import { specOf } from './spec.ts';
 import { createStore } from './store.ts';
 import { createThumbnails } from './thumbnails.ts';
@@ -50,7 +49,7 @@ export function startApp(root: HTMLElement): void {
 
   const workspace = new Workspace(engine, {
     onProgress: (working) => context.inform({ working }),
-    onReady: (spec) => served(spec),
+    onReady: () => served(),
     onRefused: (error) => {
       context.fail(error);
       goBack();
@@ -114,6 +113,8 @@ export function startApp(root: HTMLElement): void {
     onExportChange: (request) => exporting.plan(request),
     onExport: (request) => void exporting.run(request),
   });
+  window.addEventListener('pointerdown', () => store.hold(true), { capture: true });
+  for (const end of ['pointerup', 'pointercancel'] as const) window.addEventListener(end, () => store.hold(false), { capture: true });
   listen(shortcuts, () => runtime.singleKeys);
   listenToArrows(context, commands, shell.picture);
   listenToCamera(context, shell.picture);
@@ -138,7 +139,7 @@ export function startApp(root: HTMLElement): void {
   }
 
   /** The lanes now follow the document. */
-  function served(spec: Spec): void {
+  function served(): void {
     const { doc, view } = store.get();
     good = { doc, compare: view.compare };
     const main = workspace.lanes[0]?.sequence;
@@ -148,7 +149,6 @@ export function startApp(root: HTMLElement): void {
     void pump.request(store.get().time);
     insight.invalidate();
     thumbnails.refresh();
-    if (spec.methods.length !== picture.viewer.views) picture.viewer.setViews(spec.methods.length);
   }
 
   /** After a refused or cancelled edit the document is again what the sequences serve. */
@@ -169,6 +169,7 @@ export function startApp(root: HTMLElement): void {
       player.stop();
       void pump.request(state.time);
     }
+    if (state.source === before.source && (state.doc !== before.doc || state.view.compare !== before.view.compare)) context.inform({ welcome: false });
     if (!state.play.playing) saveLink();
     render();
   });

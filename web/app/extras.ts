@@ -12,8 +12,8 @@ const ONION_STEP = 0.09;
 const ONION_SKINS: readonly { steps: number; opacity: number }[] = [
   { steps: -2, opacity: 0.1 }, { steps: 2, opacity: 0.1 }, { steps: -1, opacity: 0.2 }, { steps: 1, opacity: 0.2 },
 ];
-const FILM_STEPS = 8;
-const FILM_BEYOND = 2;
+const FILM_STEPS = 6;
+const FILM_BEYOND = 1;
 
 export interface ExtrasInput {
   t: number;

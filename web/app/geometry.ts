@@ -18,10 +18,6 @@ export function boundsOf(poses: readonly Float32Array[]): Bounds {
   return { min, max };
 }
 
-export function radiusOf({ min, max }: Bounds): number {
-  return Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]) / 2;
-}
-
 /** Some vertices of every pose, xyz interleaved. The extreme ones along each axis are always among them. */
 export function samplePoints(poses: readonly Float32Array[]): Float32Array {
   const points: number[] = [];

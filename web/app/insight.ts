@@ -52,10 +52,10 @@ const BUDGET_MS = 1200;
 
 export function createInsightPanel(input: () => InsightInput | null, onSeek: (t: number) => void, onError: (error: unknown) => void): InsightPanel {
   const plane = createShapePlane();
-  const explained = h('span', { class: 'value muted' });
+  const explained = h('span', { class: 'unit' });
   const volume = chart('Volume', '% of the first key', 'plot-volume', onSeek);
   const area = chart('Area', '% of the first key', 'plot-area', onSeek);
-  const bending = chart('Bending energy', 'times the mean deformation energy between keys', 'plot-bending', onSeek);
+  const bending = chart('Bending energy', 'of the mean deformation energy between keys', 'plot-bending', onSeek);
   const legend = h('div', { class: 'legend' });
   const planeFigure = h('figure', { class: 'figure', 'data-testid': 'plot-plane' },
     h('figcaption', { title: 'All keys as points in the plane that tells them apart best; distances in it are distances between shapes' }, h('strong', {}, 'Shape plane'), explained), plane.element);
@@ -101,7 +101,7 @@ export function createInsightPanel(input: () => InsightInput | null, onSeek: (t:
     const lri = lanes.filter((lane) => lane.plane);
     setHidden(planeFigure, lri.length === 0);
     if (lri[0]?.planeKeys) {
-      setText(explained, `holds ${(100 * lri[0].explained).toFixed(0)} % of the difference`);
+      setText(explained, `holds ${(100 * lri[0].explained).toFixed(0)} % of what differs between the keys`);
       plane.draw({ times, range, keys: lri[0].planeKeys, curves: lri.map((lane) => ({ label: METHOD_WORDS[lane.method].label, points: lane.plane!, style: lane.method })) });
     }
     const series = (pick: (lane: LaneInsight) => number[] | null): { label: string; values: number[]; style: string }[] =>
@@ -174,11 +174,11 @@ interface Figure extends Pick<LineChart, 'setCursor'> {
 
 function chart(title: string, unit: string, testId: string, onSeek: (t: number) => void): Figure {
   const plot = createLineChart(onSeek);
-  const value = h('span', { class: 'value muted', 'data-testid': `${testId}-value` }, '');
+  const value = h('span', { class: 'value', 'data-testid': `${testId}-value` }, '');
   let data: Parameters<Figure['draw']>[0] | null = null;
   return {
     element: h('figure', { class: 'figure', 'data-testid': testId },
-      h('figcaption', {}, h('strong', {}, title), h('span', { class: 'muted' }, unit), value), plot.element),
+      h('figcaption', {}, h('strong', {}, title), value, h('span', { class: 'unit' }, unit)), plot.element),
     draw(next) {
       data = next;
       plot.draw({ ...next, title, unit });

@@ -11,7 +11,7 @@ import { Viewer } from '../viewer/viewer.ts';
 import type { ViewerEvents } from '../viewer/viewer.ts';
 import { PHASE_COLOURS, filmStrip, filmTimes, onionSkins, onionTimes } from './extras.ts';
 import type { ExtrasInput } from './extras.ts';
-import { boundsOf, measure, patchColours, radiusOf, samplePoints } from './geometry.ts';
+import { boundsOf, measure, patchColours, samplePoints } from './geometry.ts';
 import type { Measure } from './geometry.ts';
 import type { Lane } from './lanes.ts';
 import type { PosePool } from './workspace.ts';
@@ -31,7 +31,10 @@ export class Picture {
   private pool: PosePool | null = null;
   private base: Measure | null = null;
   private patchesOf: Sequence | null = null;
+  /** What the film strip was made of, ONION for onion skins, null for neither. */
   private filmKey: unknown = null;
+  /** The shapes of the strip where they stand. */
+  private film: Float32Array[] | null = null;
 
   constructor(host: HTMLElement, events: ViewerEvents) {
     this.viewer = new Viewer(host, events);
@@ -43,6 +46,7 @@ export class Picture {
     this.pool = pool;
     this.patchesOf = null;
     this.filmKey = null;
+    this.film = null;
     const poses = info.times.map((_, pose) => pool.keys.positions(pose));
     const bounds = boundsOf(poses);
     this.base = poses[0] && info.report.faces <= MEASURED_FACES ? measure(poses[0], info.indices) : null;
@@ -59,8 +63,8 @@ export class Picture {
     if (!this.pool) return;
     const poses = Array.from({ length: this.pool.count }, (_, pose) => this.pool!.keys.positions(pose));
     for (let index = 0; index < this.viewer.views; index += 1) poses.push(this.viewer.positions(index));
-    const drawn = poses.filter((positions) => positions.length > 0);
-    this.viewer.setFitPoints(samplePoints(drawn), radiusOf(boundsOf(drawn)));
+    const drawn = this.film ?? poses.filter((positions) => positions.length > 0);
+    this.viewer.setExtent(boundsOf(drawn), samplePoints(drawn));
     this.viewer.fit(view, eased);
   }
 
@@ -68,7 +72,7 @@ export class Picture {
   async show(t: number, frames: readonly Frame[], lanes: readonly Lane[], state: AppState, range: Range): Promise<void> {
     const input = extrasInput(t, state, range);
     const phase = phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
-    if (this.viewer.views !== lanes.length) this.viewer.setViews(lanes.length);
+    if (this.viewer.views !== lanes.length) this.setViews(lanes.length);
     frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind]));
     this.labels = lanes.length > 1 ? this.tileLabels(frames, lanes) : [];
     await this.showExtras(input, lanes[0]?.sequence, state);
@@ -94,6 +98,12 @@ export class Picture {
     });
   }
 
+  /** Other tiles have another shape: the view is fitted again from where it stands. */
+  private setViews(count: number): void {
+    this.viewer.setViews(count);
+    this.viewer.fit(null, false);
+  }
+
   private tileLabels(frames: readonly Frame[], lanes: readonly Lane[]): TileLabel[] {
     const rects = this.viewer.rects();
     return lanes.map((lane, index) => {
@@ -113,7 +123,8 @@ export class Picture {
     if (!sequence || (!view.onion && !view.film)) {
       if (this.filmKey === null) return;
       this.viewer.setExtras([]);
-      if (this.filmKey !== ONION) this.fit(null, true);
+      this.film = null;
+      if (this.filmKey !== ONION) this.fit('home', true);
       this.filmKey = null;
       return;
     }
@@ -129,7 +140,8 @@ export class Picture {
 
   private fitTo(extras: readonly Extra[]): void {
     const placed = extras.map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
-    this.viewer.setFitPoints(samplePoints(placed), radiusOf(boundsOf(placed)));
+    this.film = placed;
+    this.viewer.setExtent(boundsOf(placed), samplePoints(placed));
     this.viewer.fit('front', true);
   }
 

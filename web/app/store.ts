@@ -1,7 +1,7 @@
 /** Holds the state, tells who listens, and keeps the document's history for undo and redo. */
 import type { AppState, Doc } from '../model/state.ts';
 
-/** Edits of the same kind closer together than this are one step back: a drag is undone as a whole. */
+/** Edits of the same kind closer together than this are one step back: a held key is undone as a whole. */
 const MERGE_MS = 1000;
 const HISTORY_LIMIT = 200;
 
@@ -9,8 +9,10 @@ export interface Store {
   get(): AppState;
   /** Changes what undo does not cover: the time, the playing, the view. */
   set(change: Partial<Omit<AppState, 'doc'>>): void;
-  /** Changes the document as one step back. Edits with the same `merge` in quick succession become one. */
+  /** Changes the document as one step back. Edits with the same `merge` become one in quick succession or while held. */
   edit(label: string, change: (doc: Doc) => Doc, merge?: string): void;
+  /** A pointer goes down or up: a drag is undone as a whole, however long it takes. */
+  hold(down: boolean): void;
   /** Replaces the document without a step back, for when the engine refuses an edit. */
   revert(doc: Doc): void;
   /** A new import: everything is replaced and the history ends. */
@@ -33,6 +35,7 @@ export function createStore(initial: AppState, now: () => number = () => perform
   let past: Step[] = [];
   let future: Step[] = [];
   let last = { merge: '', at: -Infinity };
+  let held = false;
   const listeners = new Set<(state: AppState) => void>();
 
   const publish = (next: AppState): void => {
@@ -54,11 +57,15 @@ export function createStore(initial: AppState, now: () => number = () => perform
     edit(label, change, merge = '') {
       const doc = change(state.doc);
       if (doc === state.doc) return;
-      const merged = merge !== '' && merge === last.merge && now() - last.at < MERGE_MS;
+      const merged = merge !== '' && merge === last.merge && (held || now() - last.at < MERGE_MS);
       if (!merged) past = [...past.slice(1 - HISTORY_LIMIT), { label, doc: state.doc }];
       future = [];
       last = { merge, at: now() };
       publish({ ...state, doc });
+    },
+    hold(down) {
+      if (down && !held) last = { merge: '', at: -Infinity };
+      held = down;
     },
     revert: (doc) => publish({ ...state, doc }),
     reset(next) {

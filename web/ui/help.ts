@@ -16,8 +16,8 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
     h('p', {}, 'Give the page two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Rotations and stretches are joined by cubic splines, not positions, so the shape bends and twists without shrinking.'),
     h('p', {}, 'Drag the slider through the motion, and past both ends, where it goes on as the end keys suggest. Your files stay on your machine.'),
     h('h3', {}, 'Keys'),
-    h('dl', { class: 'shortcuts' }, ...shortcuts.flatMap(({ keys, does }) => [
-      h('dt', {}, ...keys.split('  ').map((key) => h('kbd', {}, key))), h('dd', {}, does)])),
+    h('dl', { class: 'shortcuts' }, ...shortcuts.map(({ keys, does }) => h('div', {},
+      h('dt', {}, ...keys.split('  ').map((key) => h('kbd', {}, key))), h('dd', {}, does)))),
     switchOff.element,
     h('h3', {}, 'The method'),
     h('p', {}, 'Cubic splines in linear rotation-invariant (LRI) shape space: Q. Xia, C. Chen, J. Liu, S. Li, A. Hao and H. Qin, “Efficient 4D shape completion from sparse samples via cubic spline fitting in linear rotation-invariant space”, Computers & Graphics, 2019.'));

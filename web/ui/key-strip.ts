@@ -144,7 +144,7 @@ function createCard(events: KeyStripEvents, onEdit: (index: number) => void): Ca
       setAttribute(image, 'hidden', item.thumbnail === null);
       setText(badge, String(at + 1));
       setText(name, item.name);
-      setText(when, formatTime(item.time, range));
+      setText(when, String(Number(formatTime(item.time, range))));
       go.disabled = disabled;
       edit.disabled = disabled;
     },

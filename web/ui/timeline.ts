@@ -36,9 +36,9 @@ export interface Timeline {
 export function createTimeline(events: TimelineEvents): Timeline {
   let props: TimelineProps | null = null;
 
-  const before = h('div', { class: 'margin before' }, h('span', { class: 'margin-label' }));
-  const after = h('div', { class: 'margin after' }, h('span', { class: 'margin-label' }));
-  const track = h('div', { class: 'track', 'aria-hidden': 'true' }, before, h('div', { class: 'key-range' }), after);
+  const before = createMargin('before');
+  const after = createMargin('after');
+  const track = h('div', { class: 'track', 'aria-hidden': 'true' }, before.element, h('div', { class: 'key-range' }), after.element);
   const ticks = h('div', { class: 'ticks' });
   const playhead = h('div', { class: 'playhead', 'aria-hidden': 'true' }, h('div', { class: 'knob' }));
   const slider = h('div', {
@@ -101,8 +101,8 @@ export function createTimeline(events: TimelineEvents): Timeline {
     setAttribute(slider, 'aria-valuemax', round(high));
     setAttribute(slider, 'aria-disabled', disabled ? 'true' : null);
     setAttribute(slider, 'data-periodic', periodic);
-    setMarginLabel(before, periodic ? ['Repeats', 'Repeats'] : ['Before the first key (extrapolated)', 'Extrapolated']);
-    setMarginLabel(after, periodic ? ['Repeats', 'Repeats'] : ['Beyond the last key (extrapolated)', 'Extrapolated']);
+    before.label(periodic ? REPEATS : ['Before the first key (extrapolated)', 'Extrapolated', 'Before']);
+    after.label(periodic ? REPEATS : ['Beyond the last key (extrapolated)', 'Extrapolated', 'Beyond']);
   });
 
   return {
@@ -121,11 +121,20 @@ export function createTimeline(events: TimelineEvents): Timeline {
   };
 }
 
-function setMarginLabel(margin: HTMLElement, [long, short]: [string, string]): void {
-  const label = margin.firstElementChild;
-  if (!label) return;
-  setText(label, short);
-  setAttribute(margin, 'title', long);
+/** From the longest to the shortest; the style sheet shows the one that fits. */
+type MarginWords = readonly [string, string, string];
+const REPEATS: MarginWords = ['Repeats', 'Repeats', 'Repeats'];
+
+function createMargin(side: 'before' | 'after'): { element: HTMLElement; label(words: MarginWords): void } {
+  const labels = ['long', 'middle', 'short'].map((size) => h('span', { class: `margin-label ${size}` }));
+  const element = h('div', { class: `margin ${side}` }, ...labels);
+  return {
+    element,
+    label(words) {
+      labels.forEach((label, index) => setText(label, words[index]!));
+      setAttribute(element, 'title', words[0]);
+    },
+  };
 }
 
 function percent(fraction: number): string {

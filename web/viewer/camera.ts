@@ -44,6 +44,10 @@ export class CameraRig {
     this.controls.maxDistance = 60 * this.radius;
   }
 
+  extent(): { points: Float32Array; radius: number } {
+    return { points: this.points, radius: this.radius };
+  }
+
   setAspect(aspect: number): void {
     this.aspect = aspect;
   }

@@ -22,9 +22,8 @@ export class Stage {
 
   constructor() {
     this.key.castShadow = true;
-    this.key.shadow.mapSize.set(512, 512);
-    this.key.shadow.radius = 5;
-    this.key.shadow.blurSamples = 16;
+    this.key.shadow.mapSize.set(1024, 1024);
+    this.key.shadow.radius = 6;
     const plane = new PlaneGeometry(1, 1);
     plane.rotateX(-Math.PI / 2);
     const ground = new Mesh(plane, this.shadow);
@@ -51,8 +50,8 @@ export class Stage {
     camera.updateProjectionMatrix();
     this.key.shadow.normalBias = 0.01 * radius;
     this.floor.position.set(centre.x, min[1] - 0.002 * radius, centre.z);
-    this.floor.scale.setScalar(16 * radius);
-    this.grid.uniforms['cell']!.value = gridCell(radius) / (16 * radius);
+    this.floor.scale.setScalar(10 * radius);
+    this.grid.uniforms['cell']!.value = gridCell(radius) / (10 * radius);
   }
 
   /** Fill and rim follow the eye, so that no side of the shape is ever dark. */
@@ -67,9 +66,11 @@ export class Stage {
 
   setLook(floor: boolean, dark: boolean): void {
     this.floor.visible = floor;
+    // Only the floor shows shadow.
+    this.key.castShadow = floor;
     this.shadow.opacity = dark ? 0.42 : 0.17;
     (this.grid.uniforms['colour']!.value as Color).set(dark ? 0xffffff : 0x27313c);
-    this.grid.uniforms['strength']!.value = dark ? 0.11 : 0.13;
+    this.grid.uniforms['strength']!.value = dark ? 0.09 : 0.1;
     this.sky.intensity = dark ? 0.95 : 1.15;
   }
 }
@@ -105,7 +106,7 @@ function gridMaterial(): ShaderMaterial {
         float line = 1.0 - min(min(distance.x, distance.y), 1.0);
         // Far lines are closer than a pixel: fade before they turn into a moire pattern.
         float dense = 1.0 - smoothstep(0.15, 0.6, max(width.x, width.y));
-        float fade = 1.0 - smoothstep(0.08, 0.42, length(place));
+        float fade = 1.0 - smoothstep(0.05, 0.48, length(place));
         gl_FragColor = vec4(colour, line * dense * fade * strength);
       }`,
   });

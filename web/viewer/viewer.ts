@@ -1,6 +1,6 @@
 /** The picture: shapes in one to four views with one camera, drawn only when something changed. */
 import {
-  BufferAttribute, NoToneMapping, VSMShadowMap, Scene, Vector3, WebGLRenderer,
+  BufferAttribute, NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer,
 } from 'three';
 import { CameraRig } from './camera.ts';
 import { Shape } from './shape.ts';
@@ -33,6 +33,7 @@ export class Viewer {
   private look = DEFAULT_LOOK;
   private patchColours: Float32Array | null = null;
   private hideShapes = false;
+  private home: { bounds: Bounds; points: Float32Array; radius: number } | null = null;
   private pending = 0;
   private waiting: (() => void)[] = [];
   private readonly resize: ResizeObserver;
@@ -42,7 +43,7 @@ export class Viewer {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.toneMapping = NoToneMapping;
     this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = VSMShadowMap;
+    this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.setClearColor(0x000000, 0);
     this.renderer.autoClear = false;
     this.canvas = this.renderer.domElement;
@@ -68,7 +69,8 @@ export class Viewer {
     };
     this.patchColours = null;
     this.stage.setBounds(bounds);
-    this.rig.setPoints(points, new Vector3(...bounds.max).distanceTo(new Vector3(...bounds.min)) / 2);
+    this.home = { bounds, points, radius: new Vector3(...bounds.max).distanceTo(new Vector3(...bounds.min)) / 2 };
+    this.rig.setPoints(points, this.home.radius);
     void this.loadTextures(this.topology);
   }
 
@@ -137,8 +139,11 @@ export class Viewer {
     this.rig.fit(view, eased);
   }
 
-  setFitPoints(points: Float32Array, radius: number): void {
-    this.rig.setPoints(points, radius);
+  /** Lets light, floor and fitted views follow other shapes than the keys: what is extrapolated, a film strip. */
+  setExtent(bounds: Bounds, points: Float32Array): void {
+    this.stage.setBounds(bounds);
+    this.rig.setPoints(points, new Vector3(...bounds.max).distanceTo(new Vector3(...bounds.min)) / 2);
+    this.invalidate();
   }
 
   cameraPose(): CameraPose {
@@ -193,12 +198,12 @@ export class Viewer {
 
   /** Resolves once everything set so far has been drawn and no view is being turned to. */
   async drawn(): Promise<void> {
-    do {
+    while (this.pending !== 0 || this.rig.turning) {
       await new Promise<void>((resolve) => {
         this.waiting.push(resolve);
         this.invalidate();
       });
-    } while (this.rig.turning);
+    }
   }
 
   /** Draws now and calls `use` before the browser may clear the canvas. */
@@ -288,7 +293,9 @@ export class Viewer {
     const [w, h] = [Math.max(Math.floor(width * scale), 1), Math.max(Math.floor(height * scale), 1)];
     const shown = [...this.shapes, ...this.extras].map((other) => [other, other.object.visible] as const);
     for (const [other] of shown) other.object.visible = false;
+    const before = this.rig.extent();
     const pose = this.rig.pose();
+    if (this.home) this.rig.setPoints(this.home.points, this.home.radius);
     this.rig.setAspect(w / h);
     this.rig.fit('home', false);
     this.stage.setLook(false, this.look.dark);
@@ -296,6 +303,7 @@ export class Viewer {
     const picture = cut(this.canvas, w, h, this.renderer.getPixelRatio());
     this.stage.setLook(this.look.floor, this.look.dark);
     for (const [other, visible] of shown) other.object.visible = visible;
+    this.rig.setPoints(before.points, before.radius);
     this.rig.setPose(pose);
     return picture;
   }
