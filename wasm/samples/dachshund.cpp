@@ -25,12 +25,12 @@ Limb part(const std::vector<Knot>& knots, int joints, double edge, double blend)
 
 Limb foreleg(double side) {
   return part({{{0.98, 0.88, 0.20 * side}, 0.26}, {{0.90, 0.58, 0.29 * side}, 0.165}, {{0.97, 0.30, 0.29 * side}, 0.125},
-               {{1.02, 0.13, 0.29 * side}, 0.125}, {{1.17, 0.08, 0.30 * side}, 0.12}}, 22, 0.058, 0.14);
+               {{1.02, 0.13, 0.29 * side}, 0.125}, {{1.17, 0.08, 0.30 * side}, 0.12}}, 22, 0.06, 0.14);
 }
 
 Limb hindLeg(double side) {
   return part({{{-1.13, 0.90, 0.17 * side}, 0.31}, {{-0.98, 0.58, 0.27 * side}, 0.20}, {{-1.22, 0.32, 0.28 * side}, 0.115},
-               {{-1.20, 0.13, 0.28 * side}, 0.12}, {{-1.04, 0.08, 0.29 * side}, 0.12}}, 24, 0.058, 0.14);
+               {{-1.20, 0.13, 0.28 * side}, 0.12}, {{-1.04, 0.08, 0.29 * side}, 0.12}}, 24, 0.06, 0.14);
 }
 
 Limb ear(double side) {
@@ -48,7 +48,7 @@ Body makeBody() {
   Body body;
   body.floor = 0;
   body.floorRounding = 0.05;
-  attach(body, -1, part({{{-1.38, 0.90, 0}, 0.33}, {{-0.9, 0.93, 0}, 0.375}, {{-0.1, 0.88, 0}, 0.36}, {{0.75, 0.88, 0}, 0.43}, {{1.08, 0.98, 0}, 0.36}}, 30, 0.088, 0));
+  attach(body, -1, part({{{-1.38, 0.90, 0}, 0.33}, {{-0.9, 0.93, 0}, 0.375}, {{-0.1, 0.88, 0}, 0.36}, {{0.75, 0.88, 0}, 0.43}, {{1.08, 0.98, 0}, 0.36}}, 30, 0.096, 0));
   attach(body, torso, part({{{1.0, 1.02, 0}, 0.33}, {{1.32, 1.36, 0}, 0.255}, {{1.55, 1.68, 0}, 0.25}}, 14, 0.072, 0.12));
   attach(body, neck, part({{{1.60, 1.80, 0}, 0.27}, {{1.83, 1.87, 0}, 0.29}, {{2.10, 1.76, 0}, 0.185}, {{2.40, 1.69, 0}, 0.15}, {{2.62, 1.66, 0}, 0.13}}, 20, 0.058, 0.12));
   attach(body, head, part({{{1.95, 1.67, 0}, 0.15}, {{2.25, 1.565, 0}, 0.115}, {{2.50, 1.53, 0}, 0.092}}, 8, 0.042, 0.035));
@@ -129,7 +129,7 @@ Pose walkPose(const Body& body, double phase) {
   pose.root = Eigen::Translation3d(0, -0.03 + 0.015 * wave(2, 0.1), 0) * Eigen::AngleAxisd(-0.5 * spine.norm(), spine.normalized());
   bend(pose, body, neck, 0, 1, {0, -0.10 * wave(1, 0), 0.08 * wave(2, 0.35)});
   bend(pose, body, head, 0, 0.3, {0.06 * wave(1, 0.25), -0.05 * wave(1, 0.1), -0.06 * wave(2, 0.45)});
-  bend(pose, body, tail, 0, 0.9, {0.5 * wave(1, 0.1), 0.55 * wave(1, 0.1), 0.1 * wave(2, 0)});
+  bend(pose, body, tail, 0, 1, {0.5 * wave(1, 0.1), 0.55 * wave(1, 0.1), 0.1 * wave(2, 0)});
   for (Part side : {leftEar, rightEar}) {
     const double out = side == leftEar ? 1 : -1;
     bend(pose, body, side, 0.1, 1, {out * (0.12 + 0.14 * wave(2, 0.6)), 0, 0.25 * wave(2, 0.7)});

@@ -10,10 +10,10 @@ namespace shapespline {
 
 Keyframes posedKeyframes(const Body& body, const std::vector<Pose>& poses, double spacing, int smoothing) {
   Surface surface = makeSurface(body);
-  const Weights weights = bindSurface(surface, body, smoothing);
+  const Binding binding = bindSurface(surface, body, smoothing);
   Keyframes result;
   for (std::size_t j = 0; j < poses.size(); ++j) {
-    result.keys.push_back({"pose " + std::to_string(j + 1), double(j) * spacing, skin(surface, weights, jointTransforms(body, poses[j]))});
+    result.keys.push_back({"pose " + std::to_string(j + 1), double(j) * spacing, skin(surface, binding, jointTransforms(body, poses[j]))});
   }
   result.faces = std::move(surface.faces);
   return result;

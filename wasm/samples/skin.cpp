@@ -26,11 +26,11 @@ std::vector<Share> nearestJoints(const Body& body, const Vec3& point) {
   return {{first, 1 - t}, {first + 1, t}};
 }
 
-std::vector<Share> average(const Weights& weights, int vertex, const std::vector<int>& around) {
+std::vector<Share> average(const Binding& binding, int vertex, const std::vector<int>& around) {
   std::map<int, double> sums;
-  for (const Share& share : weights[vertex]) sums[share.joint] += 0.5 * share.weight;
+  for (const Share& share : binding[vertex]) sums[share.joint] += 0.5 * share.weight;
   for (int v : around) {
-    for (const Share& share : weights[v]) sums[share.joint] += 0.5 * share.weight / around.size();
+    for (const Share& share : binding[v]) sums[share.joint] += 0.5 * share.weight / around.size();
   }
   std::vector<Share> result;
   double total = 0;
@@ -73,24 +73,24 @@ Vec3 apply(const DualQuaternion& q, const Vec3& point) {
 
 }  // namespace
 
-Weights bindSurface(const Surface& surface, const Body& body, int rounds) {
+Binding bindSurface(const Surface& surface, const Body& body, int rounds) {
   const auto around = neighbours(surface);
-  Weights weights;
-  for (const Vec3& point : surface.positions) weights.push_back(nearestJoints(body, point));
+  Binding binding;
+  for (const Vec3& point : surface.positions) binding.push_back(nearestJoints(body, point));
   for (int i = 0; i < rounds; ++i) {
-    Weights smoothed;
-    for (std::size_t v = 0; v < weights.size(); ++v) smoothed.push_back(average(weights, static_cast<int>(v), around[v]));
-    weights = std::move(smoothed);
+    Binding smoothed;
+    for (std::size_t v = 0; v < binding.size(); ++v) smoothed.push_back(average(binding, static_cast<int>(v), around[v]));
+    binding = std::move(smoothed);
   }
-  return weights;
+  return binding;
 }
 
-Positions skin(const Surface& surface, const Weights& weights, const std::vector<Rigid>& joints) {
+Positions skin(const Surface& surface, const Binding& binding, const std::vector<Rigid>& joints) {
   std::vector<DualQuaternion> duals;
   for (const Rigid& joint : joints) duals.push_back(toDual(joint));
   Positions result;
-  for (std::size_t v = 0; v < weights.size(); ++v) {
-    result.push_back(apply(blend(duals, weights[v]), surface.positions[v]));
+  for (std::size_t v = 0; v < binding.size(); ++v) {
+    result.push_back(apply(blend(duals, binding[v]), surface.positions[v]));
   }
   return result;
 }

@@ -13,12 +13,12 @@ struct Share {
   int joint;
   double weight;
 };
-using Weights = std::vector<std::vector<Share>>;
+using Binding = std::vector<std::vector<Share>>;
 
 /// Binds every vertex to its nearest joints, then smooths the shares over the surface, `rounds` times.
-Weights bindSurface(const Surface& surface, const Body& body, int rounds);
+Binding bindSurface(const Surface& surface, const Body& body, int rounds);
 
 /// The surface in a pose, by dual-quaternion blending (Kavan et al. 2007), which keeps the volume where limbs bend.
-Positions skin(const Surface& surface, const Weights& weights, const std::vector<Rigid>& joints);
+Positions skin(const Surface& surface, const Binding& binding, const std::vector<Rigid>& joints);
 
 }  // namespace shapespline
