@@ -111,7 +111,7 @@ export function diagonal(positions: readonly number[]): number {
 }
 
 
-/** Decodes two pictures of the same size in the page and counts what differs. */
+/** Decodes two pictures of the same size in the page and counts pixels that differ by more than a little. */
 export async function changedShare(page: Page, before: Buffer, after: Buffer): Promise<number> {
   return page.evaluate(async ([a, b]) => {
     const read = async (text: string): Promise<ImageData> => {
@@ -126,7 +126,7 @@ export async function changedShare(page: Page, before: Buffer, after: Buffer): P
     let changed = 0;
     for (let i = 0; i < one.data.length; i += 4) {
       const step = [0, 1, 2].reduce((most, c) => Math.max(most, Math.abs(one.data[i + c]! - other.data[i + c]!)), 0);
-      if (step > 12) changed += 1;
+      if (step > 6) changed += 1;
     }
     return changed / (one.data.length / 4);
   }, [before.toString('base64'), after.toString('base64')]);

@@ -48,6 +48,11 @@ export class CameraRig {
     return { points: this.points, radius: this.radius };
   }
 
+  /** Where a fitted view would stand, without going there. */
+  fittedPose(view: ViewName): CameraPose {
+    return this.fitted(new Vector3(...DIRECTIONS[view]).normalize());
+  }
+
   setAspect(aspect: number): void {
     this.aspect = aspect;
   }
@@ -68,8 +73,9 @@ export class CameraRig {
   fit(view: ViewName | null, eased: boolean): void {
     const direction = view ? new Vector3(...DIRECTIONS[view]) : this.camera.position.clone().sub(this.target);
     const pose = this.fitted(direction.normalize());
-    if (eased) this.turnTo(pose);
-    else this.setPose(pose);
+    if (eased) return this.turnTo(pose);
+    this.setPose(pose);
+    this.onUserMove();
   }
 
   /** Turns about the target by angles in radians; from the keyboard. */

@@ -297,7 +297,7 @@ export class Viewer {
     const pose = this.rig.pose();
     if (this.home) this.rig.setPoints(this.home.points, this.home.radius);
     this.rig.setAspect(w / h);
-    this.rig.fit('home', false);
+    this.rig.setPose(this.rig.fittedPose('home'));
     this.stage.setLook(false, this.look.dark);
     this.renderOne({ x: 0, y: clientHeight - h, width: w, height: h });
     const picture = cut(this.canvas, w, h, this.renderer.getPixelRatio());
