@@ -3,9 +3,10 @@
 
 #include <vector>
 
-#include "core/lri.h"
+#include "core/patches.h"
 #include "core/options.h"
 #include "core/rotation_path.h"
+#include "core/welded_shape.h"
 
 namespace shapespline {
 

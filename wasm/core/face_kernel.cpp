@@ -166,7 +166,7 @@ void store(const Divergence<Real>& d, Real (&v)[6][faceLanes]) {
 }  // namespace
 
 template <class Real>
-void FaceKernel<Real>::build(const WeldedShape& shape, const LriCoordinates<Real>& coordinates, Stretch stretch,
+void FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
                              const std::vector<int>& position, int dump) {
   faceCount_ = shape.faceCount();
   stretch_ = stretch;
@@ -176,7 +176,7 @@ void FaceKernel<Real>::build(const WeldedShape& shape, const LriCoordinates<Real
     FaceBlock<Real>& block = blocks_[f / faceLanes];
     const int lane = f % faceLanes;
     for (int c = 0; c < 3; ++c) block.corner[c][lane] = dump;
-    if (f >= faceCount_ || !coordinates.hasArea[f]) continue;  // zero gradients contribute nothing
+    if (f >= faceCount_ || frameOf[f] < 0) continue;  // zero gradients contribute nothing
     const Triangle& t = shape.faces[f];
     const FaceFrame frame = faceFrame(p[t[0]], p[t[1]], p[t[2]]);
     for (int k = 0; k < 3; ++k) {
@@ -192,7 +192,7 @@ void FaceKernel<Real>::build(const WeldedShape& shape, const LriCoordinates<Real
     block.gradient[1][lane] = static_cast<Real>(g0.y());
     block.gradient[2][lane] = static_cast<Real>(g1.x());
     block.gradient[3][lane] = static_cast<Real>(g1.y());
-    block.frame[lane] = coordinates.patches.ofFace[f];
+    block.frame[lane] = frameOf[f];
   }
 }
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/face_coordinates.h"
-#include "core/lri.h"
 #include "core/options.h"
 #include "core/types.h"
+#include "core/welded_shape.h"
 
 namespace shapespline {
 
@@ -26,12 +26,13 @@ class FaceKernel {
  public:
   FaceKernel() = default;
 
-  /// position: where each vertex's right-hand side lies, or `dump` for vertices that have none.
-  void build(const WeldedShape& shape, const LriCoordinates<Real>& coordinates, Stretch stretch,
-             const std::vector<int>& position, int dump);
+  /// frameOf: frame of each face, or -1 for faces that take no part. position: where each vertex's right-hand side lies,
+  /// or `dump` for vertices that have none.
+  void build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch, const std::vector<int>& position,
+             int dump);
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
-  /// frames: G_k as row-major 3x3 matrices, 9 numbers each. weights: one a column of the coordinates.
+  /// frames: row-major 3x3 matrices G that stand before exp(r_f) S_f, 9 numbers each. weights: one a column of the coordinates.
   /// Returns the number of faces whose interpolated S_f is not positive definite.
   int accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
                  const std::vector<Real>& weights, Real* rhs) const;

@@ -5,8 +5,6 @@
 #include <numbers>
 #include <queue>
 
-#include "core/face_frame.h"
-
 namespace shapespline {
 
 namespace {
@@ -14,137 +12,46 @@ namespace {
 // Principal logarithms below a quarter turn in every pose are the nearest representatives already.
 constexpr double tameAngle = std::numbers::pi / 2;
 
-Vec3 centroidOf(const Positions& p, const Triangle& f) { return (p[f[0]] + p[f[1]] + p[f[2]]) / 3; }
-
-std::vector<char> facesWithArea(const WeldedShape& shape) {
-  std::vector<char> use(shape.faceCount());
-  for (int f = 0; f < shape.faceCount(); ++f) {
-    const Triangle& t = shape.faces[f];
-    use[f] = std::none_of(shape.poses.begin(), shape.poses.end(),
-                          [&](const Positions& p) { return isDegenerate(p[t[0]], p[t[1]], p[t[2]]); });
-  }
-  return use;
+Vec3 meanOf(const Positions& pose) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& p : pose) sum += p;
+  return sum / static_cast<double>(pose.size());
 }
 
 template <class Real>
 class Encoder {
  public:
-  Encoder(const WeldedShape& shape, int wantedPatches, Stretch stretch)
-      : shape_(shape), wantedPatches_(wantedPatches), stretch_(stretch) {}
+  Encoder(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames, Stretch stretch, Transfer transfer)
+      : shape_(shape), parts_(parts), frames_(frames), stretch_(stretch), rests_(transfer == Transfer::Paper) {}
 
   LriCoordinates<Real> run() {
-    out_.hasArea = facesWithArea(shape_);
-    graph_ = dualGraph(shape_.vertexCount(), shape_.faces, out_.hasArea);
-    out_.pieces = connectedPieces(graph_, out_.hasArea);
-    partition();
-    encodePairs();
-    encodeFaces();
-    encodeHolds();
+    if (!rests_) encodeFaces();
+    else restAll();
+    encodePlaces();
     encodeLoose();
     for (const Positions& pose : shape_.poses) out_.meanPosition.push_back(meanOf(pose));
     return std::move(out_);
   }
 
  private:
-  FaceFrame referenceFrame(int f) const {
-    const Positions& p = shape_.poses[shape_.reference];
-    const Triangle& t = shape_.faces[f];
-    return faceFrame(p[t[0]], p[t[1]], p[t[2]]);
-  }
-
-  FaceDeformation deformationOf(int f, const FaceFrame& frame, int column) const {
-    const Positions& p = shape_.poses[column];
-    const Triangle& t = shape_.faces[f];
-    return deformation(frame, p[t[0]], p[t[1]], p[t[2]]);
-  }
-
-  Quaternion rotationOf(int f, int column) const {
-    return Quaternion(deformationOf(f, referenceFrame(f), column).rotation);
-  }
-
-  static Vec3 meanOf(const Positions& pose) {
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& p : pose) sum += p;
-    return sum / static_cast<double>(pose.size());
-  }
-
   template <class Visit>
   void eachUsedFace(Visit visit) const {
     for (int f = 0; f < shape_.faceCount(); ++f)
-      if (out_.hasArea[f]) visit(f);
+      if (parts_.hasArea[f]) visit(f);
   }
 
-  void partition() {
-    const int m = shape_.faceCount(), columns = shape_.columns();
-    std::vector<double> area(m, 0);
-    Positions centroid(m, Vec3::Zero());
-    std::vector<std::vector<Quaternion>> rotations(columns, std::vector<Quaternion>(m, Quaternion::Identity()));
-    eachUsedFace([&](int f) {
-      const FaceFrame frame = referenceFrame(f);
-      area[f] = frame.area;
-      centroid[f] = centroidOf(shape_.poses[shape_.reference], shape_.faces[f]);
-      for (int c = 0; c < columns; ++c)
-        rotations[c][f] = Quaternion(deformationOf(f, frame, c).rotation);
-    });
-    const int used = static_cast<int>(std::count(out_.hasArea.begin(), out_.hasArea.end(), 1));
-    const int wanted = wantedPatches_ > 0 ? std::min(wantedPatches_, used) : defaultPatchCount(used);
-    out_.patches = partitionFaces({graph_, out_.pieces, area, centroid, rotations}, wanted);
-    out_.patchArea.assign(out_.patches.count, 0);
-    eachUsedFace([&](int f) { out_.patchArea[out_.patches.ofFace[f]] += area[f]; });
-    averageRotations(area);
-  }
-
-  // G_k: the projection to SO(3) of the area-weighted mean of R_f over the patch.
-  void averageRotations(const std::vector<double>& area) {
-    for (int c = 0; c < shape_.columns(); ++c) {
-      std::vector<RotationMean> mean(out_.patches.count);
-      eachUsedFace([&](int f) { mean[out_.patches.ofFace[f]].add(rotationOf(f, c), area[f]); });
-      std::vector<Quaternion> rotation(out_.patches.count);
-      for (int k = 0; k < out_.patches.count; ++k) rotation[k] = mean[k].mean();
-      out_.rotation.push_back(std::move(rotation));
-    }
-  }
-
-  void encodePairs() {
-    const auto& pairs = out_.patches.pairs;
-    const int columns = shape_.columns();
-    out_.pair.assign(columns, std::vector<Vec3>(pairs.size()));
-    out_.pairWeight.resize(pairs.size());
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      double largest = 0;
-      for (int c = 0; c < columns; ++c) {
-        const auto& g = out_.rotation[c];
-        Vec3 x = logRotation(Quaternion(g[pairs[p].first].conjugate() * g[pairs[p].second]));
-        if (c > 0) {
-          const Vec3& before = out_.pair[shape_.before(c)][p];
-          x = nearestRepresentative(x, before);
-          if (c < shape_.keys) out_.largestPairTurn = std::max(out_.largestPairTurn, (x - before).norm());
-        }
-        out_.pair[c][p] = x;
-        largest = std::max(largest, x.norm());
-      }
-      out_.pairWeight[p] = pairWeight(largest);
-      const Vec3& first = out_.pair[0][p];
-      addWinding(out_.pairWinding, static_cast<int>(p), first, out_.pair[shape_.keys - 1][p]);
-    }
-  }
-
-  static void addWinding(std::vector<Winding>& windings, int index, const Vec3& first, const Vec3& last) {
-    const Vec3 closing = nearestRepresentative(first, last);
-    if ((closing - first).squaredNorm() > 1) windings.push_back({index, closing - first});  // a whole turn or none
-  }
+  const Quaternion& frameOf(int f, int column) const { return frames_.rotation[column][frames_.ofFace[f]]; }
 
   void encodeFaces() {
     const int columns = shape_.columns();
     out_.face = FaceCoordinates<Real>(shape_.faceCount(), columns);
     std::vector<int> wild;
     eachUsedFace([&](int f) {
-      const FaceFrame frame = referenceFrame(f);
+      const FaceFrame frame = referenceFrame(shape_, f);
       double largest = 0;
       for (int c = 0; c < columns; ++c) {
-        const FaceDeformation d = deformationOf(f, frame, c);
-        const Quaternion& g = out_.rotation[c][out_.patches.ofFace[f]];
-        const Vec3 r = logRotation(Quaternion(g.conjugate() * Quaternion(d.rotation)));
+        const FaceDeformation d = deformationOf(shape_, f, frame, c);
+        const Vec3 r = logRotation(Quaternion(frameOf(f, c).conjugate() * Quaternion(d.rotation)));
         out_.face.setRotation(f, c, r);
         largest = std::max(largest, r.norm());
         const Mat2 s = stretch_ == Stretch::Log ? logSymmetric(d.stretch) : d.stretch;
@@ -154,31 +61,35 @@ class Encoder {
       }
       if (largest > tameAngle) wild.push_back(f);
     });
-    keepRest();
+    // No sum over lanes counts faces without area and the padding.
+    for (int f = 0; f < out_.face.paddedFaces(); ++f)
+      if (f >= shape_.faceCount() || !parts_.hasArea[f]) rest(f);
     unwrapWildFaces(wild);
   }
 
-  // Faces without area and the padding behind the last face rest at the identity, so that no sum over lanes counts them.
-  void keepRest() {
-    const Real one = stretch_ == Stretch::Log ? Real(0) : Real(1);
-    for (int f = 0; f < out_.face.paddedFaces(); ++f)
-      for (int c = 0; c < shape_.columns() && (f >= shape_.faceCount() || !out_.hasArea[f]); ++c)
-        out_.face.at(f, c, 3) = out_.face.at(f, c, 5) = one;
+  void restAll() {
+    out_.face = FaceCoordinates<Real>(shape_.faceCount(), 1);
+    for (int f = 0; f < out_.face.paddedFaces(); ++f) rest(f);
   }
 
-  // Faces that turn far against their patch: branches agree with the pose before and with a neighbour in the patch that is
-  // settled. Spreads from settled neighbours; what no neighbour reaches follows its own past alone.
+  void rest(int f) {
+    const Real one = stretch_ == Stretch::Log ? Real(0) : Real(1);
+    for (int c = 0; c < out_.face.columns(); ++c) out_.face.at(f, c, 3) = out_.face.at(f, c, 5) = one;
+  }
+
+  // Faces that turn far against their frame: branches agree with the pose before and with a neighbour in the same frame that
+  // is settled. Spreads from settled neighbours; what no neighbour reaches follows its own past alone.
   void unwrapWildFaces(const std::vector<int>& wild) {
     std::vector<char> open(shape_.faceCount(), 0);
     for (int f : wild) open[f] = 1;
     std::queue<std::pair<int, int>> next;  // face, settled neighbour or -1
     const auto spread = [&](int settled) {
-      for (int g : graph_.of(settled))
-        if (open[g] && out_.patches.ofFace[g] == out_.patches.ofFace[settled]) next.emplace(g, settled);
+      for (int g : parts_.graph.of(settled))
+        if (open[g] && frames_.ofFace[g] == frames_.ofFace[settled]) next.emplace(g, settled);
     };
     for (int f : wild)
-      for (int g : graph_.of(f))
-        if (!open[g] && out_.patches.ofFace[g] == out_.patches.ofFace[f]) {
+      for (int g : parts_.graph.of(f))
+        if (!open[g] && frames_.ofFace[g] == frames_.ofFace[f]) {
           next.emplace(f, g);
           break;
         }
@@ -213,26 +124,19 @@ class Encoder {
     }
   }
 
-  void encodeHolds() {
-    std::vector<const Positions*> poses;
-    for (const Positions& p : shape_.poses) poses.push_back(&p);
-    out_.tree = linkComponents(shape_.faces, out_.pieces, poses);
-    out_.hold.resize(out_.pieces.count);
-    for (int piece = 0; piece < out_.pieces.count; ++piece) {
-      ComponentHold& hold = out_.hold[piece];
-      hold.link = out_.tree.link[piece];
-      if (hold.link.parent < 0) continue;
-      const int a = hold.link.anchorFace, b = hold.link.contactFace;
+  void encodePlaces() {
+    for (int piece : parts_.tree.order) {
+      const ComponentLink& link = parts_.tree.link[piece];
+      if (link.parent < 0) continue;
+      const int a = link.anchorFace, b = link.contactFace;
+      ComponentPlace place{piece, a, b, frames_.ofFace[a], {}, {}};
       for (int c = 0; c < shape_.columns(); ++c) {
-        const Quaternion anchor = rotationOf(a, c);
-        const Vec3 anchorLog = logRotation(Quaternion(out_.rotation[c][out_.patches.ofFace[a]].conjugate() * anchor));
-        const Vec3 turn = logRotation(Quaternion(anchor.conjugate() * out_.rotation[c][out_.patches.ofFace[b]]));
-        const bool first = c == 0;
-        hold.anchorRotation.push_back(first ? anchorLog : nearestRepresentative(anchorLog, hold.anchorRotation[shape_.before(c)]));
-        hold.rotation.push_back(first ? turn : nearestRepresentative(turn, hold.rotation[shape_.before(c)]));
+        const Quaternion anchor = rotationOf(shape_, a, c);
+        appendNearest(place.anchorRotation, shape_, logRotation(Quaternion(frameOf(a, c).conjugate() * anchor)));
         const Positions& p = shape_.poses[c];
-        hold.offset.push_back(anchor.conjugate() * (centroidOf(p, shape_.faces[b]) - centroidOf(p, shape_.faces[a])));
+        place.offset.push_back(anchor.conjugate() * (centroidOf(p, shape_.faces[b]) - centroidOf(p, shape_.faces[a])));
       }
+      out_.places.push_back(std::move(place));
     }
   }
 
@@ -246,14 +150,15 @@ class Encoder {
     spreadOverFacesWithoutArea(anchor);
     int rootFace = -1;
     for (int f = 0; f < shape_.faceCount() && rootFace < 0; ++f)
-      if (out_.pieces.ofFace[f] == out_.tree.root()) rootFace = f;
+      if (parts_.pieces.ofFace[f] == parts_.tree.root()) rootFace = f;
     for (int v = 0; v < shape_.vertexCount(); ++v) {
       if (faceAt[v] >= 0) continue;
-      LooseVertex loose{v, anchor[v] >= 0 ? anchor[v] : rootFace, {}};
+      const int f = anchor[v] >= 0 ? anchor[v] : rootFace;
+      LooseVertex loose{v, f, frames_.ofFace[f], {}};
       for (int c = 0; c < shape_.columns(); ++c) {
         const Positions& p = shape_.poses[c];
-        loose.offset.push_back(rotationOf(loose.anchorFace, c).conjugate() *
-                               (p[v] - centroidOf(p, shape_.faces[loose.anchorFace])));
+        const Quaternion rotation = rests_ ? frameOf(f, c) : rotationOf(shape_, f, c);
+        loose.offset.push_back(rotation.conjugate() * (p[v] - centroidOf(p, shape_.faces[f])));
       }
       out_.loose.push_back(std::move(loose));
     }
@@ -269,7 +174,7 @@ class Encoder {
       const int v = settled.front();
       settled.pop();
       for (int f : facesAt.of(v)) {
-        if (out_.hasArea[f]) continue;
+        if (parts_.hasArea[f]) continue;
         for (int u : shape_.faces[f])
           if (anchor[u] < 0) anchor[u] = anchor[v], settled.push(u);
       }
@@ -277,25 +182,22 @@ class Encoder {
   }
 
   const WeldedShape& shape_;
-  int wantedPatches_;
+  const ShapeParts& parts_;
+  const FramePoses& frames_;
   Stretch stretch_;
-  FaceGraph graph_;
+  bool rests_;
   LriCoordinates<Real> out_;
 };
 
 }  // namespace
 
-double pairWeight(double angle) {
-  const double half = (1 + std::cos(std::min(angle, std::numbers::pi))) / 2;
-  return 1e-5 + std::pow(half, 6);
-}
-
 template <class Real>
-LriCoordinates<Real> encode(const WeldedShape& shape, int wantedPatches, Stretch stretch) {
-  return Encoder<Real>(shape, wantedPatches, stretch).run();
+LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames, Stretch stretch,
+                            Transfer transfer) {
+  return Encoder<Real>(shape, parts, frames, stretch, transfer).run();
 }
 
-template LriCoordinates<float> encode<float>(const WeldedShape&, int, Stretch);
-template LriCoordinates<double> encode<double>(const WeldedShape&, int, Stretch);
+template LriCoordinates<float> encode<float>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch, Transfer);
+template LriCoordinates<double> encode<double>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch, Transfer);
 
 }  // namespace shapespline

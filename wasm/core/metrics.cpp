@@ -55,15 +55,16 @@ double kgError(const std::vector<Positions>& sequence, const std::vector<Positio
 }
 
 template <class Real>
-Eigen::MatrixXd gramMatrix(const LriCoordinates<Real>& x, const WeldedShape& shape, double diagonal) {
+Eigen::MatrixXd gramMatrix(const PatchCoordinates& k, const LriCoordinates<Real>& x, const WeldedShape& shape,
+                           double diagonal) {
   const int columns = shape.columns();
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns, columns);
   Eigen::MatrixXd entry(columns, numbersPerFace);
   double totalArea = 0;
-  for (double a : x.patchArea) totalArea += a;
+  for (double a : k.area) totalArea += a;
   const Positions& reference = shape.poses[shape.reference];
   for (int f = 0; f < shape.faceCount(); ++f) {
-    if (!x.hasArea[f]) continue;
+    if (k.patches.ofFace[f] < 0) continue;
     const Triangle& t = shape.faces[f];
     const double area = faceFrame(reference[t[0]], reference[t[1]], reference[t[2]]).area;
     for (int c = 0; c < columns; ++c)
@@ -72,19 +73,19 @@ Eigen::MatrixXd gramMatrix(const LriCoordinates<Real>& x, const WeldedShape& sha
     gram.noalias() += (area / totalArea) * entry * entry.transpose();
   }
   double shared = 0;
-  for (const PatchPair& p : x.patches.pairs) shared += p.sharedEdges;
-  for (std::size_t p = 0; p < x.patches.pairs.size(); ++p)
+  for (const PatchPair& p : k.patches.pairs) shared += p.sharedEdges;
+  for (std::size_t p = 0; p < k.patches.pairs.size(); ++p)
     for (int a = 0; a < columns; ++a)
       for (int b = 0; b < columns; ++b)
-        gram(a, b) += x.patches.pairs[p].sharedEdges / shared * x.pair[a][p].dot(x.pair[b][p]);
+        gram(a, b) += k.patches.pairs[p].sharedEdges / shared * k.pair[a][p].dot(k.pair[b][p]);
   for (int a = 0; a < columns; ++a)
     for (int b = 0; b < columns; ++b)
       gram(a, b) += (x.meanPosition[a] - x.meanPosition[0]).dot(x.meanPosition[b] - x.meanPosition[0]) / (diagonal * diagonal);
   return gram;
 }
 
-template Eigen::MatrixXd gramMatrix(const LriCoordinates<float>&, const WeldedShape&, double);
-template Eigen::MatrixXd gramMatrix(const LriCoordinates<double>&, const WeldedShape&, double);
+template Eigen::MatrixXd gramMatrix(const PatchCoordinates&, const LriCoordinates<float>&, const WeldedShape&, double);
+template Eigen::MatrixXd gramMatrix(const PatchCoordinates&, const LriCoordinates<double>&, const WeldedShape&, double);
 
 PrincipalPlane::PrincipalPlane(const Eigen::MatrixXd& gram, int keys) : gram_(gram) {
   const auto columns = gram.cols();

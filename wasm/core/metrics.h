@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "core/lri.h"
+#include "core/patch_coordinates.h"
 #include "core/types.h"
 
 namespace shapespline {
@@ -28,7 +29,8 @@ double kgError(const std::vector<Positions>& sequence, const std::vector<Positio
 /// share of the reference area, patch pairs by their share of the shared edges, mean positions over the diagonal; angles
 /// in radians. The mean rotation moves on its own path and is left out.
 template <class Real>
-Eigen::MatrixXd gramMatrix(const LriCoordinates<Real>& coordinates, const WeldedShape& shape, double diagonal);
+Eigen::MatrixXd gramMatrix(const PatchCoordinates& patches, const LriCoordinates<Real>& coordinates,
+                           const WeldedShape& shape, double diagonal);
 
 /// The plane of the two leading principal components of the first `keys` columns.
 class PrincipalPlane {

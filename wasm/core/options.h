@@ -25,6 +25,12 @@ enum class Stretch {
   Log,     ///< log S_f; cannot turn inside out
 };
 
+/// How the full-resolution shape follows a ghost mesh (paper section 4.3).
+enum class Transfer {
+  Exact,  ///< what the keys show beyond the ghost's motion is splined too: passes through every key
+  Paper,  ///< the reference's details follow the ghost; other keys are met up to their own details
+};
+
 /// Whole turns added to the mean rotation on its way to a key.
 struct AddedTurns {
   int key = 1;    ///< 0-based, at least 1: the turns happen between key - 1 and key
@@ -46,7 +52,7 @@ struct MotionOptions {
 /// Choices that change the encoding: a new sequence is built for them.
 struct EncodingOptions {
   int reference = 0;                     ///< 0-based key that deformation gradients are measured from
-  int patches = 0;                       ///< wanted number of patches, 0 = the default formula (patches.h)
+  int patches = 0;                       ///< wanted number of patches (of the ghost, with one), 0 = the default formula (patches.h)
   int rootPatch = 0;                     ///< where the first system starts; moves no vertex
   Stretch stretch = Stretch::Linear;
   Precision precision = Precision::Single;

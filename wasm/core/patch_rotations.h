@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/cholesky.h"
-#include "core/lri.h"
 #include "core/patches.h"
 #include "core/rotation.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/cholesky.h"
-#include "core/lri.h"
+#include "core/mesh.h"
 #include "core/status.h"
 
 namespace shapespline {

@@ -4,114 +4,64 @@
 
 namespace shapespline {
 
-namespace {
-
-Vec3 blend(const std::vector<Vec3>& columns, const PoseWeights& weights) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t c = 0; c < columns.size(); ++c) sum += weights.column[c] * columns[c];
-  return sum;
-}
-
-}  // namespace
-
-PoseWeights poseWeights(const Weights& w, const WeldedShape& shape) {
-  const Columns columns{shape.keys};
-  PoseWeights result;
-  result.column.assign(w.data(), w.data() + shape.keys);
-  result.column.resize(shape.columns(), 0);
-  if (shape.startTangent >= 0) result.column[shape.startTangent] = w[columns.startTangent()];
-  if (shape.endTangent >= 0) result.column[shape.endTangent] = w[columns.endTangent()];
-  result.closing = w[columns.closing()];
-  result.column[0] += result.closing;
-  return result;
-}
-
 template <class Real>
-Status Reconstructor<Real>::build(const WeldedShape& shape, LriCoordinates<Real> coordinates,
-                                  const EncodingOptions& options, const StageProgress& onProgress) {
+Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordinates, const StageProgress& onProgress) {
+  const WeldedShape& shape = in.shape;
   shape_ = &shape;
+  source_ = &in.frames;
   lri_ = std::move(coordinates);
-  if (Status status = patchSystem_.build(lri_.patches, lri_.pairWeight, options.rootPatch); !status) return status;
-  alignment_ = Alignment({lri_.patches, lri_.patchArea, lri_.rotation, shape, patchSystem_.order(), patchSystem_.parent()});
-  patchesOf_.resize(lri_.pieces.count);
-  for (int k = 0; k < lri_.patches.count; ++k) patchesOf_[lri_.patches.pieceOf[k]].push_back(k);
+  frameOf_.assign(in.frameOf.begin(), in.frameOf.end());
   pieceOfVertex_.assign(shape.vertexCount(), -1);
   for (int f = 0; f < shape.faceCount(); ++f)
-    if (lri_.hasArea[f])
-      for (int v : shape.faces[f]) pieceOfVertex_[v] = lri_.pieces.ofFace[f];
+    if (in.parts.hasArea[f])
+      for (int v : shape.faces[f]) pieceOfVertex_[v] = in.parts.pieces.ofFace[f];
 
   const CotangentLaplacian laplacian =
-      cotangentLaplacian(shape.faces, lri_.hasArea, lri_.pieces, shape.poses[shape.reference]);
+      cotangentLaplacian(shape.faces, in.parts.hasArea, in.parts.pieces, shape.poses[shape.reference]);
   const Status status = poisson_.build(
-      laplacian, options.precision, [&](double fraction) { onProgress("ordering", fraction); },
+      laplacian, in.precision, [&](double fraction) { onProgress("ordering", fraction); },
       [&](double fraction) { onProgress("factorising", fraction); });
   if (!status) return status;
-  kernel_.build(shape, lri_, options.stretch, poisson_.slot(), poisson_.dump());
+  kernel_.build(shape, frameOf_, in.stretch, poisson_.slot(), poisson_.dump());
   solution_.resize(4 * static_cast<std::size_t>(poisson_.size()));
-  shift_.resize(lri_.pieces.count);
+  shift_.resize(in.parts.pieces.count);
   return {};
 }
 
 template <class Real>
-void Reconstructor<Real>::solvePatches(const PoseWeights& weights, std::vector<Quaternion>& rotation) {
-  const std::size_t pairs = lri_.patches.pairs.size();
-  pair_.assign(pairs, Vec3::Zero());
-  for (int c = 0; c < shape_->columns(); ++c)
-    for (std::size_t p = 0; p < pairs; ++p) pair_[p] += weights.column[c] * lri_.pair[c][p];
-  for (const Winding& winding : lri_.pairWinding) pair_[winding.index] += weights.closing * winding.difference;
-  patchSystem_.solve(pair_, rotation);
-}
-
-template <class Real>
-Quaternion Reconstructor<Real>::faceRotation(int face, const PoseWeights& weights,
-                                             const std::vector<Quaternion>& rotation) const {
+Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const PoseWeights& weights) const {
   Vec3 r = Vec3::Zero();
-  for (int c = 0; c < shape_->columns(); ++c) r += weights.column[c] * lri_.face.rotation(face, c);
+  const int columns = lri_.face.columns();
+  for (int c = 0; c < columns && columns > 1; ++c) r += weights.column[c] * lri_.face.rotation(face, c);
   for (const Winding& winding : lri_.faceWinding)
     if (winding.index == face) r += weights.closing * winding.difference;
-  return rotation[lri_.patches.ofFace[face]] * expQuaternion(r);
-}
-
-// Each component keeps its rotation in its anchor face's R_f.
-template <class Real>
-void Reconstructor<Real>::hangComponents(const PoseWeights& weights, std::vector<Quaternion>& rotation) const {
-  for (int piece : lri_.tree.order) {
-    const ComponentHold& hold = lri_.hold[piece];
-    if (hold.link.parent < 0) continue;
-    const Quaternion anchor = rotation[lri_.patches.ofFace[hold.link.anchorFace]] * expQuaternion(blend(hold.anchorRotation, weights));
-    const Quaternion wanted = anchor * expQuaternion(blend(hold.rotation, weights));
-    const Quaternion turn = wanted * rotation[lri_.patches.ofFace[hold.link.contactFace]].conjugate();
-    for (int k : patchesOf_[piece]) rotation[k] = (turn * rotation[k]).normalized();
-  }
+  return frames_.rotation[frame] * expQuaternion(r);
 }
 
 template <class Real>
-void Reconstructor<Real>::patchRotations(const Weights& weights, std::vector<Quaternion>& rotation) {
+void Reconstructor<Real>::faceRotations(const Weights& weights, std::vector<Quaternion>& rotation) {
   const PoseWeights w = poseWeights(weights, *shape_);
-  solvePatches(w, rotation);
-  hangComponents(w, rotation);
+  source_->at(weights, frames_);
+  rotation.resize(shape_->faceCount());
+  for (int f = 0; f < shape_->faceCount(); ++f)
+    rotation[f] = frameOf_[f] >= 0 ? faceRotation(f, frameOf_[f], w) : Quaternion::Identity();
 }
 
 template <class Real>
-Vec3 Reconstructor<Real>::meanPosition(const Weights& weights) const {
-  return blend(lri_.meanPosition, poseWeights(weights, *shape_));
-}
-
-template <class Real>
-int Reconstructor<Real>::solveVertices(const PoseWeights& weights, const std::vector<Quaternion>& rotation) {
-  frames_.resize(9 * rotation.size());
-  for (std::size_t k = 0; k < rotation.size(); ++k) {
-    const Mat3 g = rotation[k].toRotationMatrix();
-    for (int i = 0; i < 9; ++i) frames_[9 * k + i] = static_cast<Real>(g(i / 3, i % 3));
+int Reconstructor<Real>::solveVertices(const PoseWeights& weights) {
+  const std::size_t count = frames_.rotation.size();
+  matrices_.resize(9 * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Mat3 g = frames_.gradient.empty() ? frames_.rotation[k].toRotationMatrix() : frames_.gradient[k];
+    for (int i = 0; i < 9; ++i) matrices_[9 * k + i] = static_cast<Real>(g(i / 3, i % 3));
   }
-  columnWeights_.resize(weights.column.size());
-  std::transform(weights.column.begin(), weights.column.end(), columnWeights_.begin(),
-                 [](double w) { return static_cast<Real>(w); });
+  columnWeights_.assign(1, Real(1));  // of faces that rest in their frames
+  if (lri_.face.columns() > 1) columnWeights_.assign(weights.column.begin(), weights.column.end());
   std::fill(solution_.begin(), solution_.end(), Real(0));
-  const int lost = kernel_.accumulate(lri_.face, frames_, columnWeights_, solution_.data());
+  const int lost = kernel_.accumulate(lri_.face, matrices_, columnWeights_, solution_.data());
   if (weights.closing != 0)
     for (const Winding& winding : lri_.faceWinding)
-      kernel_.accumulateShift(lri_.face, frames_, columnWeights_, winding.index, weights.closing * winding.difference,
+      kernel_.accumulateShift(lri_.face, matrices_, columnWeights_, winding.index, weights.closing * winding.difference,
                               solution_.data());
   poisson_.solve(solution_.data());
   return lost;
@@ -131,20 +81,17 @@ Vec3 Reconstructor<Real>::placedCentroid(int face) const {
 
 // Each component keeps its offset in its anchor face's R_f.
 template <class Real>
-void Reconstructor<Real>::placeComponents(const PoseWeights& weights, const std::vector<Quaternion>& rotation) {
+void Reconstructor<Real>::placeComponents(const PoseWeights& weights) {
   std::fill(shift_.begin(), shift_.end(), Vec3::Zero());
-  for (int piece : lri_.tree.order) {
-    const ComponentHold& hold = lri_.hold[piece];
-    if (hold.link.parent < 0) continue;
-    const Quaternion anchor = rotation[lri_.patches.ofFace[hold.link.anchorFace]] * expQuaternion(blend(hold.anchorRotation, weights));
-    const Vec3 wanted = placedCentroid(hold.link.anchorFace) + anchor * blend(hold.offset, weights);
-    shift_[piece] = wanted - placedCentroid(hold.link.contactFace);
+  for (const ComponentPlace& place : lri_.places) {
+    const Quaternion anchor = frames_.rotation[place.anchorFrame] * expQuaternion(blend(place.anchorRotation, weights));
+    const Vec3 wanted = placedCentroid(place.anchorFace) + anchor * blend(place.offset, weights);
+    shift_[place.piece] = wanted - placedCentroid(place.contactFace);
   }
 }
 
 template <class Real>
-void Reconstructor<Real>::writeVertices(const PoseWeights& weights, const std::vector<Quaternion>& rotation,
-                                        std::vector<Real>& xyz) const {
+void Reconstructor<Real>::writeVertices(const PoseWeights& weights, std::vector<Real>& xyz) const {
   const int n = shape_->vertexCount();
   xyz.resize(3 * static_cast<std::size_t>(n));
   Vec3 sum = Vec3::Zero();
@@ -156,7 +103,7 @@ void Reconstructor<Real>::writeVertices(const PoseWeights& weights, const std::v
     if (pieceOfVertex_[v] >= 0) set(v, placedVertex(v));
   for (const LooseVertex& loose : lri_.loose)
     set(loose.vertex, placedCentroid(loose.anchorFace) +
-                          faceRotation(loose.anchorFace, weights, rotation) * blend(loose.offset, weights));
+                          faceRotation(loose.anchorFace, loose.anchorFrame, weights) * blend(loose.offset, weights));
   const Vec3 move = blend(lri_.meanPosition, weights) - sum / n;
   for (int v = 0; v < n; ++v)
     for (int i = 0; i < 3; ++i) xyz[3 * static_cast<std::size_t>(v) + i] += static_cast<Real>(move[i]);
@@ -165,13 +112,10 @@ void Reconstructor<Real>::writeVertices(const PoseWeights& weights, const std::v
 template <class Real>
 int Reconstructor<Real>::reconstruct(const Weights& weights, std::vector<Real>& xyz) {
   const PoseWeights w = poseWeights(weights, *shape_);
-  solvePatches(w, rotation_);
-  hangComponents(w, rotation_);
-  const Quaternion turn = alignment_.at(weights, rotation_);
-  for (Quaternion& g : rotation_) g = (turn * g).normalized();
-  const int lost = solveVertices(w, rotation_);
-  placeComponents(w, rotation_);
-  writeVertices(w, rotation_, xyz);
+  source_->at(weights, frames_);
+  const int lost = solveVertices(w);
+  placeComponents(w);
+  writeVertices(w, xyz);
   return lost;
 }
 

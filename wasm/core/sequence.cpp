@@ -1,15 +1,13 @@
 #include "core/sequence.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
-#include "core/lri.h"
 #include "core/mesh.h"
 #include "core/metrics.h"
-#include "core/reconstruct.h"
 #include "core/shading.h"
+#include "core/shape_motion.h"
 #include "core/spline.h"
 #include "core/text.h"
 #include "core/weld.h"
@@ -26,19 +24,6 @@ constexpr double ambiguousTurn = 150 * std::numbers::pi / 180;
 constexpr int conditionSamples = 240;
 // The slider reaches this far beyond the ends, as a share of the key range.
 constexpr double margin = 0.4;
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now;
-    return ms;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 std::vector<double> timesOf(const Keyframes& keyframes) {
   std::vector<double> times;
@@ -78,83 +63,6 @@ Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount) {
 bool isLinear(Method method) { return method == Method::Geodesic || method == Method::Linear; }
 bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
 
-// The two precisions of the reconstructor behind one face; results are handed on in double.
-class AnyReconstructor {
- public:
-  virtual ~AnyReconstructor() = default;
-  virtual Status build(const WeldedShape& shape, const EncodingOptions& options, SequenceStats& stats,
-                       const StageProgress& progress) = 0;
-  virtual int reconstruct(const Weights& weights, Positions& welded) = 0;
-  virtual int reconstruct(const Weights& weights, std::vector<float>& welded) = 0;
-  virtual void patchRotations(const Weights& weights, std::vector<Quaternion>& rotation) = 0;
-  virtual Alignment& alignment() = 0;
-  virtual Eigen::MatrixXd gram(const WeldedShape& shape, double diagonal) const = 0;
-  virtual const Patches& patches() const = 0;
-  virtual const std::vector<Vec3>& meanPosition() const = 0;
-  virtual bool hasWinding() const = 0;
-  virtual double largestPairTurn() const = 0;
-  virtual CholeskyStats solverStats() const = 0;
-};
-
-template <class Real>
-class TypedReconstructor final : public AnyReconstructor {
- public:
-  Status build(const WeldedShape& shape, const EncodingOptions& options, SequenceStats& stats,
-               const StageProgress& progress) override {
-    Stopwatch watch;
-    progress("encoding", 0);
-    auto coordinates = encode<Real>(shape, options.patches, options.stretch);
-    stats.encodeMs = watch.lap();
-    ++stats.encodings;
-    if (coordinates.pieces.count == 0)
-      return Error{ErrorCode::NoArea, "No triangle has area in every key. Use poses in which the shape is not collapsed."};
-    progress("encoding", 1);
-    const Status status = reconstructor_.build(shape, std::move(coordinates), options, [&](const char* stage, double f) {
-      if (stage[0] == 'o' && f == 1) stats.orderMs = watch.lap();
-      progress(stage, f);
-    });
-    stats.factorMs = watch.lap();
-    stats.factorisations += 2;  // one a system
-    return status;
-  }
-
-  int reconstruct(const Weights& weights, Positions& welded) override {
-    const int lost = reconstructor_.reconstruct(weights, xyz_);
-    welded.resize(xyz_.size() / 3);
-    for (std::size_t v = 0; v < welded.size(); ++v) welded[v] = {xyz_[3 * v], xyz_[3 * v + 1], xyz_[3 * v + 2]};
-    return lost;
-  }
-
-  int reconstruct(const Weights& weights, std::vector<float>& welded) override {
-    if constexpr (std::is_same_v<Real, float>) {
-      return reconstructor_.reconstruct(weights, welded);
-    } else {
-      const int lost = reconstructor_.reconstruct(weights, xyz_);
-      welded.assign(xyz_.begin(), xyz_.end());
-      return lost;
-    }
-  }
-
-  void patchRotations(const Weights& weights, std::vector<Quaternion>& rotation) override {
-    reconstructor_.patchRotations(weights, rotation);
-  }
-  Alignment& alignment() override { return reconstructor_.alignment(); }
-  Eigen::MatrixXd gram(const WeldedShape& shape, double diagonal) const override {
-    return gramMatrix(coordinates(), shape, diagonal);
-  }
-  const Patches& patches() const override { return coordinates().patches; }
-  const std::vector<Vec3>& meanPosition() const override { return coordinates().meanPosition; }
-  bool hasWinding() const override { return !coordinates().pairWinding.empty() || !coordinates().faceWinding.empty(); }
-  double largestPairTurn() const override { return coordinates().largestPairTurn; }
-  CholeskyStats solverStats() const override { return reconstructor_.solverStats(); }
-
- private:
-  const LriCoordinates<Real>& coordinates() const { return reconstructor_.coordinates(); }
-
-  Reconstructor<Real> reconstructor_;
-  std::vector<Real> xyz_;
-};
-
 }  // namespace
 
 struct Sequence::State {
@@ -166,7 +74,7 @@ struct Sequence::State {
   double diagonal = 0;
   Closing closing = Closing::Extra;
   Quaternion closingRotation = Quaternion::Identity();  // of the rigid motion from the first key to the last
-  std::unique_ptr<AnyReconstructor> reconstructor;
+  std::unique_ptr<ShapeMotion> shapeMotion;
   std::optional<Curve> curve;
   SequenceStats stats;
   std::vector<Warning> warnings;
@@ -234,10 +142,10 @@ void Sequence::State::decideAlignment() {
     for (int i = 0; i <= samples; ++i) {
       const double t = times.front() + span * (-margin + (1 + 2 * margin) * i / samples);
       sampled.emplace_back();
-      reconstructor->patchRotations(curveFit->weights(curveFit->wrap(t).time), sampled.back());
+      shapeMotion->patchMotion().unaligned(curveFit->weights(curveFit->wrap(t).time), sampled.back());
     }
   }
-  reconstructor->alignment().decide(sampled);
+  shapeMotion->patchMotion().alignment().decide(sampled);
 }
 
 CurveOptions Sequence::State::curveOptions(const MotionOptions& o) const {
@@ -254,31 +162,31 @@ CurveOptions Sequence::State::curveOptions(const MotionOptions& o) const {
 
 void Sequence::State::collectWarnings() {
   warnings.clear();
-  if (reconstructor->alignment().largestIncrement() > ambiguousTurn)
+  if (shapeMotion->patchMotion().alignment().largestIncrement() > ambiguousTurn)
     warnings.push_back({"ambiguous-turn",
                         "Between two keys the whole shape turns by more than 150 degrees. The keys alone do not say which "
                         "way and how often: add whole turns to a key, or a key in between."});
-  if (reconstructor->largestPairTurn() > ambiguousTurn)
+  if (shapeMotion->patchMotion().coordinates().largestPairTurn > ambiguousTurn)
     warnings.push_back({"ambiguous-part-turn",
                         "Between two keys neighbouring parts turn by more than 150 degrees against each other. Add a key in "
                         "between if they go the wrong way."});
-  if (motion.boundary == BoundaryKind::Periodic && closing == Closing::Extra && reconstructor->hasWinding())
+  if (motion.boundary == BoundaryKind::Periodic && closing == Closing::Extra && shapeMotion->hasWinding())
     warnings.push_back({"winding", "Some parts turn on by a whole turn in each period. Their motion is continuous where "
                                    "the loop closes, but its speed may jump there."});
-  if (const int pivots = reconstructor->solverStats().regularisedPivots; pivots > 0)
+  if (const int pivots = shapeMotion->solverStats().regularisedPivots; pivots > 0)
     warnings.push_back({"regularised", "The mesh has places so thin that the solver had to hold them in place.", pivots});
 }
 
 Vec3 Sequence::State::meanPosition(const Weights& weights) const {
   const PoseWeights w = poseWeights(weights, shape);
   Vec3 sum = Vec3::Zero();
-  for (int c = 0; c < shape.columns(); ++c) sum += w.column[c] * reconstructor->meanPosition()[c];
+  for (int c = 0; c < shape.columns(); ++c) sum += w.column[c] * shapeMotion->meanPosition()[c];
   return sum;
 }
 
 Sequence::State::Global Sequence::State::globalMotion(double t, const WrappedTime& wrapped, const Weights& weights) const {
   Global global;
-  const auto& mean = reconstructor->meanPosition();
+  const auto& mean = shapeMotion->meanPosition();
   const Vec3 travel = mean[shape.keys - 1] - mean[0];
   const bool closesOnLast = closing == Closing::LastKey && curve->end() <= raw.keys.back().time;
   if (wrapped.periods != 0 && closesOnLast) {
@@ -300,7 +208,7 @@ Sequence::State::Global Sequence::State::globalMotion(double t, const WrappedTim
 template <class Out>
 int Sequence::State::weldedShape(const Weights& weights, Out& out) {
   ++stats.solves;
-  if (!blendsVertices(motion.method)) return reconstructor->reconstruct(weights, out);
+  if (!blendsVertices(motion.method)) return shapeMotion->at(weights, out);
   --stats.solves;
   const PoseWeights w = poseWeights(weights, shape);
   const std::size_t n = shape.poses.front().size();
@@ -337,7 +245,7 @@ void Sequence::State::fill(const Weights& weights, const Global& global, Frame& 
 }
 
 const Eigen::MatrixXd& Sequence::State::gramMatrix() {
-  if (gram.size() == 0) gram = reconstructor->gram(shape, diagonal);
+  if (gram.size() == 0) gram = shapeMotion->gram(diagonal);
   return gram;
 }
 
@@ -369,17 +277,16 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   s.weldKeys(encoding);
   s.stats.weldMs = watch.lap();
   report("welding", 1);
-  if (encoding.precision == Precision::Double) s.reconstructor = std::make_unique<TypedReconstructor<double>>();
-  else s.reconstructor = std::make_unique<TypedReconstructor<float>>();
-  if (Status status = s.reconstructor->build(s.shape, encoding, s.stats, report); !status) return status.error();
+  auto shapeMotion = ShapeMotion::create(s.shape, encoding, s.stats, report);
+  if (!shapeMotion) return shapeMotion.error();
+  s.shapeMotion = std::move(*shapeMotion);
   s.findClosing();
   s.decideAlignment();
 
-  s.stats.patches = s.reconstructor->patches().count;
+  s.stats.patches = s.shapeMotion->patchMotion().coordinates().patches.count;
   s.stats.weldedVertices = s.welding.count;
-  s.stats.components = 1 + *std::max_element(s.reconstructor->patches().pieceOf.begin(), s.reconstructor->patches().pieceOf.end());
-  s.stats.factorBytes = s.reconstructor->solverStats().factorBytes;
-  s.stats.alignedByPatches = s.reconstructor->alignment().byPatches();
+  s.stats.factorBytes = s.shapeMotion->solverStats().factorBytes;
+  s.stats.alignedByPatches = s.shapeMotion->patchMotion().alignment().byPatches();
 
   Sequence sequence(std::move(state));
   if (Status status = sequence.update(motion, timesOf(s.raw)); !status) return status.error();
@@ -401,7 +308,7 @@ Status Sequence::update(const MotionOptions& motion, const std::vector<double>& 
   s.curve = std::move(*curve);
   s.motion = motion;
   for (int j = 0; j < s.shape.keys; ++j) s.raw.keys[j].time = keyTimes[j];
-  s.reconstructor->alignment().setTurns(motion.turns);
+  s.shapeMotion->patchMotion().alignment().setTurns(motion.turns);
   s.collectWarnings();
   return {};
 }
@@ -449,7 +356,7 @@ const MotionOptions& Sequence::motion() const { return state_->motion; }
 SequenceStats Sequence::stats() const { return state_->stats; }
 const std::vector<Warning>& Sequence::warnings() const { return state_->warnings; }
 std::pair<double, double> Sequence::range() const { return {state_->curve->start(), state_->curve->end()}; }
-const std::vector<int>& Sequence::patchOfFace() const { return state_->reconstructor->patches().ofFace; }
+const std::vector<int>& Sequence::patchOfFace() const { return state_->shapeMotion->patchOfFace(); }
 
 ShapePlane Sequence::shapePlane(const std::vector<double>& times) {
   State& s = *state_;

@@ -8,26 +8,13 @@
 
 #include "core/keyframes.h"
 #include "core/options.h"
+#include "core/sequence_stats.h"
 #include "core/status.h"
 
 namespace shapespline {
 
 /// Called with a stage's name and the fraction of the whole work done, in [0, 1] and never falling.
 using Progress = std::function<void(const char* stage, double fraction)>;
-
-/// How often the costly stages ran. Neither encodings nor factorisations move while t, the motion options or the key
-/// times change.
-struct SequenceStats {
-  int encodings = 0;
-  int factorisations = 0;
-  long long solves = 0;
-  int patches = 0;
-  int weldedVertices = 0;
-  int components = 0;
-  double weldMs = 0, encodeMs = 0, orderMs = 0, factorMs = 0;  ///< wall time of each stage
-  long long factorBytes = 0;
-  bool alignedByPatches = false;  ///< the mean rotation was badly conditioned (alignment.h)
-};
 
 /// Something the user should know that is no error.
 struct Warning {

@@ -1,0 +1,33 @@
+// Where the frames come from that faces are encoded in: patches of the shape itself, or the faces of a ghost mesh.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/rotation.h"
+#include "core/spline.h"
+#include "core/types.h"
+
+namespace shapespline {
+
+/// The frames of the poses that are encoded.
+struct FramePoses {
+  std::span<const int> ofFace;                             ///< frame of each face; -1 where it has no area
+  const std::vector<std::vector<Quaternion>>& rotation;    ///< rotation[column][frame]
+};
+
+/// The frames at one time.
+struct Frames {
+  std::vector<Quaternion> rotation;  ///< one a frame
+  std::vector<Mat3> gradient;        ///< what faces are multiplied by, where that is more than the rotation; else empty
+};
+
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+
+  /// The frames at `weights`, where the keys have them: equal to the encoded ones at a key's weights.
+  virtual void at(const Weights& weights, Frames& frames) = 0;
+};
+
+}  // namespace shapespline

@@ -1,0 +1,36 @@
+// What building and evaluating a sequence cost.
+#pragma once
+
+#include <chrono>
+
+namespace shapespline {
+
+/// How often the costly stages ran. Neither encodings nor factorisations move while t, the motion options or the key
+/// times change.
+struct SequenceStats {
+  int encodings = 0;
+  int factorisations = 0;
+  long long solves = 0;   ///< of the full-resolution system
+  int patches = 0;        ///< of the ghost, with one
+  int weldedVertices = 0;
+  int components = 0;
+  double weldMs = 0, encodeMs = 0, orderMs = 0, factorMs = 0;  ///< wall time of each stage
+  long long factorBytes = 0;
+  bool alignedByPatches = false;  ///< the mean rotation was badly conditioned (alignment.h)
+};
+
+class Stopwatch {
+ public:
+  /// Milliseconds since the last lap.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+    return ms;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace shapespline

@@ -1,0 +1,89 @@
+#include "core/shape_motion.h"
+
+#include "core/metrics.h"
+
+namespace shapespline {
+
+namespace {
+
+template <class Real>
+class TypedMotion final : public ShapeMotion {
+ public:
+  explicit TypedMotion(const WeldedShape& shape) : shape_(shape) {}
+
+  Status build(const EncodingOptions& options, SequenceStats& stats, const StageProgress& progress) {
+    Stopwatch watch;
+    progress("encoding", 0);
+    const ShapeParts parts = partsOf(shape_);
+    if (parts.pieces.count == 0)
+      return Error{ErrorCode::NoArea, "No triangle has area in every key. Use poses in which the shape is not collapsed."};
+    stats.components = parts.pieces.count;
+    Status status = patches_.build(shape_, encodePatches(shape_, parts, options.patches), options.rootPatch);
+    if (!status) return status;
+    ++stats.factorisations;
+    auto coordinates = encode<Real>(shape_, parts, patches_.poses(), options.stretch, Transfer::Exact);
+    ++stats.encodings;
+    stats.encodeMs = watch.lap();
+    progress("encoding", 1);
+    status = reconstructor_.build({shape_, parts, patches_.poses().ofFace, patches_, options.stretch, options.precision},
+                                  std::move(coordinates), [&](const char* stage, double f) {
+                                    if (stage[0] == 'o' && f == 1) stats.orderMs = watch.lap();
+                                    progress(stage, f);
+                                  });
+    stats.factorMs = watch.lap();
+    ++stats.factorisations;
+    return status;
+  }
+
+  int at(const Weights& weights, Positions& welded) override {
+    const int lost = reconstructor_.reconstruct(weights, xyz_);
+    welded.resize(xyz_.size() / 3);
+    for (std::size_t v = 0; v < welded.size(); ++v) welded[v] = {xyz_[3 * v], xyz_[3 * v + 1], xyz_[3 * v + 2]};
+    return lost;
+  }
+
+  int at(const Weights& weights, std::vector<float>& welded) override {
+    if constexpr (std::is_same_v<Real, float>) {
+      return reconstructor_.reconstruct(weights, welded);
+    } else {
+      const int lost = reconstructor_.reconstruct(weights, xyz_);
+      welded.assign(xyz_.begin(), xyz_.end());
+      return lost;
+    }
+  }
+
+  PatchMotion& patchMotion() override { return patches_; }
+  const std::vector<int>& patchOfFace() const override { return patches_.coordinates().patches.ofFace; }
+  Eigen::MatrixXd gram(double diagonal) const override {
+    return gramMatrix(patches_.coordinates(), reconstructor_.coordinates(), shape_, diagonal);
+  }
+  const std::vector<Vec3>& meanPosition() const override { return reconstructor_.coordinates().meanPosition; }
+  bool hasWinding() const override {
+    return !patches_.coordinates().pairWinding.empty() || !reconstructor_.coordinates().faceWinding.empty();
+  }
+  CholeskyStats solverStats() const override { return reconstructor_.solverStats(); }
+
+ private:
+  const WeldedShape& shape_;
+  PatchMotion patches_;
+  Reconstructor<Real> reconstructor_;
+  std::vector<Real> xyz_;  // scratch
+};
+
+template <class Real>
+Result<std::unique_ptr<ShapeMotion>> createTyped(const WeldedShape& shape, const EncodingOptions& options,
+                                                 SequenceStats& stats, const StageProgress& progress) {
+  auto motion = std::make_unique<TypedMotion<Real>>(shape);
+  if (Status status = motion->build(options, stats, progress); !status) return status.error();
+  return std::unique_ptr<ShapeMotion>(std::move(motion));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ShapeMotion>> ShapeMotion::create(const WeldedShape& shape, const EncodingOptions& options,
+                                                         SequenceStats& stats, const StageProgress& progress) {
+  if (options.precision == Precision::Double) return createTyped<double>(shape, options, stats, progress);
+  return createTyped<float>(shape, options, stats, progress);
+}
+
+}  // namespace shapespline

@@ -1,0 +1,42 @@
+// The welded shape at any weights, whatever its frames come from and in whichever precision it is stored.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/cholesky.h"
+#include "core/options.h"
+#include "core/patch_motion.h"
+#include "core/reconstruct.h"
+#include "core/sequence_stats.h"
+
+namespace shapespline {
+
+class ShapeMotion {
+ public:
+  /// Encodes the poses and factorises. The shape must outlive the motion. Counts and times go to stats.
+  /// Errors: NoArea, and those of the solver.
+  static Result<std::unique_ptr<ShapeMotion>> create(const WeldedShape& shape, const EncodingOptions& options,
+                                                     SequenceStats& stats, const StageProgress& progress);
+
+  virtual ~ShapeMotion() = default;
+
+  /// Both return the number of faces whose interpolated S_f is not positive definite.
+  virtual int at(const Weights& weights, Positions& welded) = 0;
+  virtual int at(const Weights& weights, std::vector<float>& welded) = 0;
+
+  /// The patches that everything follows.
+  virtual PatchMotion& patchMotion() = 0;
+  const PatchMotion& patchMotion() const { return const_cast<ShapeMotion*>(this)->patchMotion(); }
+
+  /// Patch of each face; -1 where it has no area.
+  virtual const std::vector<int>& patchOfFace() const = 0;
+  virtual Eigen::MatrixXd gram(double diagonal) const = 0;
+  virtual const std::vector<Vec3>& meanPosition() const = 0;  ///< one a column
+  virtual bool hasWinding() const = 0;
+  virtual CholeskyStats solverStats() const = 0;
+};
+
+}  // namespace shapespline

@@ -1,0 +1,51 @@
+// The welded mesh as the method sees it: its poses, and which of its faces take part.
+#pragma once
+
+#include <vector>
+
+#include "core/component_tree.h"
+#include "core/face_frame.h"
+#include "core/mesh.h"
+#include "core/types.h"
+
+namespace shapespline {
+
+/// All poses of a shape: the keys, and the shapes that stand for end tangents where there are any.
+struct WeldedShape {
+  std::vector<Triangle> faces;
+  std::vector<Positions> poses;  ///< columns: the keys, then the end tangents where there are any
+  int keys = 0;                  ///< how many of the poses are keys
+  int startTangent = -1;         ///< pose index, or -1
+  int endTangent = -1;
+  int reference = 0;
+
+  int vertexCount() const { return static_cast<int>(poses.front().size()); }
+  int faceCount() const { return static_cast<int>(faces.size()); }
+  int columns() const { return static_cast<int>(poses.size()); }
+  /// The pose whose representatives the logarithms of `column` stay close to; -1 for the first.
+  int before(int column) const {
+    if (column == startTangent) return 0;
+    if (column == endTangent) return keys - 1;
+    return column - 1;
+  }
+};
+
+inline Vec3 centroidOf(const Positions& p, const Triangle& f) { return (p[f[0]] + p[f[1]] + p[f[2]]) / 3; }
+
+FaceFrame referenceFrame(const WeldedShape& shape, int face);
+
+/// R_f and S_f of a face that has area, in one pose. frame: its referenceFrame().
+FaceDeformation deformationOf(const WeldedShape& shape, int face, const FaceFrame& frame, int column);
+Quaternion rotationOf(const WeldedShape& shape, int face, int column);
+
+/// The faces that have area in every pose, and the components that they form.
+struct ShapeParts {
+  std::vector<char> hasArea;
+  FaceGraph graph;     ///< of those faces
+  Pieces pieces;
+  ComponentTree tree;  ///< empty where there is no piece
+};
+
+ShapeParts partsOf(const WeldedShape& shape);
+
+}  // namespace shapespline
