@@ -53,7 +53,8 @@ describe('an animated GLB', () => {
       const again = await engine.createSequence(keys, { ...keys.info.project });
       for (const t of [2, 2.2, 5, 9]) {
         const [a, b] = [await frameAt(sequence, t), await frameAt(again, t)];
-        expect(largestDistance(a.positions, b.positions)).toBeLessThan(1e-4 * size());
+        // float32 rounded the keys; extrapolation magnifies that.
+        expect(largestDistance(a.positions, b.positions)).toBeLessThan((t > 7 ? 1e-3 : 1e-5) * size());
       }
       again.dispose();
     }

@@ -32,7 +32,7 @@ const bad: [string, InputFile, string, RegExp][] = [
   ['an HTML page', named('page.glb', text('<!DOCTYPE html><html><body>Not found</body></html>')), 'not-recognised', /page/],
   ['no glTF at all', named('noise.glb', Uint8Array.from({ length: 999 }, (_, i) => (i * 7919) % 251)), 'not-recognised', /noise/],
   ['no mesh', named('none.glb', glb({ asset: { version: '2.0' } })), 'no-triangles', /none/],
-  ['another vertex count', named('other.glb', meshGlb(bar(2, 10))), 'vertex-count-mismatch', /198|99/],
+  ['another vertex count', named('other.glb', meshGlb(bar(2, 10))), 'vertex-count-mismatch', /90 vertices.* 170|162/],
   ['another face', named('faces.glb', meshGlb({ ...mesh, indices: otherFaces(mesh, 5) }, curved)), 'face-mismatch', /faces/],
   ['a coordinate that is no number', named('nan.glb', meshGlb(mesh, withNaN())), 'not-finite', /nan/],
   ['an external buffer', named('far.gltf', text(JSON.stringify({
@@ -112,7 +112,6 @@ describe('importing', () => {
     expect(await refused([first])).toBe('too-few-keys');
     expect(await refused(good, { keyTimes: [1, 1] })).toBe('times-not-increasing');
     expect(await refused(good, { keyTimes: [0, 1, 2] })).toBe('time-count-mismatch');
-    expect(await refused(good, { animation: 0 })).toMatch(/unknown-animation|invalid-option/);
     expect(await refused([])).toBe('invalid-option');
     expect(await refused([{ name: 'a', bytes: 'text' } as unknown as InputFile])).toBe('invalid-option');
     expect(await refused(good, { upp: 'y' } as object)).toBe('invalid-option');

@@ -1,6 +1,6 @@
 /** A worker's inside: one core, at most one sequence, requests answered in the order in which they came. */
 import { Core, type OnProgress } from './core.ts';
-import { crashed, EngineError, isOutOfMemory, messageOf, outOfMemory, type ErrorData } from './errors.ts';
+import { crashed, EngineError, engineError, isOutOfMemory, messageOf, outOfMemory, type ErrorData } from './errors.ts';
 import { importFiles, type Decode } from './import-files.ts';
 import type { CallName, FrameBuffers, FromWorker, MotionSpec, Request, RequestOf, ResultOf, ToWorker } from './protocol.ts';
 import type { CreateWasmModule } from './wasm-module.ts';
@@ -32,7 +32,9 @@ export class Service {
 
   receive(message: ToWorker): void {
     if (message.type === 'start') {
-      this.core = Core.start(this.host.create, message.module);
+      this.core = Core.start(this.host.create, message.module).catch((reason: unknown) => {
+        throw reason instanceof WebAssembly.LinkError ? mismatch(reason) : reason;
+      });
       this.core.catch(() => undefined);  // said by the first request
       return;
     }
@@ -103,8 +105,14 @@ export class Service {
 // else that arrives here is a trap.
 function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
   const error = reason instanceof EngineError ? reason : trapped(messageOf(reason));
-  const fatal = error !== reason || ['out-of-memory', 'internal', 'crashed'].includes(error.code);
+  const fatal = error !== reason || ['out-of-memory', 'internal', 'crashed', 'not-loaded'].includes(error.code);
   return { error: { code: error.code, message: error.message, place: error.place }, fatal };
+}
+
+// Files of two releases, say from a cache that holds an old one.
+function mismatch(reason: Error): EngineError {
+  return engineError('not-loaded', 'The parts of the program that were loaded do not belong together. Reload the page without its '
+    + `cache, or build anew (${reason.message}).`);
 }
 
 function trapped(text: string): EngineError {

@@ -21,9 +21,11 @@ const faults = {
   },
 };
 
-// Before the worker's own listener, so that the fault comes first.
-parentPort.on('message', (message) => {
+// The fault comes first, then the worker hears the message as ever.
+const on = parentPort.on.bind(parentPort);
+parentPort.on = (name, listener) => on(name, (message) => {
   if (message.type === 'evaluate') faults[message.t]?.();
+  listener(message);
 });
 
 await import('../../../build/node/node-worker.mjs');
