@@ -22,7 +22,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
           await expectAccessible(app);
         }
       } else {
-        await app.by('boundary-hermite').check({ force: true });
+        await app.by('boundary-hermite').check();
         await app.by('compare-linear').check();
         await app.settled();
         await expectAccessible(app);
@@ -124,7 +124,7 @@ test.describe('at 360 px', () => {
     await app.settled();
     expect(difference(await app.positions(), before)).toBeGreaterThan(0);
     await app.by('tab-motion').tap();
-    await app.by('boundary-periodic').check({ force: true });
+    await app.by('boundary-periodic').check();
     await app.settled();
     expect((await app.state()).doc.motion.boundary).toBe('periodic');
     for (const tab of ['shape', 'see', 'motion']) {

@@ -21,7 +21,7 @@ function statedBytes(text: string): number {
 
 test('the animation is saved as a GLB of the stated size and opens again as the same project', async ({ app }) => {
   await app.open();
-  await app.by('boundary-hermite').check({ force: true });
+  await app.by('boundary-hermite').check();
   await app.by('start-speed-number').fill('2');
   await app.by('start-speed-number').press('Enter');
   await app.settled();
@@ -49,7 +49,7 @@ test('the animation is saved as a GLB of the stated size and opens again as the 
 test('frames come as OBJ files in a zip', async ({ app }) => {
   await app.open();
   const { download, bytes } = await exported(app, async () => {
-    await app.by('export-animation-obj').check({ force: true });
+    await app.by('export-animation-obj').check();
     await app.by('export-frames').fill('3');
     await app.by('export-frames').press('Enter');
   });
@@ -63,8 +63,8 @@ for (const [format, start] of [['glb', 'glTF'], ['obj', ''], ['ply', 'ply']] as 
     await app.open();
     const positions = await app.positionsAt(0.3);
     const { download, bytes } = await exported(app, async () => {
-      await app.by('export-kind-pose').check({ force: true });
-      await app.by(`export-pose-${format}`).check({ force: true });
+      await app.by('export-kind-pose').check();
+      await app.by(`export-pose-${format}`).check();
     });
     expect(download.suggestedFilename()).toBe(`cactus.${format}`);
     expect(bytes.toString('latin1').startsWith(start)).toBe(true);
@@ -76,7 +76,7 @@ for (const [format, start] of [['glb', 'glTF'], ['obj', ''], ['ply', 'ply']] as 
 
 test('the view is saved as a PNG', async ({ app }) => {
   await app.open();
-  const { bytes } = await exported(app, () => app.by('export-kind-picture').check({ force: true }));
+  const { bytes } = await exported(app, () => app.by('export-kind-picture').check());
   expect(bytes.subarray(1, 4).toString()).toBe('PNG');
   expect(bytes.length).toBeGreaterThan(5000);
 });
@@ -84,7 +84,7 @@ test('the view is saved as a PNG', async ({ app }) => {
 test('the playing shape is saved as a video', async ({ app }) => {
   await app.open();
   const { download, bytes } = await exported(app, async () => {
-    await app.by('export-animation-webm').check({ force: true });
+    await app.by('export-animation-webm').check();
     await app.by('export-duration').fill('1');
     await app.by('export-duration').press('Enter');
   });
@@ -96,7 +96,7 @@ test('the playing shape is saved as a video', async ({ app }) => {
 
 test('the plotted numbers are saved as CSV, with version and options', async ({ app }) => {
   await app.open();
-  const { bytes } = await exported(app, () => app.by('export-kind-numbers').check({ force: true }));
+  const { bytes } = await exported(app, () => app.by('export-kind-numbers').check());
   const lines = bytes.toString().trim().split('\n');
   expect(lines[0]).toMatch(/^# shapespline \d+\.\d+\.\d+$/);
   expect(lines[2]).toContain('"boundary":"natural"');
@@ -115,8 +115,8 @@ test('the plotted numbers are saved as CSV, with version and options', async ({ 
 test('the patch of every face is saved as CSV', async ({ app }) => {
   await app.open();
   const { bytes } = await exported(app, async () => {
-    await app.by('export-kind-numbers').check({ force: true });
-    await app.by('export-numbers-patches').check({ force: true });
+    await app.by('export-kind-numbers').check();
+    await app.by('export-numbers-patches').check();
   });
   const rows = bytes.toString().trim().split('\n').filter((line) => /^\d/.test(line));
   const faces = Number((await app.by('status-faces').innerText()).replace(/\D/g, ''));
@@ -127,7 +127,7 @@ test('the patch of every face is saved as CSV', async ({ app }) => {
 test('a long export is cancelled and leaves everything as it was', async ({ app }) => {
   await app.open();
   await app.by('export').click();
-  await app.by('export-animation-webm').check({ force: true });
+  await app.by('export-animation-webm').check();
   await app.by('export-duration').fill('30');
   await app.by('export-duration').press('Enter');
   await app.by('export-go').click();
@@ -141,7 +141,7 @@ test('a long export is cancelled and leaves everything as it was', async ({ app 
 
 test('a link brings the whole view back', async ({ app, page }) => {
   await app.open();
-  await app.by('boundary-hermite').check({ force: true });
+  await app.by('boundary-hermite').check();
   await app.by('method').selectOption('cubic-vertex');
   await app.by('view-right').click();
   await app.setTime(0.37);

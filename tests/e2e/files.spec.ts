@@ -18,7 +18,7 @@ test('three files become three keys in natural order of name, and are scrubbed p
   for (const t of [-0.3, 0, 0.25, 0.5, 1, 1.3]) shapes.push(await app.positionsAt(t));
   for (const shape of shapes) expect(shape.every(Number.isFinite)).toBe(true);
   for (let i = 1; i < shapes.length; i += 1) expect(difference(shapes[i]!, shapes[i - 1]!)).toBeGreaterThan(1e-3);
-  await app.by('boundary-hermite').check({ force: true });
+  await app.by('boundary-hermite').check();
   await app.settled();
   expect(difference(await app.positionsAt(0.25), shapes[2]!)).toBeGreaterThan(1e-3);
   await app.expectNoProblems();

@@ -125,7 +125,7 @@ test('the plots follow the motion and the cursor', async ({ app }) => {
   const place = await cursor.getAttribute('x1');
   await app.setTime(0.8);
   await expect(cursor).not.toHaveAttribute('x1', place!);
-  await app.by('boundary-periodic').check({ force: true });
+  await app.by('boundary-periodic').check();
   await expect(curve).not.toHaveAttribute('d', before!);
   await expect(app.by('plot-plane').locator('circle.key')).toHaveCount((await app.state()).doc.keys.length);
   const plot = app.by('plot-volume').locator('svg.plot');

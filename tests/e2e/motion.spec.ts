@@ -25,13 +25,13 @@ test('the boundary changes the motion between the keys, not the keys', async ({ 
   const counters = await app.stats();
   const natural = await shownAt(app, 0.2);
   for (const boundary of ['hermite', 'periodic']) {
-    await app.by(`boundary-${boundary}`).check({ force: true });
+    await app.by(`boundary-${boundary}`).check();
     await app.settled();
     expect((await app.state()).doc.motion.boundary).toBe(boundary);
     await expectChange(app, natural, await shownAt(app, 0.2));
     for (const [index, key] of keys.entries()) expect(difference(await app.positionsAt(key.time), exact[index]!)).toBeLessThan(1e-5 * size);
   }
-  await app.by('boundary-natural').check({ force: true });
+  await app.by('boundary-natural').check();
   await app.settled();
   expect((await shownAt(app, 0.2)).positions).toEqual(natural.positions);
   const after = await app.stats();
@@ -42,7 +42,7 @@ test('the boundary changes the motion between the keys, not the keys', async ({ 
 
 test('the Hermite speeds change the motion, and 0 eases in', async ({ app }) => {
   await app.open();
-  await app.by('boundary-hermite').check({ force: true });
+  await app.by('boundary-hermite').check();
   await app.settled();
   const normal = await shownAt(app, 0.1);
   for (const end of ['start', 'end']) {
@@ -68,7 +68,7 @@ test('the Hermite speeds change the motion, and 0 eases in', async ({ app }) => 
 
 test('a shape can be taken as end tangent', async ({ app }) => {
   await app.open();
-  await app.by('boundary-hermite').check({ force: true });
+  await app.by('boundary-hermite').check();
   await app.settled();
   const before = await shownAt(app, 0.2);
   await app.by('start-tangent').selectOption({ index: 3 });
@@ -93,7 +93,7 @@ test('each method moves otherwise between the keys and refits only', async ({ ap
 
 test('Hermite is disabled with a reason where the motion is straight between the keys', async ({ app }) => {
   await app.open();
-  await app.by('boundary-hermite').check({ force: true });
+  await app.by('boundary-hermite').check();
   for (const method of ['geodesic', 'linear']) {
     await app.by('method').selectOption(method);
     await app.settled();
@@ -109,7 +109,7 @@ test('Hermite is disabled with a reason where the motion is straight between the
 
 test('a periodic motion closes without a seam', async ({ app }) => {
   await app.open();
-  await app.by('boundary-periodic').check({ force: true });
+  await app.by('boundary-periodic').check();
   await app.settled();
   const first = await app.positionsAt(0);
   const period = await app.page.evaluate(() => Number((document.querySelector('[data-testid="period"]') as HTMLInputElement).value));
@@ -123,7 +123,7 @@ test('stretch, reference and patches change the encoding, and the old shape stay
   await app.open();
   const patches = await app.stats();
   const before = await shownAt(app, 1.4);
-  await app.by('stretch-log').check({ force: true });
+  await app.by('stretch-log').check();
   await app.settled();
   const logarithmic = await shownAt(app, 1.4);
   expect(difference(before.positions, logarithmic.positions)).toBeGreaterThan(1e-4 * diagonal(before.positions));

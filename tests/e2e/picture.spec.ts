@@ -115,8 +115,8 @@ test('the look changes the picture and not the shape', async ({ app }) => {
   await app.by('look-toggle').click();
   let before = await app.picture();
   for (const [what, change] of [
-    ['flat', () => app.by('shading-flat').check({ force: true })], ['wireframe', () => app.by('wireframe').check()],
-    ['floor', () => app.by('floor').uncheck()], ['patches', () => app.by('colouring-patches').check({ force: true })],
+    ['flat', () => app.by('shading-flat').check()], ['wireframe', () => app.by('wireframe').check()],
+    ['floor', () => app.by('floor').uncheck()], ['patches', () => app.by('colouring-patches').check()],
     ['onion', () => app.by('onion').check()],
   ] as const) {
     await change();

@@ -60,7 +60,10 @@ export function createExportDialog(events: ExportDialogEvents): {
 } {
   let request: ExportRequest = DEFAULT_REQUEST;
   let shown: ExportDialogProps | null = null;
-  const change = (part: Partial<ExportRequest>): void => events.onChange({ ...request, ...part });
+  const change = (part: Partial<ExportRequest>): void => {
+    request = { ...request, ...part };
+    events.onChange(request);
+  };
   const bounds = (): [number, number] => [...(request.range ?? shown?.range ?? [0, 1])] as [number, number];
 
   const kind = segments<ExportKind>('What', 'export-kind', [
