@@ -48,14 +48,6 @@ std::optional<FileKind> kindByContent(std::span<const std::uint8_t> bytes, std::
   return std::nullopt;
 }
 
-const char* formatName(const std::string& extension) {
-  if (extension == "glb") return "GLB";
-  if (extension == "gltf") return "glTF";
-  if (extension == "ply") return "PLY";
-  if (extension == "off") return "OFF";
-  return nullptr;
-}
-
 }  // namespace
 
 bool isCompanion(std::string_view name) {
@@ -72,8 +64,8 @@ Result<FileKind> fileKind(const NamedBytes& file, const std::string& where) {
   if (const auto kind = kindByContent(file.bytes, text)) return *kind;
   if (const char* what = somethingElse(text, extension)) return Error{ErrorCode::NotRecognised, where + what};
   if (extension == "obj") return FileKind::Obj;
-  if (const char* format = formatName(extension))
-    return Error{ErrorCode::NotRecognised, where + " is named like a " + format + " file but does not start like one. Export it again."};
+  if (extension == "glb" || extension == "gltf" || extension == "ply" || extension == "off")
+    return Error{ErrorCode::NotRecognised, where + " is named ." + extension + " but does not start like such a file. Export it again."};
   return Error{ErrorCode::NotRecognised, where + " is not a 3D file that is read here. Give glTF (.glb, .gltf), OBJ, PLY or OFF files."};
 }
 

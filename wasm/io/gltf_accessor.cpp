@@ -77,6 +77,7 @@ struct Reader {
     if (view.buffer < 0 || view.buffer >= static_cast<int>(doc.buffers.size()))
       return malformed("lies in a buffer that is not there");
     const auto buffer = doc.buffers[view.buffer].bytes;
+    if (buffer.empty()) return malformed("lies in buffer " + std::to_string(view.buffer) + ", which has no bytes");
     if (std::uint64_t{view.byteOffset} + view.byteLength > buffer.size())
       return malformed("lies in a buffer view that ends at byte " + grouped(std::int64_t(view.byteOffset + view.byteLength)) +
                        " of a buffer of " + sizeText(buffer.size()));

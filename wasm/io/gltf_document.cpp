@@ -1,5 +1,7 @@
 #include "io/gltf_document.h"
 
+#include <algorithm>
+
 #include "core/text.h"
 #include "io/byte_text.h"
 #include "io/glb_container.h"
@@ -38,7 +40,7 @@ Result<Resource> readBuffer(const json& buffer, std::size_t index, const Source&
     if (!found) return found;
     resource = std::move(*found);
   } else {
-    if (index != 0 || !source.chunks.hasBin) return malformed(where, name + " has neither a URI nor a BIN chunk");
+    if (index != 0 || !source.chunks.hasBin) return resource;  // a placeholder; an error only where it is read
     resource.bytes = source.chunks.bin;
   }
   const std::uint64_t declared = whole(buffer, "byteLength", 0);
@@ -97,19 +99,37 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
   }
 }
 
+// The first line of a message of tinygltf's, fit for the middle of a sentence.
+std::string oneLine(const std::string& message) {
+  std::string line = message.substr(0, std::min<std::size_t>(message.find('\n'), 200));
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  while (!line.empty() && (line.back() == '.' || line.back() == ' ')) line.pop_back();
+  return line;
+}
+
+// A file of meshes without any node shows each of them once.
+void showBareMeshes(tinygltf::Model& model) {
+  if (!model.nodes.empty()) return;
+  model.nodes.resize(model.meshes.size());
+  for (std::size_t m = 0; m < model.meshes.size(); ++m) model.nodes[m].mesh = static_cast<int>(m);
+  model.scenes.clear();
+}
+
 Status loadModel(json& doc, GltfDocument& out) {
   for (const char* unread : {"buffers", "images", "cameras", "extensions", "extras"}) doc.erase(unread);
   const std::string text = doc.dump();
   tinygltf::TinyGLTF loader;
   std::string error, warning;
   if (!loader.LoadASCIIFromString(&out.model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), ""))
-    return malformed(out.where, "it is not valid glTF (" + error.substr(0, error.find('\n')) + ")");
+    return malformed(out.where, "it is not valid glTF" + (error.empty() ? "" : " (" + oneLine(error) + ")"));
   // tinygltf skips primitives that it cannot read.
   for (std::size_t m = 0; m < out.model.meshes.size(); ++m) {
     const auto primitives = doc["meshes"][m].find("primitives");
     if (primitives != doc["meshes"][m].end() && primitives->size() != out.model.meshes[m].primitives.size())
       return malformed(out.where, "mesh " + std::to_string(m) + " has a primitive without valid attributes");
   }
+  showBareMeshes(out.model);
   return {};
 }
 

@@ -20,7 +20,7 @@ namespace shapespline {
 struct GltfDocument {
   std::string where;               ///< how messages call the file
   tinygltf::Model model;
-  std::vector<Resource> buffers;   ///< at least byteLength bytes each
+  std::vector<Resource> buffers;   ///< byteLength bytes each, or none for a placeholder
   std::vector<Image> images;       ///< one for every image of the file; without bytes where it could not be had
   std::string project;             ///< JSON of extras.shapespline, or empty
   std::vector<Warning> warnings;

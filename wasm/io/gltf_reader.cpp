@@ -66,7 +66,9 @@ struct KeyReader {
 
   std::string targetName(int target) const {
     for (const GltfPart& part : shape.parts) {
-      const tinygltf::Value& names = doc.model.meshes[part.mesh].extras.Get("targetNames");
+      const tinygltf::Value& extras = doc.model.meshes[part.mesh].extras;
+      if (!extras.Has("targetNames")) continue;
+      const tinygltf::Value& names = extras.Get("targetNames");
       if (names.IsArray() && target < static_cast<int>(names.ArrayLen()) && names.Get(target).IsString())
         return names.Get(target).Get<std::string>();
     }

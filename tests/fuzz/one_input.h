@@ -1,0 +1,103 @@
+// What is done with every input of a fuzzer, and with every file of the corpus: import it alone and as both of two keys,
+// and write what comes of it. Aborts where a promise of import.h or export.h is broken.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/export.h"
+#include "io/import.h"
+
+namespace shapespline::fuzz {
+
+inline void promise(bool kept, const char* what) {
+  if (kept) return;
+  std::fprintf(stderr, "broken promise: %s\n", what);
+  std::abort();
+}
+
+inline void checkImport(const Import& import) {
+  const Keyframes& k = import.keyframes;
+  promise(validate(k).ok(), "imported keys are valid");
+  const std::size_t n = k.vertexCount();
+  promise(k.normals.empty() || k.normals.size() == n, "a normal for every vertex, or none");
+  promise(import.scene.uvs.empty() || import.scene.uvs.size() == 2 * n, "coordinates for every vertex, or none");
+  promise(import.scene.colors.empty() || import.scene.colors.size() == 4 * n, "a colour for every vertex, or none");
+  for (float v : import.scene.uvs) promise(std::isfinite(v), "finite coordinates");
+  for (float v : import.scene.colors) promise(v >= 0 && v <= 1, "colours in [0, 1]");
+  int next = 0;
+  for (const MaterialGroup& g : import.scene.groups) {
+    promise(g.start == next && g.count >= 0, "groups follow each other");
+    promise(g.material >= -1 && g.material < static_cast<int>(import.scene.materials.size()), "materials are there");
+    next += g.count;
+  }
+  promise(next == k.faceCount(), "groups cover all faces");
+  const int images = static_cast<int>(import.scene.images.size());
+  for (const Material& m : import.scene.materials)
+    for (int image : {m.baseColorImage, m.metallicRoughnessImage, m.normalImage, m.occlusionImage, m.emissiveImage})
+      promise(image >= -1 && image < images, "images are there");
+}
+
+// Exports what was imported and imports that: same faces, same number of vertices and keys. Small shapes only.
+inline void checkRoundTrip(const Import& import) {
+  const Keyframes& k = import.keyframes;
+  if (k.vertexCount() > 2000 || k.keyCount() > 40) return;
+  AnimationSource source;
+  source.faces = &k.faces;
+  source.scene = &import.scene;
+  for (int j = 0; j < k.keyCount(); ++j) source.seconds.push_back(j);
+  bool fits = true;  // in float32, and so that differences of two do too
+  source.frame = [&](int j, std::vector<float>& positions, std::vector<float>& normals) {
+    const auto put = [&](const Positions& from, std::vector<float>& to, double largest) {
+      to.clear();
+      for (const Vec3& p : from)
+        for (int c = 0; c < 3; ++c) {
+          fits = fits && !(std::abs(p[c]) > largest);
+          to.push_back(static_cast<float>(p[c]));
+        }
+    };
+    put(k.keys[j].positions, positions, 1e38);
+    put(k.normals, normals, 2);
+    return Status();
+  };
+  const auto written = writeAnimatedGlb(source);
+  if (!fits) return;
+  promise(written.ok(), "what was imported can be exported");
+  const NamedBytes file{"again.glb", *written};
+  const auto again = importKeyframes(std::span(&file, 1), {});
+  if (!again) {
+    // In float32 a tiny shape may collapse.
+    promise(again.error().code == ErrorCode::NoArea, again.error().message.c_str());
+    return;
+  }
+  promise(again->keyframes.faces == k.faces, "faces survive the export");
+  promise(again->keyframes.vertexCount() == k.vertexCount(), "vertices survive the export");
+  promise(again->keyframes.keyCount() == k.keyCount(), "keys survive the export");
+}
+
+inline void checkError(const Error& error) {
+  promise(!error.message.empty() && error.message.back() == '.', "an error is a sentence");
+  for (char c : error.message) promise(static_cast<unsigned char>(c) >= ' ', "an error is one line");
+}
+
+/// `name` decides what the bytes themselves do not.
+inline void oneInput(const std::string& name, std::span<const std::uint8_t> bytes) {
+  const NamedBytes alone[] = {{name, bytes}};
+  const NamedBytes twice[] = {{name, bytes}, {"second-" + name, bytes}};
+  for (std::span<const NamedBytes> files : {std::span<const NamedBytes>(alone), std::span<const NamedBytes>(twice)}) {
+    const auto import = importKeyframes(files, {});
+    if (!import) {
+      checkError(import.error());
+      continue;
+    }
+    checkImport(*import);
+    checkRoundTrip(*import);
+  }
+}
+
+}  // namespace shapespline::fuzz

@@ -1,0 +1,402 @@
+// Every kind of broken glTF: refused alone and as the second of two keys, with its code and a sentence that names the
+// file; the mended twin imports.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <limits>
+
+#include "gltf_maker.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+// Refused alone and as key 2, with the same code.
+void checkRefused(const Bytes& broken, ErrorCode code, const std::string& says = "", const Files& beside = {}, const char* name = "bad.glb") {
+  Files alone = Files().add(name, broken);
+  Files second = Files().add("good.glb", boxFile().glb()).add(name, broken);
+  for (std::size_t i = 0; i < beside.names.size(); ++i) {
+    alone.add(beside.names[i], beside.bytes[i]);
+    second.add(beside.names[i], beside.bytes[i]);
+  }
+  const auto first = alone.import();
+  REQUIRE(!first.ok());
+  CAPTURE(first.error().message);
+  CHECK(std::string(errorCodeName(first.error().code)) == errorCodeName(code));
+  CHECK(first.error().message.find(name) != std::string::npos);
+  CHECK(first.error().message.find(says) != std::string::npos);
+  CHECK(first.error().message.ends_with("."));
+  const auto both = second.import();
+  REQUIRE(!both.ok());
+  CAPTURE(both.error().message);
+  CHECK(std::string(errorCodeName(both.error().code)) == errorCodeName(code));
+  CHECK(both.error().key == 1);
+  CHECK(both.error().message.find(std::string(name) + " (key 2)") != std::string::npos);
+}
+
+void checkRefused(const GltfMaker& broken, ErrorCode code, const std::string& says = "") { checkRefused(broken.glb(), code, says); }
+
+void checkMended(const GltfMaker& mended) {
+  const auto result = Files().add("a.glb", boxFile().glb()).add("b.glb", mended.glb()).import();
+  CHECK_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
+}
+
+}  // namespace
+
+TEST_CASE("the twin of every broken file below is a good one") { checkMended(boxFile(1)); }
+
+TEST_CASE("broken GLB containers") {
+  const Bytes good = boxFile().glb();
+  checkRefused(Bytes{}, ErrorCode::EmptyFile, "is empty");
+  for (std::size_t size : {1, 4, 11, 12, 19, 20, 100}) {
+    CAPTURE(size);
+    const Bytes cut(good.begin(), good.begin() + static_cast<long>(size));
+    if (size < 4) checkRefused(cut, ErrorCode::NotRecognised);
+    else checkRefused(cut, ErrorCode::TruncatedFile, "cut off");
+  }
+  Bytes noEnd(good.begin(), good.end() - 1);
+  checkRefused(noEnd, ErrorCode::TruncatedFile, "declares");
+  Bytes version1 = good;
+  version1[4] = 1;
+  checkRefused(version1, ErrorCode::Unsupported, "version 1");
+  Bytes chunk = good;
+  chunk[15] = 0x7f;  // a JSON chunk of 2 GB
+  checkRefused(chunk, ErrorCode::MalformedFile, "chunk 0");
+  Bytes kind = good;
+  kind[16] = 'X';
+  checkRefused(kind, ErrorCode::MalformedFile, "first chunk is not JSON");
+  Bytes small = good;
+  small[8] = 12, small[9] = small[10] = small[11] = 0;
+  checkRefused(small, ErrorCode::MalformedFile, "no JSON chunk");
+  Bytes trailing = good;  // bytes behind the declared length are nobody's
+  trailing.resize(good.size() + 7);
+  CHECK(Files().add("a.glb", good).add("b.glb", trailing).import().ok());
+}
+
+TEST_CASE("files that are something else say what they are") {
+  checkRefused(bytesOf("<!DOCTYPE html>\n<html>"), ErrorCode::NotRecognised, "web page");
+  checkRefused(bytesOf("\n  <HTML lang=en>"), ErrorCode::NotRecognised, "web page");
+  checkRefused(bytesOf("version https://git-lfs.github.com/spec/v1\noid"), ErrorCode::NotRecognised, "Git LFS");
+  checkRefused(bytesOf("PK\x03\x04 zip"), ErrorCode::NotRecognised, "ZIP");
+  checkRefused(bytesOf("Kaydara FBX Binary  "), ErrorCode::NotRecognised, "FBX");
+  checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "does not start like");
+  checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "not a 3D file", {}, "notes.doc");
+}
+
+TEST_CASE("broken JSON") {
+  const auto json = [](const std::string& text) { return glbFrom(text, {}); };
+  checkRefused(json("{\"asset\": {\"version\": \"2.0\"}, }"), ErrorCode::MalformedFile, "JSON is broken at byte");
+  checkRefused(json("{\"asset\": {\"version\": \"2.0\"}, \"nodes\": ["), ErrorCode::TruncatedFile, "JSON ends");
+  checkRefused(json("[]  "), ErrorCode::MalformedFile, "not glTF");
+  checkRefused(json("{\"a\": 1}"), ErrorCode::NotRecognised, "asset.version");
+  checkRefused(json("{\"asset\": {\"version\": \"1.0\"}}"), ErrorCode::Unsupported, "1.0");
+  checkRefused(json("{\"asset\": {\"version\": \"2.0\", \"minVersion\": \"2.1\"}}"), ErrorCode::Unsupported, "2.1");
+  checkRefused(json("{\"asset\": {\"version\": \"2.0\"}, \"x\": 1e999}"), ErrorCode::MalformedFile, "out of range");
+  checkRefused(json(std::string("{\"asset\": {\"version\": \"2.0\"}, \"x\": \"") + "\xff\"}"), ErrorCode::MalformedFile);
+  checkRefused(json("{\"asset\": {\"version\": \"2.0\"}}"), ErrorCode::NoTriangles, "no mesh");
+  std::string deep = "{\"asset\": {\"version\": \"2.0\"}, \"extras\": ";
+  for (int i = 0; i < 200000; ++i) deep += "[";
+  checkRefused(json(deep), ErrorCode::MalformedFile, "nested");
+  checkRefused(bytesOf(deep), ErrorCode::MalformedFile, "nested", {}, "bad.gltf");
+}
+
+TEST_CASE("wrong types and values in the JSON") {
+  const auto with = [](const char* pointer, const json& value) {
+    GltfMaker maker = boxFile();
+    maker.doc[json::json_pointer(pointer)] = value;
+    return maker;
+  };
+  checkRefused(with("/accessors", 7), ErrorCode::MalformedFile, "accessors is not a list");
+  checkRefused(with("/accessors/0", "x"), ErrorCode::MalformedFile, "accessors[0]");
+  checkRefused(with("/accessors/0/count", -1), ErrorCode::MalformedFile, "negative");
+  checkRefused(with("/accessors/0/count", "8"), ErrorCode::MalformedFile, "whole number");
+  checkRefused(with("/accessors/0/count", 8.5), ErrorCode::MalformedFile, "whole number");
+  checkRefused(with("/accessors/0/count", 4294967304ull), ErrorCode::MalformedFile, "more than can be held");
+  checkRefused(with("/accessors/0/byteOffset", 18446744073709551604ull), ErrorCode::MalformedFile, "more than can be held");
+  checkRefused(with("/accessors/0/componentType", 5124), ErrorCode::MalformedFile, "component type");
+  checkRefused(with("/accessors/0/type", "VEC2"), ErrorCode::MalformedFile, "3 components");
+  checkRefused(with("/accessors/0/type", "VEC9"), ErrorCode::MalformedFile);
+  checkRefused(with("/accessors/0/bufferView", 9), ErrorCode::MalformedFile, "buffer view that is not there");
+  checkRefused(with("/bufferViews/0/buffer", 3), ErrorCode::MalformedFile, "buffer that is not there");
+  checkRefused(with("/bufferViews/0/byteStride", 8), ErrorCode::MalformedFile, "stride");
+  checkRefused(with("/meshes/0/primitives/0/attributes/POSITION", 5), ErrorCode::MalformedFile, "accessor that is not there");
+  checkRefused(with("/meshes/0/primitives/0/attributes/POSITION", "0"), ErrorCode::MalformedFile, "whole number");
+  checkRefused(with("/meshes/0/primitives/0/attributes", json::object()), ErrorCode::MalformedFile, "no positions");
+  checkRefused(with("/meshes/0/primitives/0/attributes", 3), ErrorCode::MalformedFile);
+  checkRefused(with("/meshes/0/primitives/0/indices", 17), ErrorCode::MalformedFile);
+  checkRefused(with("/meshes/0/primitives/0/indices", 0), ErrorCode::MalformedFile);
+  checkRefused(with("/meshes/0/primitives/0/mode", 1), ErrorCode::NoTriangles, "no triangles");
+  checkRefused(with("/meshes/0/primitives", json::array()), ErrorCode::NoTriangles, "no triangles");
+  checkRefused(with("/nodes/0/mesh", 4), ErrorCode::MalformedFile, "mesh 4");
+  checkRefused(with("/nodes/0/skin", 4), ErrorCode::MalformedFile, "skin 4");
+  checkRefused(with("/nodes/0/matrix", {1, 2, 3}), ErrorCode::MalformedFile, "transform");
+  checkRefused(with("/scenes/0/nodes", {8}), ErrorCode::MalformedFile, "node 8");
+  checkRefused(with("/scenes/0/nodes", {-1}), ErrorCode::MalformedFile, "node -1");
+  checkRefused(with("/scene", 3), ErrorCode::MalformedFile, "scene 3");
+  checkRefused(with("/scenes/0/nodes", json::array()), ErrorCode::NoTriangles);
+}
+
+TEST_CASE("accessors and buffers past their end") {
+  GltfMaker maker = boxFile();
+  maker.doc["accessors"][0]["count"] = 9;
+  checkRefused(maker, ErrorCode::MalformedFile, "needs 108 bytes");
+  maker = boxFile();
+  maker.doc["accessors"][0]["byteOffset"] = 4;
+  checkRefused(maker, ErrorCode::MalformedFile, "needs 100 bytes");
+  maker = boxFile();
+  maker.doc["bufferViews"][1]["byteLength"] = 5000;
+  checkRefused(maker, ErrorCode::MalformedFile, "ends at byte");
+  maker = boxFile();
+  maker.doc["buffers"] = {{{"byteLength", 2000000000}}};
+  checkRefused(maker, ErrorCode::TruncatedFile, "declares 2.0 GB");
+  maker = boxFile();
+  maker.doc["buffers"] = {{{"uri", "data:application/octet-stream;base64,AAAA"}, {"byteLength", 168}}};
+  checkRefused(maker, ErrorCode::TruncatedFile, "declares 168 bytes");
+  maker.doc["buffers"][0]["uri"] = "data:application/octet-stream;base64,A?AA";
+  checkRefused(maker, ErrorCode::MalformedFile, "base64");
+  maker.doc["buffers"][0]["uri"] = "data:application/octet-stream";
+  checkRefused(maker, ErrorCode::MalformedFile, "without content");
+  maker.doc["buffers"][0] = {{"byteLength", 168}, {"uri", 5}};
+  checkRefused(maker, ErrorCode::MalformedFile, "not text");
+  maker.doc["buffers"] = json::array();
+  checkRefused(maker, ErrorCode::MalformedFile, "buffer that is not there");
+}
+
+TEST_CASE("declared gigabytes are refused at once") {
+  GltfMaker maker = boxFile();
+  maker.doc["accessors"][0].erase("bufferView");  // zeros, as many as it says
+  maker.doc["accessors"][0]["count"] = 2000000000;
+  checkRefused(maker, ErrorCode::TooLarge, "more than 16,000,000");
+  maker = boxFile();
+  json children = json::array();  // one mesh shown four million times
+  for (int i = 0; i < 3000; ++i) children.push_back(maker.add("nodes", {{"mesh", 1}}));
+  maker.doc["nodes"][0]["children"] = children;
+  std::vector<std::uint16_t> many(60000, 1);
+  const int indices = maker.accessor(many, "SCALAR", 1, kUInt16);
+  maker.mesh({{"POSITION", maker.doc["meshes"][0]["primitives"][0]["attributes"]["POSITION"]}}, indices);
+  checkRefused(maker, ErrorCode::TooLarge, "faces");
+}
+
+TEST_CASE("indices out of range name the face") {
+  GltfMaker maker = boxFile();
+  std::vector<Triangle> faces = boxFaces();
+  faces[7][2] = 8;
+  maker.doc["meshes"][0]["primitives"][0]["indices"] = maker.indices(faces);
+  checkRefused(maker, ErrorCode::IndexOutOfRange, "face 7 ");
+  const auto result = Files().add("bad.glb", maker.glb()).import();
+  CHECK(result.error().face == 7);
+  CHECK(result.error().vertex == 8);
+}
+
+TEST_CASE("sparse accessors out of bounds") {
+  const auto sparse = [](const json& change) {
+    GltfMaker maker = boxFile();
+    const int places = maker.view(std::vector<std::uint8_t>{4, 8}), values = maker.view(std::vector<float>(6, 1));
+    json description = {{"count", 1}, {"indices", {{"bufferView", places}, {"componentType", kUInt8}}}, {"values", {{"bufferView", values}}}};
+    description.merge_patch(change);
+    maker.doc["accessors"][0]["sparse"] = description;
+    return maker;
+  };
+  checkMended(sparse(json::object()));
+  checkRefused(sparse({{"count", 2}}), ErrorCode::MalformedFile, "element 8 of 8");
+  checkRefused(sparse({{"count", 9}}), ErrorCode::MalformedFile, "more elements than it has");
+  checkRefused(sparse({{"indices", {{"bufferView", 99}}}}), ErrorCode::MalformedFile, "buffer view");
+  checkRefused(sparse({{"indices", {{"byteOffset", 2}}}}), ErrorCode::MalformedFile, "needs 3 bytes");
+  checkRefused(sparse({{"indices", {{"componentType", kFloat32}}}}), ErrorCode::MalformedFile, "sparse indices");
+  checkRefused(sparse({{"values", {{"byteOffset", 20}}}}), ErrorCode::MalformedFile, "needs 32 bytes");
+}
+
+TEST_CASE("node graphs that are no trees") {
+  GltfMaker maker = boxFile();
+  maker.doc["nodes"][0]["children"] = {0};
+  checkRefused(maker, ErrorCode::MalformedFile, "its own child");
+  maker.doc["nodes"][0]["children"] = {1};
+  maker.add("nodes", {{"children", {2}}});
+  maker.add("nodes", {{"children", {1}}});
+  checkRefused(maker, ErrorCode::MalformedFile, "two parents");
+  maker.doc["nodes"][0].erase("children");
+  maker.doc["nodes"][1]["children"] = {2};
+  checkRefused(maker, ErrorCode::MalformedFile, "cycle");
+  maker.doc["nodes"][2]["children"] = {77};
+  checkRefused(maker, ErrorCode::MalformedFile, "child 77");
+  maker.doc["nodes"][2].erase("children");
+  checkMended(maker);
+  SUBCASE("a chain of a hundred thousand is one") {
+    GltfMaker chain;
+    const int mesh = chain.mesh({{"POSITION", chain.vectors(boxPose())}}, chain.indices(boxFaces()));
+    const int length = 100000;
+    for (int i = 0; i < length; ++i) chain.add("nodes", i + 1 < length ? json{{"children", {i + 1}}} : json{{"mesh", mesh}});
+    chain.doc["scenes"][0]["nodes"] = {0};
+    checkMended(chain);
+  }
+}
+
+TEST_CASE("numbers that are not finite name the vertex") {
+  for (float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    GltfMaker maker = boxFile();
+    std::memcpy(maker.bin.data() + 5 * 12 + 4, &bad, 4);
+    const auto result = Files().add("a.glb", boxFile().glb()).add("bad.glb", maker.glb()).import();
+    REQUIRE(!result.ok());
+    CHECK(result.error().code == ErrorCode::NotFinite);
+    CHECK(result.error().key == 1);
+    CHECK(result.error().vertex == 5);
+    CHECK(result.error().message.find("bad") != std::string::npos);
+  }
+}
+
+TEST_CASE("skins that do not fit") {
+  const auto skinned = [](int joint, int joints, json skin) {
+    GltfMaker maker = boxFile();
+    auto& attributes = maker.doc["meshes"][0]["primitives"][0]["attributes"];
+    attributes["JOINTS_0"] = maker.accessor(std::vector<std::uint8_t>(32, static_cast<std::uint8_t>(joint)), "VEC4", 4, kUInt8);
+    attributes["WEIGHTS_0"] = maker.accessor(std::vector<float>(4 * static_cast<std::size_t>(joints), 0.25f), "VEC4", 4, kFloat32);
+    maker.doc["nodes"][0]["skin"] = 0;
+    maker.add("skins", std::move(skin));
+    return maker;
+  };
+  checkMended(skinned(0, 8, {{"joints", {0}}}));
+  checkRefused(skinned(1, 8, {{"joints", {0}}}), ErrorCode::MalformedFile, "joint 1 of 1");
+  checkRefused(skinned(0, 8, {{"joints", {5}}}), ErrorCode::MalformedFile, "joint node 5");
+  checkRefused(skinned(0, 8, {{"joints", {0}}, {"inverseBindMatrices", 0}}), ErrorCode::MalformedFile, "16 components");
+  checkRefused(skinned(0, 7, {{"joints", {0}}}), ErrorCode::MalformedFile, "another number of joints or weights");
+  checkRefused(skinned(0, 8, {{"joints", json::array()}}), ErrorCode::MalformedFile);
+}
+
+TEST_CASE("animations that do not fit") {
+  const json none = json::object();
+  const auto animated = [](const std::vector<float>& times, std::size_t values, const json& change) {
+    GltfMaker maker = boxFile();
+    const int input = maker.scalars(times);
+    maker.animation("a", 0, "translation", input, maker.accessor(std::vector<float>(values, 1), "VEC3", 3, kFloat32));
+    maker.doc["animations"][0].merge_patch(change);
+    return maker;
+  };
+  const auto refused = [](const GltfMaker& maker, ErrorCode code, const std::string& says) {
+    const auto result = Files().add("bad.glb", maker.glb()).import();
+    REQUIRE(!result.ok());
+    CAPTURE(result.error().message);
+    CHECK(std::string(errorCodeName(result.error().code)) == errorCodeName(code));
+    CHECK(result.error().message.find(says) != std::string::npos);
+  };
+  CHECK(Files().add("good.glb", animated({0, 1}, 6, none).glb()).import().ok());
+  refused(animated({0, 0}, 6, none), ErrorCode::MalformedFile, "do not increase");
+  refused(animated({1, 0}, 6, none), ErrorCode::MalformedFile, "do not increase");
+  refused(animated({0, std::numeric_limits<float>::quiet_NaN()}, 6, none), ErrorCode::MalformedFile, "do not increase");
+  refused(animated({0, 1}, 3, none), ErrorCode::MalformedFile, "fewer values than times");
+  refused(animated({}, 0, none), ErrorCode::MalformedFile, "no times");
+  refused(animated({0}, 3, none), ErrorCode::TooFewKeys, "only one key time");
+  const auto channel = [](int sampler, int node, const char* path) {
+    return json{{"channels", {{{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}}}}};
+  };
+  refused(animated({0, 1}, 6, channel(4, 0, "translation")), ErrorCode::MalformedFile, "sampler 4");
+  refused(animated({0, 1}, 6, channel(0, 9, "translation")), ErrorCode::MalformedFile, "node 9");
+  refused(animated({0, 1}, 6, channel(0, 0, "weights")), ErrorCode::MalformedFile, "no morph targets");
+  refused(animated({0, 1}, 6, channel(0, 0, "rotation")), ErrorCode::MalformedFile, "4 components");
+  GltfMaker maker = animated({0, 1}, 6, none);
+  maker.doc["animations"][0]["samplers"][0]["interpolation"] = "BEZIER";
+  refused(maker, ErrorCode::MalformedFile, "interpolation");
+  GltfMaker nothing = animated({0, 1}, 6, none);
+  nothing.doc.erase("meshes");
+  nothing.doc["nodes"][0].erase("mesh");
+  refused(nothing, ErrorCode::NoTriangles, "no mesh");
+  refused(boxFile(), ErrorCode::TooFewKeys, "one pose only");
+}
+
+TEST_CASE("morph targets that do not fit") {
+  GltfMaker maker = morphFile({0, 1});
+  maker.doc["meshes"][0]["primitives"][0]["targets"][0]["POSITION"] = maker.vectors(Positions(7, Vec3::Zero()));
+  const auto result = Files().add("bad.glb", maker.glb()).import();
+  REQUIRE(!result.ok());
+  CHECK(result.error().code == ErrorCode::MalformedFile);
+  CHECK(result.error().message.find("another number of vertices") != std::string::npos);
+}
+
+TEST_CASE("URIs lead nowhere but to the given files") {
+  GltfMaker maker = boxFile();
+  const auto refused = [&](const std::string& uri, ErrorCode code, const std::string& says) {
+    CAPTURE(uri);
+    checkRefused(maker.gltfBeside(uri), code, says, Files().add("box.bin", maker.bin), "bad.gltf");
+  };
+  refused("http://example.org/box.bin", ErrorCode::ExternalResource, "ever fetched");
+  refused("https://example.org/box.bin", ErrorCode::ExternalResource, "ever fetched");
+  refused("//example.org/box.bin", ErrorCode::ExternalResource, "ever fetched");
+  refused("file:///etc/box.bin", ErrorCode::ExternalResource, "ever fetched");
+  refused("../box.bin", ErrorCode::ExternalResource, "outside the given files");
+  refused("a/../../box.bin", ErrorCode::ExternalResource, "outside the given files");
+  refused("..\\box.bin", ErrorCode::ExternalResource, "outside the given files");
+  refused("%2e%2e/box.bin", ErrorCode::ExternalResource, "outside the given files");
+  refused("/etc/passwd", ErrorCode::ExternalResource, "outside the given files");
+  refused("C:\\box.bin", ErrorCode::ExternalResource, "outside the given files");
+  refused("other.bin", ErrorCode::MissingResource, "other.bin");
+  CHECK(Files().add("a.gltf", maker.gltfBeside("box.bin")).add("b.glb", boxFile(1).glb()).add("box.bin", maker.bin).import().ok());
+}
+
+TEST_CASE("extensions that change the geometry are refused by name") {
+  for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "ACME_secret"}) {
+    GltfMaker maker = boxFile();
+    maker.doc["extensionsUsed"] = maker.doc["extensionsRequired"] = {name};
+    checkRefused(maker, ErrorCode::Unsupported, name);
+  }
+}
+
+TEST_CASE("keys that are not poses of one mesh") {
+  const auto refused = [](const GltfMaker& second, ErrorCode code, const std::vector<std::string>& says) {
+    const auto result = Files().add("first.glb", boxFile().glb()).add("second.glb", second.glb()).import();
+    REQUIRE(!result.ok());
+    CAPTURE(result.error().message);
+    CHECK(std::string(errorCodeName(result.error().code)) == errorCodeName(code));
+    CHECK(result.error().key == 1);
+    for (const std::string& text : says) CHECK(result.error().message.find(text) != std::string::npos);
+  };
+  const auto box = [](Positions points, const std::vector<Triangle>& faces) {
+    GltfMaker maker;
+    const int positions = maker.vectors(points), indices = maker.indices(faces);
+    maker.node({{"mesh", maker.mesh({{"POSITION", positions}}, indices)}});
+    return maker;
+  };
+  Positions nine = boxPose();
+  nine.push_back({0, 0, 0});
+  refused(box(nine, boxFaces()), ErrorCode::VertexCountMismatch, {"second.glb (key 2)", "9", "8"});
+  std::vector<Triangle> faces = boxFaces();
+  faces.pop_back();
+  refused(box(boxPose(), faces), ErrorCode::FaceCountMismatch, {"second.glb (key 2)", "11", "12"});
+  faces = boxFaces();
+  std::swap(faces[3][0], faces[3][1]);
+  refused(box(boxPose(), faces), ErrorCode::FaceMismatch, {"face 3", "wound"});
+  faces = boxFaces();
+  std::swap(faces[3], faces[4]);
+  refused(box(boxPose(), faces), ErrorCode::FaceMismatch, {"face 3", "another order"});
+  refused(box(Positions(8, Vec3(1, 1, 1)), boxFaces()), ErrorCode::NoArea, {"zero area"});
+}
+
+TEST_CASE("too few files, and none") {
+  CHECK(Files().import().error().code == ErrorCode::TooFewKeys);
+  CHECK(Files().add("a.bin", {1, 2}).import().error().code == ErrorCode::TooFewKeys);
+  CHECK(Files().add("a.glb", boxFile().glb()).import().error().code == ErrorCode::TooFewKeys);
+}
+
+TEST_CASE("key times that do not fit") {
+  const Files files = Files().add("a.glb", boxFile().glb()).add("b.glb", boxFile(1).glb());
+  const auto code = [&](std::vector<double> times) {
+    ImportOptions options;
+    options.keyTimes = std::move(times);
+    const auto result = files.import(options);
+    return result.ok() ? "ok" : errorCodeName(result.error().code);
+  };
+  CHECK(code({0, 2}) == std::string("ok"));
+  CHECK(code({0}) == std::string("time-count-mismatch"));
+  CHECK(code({1, 1}) == std::string("times-not-increasing"));
+  CHECK(code({1, 0}) == std::string("times-not-increasing"));
+  CHECK(code({0, std::numeric_limits<double>::quiet_NaN()}) == std::string("not-finite"));
+}
+
+TEST_CASE("every cut of a file is refused or imported, and never read past its end") {
+  GltfMaker maker = morphFile({0, 1, 2});
+  maker.animation("bend", 0, "weights", maker.scalars({0, 0.25f, 2}), maker.scalars({0, 0, 1, 0, 0, 1}));
+  const Bytes good = maker.glb(), text = maker.gltf();
+  for (std::size_t size = 0; size < good.size(); size += 1 + size / 97)
+    CHECK(!Files().add("m.glb", Bytes(good.begin(), good.begin() + static_cast<long>(size))).import().ok());
+  for (std::size_t size = 0; size + 1 < text.size(); size += 1 + size / 97)
+    CHECK(!Files().add("m.gltf", Bytes(text.begin(), text.begin() + static_cast<long>(size))).import().ok());
+}

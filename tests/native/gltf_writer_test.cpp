@@ -1,0 +1,331 @@
+// Exported GLBs: structure, exact bounds, and that they import again as what they were.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "gltf_maker.h"
+#include "io/export.h"
+#include "io/glb_container.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+std::vector<float> floats(const Positions& points) {
+  std::vector<float> out;
+  for (const Vec3& p : points)
+    for (int c = 0; c < 3; ++c) out.push_back(static_cast<float>(p[c]));
+  return out;
+}
+
+Positions outward(const Positions& points) {
+  Positions out;
+  for (const Vec3& p : points) out.push_back((p - Vec3(0.5, 0.5, 1)).normalized());
+  return out;
+}
+
+struct Exported {
+  Bytes bytes;
+  json doc;
+  std::span<const std::uint8_t> bin;
+};
+
+Exported exported(Result<std::vector<std::uint8_t>> written) {
+  REQUIRE_MESSAGE(written.ok(), (written.ok() ? "" : written.error().message));
+  Exported out{std::move(*written), {}, {}};
+  const auto chunks = splitGlb(out.bytes, "export");
+  REQUIRE(chunks.ok());
+  out.doc = json::parse(chunks->json);
+  out.bin = chunks->bin;
+  return out;
+}
+
+// Bends 0, 0.1, 0.2, ... at the given times; stills go on behind them.
+AnimationSource bending(const std::vector<double>& seconds, const Scene& scene, int stills = 0) {
+  AnimationSource source;
+  source.faces = &boxFaces();
+  source.scene = &scene;
+  source.seconds = seconds;
+  source.stills = stills;
+  source.frame = [](int k, std::vector<float>& p, std::vector<float>& n) {
+    p = floats(boxPose(0.1 * k));
+    n = floats(outward(boxPose(0.1 * k)));
+    return Status();
+  };
+  return source;
+}
+
+}  // namespace
+
+TEST_CASE("an animated GLB: base, differences, one weight animation, exact bounds") {
+  const Scene scene;
+  const Exported file = exported(writeAnimatedGlb(bending({0, 0.5, 2}, scene)));
+  const json& doc = file.doc;
+  CHECK(doc["asset"]["version"] == "2.0");
+  const json& primitive = doc["meshes"][0]["primitives"][0];
+  CHECK(primitive["targets"].size() == 2);
+  CHECK(doc["meshes"][0]["weights"].size() == 2);
+  REQUIRE(doc["animations"].size() == 1);
+  CHECK(doc["animations"][0]["channels"][0]["target"]["path"] == "weights");
+  CHECK(doc["animations"][0]["samplers"][0]["interpolation"] == "LINEAR");
+  CHECK(doc["buffers"].size() == 1);
+  CHECK(doc["buffers"][0]["byteLength"] == file.bin.size());
+  // The bounds of every accessor that states some are those of the floats in the file, bit for bit.
+  int bounded = 0;
+  for (const json& accessor : doc["accessors"]) {
+    if (!accessor.contains("min")) continue;
+    ++bounded;
+    const std::size_t components = accessor["min"].size();
+    const json& view = doc["bufferViews"][accessor["bufferView"].get<int>()];
+    const std::size_t start = view["byteOffset"].get<std::size_t>() + accessor.value("byteOffset", 0);
+    std::vector<float> low(components, INFINITY), high(components, -INFINITY);
+    for (std::size_t i = 0; i < accessor["count"].get<std::size_t>() * components; ++i) {
+      float value;
+      std::memcpy(&value, &file.bin[start + 4 * i], 4);
+      low[i % components] = std::min(low[i % components], value);
+      high[i % components] = std::max(high[i % components], value);
+    }
+    for (std::size_t c = 0; c < components; ++c) {
+      CHECK(accessor["min"][c].get<double>() == low[c]);
+      CHECK(accessor["max"][c].get<double>() == high[c]);
+    }
+  }
+  CHECK(bounded == 4);  // base, two targets, times
+}
+
+TEST_CASE("an exported animation imports with its frames as keys") {
+  const Scene scene;
+  const auto bytes = writeAnimatedGlb(bending({0, 0.5, 2}, scene));
+  REQUIRE(bytes.ok());
+  const auto import = Files().add("m.glb", *bytes).import();
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  REQUIRE(import->keyframes.keyCount() == 3);
+  CHECK(import->keyframes.faces == boxFaces());
+  CHECK(import->keyframes.keys[1].time == 0.5);
+  CHECK(import->keyframes.normals.size() == 8);
+  for (int k = 0; k < 3; ++k) CHECK(distance(import->keyframes.keys[k].positions, boxPose(0.1 * k)) < 1e-6);
+}
+
+TEST_CASE("a saved project brings back its keys, not its frames") {
+  const Scene scene;
+  AnimationSource source = bending({0, 0.25, 0.5, 0.75, 1}, scene, 1);
+  source.project = R"({"version": 1, "keys": {"times": [-3, 0, 4], "names": ["still", "first", "last"], "frames": [5, 0, 4]}, "options": {"boundary": "hermite"}})";
+  const auto bytes = writeAnimatedGlb(source);
+  REQUIRE(bytes.ok());
+  const Files files = Files().add("m.glb", *bytes);
+  auto import = files.import();
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  REQUIRE(import->keyframes.keyCount() == 3);
+  CHECK(import->keyframes.keys[0].name == "still");
+  CHECK(import->keyframes.keys[0].time == -3);
+  CHECK(distance(import->keyframes.keys[0].positions, boxPose(0.5)) < 1e-6);
+  CHECK(distance(import->keyframes.keys[1].positions, boxPose(0)) < 1e-6);
+  CHECK(distance(import->keyframes.keys[2].positions, boxPose(0.4)) < 1e-6);
+  CHECK(json::parse(import->project)["options"]["boundary"] == "hermite");
+  CHECK(import->warnings.empty());
+  SUBCASE("samples that are asked for win") {
+    ImportOptions options;
+    options.sampleTimes = {0, 1};
+    import = files.import(options);
+    CHECK(import->keyframes.keyCount() == 2);
+    CHECK(import->project.empty());
+  }
+  SUBCASE("the still is never shown") {
+    ImportOptions options;
+    options.sampleTimes = {0, 0.125, 1};
+    import = files.import(options);
+    CHECK(distance(import->keyframes.keys[1].positions, boxPose(0.05)) < 1e-6);
+    CHECK(distance(import->keyframes.keys[2].positions, boxPose(0.4)) < 1e-6);
+  }
+  SUBCASE("keys may be given by their seconds") {
+    source.project = R"({"keys": {"times": [10, 20], "names": ["a", "b"], "seconds": [0.25, 1]}})";
+    import = Files().add("m.glb", *writeAnimatedGlb(source)).import();
+    REQUIRE(import->keyframes.keyCount() == 2);
+    CHECK(import->keyframes.keys[1].time == 20);
+    CHECK(distance(import->keyframes.keys[0].positions, boxPose(0.1)) < 1e-6);
+  }
+}
+
+TEST_CASE("a broken project is ignored with a warning") {
+  const Scene scene;
+  AnimationSource source = bending({0, 1}, scene);
+  for (const char* project : {R"({"keys": 7})", R"({"keys": {"times": [0, 1], "frames": [0, 9]}})", R"({"keys": {"times": [0], "frames": [0]}})",
+                              R"({"keys": {"times": [1, 1], "frames": [0, 1]}})", R"({"keys": {"times": [0, "x"], "frames": [0, 1]}})",
+                              R"({"keys": {"times": [0, 1]}})", R"({"keys": {"times": [0, 1], "frames": [0, -1]}})", R"({"keys": [1, 2]})"}) {
+    CAPTURE(project);
+    source.project = project;
+    const auto import = Files().add("m.glb", *writeAnimatedGlb(source)).import();
+    REQUIRE(import.ok());
+    CHECK(import->keyframes.keyCount() == 2);
+    CHECK(import->project.empty());
+    REQUIRE(import->warnings.size() == 1);
+    CHECK(import->warnings[0].code == "project-ignored");
+  }
+}
+
+TEST_CASE("materials, coordinates, colours and images go round") {
+  Scene scene;
+  for (int i = 0; i < 8; ++i) {
+    scene.uvs.insert(scene.uvs.end(), {i / 8.0f, 1 - i / 8.0f});
+    scene.colors.insert(scene.colors.end(), {1, i / 8.0f, 0, 1});
+  }
+  scene.images = {{"image/png", bytesOf("\x89PNG\r\n\x1a\n 1")}, {"image/webp", bytesOf("RIFF....WEBP 2")}};
+  Material skin;
+  skin.name = "skin";
+  skin.baseColor = {0.5f, 0.1f, 0.25f, 0.75f};
+  skin.metallic = 0.3f;
+  skin.alpha = Material::Alpha::Mask;
+  skin.alphaCutoff = 0.25f;
+  skin.emissive = {0, 0.5f, 0};
+  skin.baseColorImage = 0;
+  skin.normalImage = 1;
+  skin.normalScale = 0.5f;
+  skin.wrapS = Material::Wrap::Mirror;
+  Material glass;
+  glass.alpha = Material::Alpha::Blend;
+  glass.unlit = true;
+  scene.materials = {glass, skin};
+  scene.groups = {{0, 4, 1}, {6, 6, 0}};  // faces 4 and 5 have none
+  const auto bytes = writeAnimatedGlb(bending({0, 1}, scene));
+  REQUIRE(bytes.ok());
+  auto import = Files().add("m.glb", *bytes).import();
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  CHECK(import->keyframes.vertexCount() == 8);
+  CHECK(import->keyframes.faces == boxFaces());
+  const Scene& again = import->scene;
+  CHECK(again.uvs == scene.uvs);
+  CHECK(again.colors == scene.colors);
+  REQUIRE(again.groups.size() == 3);
+  CHECK(again.groups[1].start == 4);
+  CHECK(again.groups[1].count == 2);
+  const Material& m = again.materials[again.groups[0].material];
+  CHECK(m.name == "skin");
+  CHECK(m.baseColor == skin.baseColor);
+  CHECK(m.metallic == skin.metallic);
+  CHECK(m.alphaCutoff == skin.alphaCutoff);
+  CHECK(m.emissive == skin.emissive);
+  CHECK(m.normalScale == skin.normalScale);
+  CHECK(m.wrapS == skin.wrapS);
+  CHECK(again.images[m.baseColorImage].bytes == scene.images[0].bytes);
+  CHECK(again.images[m.normalImage].mimeType == "image/webp");
+  CHECK(again.materials[again.groups[2].material].unlit);
+  CHECK(again.materials[again.groups[2].material].alpha == Material::Alpha::Blend);
+}
+
+TEST_CASE("tangents of a normal map: unit, perpendicular, right-handed with the image's up") {
+  // A square in the plane z = 0, seen from +z; u runs along x, v (downwards in the image) along -y.
+  const std::vector<float> positions{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, normals{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+  const std::vector<Triangle> faces{{0, 1, 2}, {0, 2, 3}};
+  Scene scene;
+  scene.uvs = {0, 1, 1, 1, 1, 0, 0, 0};
+  scene.images = {{"image/png", bytesOf("\x89PNG\r\n\x1a\n 1")}};
+  scene.materials.resize(1);
+  scene.materials[0].normalImage = 0;
+  scene.groups = {{0, 2, 0}};
+  for (bool mirrored : {false, true}) {
+    if (mirrored) scene.uvs = {1, 1, 0, 1, 0, 0, 1, 0};
+    const Exported file = exported(writePoseGlb(positions, normals, faces, scene));
+    const int index = file.doc["meshes"][0]["primitives"][0]["attributes"]["TANGENT"].get<int>();
+    const std::size_t start = file.doc["bufferViews"][file.doc["accessors"][index]["bufferView"].get<int>()]["byteOffset"].get<std::size_t>();
+    float tangent[4];
+    std::memcpy(tangent, &file.bin[start], 16);
+    CHECK(tangent[0] == doctest::Approx(mirrored ? -1 : 1));
+    CHECK(tangent[3] == (mirrored ? -1 : 1));  // cross(normal, tangent) * w = +y, up in the image
+  }
+}
+
+TEST_CASE("thousands of frames keep the weights small") {
+  const Scene scene;
+  std::vector<double> seconds(3000);
+  for (std::size_t k = 0; k < seconds.size(); ++k) seconds[k] = 0.01 * static_cast<double>(k);
+  AnimationSource source = bending(seconds, scene);
+  const auto bytes = writeAnimatedGlb(source);
+  REQUIRE(bytes.ok());
+  CHECK(bytes->size() < 4'000'000);  // dense weights alone would be 36 MB
+  ImportOptions options;
+  options.sampleTimes = {0, 14.995, 29.99};
+  const auto import = Files().add("m.glb", *bytes).import(options);
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  CHECK(distance(import->keyframes.keys[1].positions, boxPose(149.95)) < 1e-4);
+  CHECK(distance(import->keyframes.keys[2].positions, boxPose(299.9)) < 1e-4);
+}
+
+TEST_CASE("the size is known beforehand to a few percent") {
+  const Scene scene;
+  for (int frames : {2, 60, 600}) {
+    std::vector<double> seconds(frames);
+    for (int k = 0; k < frames; ++k) seconds[k] = 0.01 * k;
+    // A mesh large enough that the JSON does not decide.
+    const int side = 60;
+    std::vector<Triangle> faces;
+    for (int i = 0; i + 1 < side; ++i)
+      for (int j = 0; j + 1 < side; ++j) faces.push_back({i * side + j, i * side + j + 1, (i + 1) * side + j});
+    AnimationSource source = bending(seconds, scene);
+    source.faces = &faces;
+    source.frame = [](int k, std::vector<float>& p, std::vector<float>& n) {
+      p.assign(3 * side * side, 0.01f * static_cast<float>(k));
+      n.assign(3 * side * side, 1);
+      return Status();
+    };
+    const auto bytes = writeAnimatedGlb(source);
+    REQUIRE(bytes.ok());
+    CHECK(static_cast<double>(animatedGlbSize(side * side, static_cast<int>(faces.size()), frames, scene)) ==
+          doctest::Approx(static_cast<double>(bytes->size())).epsilon(0.03));
+  }
+}
+
+TEST_CASE("exports that cannot be are refused") {
+  const Scene scene;
+  const auto code = [&](const AnimationSource& source) {
+    const auto written = writeAnimatedGlb(source);
+    return std::string(written.ok() ? "ok" : errorCodeName(written.error().code));
+  };
+  CHECK(code(bending({0, 1}, scene)) == "ok");
+  CHECK(code(bending({}, scene)) == "invalid-option");
+  CHECK(code(bending({1, 2}, scene)) == "invalid-option");
+  CHECK(code(bending({0, 0}, scene)) == "invalid-option");
+  CHECK(code(bending({0, 1, 1 + 1e-12}, scene)) == "invalid-option");  // equal in float32
+  AnimationSource source = bending({0, 1}, scene);
+  source.project = "[1]";
+  CHECK(code(source) == "invalid-option");
+  source = bending({0, 1}, scene);
+  source.frame = [](int k, std::vector<float>& p, std::vector<float>&) {
+    p = floats(boxPose());
+    if (k == 1) p[4] = NAN;
+    return Status();
+  };
+  CHECK(code(source) == "not-finite");
+  source.frame = [](int, std::vector<float>&, std::vector<float>&) { return Status(Error{ErrorCode::Internal, "stop"}); };
+  CHECK(code(source) == "internal");
+}
+
+TEST_CASE("a shape without a normal somewhere still gets unit normals") {
+  const std::vector<float> positions = floats(boxPose());
+  std::vector<float> normals = floats(outward(boxPose()));
+  normals[3] = normals[4] = normals[5] = 0;
+  normals[6] = NAN;
+  const auto bytes = writePoseGlb(positions, normals, boxFaces(), Scene());
+  REQUIRE(bytes.ok());
+  const auto import = Files().add("a.glb", *bytes).add("b.glb", *bytes).import();
+  REQUIRE(import.ok());
+  for (const Vec3& n : import->keyframes.normals) CHECK(n.norm() == doctest::Approx(1));
+}
+
+TEST_CASE("single poses go round as GLB, OBJ and PLY, bit for bit") {
+  std::vector<float> positions = floats(boxPose(1 / 3.0));
+  positions[0] = 1.17549435e-38f;
+  positions[1] = -3.4e38f;
+  positions[2] = 0.1f;
+  const auto glb = writePoseGlb(positions, {}, boxFaces(), Scene());
+  REQUIRE(glb.ok());
+  const std::vector<std::pair<std::string, Bytes>> files{
+      {"a.glb", *glb}, {"a.obj", writeObj(positions, boxFaces())}, {"a.ply", writePly(positions, boxFaces())}};
+  for (const auto& [name, bytes] : files) {
+    CAPTURE(name);
+    const auto import = Files().add(name, bytes).add("b" + name.substr(1), bytes).import();
+    REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+    CHECK(import->keyframes.faces == boxFaces());
+    CHECK(floats(import->keyframes.keys[1].positions) == positions);
+  }
+}

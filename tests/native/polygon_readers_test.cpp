@@ -1,0 +1,298 @@
+// OBJ, PLY and OFF: what they hold, how polygons are split, and what is refused.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gltf_maker.h"
+#include "io/polygon_mesh.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+Import imported(const Files& files, const ImportOptions& options = {}) {
+  auto result = files.import(options);
+  REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
+  return std::move(*result);
+}
+
+Import twice(const std::string& name, const Bytes& bytes) { return imported(Files().add(name, bytes).add("second-" + name, bytes)); }
+Import twice(const std::string& name, const std::string& text) { return twice(name, bytesOf(text)); }
+
+const std::string kSquareObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+const std::string kSquarePly = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+const std::string kSquareOff = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+
+std::string goodTwin(const std::string& name) {
+  return name.ends_with("obj") ? kSquareObj : name.ends_with("ply") ? kSquarePly : kSquareOff;
+}
+
+void checkRefused(const std::string& name, const Bytes& bytes, ErrorCode code, const std::string& says) {
+  CAPTURE(std::string(bytes.begin(), bytes.end()));
+  const auto alone = Files().add(name, bytes).import();
+  REQUIRE(!alone.ok());
+  CAPTURE(alone.error().message);
+  CHECK(std::string(errorCodeName(alone.error().code)) == errorCodeName(code));
+  CHECK(alone.error().message.find(says) != std::string::npos);
+  CHECK(alone.error().message.find(name) != std::string::npos);
+  const auto second = Files().add("good-" + name, bytesOf(goodTwin(name))).add(name, bytes).import();
+  REQUIRE(!second.ok());
+  CHECK(std::string(errorCodeName(second.error().code)) == errorCodeName(code));
+  CHECK(second.error().key == 1);
+}
+
+void checkRefused(const std::string& name, const std::string& text, ErrorCode code, const std::string& says) {
+  checkRefused(name, bytesOf(text), code, says);
+}
+
+double area(const Positions& p, const Triangle& f) { return 0.5 * (p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]]).norm(); }
+
+}  // namespace
+
+TEST_CASE("the three squares are one") {
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.obj", kSquareObj}, {"a.ply", kSquarePly}, {"a.off", kSquareOff}}) {
+    const Import import = twice(name, text);
+    CHECK(import.keyframes.vertexCount() == 4);
+    REQUIRE(import.keyframes.faceCount() == 2);
+    CHECK((import.keyframes.keys[0].positions[2] - Vec3(1, 1, 0)).norm() == 0);
+    REQUIRE(import.scene.groups.size() == 1);
+    CHECK(import.scene.groups[0].count == 2);
+  }
+}
+
+TEST_CASE("OBJ: comments, negative indices, all kinds of corners, continued lines, things that are left out") {
+  const Import import = twice("a.obj",
+      "# a comment\r\no thing\r\ns 1\r\nv 0 0 0 1\r\nv 1 0 0 # here\r\nv 1 1 0\r\nv 0 1 0\r\nvt 0 0\r\nvt 1 0\r\nvt 1 1\r\nvt 0 1\r\nvn 0 0 1\r\n"
+      "f -4/1/1 -3/2/1 \\\r\n -2/3/1\r\nf 1//1 3//1 4//1\r\nl 1 2\r\np 1\r\nf 1 2\r\n");
+  CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
+  REQUIRE(import.keyframes.normals.size() == 4);
+  CHECK((import.keyframes.normals[3] - Vec3::UnitZ()).norm() == 0);
+  CHECK(import.scene.uvs.empty());  // the second face has none
+  CHECK(import.warnings.at(0).code == "skipped-primitives");
+  CHECK(import.warnings.at(0).count == 3);
+}
+
+TEST_CASE("OBJ: texture coordinates where they belong to vertices, with the origin above") {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0.25\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\n";
+  const Import kept = twice("a.obj", vertices + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  REQUIRE(kept.scene.uvs.size() == 8);
+  CHECK(kept.scene.uvs[1] == 0.75f);
+  const Import seam = twice("a.obj", vertices + "f 1/1 2/2 3/3\nf 1/5 3/3 4/4\n");
+  CHECK(seam.scene.uvs.empty());
+  CHECK(seam.warnings.at(0).code == "texture-seams");
+}
+
+TEST_CASE("OBJ: materials of its MTL, and its texture") {
+  const std::string obj = "mtllib my skin.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nusemtl red\nf 1 3 4\nusemtl none\nf 1 2 4\n";
+  const std::string mtl = "newmtl blue\nKd 0 0 1\nnewmtl red\nKd 1 0.5 0\nd 0.5\nmap_Kd -s 1 1 1 tex/my red.png\n";
+  const Bytes png = bytesOf("\x89PNG\r\n\x1a\n and so on");
+  const Scene scene = imported(Files().add("a.obj", bytesOf(obj)).add("b.obj", bytesOf(obj)).add("my skin.mtl", bytesOf(mtl)).add("tex/my red.png", png)).scene;
+  REQUIRE(scene.materials.size() == 2);
+  CHECK(scene.materials[1].name == "red");
+  CHECK(scene.materials[1].baseColor[1] == doctest::Approx(std::pow((0.5 + 0.055) / 1.055, 2.4)));
+  CHECK(scene.materials[1].baseColor[3] == 0.5f);
+  REQUIRE(scene.materials[1].baseColorImage == 0);
+  CHECK(scene.images[0].bytes == png);
+  REQUIRE(scene.groups.size() == 3);
+  CHECK(scene.groups[0].material == -1);
+  CHECK(scene.groups[1].material == 1);
+  CHECK(scene.groups[1].start == 1);
+  CHECK(scene.groups[2].material == -1);
+  const Import without = twice("a.obj", obj);
+  CHECK(without.warnings.at(0).code == "missing-materials");
+}
+
+TEST_CASE("OBJ and PLY: vertex colours") {
+  const Import obj = twice("a.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 0.5\nf 1 2 3\n");
+  REQUIRE(obj.scene.colors.size() == 12);
+  CHECK(obj.scene.colors[5] == 1);
+  CHECK(obj.scene.colors[10] == doctest::Approx(0.21404));
+  const Import ply = twice("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
+      "0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 0\n3 0 1 2\n");
+  CHECK(ply.scene.colors[0] == 1);
+  CHECK(ply.scene.colors[4] == 0);
+}
+
+TEST_CASE("PLY: binary in both orders, other elements and properties, every type") {
+  for (bool big : {false, true}) {
+    std::string head = std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") + " 1.0\ncomment made by a test\nobj_info x\n"
+        "element camera 2\nproperty short a\nproperty list ushort double b\nelement vertex 3\nproperty double x\nproperty uchar flag\nproperty float y\n"
+        "property float nx\nproperty float ny\nproperty float nz\nproperty int z\nelement face 2\nproperty uchar flags\nproperty list int uint vertex_indices\n"
+        "property list uchar float texcoord\nend_header\n";
+    Bytes bytes = bytesOf(head);
+    const auto put = [&](auto value) {
+      std::uint8_t raw[sizeof value];
+      std::memcpy(raw, &value, sizeof value);
+      if (big) std::reverse(raw, raw + sizeof value);
+      bytes.insert(bytes.end(), raw, raw + sizeof value);
+    };
+    for (int i = 0; i < 2; ++i) {
+      put(std::int16_t(7)), put(std::uint16_t(i));
+      if (i) put(1.5);
+    }
+    for (int i = 0; i < 3; ++i) put(i * 0.5), put(std::uint8_t(1)), put(i == 1 ? 2.0f : 0.0f), put(0.0f), put(3.0f), put(0.0f), put(std::int32_t(-i));
+    for (int f = 0; f < 2; ++f) {
+      put(std::uint8_t(0)), put(std::int32_t(3));
+      for (std::uint32_t v : {0u, 1u, 2u}) put(f ? 2 - v : v);
+      put(std::uint8_t(1)), put(1.0f);
+    }
+    const Import import = twice("a.ply", bytes);
+    REQUIRE(import.keyframes.vertexCount() == 3);
+    CHECK(import.keyframes.keys[0].positions[1] == Vec3(0.5, 2, -1));
+    CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {2, 1, 0}});
+    CHECK(import.keyframes.normals.at(2) == Vec3(0, 1, 0));
+    bytes.pop_back();
+    checkRefused("a.ply", bytes, ErrorCode::TruncatedFile, "element \"face\"");
+  }
+}
+
+TEST_CASE("OFF: comments, counts on the first line, normals, colours") {
+  CHECK(twice("a.off", "OFF 3 1 0 # counts\n# a comment\n\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n").keyframes.faceCount() == 1);
+  const Import normals = twice("a.off", "NOFF\n3 1 0\n0 0 0 0 0 2\n1 0 0 0 0 2\n0 1 0 0 0 2\n3 0 1 2\n");
+  CHECK(normals.keyframes.normals.at(0) == Vec3::UnitZ());
+  CHECK(twice("a.off", "COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n").keyframes.vertexCount() == 3);
+}
+
+TEST_CASE("polygons are split as in the first key, whatever their shape in the others") {
+  // A dart whose inner corner is vertex 4 in the first key and vertex 1 in the second: each alone would be cut differently.
+  const std::string face = "f 1 2 3 4\n";
+  const std::string first = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\n" + face, second = "v 0 0 0\nv 1 1 0\nv 4 0 0\nv 0 -4 0\n" + face;
+  const auto faces = [&](const std::string& a, const std::string& b) {
+    return imported(Files().add("a.obj", bytesOf(a)).add("b.obj", bytesOf(b))).keyframes.faces;
+  };
+  CHECK(faces(first, second) == faces(first, first));
+  CHECK(faces(second, first) == faces(second, second));
+  CHECK(faces(first, second) != faces(second, first));
+}
+
+TEST_CASE("concave polygons are covered without overlap") {
+  // A comb with four teeth: 16 corners, area 4 + 3 = teeth of 1 each and a back of 7 x 1.
+  std::string text;
+  int n = 0;
+  const auto corner = [&](double x, double y) { text += "v " + std::to_string(x) + " " + std::to_string(y) + " 0\n", ++n; };
+  corner(0, -1), corner(7, -1);
+  for (int tooth = 3; tooth >= 0; --tooth) corner(2 * tooth + 1, 1), corner(2 * tooth, 1), tooth ? (corner(2 * tooth, 0), corner(2 * tooth - 1, 0)) : void();
+  text += "f";
+  for (int i = 1; i <= n; ++i) text += " " + std::to_string(i);
+  const Import import = twice("a.obj", text + "\n");
+  REQUIRE(import.keyframes.faceCount() == n - 2);
+  double sum = 0;
+  for (const Triangle& f : import.keyframes.faces) {
+    const Positions& p = import.keyframes.keys[0].positions;
+    CHECK((p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]]).z() > 0);
+    sum += area(p, f);
+  }
+  CHECK(sum == doctest::Approx(7 + 4));
+}
+
+TEST_CASE("keys with other polygons do not fit together") {
+  const auto error = [](const std::string& second) {
+    return Files().add("a.obj", bytesOf(kSquareObj)).add("b.obj", bytesOf(second)).import().error();
+  };
+  const std::string vertices = kSquareObj.substr(0, kSquareObj.find("f "));
+  CHECK(error(vertices + "f 1 2 3\n").code == ErrorCode::FaceCountMismatch);
+  CHECK(error(vertices + "f 2 3 4 1\n").code == ErrorCode::FaceMismatch);
+  CHECK(error(vertices + "f 4 3 2 1\n").code == ErrorCode::FaceMismatch);
+  CHECK(error("v 0 0 0\n" + vertices + "f 1 2 3 4\n").code == ErrorCode::VertexCountMismatch);
+}
+
+TEST_CASE("up axis and unit") {
+  ImportOptions options;
+  options.zUp = true;
+  options.unit = 0.01;
+  const Import import = imported(Files().add("a.obj", bytesOf("v 1 2 3\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")).add("b.off", bytesOf("OFF\n3 1 0\n1 2 3\n1 0 0\n0 1 0\n3 0 1 2\n")), options);
+  CHECK((import.keyframes.keys[0].positions[0] - Vec3(0.01, 0.03, -0.02)).norm() < 1e-15);
+  CHECK((import.keyframes.keys[1].positions[0] - Vec3(0.01, 0.03, -0.02)).norm() < 1e-15);
+  CHECK((import.keyframes.normals[0] - Vec3::UnitY()).norm() < 1e-15);
+  const Files glb = Files().add("a.glb", boxFile().glb()).add("b.glb", boxFile(1).glb());
+  CHECK(distance(imported(glb, options).keyframes.keys[0].positions, boxPose()) < 1e-6);  // glTF says itself
+  options.unit = 0;
+  CHECK(glb.import(options).error().code == ErrorCode::InvalidOption);
+}
+
+TEST_CASE("broken OBJ files") {
+  const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  checkRefused("bad.obj", v + "f 1 2 4\n", ErrorCode::IndexOutOfRange, "vertex 3 (counted from 0)");
+  checkRefused("bad.obj", v + "f 1 2 -4\n", ErrorCode::IndexOutOfRange, "line 4");
+  checkRefused("bad.obj", v + "f 1 2 99999999999\n", ErrorCode::IndexOutOfRange, "line 4");
+  checkRefused("bad.obj", v + "f 1 2 99999999999999999999\n", ErrorCode::MalformedFile, "line 4");
+  checkRefused("bad.obj", v + "f 0 1 2\n", ErrorCode::MalformedFile, "line 4");
+  checkRefused("bad.obj", v + "f a b c\n", ErrorCode::MalformedFile, "line 4");
+  checkRefused("bad.obj", v + "f 1/2/3/4 2 3\n", ErrorCode::MalformedFile, "v/vt/vn");
+  checkRefused("bad.obj", "v 0 0\n", ErrorCode::MalformedFile, "three numbers");
+  checkRefused("bad.obj", "v 0 0 x\n", ErrorCode::MalformedFile, "line 1");
+  checkRefused("bad.obj", v, ErrorCode::NoTriangles, "no faces");
+  checkRefused("bad.obj", v + "f 1 2\nl 1 2 3\n", ErrorCode::NoTriangles, "no faces");
+  checkRefused("bad.obj", "hello", ErrorCode::NoTriangles, "no faces");
+  checkRefused("bad.obj", "", ErrorCode::EmptyFile, "empty");
+  checkRefused("bad.obj", "<!DOCTYPE html>", ErrorCode::NotRecognised, "web page");
+  const auto notFinite = Files().add("a.obj", bytesOf(kSquareObj)).add("b.obj", bytesOf("v 0 0 0\nv 1 nan 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")).import();
+  REQUIRE(!notFinite.ok());
+  CHECK(notFinite.error().code == ErrorCode::NotFinite);
+  CHECK(notFinite.error().vertex == 1);
+}
+
+TEST_CASE("broken PLY files") {
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string text = kSquarePly;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  checkRefused("bad.ply", "ply\n", ErrorCode::TruncatedFile, "header");
+  checkRefused("bad.ply", with("end_header\n", ""), ErrorCode::MalformedFile, "header holds");
+  checkRefused("bad.ply", with("format ascii 1.0\n", ""), ErrorCode::MalformedFile, "no format");
+  checkRefused("bad.ply", with("ascii", "morse"), ErrorCode::MalformedFile, "\"morse\"");
+  checkRefused("bad.ply", with("float x", "quad x"), ErrorCode::MalformedFile, "\"quad\"");
+  checkRefused("bad.ply", with("list uchar", "list float"), ErrorCode::MalformedFile, "length of a list");
+  checkRefused("bad.ply", with("property float x", "property float q"), ErrorCode::MalformedFile, "x, y and z");
+  checkRefused("bad.ply", with("vertex 4", "vertex -4"), ErrorCode::MalformedFile, "whole number");
+  checkRefused("bad.ply", with("vertex 4", "vertex many"), ErrorCode::MalformedFile, "whole number");
+  checkRefused("bad.ply", with("vertex 4", "vertex 4000000000"), ErrorCode::TooLarge, "4,000,000,000");
+  checkRefused("bad.ply", with("vertex 4", "vertex 12000000"), ErrorCode::TruncatedFile, "12,000,000");
+  checkRefused("bad.ply", with("4 0 1 2 3", "4 0 1 2"), ErrorCode::TruncatedFile, "\"face\"");
+  checkRefused("bad.ply", with("4 0 1 2 3", "-4 0 1 2 3"), ErrorCode::TruncatedFile, "\"face\"");
+  checkRefused("bad.ply", with("4 0 1 2 3", "4000000 0 1 2 3"), ErrorCode::TruncatedFile, "\"face\"");
+  checkRefused("bad.ply", with("4 0 1 2 3", "4 0 1 2 4"), ErrorCode::IndexOutOfRange, "vertex 4");
+  checkRefused("bad.ply", with("4 0 1 2 3", "4 0 1 2 -1"), ErrorCode::IndexOutOfRange, "face 0");
+  checkRefused("bad.ply", with("1 1 0", "1 one 0"), ErrorCode::TruncatedFile, "\"vertex\"");
+  checkRefused("bad.ply", with("face 1", "face 0"), ErrorCode::NoTriangles, "no faces");
+  checkRefused("bad.ply", with("element face 1\nproperty list uchar int vertex_indices\n", ""), ErrorCode::NoTriangles, "no faces");
+  checkRefused("bad.ply", "element", ErrorCode::NotRecognised, "named .ply");
+  // Elements without properties take no bytes, however many there are.
+  CHECK(twice("a.ply", with("element face 1", "element nothing 60000000\nelement face 1")).keyframes.faceCount() == 2);
+}
+
+TEST_CASE("broken OFF files") {
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string text = kSquareOff;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  checkRefused("bad.off", "OFF", ErrorCode::MalformedFile, "numbers of vertices");
+  checkRefused("bad.off", "OFF\n4", ErrorCode::MalformedFile, "numbers of vertices");
+  checkRefused("bad.off", "OFF BINARY\n", ErrorCode::Unsupported, "binary");
+  checkRefused("bad.off", "4OFF\n1 1 0\n", ErrorCode::Unsupported, "three dimensions");
+  checkRefused("bad.off", with("4 1 0", "-4 1 0"), ErrorCode::MalformedFile, "numbers of vertices");
+  checkRefused("bad.off", with("4 1 0", "nan 1 0"), ErrorCode::MalformedFile, "numbers of vertices");
+  checkRefused("bad.off", with("4 1 0", "4e18 1 0"), ErrorCode::TooLarge, "more than can be held");
+  checkRefused("bad.off", with("4 1 0", "9 1 0"), ErrorCode::TruncatedFile, "9 vertices");
+  checkRefused("bad.off", with("4 1 0", "4 3 0"), ErrorCode::TruncatedFile, "3 faces");
+  checkRefused("bad.off", with("1 1 0\n", "1 1\n"), ErrorCode::MalformedFile, "line 5");
+  checkRefused("bad.off", with("4 0 1 2 3", "4 0 1 2"), ErrorCode::MalformedFile, "fewer corners");
+  checkRefused("bad.off", with("4 0 1 2 3", "4 0 1 2 4"), ErrorCode::IndexOutOfRange, "vertex 4");
+  checkRefused("bad.off", with("4 0 1 2 3", "4 0 1 2 -1"), ErrorCode::IndexOutOfRange, "vertex -1");
+  checkRefused("bad.off", with("4 0 1 2 3", "4000000000 0 1 2 3"), ErrorCode::MalformedFile, "number of corners");
+  checkRefused("bad.off", with("4 1 0", "4 0 0"), ErrorCode::NoTriangles, "no faces");
+  checkRefused("bad.off", "not", ErrorCode::NotRecognised, "named .off");
+}
+
+TEST_CASE("every cut of a file is refused") {
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.ply", kSquarePly}, {"a.off", kSquareOff}})
+    for (std::size_t size = 0; size + 2 < text.size(); ++size) {
+      // Cut within its last number a text file may still be whole: every number but the last must be there.
+      CAPTURE(size);
+      CHECK(!Files().add(name, bytesOf(text)).add("b" + name, bytesOf(text.substr(0, size))).import().ok());
+    }
+}
