@@ -29,8 +29,8 @@ export function createCommands(context: Context) {
     view,
     motion,
     encoding: (change: Partial<Encoding>): void => store.edit(Object.keys(change)[0] ?? 'shape', (doc) => setEncoding(doc, change)),
-    resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, DEFAULT_MOTION)),
-    resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, DEFAULT_ENCODING)),
+    resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, context.runtime().initial?.motion ?? DEFAULT_MOTION)),
+    resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, context.runtime().initial?.encoding ?? DEFAULT_ENCODING)),
     compare: (methods: Method[]): void => view({ compare: methods }),
 
     moveKey: (from: number, to: number): void => store.edit('order of keys', (doc) => moveKey(doc, from, to)),

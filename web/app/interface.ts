@@ -1,6 +1,6 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
 import type { AppState } from '../model/state.ts';
-import { referenceKey } from '../model/state.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, referenceKey } from '../model/state.ts';
 import { formatTime, phaseOf } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
 import { tensionOf } from '../model/edits.ts';
@@ -125,9 +125,13 @@ export function createInterface(input: InterfaceInput): Interface {
       keys: keyItems(state, runtime), time, range, disabled, canRemove: doc.keys.length > 2,
       addReason: addReason(doc.keys.map((key) => key.time), time, range),
     });
-    motionPanel.update({ motion: doc.motion, encoding: doc.encoding, compare: view.compare, keys: doc.keys, period: range[1] - range[0], disabled });
+    motionPanel.update({
+      motion: doc.motion, encoding: doc.encoding, compare: view.compare, keys: doc.keys, period: range[1] - range[0], disabled,
+      defaults: runtime.initial?.motion ?? DEFAULT_MOTION,
+    });
     shapePanel.update({
       encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: runtime.stats, lost: runtime.lost, disabled,
+      canSample: source.kind === 'files', defaults: runtime.initial?.encoding ?? DEFAULT_ENCODING,
       lriMethod: doc.motion.method === 'lri' || doc.motion.method === 'geodesic',
     });
     viewBar.update({ view, hasTexture: hasTexture(info), disabled });

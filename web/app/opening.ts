@@ -93,7 +93,8 @@ export function createOpening(context: Context): Opening {
         throw error;
       });
       if (!input || signal.aborted) return false;
-      return open({ input, options: {}, source: { kind: 'sample', id }, adjust: (doc) => ofSample(doc, sample), link });
+      const options = sample.times ? { keyTimes: sample.times } : {};
+      return open({ input, options, source: { kind: 'sample', id }, adjust: (doc) => ofSample(doc, sample), link });
     }),
     files: (files) => guarded(async () => {
       fetching.abort();
@@ -137,7 +138,7 @@ export function hasTexture(info: KeysInfo | null): boolean {
 /** Samples start moving slowly by themselves, unless the visitor wants no motion or came by a link to a moment. */
 function openingPlay(context: Context, info: KeysInfo, doc: Doc, source: Source, link: Permalink | null): Play {
   const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
-  const own = info.animation >= 0 ? 1 : comfortableSpeed(length(range));
+  const own = info.animation >= 0 && source.kind === 'files' ? 1 : comfortableSpeed(length(range));
   const speed = SPEEDS.find((known) => known === link?.speed) ?? own;
   const playing = link ? link.playing : source.kind === 'sample' && !context.reducedMotion();
   return { playing: playing && !context.reducedMotion(), speed, loop: link?.loop ?? context.store.get().play.loop };

@@ -8,6 +8,8 @@ export interface Sample {
   title: string;
   description: string;
   files: string[];
+  /** Times of the keys; null = the file's own or evenly spaced. */
+  times: number[] | null;
   boundary: Boundary;
 }
 
@@ -34,7 +36,7 @@ async function request(path: string, signal?: AbortSignal): Promise<Response> {
 
 function readSample(entry: unknown): Sample[] {
   if (typeof entry !== 'object' || entry === null) return [];
-  const { id, title, description, file, files, boundary } = entry as Record<string, unknown>;
+  const { id, title, description, file, files, times, boundary } = entry as Record<string, unknown>;
   const names = Array.isArray(files) ? files : [file];
   if (typeof id !== 'string' || !names.every((name) => typeof name === 'string')) return [];
   return [{
@@ -42,6 +44,7 @@ function readSample(entry: unknown): Sample[] {
     title: typeof title === 'string' ? title : id,
     description: typeof description === 'string' ? description : '',
     files: names,
+    times: Array.isArray(times) && times.every((time) => Number.isFinite(time)) ? times : null,
     boundary: BOUNDARIES.find((known) => known === boundary) ?? 'natural',
   }];
 }

@@ -42,7 +42,7 @@ export function createShell(): Shell {
     mount(root, parts) {
       const app = h('div', { class: 'app' }, parts.header,
         h('main', { class: 'viewport', 'aria-label': 'Viewport' }, picture, ...parts.overlays, h('div', { class: 'overlay-top' }, ...parts.messages)),
-        h('aside', { class: 'side', 'aria-label': 'Options' }, ...parts.panels),
+        h('aside', { class: 'side', 'aria-label': 'Options', tabindex: 0 }, ...parts.panels),
         h('div', { class: 'deck' }, parts.keyStrip, parts.transport), parts.status);
       app.append(createTabs(app));
       root.replaceChildren(app, ...parts.floating);

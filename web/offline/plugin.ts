@@ -7,7 +7,7 @@ import type { Plugin } from 'vite';
 
 const SOURCE = fileURLToPath(new URL('./service-worker.js', import.meta.url));
 /** Pages besides the app's own, and maps, are not needed to work offline. */
-const LEFT_OUT = /(^embed\/|\.map$|^sw\.js$|^\.)/;
+const LEFT_OUT = /(^embed\/|\.map$|\.md$|^sw\.js$|^\.)/;
 
 export function offline(): Plugin {
   let folder = '';

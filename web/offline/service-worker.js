@@ -1,6 +1,8 @@
 // Keeps the files of one build. FILES and BUILD are put in front of this text by the build.
 /* global FILES, BUILD */
-const CACHE = `shapespline-${BUILD}`;
+// Another release of the page may stand beside this one on the same host: each keeps its own.
+const OURS = `shapespline ${new URL(self.registration.scope).pathname} `;
+const CACHE = OURS + BUILD;
 
 self.addEventListener('install', (event) => {
   event.waitUntil(fill().then(() => self.skipWaiting()));
@@ -21,10 +23,9 @@ async function fill() {
   await cache.addAll(FILES.map((file) => new Request(file, { cache: 'no-cache' })));
 }
 
-// Only this page's caches: other pages of the same host may have their own.
 async function dropOthers() {
   const names = await caches.keys();
-  await Promise.all(names.filter((name) => name.startsWith('shapespline-') && name !== CACHE).map((name) => caches.delete(name)));
+  await Promise.all(names.filter((name) => name.startsWith(OURS) && name !== CACHE).map((name) => caches.delete(name)));
 }
 
 // Files with a hash in their name never change; the others are asked for first, so that a new build is seen at once.

@@ -144,7 +144,9 @@ function createCard(events: KeyStripEvents, onEdit: (index: number) => void): Ca
       setAttribute(image, 'hidden', item.thumbnail === null);
       setText(badge, String(at + 1));
       setText(name, item.name);
-      setText(when, String(Number(formatTime(item.time, range))));
+      const shortTime = String(Number(formatTime(item.time, range)));
+      // Keys of an animation are named by their time already.
+      setText(when, item.name === `${shortTime} s` ? '' : shortTime);
       go.disabled = disabled;
       edit.disabled = disabled;
     },

@@ -27,6 +27,8 @@ export interface MotionPanelProps {
   /** The default period, for the field's placeholder. */
   period: number;
   disabled: boolean;
+  /** What the reset button goes back to. */
+  defaults: Motion;
 }
 
 export interface MotionPanelEvents {
@@ -59,7 +61,7 @@ export function createMotionPanel(events: MotionPanelEvents): { element: HTMLEle
   const period = numberField({ label: 'Period', testId: 'period', min: 1e-6, onInput: (value) => events.onMotion({ period: value }) });
   const periodReset = button({ label: 'Set the period back', testId: 'period-reset', icon: 'reset', onClick: () => events.onMotion({ period: null }) });
   const periodic = h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Period'), period, periodReset);
-  const reset = button({ label: 'Set the motion back to its defaults', testId: 'motion-reset', icon: 'reset', onClick: () => events.onReset() });
+  const reset = button({ label: 'Set the motion back to what it was when opened', testId: 'motion-reset', icon: 'reset', onClick: () => events.onReset() });
   const element = h('section', { class: 'panel', 'aria-labelledby': 'motion-title', 'data-testid': 'panel-motion' },
     h('header', {}, h('h2', { id: 'motion-title' }, 'Motion'), reset),
     method.element, methodHint,
@@ -88,7 +90,7 @@ export function createMotionPanel(events: MotionPanelEvents): { element: HTMLEle
     setField(period, String(Number((motion.period ?? props.period).toFixed(4))));
     periodReset.disabled = motion.period === null;
     setAttribute(periodReset, 'data-idle', motion.period === null);
-    const touched = (Object.keys(DEFAULT_MOTION) as (keyof Motion)[]).some((key) => motion[key] !== DEFAULT_MOTION[key]);
+    const touched = (Object.keys(DEFAULT_MOTION) as (keyof Motion)[]).some((key) => motion[key] !== props.defaults[key]);
     reset.disabled = !touched;
     setAttribute(reset, 'data-idle', !touched);
   });

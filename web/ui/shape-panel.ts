@@ -15,6 +15,10 @@ export interface ShapePanelProps {
   /** Faces that are no longer positive definite at the current time. */
   lost: number;
   lriMethod: boolean;
+  /** The keys may be taken from the file's animation anew. */
+  canSample: boolean;
+  /** What the reset button goes back to. */
+  defaults: Encoding;
   disabled: boolean;
 }
 
@@ -34,7 +38,7 @@ export function createShapePanel(events: ShapePanelEvents): { element: HTMLEleme
   const reference = select<string>('Reference pose', 'reference', [], (value) => events.onEncoding({ referencePose: Number(value) }));
   const patches = numberField({ label: 'Patches; 0 lets the app choose', testId: 'patches', min: 0, max: 5000, step: 1, onInput: (value) => events.onEncoding({ patches: Math.round(value) }) });
   const patchesUsed = h('span', { class: 'muted', 'data-testid': 'patches-used' });
-  const reset = button({ label: 'Set the shape options back to their defaults', testId: 'shape-reset', icon: 'reset', onClick: () => events.onReset() });
+  const reset = button({ label: 'Set the shape options back to what they were when opened', testId: 'shape-reset', icon: 'reset', onClick: () => events.onReset() });
   const lost = h('p', { class: 'notice-inline', 'data-testid': 'lost-hint', hidden: true });
   const facts = h('dl', { class: 'facts' });
   const sampling = createSampling(events);
@@ -55,10 +59,10 @@ export function createShapePanel(events: ShapePanelEvents): { element: HTMLEleme
     reference.update(String(keys[props.reference]?.pose ?? ''), keys.map((key, index) => ({ value: String(key.pose), label: `${index + 1}  ${key.name}` })));
     setField(patches, String(encoding.patches));
     setText(patchesUsed, stats ? `${stats.patches} used` : '');
-    const touched = (Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]).some((key) => encoding[key] !== DEFAULT_ENCODING[key]);
+    const touched = (Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]).some((key) => encoding[key] !== props.defaults[key]);
     reset.disabled = !touched;
     setAttribute(reset, 'data-idle', !touched);
-    sampling.update(info);
+    sampling.update(props.canSample ? info : null);
     drawFacts(facts, info, stats);
   });
   return { element, update: draw };
