@@ -1,9 +1,12 @@
 // shapespline_samples OUTDIR: writes the built-in samples and their list.
+// shapespline_samples --bench FACES OUTDIR: writes bench-FACES.glb instead, three keys of a generated mesh.
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
 
+#include "samples/bench_mesh.h"
 #include "samples/sample_file.h"
 
 namespace {
@@ -27,20 +30,7 @@ bool writeSample(const std::filesystem::path& folder, const shapespline::Sample&
   return writeFile(folder / shapespline::sampleFileName(sample), glb->data(), glb->size());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: shapespline_samples OUTDIR\n");
-    return 2;
-  }
-  const std::filesystem::path folder = argv[1];
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    std::fprintf(stderr, "%s cannot be made: %s\n", argv[1], error.message().c_str());
-    return 1;
-  }
+int writeSamples(const std::filesystem::path& folder) {
   std::vector<shapespline::Sample> samples;
   for (const auto& maker : shapespline::sampleMakers()) {
     samples.push_back(maker.make());
@@ -48,4 +38,30 @@ int main(int argc, char** argv) {
   }
   const std::string list = shapespline::sampleList(samples);
   return writeFile(folder / "samples.json", list.data(), list.size()) ? 0 : 1;
+}
+
+int writeBenchMesh(int faces, const std::filesystem::path& folder) {
+  constexpr int keys = 3;
+  constexpr std::uint32_t seed = 1;
+  const std::string id = "bench-" + std::to_string(faces);
+  return writeSample(folder, {id, id, "", shapespline::BoundaryKind::Natural, shapespline::makeBenchKeyframes(faces, keys, seed)}) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool bench = argc == 4 && std::string(argv[1]) == "--bench";
+  const int faces = bench ? std::atoi(argv[2]) : 0;
+  if (argc != 2 && !(bench && faces >= 64 && faces <= 4000000)) {
+    std::fprintf(stderr, "usage: shapespline_samples [--bench FACES] OUTDIR\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[argc - 1];
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    std::fprintf(stderr, "%s cannot be made: %s\n", folder.string().c_str(), error.message().c_str());
+    return 1;
+  }
+  return bench ? writeBenchMesh(faces, folder) : writeSamples(folder);
 }
