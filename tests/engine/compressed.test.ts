@@ -1,36 +1,13 @@
-import { type Document, WebIO } from '@gltf-transform/core';
-import { EXTMeshoptCompression, KHRDracoMeshCompression } from '@gltf-transform/extensions';
-import createEncoder from 'draco3dgltf/draco_encoder_gltf_nodejs.js';
-import { MeshoptEncoder } from 'meshoptimizer';
 import { describe, expect, it } from 'vitest';
+import { draco, meshopt } from './support/compress.ts';
 import { failureOf, testEngine } from './support/engines.ts';
 import { poseFiles } from './support/glb.ts';
 import { bar, bent, diagonal } from './support/shapes.ts';
 
 const mesh = bar();
 const poses = [0, 60].map((degrees) => bent(mesh, degrees));
+const plain = poseFiles(mesh, poses);
 const engine = testEngine();
-
-async function compressed(prepare: (document: Document, io: WebIO) => Promise<void>): Promise<{ name: string; bytes: Uint8Array }[]> {
-  const io = new WebIO();
-  return Promise.all(poseFiles(mesh, poses).map(async ({ name, bytes }) => {
-    const document = await io.readBinary(bytes as Uint8Array<ArrayBuffer>);
-    await prepare(document, io);
-    return { name, bytes: await io.writeBinary(document) };
-  }));
-}
-
-const meshopt = () => compressed(async (document, io) => {
-  await MeshoptEncoder.ready;
-  io.registerExtensions([EXTMeshoptCompression]).registerDependencies({ 'meshopt.encoder': MeshoptEncoder });
-  const { QUANTIZE } = EXTMeshoptCompression.EncoderMethod;
-  document.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method: QUANTIZE });
-});
-
-const draco = () => compressed(async (document, io) => {
-  io.registerExtensions([KHRDracoMeshCompression]).registerDependencies({ 'draco3d.encoder': await createEncoder() });
-  document.createExtension(KHRDracoMeshCompression).setRequired(true).setEncoderOptions({ quantizationBits: { POSITION: 16 } });
-});
 
 /** Corners in the order of the faces: what remains of a mesh whose vertices were numbered anew. */
 const cornersOf = (positions: Float32Array, indices: Uint32Array): string[] => Array.from(indices, (v) =>
@@ -45,7 +22,7 @@ const facesOf = (indices: Uint32Array): string[] => Array.from({ length: indices
 
 describe('compressed meshes', () => {
   it('with EXT_meshopt_compression are read bit for bit', async () => {
-    const files = await meshopt();
+    const files = await meshopt(plain);
     expect(new TextDecoder('latin1').decode(files[0]!.bytes)).toContain('EXT_meshopt_compression');
     const keys = await engine.importKeyframes(files);
     expect(keys.info.names).toEqual(['pose-1', 'pose-2']);
@@ -54,7 +31,7 @@ describe('compressed meshes', () => {
   });
 
   it('with KHR_draco_mesh_compression are read to its quantisation', async () => {
-    const files = await draco();
+    const files = await draco(plain);
     expect(new TextDecoder('latin1').decode(files[0]!.bytes)).toContain('KHR_draco_mesh_compression');
     const keys = await engine.importKeyframes(files);
     expect(keys.info.report.faces).toBe(mesh.indices.length / 3);
@@ -63,7 +40,7 @@ describe('compressed meshes', () => {
   });
 
   it('that are broken are refused with the file\'s name', async () => {
-    for (const files of [await meshopt(), await draco()]) {
+    for (const files of [await meshopt(plain), await draco(plain)]) {
       const bytes = files[1]!.bytes;
       bytes.fill(0xee, bytes.length - 400);
       const error = await failureOf(engine.importKeyframes(files));

@@ -22,6 +22,15 @@ const types = {
   '.txt': 'text/plain; charset=utf-8',
 };
 
+// null for what is not there, and for a file asked for as if it were a folder (ENOTDIR).
+function statsOf(file) {
+  try {
+    return statSync(file);
+  } catch {
+    return null;
+  }
+}
+
 // The file a URL stands for: `{ file, size }`, or null when there is none below `folder`.
 function locate(folder, prefix, url) {
   let wanted;
@@ -34,7 +43,7 @@ function locate(folder, prefix, url) {
   const file = path.join(folder, wanted.slice(prefix.length));
   if (file !== folder && !file.startsWith(folder + path.sep)) return null;
   return [file, path.join(file, 'index.html')]
-    .map((candidate) => ({ file: candidate, stats: statSync(candidate, { throwIfNoEntry: false }) }))
+    .map((candidate) => ({ file: candidate, stats: statsOf(candidate) }))
     .find(({ stats }) => stats?.isFile());
 }
 
