@@ -115,7 +115,7 @@ TEST_CASE("a skin: joints count, the mesh node's own transform does not") {
 TEST_CASE("skin, node transform and morph weights move together") {
   GltfMaker maker = skinnedFile();
   const json target = {{"POSITION", maker.vectors(Positions(8, Vec3(0, 1, 0)))}};
-  maker.doc["meshes"][0]["primitives"][0]["targets"] = {target};
+  maker.doc["meshes"][0]["primitives"][0]["targets"] = json::array({target});  // {target} alone is a copy to some compilers
   const int times = maker.scalars({0, 1});
   const int animation = maker.animation("all", 0, "weights", times, maker.scalars({0, 1}));
   const auto channel = [&](int node, const char* path, int values) {
