@@ -40,7 +40,7 @@ export interface LineChart {
 }
 
 export function createLineChart(onPick: (t: number) => void): LineChart {
-  const element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot line-chart', role: 'img' });
+  const element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot line-chart', role: 'img', 'aria-label': 'Being computed' });
   const content = make('g', {});
   const cursor = make('line', { class: 'cursor', y1: TOP, y2: HEIGHT - BOTTOM });
   element.append(content, cursor);

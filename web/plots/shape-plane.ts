@@ -31,7 +31,7 @@ export interface ShapePlanePlot {
 type Place = (x: number, y: number) => [number, number];
 
 export function createShapePlane(): ShapePlanePlot {
-  const element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot shape-plane', role: 'img' });
+  const element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot shape-plane', role: 'img', 'aria-label': 'Being computed' });
   const content = make('g', {});
   const cursor = make('circle', { class: 'now', r: 4.5 });
   element.append(content, cursor);
