@@ -28,6 +28,8 @@ export default defineConfig({
   // Software rendering keeps both cores of a small machine busy with one page.
   workers: 1,
   timeout: 90_000,
+  // Software rendering on a busy machine now and then keeps a page from answering in time; a second run tells.
+  retries: process.env.CI ? 2 : 0,
   expect: { timeout: 20_000 },
   forbidOnly: Boolean(process.env.CI),
   use: {
