@@ -7,8 +7,7 @@ import type { App } from './support.ts';
 async function exported(app: App, choose: () => Promise<void>): Promise<{ download: Download; bytes: Buffer; stated: string }> {
   await app.by('export').click();
   await choose();
-  // The page answers a choice with its next frame; until then the size is the one before.
-  await app.page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+  await app.answered();
   await expect(app.by('export-size')).not.toHaveText('Working out the size');
   const stated = await app.by('export-size').innerText();
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);

@@ -59,7 +59,10 @@ test('a key is renamed, retimed and removed; two always stay', async ({ app }) =
   await app.by('key-0-edit').click();
   await expect(app.by('key-remove')).toBeDisabled();
   await app.by('key-editor-close').click();
-  while (await app.by('undo').isEnabled()) await app.by('undo').click();
+  while (await app.by('undo').isEnabled()) {
+    await app.by('undo').click();
+    await app.answered();
+  }
   await app.settled();
   expect((await app.state()).doc.keys.length).toBe(count);
 });

@@ -51,6 +51,11 @@ export class App {
     return this.page.evaluate(() => window.__shapespline!.settled());
   }
 
+  /** The page answers a choice with its next frame; before that its controls say what was. */
+  answered(): Promise<void> {
+    return this.page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(() => done())); }));
+  }
+
   state(): Promise<AppState> {
     return this.page.evaluate(() => window.__shapespline!.state);
   }
