@@ -66,11 +66,11 @@ export function which(program, searchPath = process.env.PATH ?? '') {
   return null;
 }
 
-/** Tries an action that uses the network a few times, waiting longer each time. */
+/** Tries an action that uses the network a few times, waiting longer each time; it is told which attempt this is. */
 export async function withRetries(what, action, attempts = 3) {
   for (let attempt = 1; ; ++attempt) {
     try {
-      return await action();
+      return await action(attempt);
     } catch (error) {
       if (attempt === attempts) throw error;
       step(`${what} failed, trying again (${attempt} of ${attempts - 1})`);

@@ -1,7 +1,9 @@
 // The npm packages, exactly as the lockfile says.
+import { rmSync } from 'node:fs';
 import path from 'node:path';
 import { run, withRetries } from './exec.mjs';
 import { step } from './log.mjs';
+import { inRoot } from './paths.mjs';
 import { digest, isStamped, stamp } from './stamps.mjs';
 
 const value = () => digest(['package.json', 'package-lock.json', '.npmrc'], process.versions.node.split('.')[0], process.platform);
@@ -14,7 +16,11 @@ export const npmPackages = {
     // The npm that runs this script, where there is one.
     const npm = process.env.npm_execpath;
     const [program, args] = npm && path.extname(npm) === '.js' ? [process.execPath, [npm]] : ['npm', []];
-    await withRetries('npm ci', () => run(program, [...args, 'ci', '--loglevel=error']));
+    await withRetries('npm ci', (attempt) => {
+      // What an interrupted installation left can be in npm's way.
+      if (attempt > 1) rmSync(inRoot('node_modules'), { recursive: true, force: true, maxRetries: 5 });
+      return run(program, [...args, 'ci', '--loglevel=error']);
+    });
     stamp('npm-packages', value());
   },
 };
