@@ -39,8 +39,10 @@ export class Pump {
     return done;
   }
 
-  async idle(): Promise<void> {
-    while (this.running) await this.running;
+  /** Resolves when what has been asked for so far is drawn: a motion that plays asks for more and more. */
+  idle(): Promise<void> {
+    if (!this.running) return Promise.resolve();
+    return new Promise((resolve) => this.waiting.push({ resolve, ticket: this.ticket }));
   }
 
   private async run(): Promise<void> {

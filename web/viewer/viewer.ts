@@ -198,12 +198,14 @@ export class Viewer {
 
   /** Resolves once everything set so far has been drawn and no view is being turned to. */
   async drawn(): Promise<void> {
-    while (this.pending !== 0 || this.rig.turning) {
+    // One draw shows all that was set before it; what is set meanwhile, as by a motion that plays, is not waited for.
+    if (this.pending === 0 && !this.rig.turning) return;
+    do {
       await new Promise<void>((resolve) => {
         this.waiting.push(resolve);
         this.invalidate();
       });
-    }
+    } while (this.rig.turning);
   }
 
   /** Draws now and calls `use` before the browser may clear the canvas. */
