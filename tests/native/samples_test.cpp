@@ -157,8 +157,9 @@ TEST_CASE("samples: splits, collapses and flips in any order keep a mesh closed"
       const std::vector<int> ring = mesh.ring(a);
       if (ring.empty()) continue;  // collapsed away
       const int b = ring[random.below(ring.size())];
+      const Vec3 middle = 0.5 * (mesh.position(a) + mesh.position(b));
       if (random.below(2)) flips += mesh.flip(a, b);
-      else collapses += mesh.collapse(a, b, 0.5 * (mesh.position(a) + mesh.position(b)), never);
+      else collapses += mesh.collapse(a, b, middle, never);
     }
     mesh.compact();
   }
@@ -199,7 +200,8 @@ TEST_CASE("samples: a skinned surface follows a rigid motion exactly and keeps i
   Pose bent(body);
   bend(bent, body, 0, 0.1, 0.9, Vec3(1.5, 0, 0));
   const Positions curved = skin(surface, binding, jointTransforms(body, bent));
-  CHECK(enclosedVolume(curved, surface.faces) == doctest::Approx(enclosedVolume(surface.positions, surface.faces)).epsilon(0.01));
+  const double volume = enclosedVolume(surface.positions, surface.faces);
+  CHECK(enclosedVolume(curved, surface.faces) == doctest::Approx(volume).epsilon(0.01));
   CHECK(selfIntersections(surface.faces, curved) == 0);
 }
 
@@ -261,7 +263,8 @@ TEST_CASE("bench meshes: the wanted number of faces, closed, irregular, shuffled
 }
 
 TEST_CASE("bench meshes: the same arguments give the same mesh, another seed another one") {
-  const Keyframes a = makeBenchKeyframes(2000, 4, 9), b = makeBenchKeyframes(2000, 4, 9), c = makeBenchKeyframes(2000, 4, 10);
+  const Keyframes a = makeBenchKeyframes(2000, 4, 9), b = makeBenchKeyframes(2000, 4, 9);
+  const Keyframes c = makeBenchKeyframes(2000, 4, 10);
   CHECK(a.faces == b.faces);
   CHECK(a.keyCount() == 4);
   for (int j = 0; j < 4; ++j) CHECK(a.keys[j].positions == b.keys[j].positions);

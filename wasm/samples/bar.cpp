@@ -101,10 +101,12 @@ Sample makeTwistedBar() {
   keyframes.faces = surface.faces;
   const double degrees[] = {0, 180, 350};
   for (int j = 0; j < 3; ++j) {
-    keyframes.keys.push_back({std::to_string(int(degrees[j])) + " degrees", 0.5 * j, twisted(surface.positions, degrees[j] * M_PI / 180)});
+    const std::string name = std::to_string(int(degrees[j])) + " degrees";
+    keyframes.keys.push_back({name, 0.5 * j, twisted(surface.positions, degrees[j] * M_PI / 180)});
   }
-  return {"twisted-bar", "Twisted bar", "A bar twisted by 0, 180 and 350 degrees: blending positions would squeeze it flat.",
-          BoundaryKind::Natural, std::move(keyframes)};
+  return {"twisted-bar", "Twisted bar",
+          "A bar twisted by 0, 180 and 350 degrees: blending positions would squeeze it thin.", BoundaryKind::Natural,
+          std::move(keyframes)};
 }
 
 }  // namespace shapespline

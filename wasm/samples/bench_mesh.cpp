@@ -18,8 +18,8 @@ namespace {
 
 constexpr double radius = 1, tube = 6;  // the capsule is `tube` long between its half spheres
 
-// A box grid of across x across x (across + along) cells. The ends become half spheres (as a cube is blown up to a sphere),
-// the cells between them a tube.
+// A box grid of across x across x (across + along) cells. The ends become half spheres, as a cube is blown up to a
+// sphere, and the cells between them a tube.
 struct Grid {
   int across = 2;  // even: the half spheres meet the tube at a grid line
   int along = 0;
@@ -215,7 +215,11 @@ Keyframes makeBenchKeyframes(int faces, int keys, std::uint32_t seed) {
   Keyframes result;
   for (int j = 0; j < keys; ++j) {
     Deformation d;
-    if (j > 0) d = {random.uniform(60, 120) * M_PI / 180, random.uniform(-180, 180) * M_PI / 180, random.uniform(0, 2 * M_PI)};
+    if (j > 0) {
+      d.bend = random.uniform(60, 120) * M_PI / 180;
+      d.twist = random.uniform(-180, 180) * M_PI / 180;
+      d.direction = random.uniform(0, 2 * M_PI);
+    }
     Key key{"key " + std::to_string(j + 1), double(j) / (keys - 1), {}};
     key.positions.reserve(surface.positions.size());
     for (const Vec3& p : surface.positions) key.positions.push_back(deformed(d, p));

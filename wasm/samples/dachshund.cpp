@@ -24,18 +24,29 @@ Limb part(const std::vector<Knot>& knots, int joints, double edge, double blend)
 }
 
 Limb foreleg(double side) {
-  return part({{{0.98, 0.88, 0.20 * side}, 0.26}, {{0.90, 0.58, 0.29 * side}, 0.165}, {{0.97, 0.30, 0.29 * side}, 0.125},
-               {{1.02, 0.13, 0.29 * side}, 0.125}, {{1.17, 0.08, 0.30 * side}, 0.12}}, 22, 0.06, 0.14);
+  return part({{{0.98, 0.88, 0.20 * side}, 0.26},
+               {{0.90, 0.58, 0.29 * side}, 0.165},
+               {{0.97, 0.30, 0.29 * side}, 0.125},
+               {{1.02, 0.13, 0.29 * side}, 0.125},
+               {{1.17, 0.08, 0.30 * side}, 0.12}},
+              22, 0.06, 0.14);
 }
 
 Limb hindLeg(double side) {
-  return part({{{-1.13, 0.90, 0.17 * side}, 0.31}, {{-0.98, 0.58, 0.27 * side}, 0.20}, {{-1.22, 0.32, 0.28 * side}, 0.115},
-               {{-1.20, 0.13, 0.28 * side}, 0.12}, {{-1.04, 0.08, 0.29 * side}, 0.12}}, 24, 0.06, 0.14);
+  return part({{{-1.13, 0.90, 0.17 * side}, 0.31},
+               {{-0.98, 0.58, 0.27 * side}, 0.20},
+               {{-1.22, 0.32, 0.28 * side}, 0.115},
+               {{-1.20, 0.13, 0.28 * side}, 0.12},
+               {{-1.04, 0.08, 0.29 * side}, 0.12}},
+              24, 0.06, 0.14);
 }
 
 Limb ear(double side) {
-  Limb limb = part({{{1.72, 1.97, 0.19 * side}, 0.10}, {{1.66, 1.93, 0.32 * side}, 0.15}, {{1.62, 1.65, 0.40 * side}, 0.20},
-                    {{1.66, 1.38, 0.41 * side}, 0.17}}, 14, 0.048, 0.08);
+  Limb limb = part({{{1.72, 1.97, 0.19 * side}, 0.10},
+                    {{1.66, 1.93, 0.32 * side}, 0.15},
+                    {{1.62, 1.65, 0.40 * side}, 0.20},
+                    {{1.66, 1.38, 0.41 * side}, 0.17}},
+                   14, 0.048, 0.08);
   limb.flattening = {Vec3(0.15, 0.25, side).normalized(), 0.36};
   return limb;
 }
@@ -44,15 +55,32 @@ Limb ball(const Vec3& centre, double radius, double edge) {
   return part({{centre - Vec3(0.01, 0, 0), radius}, {centre, radius}}, 2, edge, 0.02);
 }
 
+struct PlaneKnot {
+  double x, y, radius;
+};
+
+// A limb in the plane of symmetry.
+Limb inPlane(const std::vector<PlaneKnot>& shape, int joints, double edge, double blend) {
+  std::vector<Knot> knots;
+  for (const PlaneKnot& k : shape) knots.push_back({{k.x, k.y, 0}, k.radius});
+  return part(knots, joints, edge, blend);
+}
+
 Body makeBody() {
   Body body;
   body.floor = 0;
   body.floorRounding = 0.05;
-  attach(body, -1, part({{{-1.38, 0.90, 0}, 0.33}, {{-0.9, 0.93, 0}, 0.375}, {{-0.1, 0.88, 0}, 0.36}, {{0.75, 0.88, 0}, 0.43}, {{1.08, 0.98, 0}, 0.36}}, 30, 0.096, 0));
-  attach(body, torso, part({{{1.0, 1.02, 0}, 0.33}, {{1.32, 1.36, 0}, 0.255}, {{1.55, 1.68, 0}, 0.25}}, 14, 0.072, 0.12));
-  attach(body, neck, part({{{1.60, 1.80, 0}, 0.27}, {{1.83, 1.87, 0}, 0.29}, {{2.10, 1.76, 0}, 0.185}, {{2.40, 1.69, 0}, 0.15}, {{2.62, 1.66, 0}, 0.13}}, 20, 0.058, 0.12));
-  attach(body, head, part({{{1.95, 1.67, 0}, 0.15}, {{2.25, 1.565, 0}, 0.115}, {{2.50, 1.53, 0}, 0.092}}, 8, 0.042, 0.035));
-  attach(body, torso, part({{{-1.45, 1.0, 0}, 0.16}, {{-1.85, 1.18, 0}, 0.105}, {{-2.15, 1.52, 0}, 0.075}, {{-2.24, 1.95, 0}, 0.05}}, 22, 0.05, 0.12));
+  attach(body, -1, inPlane({{-1.38, 0.90, 0.33}, {-0.9, 0.93, 0.375}, {-0.1, 0.88, 0.36},
+                            {0.75, 0.88, 0.43}, {1.08, 0.98, 0.36}},
+                           30, 0.096, 0));
+  attach(body, torso, inPlane({{1.0, 1.02, 0.33}, {1.32, 1.36, 0.255}, {1.55, 1.68, 0.25}}, 14, 0.072, 0.12));
+  attach(body, neck, inPlane({{1.60, 1.80, 0.27}, {1.83, 1.87, 0.29}, {2.10, 1.76, 0.185},
+                              {2.40, 1.69, 0.15}, {2.62, 1.66, 0.13}},
+                             20, 0.058, 0.12));
+  attach(body, head, inPlane({{1.95, 1.67, 0.15}, {2.25, 1.565, 0.115}, {2.50, 1.53, 0.092}}, 8, 0.042, 0.035));
+  attach(body, torso, inPlane({{-1.45, 1.0, 0.16}, {-1.85, 1.18, 0.105}, {-2.15, 1.52, 0.075},
+                               {-2.24, 1.95, 0.05}},
+                              22, 0.05, 0.12));
   attach(body, torso, foreleg(-1));
   attach(body, torso, foreleg(1));
   attach(body, torso, hindLeg(-1));
@@ -126,7 +154,8 @@ Pose walkPose(const Body& body, double phase) {
   const Vec3 spine(0.06 * wave(1, 0.2), 0.22 * wave(1, 0), 0.03 * wave(2, 0.3));
   bend(pose, body, torso, 0, 1, spine);
   // Half of the bend turns the chest, half the pelvis the other way.
-  pose.root = Eigen::Translation3d(0, -0.03 + 0.015 * wave(2, 0.1), 0) * Eigen::AngleAxisd(-0.5 * spine.norm(), spine.normalized());
+  pose.root = Eigen::Translation3d(0, -0.03 + 0.015 * wave(2, 0.1), 0) *
+              Eigen::AngleAxisd(-0.5 * spine.norm(), spine.normalized());
   bend(pose, body, neck, 0, 1, {0, -0.10 * wave(1, 0), 0.08 * wave(2, 0.35)});
   bend(pose, body, head, 0, 0.3, {0.06 * wave(1, 0.25), -0.05 * wave(1, 0.1), -0.06 * wave(2, 0.45)});
   bend(pose, body, tail, 0, 1, {0.5 * wave(1, 0.1), 0.55 * wave(1, 0.1), 0.1 * wave(2, 0)});

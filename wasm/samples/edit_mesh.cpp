@@ -88,7 +88,9 @@ void EditMesh::splitEdges(const std::function<bool(int, int)>& tooLong) {
     const auto marked = [&](int c) { return find(face[c], face[(c + 1) % 3]); };
     const int count = (marked(0) >= 0) + (marked(1) >= 0) + (marked(2) >= 0);
     // Turn the face so that with one mark edge 0 has it, and with two marks edge 2 has none.
-    while ((count == 1 && marked(0) < 0) || (count == 2 && marked(2) >= 0)) std::rotate(face.begin(), face.begin() + 1, face.end());
+    while ((count == 1 && marked(0) < 0) || (count == 2 && marked(2) >= 0)) {
+      std::rotate(face.begin(), face.begin() + 1, face.end());
+    }
     const auto [a, b, c] = face;
     const int ab = marked(0), bc = marked(1), ca = marked(2);
     if (count == 0) faces.push_back(face);
@@ -129,7 +131,7 @@ bool EditMesh::keepsNormals(int vertex, int other, const Vec3& position) const {
   return true;
 }
 
-bool EditMesh::collapse(int from, int to, const Vec3& position, const std::function<bool(const Vec3&, const Vec3&)>& tooLong) {
+bool EditMesh::collapse(int from, int to, const Vec3& position, const TooLong& tooLong) {
   if (!canCollapse(from, to)) return false;
   if (!keepsNormals(from, to, position) || !keepsNormals(to, from, position)) return false;
   for (int end : {from, to}) {

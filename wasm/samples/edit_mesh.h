@@ -29,7 +29,8 @@ class EditMesh {
 
   /// Moves both ends of the edge to `position` and removes its two faces, unless the result would not be manifold, or
   /// would turn a face over, or have an edge for which `tooLong(neighbour, position)` holds.
-  bool collapse(int from, int to, const Vec3& position, const std::function<bool(const Vec3&, const Vec3&)>& tooLong);
+  using TooLong = std::function<bool(const Vec3&, const Vec3&)>;
+  bool collapse(int from, int to, const Vec3& position, const TooLong& tooLong);
 
   /// Replaces edge (a, b) by the other diagonal of its two faces, unless that edge exists or a face would turn over.
   bool flip(int a, int b);

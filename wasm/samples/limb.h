@@ -34,7 +34,8 @@ struct Bound {
   double radius;
 };
 
-/// A tube of varying radius with round ends about a curve that is sampled evenly by arc length. Every sample is a joint.
+/// A tube of varying radius with round ends about a curve that is sampled evenly by arc length; every sample is a
+/// joint.
 struct Limb {
   Positions centre;
   std::vector<double> radius;

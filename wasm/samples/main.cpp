@@ -44,7 +44,8 @@ int writeBenchMesh(int faces, const std::filesystem::path& folder) {
   constexpr int keys = 3;
   constexpr std::uint32_t seed = 1;
   const std::string id = "bench-" + std::to_string(faces);
-  return writeSample(folder, {id, id, "", shapespline::BoundaryKind::Natural, shapespline::makeBenchKeyframes(faces, keys, seed)}) ? 0 : 1;
+  auto keyframes = shapespline::makeBenchKeyframes(faces, keys, seed);
+  return writeSample(folder, {id, id, "", shapespline::BoundaryKind::Natural, std::move(keyframes)}) ? 0 : 1;
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ constexpr double longest = 4.0 / 3, shortest = 4.0 / 5;
 
 class Remesher {
  public:
-  Remesher(Surface surface, const Field& field, const EdgeLength& edge) : mesh_(std::move(surface)), field_(field), edge_(edge) {}
+  Remesher(Surface surface, const Field& field, const EdgeLength& edge)
+      : mesh_(std::move(surface)), field_(field), edge_(edge) {}
 
   void round() {
     measure();

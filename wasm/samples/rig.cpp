@@ -13,7 +13,8 @@ Keyframes posedKeyframes(const Body& body, const std::vector<Pose>& poses, doubl
   const Binding binding = bindSurface(surface, body, smoothing);
   Keyframes result;
   for (std::size_t j = 0; j < poses.size(); ++j) {
-    result.keys.push_back({"pose " + std::to_string(j + 1), double(j) * spacing, skin(surface, binding, jointTransforms(body, poses[j]))});
+    const std::vector<Rigid> joints = jointTransforms(body, poses[j]);
+    result.keys.push_back({"pose " + std::to_string(j + 1), double(j) * spacing, skin(surface, binding, joints)});
   }
   result.faces = std::move(surface.faces);
   return result;

@@ -35,7 +35,8 @@ bool pierces(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, const V
   const double da = normal.dot(a - p), db = normal.dot(b - p);
   if ((da > 0) == (db > 0)) return false;
   const Vec3 hit = a + da / (da - db) * (b - a);
-  return normal.dot((q - p).cross(hit - p)) > 0 && normal.dot((r - q).cross(hit - q)) > 0 && normal.dot((p - r).cross(hit - r)) > 0;
+  const auto leftOf = [&](const Vec3& from, const Vec3& to) { return normal.dot((to - from).cross(hit - from)) > 0; };
+  return leftOf(p, q) && leftOf(q, r) && leftOf(r, p);
 }
 
 bool cut(const Triangle& f, const Triangle& g, const Positions& p) {
@@ -114,7 +115,8 @@ double sharpestEdge(const std::vector<Triangle>& faces, const Positions& p) {
   double cosine = 1;
   for (const auto& [edge, face] : faceOf) {
     const auto other = faceOf.find({edge.second, edge.first});
-    if (other != faceOf.end()) cosine = std::min(cosine, normalOf(faces[face], p).dot(normalOf(faces[other->second], p)));
+    if (other == faceOf.end()) continue;
+    cosine = std::min(cosine, normalOf(faces[face], p).dot(normalOf(faces[other->second], p)));
   }
   return degrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
 }

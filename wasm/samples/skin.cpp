@@ -54,7 +54,8 @@ DualQuaternion toDual(const Rigid& rigid) {
 }
 
 DualQuaternion blend(const std::vector<DualQuaternion>& joints, const std::vector<Share>& shares) {
-  const auto main = std::max_element(shares.begin(), shares.end(), [](auto& a, auto& b) { return a.weight < b.weight; });
+  const auto main = std::max_element(shares.begin(), shares.end(),
+                                     [](const Share& a, const Share& b) { return a.weight < b.weight; });
   DualQuaternion sum;
   for (const Share& share : shares) {
     // q and -q are the same rotation: take the one near the main joint's.
@@ -79,7 +80,9 @@ Binding bindSurface(const Surface& surface, const Body& body, int rounds) {
   for (const Vec3& point : surface.positions) binding.push_back(nearestJoints(body, point));
   for (int i = 0; i < rounds; ++i) {
     Binding smoothed;
-    for (std::size_t v = 0; v < binding.size(); ++v) smoothed.push_back(average(binding, static_cast<int>(v), around[v]));
+    for (std::size_t v = 0; v < binding.size(); ++v) {
+      smoothed.push_back(average(binding, static_cast<int>(v), around[v]));
+    }
     binding = std::move(smoothed);
   }
   return binding;
