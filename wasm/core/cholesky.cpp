@@ -42,8 +42,8 @@ struct Cholesky::State {
   bool factorised = false;
 
   void store(int s, const double* front) {
-    if (precision == Precision::Single) single.store(s, front);
-    else full.store(s, front);
+    if (precision == Precision::Single) single.store(symbolic, s, front);
+    else full.store(symbolic, s, front);
   }
 };
 
@@ -143,7 +143,7 @@ CholeskyStats Cholesky::stats() const {
   CholeskyStats stats;
   stats.factorEntries = static_cast<std::int64_t>(isSingle ? state_->single.entries() : state_->full.entries());
   stats.factorBytes = stats.factorEntries * static_cast<std::int64_t>(isSingle ? sizeof(float) : sizeof(double));
-  stats.indexBytes = static_cast<std::int64_t>(state_->symbolic.row.size() * sizeof(int));
+  stats.indexBytes = static_cast<std::int64_t>(isSingle ? state_->single.indexBytes() : state_->full.indexBytes());
   stats.workBytes = static_cast<std::int64_t>(state_->workBytes);
   stats.flops = state_->flops;
   stats.supernodes = state_->symbolic.supernodes();

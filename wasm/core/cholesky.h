@@ -15,7 +15,7 @@ namespace shapespline {
 struct CholeskyStats {
   std::int64_t factorEntries = 0;  ///< stored numbers, zeros of merged supernodes included
   std::int64_t factorBytes = 0;    ///< what one sweep of a solve reads of them
-  std::int64_t indexBytes = 0;     ///< row lists of the supernodes
+  std::int64_t indexBytes = 0;     ///< row lists of its panels, read as often
   std::int64_t workBytes = 0;      ///< largest size of the factorisation's stack
   double flops = 0.0;              ///< of one factorisation
   int supernodes = 0;
@@ -61,7 +61,7 @@ class Cholesky {
 
   /// Solves A x = b in place for three right-hand sides: (x, y, z, pad) of every unknown in elimination order,
   /// 4 * paddedSize() numbers, 16-byte aligned. Only for the precision given to analyse(), after a factorisation without error.
-  /// The fourth lane is solved as well and may hold anything finite. Allocates nothing and changes nothing but its argument.
+  /// The pads keep their values. Allocates nothing and changes nothing but its argument.
   void solve(float* xyzp) const;
   void solve(double* xyzp) const;
 

@@ -55,6 +55,9 @@ struct EncodingOptions {
   int patches = 0;                       ///< wanted number of patches (of the ghost, with one), 0 = the default formula (patches.h)
   int rootPatch = 0;                     ///< where the first system starts; moves no vertex
   Stretch stretch = Stretch::Linear;
+  int ghostFaces = 0;                    ///< 0 = off, else at least 4: the splines run on a ghost mesh of about so many faces
+  Transfer transfer = Transfer::Exact;   ///< with a ghost
+  bool optimalPlacement = false;         ///< ghost vertices need not be vertices of the shape (simplify.h)
   Precision precision = Precision::Single;
   std::optional<Positions> startTangent; ///< hermite: a shape that takes the place of key 2 in the difference at key 1
   std::optional<Positions> endTangent;   ///< hermite: a shape that takes the place of key J - 1 in the difference at key J

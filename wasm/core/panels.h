@@ -8,35 +8,48 @@
 
 namespace shapespline {
 
-/// The factor L of a matrix, in Scalar (float or double), for solving with vectors of four lanes an unknown.
-/// A supernode's columns are cut into panels of at most kWidth columns. A panel is, in the order in which the forward
-/// solve reads it: the inverse of its diagonal block (lower triangle, row-major), then every row below, row-major.
+/// The factor L of a matrix, in Scalar (float or double), for solving with (x, y, z, pad) vectors.
+///
+/// A supernode's columns are cut into panels of at most kWidth. A panel is stored in the order in which the forward
+/// solve reads it and the backward solve reads it backwards:
+///  - its triangle, four rows at a time: what is left of the diagonal block, column by column, then the inverse of the
+///    diagonal block (lower triangle, row by row). The first block may have fewer rows;
+///  - the rows below, eight at a time, then a last group of four, each column by column. Rows that fill up a group are zero.
+/// Four rows of one column are one vector that multiplies x, y and z at once: no lane is wasted on the padding.
 template <class Scalar>
 class PanelFactor {
  public:
-  static constexpr int kWidth = 8;
+  static constexpr int kWidth = 64;
 
-  /// Makes room for the factor. The symbolic factor must outlive this.
+  /// Makes room for the factor.
   void allocate(const SymbolicFactor& symbolic);
 
-  /// Takes over supernode s from its eliminated front (see dense_front.h).
-  void store(int s, const double* front);
+  /// Takes over supernode s from its eliminated front (see dense_front.h). The first column of which a pivot is
+  /// too small for Scalar is the factor's problem, not noticed here.
+  void store(const SymbolicFactor& symbolic, int s, const double* front);
 
-  /// Solves L Lᵀ x = b in place, four lanes an unknown in elimination order. `x` has length paddedSize() unknowns, those
-  /// beyond the matrix's size are scratch.
+  /// Solves L Lᵀ x = b in place, (x, y, z, pad) an unknown in elimination order; the padding keeps its values. `x` has
+  /// length paddedSize() unknowns, those beyond the matrix's size are scratch.
   void solve(Scalar* x) const;
 
-  int paddedSize() const { return paddedSize_; }
+  int paddedSize() const { return size_ + 1; }
   std::size_t entries() const { return values_.size(); }
+  std::size_t indexBytes() const { return row_.size() * sizeof(int) + panels_.size() * sizeof(Panel); }
 
  private:
-  void forward(Scalar* x) const;
-  void backward(Scalar* x) const;
+  struct Panel {
+    int first;           // column
+    int columns;
+    int rows;            // below its triangle, a multiple of four
+    std::size_t row;     // where they start in row_
+    std::size_t values;  // where its entries start in values_
+  };
 
-  const SymbolicFactor* symbolic_ = nullptr;
+  int size_ = 0;
+  std::vector<Panel> panels_;
+  std::vector<int> firstPanel_;  // of each supernode
+  std::vector<int> row_;         // filled up with size_
   std::vector<Scalar> values_;
-  std::vector<std::size_t> start_;  // of each supernode in values_
-  int paddedSize_ = 0;
 };
 
 extern template class PanelFactor<float>;

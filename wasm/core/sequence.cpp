@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "core/mesh.h"
 #include "core/metrics.h"
@@ -24,6 +25,7 @@ constexpr double ambiguousTurn = 150 * std::numbers::pi / 180;
 constexpr int conditionSamples = 240;
 // The slider reaches this far beyond the ends, as a share of the key range.
 constexpr double margin = 0.4;
+constexpr int leastGhostFaces = 4;
 
 std::vector<double> timesOf(const Keyframes& keyframes) {
   std::vector<double> times;
@@ -37,6 +39,9 @@ Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
     return invalid("The reference is key " + std::to_string(o.reference + 1) + ", but there are " +
                    std::to_string(k.keyCount()) + " keys.");
   if (o.patches < 0) return invalid("The number of patches is " + grouped(o.patches) + ". Use 0 for the default, or more.");
+  if (o.ghostFaces < 0 || (o.ghostFaces > 0 && o.ghostFaces < leastGhostFaces))
+    return invalid("A ghost mesh needs at least " + std::to_string(leastGhostFaces) + " faces, but " + grouped(o.ghostFaces) +
+                   " are asked for. Use 0 to work without one.");
   if (o.rootPatch < 0) return invalid("The root patch must not be negative.");
   for (const auto* tangent : {&o.startTangent, &o.endTangent}) {
     if (!*tangent) continue;
@@ -60,14 +65,41 @@ Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount) {
   return {};
 }
 
+// The fraction of the whole at a fraction of a stage. Shares from measured runs.
+double wholeProgress(std::string_view stage, double fraction, bool withGhost) {
+  struct Stage {
+    std::string_view name;
+    double share, shareWithGhost;
+  };
+  constexpr Stage stages[] = {{"welding", 0.08, 0.06}, {"simplifying", 0, 0.3}, {"encoding", 0.42, 0.24},
+                              {"ordering", 0.15, 0.12}, {"factorising", 0.35, 0.28}};
+  double before = 0;
+  for (const Stage& s : stages) {
+    const double share = withGhost ? s.shareWithGhost : s.share;
+    if (s.name == stage) return std::min(1.0, before + share * fraction);
+    before += share;
+  }
+  return before;
+}
+
 bool isLinear(Method method) { return method == Method::Geodesic || method == Method::Linear; }
 bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
+
+// The baselines: every vertex on its own.
+void blendVertices(const WeldedShape& shape, const Weights& weights, Positions& out) {
+  const PoseWeights w = poseWeights(weights, shape);
+  out.assign(shape.vertexCount(), Vec3::Zero());
+  for (int c = 0; c < shape.columns(); ++c)
+    for (std::size_t v = 0; v < out.size(); ++v) out[v] += w.column[c] * shape.poses[c][v];
+}
 
 }  // namespace
 
 struct Sequence::State {
   Keyframes raw;
   MotionOptions motion;
+  int wantedGhostFaces = 0;
+  Ghost ghost;
   Welding welding;
   WeldedShape shape;
   Shading shading;
@@ -80,7 +112,7 @@ struct Sequence::State {
   std::vector<Warning> warnings;
   Eigen::MatrixXd gram;  // made when it is first asked for
   std::vector<float> weldedXyz;
-  Positions weldedPositions;
+  Positions weldedPositions, ghostPositions;
 
   Columns columns() const { return {shape.keys}; }
 
@@ -88,6 +120,7 @@ struct Sequence::State {
   void findClosing();
   void decideAlignment();
   CurveOptions curveOptions(const MotionOptions& options) const;
+  void describeGhost();
   void collectWarnings();
   // How far and how the whole shape is moved after its reconstruction at a wrapped time.
   struct Global {
@@ -98,8 +131,8 @@ struct Sequence::State {
   };
   Global globalMotion(double t, const WrappedTime& wrapped, const Weights& weights) const;
   Vec3 meanPosition(const Weights& weights) const;
-  template <class Out>
-  int weldedShape(const Weights& weights, Out& out);
+  int weldedShape(const Weights& weights, Positions& out);
+  int weldedShape(const Weights& weights, std::vector<float>& out);
   void fill(const Weights& weights, const Global& global, Frame& frame);
   void fill(const Weights& weights, const Global& global, Positions& positions);
   const Eigen::MatrixXd& gramMatrix();
@@ -173,8 +206,26 @@ void Sequence::State::collectWarnings() {
   if (motion.boundary == BoundaryKind::Periodic && closing == Closing::Extra && shapeMotion->hasWinding())
     warnings.push_back({"winding", "Some parts turn on by a whole turn in each period. Their motion is continuous where "
                                    "the loop closes, but its speed may jump there."});
+  if (wantedGhostFaces > 0 && stats.ghostFaces == 0)
+    warnings.push_back({"ghost-off", "The shape has no more faces than the ghost mesh was to have: it moves without one."});
+  if (stats.ghostFaces > wantedGhostFaces)
+    warnings.push_back({"ghost-too-large", "The ghost mesh could not be made as coarse as asked for without turning faces over "
+                                           "or changing the topology.", stats.ghostFaces});
+  if (stats.joinedComponents > 0)
+    warnings.push_back({"ghost-joined-parts", "Some parts are too small for a share of the ghost mesh: they follow their "
+                                              "neighbours. Give the ghost more faces.", stats.joinedComponents});
   if (const int pivots = shapeMotion->solverStats().regularisedPivots; pivots > 0)
     warnings.push_back({"regularised", "The mesh has places so thin that the solver had to hold them in place.", pivots});
+}
+
+void Sequence::State::describeGhost() {
+  const GhostMotion* motion = shapeMotion->ghost();
+  if (!motion) return;
+  const GhostMesh& mesh = motion->mesh();
+  ghost.faces = mesh.faces;
+  for (int v : mesh.vertexOf) ghost.vertexOf.push_back(welding.rawOfWelded[v]);
+  for (int w : welding.weldedOfRaw) ghost.ghostVertexOf.push_back(mesh.ghostOf[w]);
+  ghost.ghostFaceOf = motion->correspondence();
 }
 
 Vec3 Sequence::State::meanPosition(const Weights& weights) const {
@@ -205,21 +256,20 @@ Sequence::State::Global Sequence::State::globalMotion(double t, const WrappedTim
   return global;
 }
 
-template <class Out>
-int Sequence::State::weldedShape(const Weights& weights, Out& out) {
+int Sequence::State::weldedShape(const Weights& weights, Positions& out) {
+  if (blendsVertices(motion.method)) return blendVertices(shape, weights, out), 0;
   ++stats.solves;
-  if (!blendsVertices(motion.method)) return shapeMotion->at(weights, out);
-  --stats.solves;
-  const PoseWeights w = poseWeights(weights, shape);
-  const std::size_t n = shape.poses.front().size();
-  if constexpr (std::is_same_v<Out, Positions>) out.resize(n);
-  else out.resize(3 * n);
-  for (std::size_t v = 0; v < n; ++v) {
-    Vec3 sum = Vec3::Zero();
-    for (int c = 0; c < shape.columns(); ++c) sum += w.column[c] * shape.poses[c][v];
-    if constexpr (std::is_same_v<Out, Positions>) out[v] = sum;
-    else for (int i = 0; i < 3; ++i) out[3 * v + i] = static_cast<float>(sum[i]);
+  return shapeMotion->at(weights, out);
+}
+
+int Sequence::State::weldedShape(const Weights& weights, std::vector<float>& out) {
+  if (!blendsVertices(motion.method)) {
+    ++stats.solves;
+    return shapeMotion->at(weights, out);
   }
+  blendVertices(shape, weights, weldedPositions);
+  out.resize(3 * weldedPositions.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<float>(weldedPositions[i / 3][i % 3]);
   return 0;
 }
 
@@ -260,13 +310,8 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   if (Status status = checkEncoding(encoding, keyframes); !status) return status.error();
   if (keyframes.normals.size() != static_cast<std::size_t>(keyframes.vertexCount())) keyframes.normals.clear();
 
-  // Share of each stage in the whole, from measured runs.
-  const auto report = [&](const char* stage, double fraction) {
-    if (!progress) return;
-    const std::string_view name(stage);
-    const double start = name == "welding" ? 0 : name == "encoding" ? 0.08 : name == "ordering" ? 0.5 : 0.65;
-    const double share = name == "welding" ? 0.08 : name == "encoding" ? 0.42 : name == "ordering" ? 0.15 : 0.35;
-    progress(stage, std::min(1.0, start + share * fraction));
+  const auto report = [&, withGhost = encoding.ghostFaces > 0](const char* stage, double fraction) {
+    if (progress) progress(stage, wholeProgress(stage, fraction, withGhost));
   };
 
   auto state = std::make_unique<State>();
@@ -280,6 +325,8 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   auto shapeMotion = ShapeMotion::create(s.shape, encoding, s.stats, report);
   if (!shapeMotion) return shapeMotion.error();
   s.shapeMotion = std::move(*shapeMotion);
+  s.wantedGhostFaces = encoding.ghostFaces;
+  s.describeGhost();
   s.findClosing();
   s.decideAlignment();
 
@@ -350,6 +397,24 @@ Status Sequence::evaluateBlend(const std::vector<double>& blend, Frame& frame) {
   state_->fill(weights, {}, frame);
   return {};
 }
+
+Status Sequence::evaluateGhost(double t, std::vector<float>& positions) {
+  if (Status status = checkTime(t); !status) return status;
+  State& s = *state_;
+  GhostMotion* ghost = s.shapeMotion->ghost();
+  if (!ghost) return Error{ErrorCode::InvalidOption, "This sequence has no ghost mesh. Create it with ghost faces."};
+  const WrappedTime wrapped = s.curve->wrap(t);
+  const Weights weights = s.curve->weights(wrapped.time);
+  const State::Global global = s.globalMotion(t, wrapped, weights);
+  if (blendsVertices(s.motion.method)) blendVertices(ghost->shape(), weights, s.ghostPositions);
+  else ghost->positions(weights, s.ghostPositions);
+  positions.clear();
+  for (const Vec3& p : s.ghostPositions)
+    for (const double x : global.apply(p)) positions.push_back(static_cast<float>(x));
+  return {};
+}
+
+const Ghost& Sequence::ghost() const { return state_->ghost; }
 
 const Keyframes& Sequence::keyframes() const { return state_->raw; }
 const MotionOptions& Sequence::motion() const { return state_->motion; }

@@ -30,6 +30,14 @@ struct Frame {
   int lostDefiniteness = 0;      ///< faces whose interpolated S_f is not positive definite
 };
 
+/// The coarse mesh that leads the motion (paper section 4.3, Fig. 6), and how the input belongs to it.
+struct Ghost {
+  std::vector<Triangle> faces;       ///< of ghost vertices; none without a ghost
+  std::vector<int> vertexOf;         ///< of each ghost vertex: the corresponding vertex of the input
+  std::vector<int> ghostVertexOf;    ///< of each vertex of the input: the ghost vertex that it collapsed to, or -1
+  std::vector<int> ghostFaceOf;      ///< of each face of the input: the ghost face that it follows; -1 without area
+};
+
 /// Where the shapes of a sequence lie in the plane of the two leading principal components (Fig. 2b).
 struct ShapePlane {
   std::vector<double> keys;   ///< 2J
@@ -59,6 +67,10 @@ class Sequence {
 
   /// The shape at an affine combination of the keys: one weight a key, sum 1. evaluate(t) is this at the curve's weights.
   Status evaluateBlend(const std::vector<double>& weights, Frame& frame);
+
+  /// The ghost that belongs to the shape at time t: xyz of each ghost vertex. Error: InvalidOption without a ghost.
+  Status evaluateGhost(double t, std::vector<float>& positions);
+  const Ghost& ghost() const;
 
   const Keyframes& keyframes() const;
   const MotionOptions& motion() const;

@@ -14,8 +14,11 @@ struct SequenceStats {
   int patches = 0;        ///< of the ghost, with one
   int weldedVertices = 0;
   int components = 0;
-  double weldMs = 0, encodeMs = 0, orderMs = 0, factorMs = 0;  ///< wall time of each stage
+  double weldMs = 0, encodeMs = 0, orderMs = 0, factorMs = 0;  ///< wall time of each stage; the ghost's own systems count as encoding
   long long factorBytes = 0;
+  int ghostFaces = 0, ghostVertices = 0;  ///< 0 without a ghost
+  int joinedComponents = 0;               ///< components too small for a ghost of their own
+  double simplifyMs = 0, transferMs = 0;  ///< with a ghost: collapses; correspondence and residuals
   bool alignedByPatches = false;  ///< the mean rotation was badly conditioned (alignment.h)
 };
 

@@ -1,5 +1,7 @@
 #include "core/shape_motion.h"
 
+#include <algorithm>
+
 #include "core/metrics.h"
 
 namespace shapespline {
@@ -13,25 +15,30 @@ class TypedMotion final : public ShapeMotion {
 
   Status build(const EncodingOptions& options, SequenceStats& stats, const StageProgress& progress) {
     Stopwatch watch;
-    progress("encoding", 0);
+    progress(options.ghostFaces > 0 ? "simplifying" : "encoding", 0);
     const ShapeParts parts = partsOf(shape_);
     if (parts.pieces.count == 0)
       return Error{ErrorCode::NoArea, "No triangle has area in every key. Use poses in which the shape is not collapsed."};
     stats.components = parts.pieces.count;
-    Status status = patches_.build(shape_, encodePatches(shape_, parts, options.patches), options.rootPatch);
+    const auto usedFaces = std::count(parts.hasArea.begin(), parts.hasArea.end(), 1);
+    const bool withGhost = options.ghostFaces > 0 && options.ghostFaces < usedFaces;
+    Status status = withGhost ? buildGhost(parts, options, stats, progress) : buildPatches(parts, options, stats);
     if (!status) return status;
-    ++stats.factorisations;
-    auto coordinates = encode<Real>(shape_, parts, patches_.poses(), options.stretch, Transfer::Exact);
+    progress("encoding", 0);
+    watch.lap();
+    const FramePoses frames = withGhost ? ghost_->poses() : patches_.poses();
+    auto coordinates = encode<Real>(shape_, parts, frames, options.stretch, withGhost ? options.transfer : Transfer::Exact);
     ++stats.encodings;
-    stats.encodeMs = watch.lap();
+    (withGhost ? stats.transferMs : stats.encodeMs) += watch.lap();
     progress("encoding", 1);
-    status = reconstructor_.build({shape_, parts, patches_.poses().ofFace, patches_, options.stretch, options.precision},
+    status = reconstructor_.build({shape_, parts, frames.ofFace, source(), options.stretch, options.precision},
                                   std::move(coordinates), [&](const char* stage, double f) {
                                     if (stage[0] == 'o' && f == 1) stats.orderMs = watch.lap();
                                     progress(stage, f);
                                   });
     stats.factorMs = watch.lap();
     ++stats.factorisations;
+    if (ghost_) ghost_->forgetPoses();
     return status;
   }
 
@@ -52,20 +59,49 @@ class TypedMotion final : public ShapeMotion {
     }
   }
 
-  PatchMotion& patchMotion() override { return patches_; }
-  const std::vector<int>& patchOfFace() const override { return patches_.coordinates().patches.ofFace; }
+  PatchMotion& patchMotion() override { return ghost_ ? ghost_->patchMotion() : patches_; }
+  const PatchMotion& patchMotion() const override { return ghost_ ? ghost_->patchMotion() : patches_; }
+  GhostMotion* ghost() override { return ghost_.get(); }
+  const std::vector<int>& patchOfFace() const override {
+    return ghost_ ? patchOfFace_ : patches_.coordinates().patches.ofFace;
+  }
   Eigen::MatrixXd gram(double diagonal) const override {
+    if (ghost_) return gramMatrix(ghost_->patchMotion().coordinates(), ghost_->coordinates(), ghost_->shape(), diagonal);
     return gramMatrix(patches_.coordinates(), reconstructor_.coordinates(), shape_, diagonal);
   }
   const std::vector<Vec3>& meanPosition() const override { return reconstructor_.coordinates().meanPosition; }
   bool hasWinding() const override {
-    return !patches_.coordinates().pairWinding.empty() || !reconstructor_.coordinates().faceWinding.empty();
+    const bool ghostWinds = ghost_ && !ghost_->coordinates().faceWinding.empty();
+    return ghostWinds || !patchMotion().coordinates().pairWinding.empty() || !reconstructor_.coordinates().faceWinding.empty();
   }
   CholeskyStats solverStats() const override { return reconstructor_.solverStats(); }
 
  private:
+  FrameSource& source() {
+    if (ghost_) return *ghost_;
+    return patches_;
+  }
+
+  Status buildPatches(const ShapeParts& parts, const EncodingOptions& options, SequenceStats& stats) {
+    Stopwatch watch;
+    const Status status = patches_.build(shape_, encodePatches(shape_, parts, options.patches), options.rootPatch);
+    ++stats.factorisations;
+    stats.encodeMs += watch.lap();
+    return status;
+  }
+
+  Status buildGhost(const ShapeParts& parts, const EncodingOptions& options, SequenceStats& stats, const StageProgress& progress) {
+    ghost_ = std::make_unique<GhostMotion>();
+    if (Status status = ghost_->build(shape_, parts, options, stats, progress); !status) return status;
+    const std::vector<int>& patches = ghost_->patchMotion().coordinates().patches.ofFace;
+    for (int c : ghost_->correspondence()) patchOfFace_.push_back(c >= 0 ? patches[c] : -1);
+    return {};
+  }
+
   const WeldedShape& shape_;
-  PatchMotion patches_;
+  PatchMotion patches_;                 // without a ghost
+  std::unique_ptr<GhostMotion> ghost_;
+  std::vector<int> patchOfFace_;        // with one
   Reconstructor<Real> reconstructor_;
   std::vector<Real> xyz_;  // scratch
 };

@@ -11,12 +11,13 @@
 #include "core/patch_motion.h"
 #include "core/reconstruct.h"
 #include "core/sequence_stats.h"
+#include "core/transfer.h"
 
 namespace shapespline {
 
 class ShapeMotion {
  public:
-  /// Encodes the poses and factorises. The shape must outlive the motion. Counts and times go to stats.
+  /// Encodes the poses and factorises, with a ghost if the options ask for one that is smaller than the shape. The shape must outlive the motion. Counts and times go to stats.
   /// Errors: NoArea, and those of the solver.
   static Result<std::unique_ptr<ShapeMotion>> create(const WeldedShape& shape, const EncodingOptions& options,
                                                      SequenceStats& stats, const StageProgress& progress);
@@ -29,7 +30,10 @@ class ShapeMotion {
 
   /// The patches that everything follows.
   virtual PatchMotion& patchMotion() = 0;
-  const PatchMotion& patchMotion() const { return const_cast<ShapeMotion*>(this)->patchMotion(); }
+  virtual const PatchMotion& patchMotion() const = 0;
+
+  /// The ghost that leads the shape, or null.
+  virtual GhostMotion* ghost() = 0;
 
   /// Patch of each face; -1 where it has no area.
   virtual const std::vector<int>& patchOfFace() const = 0;

@@ -28,6 +28,10 @@ struct Float4 {
   friend Float4 operator+(Float4 a, Float4 b) { return {wasm_f32x4_add(a.v, b.v)}; }
   friend Float4 operator-(Float4 a, Float4 b) { return {wasm_f32x4_sub(a.v, b.v)}; }
   friend Float4 operator*(Float4 a, Float4 b) { return {wasm_f32x4_mul(a.v, b.v)}; }
+  friend Float4 lowHalves(Float4 a, Float4 b) { return {wasm_i64x2_shuffle(a.v, b.v, 0, 2)}; }
+  friend Float4 highHalves(Float4 a, Float4 b) { return {wasm_i64x2_shuffle(a.v, b.v, 1, 3)}; }
+  friend Float4 interleaveLow(Float4 a, Float4 b) { return {wasm_i32x4_shuffle(a.v, b.v, 0, 4, 1, 5)}; }
+  friend Float4 interleaveHigh(Float4 a, Float4 b) { return {wasm_i32x4_shuffle(a.v, b.v, 2, 6, 3, 7)}; }
 #elif SHAPESPLINE_SIMD_SSE
   __m128 v;
   static Float4 load(const float* p) { return {_mm_loadu_ps(p)}; }
@@ -38,6 +42,10 @@ struct Float4 {
   friend Float4 operator+(Float4 a, Float4 b) { return {_mm_add_ps(a.v, b.v)}; }
   friend Float4 operator-(Float4 a, Float4 b) { return {_mm_sub_ps(a.v, b.v)}; }
   friend Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.v, b.v)}; }
+  friend Float4 lowHalves(Float4 a, Float4 b) { return {_mm_movelh_ps(a.v, b.v)}; }
+  friend Float4 highHalves(Float4 a, Float4 b) { return {_mm_movehl_ps(b.v, a.v)}; }
+  friend Float4 interleaveLow(Float4 a, Float4 b) { return {_mm_unpacklo_ps(a.v, b.v)}; }
+  friend Float4 interleaveHigh(Float4 a, Float4 b) { return {_mm_unpackhi_ps(a.v, b.v)}; }
 #else
   float v[4];
   static Float4 load(const float* p) { return {{p[0], p[1], p[2], p[3]}}; }
@@ -59,6 +67,10 @@ struct Float4 {
     for (int i = 0; i < 4; ++i) a.v[i] *= b.v[i];
     return a;
   }
+  friend Float4 lowHalves(Float4 a, Float4 b) { return {{a.v[0], a.v[1], b.v[0], b.v[1]}}; }
+  friend Float4 highHalves(Float4 a, Float4 b) { return {{a.v[2], a.v[3], b.v[2], b.v[3]}}; }
+  friend Float4 interleaveLow(Float4 a, Float4 b) { return {{a.v[0], b.v[0], a.v[1], b.v[1]}}; }
+  friend Float4 interleaveHigh(Float4 a, Float4 b) { return {{a.v[2], b.v[2], a.v[3], b.v[3]}}; }
 #endif
 };
 
@@ -74,6 +86,8 @@ struct Double2 {
   friend Double2 operator+(Double2 a, Double2 b) { return {wasm_f64x2_add(a.v, b.v)}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {wasm_f64x2_sub(a.v, b.v)}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {wasm_f64x2_mul(a.v, b.v)}; }
+  friend Double2 lowHalves(Double2 a, Double2 b) { return {wasm_i64x2_shuffle(a.v, b.v, 0, 2)}; }
+  friend Double2 highHalves(Double2 a, Double2 b) { return {wasm_i64x2_shuffle(a.v, b.v, 1, 3)}; }
 #elif SHAPESPLINE_SIMD_SSE
   __m128d v;
   static Double2 load(const double* p) { return {_mm_loadu_pd(p)}; }
@@ -84,6 +98,8 @@ struct Double2 {
   friend Double2 operator+(Double2 a, Double2 b) { return {_mm_add_pd(a.v, b.v)}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {_mm_sub_pd(a.v, b.v)}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {_mm_mul_pd(a.v, b.v)}; }
+  friend Double2 lowHalves(Double2 a, Double2 b) { return {_mm_unpacklo_pd(a.v, b.v)}; }
+  friend Double2 highHalves(Double2 a, Double2 b) { return {_mm_unpackhi_pd(a.v, b.v)}; }
 #else
   double v[2];
   static Double2 load(const double* p) { return {{p[0], p[1]}}; }
@@ -94,6 +110,8 @@ struct Double2 {
   friend Double2 operator+(Double2 a, Double2 b) { return {{a.v[0] + b.v[0], a.v[1] + b.v[1]}}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {{a.v[0] - b.v[0], a.v[1] - b.v[1]}}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {{a.v[0] * b.v[0], a.v[1] * b.v[1]}}; }
+  friend Double2 lowHalves(Double2 a, Double2 b) { return {{a.v[0], b.v[0]}}; }
+  friend Double2 highHalves(Double2 a, Double2 b) { return {{a.v[1], b.v[1]}}; }
 #endif
 };
 
@@ -112,5 +130,29 @@ struct Double4 {
   friend Double4 operator-(Double4 a, Double4 b) { return {a.low - b.low, a.high - b.high}; }
   friend Double4 operator*(Double4 a, Double4 b) { return {a.low * b.low, a.high * b.high}; }
 };
+
+/// p - n, computed where it stands. WebAssembly addresses have no negative offsets, and compilers that fold this step
+/// into the loads that follow spend an instruction on each.
+template <class T>
+inline T* stepBack(T* p, int n) {
+  p -= n;
+#if SHAPESPLINE_SIMD_WASM
+  __asm__("" : "+r"(p));
+#endif
+  return p;
+}
+
+/// Rows become columns.
+inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
+  const Float4 ab = interleaveLow(a, b), cd = interleaveLow(c, d), AB = interleaveHigh(a, b), CD = interleaveHigh(c, d);
+  a = lowHalves(ab, cd), b = highHalves(ab, cd), c = lowHalves(AB, CD), d = highHalves(AB, CD);
+}
+inline void transpose(Double4& a, Double4& b, Double4& c, Double4& d) {
+  const Double4 p = {lowHalves(a.low, b.low), lowHalves(c.low, d.low)};
+  const Double4 q = {highHalves(a.low, b.low), highHalves(c.low, d.low)};
+  const Double4 r = {lowHalves(a.high, b.high), lowHalves(c.high, d.high)};
+  const Double4 s = {highHalves(a.high, b.high), highHalves(c.high, d.high)};
+  a = p, b = q, c = r, d = s;
+}
 
 }  // namespace shapespline

@@ -1,6 +1,7 @@
 // The welded mesh as the method sees it: its poses, and which of its faces take part.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/component_tree.h"
@@ -27,6 +28,10 @@ struct WeldedShape {
     if (column == startTangent) return 0;
     if (column == endTangent) return keys - 1;
     return column - 1;
+  }
+  /// Another mesh with as many poses, which play the same roles.
+  WeldedShape withMesh(std::vector<Triangle> otherFaces, std::vector<Positions> otherPoses) const {
+    return {std::move(otherFaces), std::move(otherPoses), keys, startTangent, endTangent, reference};
   }
 };
 

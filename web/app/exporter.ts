@@ -25,6 +25,8 @@ export interface ExportContext {
   /** Turns the view to a share of a whole turn about the upright axis. */
   turn(share: number): Promise<void>;
   picture(): Promise<Blob>;
+  /** Puts the page's colour behind the shape, or takes it away. */
+  backdrop(on: boolean): void;
   onProgress(progress: Progress | null): void;
   signal: AbortSignal;
 }
@@ -75,10 +77,11 @@ export async function runExport(request: ExportRequest, context: ExportContext):
 }
 
 async function video(request: ExportRequest, context: ExportContext, draw: (share: number) => Promise<void>): Promise<void> {
+  context.backdrop(true);
   const { blob, extension } = await record({
     canvas: context.canvas, seconds: videoSeconds(request, context.range), framesPerSecond: FRAMES_PER_SECOND, draw, signal: context.signal,
     onProgress: (fraction) => context.onProgress({ stage: 'recording', fraction }),
-  });
+  }).finally(() => context.backdrop(false));
   download(blob, `${context.name}.${extension}`);
 }
 

@@ -55,7 +55,7 @@ export function createExporting(context: Context, insight: InsightPanel): Export
       try {
         await runExport(request, {
           sequence, signal, show, doc: before.doc, name: fileStem(before), time: before.time, range: context.range(),
-          canvas: picture.viewer.canvas, insight: () => insight.data(), turn: turned(), picture: () => picture.png(),
+          canvas: picture.viewer.canvas, insight: () => insight.data(), turn: turned(), picture: () => picture.png(), backdrop: (on) => picture.viewer.setBackdrop(on ? stageColour() : null),
           onProgress: (working) => { if (!signal.aborted) context.inform({ working }); },
         });
         context.say('Saved to your downloads.');
@@ -69,6 +69,16 @@ export function createExporting(context: Context, insight: InsightPanel): Export
     },
     cancel: () => abort?.abort(),
   };
+}
+
+/** What lies behind the shape on the page. */
+function stageColour(): string {
+  const probe = document.createElement('span');
+  probe.style.color = 'var(--stage-centre)';
+  document.body.append(probe);
+  const { color } = getComputedStyle(probe);
+  probe.remove();
+  return color;
 }
 
 function fileStem({ source }: AppState): string {

@@ -1,7 +1,7 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
 import type { AppState } from '../model/state.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, referenceKey } from '../model/state.ts';
-import { formatTime, phaseOf } from '../model/time-scale.ts';
+import { phaseOf } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
 import { tensionOf } from '../model/edits.ts';
 import { createExportDialog } from '../ui/export-dialog.ts';
@@ -89,7 +89,7 @@ export function createInterface(input: InterfaceInput): Interface {
   const motionPanel = createMotionPanel({ onMotion: commands.motion, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
   const shapePanel = createShapePanel({ onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, count) => void opening.resample(animation, count) });
   const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
-  const phaseLabel = createPhaseLabel();
+  const phaseLabel = createPhaseLabel(() => commands.encoding({ stretch: 'log' }));
   const tileLabels = createTileLabels();
   const status = createStatusLine();
   const progress = createProgress(input.onCancel);
@@ -135,7 +135,7 @@ export function createInterface(input: InterfaceInput): Interface {
       lriMethod: doc.motion.method === 'lri' || doc.motion.method === 'geodesic',
     });
     viewBar.update({ view, hasTexture: hasTexture(info), disabled });
-    phaseLabel.update(disabled ? null : phase, formatTime(time, range));
+    phaseLabel.update(disabled ? null : phase, doc.encoding.stretch === 'log' ? 0 : runtime.lost);
     tileLabels.update(labels);
     status.update({
       keys: doc.keys.length, vertices: info?.report.vertices ?? 0, faces: info?.report.faces ?? 0,
@@ -144,7 +144,7 @@ export function createInterface(input: InterfaceInput): Interface {
     progress.update(runtime.working);
     problem.update(runtime.problem);
     welcome.update(runtime.welcome && runtime.problem === null && runtime.working === null);
-    exporting.update({ ...runtime.exporting, range, timeText: formatTime(time, range), videoReason });
+    exporting.update({ ...runtime.exporting, range, videoReason });
     help.update(runtime.singleKeys);
     insight.setCursor(time);
   };

@@ -5,6 +5,7 @@ import type { Doc, Play, Source, View } from '../model/state.ts';
 import { DEFAULT_VIEW, SPEEDS, comfortableSpeed } from '../model/state.ts';
 import { length } from '../model/time-scale.ts';
 import type { PickedFile } from '../ui/file-drop.ts';
+import { plural } from '../ui/status-line.ts';
 import type { Context } from './context.ts';
 import { importPoses, readFiles } from './input-files.ts';
 import { applyPermalink } from './permalink.ts';
@@ -52,6 +53,7 @@ export function createOpening(context: Context): Opening {
       info, initial, warnings: info.warnings, thumbnails: new Map(), stats: null, lost: 0, ms: null,
       range: workspace.lanes[0]?.sequence.range ?? [0, 1], welcome: context.runtime().welcome && source.kind === 'sample',
     });
+    if (source.kind === 'files') context.say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
     store.reset({ source, doc, view, time: link?.time ?? doc.keys[0]?.time ?? 0, play: openingPlay(context, info, doc, source, link) });
     return true;
   };

@@ -80,7 +80,6 @@ export type PhaseKind = 'key' | 'between' | 'beyond';
 export interface Phase {
   kind: PhaseKind;
   text: string;
-  short: string;
 }
 
 export interface PhaseInput {
@@ -100,19 +99,19 @@ export function phaseOf({ t, keys, range, periodic, tolerance = SAME_TIME }: Pha
   const near = nearestKey(inside, times);
   const key = keys[near];
   if (key && Math.abs(key.time - inside) <= reach) {
-    return { kind: 'key', text: `At key ${near + 1}, ${key.name}`, short: `Key ${near + 1}` };
+    return { kind: 'key', text: `At key ${near + 1}, ${key.name}` };
   }
   const first = times[0] ?? 0;
   const last = times.at(-1) ?? 1;
   if (!periodic && inside < first) {
-    return { kind: 'beyond', text: 'Before the first key (extrapolated)', short: 'Before the first key' };
+    return { kind: 'beyond', text: 'Before the first key (extrapolated)' };
   }
   if (!periodic && inside > last) {
-    return { kind: 'beyond', text: 'Beyond the last key (extrapolated)', short: 'Beyond the last key' };
+    return { kind: 'beyond', text: 'Beyond the last key (extrapolated)' };
   }
   const before = times.filter((time) => time <= inside).length;
   const after = before >= times.length ? 1 : before + 1;
-  return { kind: 'between', text: `Between keys ${Math.max(before, 1)} and ${after}`, short: `Between ${Math.max(before, 1)} and ${after}` };
+  return { kind: 'between', text: `Between keys ${Math.max(before, 1)} and ${after}` };
 }
 
 /** t brought into the range by whole periods. The end itself stays the end. */

@@ -33,7 +33,6 @@ export interface ExportDialogProps {
   /** What the export will be, in words and size; null while it is being worked out. */
   plan: { text: string; warnings: readonly string[] } | null;
   range: readonly [number, number];
-  timeText: string;
   videoReason: string | null;
 }
 

@@ -71,19 +71,22 @@ export function createViewBar(events: ViewBarEvents): { element: HTMLElement; to
   return { element, toggleLook, update: draw };
 }
 
-/** Where the moment lies, large enough to read from afar; the colour's meaning in words. */
-export function createPhaseLabel(): { element: HTMLElement; update(phase: Phase | null, time: string): void } {
+/** Where the moment lies, large enough to read from afar; the colour's meaning in words; a way out where the shape breaks. */
+export function createPhaseLabel(onUseLog: () => void): { element: HTMLElement; update(phase: Phase | null, lostFaces: number): void } {
   const text = h('span', { 'data-testid': 'phase' });
-  const time = h('span', { class: 'phase-time' });
-  const element = h('div', { class: 'phase', hidden: true }, h('span', { class: 'dot' }), text, time);
+  const lost = h('span', {});
+  const hint = h('div', { class: 'lost', 'data-testid': 'lost', hidden: true }, lost,
+    button({ label: 'Use logarithmic stretch', testId: 'use-log', text: 'Use logarithmic stretch', kind: 'plain', onClick: onUseLog }));
+  const element = h('div', { class: 'phase-corner', hidden: true }, hint, h('div', { class: 'phase' }, h('span', { class: 'dot' }), text));
   return {
     element,
-    update(phase, at) {
+    update(phase, lostFaces) {
       setHidden(element, phase === null);
       if (!phase) return;
       setAttribute(element, 'data-phase', phase.kind);
       setText(text, phase.text);
-      setText(time, at);
+      setHidden(hint, lostFaces === 0);
+      setText(lost, lostFaces === 1 ? 'One triangle has turned inside out.' : `${lostFaces.toLocaleString('en')} triangles have turned inside out.`);
     },
   };
 }

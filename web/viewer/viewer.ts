@@ -92,9 +92,10 @@ export class Viewer {
     this.invalidate();
   }
 
+  /** A frame of another import, which was on its way when this one came, is left out. */
   setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string): void {
     const shape = this.shapes[view];
-    if (!shape) return;
+    if (!shape || !this.fits(positions)) return;
     shape.setFrame(positions, normals);
     shape.object.visible = true;
     this.colours[view] = colour;
@@ -104,6 +105,7 @@ export class Viewer {
 
   /** Onion skins or a film strip; `instead` hides the moving shapes. */
   setExtras(extras: readonly Extra[], instead = false): void {
+    if (!extras.every(({ positions }) => this.fits(positions))) return;
     while (this.extras.length > extras.length) this.extras.pop()?.dispose();
     while (this.extras.length < extras.length && this.topology) this.extras.push(this.addShape());
     extras.forEach((extra, index) => {
@@ -131,6 +133,12 @@ export class Viewer {
     for (const shape of this.extras) shape.setLook({ ...look, colouring: 'phase', wireframe: false });
     this.stage.setLook(look.floor, look.dark);
     this.applyColours();
+    this.invalidate();
+  }
+
+  /** A colour behind the shape, for videos, which have no transparency; null lets the page through. */
+  setBackdrop(colour: string | null): void {
+    this.renderer.setClearColor(colour ?? '#000000', colour === null ? 0 : 1);
     this.invalidate();
   }
 
@@ -216,7 +224,7 @@ export class Viewer {
 
   /** A small picture of one shape in the current look, as a data URL. */
   thumbnail(positions: Float32Array, normals: Float32Array, width: number, height: number, colour: string): string {
-    if (!this.topology) return '';
+    if (!this.topology || !this.fits(positions)) return '';
     const shape = this.addShape();
     shape.setFrame(positions, normals);
     shape.setLook({ ...this.look, wireframe: false });
@@ -233,6 +241,10 @@ export class Viewer {
     this.rig.dispose();
     this.renderer.dispose();
     this.canvas.remove();
+  }
+
+  private fits(positions: Float32Array): boolean {
+    return positions.length === 3 * (this.topology?.vertices ?? -1);
   }
 
   private addShape(): Shape {
@@ -279,7 +291,10 @@ export class Viewer {
     this.pending = 0;
     const visible = this.shapes.map((shape) => shape.object.visible);
     this.rects().forEach((rect, view) => {
-      this.shapes.forEach((shape, index) => { shape.object.visible = visible[index]! && index === view && !this.hideShapes; });
+      // Onion skins and film strip belong to the first view's motion.
+      for (const extra of this.extras) extra.object.visible = view === 0;
+      const hidden = this.hideShapes && view === 0;
+      this.shapes.forEach((shape, index) => { shape.object.visible = visible[index]! && index === view && !hidden; });
       this.renderOne(rect);
     });
     this.shapes.forEach((shape, index) => { shape.object.visible = visible[index]!; });

@@ -1,0 +1,519 @@
+// The shape that follows a ghost mesh: what holds without a ghost holds with one, and the two agree.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/correspondence.h"
+#include "io/import.h"
+#include "shapes.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+EncodingOptions ghostly(int faces = 1000, Transfer transfer = Transfer::Exact) {
+  EncodingOptions options = doublePrecision();
+  options.ghostFaces = faces;
+  options.transfer = transfer;
+  return options;
+}
+
+Sequence make(const Keyframes& k, const EncodingOptions& encoding = ghostly(), const MotionOptions& motion = {}) {
+  auto sequence = Sequence::create(k, encoding, motion);
+  REQUIRE_MESSAGE(sequence.ok(), (sequence ? "" : sequence.error().message));
+  return std::move(*sequence);
+}
+
+Positions at(Sequence& sequence, double t) {
+  Positions p;
+  REQUIRE(sequence.evaluate(t, p).ok());
+  return p;
+}
+
+Positions ghostAt(Sequence& sequence, double t) {
+  std::vector<float> xyz;
+  REQUIRE(sequence.evaluateGhost(t, xyz).ok());
+  return toPositions(xyz);
+}
+
+/// The bar 1 x 1 x 10, fine enough that a ghost of 1000 faces is coarse.
+Shape fineBar() { return box(1, 1, 10, 8, 8, 80); }
+
+Keyframes bentBar(std::vector<double> degrees) {
+  std::vector<Map> maps;
+  for (double d : degrees) maps.push_back(bend(radians(d)));
+  return keyframes(fineBar(), maps);
+}
+
+Keyframes twistedBar(std::vector<double> degrees) {
+  std::vector<Map> maps;
+  for (double d : degrees) maps.push_back(twist(radians(d)));
+  return keyframes(fineBar(), maps);
+}
+
+const std::vector<double> slider = {-0.4, -0.05, 0.13, 0.5, 0.77, 1.1, 1.4};
+
+/// KG error (centroids) of the sequence with a ghost against the one without, over the keys' range.
+double errorOfGhost(const Keyframes& k, const EncodingOptions& encoding) {
+  EncodingOptions without = encoding;
+  without.ghostFaces = 0;
+  Sequence plain = make(k, without), led = make(k, encoding);
+  std::vector<Positions> a, b;
+  for (int i = 0; i <= 30; ++i) {
+    const double t = k.keys.front().time + (k.keys.back().time - k.keys.front().time) * i / 30;
+    a.push_back(at(plain, t));
+    b.push_back(at(led, t));
+  }
+  return kgError(a, b);
+}
+
+double worstKey(Sequence& s) {
+  double worst = 0;
+  for (const Key& key : s.keyframes().keys) worst = std::max(worst, largestDistance(at(s, key.time), key.positions));
+  return worst / diagonalOf(s.keyframes());
+}
+
+std::filesystem::path dataFolder() {
+  if (const char* folder = std::getenv("SHAPESPLINE_DATA")) return folder;
+  return std::filesystem::path(SHAPESPLINE_SOURCE_DIR) / ".." / "shared" / "data";
+}
+
+Keyframes cactus() {
+  std::vector<std::vector<std::uint8_t>> bytes;
+  std::vector<NamedBytes> files;
+  for (int i = 1; i <= 3; ++i) {
+    std::ifstream file(dataFolder() / "cactus" / ("cactus-" + std::to_string(i) + ".glb"), std::ios::binary);
+    bytes.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  for (int i = 0; i < 3; ++i) files.push_back({"cactus-" + std::to_string(i + 1) + ".glb", bytes[i]});
+  auto import = importKeyframes(files, {});
+  REQUIRE_MESSAGE(import.ok(), (import ? "" : import.error().message));
+  return std::move(import->keyframes);
+}
+
+}  // namespace
+
+TEST_CASE("ghost: the distance to a triangle is that to its nearest point") {
+  const Vec3 a(0, 0, 0), b(2, 0, 0), c(0, 2, 0);
+  CHECK(squaredDistance({0.5, 0.5, 3}, a, b, c) == doctest::Approx(9));
+  CHECK(squaredDistance({-3, -4, 0}, a, b, c) == doctest::Approx(25));
+  CHECK(squaredDistance({1, -2, 1}, a, b, c) == doctest::Approx(5));
+  CHECK(squaredDistance({2, 2, 0}, a, b, c) == doctest::Approx(2));
+  CHECK(squaredDistance({5, 0, 0}, a, b, c) == doctest::Approx(9));
+  CHECK(squaredDistance({3, 0, 0}, a, b, b) == doctest::Approx(1));  // a triangle without area
+}
+
+TEST_CASE("ghost: a sequence describes its ghost") {
+  const Keyframes k = bentBar({0, 70, -120});
+  for (const bool optimal : {false, true}) {
+    EncodingOptions options = ghostly(600);
+    options.optimalPlacement = optimal;
+    Sequence s = make(k, options);
+    const Ghost& ghost = s.ghost();
+    const SequenceStats stats = s.stats();
+    CHECK(stats.ghostFaces == int(ghost.faces.size()));
+    CHECK(stats.ghostFaces <= 600);
+    CHECK(stats.ghostFaces >= 599);
+    CHECK(stats.ghostVertices == int(ghost.vertexOf.size()));
+    CHECK(stats.patches == doctest::Approx(std::sqrt(600)).epsilon(0.1));
+    REQUIRE(ghost.ghostVertexOf.size() == k.keys[0].positions.size());
+    REQUIRE(ghost.ghostFaceOf.size() == k.faces.size());
+    for (int g : ghost.ghostFaceOf) CHECK((g >= 0 && g < stats.ghostFaces));
+    for (const Key& key : k.keys) {
+      const Positions p = ghostAt(s, key.time);
+      REQUIRE(p.size() == ghost.vertexOf.size());
+      for (std::size_t g = 0; g < p.size(); ++g) {
+        const double distance = (p[g] - key.positions[ghost.vertexOf[g]]).norm();
+        CHECK(distance < (optimal ? 0.3 : 1e-5));  // a cell is 0.125
+        CHECK(ghost.ghostVertexOf[ghost.vertexOf[g]] == int(g));
+      }
+      // A face follows a ghost face that is near it.
+      for (std::size_t f = 0; f < k.faces.size(); ++f) {
+        const Triangle& t = ghost.faces[ghost.ghostFaceOf[f]];
+        const Triangle& u = k.faces[f];
+        const Vec3 centroid = (key.positions[u[0]] + key.positions[u[1]] + key.positions[u[2]]) / 3;
+        CHECK(squaredDistance(centroid, p[t[0]], p[t[1]], p[t[2]]) < 0.3 * 0.3);
+      }
+    }
+    // Patches are those of the ghost, seen on the shape.
+    for (int patch : s.patchOfFace()) CHECK((patch >= 0 && patch < stats.patches));
+  }
+}
+
+TEST_CASE("ghost: keys are reproduced") {
+  const Keyframes k = bentBar({0, 70, -50, 120});
+  const double diagonal = diagonalOf(k);
+  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic})
+    for (const Stretch stretch : {Stretch::Linear, Stretch::Log}) {
+      CAPTURE(int(boundary));
+      CAPTURE(int(stretch));
+      MotionOptions motion;
+      motion.boundary = boundary;
+      EncodingOptions encoding = ghostly(800);
+      encoding.stretch = stretch;
+      encoding.reference = 1;
+      encoding.optimalPlacement = stretch == Stretch::Log;
+      Sequence inDouble = make(k, encoding, motion);
+      CHECK(worstKey(inDouble) < 1e-9);
+      encoding.precision = Precision::Single;
+      Sequence inSingle = make(k, encoding, motion);
+      for (const Key& key : k.keys) {
+        Frame frame;
+        REQUIRE(inSingle.evaluate(key.time, frame).ok());
+        CHECK(largestDistance(toPositions(frame.positions), key.positions) < 1e-5 * diagonal);
+      }
+    }
+}
+
+TEST_CASE("ghost: end tangents that are shapes") {
+  const Keyframes k = bentBar({0, 70, 100});
+  EncodingOptions options = ghostly(800);
+  options.startTangent = mapped(fineBar().positions, twist(radians(60)));
+  options.endTangent = mapped(fineBar().positions, bend(radians(80)));
+  MotionOptions motion;
+  motion.boundary = BoundaryKind::Hermite;
+  Sequence led = make(k, options, motion);
+  CHECK(worstKey(led) < 1e-9);
+  options.ghostFaces = 0;
+  Sequence plain = make(k, options, motion);
+  CHECK(largestDistance(at(plain, 0.2), at(led, 0.2)) < 0.005 * diagonalOf(k));
+}
+
+TEST_CASE("ghost: stays close to the shape without a ghost") {
+  for (const Keyframes& k : {bentBar({0, 70, -50, 120}), twistedBar({0, 120, 240})}) {
+    const double exact = errorOfGhost(k, ghostly(2000)), coarse = errorOfGhost(k, ghostly(500));
+    const double paper = errorOfGhost(k, ghostly(2000, Transfer::Paper));
+    MESSAGE("KG against no ghost: exact " << exact << " (500 faces: " << coarse << "), paper " << paper);
+    CHECK(exact <= 1);
+    CHECK(coarse <= 3);
+    CHECK(paper <= 5);
+    CHECK(exact > 0);
+  }
+}
+
+TEST_CASE("ghost: of the cactus with 2,000 faces: KG 1 exact, 5 as published; keys in exact") {
+  if (!std::filesystem::exists(dataFolder() / "cactus" / "cactus-3.glb")) {
+    MESSAGE("SKIPPED: no cactus in the data folder");
+    return;
+  }
+  const Keyframes k = cactus();
+  for (const bool optimal : {false, true}) {
+    EncodingOptions options = ghostly(2000);
+    options.optimalPlacement = optimal;
+    const double exact = errorOfGhost(k, options);
+    options.transfer = Transfer::Paper;
+    const double paper = errorOfGhost(k, options);
+    MESSAGE(std::string(optimal ? "optimal placement" : "half-edge") << ": exact " << exact << ", paper " << paper);
+    CHECK(exact <= 1);
+    CHECK(paper <= 5);
+  }
+  Sequence s = make(k, ghostly(2000));
+  CHECK(worstKey(s) < 1e-9);
+  EncodingOptions single = ghostly(2000);
+  single.precision = Precision::Single;
+  Sequence inSingle = make(k, single);
+  for (const Key& key : k.keys) {
+    Frame frame;
+    REQUIRE(inSingle.evaluate(key.time, frame).ok());
+    CHECK(largestDistance(toPositions(frame.positions), key.positions) < 1e-5 * diagonalOf(k));
+  }
+}
+
+TEST_CASE("ghost: the paper's transfer passes through the reference, and near the other keys") {
+  const Keyframes k = bentBar({0, 70, -50});
+  EncodingOptions options = ghostly(1000, Transfer::Paper);
+  options.reference = 1;
+  Sequence s = make(k, options);
+  CHECK(largestDistance(at(s, 0.5), k.keys[1].positions) < 1e-9 * diagonalOf(k));
+  const double other = largestDistance(at(s, 0), k.keys[0].positions) / diagonalOf(k);
+  CHECK(other < 0.02);
+  CHECK(other > 1e-6);  // or this would be no test of the mode
+}
+
+TEST_CASE("ghost: a common rigid motion of all keys moves the whole sequence by it") {
+  const Keyframes k = bentBar({0, 80, 20});
+  const Map move = turn(Vec3(1, 2, -0.5), 2.2, Vec3(3, -7, 11));
+  Keyframes moved = k;
+  for (Key& key : moved.keys) key.positions = mapped(key.positions, move);
+  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Periodic})
+    for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
+      MotionOptions motion;
+      motion.boundary = boundary;
+      Sequence a = make(k, ghostly(1000, transfer), motion), b = make(moved, ghostly(1000, transfer), motion);
+      for (double t : slider) {
+        CHECK(largestDistance(mapped(at(a, t), move), at(b, t)) < 1e-8 * diagonalOf(k));
+        CHECK(largestDistance(mapped(ghostAt(a, t), move), ghostAt(b, t)) < 1e-5 * diagonalOf(k));
+      }
+    }
+}
+
+TEST_CASE("ghost: moving one key rigidly changes only the global motion") {
+  Keyframes k = bentBar({0, 80, 20});
+  for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
+    Keyframes other = k;
+    other.keys[1].positions = mapped(k.keys[1].positions, turn(Vec3(0, 1, 1), 1.1, Vec3(5, 0, 0)));
+    Sequence a = make(k, ghostly(1000, transfer)), b = make(other, ghostly(1000, transfer));
+    for (double t : slider) {
+      const Positions x = at(a, t), y = at(b, t);
+      CHECK(largestDistance(aligned(x, y), y) < 1e-8 * diagonalOf(k));
+    }
+  }
+}
+
+TEST_CASE("ghost: two keys with natural boundary give the geodesic") {
+  const Keyframes k = bentBar({10, 130});
+  MotionOptions geodesic;
+  geodesic.method = Method::Geodesic;
+  Sequence a = make(k), b = make(k, ghostly(), geodesic);
+  for (double t : slider) CHECK(largestDistance(at(a, t), at(b, t)) < 1e-10 * diagonalOf(k));
+}
+
+TEST_CASE("ghost: rigid turns stay rigid, also of several parts") {
+  const Vec3 axis(0.3, 1, 0.2);
+  const Shape parts = joined(joined(fineBar(), sphere({1.2, 0, 5}, 0.4)), sphere({0, 1.5, 9}, 0.3));
+  for (const Shape& shape : {fineBar(), parts})
+    for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
+      const Keyframes k = keyframes(shape, {turn(axis, 0), turn(axis, radians(80), Vec3(1, 0, 0)), turn(axis, radians(160), Vec3(0, 3, 0))});
+      Sequence s = make(k, ghostly(1000, transfer));
+      for (double t : slider) CHECK(fitRigid(shape.positions, at(s, t)).largestDistance < 1e-9 * diagonalOf(k));
+      const Mat3 r = fitRigid(shape.positions, at(s, 0.25)).rotation;
+      CHECK(logRotation(r).norm() == doctest::Approx(radians(40)).epsilon(1e-6));
+    }
+}
+
+namespace {
+
+// Turn of each cross-section of the fine bar against the next, from the best rigid fit of its vertices.
+std::vector<Vec3> sectionTurns(const Positions& rest, const Positions& pose) {
+  std::map<int, std::pair<Positions, Positions>> section;
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    auto& [a, b] = section[int(std::lround(rest[v].z() * 8))];
+    a.push_back(rest[v]), b.push_back(pose[v]);
+  }
+  std::vector<Vec3> turns;
+  Mat3 before = Mat3::Identity();
+  bool first = true;
+  for (auto& [z, pair] : section) {
+    const Mat3 r = fitRigid(pair.first, pair.second).rotation;
+    if (!first) turns.push_back(logRotation(Mat3(before.transpose() * r)));
+    before = r, first = false;
+  }
+  return turns;
+}
+
+void checkHalfway(const Keyframes& k) {
+  Sequence s = make(k, ghostly(2000));
+  const Positions& rest = fineBar().positions;
+  const auto half = sectionTurns(rest, at(s, 0.5)), whole = sectionTurns(rest, k.keys[1].positions);
+  REQUIRE(half.size() == whole.size());
+  for (std::size_t i = 0; i < half.size(); ++i) CHECK(half[i].norm() == doctest::Approx(whole[i].norm() / 2).epsilon(0.02));
+}
+
+}  // namespace
+
+TEST_CASE("ghost: a twist by 720 degrees is halfway a twist by 360") { checkHalfway(twistedBar({0, 720})); }
+TEST_CASE("ghost: a bend by 540 degrees is halfway a bend by 270") { checkHalfway(bentBar({0, 540})); }
+
+TEST_CASE("ghost: a twisted bar follows the analytic twist within KG 1.5") {
+  const Keyframes k = twistedBar({0, 180, 350});
+  Sequence s = make(k, ghostly(2000));
+  std::vector<Positions> exact, ours;
+  for (int i = 0; i <= 20; ++i) {
+    const double t = i / 20.0, u = t < 0.5 ? t / 0.5 : (1 - t) / 0.5, end = t < 0.5 ? 0 : 350;
+    const double second = 3 * (350 - 2 * 180.0) / (2 * 0.25);  // of the natural spline at the middle key
+    const double angle = end + (180 - end) * u + second * 0.25 / 6 * (u * u * u - u);
+    exact.push_back(mapped(fineBar().positions, twist(radians(angle))));
+    ours.push_back(aligned(at(s, t), exact.back()));
+  }
+  const double error = kgError(exact, ours, KgCentre::SequenceAverage);
+  MESSAGE("KG " << error);
+  CHECK(error < 1.5);
+}
+
+TEST_CASE("ghost: a bend keeps its volume") {
+  const Keyframes k = bentBar({0, 120});
+  for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
+    Sequence s = make(k, ghostly(1000, transfer));
+    CHECK(enclosedVolume(at(s, 0.5), k.faces) >= 0.99 * enclosedVolume(k.keys[0].positions, k.faces));
+  }
+}
+
+TEST_CASE("ghost: no vertex jumps between neighbouring times") {
+  for (const Keyframes& k : {twistedBar({0, 180, 350}), bentBar({0, 120, -60, 200})})
+    for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
+      EncodingOptions options = ghostly(600, transfer);
+      options.precision = Precision::Single;
+      MotionOptions motion;
+      motion.boundary = BoundaryKind::Periodic;
+      Sequence s = make(k, options, motion);
+      Frame frame;
+      std::vector<float> before;
+      double largest = 0;
+      for (int i = -100; i <= 350; ++i) {
+        REQUIRE(s.evaluate(i / 250.0, frame).ok());
+        for (std::size_t c = 0; c < before.size(); ++c)
+          largest = std::max(largest, double(std::abs(frame.positions[c] - before[c])));
+        before = frame.positions;
+      }
+      CHECK(largest < 0.06 * diagonalOf(k));
+    }
+}
+
+TEST_CASE("ghost: another root patch moves nothing") {
+  const Keyframes k = bentBar({0, 120, -60});
+  EncodingOptions other = ghostly();
+  other.rootPatch = 17;
+  Sequence a = make(k), b = make(k, other);
+  for (double t : slider) CHECK(largestDistance(at(a, t), at(b, t)) < 1e-6 * diagonalOf(k));
+}
+
+namespace {
+
+// A bar with a ball beside its side at z = 5 that moves rigidly with the bar's surface there.
+Keyframes barAndBall(double radius, const std::vector<double>& degrees) {
+  const Vec3 foot(0.5, 0, 5), centre(0.5 + 0.1 + radius, 0, 5);
+  const Shape both = joined(fineBar(), sphere(centre, radius));
+  std::vector<Map> maps;
+  for (double d : degrees) {
+    const Map bending = bend(radians(d)), ballTurn = turn(Vec3::UnitY(), radians(d) / 2);
+    maps.push_back([=](const Vec3& p) -> Vec3 {
+      if ((p - centre).norm() <= radius * 1.001) return bending(foot) + ballTurn(Vec3(p - foot));
+      return bending(p);
+    });
+  }
+  return keyframes(both, maps);
+}
+
+double leastDistance(const Positions& p, std::size_t bodyVertices) {
+  double least = 1e9;
+  for (std::size_t v = bodyVertices; v < p.size(); ++v)
+    for (std::size_t u = 0; u < bodyVertices; ++u) least = std::min(least, (p[v] - p[u]).norm());
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("ghost: a sphere beside a bending bar keeps its distance, with a ghost of its own or without") {
+  const std::size_t body = fineBar().positions.size();
+  for (const auto& [radius, faces] : {std::pair{0.25, 1000}, std::pair{0.25, 7}}) {
+    const Keyframes k = barAndBall(radius, {0, 60, 120});
+    EncodingOptions options = ghostly(faces);
+    Sequence s = make(k, options);
+    CHECK(s.stats().joinedComponents == (faces == 7 ? 1 : 0));
+    CHECK(s.stats().components == 2);
+    CHECK(worstKey(s) < 1e-9);
+    const double rest = leastDistance(k.keys[0].positions, body);
+    if (faces > 7)
+      for (double t : slider) CHECK(std::abs(leastDistance(at(s, t), body) - rest) < 0.02 * 2 * radius);
+    // The ball stays a ball in any case.
+    for (double t : slider) {
+      const Positions p = at(s, t);
+      CHECK(fitRigid({k.keys[0].positions.begin() + body, k.keys[0].positions.end()}, {p.begin() + body, p.end()}).largestDistance < 0.01 * radius);
+    }
+  }
+}
+
+TEST_CASE("ghost: faces without area, loose vertices and repeated faces") {
+  Shape shape = fineBar();
+  const int n = static_cast<int>(shape.positions.size());
+  shape.positions.emplace_back(0.5, 0.9, 5);  // in no face
+  shape.positions.emplace_back(0.5, 0.7, 5);  // in a face without area
+  shape.faces.push_back({n + 1, n + 1, 0});
+  shape.faces.push_back(shape.faces[7]);
+  shape.faces.push_back({shape.faces[9][0], shape.faces[9][2], shape.faces[9][1]});
+  const Keyframes k = keyframes(shape, {bend(0), bend(radians(60)), bend(radians(130))});
+  for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
+    Sequence s = make(k, ghostly(700, transfer));
+    if (transfer == Transfer::Exact) CHECK(worstKey(s) < 1e-9);
+    CHECK(s.ghost().ghostVertexOf[n] == -1);
+    CHECK(s.ghost().ghostFaceOf[shape.faces.size() - 3] == -1);
+    CHECK(s.ghost().ghostFaceOf.back() >= 0);
+    for (double t : slider)
+      for (const Vec3& p : at(s, t)) CHECK(p.allFinite());
+  }
+}
+
+TEST_CASE("ghost: seams are welded, and written back") {
+  Shape shape = fineBar();
+  // Every face gets vertices of its own.
+  Shape split;
+  for (const Triangle& t : shape.faces) {
+    const int first = static_cast<int>(split.positions.size());
+    for (int v : t) split.positions.push_back(shape.positions[v]);
+    split.faces.push_back({first, first + 1, first + 2});
+  }
+  const Keyframes whole = bentBar({0, 70, -120}), k = keyframes(split, {bend(0), bend(radians(70)), bend(radians(-120))});
+  Sequence a = make(whole), b = make(k);
+  CHECK(b.ghost().vertexOf.size() == a.ghost().vertexOf.size());
+  CHECK(b.ghost().ghostVertexOf.size() == split.positions.size());
+  for (int v : b.ghost().vertexOf) CHECK((v >= 0 && v < int(split.positions.size())));
+  CHECK(worstKey(b) < 1e-9);
+  const Positions p = at(b, 0.3);
+  std::map<std::array<double, 3>, int> copies;
+  for (const Vec3& q : p) ++copies[{q.x(), q.y(), q.z()}];
+  CHECK(copies.size() == shape.positions.size());
+}
+
+TEST_CASE("ghost: evaluate is a pure function of its arguments, and counts its work") {
+  const Keyframes k = bentBar({0, 70, -50, 120});
+  for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
+    EncodingOptions options = ghostly(900, transfer);
+    options.precision = Precision::Single;
+    Sequence s = make(k, options);
+    const SequenceStats before = s.stats();
+    Frame first, again, other;
+    std::vector<float> ghost;
+    REQUIRE(s.evaluate(0.37, first).ok());
+    for (double t : slider) REQUIRE(s.evaluate(t, other).ok());
+    MotionOptions motion;
+    motion.boundary = BoundaryKind::Periodic;
+    REQUIRE(s.update(motion, {0, 0.1, 0.5, 1}).ok());
+    REQUIRE(s.evaluate(0.8, other).ok());
+    REQUIRE(s.evaluateGhost(0.8, ghost).ok());
+    REQUIRE(s.update({}, evenTimes(4)).ok());
+    REQUIRE(s.evaluate(0.37, again).ok());
+    CHECK(first.positions == again.positions);
+    CHECK(first.normals == again.normals);
+    CHECK(s.stats().encodings == before.encodings);
+    CHECK(s.stats().factorisations == before.factorisations);
+    CHECK(s.stats().solves == before.solves + 3 + static_cast<long long>(slider.size()));
+    Sequence twin = make(k, options);
+    REQUIRE(twin.evaluate(0.37, again).ok());
+    CHECK(first.positions == again.positions);
+  }
+}
+
+TEST_CASE("ghost: wrong and pointless options") {
+  const Keyframes k = keyframes(box(1, 1, 2, 2, 2, 4), {bend(0, 2), bend(1, 2)});
+  for (int faces : {-1, 1, 3}) {
+    const auto sequence = Sequence::create(k, ghostly(faces), {});
+    REQUIRE(!sequence.ok());
+    CHECK(sequence.error().code == ErrorCode::InvalidOption);
+  }
+  Sequence s = make(k, ghostly(5000)), plain = make(k, doublePrecision());
+  CHECK(s.stats().ghostFaces == 0);
+  CHECK(s.ghost().faces.empty());
+  CHECK(std::any_of(s.warnings().begin(), s.warnings().end(), [](const Warning& w) { return w.code == "ghost-off"; }));
+  CHECK(plain.warnings().empty());
+  CHECK(at(s, 0.3) == at(plain, 0.3));
+  std::vector<float> xyz;
+  const Status status = s.evaluateGhost(0.5, xyz);
+  REQUIRE(!status.ok());
+  CHECK(status.error().code == ErrorCode::InvalidOption);
+}
+
+TEST_CASE("ghost: progress never falls") {
+  double last = 0;
+  std::vector<std::string> stages;
+  const auto sequence = Sequence::create(bentBar({0, 70}), ghostly(500), {}, [&](const char* stage, double fraction) {
+    CHECK(fraction >= last);
+    last = fraction;
+    if (stages.empty() || stages.back() != stage) stages.push_back(stage);
+  });
+  CHECK(last == 1);
+  CHECK(stages == std::vector<std::string>{"welding", "simplifying", "encoding", "ordering", "factorising"});
+}

@@ -1,0 +1,20 @@
+// How many of a ghost mesh's faces each component keeps.
+#pragma once
+
+#include <vector>
+
+#include "core/welded_shape.h"
+
+namespace shapespline {
+
+struct FaceShares {
+  std::vector<int> least;  ///< faces that a component keeps at least; 0 for one that joins its neighbour
+  int joined = 0;          ///< number of those
+};
+
+/// Half of each component's share of the target by its number of faces, at least a tetrahedron's four, at most what it has;
+/// the other half goes where the error is. Where that is more than the target, the components of least area join their
+/// neighbours, never the root.
+FaceShares shareFaces(const WeldedShape& shape, const ShapeParts& parts, int target);
+
+}  // namespace shapespline

@@ -1,0 +1,200 @@
+#include "core/panel_kernels.h"
+
+#include <algorithm>
+
+#include "core/simd.h"
+
+// Loops here are as small as they can be. Browsers' optimising compilers move the loads of a loop body to its front, so
+// that an unrolled body runs out of registers: bodies of five loads ran twice as fast as bodies of fourteen.
+
+namespace shapespline {
+
+namespace {
+
+template <class Scalar>
+struct VectorOf;
+template <>
+struct VectorOf<float> {
+  using type = Float4;
+};
+template <>
+struct VectorOf<double> {
+  using type = Double4;
+};
+
+constexpr int kMaxColumns = 64;
+
+constexpr int triangle(int n) { return n * (n + 1) / 2; }
+
+// x, y and z of four unknowns.
+template <class V>
+struct Group {
+  V x = V::zero(), y = V::zero(), z = V::zero();
+};
+
+template <class V, class Scalar>
+Group<V> gather(const Scalar* a, const Scalar* b, const Scalar* c, const Scalar* d) {
+  Group<V> g = {V::load(a), V::load(b), V::load(c)};
+  V pad = V::load(d);
+  transpose(g.x, g.y, g.z, pad);
+  return g;
+}
+
+template <class V, class Scalar>
+void addTo(Group<V> g, Scalar* a, Scalar* b, Scalar* c, Scalar* d) {
+  V pad = V::zero();
+  transpose(g.x, g.y, g.z, pad);
+  (V::load(a) + g.x).store(a);
+  (V::load(b) + g.y).store(b);
+  (V::load(c) + g.z).store(c);
+  (V::load(d) + pad).store(d);
+}
+
+template <class Scalar>
+Scalar* at(Scalar* x, int i) {
+  return x + 4 * static_cast<std::ptrdiff_t>(i);
+}
+
+// Minus four rows times the unknowns from y to end.
+template <class V, class Scalar>
+Group<V> negativeProduct(const Scalar* values, const Scalar* y, const Scalar* end) {
+  Group<V> g;
+  for (; y != end; y += 4, values += 4) {
+    const V l = V::load(values);
+    g.x = g.x - l * V::loadSplat(y);
+    g.y = g.y - l * V::loadSplat(y + 1);
+    g.z = g.z - l * V::loadSplat(y + 2);
+  }
+  return g;
+}
+
+// x := inverse * x for W unknowns.
+template <class V, int W, class Scalar>
+void solveDiagonal(const Scalar* inverse, Scalar* x) {
+  V b[W];
+  for (int j = 0; j < W; ++j) b[j] = V::load(x + 4 * j);
+  for (int i = 0; i < W; ++i, inverse += i) {
+    V sum = V::loadSplat(inverse) * b[0];
+    for (int j = 1; j <= i; ++j) sum = sum + V::loadSplat(inverse + j) * b[j];
+    sum.store(x + 4 * i);
+  }
+}
+
+// x := inverseᵀ * (x - sum) for W unknowns, sum being what is left to add up over the lanes of W columns' x, y and z.
+template <class V, int W, class Scalar>
+void solveDiagonalTransposed(const Scalar* inverse, const Scalar* sum, Scalar* x) {
+  V b[W];
+  for (int j = 0; j < W; ++j, sum += 12) {
+    V p = V::load(sum), q = V::load(sum + 4), r = V::load(sum + 8), zero = V::zero();
+    transpose(p, q, r, zero);
+    b[j] = V::load(x + 4 * j) - ((p + q) + (r + zero));
+  }
+  for (int j = 0; j < W; ++j) {
+    V result = V::loadSplat(inverse + triangle(j) + j) * b[j];
+    for (int i = j + 1; i < W; ++i) result = result + V::loadSplat(inverse + triangle(i) + j) * b[i];
+    result.store(x + 4 * j);
+  }
+}
+
+template <class V, class Scalar>
+void forwardPanel(const Scalar* values, int columns, const int* row, int rows, Scalar* x, int first) {
+  Scalar* const own = at(x, first);
+  Scalar* const end = at(own, columns);
+  Scalar* y = own;
+  switch (firstBlock(columns)) {
+    case 1: solveDiagonal<V, 1>(values, y); break;
+    case 2: solveDiagonal<V, 2>(values, y); break;
+    case 3: solveDiagonal<V, 3>(values, y); break;
+    default: solveDiagonal<V, 4>(values, y); break;
+  }
+  values += triangle(firstBlock(columns));
+  for (y = at(own, firstBlock(columns)); y != end; y += 16) {
+    addTo(negativeProduct<V>(values, own, y), y, y + 4, y + 8, y + 12);
+    values += y - own;
+    solveDiagonal<V, 4>(values, y);
+    values += 10;
+  }
+  for (; rows >= 8; rows -= 8, row += 8) {
+    Group<V> g, h;
+    for (y = own; y != end; y += 4, values += 8) {
+      const V k = V::load(values), l = V::load(values + 4);
+      const V vx = V::loadSplat(y), vy = V::loadSplat(y + 1), vz = V::loadSplat(y + 2);
+      g.x = g.x - k * vx, h.x = h.x - l * vx;
+      g.y = g.y - k * vy, h.y = h.y - l * vy;
+      g.z = g.z - k * vz, h.z = h.z - l * vz;
+    }
+    addTo(g, at(x, row[0]), at(x, row[1]), at(x, row[2]), at(x, row[3]));
+    addTo(h, at(x, row[4]), at(x, row[5]), at(x, row[6]), at(x, row[7]));
+  }
+  if (rows > 0) addTo(negativeProduct<V>(values, own, end), at(x, row[0]), at(x, row[1]), at(x, row[2]), at(x, row[3]));
+}
+
+// Adds to the columns' sums the products with four rows, from the last column to the first. Returns where they start.
+template <class V, class Scalar>
+const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Scalar* begin, Scalar* sum) {
+  while (sum != begin) {
+    values = stepBack(values, 4);
+    sum = stepBack(sum, 12);
+    const V l = V::load(values);
+    (V::load(sum) + l * g.x).store(sum);
+    (V::load(sum + 4) + l * g.y).store(sum + 4);
+    (V::load(sum + 8) + l * g.z).store(sum + 8);
+  }
+  return values;
+}
+
+template <class V, class Scalar>
+void backwardPanel(const Scalar* values, int columns, const int* row, int rows, Scalar* x, int first) {
+  alignas(16) Scalar sums[12 * kMaxColumns];
+  std::fill_n(sums, 12 * columns, Scalar(0));
+  values += panelEntries(columns, rows);
+  row += rows;
+  if (rows % 8 != 0) {
+    row -= 4;
+    const auto g = gather<V>(at(x, row[0]), at(x, row[1]), at(x, row[2]), at(x, row[3]));
+    values = addProducts(values, g, sums, sums + 12 * columns);
+  }
+  for (rows -= rows % 8; rows > 0; rows -= 8) {
+    row -= 8;
+    const auto g = gather<V>(at(x, row[0]), at(x, row[1]), at(x, row[2]), at(x, row[3]));
+    const auto h = gather<V>(at(x, row[4]), at(x, row[5]), at(x, row[6]), at(x, row[7]));
+    for (Scalar* sum = sums + 12 * columns; sum != sums;) {
+      values = stepBack(values, 8);
+      sum = stepBack(sum, 12);
+      const V k = V::load(values), l = V::load(values + 4);
+      ((V::load(sum) + k * g.x) + l * h.x).store(sum);
+      ((V::load(sum + 4) + k * g.y) + l * h.y).store(sum + 4);
+      ((V::load(sum + 8) + k * g.z) + l * h.z).store(sum + 8);
+    }
+  }
+  const int firstRows = firstBlock(columns);
+  for (int c = columns - 4; c >= firstRows; c -= 4) {
+    values -= 10;
+    Scalar* y = at(x, first + c);
+    solveDiagonalTransposed<V, 4>(values, sums + 12 * c, y);
+    values = addProducts(values, gather<V>(y, y + 4, y + 8, y + 12), sums, sums + 12 * c);
+  }
+  values -= triangle(firstRows);
+  switch (firstRows) {
+    case 1: return solveDiagonalTransposed<V, 1>(values, sums, at(x, first));
+    case 2: return solveDiagonalTransposed<V, 2>(values, sums, at(x, first));
+    case 3: return solveDiagonalTransposed<V, 3>(values, sums, at(x, first));
+    default: return solveDiagonalTransposed<V, 4>(values, sums, at(x, first));
+  }
+}
+
+}  // namespace
+
+template <class Scalar>
+PanelKernels<Scalar> panelKernels() {
+  using V = typename VectorOf<Scalar>::type;
+  // volatile keeps the optimiser from turning the pointers back into calls.
+  static PanelKernel<Scalar> volatile forward = forwardPanel<V, Scalar>;
+  static PanelKernel<Scalar> volatile backward = backwardPanel<V, Scalar>;
+  return {forward, backward};
+}
+
+template PanelKernels<float> panelKernels<float>();
+template PanelKernels<double> panelKernels<double>();
+
+}  // namespace shapespline

@@ -1,0 +1,34 @@
+// The two inner loops of the solve: one panel of the factor (see panels.h) forward and backward.
+#pragma once
+
+#include <cstddef>
+
+namespace shapespline {
+
+/// Rows of a panel's first triangle block; all others have four.
+constexpr int firstBlock(int columns) { return (columns - 1) % 4 + 1; }
+
+/// Numbers that a panel of `columns` columns with `rows` rows below (a multiple of four) takes.
+constexpr std::size_t panelEntries(int columns, int rows) {
+  const std::size_t first = static_cast<std::size_t>(firstBlock(columns));
+  std::size_t entries = first * (first + 1) / 2 + static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  for (std::size_t c = first; c < static_cast<std::size_t>(columns); c += 4) entries += 4 * c + 10;
+  return entries;
+}
+
+/// Works on the vector x (four numbers an unknown): the panel's own unknowns start at `first`, the rows below are
+/// row[0 .. rows - 1].
+template <class Scalar>
+using PanelKernel = void (*)(const Scalar* values, int columns, const int* row, int rows, Scalar* x, int first);
+
+template <class Scalar>
+struct PanelKernels {
+  PanelKernel<Scalar> forward, backward;
+};
+
+/// Called through pointers: inlined into the loop over all panels, which is one long call, they would stay in the
+/// browser's baseline compiler.
+template <class Scalar>
+PanelKernels<Scalar> panelKernels();
+
+}  // namespace shapespline

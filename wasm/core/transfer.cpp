@@ -1,0 +1,70 @@
+#include "core/transfer.h"
+
+namespace shapespline {
+
+Status GhostMotion::build(const WeldedShape& full, const ShapeParts& parts, const EncodingOptions& options,
+                          SequenceStats& stats, const StageProgress& progress) {
+  Stopwatch watch;
+  transfer_ = options.transfer;
+  mesh_ = simplify(full, parts, {options.ghostFaces, options.optimalPlacement},
+                   [&](double fraction) { progress("simplifying", fraction); });
+  shape_ = full.withMesh(mesh_.faces, mesh_.poses);
+  stats.ghostFaces = shape_.faceCount();
+  stats.ghostVertices = shape_.vertexCount();
+  stats.joinedComponents = mesh_.joinedPieces;
+  stats.simplifyMs = watch.lap();
+  if (Status status = buildMotion(options, stats); !status) return status;
+  stats.encodeMs += watch.lap();
+
+  faceOf_ = correspondingFaces(full, parts, mesh_);
+  for (int c = 0; c < shape_.columns(); ++c) {
+    rotation_.emplace_back();
+    for (int f = 0; f < shape_.faceCount(); ++f) rotation_.back().push_back(rotationOf(shape_, f, c));
+  }
+  stats.transferMs += watch.lap();
+  return {};
+}
+
+Status GhostMotion::buildMotion(const EncodingOptions& options, SequenceStats& stats) {
+  const ShapeParts parts = partsOf(shape_);
+  Status status = patches_.build(shape_, encodePatches(shape_, parts, options.patches), options.rootPatch);
+  if (!status) return status;
+  auto coordinates = encode<double>(shape_, parts, patches_.poses(), options.stretch, Transfer::Exact);
+  ++stats.encodings;
+  status = reconstructor_.build({shape_, parts, patches_.poses().ofFace, patches_, options.stretch, Precision::Double},
+                                std::move(coordinates), [](const char*, double) {});
+  stats.factorisations += 2;  // one a system
+  return status;
+}
+
+void GhostMotion::at(const Weights& weights, Frames& frames) {
+  reconstructor_.faceRotations(weights, frames.rotation);
+  frames.gradient.clear();
+  if (transfer_ == Transfer::Exact) return;
+  reconstructor_.reconstruct(weights, xyz_);
+  for (int f = 0; f < shape_.faceCount(); ++f) frames.gradient.push_back(gradient(f, frames.rotation[f].toRotationMatrix()));
+}
+
+// [e1 e2 n] [e1~ e2~ n~]^-1 of the ghost as it lies in xyz_. A face that has collapsed takes its normal from R_f.
+Mat3 GhostMotion::gradient(int face, const Mat3& rotation) const {
+  const FaceFrame frame = referenceFrame(shape_, face);
+  const Triangle& t = shape_.faces[face];
+  const auto vertex = [&](int v) { return Vec3(xyz_[3 * v], xyz_[3 * v + 1], xyz_[3 * v + 2]); };
+  const Vec3 e1 = vertex(t[1]) - vertex(t[0]), e2 = vertex(t[2]) - vertex(t[0]);
+  const Vec3 cross = e1.cross(e2);
+  const double area = cross.norm();
+  const Mat2& e = frame.edges;  // upper triangular
+  const Vec3 first = e1 / e(0, 0), second = (e2 - e(0, 1) * first) / e(1, 1);
+  Mat3 deformed;
+  deformed << first, second, area > 0 ? Vec3(cross / area) : Vec3(rotation * frame.basis.col(2));
+  return deformed * frame.basis.transpose();
+}
+
+int GhostMotion::positions(const Weights& weights, Positions& positions) {
+  const int lost = reconstructor_.reconstruct(weights, xyz_);
+  positions.resize(xyz_.size() / 3);
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = {xyz_[3 * v], xyz_[3 * v + 1], xyz_[3 * v + 2]};
+  return lost;
+}
+
+}  // namespace shapespline
