@@ -76,6 +76,7 @@ describe('the bindings', () => {
     const shape = bent(bar(), 90);
     const all = [
       far({}), far({ reference: 2 }), far({ patches: 3 }), far({ stretch: 'log' }), far({ precision: 'double' }), far({}, 'hermite'),
+      far({ ghostFaces: 80 }), far({ ghostFaces: 80, transfer: 'paper' }), far({ ghostFaces: 80, placement: 'optimal' }),
       far({ startTangent: shape }, 'hermite'), far({ endTangent: shape }, 'hermite'),
     ];
     expect(new Set(all).size).toBe(all.length);

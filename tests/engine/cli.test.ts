@@ -150,6 +150,43 @@ describe('complete', () => {
   });
 });
 
+describe('complete with a ghost mesh', () => {
+  const report = async (...words: string[]): Promise<Record<string, never>> => {
+    const { code, stderr } = await runCli(folder, 'complete', ...names, '--output', 'g.glb', '--report', 'g.json', '--frames=9', ...words);
+    expect([code, stderr]).toEqual([0, '']);
+    return json('g.json');
+  };
+
+  it('reports its size, what it misses and what its stages took', async () => {
+    const exact = await report('--ghost-faces', '80');
+    expect(exact).toMatchObject({
+      options: { sequence: { ghostFaces: 80, transfer: 'exact', placement: 'vertices' } },
+      ghost: { faces: expect.any(Number), vertices: expect.any(Number), joinedComponents: 0, transfer: 'exact', placement: 'vertices' },
+    });
+    const { faces, vertices, kg } = exact.ghost as Record<string, number>;
+    expect(faces).toBeGreaterThan(40);
+    expect(faces).toBeLessThanOrEqual(80);
+    expect(faces).toBe(2 * vertices! - 4);  // closed, of genus 0
+    expect(kg).toBeGreaterThan(0);
+    expect(kg).toBeLessThan(5);
+    for (const stage of ['weld', 'simplify', 'encode', 'transfer', 'order', 'factor', 'compare']) expect(exact.timings[stage]).toBeGreaterThan(0);
+    const paper = await report('--ghost-faces=80', '--transfer=paper', '--placement=optimal');
+    expect(paper).toMatchObject({ ghost: { transfer: 'paper', placement: 'optimal' } });
+    expect((paper.ghost as Record<string, number>).kg).not.toBe(kg);
+  });
+
+  it('is off unless asked for, and can be taken off a project that has one', async () => {
+    expect((await report()).ghost).toBeNull();
+    await report('--ghost-faces=80');
+    const opened = async (...words: string[]): Promise<unknown> => {
+      expect((await runCli(folder, 'complete', 'g.glb', '--output', 'h.glb', '--report', 'h.json', ...words)).code).toBe(0);
+      return (await json('h.json')).options;
+    };
+    expect(await opened()).toMatchObject({ sequence: { ghostFaces: 80 } });
+    expect(await opened('--ghost-faces=off')).toMatchObject({ sequence: { ghostFaces: 0 } });
+  });
+});
+
 describe('wrong use', () => {
   it.each([
     [[]],
@@ -162,7 +199,9 @@ describe('wrong use', () => {
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundery', 'natural']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundary', 'open']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--at=0', '--frames=3']],
-    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--ghost-faces', '500']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--ghost-faces', '3']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--ghost-faces=no']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--ghost-faces=500', '--transfer=fast']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--reference', '7']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundary=periodic', '--period=0.5']],
   ])('is one line and exit code 2: %j', async (words) => {

@@ -24,6 +24,7 @@ constexpr std::pair<const char*, BoundaryKind> boundaries[] = {{"natural", Bound
                                                                {"hermite", BoundaryKind::Hermite},
                                                                {"periodic", BoundaryKind::Periodic}};
 constexpr std::pair<const char*, Stretch> stretches[] = {{"linear", Stretch::Linear}, {"log", Stretch::Log}};
+constexpr std::pair<const char*, Transfer> transfers[] = {{"exact", Transfer::Exact}, {"paper", Transfer::Paper}};
 constexpr std::pair<const char*, Precision> precisions[] = {{"single", Precision::Single},
                                                             {"double", Precision::Double}};
 constexpr std::pair<const char*, Material::Alpha> alphas[] = {{"OPAQUE", Material::Alpha::Opaque},
@@ -143,6 +144,9 @@ EncodingOptions encodingFrom(const Json& json) {
   encoding.reference = json.at("reference");
   encoding.patches = json.at("patches");
   encoding.stretch = named(json.at("stretch"), stretches);
+  encoding.ghostFaces = json.at("ghostFaces");
+  encoding.transfer = named(json.at("transfer"), transfers);
+  encoding.optimalPlacement = json.at("placement") == "optimal";
   encoding.precision = named(json.at("precision"), precisions);
   encoding.startTangent = tangentFrom(json.at("startTangent"));
   encoding.endTangent = tangentFrom(json.at("endTangent"));
@@ -194,7 +198,12 @@ Json toJson(const SequenceStats& stats) {
           {"patches", stats.patches},
           {"weldedVertices", stats.weldedVertices},
           {"components", stats.components},
+          {"ghostFaces", stats.ghostFaces},
+          {"ghostVertices", stats.ghostVertices},
+          {"joinedComponents", stats.joinedComponents},
           {"weldMs", stats.weldMs},
+          {"simplifyMs", stats.simplifyMs},
+          {"transferMs", stats.transferMs},
           {"encodeMs", stats.encodeMs},
           {"orderMs", stats.orderMs},
           {"factorMs", stats.factorMs},

@@ -12,10 +12,11 @@
 
 namespace shapespline::bindings {
 
-/// A sequence with the frame that it was last evaluated into, so that no frame allocates.
+/// A sequence with the frame and the ghost that it was last evaluated into, so that no frame allocates.
 struct SequenceObject {
   Sequence sequence;
   Frame frame;
+  std::vector<float> ghost;  ///< xyz of the ghost's vertices
 };
 
 /// An import with the key that was last asked for, in single precision, and its normals.

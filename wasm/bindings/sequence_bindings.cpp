@@ -25,7 +25,7 @@ ENTRY const char* shapespline_sequence(const char* request) {
                                                  motionFrom(json.at("motion")), reportProgress);
     if (!sequence) return sequence.error();
     Json described = state(*sequence);
-    described["handle"] = objects().add(SequenceObject{std::move(*sequence), {}});
+    described["handle"] = objects().add(SequenceObject{std::move(*sequence), {}, {}});
     return described;
   });
 }
@@ -44,7 +44,7 @@ ENTRY const char* shapespline_update(int handle, const char* request) {
 /// {positions, normals, lostDefiniteness} of the shape at t: 3n floats each, valid until the next frame of this handle.
 ENTRY const char* shapespline_evaluate(int handle, double t) {
   return answer([&]() -> Result<Json> {
-    auto& [sequence, frame] = objects().get<SequenceObject>(handle);
+    auto& [sequence, frame, ghost] = objects().get<SequenceObject>(handle);
     if (const Status status = sequence.evaluate(t, frame); !status) return status.error();
     return Json{{"positions", range(frame.positions.data(), frame.positions.size())},
                 {"normals", range(frame.normals.data(), frame.normals.size())},
@@ -84,6 +84,27 @@ ENTRY const char* shapespline_patches(int handle) {
   return answer([&]() -> Result<Json> {
     const std::vector<int>& patches = sequenceOf(handle).patchOfFace();
     return Json{{"patches", range(patches.data(), patches.size())}};
+  });
+}
+
+/// {faces, vertexOf, ghostVertexOf, ghostFaceOf} of the ghost mesh, int32, belonging to the handle; all empty without one.
+ENTRY const char* shapespline_ghost(int handle) {
+  return answer([&]() -> Result<Json> {
+    const Ghost& ghost = sequenceOf(handle).ghost();
+    const auto indices = [](const std::vector<int>& list) { return range(list.data(), list.size()); };
+    return Json{{"faces", range(reinterpret_cast<const int*>(ghost.faces.data()), 3 * ghost.faces.size())},
+                {"vertexOf", indices(ghost.vertexOf)},
+                {"ghostVertexOf", indices(ghost.ghostVertexOf)},
+                {"ghostFaceOf", indices(ghost.ghostFaceOf)}};
+  });
+}
+
+/// {positions}: xyz of the ghost's vertices at t, valid until the next call for the same handle.
+ENTRY const char* shapespline_ghost_positions(int handle, double t) {
+  return answer([&]() -> Result<Json> {
+    auto& [sequence, frame, ghost] = objects().get<SequenceObject>(handle);
+    if (const Status status = sequence.evaluateGhost(t, ghost); !status) return status.error();
+    return Json{{"positions", range(ghost.data(), ghost.size())}};
   });
 }
 

@@ -1,6 +1,7 @@
 /** What the two commands do. */
 import { version } from '../../package.json';
 import type { Engine, Keys, Sequence } from '../engine/api.ts';
+import { kgBetween } from '../engine/ghost-study.ts';
 import { createEngine } from '../engine/node.ts';
 import { readPose } from '../engine/pose.ts';
 import type { ExportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/types.ts';
@@ -84,6 +85,7 @@ export async function complete(args: Arguments): Promise<Completed> {
     const report = args.values.get('report');
     if (report) {
       const measures = await timings.time('measure', sequence.measures(plan.times));
+      const ghost = await describeGhost(engine, keys, sequence, plan.times, timings);
       const { options: all, counts, stages } = await settled(sequence, options.export);
       timings.ms.total = rounded(performance.now() - started);
       const json = {
@@ -98,6 +100,7 @@ export async function complete(args: Arguments): Promise<Completed> {
         counts,
         warnings,
         measures,
+        ghost,
       };
       outputs.push({ path: report, files: [{ name: report, bytes: `${JSON.stringify(json, null, 2)}\n` }] });
     }
@@ -116,14 +119,26 @@ async function readTangents(engine: Engine, args: Arguments, keys: Keys): Promis
   return tangents;
 }
 
+/** The ghost mesh, and its KG error in percent against the same motion without it over these times; null without one. */
+async function describeGhost(engine: Engine, keys: Keys, sequence: Sequence, times: number[], timings: Timings): Promise<object | null> {
+  const { ghostFaces: faces, ghostVertices: vertices, joinedComponents } = await sequence.stats();
+  if (faces === 0) return null;
+  const { transfer, placement } = sequence.options;
+  const full = await engine.createSequence(keys, { ...sequence.options, ghostFaces: 0 });
+  const kg = await timings.time('compare', kgBetween(full, sequence, times));
+  full.dispose();
+  return { faces, vertices, joinedComponents, transfer, placement, kg };
+}
+
 /** Every option as it was used, and what the sequence counted; tangents are said, not spelt out. */
 async function settled(sequence: Sequence, exported: Partial<ExportOptions>): Promise<Record<'options' | 'counts' | 'stages', object>> {
-  const { weldMs, encodeMs, orderMs, factorMs, ...counts } = await sequence.stats();
+  const { weldMs, simplifyMs, encodeMs, transferMs, orderMs, factorMs, ...counts } = await sequence.stats();
   const { startTangent, endTangent, ...rest } = sequence.options;
   const options = {
     sequence: { ...rest, startTangent: startTangent !== null, endTangent: endTangent !== null, keyTimes: sequence.keyTimes },
     export: exported,
   };
-  const stages = { weld: rounded(weldMs), encode: rounded(encodeMs), order: rounded(orderMs), factor: rounded(factorMs) };
+  const ms = { weld: weldMs, simplify: simplifyMs, encode: encodeMs, transfer: transferMs, order: orderMs, factor: factorMs };
+  const stages = Object.fromEntries(Object.entries(ms).map(([stage, value]) => [stage, rounded(value)]));
   return { options, counts, stages };
 }

@@ -6,7 +6,7 @@ import * as read from './values.ts';
 const IMPORT = ['key-times', 'animation', 'sample', 'up', 'unit'];
 const MOTION = [
   'boundary', 'start-speed', 'end-speed', 'start-tangent', 'end-tangent', 'period', 'tension', 'method', 'stretch', 'precision',
-  'patches', 'reference', 'turns', 'ghost-faces', 'transfer',
+  'patches', 'reference', 'turns', 'ghost-faces', 'transfer', 'placement',
 ];
 const EXPORT = ['output', 'report', 'at', 'frames', 'range', 'duration'];
 
@@ -42,7 +42,9 @@ Keys are counted from 1, animations from 0. Times are in any unit you like.
   --reference KEY                        key that the others are measured against
   --patches N                            default: the square root of the number of faces
   --precision single|double
-  --ghost-faces N|off  --transfer exact|paper
+  --ghost-faces N|off                    let a coarse mesh of N faces lead the shape; default off
+  --transfer exact|paper                 with it: through every key (default), or as published
+  --placement vertices|optimal           of the coarse mesh; default: on vertices of the shape
   --in-place                             without the motion of the whole
 
   --at T,T,...                           these times
@@ -80,12 +82,6 @@ export function importOptions(args: Arguments): ImportOptions {
 
 /** All but the tangents, which are files. */
 export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
-  value(args, 'transfer', read.oneOf('exact', 'paper'));
-  const ghost = args.values.get('ghost-faces') ?? 'off';
-  if (ghost !== 'off') {
-    read.wholeFrom(1)(ghost, '--ghost-faces');
-    throw new UsageError('--ghost-faces: the multi-resolution method is to come; leave it off, the full mesh is fast');
-  }
   return given<SequenceOptions>({
     method: value(args, 'method', read.oneOf('lri', 'geodesic', 'linear', 'cubic-vertex')),
     boundary: value(args, 'boundary', read.oneOf('natural', 'hermite', 'periodic')),
@@ -98,6 +94,9 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
     reference: value(args, 'reference', read.key),
     patches: value(args, 'patches', read.wholeFrom(1)),
     stretch: value(args, 'stretch', read.oneOf('linear', 'log')),
+    ghostFaces: value(args, 'ghost-faces', (text, option) => (text === 'off' ? 0 : read.wholeFrom(4)(text, option))),
+    transfer: value(args, 'transfer', read.oneOf('exact', 'paper')),
+    placement: value(args, 'placement', read.oneOf('vertices', 'optimal')),
     precision: value(args, 'precision', read.oneOf('single', 'double')),
     startTangent: undefined,
     endTangent: undefined,

@@ -1,6 +1,6 @@
 /** The engine as its users see it. Implemented by client.ts (browser worker) and node.ts (Node worker thread). */
 import type {
-  EncodingOptions, ErrorPlace, ExportedFile, ExportOptions, ExportPlan, Frame, ImportOptions, InputFile, KeysInfo, Measures,
+  EncodingOptions, ErrorPlace, ExportedFile, ExportOptions, ExportPlan, Frame, Ghost, ImportOptions, InputFile, KeysInfo, Measures,
   MotionOptions, Progress, SequenceOptions, SequenceStats, ShapePlane, Warning,
 } from './types.ts';
 
@@ -51,6 +51,10 @@ export interface Sequence {
   bendingEnergy(times: number[]): Promise<number[]>;
   /** Patch index of each face, -1 for faces without area. */
   patches(): Promise<Int32Array>;
+  /** The ghost mesh, or null without one. */
+  ghost(): Promise<Ghost | null>;
+  /** 3 x ghost vertices at t; code 'invalid-option' without a ghost mesh. */
+  ghostPositions(t: number): Promise<Float32Array>;
   /** Times, size and warnings of an export, without making it. */
   planExport(options?: Partial<ExportOptions>): Promise<ExportPlan>;
   export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]>;

@@ -3,7 +3,7 @@ import { EngineError } from './errors.ts';
 import { Loan, readBytes, readFloats, readInts, readText, writeFloats, type Range } from './heap.ts';
 import type { FrameBuffers, FrameData, ImportedData, KeyData, MotionSpec, RequestOf, SceneData } from './protocol.ts';
 import type {
-  AnimationInfo, EncodingOptions, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, SequenceStats, ShapePlane,
+  AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, SequenceStats, ShapePlane,
   Warning,
 } from './types.ts';
 import type { Address, CreateWasmModule, WasmModule } from './wasm-module.ts';
@@ -152,6 +152,22 @@ export class Core {
   patches(handle: number): Int32Array {
     const { patches } = this.answer<{ patches: Range }>(this.module._shapespline_patches(handle));
     return readInts(this.module, patches);
+  }
+
+  ghost(handle: number): Ghost | null {
+    const ranges = this.answer<Record<keyof Ghost, Range>>(this.module._shapespline_ghost(handle));
+    if (ranges.faces.length === 0) return null;
+    const read = (range: Range): Int32Array => readInts(this.module, range);
+    return {
+      faces: new Uint32Array(read(ranges.faces).buffer),
+      vertexOf: read(ranges.vertexOf),
+      ghostVertexOf: read(ranges.ghostVertexOf),
+      ghostFaceOf: read(ranges.ghostFaceOf),
+    };
+  }
+
+  ghostPositions(handle: number, t: number): Float32Array {
+    return readFloats(this.module, this.answer<{ positions: Range }>(this.module._shapespline_ghost_positions(handle, t)).positions);
   }
 
   stats(handle: number): SequenceStats {

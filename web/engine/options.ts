@@ -49,6 +49,9 @@ const encodingChecks: Checks<EncodingOptions> = {
   reference: wholeFrom(0),
   patches: wholeFrom(0),
   stretch: oneOf('linear', 'log'),
+  ghostFaces: (v) => (v === 0 ? null : wholeFrom(4)(v) && 'must be 0 (off) or a whole number of at least 4'),
+  transfer: oneOf('exact', 'paper'),
+  placement: oneOf('vertices', 'optimal'),
   precision: oneOf('single', 'double'),
   startTangent: orNull(floats),
   endTangent: orNull(floats),
@@ -127,8 +130,8 @@ export function motionOf(options: SequenceOptions): MotionOptions {
 }
 
 export function encodingOf(options: SequenceOptions): EncodingOptions {
-  const { reference, patches, stretch, precision, startTangent, endTangent } = options;
-  return { reference, patches, stretch, precision, startTangent, endTangent };
+  const { reference, patches, stretch, ghostFaces, transfer, placement, precision, startTangent, endTangent } = options;
+  return { reference, patches, stretch, ghostFaces, transfer, placement, precision, startTangent, endTangent };
 }
 
 /** Names of the call options, checked like the rest. */

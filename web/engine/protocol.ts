@@ -4,7 +4,7 @@
  */
 import type { ErrorData } from './errors.ts';
 import type {
-  AnimationInfo, EncodingOptions, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, MotionOptions,
+  AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, MotionOptions,
   SequenceOptions, SequenceStats, ShapePlane, TextureImage, Warning,
 } from './types.ts';
 
@@ -71,6 +71,9 @@ export interface Calls {
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
   bending: { request: { motion: MotionSpec; times: number[] }; result: number[] };
   patches: { request: object; result: Int32Array };
+  /** null without a ghost mesh. */
+  ghost: { request: object; result: Ghost | null };
+  ghostPositions: { request: { motion: MotionSpec; t: number }; result: Float32Array };
   stats: { request: object; result: SequenceStats };
   /** Bytes of an animated GLB, to a few percent; the images' own bytes are not in it. */
   glbSize: { request: { vertices: number; faces: number; frames: number; scene: SceneData }; result: number };

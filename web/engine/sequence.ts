@@ -8,7 +8,7 @@ import type { CallName, KeyData, MotionSpec, RequestOf, ResultOf, SceneData } fr
 import type { Remote, RemoteCall } from './remote.ts';
 import { Scheduler, urgency, type Task, type Urgency } from './scheduler.ts';
 import type {
-  EncodingOptions, ExportedFile, ExportOptions, ExportPlan, Frame, Measures, MotionOptions, SequenceOptions, SequenceStats,
+  EncodingOptions, ExportedFile, ExportOptions, ExportPlan, Frame, Ghost, Measures, MotionOptions, SequenceOptions, SequenceStats,
   ShapePlane, Warning,
 } from './types.ts';
 
@@ -145,6 +145,15 @@ export class SequenceClient implements Sequence {
 
   async patches(): Promise<Int32Array> {
     return this.scheduled(urgency.shown, 'patches', () => ({}));
+  }
+
+  async ghost(): Promise<Ghost | null> {
+    return this.scheduled(urgency.shown, 'ghost', () => ({}));
+  }
+
+  async ghostPositions(t: number): Promise<Float32Array> {
+    const checked = checkTime(t);
+    return this.scheduled(urgency.shown, 'ghostPositions', () => ({ motion: this.motion, t: checked }));
   }
 
   async planExport(options?: Partial<ExportOptions>): Promise<ExportPlan> {

@@ -77,6 +77,8 @@ export class Service {
       plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
       bending: (core, { motion, times }) => core.bending(this.follow(core, motion), times),
       patches: (core) => core.patches(this.sequence),
+      ghost: (core) => core.ghost(this.sequence),
+      ghostPositions: (core, { motion, t }) => core.ghostPositions(this.follow(core, motion), t),
       stats: (core) => core.stats(this.sequence),
       glbSize: (core, request) => core.animationSize(request),
       addFrame: (_, { positions, normals }) => {

@@ -7,6 +7,10 @@
 export type Method = 'lri' | 'geodesic' | 'linear' | 'cubic-vertex';
 export type Boundary = 'natural' | 'hermite' | 'periodic';
 export type Stretch = 'linear' | 'log';
+/** How the shape follows a ghost mesh (paper section 4.3): through every key, or from the reference's details alone. */
+export type Transfer = 'exact' | 'paper';
+/** Where the ghost's vertices stand: on vertices of the shape, or in each key where the error is least. */
+export type Placement = 'vertices' | 'optimal';
 export type Precision = 'single' | 'double';
 
 /** One dropped or named file. `name` may hold a path relative to the dropped folder; `bytes` are copied, never kept. */
@@ -67,6 +71,11 @@ export interface EncodingOptions {
   /** Wanted number of patches; 0 = the default formula. */
   patches: number;
   stretch: Stretch;
+  /** 0 = off, else at least 4: the splines run on a ghost mesh of about so many faces, and the shape follows it. */
+  ghostFaces: number;
+  /** With a ghost mesh. */
+  transfer: Transfer;
+  placement: Placement;
   precision: Precision;
   /** Hermite: 3 x vertices positions of a shape that takes the neighbour key's place in the difference at that end. */
   startTangent: Float32Array | null;
@@ -77,6 +86,9 @@ export const ENCODING_DEFAULTS: Readonly<EncodingOptions> = {
   reference: 0,
   patches: 0,
   stretch: 'linear',
+  ghostFaces: 0,
+  transfer: 'exact',
+  placement: 'vertices',
   precision: 'single',
   startTangent: null,
   endTangent: null,
@@ -196,6 +208,18 @@ export interface KeysInfo {
   project: Partial<SequenceOptions> | null;
 }
 
+/** The coarse mesh that leads the motion (Fig. 6), and how the shape belongs to it. */
+export interface Ghost {
+  /** 3 x ghost faces, of ghost vertices. */
+  faces: Uint32Array;
+  /** Of each ghost vertex: the vertex of the shape that it corresponds to. */
+  vertexOf: Int32Array;
+  /** Of each vertex: the ghost vertex that it collapsed to, or -1. */
+  ghostVertexOf: Int32Array;
+  /** Of each face: the ghost face that it follows; -1 without area. */
+  ghostFaceOf: Int32Array;
+}
+
 export interface SequenceStats {
   encodings: number;
   factorisations: number;
@@ -203,7 +227,15 @@ export interface SequenceStats {
   patches: number;
   weldedVertices: number;
   components: number;
+  /** 0 without a ghost mesh. */
+  ghostFaces: number;
+  ghostVertices: number;
+  /** Components too small for a ghost of their own. */
+  joinedComponents: number;
   weldMs: number;
+  /** With a ghost mesh: its collapses; the correspondence and what it leaves over. */
+  simplifyMs: number;
+  transferMs: number;
   encodeMs: number;
   orderMs: number;
   factorMs: number;

@@ -23,6 +23,8 @@ export interface WasmModule extends WasmHost {
   _shapespline_plane(handle: number, request: Address): Address;
   _shapespline_bending(handle: number, request: Address): Address;
   _shapespline_patches(handle: number): Address;
+  _shapespline_ghost(handle: number): Address;
+  _shapespline_ghost_positions(handle: number, t: number): Address;
   _shapespline_stats(handle: number): Address;
   _shapespline_write_animation(request: Address): Address;
   _shapespline_animation_size(request: Address): Address;

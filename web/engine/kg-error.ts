@@ -1,0 +1,30 @@
+/**
+ * The error of a motion against another one, after Karni and Gotsman (2004), in percent: 100 |A - A~| / |A - E(A)|, Frobenius
+ * norms over all vertices of all frames, where E(A) puts every vertex of a frame at the frame's centroid.
+ */
+export class KgError {
+  private difference = 0;
+  private spread = 0;
+
+  /** One frame of both motions, 3 x vertices. */
+  add(reference: Float32Array, other: Float32Array): void {
+    const centroid = [0, 1, 2].map((axis) => meanOf(reference, axis));
+    for (let i = 0; i < reference.length; i += 3) {
+      for (let axis = 0; axis < 3; axis += 1) {
+        const value = reference[i + axis]!;
+        this.difference += (value - other[i + axis]!) ** 2;
+        this.spread += (value - centroid[axis]!) ** 2;
+      }
+    }
+  }
+
+  get percent(): number {
+    return this.difference === 0 ? 0 : 100 * Math.sqrt(this.difference / this.spread);
+  }
+}
+
+function meanOf(values: Float32Array, axis: number): number {
+  let sum = 0;
+  for (let i = axis; i < values.length; i += 3) sum += values[i]!;
+  return sum / (values.length / 3);
+}
