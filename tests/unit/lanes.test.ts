@@ -100,6 +100,35 @@ describe('lanes', () => {
     expect(alive()).toBe(1);
   });
 
+  it('put the motion without a ghost mesh beside the first, and keep what serves on', async () => {
+    const { lanes, log, build, alive } = setUp();
+    const led = setEncoding(doc, { ghostFaces: 2000 });
+    lanes.want(specOf(doc, []));
+    await build();
+    const [full] = lanes.all;
+    lanes.want(specOf(led, [], true));
+    await build();
+    await lanes.idle();
+    expect(lanes.all.map(({ method, ghost }) => [method, ghost])).toEqual([['lri', true], ['lri', false]]);
+    expect(lanes.all[1]!.sequence).toBe(full!.sequence);
+    lanes.want(specOf(setEncoding(led, { transfer: 'paper' }), ['geodesic'], true));
+    await build();
+    await build();
+    await lanes.idle();
+    expect(lanes.all.map(({ method, ghost }) => [method, ghost])).toEqual([['lri', true], ['lri', false], ['geodesic', true]]);
+    expect(lanes.all[1]!.sequence).toBe(full!.sequence);
+    lanes.want(specOf(doc, [], true));
+    await lanes.idle();
+    expect(lanes.all.map(({ sequence }) => sequence)).toEqual([full!.sequence]);
+    expect(alive()).toBe(1);
+    expect(log.filter((line) => line.startsWith('build'))).toHaveLength(4);
+  });
+
+  it('have no use for a difference where positions are blended', () => {
+    const led = setEncoding(setMotion(doc, { method: 'linear' }), { ghostFaces: 2000 });
+    expect(specOf(led, ['lri'], true).variants.map(({ method }) => method)).toEqual(['linear', 'lri']);
+  });
+
   it('give up a build that is no longer wanted', async () => {
     const { lanes, log, build, refused, builds, tick, alive } = setUp();
     lanes.want(specOf(doc, []));

@@ -12,10 +12,10 @@ const state: AppState = {
   doc: {
     keys: [{ pose: 2, name: 'c', time: -0.25 }, { pose: 0, name: 'a', time: 0.5 }, { pose: 1, name: 'b', time: 1 }],
     motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0, endSpeed: 2.5 },
-    encoding: { ...DEFAULT_ENCODING, stretch: 'log', patches: 40, referencePose: 1 },
+    encoding: { ...DEFAULT_ENCODING, stretch: 'log', patches: 40, referencePose: 1, ghostFaces: 1500, transfer: 'paper', placement: 'optimal' },
     tension: [0, 0.25, 0],
   },
-  view: { ...DEFAULT_VIEW, wireframe: true, floor: false, compare: ['linear', 'cubic-vertex'], camera: { position: [1, 2, 3], target: [0, 0.5, 0] } },
+  view: { ...DEFAULT_VIEW, wireframe: true, floor: false, ghostWire: true, ghostDifference: true, compare: ['linear', 'cubic-vertex'], camera: { position: [1, 2, 3], target: [0, 0.5, 0] } },
   play: { playing: false, speed: 0.5, loop: 'loop' },
 };
 
@@ -45,7 +45,7 @@ describe('permalinks', () => {
   });
 
   it('ignore whatever does not fit', () => {
-    const link = readPermalink('sample=x&keys=0@0,9@1&boundary=evil&startSpeed=NaN&t=Infinity&patches=-3&camera=1,2&compare=lri,nonsense&tension=1,2&speed=0')!;
+    const link = readPermalink('sample=x&keys=0@0,9@1&boundary=evil&startSpeed=NaN&t=Infinity&patches=-3&camera=1,2&compare=lri,nonsense&tension=1,2&speed=0&ghostFaces=3&transfer=fast&placement=1&ghostWire=yes')!;
     expect(applyPermalink(initial, link)).toEqual(initial);
     expect(link.time).toBeNull();
     expect(link.speed).toBeNull();

@@ -1,7 +1,7 @@
 /** The composition root: puts state, engine, viewer and components together and says who hears of what. */
 import { createEngine } from '../engine/index.ts';
 import type { Warning } from '../engine/types.ts';
-import type { AppState, Doc } from '../model/state.ts';
+import type { AppState, Doc, View } from '../model/state.ts';
 import { EMPTY_STATE } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { clampTime } from '../model/time-scale.ts';
@@ -9,6 +9,7 @@ import { createTheme } from '../ui/theme.ts';
 import { createCommands } from './commands.ts';
 import type { Context } from './context.ts';
 import { createExporting } from './exporting.ts';
+import { createGhostStudy } from './ghost-study.ts';
 import { installHook } from './hook.ts';
 import { createInsightPanel } from './insight.ts';
 import { createInterface } from './interface.ts';
@@ -38,7 +39,7 @@ export function startApp(root: HTMLElement): void {
   const theme = createTheme(() => { applyLook(); render(); });
   const shell = createShell();
   let runtime: Runtime = { ...EMPTY_RUNTIME, welcome: true };
-  let good: { doc: Doc; compare: AppState['view']['compare'] } | null = null;
+  let good: { doc: Doc; view: Pick<View, 'compare' | 'ghostDifference'> } | null = null;
   let drawnState = store.get();
 
   const picture = new Picture(shell.picture, {
@@ -90,9 +91,10 @@ export function startApp(root: HTMLElement): void {
   const commands = createCommands(context);
   const opening = createOpening(context);
   const insight = createInsightPanel(
-    () => ({ lanes: workspace.lanes, keyTimes: store.get().doc.keys.map((key) => key.time), range: context.range(), ms: runtime.ms ?? 1 }),
+    () => ({ lanes: workspace.lanes.filter((lane, index) => index === 0 || lane.ghost === workspace.lanes[0]?.ghost), keyTimes: store.get().doc.keys.map((key) => key.time), range: context.range(), ms: runtime.ms ?? 1 }),
     commands.seek, context.fail);
   const exporting = createExporting(context, insight);
+  const ghostStudy = createGhostStudy(context);
   const cancel = (): void => {
     exporting.cancel();
     workspace.cancel();
@@ -104,7 +106,7 @@ export function startApp(root: HTMLElement): void {
     escape: () => (runtime.working ? cancel() : context.inform({ problem: null })),
   });
   const ui = createInterface({
-    shell, root, commands, opening, insight, shortcuts: shortcutLines(shortcuts),
+    shell, root, commands, opening, insight, ghostStudy, shortcuts: shortcutLines(shortcuts),
     onUndo: store.undo, onRedo: store.redo, onTheme: theme.next, onCancel: cancel,
     onLink: () => void copyLink(),
     onCloseProblem: () => context.inform({ problem: null }),
@@ -129,7 +131,7 @@ export function startApp(root: HTMLElement): void {
   function draw(): void {
     frame = 0;
     ui.update({
-      state: store.get(), runtime, range: context.range(), theme: theme.theme(), labels: picture.labels,
+      state: store.get(), runtime, range: context.range(), theme: theme.theme(), labels: picture.labels, colourBar: picture.colourBar,
       undo: store.undoLabel(), redo: store.redoLabel(),
     });
   }
@@ -141,7 +143,7 @@ export function startApp(root: HTMLElement): void {
   /** The lanes now follow the document. */
   function served(): void {
     const { doc, view } = store.get();
-    good = { doc, compare: view.compare };
+    good = { doc, view: { compare: view.compare, ghostDifference: view.ghostDifference } };
     const main = workspace.lanes[0]?.sequence;
     if (!main) return;
     context.inform({ range: main.range, warnings: distinct([...(runtime.info?.warnings ?? []), ...main.warnings]) });
@@ -154,14 +156,15 @@ export function startApp(root: HTMLElement): void {
   /** After a refused or cancelled edit the document is again what the sequences serve. */
   function goBack(): void {
     if (!good) return;
-    if (store.get().view.compare !== good.compare) store.set({ view: { ...store.get().view, compare: good.compare } });
+    if (showsOtherMotions(store.get().view, good.view)) store.set({ view: { ...store.get().view, ...good.view } });
     if (store.get().doc !== good.doc) store.revert(good.doc);
   }
 
   store.subscribe((state) => {
     const before = drawnState;
     drawnState = state;
-    if (state.doc !== before.doc || state.view.compare !== before.view.compare) workspace.want(specOf(state.doc, state.view.compare));
+    const otherMotions = state.doc !== before.doc || showsOtherMotions(state.view, before.view);
+    if (otherMotions) workspace.want(specOf(state.doc, state.view.compare, state.view.ghostDifference));
     if (lookOf(state) !== lookOf(before)) applyLook();
     if (state.time !== before.time || drawsOtherwise(state, before)) void pump.request(state.time);
     if (state.play.playing && !before.play.playing) player.start();
@@ -169,7 +172,7 @@ export function startApp(root: HTMLElement): void {
       player.stop();
       void pump.request(state.time);
     }
-    if (state.source === before.source && (state.doc !== before.doc || state.view.compare !== before.view.compare)) context.inform({ welcome: false });
+    if (state.source === before.source && otherMotions) context.inform({ welcome: false });
     if (!state.play.playing) saveLink();
     render();
   });
@@ -222,6 +225,12 @@ export function startApp(root: HTMLElement): void {
       frame?.release();
       return positions;
     },
+    async ghost() {
+      const sequence = workspace.lanes[0]?.sequence;
+      const mesh = (await sequence?.ghost()) ?? null;
+      return mesh && { ...mesh, positions: await sequence!.ghostPositions(store.get().time) };
+    },
+    difference: () => picture.difference?.percent.slice() ?? null,
     positions: (view = 0) => picture.viewer.positions(view),
     project: (points, view = 0) => picture.viewer.project(Float32Array.from(points), view),
   });
@@ -263,7 +272,12 @@ function lookOf({ view }: AppState): string {
 }
 
 function drawsOtherwise({ view }: AppState, before: AppState): boolean {
-  return view.onion !== before.view.onion || view.film !== before.view.film || view.colouring !== before.view.colouring;
+  return (['onion', 'film', 'colouring', 'ghostWire', 'ghostBeside'] as const).some((name) => view[name] !== before.view[name]);
+}
+
+/** Changes of the view that need other sequences. */
+function showsOtherMotions(view: Pick<View, 'compare' | 'ghostDifference'>, before: Pick<View, 'compare' | 'ghostDifference'>): boolean {
+  return view.compare !== before.compare || view.ghostDifference !== before.ghostDifference;
 }
 
 function distinct(warnings: readonly Warning[]): Warning[] {

@@ -2,7 +2,7 @@
 import type { Method } from '../engine/types.ts';
 import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setTension } from '../model/edits.ts';
 import type { Encoding, LoopMode, Motion, View } from '../model/state.ts';
-import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, METHODS, SPEEDS, ignoresHermite } from '../model/state.ts';
+import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, GHOST_FACES, METHODS, SPEEDS, ignoresHermite } from '../model/state.ts';
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey } from '../model/time-scale.ts';
 import type { Context } from './context.ts';
 
@@ -29,6 +29,7 @@ export function createCommands(context: Context) {
     view,
     motion,
     encoding: (change: Partial<Encoding>): void => store.edit(Object.keys(change)[0] ?? 'shape', (doc) => setEncoding(doc, change)),
+    toggleGhost: (): void => store.edit('ghost mesh', (doc) => setEncoding(doc, { ghostFaces: doc.encoding.ghostFaces > 0 ? 0 : GHOST_FACES })),
     resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, context.runtime().initial?.motion ?? DEFAULT_MOTION)),
     resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, context.runtime().initial?.encoding ?? DEFAULT_ENCODING)),
     compare: (methods: Method[]): void => view({ compare: methods }),

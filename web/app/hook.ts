@@ -2,7 +2,7 @@
  * `window.__shapespline`, for tests of pages that use the app, in the production build too. Everything is plain data;
  * times are in the unit of the key times, positions xyz interleaved.
  */
-import type { SequenceStats } from '../engine/types.ts';
+import type { Ghost, SequenceStats } from '../engine/types.ts';
 import type { AppState } from '../model/state.ts';
 
 export interface TestHook {
@@ -17,6 +17,10 @@ export interface TestHook {
   stats(): Promise<SequenceStats | null>;
   /** The engine's own answer for a moment, 3 x vertices, without drawing it. */
   evaluate(t: number): Promise<Float32Array>;
+  /** The main motion's ghost mesh with 3 x ghost vertices of the present moment; null without one. */
+  ghost(): Promise<(Ghost & { positions: Float32Array }) | null>;
+  /** What is shown as colours now: of each vertex, how far it is from where it would be without a ghost, in % of the diagonal. */
+  difference(): Float32Array | null;
   /** What is drawn now in a view, 3 x vertices, copied. */
   positions(view?: number): Float32Array;
   /** Where points appear: x, y in CSS pixels from the canvas' top left corner. */

@@ -1,13 +1,16 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
 import type { AppState } from '../model/state.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION, referenceKey } from '../model/state.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../model/state.ts';
 import { phaseOf } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
 import { tensionOf } from '../model/edits.ts';
+import { createColourBar } from '../ui/colour-bar.ts';
+import type { ColourBarProps } from '../ui/colour-bar.ts';
 import { createExportDialog } from '../ui/export-dialog.ts';
 import type { ExportRequest } from '../ui/export-dialog.ts';
 import { createDropZone, createPicker } from '../ui/file-drop.ts';
 import type { PickedFile } from '../ui/file-drop.ts';
+import { createGhostPanel } from '../ui/ghost-panel.ts';
 import { createHeader } from '../ui/header.ts';
 import { createHelp } from '../ui/help.ts';
 import type { ShortcutLine } from '../ui/help.ts';
@@ -23,6 +26,7 @@ import { createPhaseLabel, createTileLabels, createViewBar } from '../ui/view-ba
 import type { TileLabel } from '../ui/view-bar.ts';
 import { addReason } from './commands.ts';
 import type { Commands } from './commands.ts';
+import type { GhostStudyView } from './ghost-study.ts';
 import type { InsightPanel } from './insight.ts';
 import type { Opening } from './opening.ts';
 import { hasTexture } from './opening.ts';
@@ -37,6 +41,7 @@ export interface InterfaceInput {
   commands: Commands;
   opening: Opening;
   insight: InsightPanel;
+  ghostStudy: GhostStudyView;
   shortcuts: readonly ShortcutLine[];
   onUndo(): void;
   onRedo(): void;
@@ -58,6 +63,7 @@ export interface Shown {
   undo: string | null;
   redo: string | null;
   labels: readonly TileLabel[];
+  colourBar: ColourBarProps | null;
 }
 
 export interface Interface {
@@ -71,7 +77,7 @@ export interface Interface {
 }
 
 export function createInterface(input: InterfaceInput): Interface {
-  const { commands, opening, insight, shell } = input;
+  const { commands, opening, insight, ghostStudy, shell } = input;
   const openFiles = (files: PickedFile[]): void => void opening.files(files);
   const picker = createPicker('file-input', openFiles);
   const keyPicker = createPicker('key-file-input', (files) => void opening.addKeys(files));
@@ -87,10 +93,12 @@ export function createInterface(input: InterfaceInput): Interface {
     onTension: commands.tension, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
   });
   const motionPanel = createMotionPanel({ onMotion: commands.motion, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
-  const shapePanel = createShapePanel({ onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, count) => void opening.resample(animation, count) });
+  const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
+  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, count) => void opening.resample(animation, count) });
   const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
   const phaseLabel = createPhaseLabel(() => commands.encoding({ stretch: 'log' }));
   const tileLabels = createTileLabels();
+  const colourBar = createColourBar();
   const status = createStatusLine();
   const progress = createProgress(input.onCancel);
   const problem = createProblem(input.onCloseProblem);
@@ -103,13 +111,13 @@ export function createInterface(input: InterfaceInput): Interface {
 
   shell.mount(input.root, {
     header: header.element, transport: transport.element, keyStrip: keyStrip.element, status: status.element,
-    overlays: [tileLabels.element, welcome.element, phaseLabel.element, viewBar.element],
+    overlays: [tileLabels.element, colourBar.element, welcome.element, phaseLabel.element, viewBar.element],
     messages: [problem.element, progress.element],
     panels: [motionPanel.element, shapePanel.element, insight.element],
     floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, toast.element],
   });
 
-  const update = ({ state, runtime, range, theme, undo, redo, labels }: Shown): void => {
+  const update = ({ state, runtime, range, theme, undo, redo, labels, colourBar: heat }: Shown): void => {
     const { doc, play, time, view, source } = state;
     const { info } = runtime;
     const disabled = info === null;
@@ -132,11 +140,16 @@ export function createInterface(input: InterfaceInput): Interface {
     shapePanel.update({
       encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: runtime.stats, lost: runtime.lost, disabled,
       canSample: source.kind === 'files', defaults: runtime.initial?.encoding ?? DEFAULT_ENCODING,
-      lriMethod: doc.motion.method === 'lri' || doc.motion.method === 'geodesic',
+      lriMethod: isInLri(doc.motion.method),
     });
+    ghostPanel.update({
+      encoding: doc.encoding, view, faces: info?.report.faces ?? 0, stats: runtime.stats, lriMethod: isInLri(doc.motion.method), disabled,
+    });
+    ghostStudy.update();
     viewBar.update({ view, hasTexture: hasTexture(info), disabled });
     phaseLabel.update(disabled ? null : phase, doc.encoding.stretch === 'log' ? 0 : runtime.lost);
     tileLabels.update(labels);
+    colourBar.update(heat);
     status.update({
       keys: doc.keys.length, vertices: info?.report.vertices ?? 0, faces: info?.report.faces ?? 0,
       ms: runtime.ms, warnings: runtime.warnings, offline: runtime.offline,

@@ -36,6 +36,7 @@ export function createShortcuts({ store }: Context, commands: Commands, targets:
     { keys: ['k'], shown: 'K', does: 'Add the current shape as a key', run: () => void commands.addCurrent() },
     { keys: ['b'], shown: 'B', does: 'Next boundary', run: commands.nextBoundary },
     { keys: ['m'], shown: 'M', does: 'Next method', run: commands.nextMethod },
+    { keys: ['n'], shown: 'N', does: 'Ghost mesh on or off', run: commands.toggleGhost },
     { keys: ['f'], shown: 'F', does: 'Fit the shape into view', run: () => commands.fit(null) },
     { keys: ['1'], shown: '1', does: 'Front view', run: () => commands.fit('front') },
     { keys: ['3'], shown: '3', does: 'Right view', run: () => commands.fit('right') },

@@ -1,11 +1,12 @@
-/** The running sequences: one lane for each method that is shown. Follows the wanted spec, the newest one wins. */
+/** The running sequences: one lane for each motion that is shown. Follows the wanted spec, the newest one wins. */
 import type { Engine, Keys, Sequence } from '../engine/api.ts';
-import type { EncodingOptions, Method, Progress } from '../engine/types.ts';
-import type { Spec } from './spec.ts';
-import { motionFor, shapeKey } from './spec.ts';
+import type { EncodingOptions, Progress } from '../engine/types.ts';
+import type { Spec, Variant } from './spec.ts';
+import { encodingFor, laneKey, motionFor } from './spec.ts';
 
-export interface Lane {
-  method: Method;
+export interface Lane extends Variant {
+  /** What the sequence was built for (laneKey). */
+  key: string;
   sequence: Sequence;
   /** The keys that the sequence was made of. */
   keys: Keys;
@@ -80,31 +81,31 @@ export class Lanes {
   }
 
   private async serve(spec: Spec): Promise<void> {
-    const reusable = this.served !== null && shapeKey(this.served) === shapeKey(spec);
-    const kept = reusable ? this.lanes.slice(0, spec.methods.length) : [];
-    const missing = spec.methods.slice(kept.length);
+    const spare = [...this.lanes];
+    const kept = spec.variants.map((variant) => takeWhere(spare, (lane) => lane.key === laneKey(spec, variant)));
+    const missing = spec.variants.filter((_, index) => !kept[index]);
     const added = missing.length > 0 ? await this.build(spec, missing) : [];
     try {
-      await Promise.all(kept.map((lane, index) => refit(lane, spec, spec.methods[index]!)));
+      await Promise.all(kept.map((lane, index) => lane && refit(lane, spec, spec.variants[index]!)));
     } catch (error) {
       disposeAll(added);
       throw error;
     }
-    disposeAll(this.lanes.filter((lane) => !kept.includes(lane)));
-    this.lanes = [...kept, ...added];
+    disposeAll(spare);
+    this.lanes = kept.map((lane) => lane ?? added.shift()!);
   }
 
-  private async build(spec: Spec, methods: readonly Method[]): Promise<Lane[]> {
+  private async build(spec: Spec, variants: readonly Variant[]): Promise<Lane[]> {
     const abort = new AbortController();
     const built: Lane[] = [];
     this.building = { shape: buildKey(spec), abort };
     try {
-      for (const [index, method] of methods.entries()) {
+      for (const [index, variant] of variants.entries()) {
         const onProgress = ({ stage, fraction }: Progress): void =>
-          this.events.onProgress({ stage, fraction: (index + fraction) / methods.length });
+          this.events.onProgress({ stage, fraction: (index + fraction) / variants.length });
         const keys = this.pool.keys.arrange(spec.order, spec.times, spec.names);
-        const options = { ...this.encoding(spec), ...motionFor(spec, method) };
-        built.push({ method, keys, sequence: await this.engine.createSequence(keys, options, { signal: abort.signal, onProgress }) });
+        const options = { ...this.encoding(spec, variant), ...motionFor(spec, variant.method) };
+        built.push({ ...variant, key: laneKey(spec, variant), keys, sequence: await this.engine.createSequence(keys, options, { signal: abort.signal, onProgress }) });
       }
       return built;
     } catch (error) {
@@ -116,18 +117,25 @@ export class Lanes {
     }
   }
 
-  private encoding({ encoding, startTangentPose, endTangentPose }: Spec): Partial<EncodingOptions> {
+  private encoding(spec: Spec, variant: Variant): Partial<EncodingOptions> {
+    const { startTangentPose, endTangentPose } = spec;
     const pose = (index: number | null): Float32Array | null => (index === null ? null : this.pool.keys.positions(index));
-    return { ...encoding, startTangent: pose(startTangentPose), endTangent: pose(endTangentPose) };
+    return { ...encodingFor(spec, variant), startTangent: pose(startTangentPose), endTangent: pose(endTangentPose) };
   }
 }
 
 /** A build is abandoned when what it builds is no longer wanted; other key times or speeds are fitted in afterwards. */
 function buildKey(spec: Spec): string {
-  return `${shapeKey(spec)}${spec.methods.length}`;
+  return spec.variants.map((variant) => laneKey(spec, variant)).join();
 }
 
-async function refit(lane: Lane, spec: Spec, method: Method): Promise<void> {
+/** Takes the first that fits out of the list. */
+function takeWhere<T>(list: T[], fits: (item: T) => boolean): T | undefined {
+  const index = list.findIndex(fits);
+  return index < 0 ? undefined : list.splice(index, 1)[0];
+}
+
+async function refit(lane: Lane, spec: Spec, { method }: Variant): Promise<void> {
   await lane.sequence.update({ ...motionFor(spec, method), keyTimes: spec.times });
   lane.method = method;
 }

@@ -19,6 +19,7 @@ export interface Permalink {
   playing: boolean;
 }
 
+const FLAGS = ['wireframe', 'floor', 'onion', 'film', 'ghostWire', 'ghostBeside', 'ghostDifference'] as const;
 const MAX_KEYS = 256;
 
 /** The fragment without its '#', or null where the user's own files are open: they stay on this machine. */
@@ -36,7 +37,7 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   for (const name of Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]) put(name, doc.encoding[name], initial.encoding[name]);
   put('colour', view.colouring, DEFAULT_VIEW.colouring);
   put('shading', view.shading, DEFAULT_VIEW.shading);
-  for (const name of ['wireframe', 'floor', 'onion', 'film'] as const) put(name, Number(view[name]), Number(DEFAULT_VIEW[name]));
+  for (const name of FLAGS) put(name, Number(view[name]), Number(DEFAULT_VIEW[name]));
   put('compare', view.compare.join(','), '');
   if (view.camera) params.set('camera', [...view.camera.position, ...view.camera.target].map((x) => x.toPrecision(5)).join(','));
   params.set('t', shortest(state.time));
@@ -62,6 +63,9 @@ export function readPermalink(fragment: string): Permalink | null {
     }),
     encoding: defined({
       stretch: oneOf(params.get('stretch'), ['linear', 'log'] as const),
+      ghostFaces: ghostFaces(params.get('ghostFaces')),
+      transfer: oneOf(params.get('transfer'), ['exact', 'paper'] as const),
+      placement: oneOf(params.get('placement'), ['vertices', 'optimal'] as const),
       patches: index(params.get('patches')),
       referencePose: index(params.get('referencePose')),
       startTangentPose: index(params.get('startTangentPose')),
@@ -93,10 +97,7 @@ function readView(params: URLSearchParams): Partial<View> {
   return defined({
     colouring: oneOf(params.get('colour'), ['phase', 'texture', 'patches'] as const satisfies readonly Colouring[]),
     shading: oneOf(params.get('shading'), ['smooth', 'flat'] as const),
-    wireframe: flag(params.get('wireframe')),
-    floor: flag(params.get('floor')),
-    onion: flag(params.get('onion')),
-    film: flag(params.get('film')),
+    ...Object.fromEntries(FLAGS.map((name) => [name, flag(params.get(name))])) as Record<(typeof FLAGS)[number], boolean | undefined>,
     compare: compare && [...new Set(compare)],
     camera: readCamera(params.get('camera')),
   });
@@ -138,6 +139,12 @@ function positive(text: string | null): number | undefined {
 function index(text: string | null): number | undefined {
   const value = number(text);
   return value !== undefined && Number.isInteger(value) && value >= 0 ? value : undefined;
+}
+
+/** 0 = off, else at least a tetrahedron. */
+function ghostFaces(text: string | null): number | undefined {
+  const value = index(text);
+  return value === 0 || (value !== undefined && value >= 4) ? value : undefined;
 }
 
 function flag(text: string | null): boolean | undefined {

@@ -1,7 +1,9 @@
 /** Between the sequences and the viewer: what is drawn for a moment, for a document, for a look. */
 import type { Sequence } from '../engine/api.ts';
-import type { Frame, KeysInfo } from '../engine/types.ts';
+import type { Frame, Ghost, KeysInfo } from '../engine/types.ts';
 import type { AppState, View } from '../model/state.ts';
+import { isInLri } from '../model/state.ts';
+import type { ColourBarProps } from '../ui/colour-bar.ts';
 import { METHOD_WORDS } from '../ui/motion-panel.ts';
 import { phaseOf } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -11,6 +13,8 @@ import { Viewer } from '../viewer/viewer.ts';
 import type { ViewerEvents } from '../viewer/viewer.ts';
 import { PHASE_COLOURS, filmStrip, filmTimes, onionSkins, onionTimes } from './extras.ts';
 import type { ExtrasInput } from './extras.ts';
+import { differenceOf, heatColours, roundTop } from './difference.ts';
+import type { Difference } from './difference.ts';
 import { boundsOf, measure, patchColours, samplePoints } from './geometry.ts';
 import type { Measure } from './geometry.ts';
 import type { Lane } from './lanes.ts';
@@ -22,11 +26,16 @@ export const PLAYING_TOLERANCE = 0.006;
 const MEASURED_FACES = 60_000;
 /** Stands for onion skins where the document of a film strip would stand. */
 const ONION = 'onion';
+/** Between the shape and its ghost beside it, in widths of the shape. */
+const BESIDE = 1.12;
 const THUMBNAIL = { width: 88, height: 60 };
 
 export class Picture {
   readonly viewer: Viewer;
   labels: TileLabel[] = [];
+  colourBar: ColourBarProps | null = null;
+  /** What the colours of the first view show now. */
+  difference: Difference | null = null;
   private info: KeysInfo | null = null;
   private pool: PosePool | null = null;
   private base: Measure | null = null;
@@ -35,6 +44,11 @@ export class Picture {
   private filmKey: unknown = null;
   /** The shapes of the strip where they stand. */
   private film: Float32Array[] | null = null;
+  private ghost: { of: Sequence; mesh: Ghost | null } | null = null;
+  /** How far along x the ghost stands beside the shape now. */
+  private beside: number | null = null;
+  /** The colour bar's range only grows as long as the same motions are shown. */
+  private heat: { of: Sequence; top: number } | null = null;
 
   constructor(host: HTMLElement, events: ViewerEvents) {
     this.viewer = new Viewer(host, events);
@@ -47,6 +61,9 @@ export class Picture {
     this.patchesOf = null;
     this.filmKey = null;
     this.film = null;
+    this.ghost = null;
+    this.beside = null;
+    this.clearDifference();
     const poses = info.times.map((_, pose) => pool.keys.positions(pose));
     const bounds = boundsOf(poses);
     this.base = poses[0] && info.report.faces <= MEASURED_FACES ? measure(poses[0], info.indices) : null;
@@ -63,7 +80,7 @@ export class Picture {
     if (!this.pool) return;
     const poses = Array.from({ length: this.pool.count }, (_, pose) => this.pool!.keys.positions(pose));
     for (let index = 0; index < this.viewer.views; index += 1) poses.push(this.viewer.positions(index));
-    const drawn = this.film ?? poses.filter((positions) => positions.length > 0);
+    const drawn = this.film ?? this.withGhost(poses.filter((positions) => positions.length > 0));
     this.viewer.setExtent(boundsOf(drawn), samplePoints(drawn));
     this.viewer.fit(view, eased);
   }
@@ -75,6 +92,8 @@ export class Picture {
     if (this.viewer.views !== lanes.length) this.setViews(lanes.length);
     frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind]));
     this.labels = lanes.length > 1 ? this.tileLabels(frames, lanes) : [];
+    this.showDifference(frames, lanes, state.view);
+    await this.showGhost(t, lanes[0], state.view);
     await this.showExtras(input, lanes[0]?.sequence, state);
     await this.showPatches(lanes[0]?.sequence, state.view);
   }
@@ -108,7 +127,7 @@ export class Picture {
     const rects = this.viewer.rects();
     return lanes.map((lane, index) => {
       const rect = rects[index] ?? { x: 0, y: 0, width: 0 };
-      return { title: METHOD_WORDS[lane.method].label, detail: this.measureText(frames[index]), x: rect.x, y: rect.y, width: rect.width };
+      return { title: titleOf(lane), detail: this.measureText(frames[index]), x: rect.x, y: rect.y, width: rect.width };
     });
   }
 
@@ -145,12 +164,68 @@ export class Picture {
     this.viewer.fit('front', true);
   }
 
+  /** Colours the first shape where one without a ghost stands beside it. */
+  private showDifference(frames: readonly Frame[], lanes: readonly Lane[], view: View): void {
+    const [main] = lanes;
+    const other = lanes.findIndex((lane) => main?.ghost && !lane.ghost);
+    if (!main || other < 0 || !view.ghostDifference || view.film || !this.info) return this.clearDifference();
+    const difference = differenceOf(frames[0]!.positions, frames[other]!.positions, this.info.report.diagonal);
+    const before = this.heat?.of === main.sequence ? this.heat.top : 0;
+    const top = Math.max(before, roundTop(difference.largest));
+    this.heat = { of: main.sequence, top };
+    this.difference = difference;
+    this.viewer.setHeatColours(heatColours(difference, top));
+    const rect = this.viewer.rects()[0]!;
+    const text = (value: number): string => `${Number(value.toPrecision(2))} %`;
+    this.colourBar = {
+      title: 'Difference', unit: '%', top, now: `of the diagonal. Now at most ${text(difference.largest)}, on average ${text(difference.mean)}`,
+      x: rect.x, y: rect.y + rect.height / 2,
+    };
+  }
+
+  private clearDifference(): void {
+    if (this.difference) this.viewer.setHeatColours(null);
+    this.difference = null;
+    this.colourBar = null;
+  }
+
+  private async showGhost(t: number, lane: Lane | undefined, { ghostWire, ghostBeside, film }: View): Promise<void> {
+    const wanted = (ghostWire || ghostBeside) && !film && lane !== undefined && lane.ghost && isInLri(lane.method);
+    if (wanted && this.ghost?.of !== lane.sequence) this.ghost = { of: lane.sequence, mesh: await lane.sequence.ghost() };
+    const mesh = wanted ? this.ghost?.mesh : null;
+    const offset = mesh && ghostBeside ? this.width() * BESIDE : null;
+    if (mesh) {
+      const positions = await this.ghost!.of.ghostPositions(t);
+      this.viewer.setGhost({ faces: mesh.faces, vertexOf: mesh.vertexOf, positions, overlay: ghostWire, offset });
+    } else {
+      this.viewer.setGhost(null);
+    }
+    if (offset === this.beside) return;
+    this.beside = offset;
+    this.fit(null, true);
+  }
+
+  /** Of all poses along x. */
+  private width(): number {
+    const { min, max } = boundsOf(Array.from({ length: this.pool?.count ?? 0 }, (_, pose) => this.pool!.keys.positions(pose)));
+    return max[0] - min[0];
+  }
+
+  private withGhost(poses: Float32Array[]): Float32Array[] {
+    const { beside } = this;
+    return beside === null ? poses : [...poses, ...poses.map((positions) => positions.map((value, i) => (i % 3 === 0 ? value + beside : value)))];
+  }
+
   private async showPatches(sequence: Sequence | undefined, view: View): Promise<void> {
     if (!sequence || !this.info || view.colouring !== 'patches' || this.patchesOf === sequence) return;
     const patches = await sequence.patches();
     this.patchesOf = sequence;
     this.viewer.setPatchColours(patchColours(patches, this.info.indices, this.info.report.vertices));
   }
+}
+
+function titleOf({ method, ghost }: Lane): string {
+  return `${METHOD_WORDS[method].label}${ghost ? ', ghost mesh' : ''}`;
 }
 
 export function extrasInput(t: number, { doc }: AppState, range: Range): ExtrasInput {

@@ -1,39 +1,62 @@
 /** What the document asks of the engine, as plain data: which keys, encoded how, moved how. */
+import { ENCODING_DEFAULTS } from '../engine/types.ts';
 import type { EncodingOptions, Method, MotionOptions } from '../engine/types.ts';
 import type { Doc } from '../model/state.ts';
-import { ignoresHermite, referenceKey } from '../model/state.ts';
+import { ignoresHermite, isInLri, referenceKey } from '../model/state.ts';
 
-/** One sequence is built per method that is shown; they share everything but the method. */
+type Encoding = Pick<EncodingOptions, 'reference' | 'patches' | 'stretch' | 'ghostFaces' | 'transfer' | 'placement'>;
+
+/** One of the motions that are shown side by side. */
+export interface Variant {
+  method: Method;
+  /** Led by a ghost mesh, where the document has one. */
+  ghost: boolean;
+}
+
+/** One sequence is built per variant; they share everything else. */
 export interface Spec {
   order: number[];
   names: string[];
   times: number[];
-  encoding: Pick<EncodingOptions, 'reference' | 'patches' | 'stretch'>;
+  encoding: Encoding;
   startTangentPose: number | null;
   endTangentPose: number | null;
   motion: Omit<MotionOptions, 'method'>;
-  methods: Method[];
+  variants: Variant[];
 }
 
-export function specOf(doc: Doc, compare: readonly Method[]): Spec {
+/** `difference` puts the motion without a ghost beside the first one, which has one. */
+export function specOf(doc: Doc, compare: readonly Method[], difference = false): Spec {
   const { keys, motion, encoding, tension } = doc;
   const { method, ...rest } = motion;
+  const { patches, stretch, ghostFaces, transfer, placement } = encoding;
   const hermite = motion.boundary === 'hermite';
+  const ghost = ghostFaces > 0;
   return {
     order: keys.map((key) => key.pose),
     names: keys.map((key) => key.name),
     times: keys.map((key) => key.time),
-    encoding: { reference: referenceKey(doc), patches: encoding.patches, stretch: encoding.stretch },
+    encoding: { reference: referenceKey(doc), patches, stretch, ghostFaces, transfer, placement },
     startTangentPose: hermite ? encoding.startTangentPose : null,
     endTangentPose: hermite ? encoding.endTangentPose : null,
     motion: { ...rest, tension: tension.some((value) => value !== 0) ? tension : [], turns: [], inPlace: false },
-    methods: [method, ...compare.filter((other) => other !== method)],
+    variants: [
+      { method, ghost },
+      ...(ghost && difference && isInLri(method) ? [{ method, ghost: false }] : []),
+      ...compare.filter((other) => other !== method).map((other) => ({ method: other, ghost })),
+    ],
   };
 }
 
-/** Specs with the same shape key are served by the same encodings and factorisations. */
-export function shapeKey({ order, encoding, startTangentPose, endTangentPose }: Spec): string {
-  return JSON.stringify([order, encoding, startTangentPose, endTangentPose]);
+export function encodingFor({ encoding }: Spec, { ghost }: Variant): Encoding {
+  const { ghostFaces, transfer, placement } = ENCODING_DEFAULTS;
+  return ghost ? encoding : { ...encoding, ghostFaces, transfer, placement };
+}
+
+/** Variants with the same key are served by the same encodings and factorisations. */
+export function laneKey(spec: Spec, variant: Variant): string {
+  const { order, startTangentPose, endTangentPose } = spec;
+  return JSON.stringify([order, encodingFor(spec, variant), startTangentPose, endTangentPose]);
 }
 
 /** The boundary that a method makes use of: straight motion has no end derivatives. */

@@ -2,8 +2,8 @@
  * The one serialisable state: what is loaded, the keys and their times, the options, the moment and the view.
  * Permalinks, undo, the saved project and the test hook all read this and nothing else.
  */
-import { MOTION_DEFAULTS } from '../engine/types.ts';
-import type { Boundary, Method, MotionOptions, Stretch } from '../engine/types.ts';
+import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../engine/types.ts';
+import type { Boundary, Method, MotionOptions, Placement, Stretch, Transfer } from '../engine/types.ts';
 
 export type Source = { kind: 'none' } | { kind: 'sample'; id: string } | { kind: 'files'; names: string[] };
 
@@ -24,6 +24,10 @@ export interface Encoding {
   /** 0 = the default formula. */
   patches: number;
   stretch: Stretch;
+  /** 0 = no ghost mesh. */
+  ghostFaces: number;
+  transfer: Transfer;
+  placement: Placement;
   /** Hermite: pose that takes the neighbour's place at that end; null = the keys' own difference. */
   startTangentPose: number | null;
   endTangentPose: number | null;
@@ -63,6 +67,10 @@ export interface View {
   film: boolean;
   /** Methods shown beside the main one. */
   compare: Method[];
+  /** With a ghost mesh: its wireframe over the shape; the ghost beside it; colours for what differs without it. */
+  ghostWire: boolean;
+  ghostBeside: boolean;
+  ghostDifference: boolean;
   /** null = fitted to the shape. */
   camera: CameraPose | null;
 }
@@ -77,6 +85,8 @@ export interface AppState {
 
 export const METHODS: readonly Method[] = ['lri', 'geodesic', 'linear', 'cubic-vertex'];
 export const BOUNDARIES: readonly Boundary[] = ['natural', 'hermite', 'periodic'];
+/** Faces of a ghost mesh when it is switched on: the paper's choice. */
+export const GHOST_FACES = 2000;
 export const SPEEDS: readonly number[] = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export const DEFAULT_MOTION: Readonly<Motion> = {
@@ -91,6 +101,9 @@ export const DEFAULT_ENCODING: Readonly<Encoding> = {
   referencePose: null,
   patches: 0,
   stretch: 'linear',
+  ghostFaces: ENCODING_DEFAULTS.ghostFaces,
+  transfer: ENCODING_DEFAULTS.transfer,
+  placement: ENCODING_DEFAULTS.placement,
   startTangentPose: null,
   endTangentPose: null,
 };
@@ -103,6 +116,9 @@ export const DEFAULT_VIEW: Readonly<View> = {
   onion: false,
   film: false,
   compare: [],
+  ghostWire: false,
+  ghostBeside: false,
+  ghostDifference: false,
   camera: null,
 };
 
@@ -117,6 +133,11 @@ export const EMPTY_STATE: AppState = {
 /** The methods in which the end derivatives have no meaning: the motion is straight between the keys. */
 export function ignoresHermite(method: Method): boolean {
   return method === 'geodesic' || method === 'linear';
+}
+
+/** The methods of LRI space; the others blend positions, where neither stretches nor a ghost mesh have a part. */
+export function isInLri(method: Method): boolean {
+  return method === 'lri' || method === 'geodesic';
 }
 
 /** Index of the reference among the keys; the first key where the chosen pose is no longer one of them. */

@@ -33,7 +33,8 @@ const STRETCHES: readonly Choice<Stretch>[] = [
   { value: 'log', label: 'Logarithmic', hint: 'Never turns a triangle inside out, however far outside the keys' },
 ];
 
-export function createShapePanel(events: ShapePanelEvents): { element: HTMLElement; update(props: ShapePanelProps): void } {
+/** `ghost`: the section on the ghost mesh. */
+export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): { element: HTMLElement; update(props: ShapePanelProps): void } {
   const stretch = segments<Stretch>('Stretch', 'stretch', STRETCHES, (value) => events.onEncoding({ stretch: value }));
   const reference = select<string>('Reference pose', 'reference', [], (value) => events.onEncoding({ referencePose: Number(value) }));
   const patches = numberField({ label: 'Patches; 0 lets the app choose', testId: 'patches', min: 0, max: 5000, step: 1, onInput: (value) => events.onEncoding({ patches: Math.round(value) }) });
@@ -46,7 +47,7 @@ export function createShapePanel(events: ShapePanelEvents): { element: HTMLEleme
     h('header', {}, h('h2', { id: 'shape-title' }, 'Shape'), reset),
     stretch.element, lost, reference.element,
     h('div', { class: 'field row' }, h('span', { class: 'label', title: 'Pieces that the shape is cut into; each turns as one, and the faces turn within them' }, 'Patches'), patches, patchesUsed),
-    sampling.element,
+    sampling.element, ghost,
     h('details', { class: 'details', 'data-testid': 'mesh-report' }, h('summary', {}, 'What was read'), facts));
 
   const draw = memo((props: ShapePanelProps) => {
@@ -90,6 +91,7 @@ const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStat
   ];
   const entries = rows.filter(([, , shown]) => shown).map(([label, value]) => [label, value.toLocaleString('en')]);
   if (stats) {
+    if (stats.ghostFaces > 0) entries.push(['Ghost mesh', `${(stats.simplifyMs + stats.transferMs).toFixed(0)} ms`]);
     entries.push(['Encoding', `${stats.encodeMs.toFixed(0)} ms`], ['Factorisation', `${(stats.orderMs + stats.factorMs).toFixed(0)} ms`],
       ['Factor', `${(stats.factorBytes / 1e6).toFixed(1)} MB`]);
   }

@@ -23,6 +23,8 @@ export class Shape {
   });
   private readonly lines = new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 });
   private textured: MeshStandardMaterial[] = [];
+  private patchColours: Float32Array | null = null;
+  private heatColours: Float32Array | null = null;
   private readonly mesh: Mesh;
   private readonly wire: Mesh;
 
@@ -51,23 +53,29 @@ export class Shape {
     this.normal.copyArray(normals).needsUpdate = true;
   }
 
-  /** 3 x vertices, linear RGB in [0, 1]; null takes the colours away. */
-  setVertexColours(colours: Float32Array | null): void {
-    if (colours) this.geometry.setAttribute('color', new BufferAttribute(colours, 3));
-    else this.geometry.deleteAttribute('color');
+  /** 3 x vertices, linear RGB in [0, 1], for the colouring by patches; null takes the colours away. */
+  setPatchColours(colours: Float32Array | null): void {
+    this.patchColours = colours;
+  }
+
+  /** The same for amounts, which come before every other colouring. */
+  setHeatColours(colours: Float32Array | null): void {
+    this.heatColours = colours;
   }
 
   setLook(look: Look): void {
-    const patches = look.colouring === 'patches' && this.geometry.hasAttribute('color');
-    this.setShading(this.plain, look.shading, patches);
-    if (look.colouring === 'texture') this.mesh.material = this.texturedMaterials(look);
+    const colours = this.heatColours ?? (look.colouring === 'patches' ? this.patchColours : null);
+    this.setVertexColours(colours);
+    this.setShading(this.plain, look.shading, colours !== null);
+    if (look.colouring === 'texture' && !this.heatColours) this.mesh.material = this.texturedMaterials(look);
     else this.mesh.material = this.plain;
     this.wire.visible = look.wireframe;
     this.lines.color.set(look.dark ? 0xffffff : 0x10151b);
   }
 
-  setColour(colour: string, patches: boolean): void {
-    this.plain.color.set(patches ? '#ffffff' : colour);
+  /** Where vertices have no colours of their own. */
+  setColour(colour: string): void {
+    this.plain.color.set(this.plain.vertexColors ? '#ffffff' : colour);
   }
 
   /** Drawn through, without writing over what lies behind. */
@@ -83,6 +91,13 @@ export class Shape {
     this.geometry.setIndex(null);
     this.geometry.dispose();
     for (const material of [this.plain, this.lines, ...this.textured]) material.dispose();
+  }
+
+  private setVertexColours(colours: Float32Array | null): void {
+    const present = this.geometry.getAttribute('color') as BufferAttribute | undefined;
+    if (!colours) this.geometry.deleteAttribute('color');
+    else if (present) present.copyArray(colours).needsUpdate = true;
+    else this.geometry.setAttribute('color', new BufferAttribute(colours.slice(), 3));
   }
 
   private setShading(material: MeshStandardMaterial, shading: Look['shading'], vertexColors: boolean): void {

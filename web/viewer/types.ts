@@ -33,6 +33,20 @@ export interface Extra {
   offset: number;
 }
 
+/** The ghost mesh at a moment. */
+export interface GhostPicture {
+  /** 3 x ghost faces; the same array as long as it is the same mesh. */
+  faces: Uint32Array;
+  /** Vertex of the shape for each ghost vertex. */
+  vertexOf: Int32Array;
+  /** 3 x ghost vertices; copied. */
+  positions: Float32Array;
+  /** Its wireframe over the shape. */
+  overlay: boolean;
+  /** How far along x it stands beside the shape, with lines between them; null = not there. */
+  offset: number | null;
+}
+
 export interface CameraPose {
   position: [number, number, number];
   target: [number, number, number];

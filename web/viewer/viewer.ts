@@ -3,13 +3,14 @@ import {
   BufferAttribute, NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer,
 } from 'three';
 import { CameraRig } from './camera.ts';
+import { GhostView } from './ghost.ts';
 import { Shape } from './shape.ts';
 import type { SharedTopology } from './shape.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
 import { decodeTextures } from './textures.ts';
 import { tiles } from './tiles.ts';
-import type { CameraPose, Extra, Look, Rect, Topology, ViewName } from './types.ts';
+import type { CameraPose, Extra, GhostPicture, Look, Rect, Topology, ViewName } from './types.ts';
 
 export interface ViewerEvents {
   /** The user, or a standard view, has moved the camera. */
@@ -29,6 +30,7 @@ export class Viewer {
   private topology: SharedTopology | null = null;
   private shapes: Shape[] = [];
   private extras: Shape[] = [];
+  private ghost: GhostView | null = null;
   private colours: string[] = [];
   private look = DEFAULT_LOOK;
   private patchColours: Float32Array | null = null;
@@ -84,7 +86,7 @@ export class Viewer {
     while (this.shapes.length > count) this.shapes.pop()?.dispose();
     while (this.shapes.length < count) {
       const shape = this.addShape();
-      shape.setVertexColours(this.patchColours);
+      shape.setPatchColours(this.patchColours);
       shape.setLook(this.look);
       shape.object.visible = false;
       this.shapes.push(shape);
@@ -112,7 +114,7 @@ export class Viewer {
       const shape = this.extras[index];
       if (!shape) return;
       shape.setFrame(extra.positions, extra.normals);
-      shape.setColour(extra.colour, false);
+      shape.setColour(extra.colour);
       shape.setOpacity(extra.opacity);
       shape.object.position.x = extra.offset;
     });
@@ -123,8 +125,30 @@ export class Viewer {
   /** Colour of each patch on the shape: 3 x vertices, linear RGB; null takes them away. */
   setPatchColours(colours: Float32Array | null): void {
     this.patchColours = colours;
-    for (const shape of this.shapes) shape.setVertexColours(colours);
+    for (const shape of this.shapes) shape.setPatchColours(colours);
     this.setLook(this.look);
+  }
+
+  /** Amounts as colours on the first view's shape: 3 x vertices, linear RGB; null takes them away. */
+  setHeatColours(colours: Float32Array | null): void {
+    const shape = this.shapes[0];
+    if (!shape || (colours && !this.fits(colours))) return;
+    shape.setHeatColours(colours);
+    shape.setLook(this.look);
+    this.applyColours();
+    this.invalidate();
+  }
+
+  /** The ghost mesh of the first view's shape, as it is at the moment that is drawn; null takes it away. */
+  setGhost(ghost: GhostPicture | null): void {
+    const shape = this.shapes[0];
+    if (!ghost || !this.ghost?.fits(ghost)) {
+      this.ghost?.dispose();
+      this.ghost = ghost && new GhostView(ghost);
+      if (this.ghost) this.scene.add(this.ghost.object);
+    }
+    if (ghost && shape) this.ghost?.setFrame(ghost, shape.positions, this.look.dark);
+    this.invalidate();
   }
 
   setLook(look: Look): void {
@@ -228,7 +252,7 @@ export class Viewer {
     const shape = this.addShape();
     shape.setFrame(positions, normals);
     shape.setLook({ ...this.look, wireframe: false });
-    shape.setColour(colour, false);
+    shape.setColour(colour);
     const picture = this.drawAlone(width, height);
     shape.dispose();
     return picture;
@@ -258,12 +282,13 @@ export class Viewer {
     for (const shape of [...this.shapes, ...this.extras]) shape.dispose();
     this.shapes = [];
     this.extras = [];
+    this.ghost?.dispose();
+    this.ghost = null;
     this.hideShapes = false;
   }
 
   private applyColours(): void {
-    const patches = this.look.colouring === 'patches' && this.patchColours !== null;
-    this.shapes.forEach((shape, index) => shape.setColour(this.colours[index] ?? '#888888', patches));
+    this.shapes.forEach((shape, index) => shape.setColour(this.colours[index] ?? '#888888'));
   }
 
   private async loadTextures(topology: SharedTopology): Promise<void> {
@@ -294,6 +319,7 @@ export class Viewer {
       // Onion skins and film strip belong to the first view's motion.
       for (const extra of this.extras) extra.object.visible = view === 0;
       const hidden = this.hideShapes && view === 0;
+      if (this.ghost) this.ghost.object.visible = view === 0 && !hidden;
       this.shapes.forEach((shape, index) => { shape.object.visible = visible[index]! && index === view && !hidden; });
       this.renderOne(rect);
     });
@@ -308,7 +334,8 @@ export class Viewer {
     const { clientWidth, clientHeight } = this.host;
     const scale = Math.min(1, clientWidth / width, clientHeight / height);
     const [w, h] = [Math.max(Math.floor(width * scale), 1), Math.max(Math.floor(height * scale), 1)];
-    const shown = [...this.shapes, ...this.extras].map((other) => [other, other.object.visible] as const);
+    const all = [...this.shapes, ...this.extras, ...(this.ghost ? [this.ghost] : [])];
+    const shown = all.map((other) => [other, other.object.visible] as const);
     for (const [other] of shown) other.object.visible = false;
     const before = this.rig.extent();
     const pose = this.rig.pose();

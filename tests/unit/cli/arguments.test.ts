@@ -44,7 +44,7 @@ describe('the values of options', () => {
 
   it.each([
     ['--reference=0'], ['--turns=1:1'], ['--turns=2'], ['--turns=2:1:3'], ['--period=0'], ['--start-speed=fast'], ['--start-speed=0x10'],
-    ['--stretch=both'], ['--patches=2.5'], ['--ghost-faces=500'], ['--ghost-faces=x'], ['--transfer=none'], ['--tension=1,,2'],
+    ['--stretch=both'], ['--patches=2.5'], ['--ghost-faces=3'], ['--ghost-faces=x'], ['--placement=free'], ['--transfer=none'], ['--tension=1,,2'],
   ])('of a sequence refuse %s', (word) => {
     expect(() => sequenceOptions(parse(word))).toThrow(UsageError);
   });
@@ -56,8 +56,8 @@ describe('the values of options', () => {
     expect(() => exportOptions(parse(...words), output)).toThrow(UsageError);
   });
 
-  it('say that the ghost is to come, and take off', () => {
-    expect(() => sequenceOptions(parse('--ghost-faces', '500'))).toThrow(/to come/);
-    expect(sequenceOptions(parse('--ghost-faces', 'off', '--transfer', 'paper'))).toEqual({});
+  it('of a ghost mesh are a number of faces or off', () => {
+    expect(sequenceOptions(parse('--ghost-faces', '500', '--placement=optimal'))).toEqual({ ghostFaces: 500, placement: 'optimal' });
+    expect(sequenceOptions(parse('--ghost-faces', 'off', '--transfer', 'paper'))).toEqual({ ghostFaces: 0, transfer: 'paper' });
   });
 });

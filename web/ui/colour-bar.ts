@@ -1,0 +1,38 @@
+/** What the colours of amounts mean: the map with its range and unit, and the numbers of the moment. */
+import { viridisGradient } from '../plots/viridis.ts';
+import { h, memo, setHidden, setStyle, setText } from './dom.ts';
+
+export interface ColourBarProps {
+  title: string;
+  unit: string;
+  /** The range starts at 0. */
+  top: number;
+  /** The numbers of the moment. */
+  now: string;
+  /** Left edge and middle of the view that it belongs to, in CSS pixels. */
+  x: number;
+  y: number;
+}
+
+export function createColourBar(): { element: HTMLElement; update(props: ColourBarProps | null): void } {
+  const title = h('strong', {});
+  const ramp = h('div', { class: 'ramp' });
+  ramp.style.background = viridisGradient('to top');
+  const ticks = h('div', { class: 'ramp-ticks' }, h('span', {}), h('span', {}), h('span', {}));
+  const now = h('span', { class: 'muted', 'data-testid': 'colour-bar-now' });
+  const element = h('div', { class: 'colour-bar', 'data-testid': 'colour-bar', hidden: true }, title, h('div', { class: 'ramp-row' }, ramp, ticks), now);
+  const draw = memo((props: ColourBarProps) => {
+    setText(title, props.title);
+    [1, 0.5, 0].forEach((share, index) => setText(ticks.children[index]!, `${Number((share * props.top).toPrecision(3))} ${props.unit}`));
+    setText(now, props.now);
+    setStyle(element, 'left', `${props.x}px`);
+    setStyle(element, 'top', `${props.y}px`);
+  });
+  return {
+    element,
+    update(props) {
+      setHidden(element, props === null);
+      if (props) draw(props);
+    },
+  };
+}
