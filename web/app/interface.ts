@@ -156,7 +156,7 @@ export function createInterface(input: InterfaceInput): Interface {
     });
     progress.update(runtime.working);
     problem.update(runtime.problem);
-    welcome.update(runtime.welcome && runtime.problem === null && runtime.working === null);
+    welcome.update(runtime.welcome && heat === null && runtime.problem === null && runtime.working === null);
     exporting.update({ ...runtime.exporting, range, videoReason });
     help.update(runtime.singleKeys);
     insight.setCursor(time);

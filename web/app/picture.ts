@@ -178,7 +178,7 @@ export class Picture {
     const rect = this.viewer.rects()[0]!;
     const text = (value: number): string => `${Number(value.toPrecision(2))} %`;
     this.colourBar = {
-      title: 'Difference', unit: '%', top, now: `of the diagonal. Now at most ${text(difference.largest)}, on average ${text(difference.mean)}`,
+      title: 'Difference', unit: '% of the diagonal', top, now: `at most ${text(difference.largest)}, mean ${text(difference.mean)}`,
       x: rect.x, y: rect.y + rect.height / 2,
     };
   }

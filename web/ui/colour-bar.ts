@@ -16,14 +16,16 @@ export interface ColourBarProps {
 
 export function createColourBar(): { element: HTMLElement; update(props: ColourBarProps | null): void } {
   const title = h('strong', {});
+  const unit = h('div', { class: 'muted' });
   const ramp = h('div', { class: 'ramp' });
   ramp.style.background = viridisGradient('to top');
   const ticks = h('div', { class: 'ramp-ticks' }, h('span', {}), h('span', {}), h('span', {}));
   const now = h('span', { class: 'muted', 'data-testid': 'colour-bar-now' });
-  const element = h('div', { class: 'colour-bar', 'data-testid': 'colour-bar', hidden: true }, title, h('div', { class: 'ramp-row' }, ramp, ticks), now);
+  const element = h('div', { class: 'colour-bar', 'data-testid': 'colour-bar', hidden: true }, h('div', {}, title, unit), h('div', { class: 'ramp-row' }, ramp, ticks), now);
   const draw = memo((props: ColourBarProps) => {
     setText(title, props.title);
-    [1, 0.5, 0].forEach((share, index) => setText(ticks.children[index]!, `${Number((share * props.top).toPrecision(3))} ${props.unit}`));
+    setText(unit, props.unit);
+    [1, 0.5, 0].forEach((share, index) => setText(ticks.children[index]!, String(Number((share * props.top).toPrecision(3)))));
     setText(now, props.now);
     setStyle(element, 'left', `${props.x}px`);
     setStyle(element, 'top', `${props.y}px`);

@@ -43,7 +43,7 @@ export function createGhostPanel(events: GhostPanelEvents, study: HTMLElement): 
   const placement = checkbox('Ghost may leave the surface', 'placement', (on) => events.onEncoding({ placement: on ? 'optimal' : DEFAULT_ENCODING.placement }));
   const wire = checkbox('Wireframe', 'ghost-wire', (on) => events.onView({ ghostWire: on }));
   const beside = checkbox('Beside the shape', 'ghost-beside', (on) => events.onView({ ghostBeside: on }));
-  const difference = checkbox('Difference to none', 'ghost-difference', (on) => events.onView({ ghostDifference: on }));
+  const difference = checkbox('Difference to no ghost', 'ghost-difference', (on) => events.onView({ ghostDifference: on }));
   const shown = h('fieldset', { class: 'field' }, h('legend', {}, 'Show'), h('div', { class: 'chips' }, wire.element, beside.element, difference.element));
   const details = h('div', { class: 'group', id: 'ghost-details' },
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Faces'), faces, used, reset), transfer.element, placement.element, shown);

@@ -7,9 +7,9 @@ import type { Material, Object3D } from 'three';
 import type { GhostPicture } from './types.ts';
 
 /** More lines than this can no longer be told apart. */
-const LINKS = 40;
+const LINKS = 28;
 /** Share of the distance to the eye by which the wireframe comes forward, so that a surface as near as the ghost's does not hide it. */
-const FORWARD = 0.008;
+const FORWARD = 0.006;
 
 export class GhostView {
   readonly object = new Group();
@@ -17,9 +17,9 @@ export class GhostView {
   private readonly links: Uint32Array;
   private readonly positions: BufferAttribute;
   private readonly linkEnds: BufferAttribute;
-  private readonly wire = new LineBasicMaterial({ transparent: true, opacity: 0.75 });
+  private readonly wire = new LineBasicMaterial({ transparent: true, opacity: 0.6 });
   private readonly link = new LineBasicMaterial({ transparent: true, opacity: 0.8 });
-  private readonly dot = new PointsMaterial({ size: 5, sizeAttenuation: false });
+  private readonly dot = new PointsMaterial({ size: 4, sizeAttenuation: false });
   private readonly clay = new MeshStandardMaterial({
     color: 0x9aa3ad, roughness: 0.75, flatShading: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
   });

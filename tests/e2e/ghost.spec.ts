@@ -1,0 +1,232 @@
+/** The ghost mesh: what leads the shape, what of it is drawn, how far it is from none, and the comparison of its sizes. */
+import { AxeBuilder } from '@axe-core/playwright';
+import { changedShare, diagonal, difference, expect, test } from './support.ts';
+import type { App } from './support.ts';
+
+interface Hue { share: number; count: number }
+
+/** Pixels of a colour, by a test in the page on red, green and blue. */
+async function pixels(app: App, kind: 'accent' | 'purple' | 'green'): Promise<Hue> {
+  const picture = (await app.picture()).toString('base64');
+  return app.page.evaluate(async ([text, name]) => {
+    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const [r, g, b] = [data[i]!, data[i + 1]!, data[i + 2]!];
+      const hit = name === 'accent' ? b > 150 && b - g > 60 && b - r > 60
+        : name === 'purple' ? r > g + 12 && b > g + 25 && g < 110 : g > r + 40 && g > b + 10;
+      count += hit ? 1 : 0;
+    }
+    return { count, share: count / (data.length / 4) };
+  }, [picture, kind] as const);
+}
+
+/** Distances of the first two views' vertices in percent of the diagonal over all keys, as the engine has them. */
+async function apart(app: App): Promise<{ percent: number[]; shown: number[] }> {
+  return app.page.evaluate(() => {
+    const hook = window.__shapespline!;
+    const [a, b] = [hook.positions(0), hook.positions(1)];
+    const percent = Array.from({ length: a.length / 3 }, (_, v) => Math.hypot(a[3 * v]! - b[3 * v]!, a[3 * v + 1]! - b[3 * v + 1]!, a[3 * v + 2]! - b[3 * v + 2]!));
+    return { percent, shown: Array.from(hook.difference() ?? []) };
+  });
+}
+
+test('a ghost mesh leads the shape when it is switched on, through the same keys', async ({ app }) => {
+  await app.open();
+  const full = [await app.positionsAt(0), await app.positionsAt(0.2), await app.positionsAt(1)];
+  expect((await app.stats()).ghostFaces).toBe(0);
+  await expect(app.by('ghost-faces')).toBeHidden();
+  await app.by('ghost').check();
+  await app.settled();
+  const stats = await app.stats();
+  expect(stats.ghostFaces).toBeGreaterThan(1900);
+  expect(stats.ghostFaces).toBeLessThanOrEqual(2000);
+  await expect(app.by('ghost-used')).toHaveText(new RegExp(`^${stats.ghostFaces.toLocaleString('en')} of `));
+  const size = diagonal(full[0]!);
+  expect(difference(await app.positionsAt(0), full[0]!)).toBeLessThan(1e-5 * size);
+  expect(difference(await app.positionsAt(1), full[2]!)).toBeLessThan(1e-5 * size);
+  const led = difference(await app.positionsAt(0.2), full[1]!);
+  expect(led).toBeGreaterThan(1e-7 * size);
+  expect(led).toBeLessThan(1e-2 * size);
+  await app.page.keyboard.press('n');
+  await app.settled();
+  expect((await app.stats()).ghostFaces).toBe(0);
+  expect(await app.positionsAt(0.2)).toEqual(full[1]);
+  await app.by('undo').click();
+  await app.settled();
+  expect((await app.stats()).ghostFaces).toBe(stats.ghostFaces);
+  await app.expectNoProblems();
+});
+
+test('size, transfer and placement change the ghost, and a link brings them back', async ({ app }) => {
+  await app.open();
+  await app.by('ghost').check();
+  await app.by('ghost-faces').fill('700');
+  await app.by('ghost-faces').press('Enter');
+  await app.settled();
+  const exact = await app.positionsAt(1);
+  await app.by('transfer-paper').check();
+  await app.settled();
+  const paper = await app.positionsAt(1);
+  expect(difference(paper, exact)).toBeGreaterThan(1e-4 * diagonal(exact));
+  await app.by('placement').check();
+  await app.settled();
+  expect(difference(await app.positionsAt(1), paper)).toBeGreaterThan(1e-5 * diagonal(exact));
+  const { ghostFaces } = await app.stats();
+  await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('placement=optimal');
+  const hash = await app.page.evaluate(() => location.hash);
+  expect(hash).toContain('ghostFaces=700');
+  await app.page.goto('about:blank');
+  await app.open({ hash });
+  expect((await app.state()).doc.encoding).toMatchObject({ ghostFaces: 700, transfer: 'paper', placement: 'optimal' });
+  expect((await app.stats()).ghostFaces).toBe(ghostFaces);
+  await app.expectNoProblems();
+});
+
+test('its wireframe lies over the shape, and it stands beside the shape with lines to its vertices', async ({ app }) => {
+  await app.open();
+  await app.setTime(0.2);
+  await app.by('ghost').check();
+  const before = await app.picture();
+  await app.by('ghost-wire').check();
+  const wire = await app.picture();
+  expect(await changedShare(app.page, before, wire)).toBeGreaterThan(0.01);
+  await app.by('ghost-wire').uncheck();
+  expect(await changedShare(app.page, before, await app.picture())).toBeLessThan(0.001);
+  const none = await pixels(app, 'accent');
+  await app.by('ghost-beside').check();
+  const lines = await pixels(app, 'accent');
+  expect(none.count).toBeLessThan(20);
+  expect(lines.count).toBeGreaterThan(300);
+  const ghost = await app.page.evaluate(async () => {
+    const { positions, vertexOf, faces } = (await window.__shapespline!.ghost())!;
+    return { positions: Array.from(positions), vertexOf: Array.from(vertexOf), faces: faces.length / 3 };
+  });
+  expect(ghost.faces).toBe((await app.stats()).ghostFaces);
+  const drawn = await app.positions();
+  const at = ghost.vertexOf.flatMap((v) => drawn.slice(3 * v, 3 * v + 3));
+  expect(difference(ghost.positions, at)).toBeLessThan(0.02 * diagonal(drawn));
+  await app.by('ghost-beside').uncheck();
+  expect((await pixels(app, 'accent')).count).toBe(none.count);
+  await app.expectNoProblems();
+});
+
+test('the difference to no ghost is shown as colours, with its range', async ({ app }) => {
+  await app.open();
+  await app.by('ghost').check();
+  await app.by('ghost-faces').fill('300');
+  await app.by('ghost-faces').press('Enter');
+  await app.by('transfer-paper').check();
+  await app.settled();
+  await app.by('ghost-difference').check();
+  await app.setTime(0.7);
+  await app.settled();
+  await expect(app.by('tile-0')).toContainText('ghost mesh');
+  await expect(app.by('tile-1')).not.toContainText('ghost mesh');
+  const { percent, shown } = await apart(app);
+  const [largest, most] = [Math.max(...percent), Math.max(...shown)];
+  expect(most).toBeGreaterThan(0.05);
+  expect(most).toBeLessThan(20);
+  // The same numbers, in percent of one diagonal.
+  const factor = most / largest;
+  shown.forEach((value, v) => expect(Math.abs(value - factor * percent[v]!)).toBeLessThan(1e-3 * most));
+  const top = Number(await app.by('colour-bar').locator('.ramp-ticks span').first().textContent());
+  expect(top).toBeGreaterThanOrEqual(most);
+  expect(top).toBeLessThan(10 * most);
+  await expect(app.by('colour-bar')).toContainText('% of the diagonal');
+  expect((await pixels(app, 'purple')).count).toBeGreaterThan(1000);
+  await app.by('transfer-exact').check();
+  await app.setTime(0);
+  await app.settled();
+  expect(Math.max(...(await apart(app)).shown)).toBeLessThan(1e-3);
+  await app.by('ghost-difference').uncheck();
+  await app.settled();
+  await expect(app.by('colour-bar')).toBeHidden();
+  expect((await pixels(app, 'purple')).count).toBeLessThan(100);
+  await app.expectNoProblems();
+});
+
+test('sizes are compared when asked for, with a sentence that holds the numbers; the slider stays free', async ({ app }) => {
+  test.slow();
+  await app.open();
+  await app.by('study-start').click();
+  await expect(app.by('study-working')).toBeVisible();
+  await app.setTime(0.33);
+  expect((await app.state()).time).toBe(0.33);
+  await expect(app.by('study-verdict')).toBeVisible({ timeout: 120_000 });
+  const number = async (id: string): Promise<number> => parseFloat((await app.by(id).textContent())!);
+  const verdict = (await app.by('study-verdict').textContent())!;
+  const none = await number('study-none-exact-ms');
+  const best: number[] = [];
+  for (const size of [500, 1000, 2000, 3000, 5000, 10000]) {
+    const [exact, paper] = [await number(`study-${size}-exact-kg`), await number(`study-${size}-paper-kg`)];
+    if (size >= 2000) expect(exact).toBeLessThanOrEqual(1);
+    if (size >= 2000) expect(paper).toBeLessThanOrEqual(5);
+    expect(exact).toBeLessThanOrEqual(paper);
+    best.push(await number(`study-${size}-exact-ms`), await number(`study-${size}-paper-ms`));
+  }
+  expect(verdict).toContain(`${none} ms`);
+  expect(verdict).toContain(`${Math.min(...best)} ms`);
+  await expect(app.by('study').locator('svg.ghost-chart')).toHaveCount(2);
+  // What was measured belongs to the motion: another one takes it away.
+  await app.by('stretch-log').check();
+  await app.settled();
+  await expect(app.by('study')).toBeHidden();
+  await app.expectNoProblems();
+});
+
+test('a comparison can be cancelled, and so can a ghost that is being made', async ({ app }) => {
+  await app.open();
+  const before = await app.positionsAt(0.2);
+  await app.by('study-start').click();
+  await app.by('study-cancel').click();
+  await expect(app.by('study-start')).toBeVisible();
+  await expect(app.by('study')).toBeHidden();
+  await app.page.evaluate(() => new Promise<void>((done) => {
+    new MutationObserver((_, observer) => {
+      const button = document.querySelector<HTMLElement>('[data-testid="progress"]:not([hidden]) [data-testid="cancel"]');
+      if (!button) return;
+      observer.disconnect();
+      button.click();
+      done();
+    }).observe(document.body, { subtree: true, attributes: true, childList: true });
+    document.querySelector<HTMLElement>('[data-testid="ghost"]')!.click();
+  }));
+  await app.settled();
+  expect((await app.state()).doc.encoding.ghostFaces).toBe(0);
+  expect(await app.positionsAt(0.2)).toEqual(before);
+  await app.expectNoProblems();
+});
+
+test('methods that blend positions have no ghost', async ({ app }) => {
+  await app.open();
+  await app.by('ghost').check();
+  await app.by('ghost-wire').check();
+  await app.settled();
+  await app.by('method').selectOption('linear');
+  await app.settled();
+  await expect(app.by('ghost-hint')).toContainText('nothing for a ghost mesh to lead');
+  await expect(app.by('ghost-wire')).toBeDisabled();
+  await app.expectNoProblems();
+});
+
+test('axe finds nothing serious with the ghost\'s section, its colours and its plots', async ({ app }) => {
+  test.slow();
+  await app.open();
+  await app.by('ghost').check();
+  await app.by('ghost-difference').check();
+  await app.settled();
+  await app.by('study-start').click();
+  await expect(app.by('study-verdict')).toBeVisible({ timeout: 120_000 });
+  await app.by('study').locator('summary').click();
+  for (const colorScheme of ['light', 'dark'] as const) {
+    await app.page.emulateMedia({ colorScheme });
+    const { violations } = await new AxeBuilder({ page: app.page }).analyze();
+    const grave = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+    expect(grave.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => String(target)).join(' | ')}`)).toEqual([]);
+  }
+});
