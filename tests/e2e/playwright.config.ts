@@ -36,9 +36,10 @@ export default defineConfig({
     launchOptions: { executablePath: findBrowser(chromium) ?? undefined, args },
     trace: 'retain-on-failure',
   },
-  // The same tests against the development server and against the built page under a sub-path.
+  // Everything is asked of the built page under a sub-path; of the development server what a server can break: loading
+  // the page, its worker, files and decoders, and the motion itself.
   projects: [
-    project('dev', `http://localhost:${devPort}/`),
+    { ...project('dev', `http://localhost:${devPort}/`), testMatch: /(app|compressed|files|motion)\.spec\.ts$/ },
     project('built', `http://localhost:${builtPort}${subPath}`),
   ],
   webServer: [
