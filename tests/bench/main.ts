@@ -9,6 +9,7 @@ import { cpus, tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { createEngine } from '../../web/engine/node.ts';
+import { benchGhost } from './ghost.ts';
 
 const DEFAULT_SIZES = [10_000, 32_000, 80_000];
 const FRAMES = 60;
@@ -88,6 +89,7 @@ function sizesFrom(argument: string | undefined): number[] {
   return sizes;
 }
 
+if (process.argv[2] === 'ghost') process.exit(await benchGhost(process.argv.slice(3)));
 const sizes = sizesFrom(process.argv[2]);
 if (!existsSync(generator)) throw new Error(`the generator of benchmark meshes is missing: ${generator}`);
 const folder = await mkdtemp(path.join(tmpdir(), 'shapespline-bench-'));

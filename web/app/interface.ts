@@ -4,6 +4,7 @@ import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../mode
 import { phaseOf } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
 import { tensionOf } from '../model/edits.ts';
+import { viridisGradient } from '../plots/viridis.ts';
 import { createColourBar } from '../ui/colour-bar.ts';
 import type { ColourBarProps } from '../ui/colour-bar.ts';
 import { createExportDialog } from '../ui/export-dialog.ts';
@@ -98,7 +99,7 @@ export function createInterface(input: InterfaceInput): Interface {
   const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
   const phaseLabel = createPhaseLabel(() => commands.encoding({ stretch: 'log' }));
   const tileLabels = createTileLabels();
-  const colourBar = createColourBar();
+  const colourBar = createColourBar(viridisGradient('to top'));
   const status = createStatusLine();
   const progress = createProgress(input.onCancel);
   const problem = createProblem(input.onCloseProblem);

@@ -1,5 +1,4 @@
 /** What the colours of amounts mean: the map with its range and unit, and the numbers of the moment. */
-import { viridisGradient } from '../plots/viridis.ts';
 import { h, memo, setHidden, setStyle, setText } from './dom.ts';
 
 export interface ColourBarProps {
@@ -14,11 +13,12 @@ export interface ColourBarProps {
   y: number;
 }
 
-export function createColourBar(): { element: HTMLElement; update(props: ColourBarProps | null): void } {
+/** `gradient`: the map as CSS, upwards. */
+export function createColourBar(gradient: string): { element: HTMLElement; update(props: ColourBarProps | null): void } {
   const title = h('strong', {});
   const unit = h('div', { class: 'muted' });
   const ramp = h('div', { class: 'ramp' });
-  ramp.style.background = viridisGradient('to top');
+  ramp.style.background = gradient;
   const ticks = h('div', { class: 'ramp-ticks' }, h('span', {}), h('span', {}), h('span', {}));
   const now = h('span', { class: 'muted', 'data-testid': 'colour-bar-now' });
   const element = h('div', { class: 'colour-bar', 'data-testid': 'colour-bar', hidden: true }, h('div', {}, title, unit), h('div', { class: 'ramp-row' }, ramp, ticks), now);
