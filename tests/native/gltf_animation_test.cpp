@@ -1,6 +1,7 @@
 // Samplers, skins and everything that moves at once, against poses computed by hand.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -192,6 +193,35 @@ TEST_CASE("animations that move nothing of the mesh are not offered") {
   ImportOptions options;
   options.animation = 0;
   CHECK(Files().add("m.glb", maker.glb()).import(options).error().code == ErrorCode::UnknownAnimation);
+}
+
+TEST_CASE("several files are keys themselves: nothing is sampled, and that is said") {
+  ImportOptions name, count, times;
+  name.animation = 0;
+  count.sampleAsked = true;
+  times.sampleTimes = {0, 1};
+  for (const ImportOptions& options : {name, count, times}) {
+    const auto result = Files().add("a.glb", boxFile().glb()).add("b.glb", boxFile(1).glb()).import(options);
+    REQUIRE(!result.ok());
+    CHECK(result.error().code == ErrorCode::InvalidOption);
+    CHECK(result.error().message.find("2 files") != std::string::npos);
+  }
+}
+
+TEST_CASE("an import reports its stages") {
+  for (const Files& files : {Files().add("a.glb", boxFile().glb()).add("b.glb", boxFile(1).glb()), Files().add("m.glb", morphFile({0, 1, 2}).glb())}) {
+    std::vector<NamedBytes> named;
+    for (std::size_t i = 0; i < files.names.size(); ++i) named.push_back({files.names[i], files.bytes[i]});
+    std::vector<double> fractions;
+    REQUIRE(importKeyframes(named, {}, [&](const char* stage, double fraction) {
+      CHECK(std::string(stage).size() > 4);
+      fractions.push_back(fraction);
+    }));
+    CHECK(fractions.size() >= 2);
+    CHECK(fractions.front() == 0);
+    CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+    CHECK(fractions.back() < 1);
+  }
 }
 
 TEST_CASE("sample times beyond the animation are held there, with a warning") {

@@ -178,6 +178,104 @@ TEST_CASE("declared gigabytes are refused at once") {
   checkRefused(maker, ErrorCode::TooLarge, "faces");
 }
 
+// Parts of a file may be named many times: what they add up to is bounded too, and seen before it is done.
+TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
+  const auto start = std::chrono::steady_clock::now();
+  const auto checkTooLarge = [](const GltfMaker& file, const std::string& says, const ImportOptions& options = {}) {
+    const auto result = Files().add("bomb.glb", file.glb()).import(options);
+    REQUIRE(!result.ok());
+    CAPTURE(result.error().message);
+    CHECK(std::string(errorCodeName(result.error().code)) == errorCodeName(ErrorCode::TooLarge));
+    CHECK(result.error().message.starts_with("bomb.glb"));
+    CHECK(result.error().message.find(says) != std::string::npos);
+  };
+  const json zero = {{"componentType", kFloat32}, {"count", 4}, {"type", "VEC3"}};
+
+  GltfMaker targets = boxFile();  // as many keys as targets
+  const std::size_t vertices = targets.doc["accessors"][0]["count"];
+  json flat = zero;
+  flat["count"] = vertices;
+  const int still = targets.add("accessors", flat);
+  targets.doc["meshes"][0]["primitives"][0]["targets"] = std::vector<json>(20'000, {{"POSITION", still}});
+  checkTooLarge(targets, "20,001 keys");
+
+  GltfMaker weighted = targets;  // every target in every key
+  const int seconds = weighted.scalars({0, 1});
+  const int on = weighted.scalars(std::vector<float>(40'000, 1));
+  weighted.animation("all", 0, "weights", seconds, on);
+  ImportOptions many;
+  many.sampleAsked = true;
+  many.sampleCount = 9'000;
+  checkTooLarge(weighted, "too long", many);
+
+  GltfMaker nodes = targets;  // every node has its own weights
+  for (int i = 0; i < 1'000; ++i) nodes.node({{"mesh", 0}});
+  checkTooLarge(nodes, "morph weights");
+
+  GltfMaker instances = boxFile();
+  const json primitive = instances.doc["meshes"][0]["primitives"][0];
+  for (const int mode : {4, 0}) {
+    json one = primitive;
+    one["mode"] = mode;
+    instances.doc["meshes"][0]["primitives"] = std::vector<json>(2'000, one);
+    if (mode == 4)
+      for (int i = 0; i < 2'000; ++i) instances.node({{"mesh", 0}});
+    checkTooLarge(instances, "mesh primitives");
+  }
+
+  GltfMaker strips = boxFile();  // strips of stitches alone add no face
+  const int stitches = strips.accessor(std::vector<std::uint16_t>(1'000'000, 0), "SCALAR", 1, kUInt16);
+  json strip = primitive;
+  strip["mode"] = 5, strip["indices"] = stitches;
+  for (int i = 0; i < 200; ++i) strips.doc["meshes"][0]["primitives"].push_back(strip);
+  checkTooLarge(strips, "faces");
+
+  GltfMaker channels = boxFile();
+  std::vector<float> ramp(20'000);
+  for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = static_cast<float>(i);
+  const int times = channels.scalars(ramp);
+  const int places = channels.vectors(Positions(ramp.size(), Vec3::Zero()));
+  channels.animation("all", 0, "translation", times, places);
+  const json channel = channels.doc["animations"][0]["channels"][0];
+  channels.doc["animations"][0]["channels"] = std::vector<json>(1'000, channel);
+  checkTooLarge(channels, "numbers");
+
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  CHECK(took.count() < 5);
+}
+
+TEST_CASE("what is named many times costs once") {
+  const auto start = std::chrono::steady_clock::now();
+  GltfMaker file = boxFile();
+  const int inverse = file.add("accessors", {{"componentType", kFloat32}, {"count", 1'000'000}, {"type", "MAT4"}});
+  for (int i = 0; i < 2'000; ++i) file.add("skins", {{"joints", {0}}, {"inverseBindMatrices", inverse}});
+  std::vector<std::uint8_t> png(100'000, 0);
+  const std::uint8_t magic[] = {0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
+  std::copy(std::begin(magic), std::end(magic), png.begin());
+  const int whole = file.view(png);
+  for (int i = 0; i < 2'000; ++i) {
+    file.add("images", {{"bufferView", whole}, {"mimeType", "image/png"}});
+    file.add("textures", {{"source", i}});
+    file.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", i}}}}}});
+  }
+  auto result = Files().add("a.glb", file.glb()).add("b.glb", boxFile(1).glb()).import();
+  REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
+  CHECK(result->scene.images.size() == 1);
+  CHECK(result->scene.materials.back().baseColorImage == 0);
+
+  // Each begins one byte later: other bytes, nearly as many.
+  json view = file.doc["bufferViews"][whole];
+  for (int i = 0; i < 2'000; ++i) {
+    view["byteLength"] = png.size() - 8 - i;
+    file.doc["images"][i]["bufferView"] = file.add("bufferViews", view);
+  }
+  result = Files().add("a.glb", file.glb()).add("b.glb", boxFile(1).glb()).import();
+  REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
+  CHECK(result->scene.images.size() < 50);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  CHECK(took.count() < 5);
+}
+
 TEST_CASE("indices out of range name the face") {
   GltfMaker maker = boxFile();
   std::vector<Triangle> faces = boxFaces();

@@ -44,6 +44,15 @@ TEST_CASE("a .gltf finds its buffer inside, beside it and in folders") {
   const Import folders = imported(Files().add("one/m.gltf", a.gltfBeside("data/m%20x.bin")).add("one/data/m x.bin", a.bin)
                                       .add("two/m.gltf", b.gltfBeside("./data/../data/m%20x.bin")).add("two/data/m x.bin", b.bin));
   CHECK(distance(folders.keyframes.keys[1].positions, boxPose(1)) < kFloatError);
+  SUBCASE("white space and escapes in a data URI count for nothing") {
+    json doc = a.withBuffer();
+    std::string uri = dataUri(a.bin);
+    uri.insert(60, "\r\n  ");
+    while (uri.ends_with('=')) uri.pop_back();
+    doc["buffers"][0]["uri"] = uri + "%3D\n";
+    const Import inside = imported(Files().add("a.gltf", bytesOf(doc.dump())).add("b.glb", b.glb()));
+    CHECK(distance(inside.keyframes.keys[0].positions, boxPose(0)) < kFloatError);
+  }
   SUBCASE("also where the files came without their folders") {
     CHECK(imported(Files().add("a.gltf", a.gltfBeside("buffers/a.bin")).add("a.bin", a.bin).add("b.glb", b.glb())).keyframes.keyCount() == 2);
   }

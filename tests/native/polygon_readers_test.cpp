@@ -75,6 +75,13 @@ TEST_CASE("OBJ: comments, negative indices, all kinds of corners, continued line
   CHECK(import.warnings.at(0).count == 3);
 }
 
+TEST_CASE("a byte order mark is no part of a text") {
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.obj", kSquareObj}, {"a.ply", kSquarePly}, {"a.off", kSquareOff}}) {
+    CAPTURE(name);
+    CHECK(twice(name, "\xef\xbb\xbf" + text).keyframes.keys[0].positions == twice(name, text).keyframes.keys[0].positions);
+  }
+}
+
 TEST_CASE("OBJ: texture coordinates where they belong to vertices, with the origin above") {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0.25\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\n";
   const Import kept = twice("a.obj", vertices + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
@@ -103,6 +110,19 @@ TEST_CASE("OBJ: materials of its MTL, and its texture") {
   CHECK(scene.groups[2].material == -1);
   const Import without = twice("a.obj", obj);
   CHECK(without.warnings.at(0).code == "missing-materials");
+}
+
+TEST_CASE("OBJ: a library and an image are read once, however often they are named") {
+  std::string obj, mtl;
+  for (int i = 0; i < 3'000; ++i) obj += "mtllib a.mtl\n", mtl += "newmtl m" + std::to_string(i) + "\nmap_Kd a.png\nmap_Kd none.png\nmap_Kd a.png\n";
+  Bytes png(1'000'000, 0);
+  const Bytes magic{0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
+  std::copy(magic.begin(), magic.end(), png.begin());
+  const Import import = imported(Files().add("a.obj", bytesOf(obj + kSquareObj)).add("b.obj", bytesOf(kSquareObj)).add("a.mtl", bytesOf(mtl)).add("a.png", png));
+  CHECK(import.scene.materials.size() == 3'000);
+  CHECK(import.scene.images.size() == 1);
+  CHECK(import.scene.materials.back().baseColorImage == 0);
+  CHECK(import.warnings.size() == 1);
 }
 
 TEST_CASE("OBJ and PLY: vertex colours") {
@@ -189,6 +209,15 @@ TEST_CASE("concave polygons are covered without overlap") {
   CHECK(sum == doctest::Approx(7 + 4));
 }
 
+TEST_CASE("up axis and unit on glTF change nothing, and say so") {
+  ImportOptions options;
+  options.zUp = true;
+  const Import import = imported(Files().add("a.glb", boxFile().glb()).add("b.glb", boxFile(1).glb()), options);
+  CHECK(import.keyframes.keys[0].positions == boxPose());
+  REQUIRE(import.warnings.size() == 1);
+  CHECK(import.warnings[0].code == "orientation-ignored");
+}
+
 TEST_CASE("keys with other polygons do not fit together") {
   const auto error = [](const std::string& second) {
     return Files().add("a.obj", bytesOf(kSquareObj)).add("b.obj", bytesOf(second)).import().error();
@@ -263,6 +292,9 @@ TEST_CASE("broken PLY files") {
   checkRefused("bad.ply", "element", ErrorCode::NotRecognised, "named .ply");
   // Elements without properties take no bytes, however many there are.
   CHECK(twice("a.ply", with("element face 1", "element nothing 60000000\nelement face 1")).keyframes.faceCount() == 2);
+  std::string faces;
+  for (int i = 0; i < 10'000; ++i) faces += "element face 60000000\n";
+  CHECK(twice("a.ply", with("element face 1", faces + "element face 1")).keyframes.faceCount() == 2);
 }
 
 TEST_CASE("broken OFF files") {

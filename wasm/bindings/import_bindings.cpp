@@ -1,5 +1,6 @@
 // Files -> an import object, and its parts -> JSON and heap ranges.
 #include "bindings/entry.h"
+#include "bindings/host.h"
 #include "bindings/marshal.h"
 #include "bindings/objects.h"
 #include "core/mesh_report.h"
@@ -51,7 +52,7 @@ ENTRY const char* shapespline_import(const char* request) {
     const Json json = Json::parse(request);
     std::vector<NamedBytes> files;
     for (const Json& file : json.at("files")) files.push_back({file.at("name"), elements<std::uint8_t>(file.at("bytes"))});
-    Result<Import> import = importKeyframes(files, importOptionsFrom(json.at("options")));
+    Result<Import> import = importKeyframes(files, importOptionsFrom(json.at("options")), reportProgress);
     if (!import) return import.error();
     if (const Status valid = validate(import->keyframes); !valid) return valid.error();
     ImportObject object{std::move(*import), {}, {}};

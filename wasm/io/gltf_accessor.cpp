@@ -120,21 +120,22 @@ struct Reader {
     return indices;
   }
 
-  // Hands every element's bytes to `take`, sparse replacements last. An accessor without a buffer view is zero.
+  // Hands the bytes of the first `most` elements to `take`, sparse replacements last. Without a buffer view they are zero.
   template <class Take>
-  Status each(const tinygltf::Accessor& a, int components, Take take) const {
+  Status each(const tinygltf::Accessor& a, int components, std::size_t most, Take take) const {
     const std::uint64_t size = static_cast<std::uint64_t>(componentBytes(a.componentType)) * components;
     if (a.bufferView >= 0) {
       const auto found = elements(a.bufferView, a.byteOffset, a.count, size);
       if (!found) return found.error();
-      for (std::size_t i = 0; i < a.count; ++i) take(i, found->at(i));
+      for (std::size_t i = 0; i < most; ++i) take(i, found->at(i));
     }
     if (!a.sparse.isSparse) return {};
     const auto indices = sparseIndices(a);
     if (!indices) return indices.error();
     const auto values = elements(a.sparse.values.bufferView, a.sparse.values.byteOffset, indices->size(), size);
     if (!values) return values.error();
-    for (std::size_t i = 0; i < indices->size(); ++i) take((*indices)[i], values->at(i));
+    for (std::size_t i = 0; i < indices->size(); ++i)
+      if ((*indices)[i] < most) take((*indices)[i], values->at(i));
     return {};
   }
 
@@ -152,15 +153,17 @@ std::size_t accessorCount(const GltfDocument& doc, int index) {
   return index >= 0 && index < static_cast<int>(doc.model.accessors.size()) ? doc.model.accessors[index].count : 0;
 }
 
-Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int components, const std::string& what) {
+Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int components, const std::string& what,
+                                        std::size_t most) {
   const Reader reader{doc, what};
   const auto found = reader.accessor(index, components);
   if (!found) return found.error();
   const tinygltf::Accessor& a = **found;
   if (Status fits = reader.fits(a, components); !fits) return fits.error();
-  std::vector<double> numbers(a.count * components);
+  const std::size_t count = std::min<std::size_t>(a.count, most);
+  std::vector<double> numbers(count * components);
   const int step = componentBytes(a.componentType);
-  Status read = reader.each(a, components, [&](std::size_t i, const std::uint8_t* bytes) {
+  Status read = reader.each(a, components, count, [&](std::size_t i, const std::uint8_t* bytes) {
     for (int c = 0; c < components; ++c) numbers[i * components + c] = number(bytes + c * step, a.componentType, a.normalized);
   });
   if (!read) return read.error();
@@ -180,7 +183,7 @@ Result<std::vector<std::uint32_t>> readWholeNumbers(const GltfDocument& doc, int
   if (Status fits = reader.fits(a, components); !fits) return fits.error();
   std::vector<std::uint32_t> numbers(a.count * components);
   const int step = componentBytes(a.componentType);
-  Status read = reader.each(a, components, [&](std::size_t i, const std::uint8_t* bytes) {
+  Status read = reader.each(a, components, a.count, [&](std::size_t i, const std::uint8_t* bytes) {
     for (int c = 0; c < components; ++c) numbers[i * components + c] = wholeNumber(bytes + c * step, a.componentType);
   });
   if (!read) return read.error();

@@ -17,9 +17,10 @@ constexpr std::uint64_t kMostElements = 16'000'000;
 std::size_t accessorCount(const GltfDocument& doc, int index);
 
 /// The accessor as numbers, `components` an element; normalised integers are mapped to [-1, 1] or [0, 1], sparse
-/// substitutions applied. `what` names it in messages ("POSITION of mesh 0").
+/// substitutions applied; only the first `most` elements. `what` names it in messages ("POSITION of mesh 0").
 /// Errors: MalformedFile, TooLarge.
-Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int components, const std::string& what);
+Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int components, const std::string& what,
+                                        std::size_t most = ~std::size_t{0});
 
 /// The accessor as whole numbers of an unsigned integer type, `components` an element.
 Result<std::vector<std::uint32_t>> readWholeNumbers(const GltfDocument& doc, int index, int components,

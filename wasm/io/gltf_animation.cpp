@@ -15,6 +15,10 @@ namespace {
 using Path = AnimationCurve::Path;
 using Interpolation = AnimationCurve::Interpolation;
 
+// Numbers of all curves together: half a gigabyte. Channels may share their accessors, so that a small file could declare
+// any amount.
+constexpr std::uint64_t kMostNumbers = 64'000'000;
+
 Error malformed(const GltfDocument& doc, const std::string& what) {
   return {ErrorCode::MalformedFile, doc.where + ": " + what + ". Export the file again."};
 }
@@ -42,7 +46,8 @@ int widthOf(const GltfDocument& doc, Path path, int node) {
 }
 
 Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::AnimationChannel& channel,
-                                 const tinygltf::AnimationSampler& sampler, Path path, const std::string& name) {
+                                 const tinygltf::AnimationSampler& sampler, Path path, const std::string& name,
+                                 std::uint64_t& numbers) {
   AnimationCurve curve;
   curve.path = path;
   curve.node = channel.target_node;
@@ -53,6 +58,11 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   if (!interpolation) return malformed(doc, name + " has an unknown interpolation");
   curve.interpolation = *interpolation;
 
+  const int components = path == Path::Weights ? 1 : curve.width;
+  numbers += accessorCount(doc, sampler.input) + std::uint64_t(components) * accessorCount(doc, sampler.output);
+  if (numbers > kMostNumbers)
+    return Error{ErrorCode::TooLarge, doc.where + ": its animations hold more than " + grouped(kMostNumbers) +
+                                          " numbers, more than can be held. Export fewer animations or fewer key times."};
   auto times = readNumbers(doc, sampler.input, 1, "the times of " + name);
   if (!times) return times.error();
   if (times->empty()) return malformed(doc, name + " has no times");
@@ -61,7 +71,6 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
       return malformed(doc, "the times of " + name + " do not increase at " + grouped(std::int64_t(i)));
   curve.times = std::move(*times);
 
-  const int components = path == Path::Weights ? 1 : curve.width;
   auto values = readNumbers(doc, sampler.output, components, "the values of " + name);
   if (!values) return values.error();
   const std::uint64_t perTime = std::uint64_t(curve.width) * (*interpolation == Interpolation::CubicSpline ? 3 : 1);
@@ -72,10 +81,11 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   return curve;
 }
 
-Result<GltfAnimation> readAnimation(const GltfDocument& doc, int index) {
+Result<GltfAnimation> readAnimation(const GltfDocument& doc, int index, std::uint64_t& numbers) {
   const tinygltf::Animation& source = doc.model.animations[index];
   GltfAnimation out;
   out.name = source.name.empty() ? "animation " + std::to_string(index) : source.name;
+  int lastInput = -1;  // most channels share their times with the one before
   for (std::size_t c = 0; c < source.channels.size(); ++c) {
     const tinygltf::AnimationChannel& channel = source.channels[c];
     const std::string name = "animation " + std::to_string(index) + ", channel " + std::to_string(c);
@@ -85,10 +95,12 @@ Result<GltfAnimation> readAnimation(const GltfDocument& doc, int index) {
       return malformed(doc, name + " moves node " + std::to_string(channel.target_node) + ", which is not there");
     if (channel.sampler < 0 || channel.sampler >= static_cast<int>(source.samplers.size()))
       return malformed(doc, name + " has sampler " + std::to_string(channel.sampler) + ", which is not there");
-    auto curve = readCurve(doc, channel, source.samplers[channel.sampler], *path, name);
+    const tinygltf::AnimationSampler& sampler = source.samplers[channel.sampler];
+    auto curve = readCurve(doc, channel, sampler, *path, name, numbers);
     if (!curve) return curve.error();
     out.weightsOnly = out.weightsOnly && *path == Path::Weights;
-    out.keyTimes.insert(out.keyTimes.end(), curve->times.begin(), curve->times.end());
+    if (sampler.input != lastInput) out.keyTimes.insert(out.keyTimes.end(), curve->times.begin(), curve->times.end());
+    lastInput = sampler.input;
     out.curves.push_back(std::move(*curve));
   }
   std::sort(out.keyTimes.begin(), out.keyTimes.end());
@@ -128,8 +140,9 @@ void AnimationCurve::sample(double t, double* out) const {
 
 Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc) {
   std::vector<GltfAnimation> animations;
+  std::uint64_t numbers = 0;
   for (std::size_t i = 0; i < doc.model.animations.size(); ++i) {
-    auto animation = readAnimation(doc, static_cast<int>(i));
+    auto animation = readAnimation(doc, static_cast<int>(i), numbers);
     if (!animation) return animation.error();
     if (!animation->curves.empty()) animations.push_back(std::move(*animation));
   }

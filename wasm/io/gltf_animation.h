@@ -36,7 +36,7 @@ struct GltfAnimation {
   bool weightsOnly = true;
 };
 
-/// All animations with at least one channel that moves a node. Errors: MalformedFile, NotFinite.
+/// All animations with at least one channel that moves a node. Errors: MalformedFile, NotFinite, TooLarge.
 Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc);
 
 /// Writes the animation's values at time t into the state.

@@ -1,6 +1,7 @@
 #include "io/gltf_document.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/text.h"
 #include "io/byte_text.h"
@@ -76,15 +77,20 @@ std::span<const std::uint8_t> viewBytes(const json& doc, std::uint64_t view, con
   return bytes.subspan(offset, length);
 }
 
-// An image that cannot be had costs the texture, not the shape.
+// An image that cannot be had costs the texture, not the shape. Images may share bytes, so that a small file could declare
+// any amount: together they may have as many as the files.
 void readImages(const json& doc, const Source& source, GltfDocument& out) {
   const auto images = doc.find("images");
   if (images == doc.end()) return;
+  std::size_t room = 0, missing = 0;
+  for (const NamedBytes& file : source.files) room += file.bytes.size();
+  std::string first;
+  std::map<const std::uint8_t*, int> known;
   for (const json& image : *images) {
-    const std::string name = "image " + std::to_string(out.images.size());
+    const std::string name = "image " + std::to_string(out.imageOf.size());
     const auto uri = image.find("uri");
     Resource resource;
-    std::string why = name + " has no bytes in the file";
+    std::string why = name + " has no bytes in the file.";
     if (uri != image.end() && uri->is_string()) {
       auto found = resolveUri(uri->get_ref<const std::string&>(), source.file.name, source.files, out.where + ", " + name + ",");
       if (found) resource = std::move(*found);
@@ -92,11 +98,26 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
     } else if (image.contains("bufferView")) {
       resource.bytes = viewBytes(doc, whole(image, "bufferView", ~0ull), out);
     }
+    const auto same = known.find(resource.bytes.data());
+    if (same != known.end() && out.images[same->second].bytes.size() == resource.bytes.size()) {
+      out.imageOf.push_back(same->second);
+      continue;
+    }
     const std::string type = imageType(resource.bytes);
-    if (!resource.bytes.empty() && type.empty()) why = name + " is no image format that is known here";
-    if (type.empty()) out.warnings.push_back({"missing-texture", "A texture is left out: " + why, 1});
-    out.images.push_back(type.empty() ? Image{} : Image{type, {resource.bytes.begin(), resource.bytes.end()}});
+    if (!resource.bytes.empty() && type.empty()) why = name + " is no image format that is known here.";
+    const bool fits = resource.bytes.size() <= room;
+    if (!fits) why = name + " repeats the bytes of others too often.";
+    const bool usable = fits && !type.empty();
+    out.imageOf.push_back(usable ? static_cast<int>(out.images.size()) : -1);
+    if (!usable && ++missing == 1) first = why;
+    if (!usable) continue;
+    room -= resource.bytes.size();
+    if (resource.owned.empty()) known[resource.bytes.data()] = out.imageOf.back();
+    out.images.push_back({type, {resource.bytes.begin(), resource.bytes.end()}});
   }
+  if (missing == 0) return;
+  const std::string what = missing == 1 ? "An image is left out: " : grouped(std::int64_t(missing)) + " images are left out: ";
+  out.warnings.push_back({"missing-texture", what + first, static_cast<int>(missing)});
 }
 
 // The first line of a message of tinygltf's, fit for the middle of a sentence.

@@ -21,7 +21,8 @@ struct GltfDocument {
   std::string where;               ///< how messages call the file
   tinygltf::Model model;
   std::vector<Resource> buffers;   ///< byteLength bytes each, or none for a placeholder
-  std::vector<Image> images;       ///< one for every image of the file; without bytes where it could not be had
+  std::vector<Image> images;       ///< those that could be had, each once
+  std::vector<int> imageOf;        ///< of the file's images: place in `images`, or -1
   std::string project;             ///< JSON of extras.shapespline, or empty
   std::vector<Warning> warnings;
 };

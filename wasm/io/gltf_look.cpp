@@ -15,23 +15,23 @@ struct LookReader {
   GltfDocument& doc;
   GltfShape& shape;
   Scene scene;
-  std::vector<int> newImage;  // of the document's images; -1 not used so far
+  std::vector<int> newImage;  // of doc.images; -1 not used so far
   int brokenTextures = 0, otherCoordinates = 0;
 
-  // An image index of the document from a texture's source, or of an extension's that most browsers decode.
+  // The place in doc.images of a texture's source, or of an extension's that most browsers decode.
   int sourceImage(int texture) {
     if (texture < 0) return -1;
     if (texture >= static_cast<int>(doc.model.textures.size())) return ++brokenTextures, -1;
     const tinygltf::Texture& t = doc.model.textures[texture];
     for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"})
       if (const auto it = t.extensions.find(extension); it != t.extensions.end() && it->second.Has("source"))
-        if (const int image = it->second.Get("source").GetNumberAsInt(); hasBytes(image)) return image;
+        if (const int image = it->second.Get("source").GetNumberAsInt(); hasBytes(image)) return doc.imageOf[image];
     if (!hasBytes(t.source)) return ++brokenTextures, -1;
-    return t.source;
+    return doc.imageOf[t.source];
   }
 
   bool hasBytes(int image) const {
-    return image >= 0 && image < static_cast<int>(doc.images.size()) && !doc.images[image].mimeType.empty();
+    return image >= 0 && image < static_cast<int>(doc.imageOf.size()) && doc.imageOf[image] >= 0;
   }
 
   int keepImage(int texture) {
@@ -40,7 +40,6 @@ struct LookReader {
     if (newImage[image] < 0) {
       newImage[image] = static_cast<int>(scene.images.size());
       scene.images.push_back(std::move(doc.images[image]));
-      doc.images[image].mimeType = scene.images.back().mimeType;  // still there, only moved
     }
     return newImage[image];
   }
@@ -139,10 +138,9 @@ struct LookReader {
   // Reads `components` numbers a vertex of an attribute, or nothing where it is missing or broken.
   std::vector<double> vertexNumbers(const GltfPart& part, const std::string& name, int components) {
     const auto it = part.primitive->attributes.find(name);
-    if (it == part.primitive->attributes.end()) return {};
+    if (it == part.primitive->attributes.end() || accessorCount(doc, it->second) != part.positions.size()) return {};
     auto numbers = readNumbers(doc, it->second, components, name + " of " + part.name);
-    if (numbers && numbers->size() == part.positions.size() * components) return std::move(*numbers);
-    return {};
+    return numbers ? std::move(*numbers) : std::vector<double>();
   }
 
   void readCoordinates(const GltfPart& part) {

@@ -1,5 +1,8 @@
 #include "io/gltf_pose.h"
 
+#include <algorithm>
+#include <span>
+
 #include "io/gltf_accessor.h"
 
 namespace shapespline {
@@ -11,22 +14,25 @@ Status addTargets(const GltfDocument& doc, const GltfPart& part, const char* att
                   Positions& values) {
   const auto& targets = part.primitive->targets;
   for (std::size_t t = 0; t < targets.size() && t < weights.size(); ++t) {
+    if (weights[t] == 0) continue;
     const auto found = targets[t].find(attribute);
-    if (weights[t] == 0 || found == targets[t].end()) continue;
+    if (found == targets[t].end()) continue;
     const std::string name = "morph target " + std::to_string(t) + " of " + part.name;
-    const auto offsets = readNumbers(doc, found->second, 3, name);
-    if (!offsets) return offsets.error();
-    if (offsets->size() != 3 * values.size())
+    if (accessorCount(doc, found->second) != values.size())
       return Error{ErrorCode::MalformedFile,
                    doc.where + ": " + name + " has another number of vertices than its mesh. Export the file again."};
+    const auto offsets = readNumbers(doc, found->second, 3, name);
+    if (!offsets) return offsets.error();
     for (std::size_t v = 0; v < values.size(); ++v) values[v] += weights[t] * Vec3(&(*offsets)[3 * v]);
   }
   return {};
 }
 
+using Matrices = std::vector<Eigen::Affine3d>;
+
 struct PartTransforms {
   const GltfPart& part;
-  std::vector<Eigen::Affine3d> matrices;  // one a joint, or one for the whole part
+  std::span<const Eigen::Affine3d> matrices;  // one a joint, or one for the whole part
 
   Eigen::Affine3d of(std::size_t vertex) const {
     if (part.influences == 0) return matrices[0];
@@ -42,12 +48,14 @@ struct PartTransforms {
 };
 
 // A skin places the mesh by its joints alone; the mesh node's own transform does not count (glTF 2.0, section 3.7.3.3).
-PartTransforms partTransforms(const GltfPart& part, const GltfShape& shape, const std::vector<Eigen::Affine3d>& world) {
-  if (part.influences == 0) return {part, {world[part.node]}};
+// `ofSkins` keeps each skin's matrices for the other parts that it moves.
+PartTransforms partTransforms(const GltfPart& part, const GltfShape& shape, const Matrices& world, std::vector<Matrices>& ofSkins) {
+  if (part.influences == 0) return {part, {&world[part.node], 1}};
   const GltfSkin& skin = shape.skins[part.skin];
-  PartTransforms out{part, {}};
-  for (std::size_t j = 0; j < skin.joints.size(); ++j) out.matrices.push_back(world[skin.joints[j]] * skin.inverseBind[j]);
-  return out;
+  Matrices& matrices = ofSkins[part.skin];
+  if (matrices.empty())
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) matrices.push_back(world[skin.joints[j]] * skin.inverseBind[j]);
+  return {part, matrices};
 }
 
 // Normals turn with the cofactor matrix, which is det * inverse transpose and exists for singular matrices too.
@@ -61,6 +69,17 @@ Vec3 turnedNormal(const Mat3& m, const Vec3& normal) {
 
 }  // namespace
 
+std::uint64_t poseCost(const GltfShape& shape, const SceneState& state) {
+  std::uint64_t cost = state.local.size();
+  for (const GltfSkin& skin : shape.skins) cost += skin.joints.size();
+  for (const GltfPart& part : shape.parts) {
+    const auto& weights = state.weights[part.node];
+    const auto on = weights.size() - std::count(weights.begin(), weights.end(), 0.0);
+    cost += 1 + weights.size() + part.positions.size() * (1 + part.influences + 4 * on);
+  }
+  return cost;
+}
+
 SceneState restState(const GltfDocument& doc, const GltfShape& shape) {
   SceneState state{shape.graph.rest, {}};
   for (const tinygltf::Node& node : doc.model.nodes) {
@@ -72,6 +91,7 @@ SceneState restState(const GltfDocument& doc, const GltfShape& shape) {
 
 Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state, Positions* normals) {
   const auto world = worldTransforms(shape.graph, state.local);
+  std::vector<Matrices> ofSkins(shape.skins.size());
   Positions out;
   out.reserve(shape.vertexCount);
   if (normals) normals->clear();
@@ -79,7 +99,7 @@ Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape,
     const std::vector<double>& weights = state.weights[part.node];
     Positions positions = part.positions;
     if (Status morphed = addTargets(doc, part, "POSITION", weights, positions); !morphed) return morphed.error();
-    const PartTransforms transforms = partTransforms(part, shape, world);
+    const PartTransforms transforms = partTransforms(part, shape, world, ofSkins);
     for (std::size_t v = 0; v < positions.size(); ++v) out.push_back(transforms.of(v) * positions[v]);
     if (!normals || !shape.hasNormals) continue;
     Positions turned = part.normals;

@@ -7,6 +7,13 @@
 
 namespace shapespline {
 
+/// More steps than an import may take: some ten seconds.
+constexpr std::uint64_t kMostPoseCost = 4'000'000'000;
+
+/// What posing the vertices in this state takes, in steps of a few nanoseconds. Morph targets may share their bytes, so
+/// that a small file could ask for any amount.
+std::uint64_t poseCost(const GltfShape& shape, const SceneState& state);
+
 /// The state that the file itself describes: node transforms and default morph weights.
 SceneState restState(const GltfDocument& doc, const GltfShape& shape);
 

@@ -17,7 +17,10 @@ namespace {
 constexpr std::size_t kMostOwnKeys = 32;
 // Positions of all keys together that a 32-bit address space still holds beside their encoding.
 constexpr std::uint64_t kMostKeyVertices = 60'000'000;
-
+// Keys of one file; more are a recording, not key poses.
+constexpr std::size_t kMostKeys = 10'000;
+// Share of the progress that goes to the file itself, before its keys.
+constexpr double kReading = 0.4;
 
 void append(std::vector<Warning>& to, std::vector<Warning>&& from) {
   std::move(from.begin(), from.end(), std::back_inserter(to));
@@ -28,8 +31,10 @@ struct KeyReader {
   GltfDocument& doc;
   GltfShape& shape;
   const ImportOptions& options;
+  const Progress& progress;
   std::vector<GltfAnimation> animations;
   Import out;
+  std::uint64_t work = 0;
 
   Error error(ErrorCode code, const std::string& message) const { return {code, doc.where + message}; }
 
@@ -40,13 +45,25 @@ struct KeyReader {
   }
 
   Status checkSize(std::size_t keys) const {
-    if (static_cast<std::uint64_t>(keys) * shape.vertexCount <= kMostKeyVertices) return {};
+    if (keys <= kMostKeys && static_cast<std::uint64_t>(keys) * shape.vertexCount <= kMostKeyVertices) return {};
     return error(ErrorCode::TooLarge, ": " + grouped(std::int64_t(keys)) + " keys of " + grouped(shape.vertexCount) +
                                           " vertices are more than can be held. Take fewer keys.");
   }
 
-  Status addKey(const std::string& name, double time, const SceneState& state) {
+  void report(const char* stage, double fraction) const {
+    if (progress) progress(stage, fraction);
+  }
+
+  // `count`: how many keys there will be.
+  Status addKey(const std::string& name, double time, const SceneState& state, std::size_t count) {
+    report("taking the keys", kReading + (1 - kReading) * static_cast<double>(out.keyframes.keys.size()) / static_cast<double>(count));
     const bool first = out.keyframes.keys.empty();
+    const std::uint64_t cost = poseCost(shape, state);
+    work += cost;
+    // The keys to come will take as much as this one, most likely.
+    if (work > kMostPoseCost || cost > kMostPoseCost / count)
+      return error(ErrorCode::TooLarge, ": its morph targets and skins take too long to compute for " + grouped(std::int64_t(count)) +
+                                            " keys. Take fewer keys.");
     auto positions = posedVertices(doc, shape, state, first ? &out.keyframes.normals : nullptr);
     if (!positions) return positions.error();
     out.keyframes.keys.push_back({name, time, std::move(*positions)});
@@ -80,7 +97,7 @@ struct KeyReader {
     if (Status size = checkSize(targets + 1); !size) return size;
     const auto times = evenTimes(targets + 1);
     for (int t = -1; t < targets; ++t)
-      if (Status key = addKey(t < 0 ? "base" : targetName(t), times[t + 1], morphState(t)); !key) return key;
+      if (Status key = addKey(t < 0 ? "base" : targetName(t), times[t + 1], morphState(t), times.size()); !key) return key;
     return {};
   }
 
@@ -90,7 +107,7 @@ struct KeyReader {
     for (const ProjectKey& key : project.keys) {
       SceneState state = key.frame >= 0 ? morphState(key.frame - 1) : restState(doc, shape);
       if (key.frame < 0) applyAnimation(animations[0], key.seconds, state);
-      if (Status added = addKey(key.name, key.time, state); !added) return added;
+      if (Status added = addKey(key.name, key.time, state, project.keys.size()); !added) return added;
     }
     out.project = doc.project;
     return {};
@@ -156,13 +173,9 @@ struct KeyReader {
     for (double t : *times) {
       SceneState state = restState(doc, shape);
       applyAnimation(animation, t, state);
-      if (Status key = addKey(shortNumber(t) + " s", t, state); !key) return key;
+      if (Status key = addKey(shortNumber(t) + " s", t, state, times->size()); !key) return key;
     }
     return {};
-  }
-
-  bool animationAsked() const {
-    return !std::holds_alternative<std::monostate>(options.animation) || !options.sampleTimes.empty() || options.sampleAsked;
   }
 
   // Nodes whose transforms place a vertex: mesh nodes, joints, and everything above them.
@@ -191,12 +204,12 @@ struct KeyReader {
   }
 
   Status takeKeys() {
-    if (!doc.project.empty() && !animationAsked()) {
+    if (!doc.project.empty() && !options.animationAsked()) {
       auto project = parseProject(doc.project, morphTargets(), !animations.empty());
       if (project) return takeProject(*project);
       out.warnings.push_back({"project-ignored", doc.where + ": " + project.error().message, 0});
     }
-    if (animationAsked() && animations.empty()) return error(ErrorCode::UnknownAnimation, " has no animation that moves its mesh.");
+    if (options.animationAsked() && animations.empty()) return error(ErrorCode::UnknownAnimation, " has no animation that moves its mesh.");
     if (!animations.empty()) return takeAnimation();
     if (morphTargets() > 0) return takeMorphTargets();
     return error(ErrorCode::TooFewKeys, " holds one pose only. Add a file for every other key, or give one file with "
@@ -227,7 +240,10 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
   auto shape = readShape(*doc);
   if (!shape) return shape.error();
   PoseFile out;
-  auto positions = posedVertices(*doc, *shape, restState(*doc, *shape), &out.normals);
+  const SceneState rest = restState(*doc, *shape);
+  if (poseCost(*shape, rest) > kMostPoseCost)
+    return Error{ErrorCode::TooLarge, where + ": its morph targets and skins take too long to compute. Export the pose as a plain mesh."};
+  auto positions = posedVertices(*doc, *shape, rest, &out.normals);
   if (!positions) return positions.error();
   out.positions = std::move(*positions);
   out.scene = readLook(*doc, *shape);
@@ -238,12 +254,14 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
 }
 
 Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
-                            const std::string& where) {
+                            const std::string& where, const Progress& progress) {
+  if (progress) progress("reading the file", 0);
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();
+  if (progress) progress("reading the mesh", kReading / 2);
   auto shape = readShape(*doc);
   if (!shape) return shape.error();
-  KeyReader reader{*doc, *shape, options, {}, {}};
+  KeyReader reader{*doc, *shape, options, progress, {}, {}};
   if (Status read = reader.read(); !read) return read.error();
   return std::move(reader.out);
 }

@@ -1,6 +1,7 @@
 #include "io/gltf_shape.h"
 
 #include <cmath>
+#include <map>
 
 #include "core/text.h"
 #include "io/gltf_accessor.h"
@@ -12,6 +13,8 @@ namespace {
 // Several times the largest mesh that the method has been run on; keeps node instancing from multiplying a small file
 // into gigabytes.
 constexpr std::int64_t kMostFaces = 32'000'000;
+// Primitives of all mesh nodes, and morph weights of all nodes: a thousand nodes of a thousand primitives.
+constexpr std::int64_t kMostParts = 1'000'000, kMostWeights = 10'000'000;
 
 Error malformed(const GltfDocument& doc, const std::string& what) {
   return {ErrorCode::MalformedFile, doc.where + ": " + what + ". Export the file again."};
@@ -41,7 +44,7 @@ Result<std::vector<GltfSkin>> readSkins(const GltfDocument& doc) {
         return malformed(doc, name + " has joint node " + std::to_string(joint) + ", which is not there");
     GltfSkin out{skin.joints, std::vector<Eigen::Affine3d>(skin.joints.size(), Eigen::Affine3d::Identity())};
     if (skin.inverseBindMatrices >= 0) {
-      const auto numbers = readNumbers(doc, skin.inverseBindMatrices, 16, "inverseBindMatrices of " + name);
+      const auto numbers = readNumbers(doc, skin.inverseBindMatrices, 16, "inverseBindMatrices of " + name, skin.joints.size());
       if (!numbers) return numbers.error();
       if (numbers->size() < 16 * skin.joints.size()) return malformed(doc, name + " has fewer inverse bind matrices than joints");
       for (std::size_t j = 0; j < skin.joints.size(); ++j)
@@ -52,22 +55,39 @@ Result<std::vector<GltfSkin>> readSkins(const GltfDocument& doc) {
   return skins;
 }
 
+// Orders primitives by the vertices that they are made of.
+struct ByVertices {
+  bool operator()(const tinygltf::Primitive* a, const tinygltf::Primitive* b) const {
+    return a->attributes != b->attributes ? a->attributes < b->attributes : a->targets < b->targets;
+  }
+};
+
 struct ShapeReader {
   const GltfDocument& doc;
   GltfShape shape;
   int skippedPrimitives = 0, leftoverCorners = 0, unskinnedParts = 0;
+  std::int64_t cornerCount = 0, primitiveCount = 0, influenceCount = 0;
+  std::vector<int> targetCounts{};  // of each mesh
+
+  Error tooLarge(std::int64_t most, const char* what) const {
+    return {ErrorCode::TooLarge, doc.where + " shows more than " + grouped(most) + " " + what +
+                                     ", more than can be held. Simplify the mesh first."};
+  }
 
   // Adds JOINTS_set and WEIGHTS_set to the part's influences.
   Status readInfluenceSet(GltfPart& part, int set, std::vector<std::vector<std::uint32_t>>& joints,
                           std::vector<std::vector<double>>& weights) {
     const std::string suffix = "_" + std::to_string(set);
-    auto j = readWholeNumbers(doc, attribute(*part.primitive, "JOINTS" + suffix), 4, "JOINTS" + suffix + " of " + part.name);
-    if (!j) return j.error();
-    auto w = readNumbers(doc, attribute(*part.primitive, "WEIGHTS" + suffix), 4, "WEIGHTS" + suffix + " of " + part.name);
-    if (!w) return w.error();
-    const std::size_t expected = 4 * part.positions.size();
-    if (j->size() != expected || w->size() != expected)
+    const int jointAccessor = attribute(*part.primitive, "JOINTS" + suffix), weightAccessor = attribute(*part.primitive, "WEIGHTS" + suffix);
+    const std::size_t n = part.positions.size();
+    if (accessorCount(doc, jointAccessor) != n || accessorCount(doc, weightAccessor) != n)
       return malformed(doc, part.name + " has another number of joints or weights than of vertices");
+    influenceCount += 4 * static_cast<std::int64_t>(n);
+    if (influenceCount > static_cast<std::int64_t>(4 * kMostElements)) return tooLarge(4 * kMostElements, "joint weights");
+    auto j = readWholeNumbers(doc, jointAccessor, 4, "JOINTS" + suffix + " of " + part.name);
+    if (!j) return j.error();
+    auto w = readNumbers(doc, weightAccessor, 4, "WEIGHTS" + suffix + " of " + part.name);
+    if (!w) return w.error();
     joints.push_back(std::move(*j));
     weights.push_back(std::move(*w));
     return {};
@@ -119,16 +139,15 @@ struct ShapeReader {
     part.firstVertex = shape.vertexCount;
     const int position = attribute(primitive, "POSITION"), normal = attribute(primitive, "NORMAL");
     if (position < 0) return malformed(doc, name + " has no positions");
-    if (shape.vertexCount + accessorCount(doc, position) > kMostElements)
-      return Error{ErrorCode::TooLarge, doc.where + " shows more than " + grouped(kMostElements) +
-                                            " vertices, more than can be held. Simplify the mesh first."};
+    if (shape.vertexCount + accessorCount(doc, position) > kMostElements) return tooLarge(kMostElements, "vertices");
     auto positions = readNumbers(doc, position, 3, "POSITION of " + name);
     if (!positions) return positions.error();
     part.positions = toPositions(*positions);
     if (normal >= 0) {
+      if (accessorCount(doc, normal) != part.positions.size())
+        return malformed(doc, name + " has another number of normals than of vertices");
       auto normals = readNumbers(doc, normal, 3, "NORMAL of " + name);
       if (!normals) return normals.error();
-      if (normals->size() != positions->size()) return malformed(doc, name + " has another number of normals than of vertices");
       part.normals = toPositions(*normals);
     }
     if (part.skin >= static_cast<int>(shape.skins.size()))
@@ -143,6 +162,8 @@ struct ShapeReader {
 
   Result<std::vector<std::uint32_t>> corners(const GltfPart& part, const tinygltf::Primitive& primitive, const std::string& name) {
     const std::size_t n = part.positions.size();
+    cornerCount += static_cast<std::int64_t>(primitive.indices < 0 ? n : accessorCount(doc, primitive.indices));
+    if (cornerCount > 3 * kMostFaces) return tooLarge(kMostFaces, "faces");
     if (primitive.indices < 0) {
       std::vector<std::uint32_t> all(n);
       for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<std::uint32_t>(i);
@@ -186,26 +207,25 @@ struct ShapeReader {
     if (meshIndex >= static_cast<int>(doc.model.meshes.size()))
       return malformed(doc, "node " + std::to_string(node) + " shows mesh " + std::to_string(meshIndex) + ", which is not there");
     const tinygltf::Mesh& mesh = doc.model.meshes[meshIndex];
-    const std::size_t firstPart = shape.parts.size();
+    std::map<const tinygltf::Primitive*, std::size_t, ByVertices> partOf;
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const tinygltf::Primitive& primitive = mesh.primitives[p];
+      if (++primitiveCount > kMostParts) return tooLarge(kMostParts, "mesh primitives");
       if (!isTriangles(primitive.mode)) {
         ++skippedPrimitives;
         continue;
       }
       const std::string name = "mesh " + std::to_string(meshIndex) + ", primitive " + std::to_string(p);
       // Primitives that share their vertices (one mesh in several materials) share them here too.
-      std::size_t part = firstPart;
-      while (part < shape.parts.size() && !(shape.parts[part].primitive->attributes == primitive.attributes &&
-                                            shape.parts[part].primitive->targets == primitive.targets)) ++part;
-      if (part == shape.parts.size())
+      const auto [place, isNew] = partOf.try_emplace(&primitive, shape.parts.size());
+      const std::size_t part = place->second;
+      if (isNew)
         if (Status read = readPart(node, primitive, name); !read) return read;
       const auto v = corners(shape.parts[part], primitive, name);
       if (!v) return v.error();
       const int start = static_cast<int>(shape.faces.size());
       if (start + static_cast<std::int64_t>(v->size()) / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1) > kMostFaces)
-        return Error{ErrorCode::TooLarge, doc.where + " shows more than " + grouped(kMostFaces) +
-                                              " faces, more than can be held. Simplify the mesh first."};
+        return tooLarge(kMostFaces, "faces");
       addFaces(*v, primitive.mode, shape.parts[part].firstVertex, mirrored && shape.parts[part].skin < 0);
       shape.groups.push_back({start, static_cast<int>(shape.faces.size()) - start, primitive.material});
     }
@@ -216,7 +236,21 @@ struct ShapeReader {
     if (count > 0) shape.warnings.push_back({code, doc.where + ": " + message, count});
   }
 
+  // Every node has weights of its own for its mesh's targets.
+  Status countWeights() const {
+    std::int64_t weights = 0;
+    for (const tinygltf::Node& node : doc.model.nodes) {
+      const bool hasMesh = node.mesh >= 0 && node.mesh < static_cast<int>(doc.model.meshes.size());
+      if (hasMesh) weights += targetCounts[node.mesh];
+      weights += static_cast<std::int64_t>(std::max(node.weights.size(), hasMesh ? doc.model.meshes[node.mesh].weights.size() : 0));
+      if (weights > kMostWeights) return tooLarge(kMostWeights, "morph weights");
+    }
+    return {};
+  }
+
   Status read() {
+    for (const tinygltf::Mesh& mesh : doc.model.meshes) targetCounts.push_back(targetCount(mesh));
+    if (Status weights = countWeights(); !weights) return weights;
     auto graph = readNodes(doc);
     if (!graph) return graph.error();
     shape.graph = std::move(*graph);

@@ -1,5 +1,6 @@
 #include "io/import.h"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <optional>
@@ -102,12 +103,17 @@ Status addPose(PoseFile&& pose, const MeshFile& mesh, Import& out, const std::st
   return {};
 }
 
-Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files, const ImportOptions& options) {
+Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files, const ImportOptions& options,
+                           const Progress& progress) {
+  if (options.animationAsked())
+    return Error{ErrorCode::InvalidOption, "Keys are sampled from an animation of one file, but " + grouped(std::int64_t(meshes.size())) +
+                                               " files were given, each of which is a key. Give one file, or no animation and samples."};
   Import out;
   PoseReader reader{files, options, {}};
   for (std::size_t j = 0; j < meshes.size(); ++j) {
     const int key = static_cast<int>(j);
     const std::string where = placeName(*meshes[j].file, key, meshes.size());
+    if (progress) progress("reading the poses", static_cast<double>(j) / static_cast<double>(meshes.size()));
     auto pose = reader.read(meshes[j], where);
     Status added = pose ? addPose(std::move(*pose), meshes[j], out, where) : Status(pose.error());
     if (added) continue;
@@ -128,13 +134,14 @@ Error onePoseOnly(const MeshFile& mesh, std::span<const NamedBytes> files, const
   return {ErrorCode::TooFewKeys, where + " holds one pose only. Add a file for every other key."};
 }
 
-Result<Import> readKeys(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files, const ImportOptions& options) {
+Result<Import> readKeys(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files, const ImportOptions& options,
+                        const Progress& progress) {
   if (meshes.empty())
     return Error{ErrorCode::TooFewKeys, files.empty() ? "No files were given. Give at least two poses of one mesh."
                                                       : "None of the files holds a mesh. Give glTF, OBJ, PLY or OFF files."};
-  if (meshes.size() > 1) return importPoses(meshes, files, options);
+  if (meshes.size() > 1) return importPoses(meshes, files, options, progress);
   if (meshes[0].kind != FileKind::Gltf) return onePoseOnly(meshes[0], files, options);
-  return readGltfKeys(*meshes[0].file, files, options, placeName(*meshes[0].file, 0, 1));
+  return readGltfKeys(*meshes[0].file, files, options, placeName(*meshes[0].file, 0, 1), progress);
 }
 
 Status setTimes(Keyframes& keyframes, const std::vector<double>& times) {
@@ -144,13 +151,23 @@ Status setTimes(Keyframes& keyframes, const std::vector<double>& times) {
   return {};
 }
 
-Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOptions& options) {
+// glTF is y up and in metres: what else was asked for does not fit.
+void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& options, std::vector<Warning>& warnings) {
+  const auto isGltf = [](const MeshFile& mesh) { return mesh.kind == FileKind::Gltf; };
+  const auto count = std::count_if(meshes.begin(), meshes.end(), isGltf);
+  if (count == 0 || (!options.zUp && options.unit == 1)) return;
+  warnings.push_back({"orientation-ignored", "The up axis and the unit are for OBJ, PLY and OFF files; glTF states its own, so "
+                                             "they do not change it.", static_cast<int>(count)});
+}
+
+Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOptions& options, const Progress& progress) {
   if (!(options.unit > 0) || !std::isfinite(options.unit))
     return Error{ErrorCode::InvalidOption, "The unit must be a positive number of metres."};
   const auto meshes = meshFiles(files);
   if (!meshes) return meshes.error();
-  auto keys = readKeys(*meshes, files, options);
+  auto keys = readKeys(*meshes, files, options, progress);
   if (!keys) return keys;
+  checkOrientation(*meshes, options, keys->warnings);
   if (Status times = setTimes(keys->keyframes, options.keyTimes); !times) return times.error();
   if (Status valid = validate(keys->keyframes); !valid) return valid.error();
   return keys;
@@ -158,10 +175,10 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
 
 }  // namespace
 
-Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options) {
+Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options, const Progress& progress) {
   // The libraries below throw on what they do not expect; no exception leaves this folder.
   try {
-    return importChecked(files, options);
+    return importChecked(files, options, progress);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::OutOfMemory, "There is not enough memory for these files. Simplify the mesh or take fewer keys."};
   } catch (const std::length_error&) {

@@ -29,6 +29,10 @@ struct ImportOptions {
   std::vector<double> keyTimes;     ///< default: the animation's own times, else evenly over [0, 1]
   bool zUp = false;                 ///< OBJ, PLY and OFF only
   double unit = 1;                  ///< metres per unit, OBJ, PLY and OFF only
+
+  bool animationAsked() const {
+    return !std::holds_alternative<std::monostate>(animation) || !sampleTimes.empty() || sampleAsked;
+  }
 };
 
 struct AnimationInfo {
@@ -49,8 +53,9 @@ struct Import {
 
 /// Reads keys from files: several files with one pose each (keys in the order given), or one with morph targets or an
 /// animation. Buffers and images that a file names are looked up among the files. What a saved project holds
-/// (export.h) becomes its keys again, unless an animation or samples are asked for.
+/// (export.h) becomes its keys again, unless an animation or samples are asked for. `progress` hears the stages with a
+/// fraction of the whole in [0, 1] that never falls.
 /// Errors: every ErrorCode of reading and of keys that do not fit; the message names file, key and place.
-Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options);
+Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options, const Progress& progress = {});
 
 }  // namespace shapespline

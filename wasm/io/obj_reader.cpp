@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/text.h"
 #include "io/byte_text.h"
@@ -33,6 +34,7 @@ struct MtlReader {
   const std::string& where;
   PolygonMesh& mesh;
   std::map<std::string, int, std::less<>>& materialOf;
+  std::map<std::string, int, std::less<>>& imageOf;  // by name; -1 where it could not be had
 
   void readImage(std::string_view text, Material& material) {
     std::string_view name = trimmed(text);
@@ -42,6 +44,9 @@ struct MtlReader {
       while (takeNumber(name, number)) {}
       name = trimmed(name);
     }
+    const auto [known, isNew] = imageOf.try_emplace(std::string(name), -1);
+    material.baseColorImage = known->second;
+    if (!isNew) return;
     const auto found = resolveUri(name, from, files, where);
     const std::string type = found ? imageType(found->bytes) : "";
     if (type.empty()) {
@@ -49,7 +54,7 @@ struct MtlReader {
           (found ? inQuotes(name) + " is no image format that is known here." : found.error().message), 1});
       return;
     }
-    material.baseColorImage = static_cast<int>(mesh.scene.images.size());
+    material.baseColorImage = known->second = static_cast<int>(mesh.scene.images.size());
     mesh.scene.images.push_back({type, {found->bytes.begin(), found->bytes.end()}});
   }
 
@@ -87,7 +92,8 @@ struct ObjReader {
   std::vector<Vec3> colors, normals;
   std::vector<Vec2> coordinates;
   std::vector<int> cornerNormal, cornerCoordinate;  // -1 where a corner has none
-  std::map<std::string, int, std::less<>> materialOf;
+  std::map<std::string, int, std::less<>> materialOf, imageOf;
+  std::set<std::string, std::less<>> libraries;  // read already
   std::int64_t line = 0;
   int leftOut = 0;
 
@@ -167,8 +173,9 @@ struct ObjReader {
   }
 
   void readLibrary(std::string_view name) {
+    if (!libraries.emplace(name).second) return;
     const auto found = resolveUri(name, file.name, files, where);
-    if (found) return MtlReader{file.name, files, where, mesh, materialOf}.read(found->bytes);
+    if (found) return MtlReader{file.name, files, where, mesh, materialOf, imageOf}.read(found->bytes);
     mesh.warnings.push_back({"missing-materials", "Materials are left out: " + found.error().message, 1});
   }
 
@@ -287,7 +294,7 @@ Status checkPolygons(const PolygonMesh& mesh, const std::string& where) {
 }
 
 Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where) {
-  return ObjReader{file, files, where, {}, {}, {}, {}, {}, {}, {}}.read();
+  return ObjReader{file, files, where, {}, {}, {}, {}, {}, {}, {}, {}, {}}.read();
 }
 
 }  // namespace shapespline

@@ -39,7 +39,6 @@ struct OffReader {
   Status readHeader(std::int64_t& vertices, std::int64_t& faces) {
     std::string_view line;
     if (!nextLine(line)) return malformed("there is no header");
-    if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
     std::string_view keyword = takeWord(line);
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
       return Error{ErrorCode::Unsupported, where + " holds points of more than three dimensions, which are not read. Export it in 3D."};

@@ -198,7 +198,7 @@ struct PlyReader {
   }
 
   Status skip(const PlyElement& element) {
-    for (std::int64_t i = 0; i < element.count && !element.properties.empty(); ++i)
+    for (std::int64_t i = 0; i < element.count; ++i)
       for (const PlyProperty& p : element.properties)
         if (!readProperty(p, [](double) {})) return cutOff(element, i);
     return {};
@@ -206,6 +206,7 @@ struct PlyReader {
 
   Result<PolygonMesh> read(const PlyHeader& header) {
     for (const PlyElement& element : header.elements) {
+      if (element.properties.empty() && element.name != "vertex") continue;  // any number of nothing
       if (Status count = checkCount(element); !count) return count.error();
       Status status = element.name == "vertex" ? readVertices(element) : element.name == "face" ? readFaces(element) : skip(element);
       if (!status) return status.error();

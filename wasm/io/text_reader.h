@@ -7,11 +7,13 @@
 
 namespace shapespline {
 
-/// A text, taken from the front line by line. Ends of line may be LF, CRLF or CR.
+/// A text, taken from the front line by line. Ends of line may be LF, CRLF or CR; a byte order mark is no part of it.
 class LineReader {
  public:
   explicit LineReader(std::span<const std::uint8_t> bytes)
-      : rest_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {}
+      : rest_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {
+    if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
+  }
 
   /// The next line without its end; false at the end of the text.
   bool next(std::string_view& line);

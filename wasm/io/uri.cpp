@@ -40,13 +40,17 @@ constexpr std::array<std::int8_t, 256> makeBase64Table() {
 }
 constexpr std::array<std::int8_t, 256> kBase64 = makeBase64Table();
 
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+// White space counts for nothing, as in browsers.
 std::optional<std::vector<std::uint8_t>> base64Decoded(std::string_view text) {
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+  while (!text.empty() && (text.back() == '=' || isSpace(text.back()))) text.remove_suffix(1);
   std::vector<std::uint8_t> out;
   out.reserve(text.size() / 4 * 3 + 3);
   std::uint32_t bits = 0;
   int have = 0;
   for (char c : text) {
+    if (isSpace(c)) continue;
     const int value = kBase64[static_cast<unsigned char>(c)];
     if (value < 0) return std::nullopt;
     bits = bits << 6 | static_cast<std::uint32_t>(value);
@@ -66,7 +70,7 @@ Result<Resource> dataResource(std::string_view uri, const std::string& where) {
   Resource resource;
   resource.mimeType = head.substr(0, head.find(';'));
   if (head.ends_with(";base64")) {
-    auto bytes = base64Decoded(body);
+    auto bytes = base64Decoded(body.find('%') == std::string_view::npos ? body : percentDecoded(body));
     if (!bytes)
       return Error{ErrorCode::MalformedFile, where + " holds a data URI that is not valid base64. Export it again."};
     resource.owned = std::move(*bytes);

@@ -95,7 +95,7 @@ export function createInterface(input: InterfaceInput): Interface {
   });
   const motionPanel = createMotionPanel({ onMotion: commands.motion, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
-  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, count) => void opening.resample(animation, count) });
+  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void opening.resample(animation, times) });
   const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
   const phaseLabel = createPhaseLabel(() => commands.encoding({ stretch: 'log' }));
   const tileLabels = createTileLabels();

@@ -1,5 +1,5 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
-import type { ImportOptions, InputFile, KeysInfo } from '../engine/types.ts';
+import type { ImportOptions, KeysInfo } from '../engine/types.ts';
 import { addKey, setMotion } from '../model/edits.ts';
 import type { Doc, Play, Source, View } from '../model/state.ts';
 import { DEFAULT_VIEW, SPEEDS, comfortableSpeed } from '../model/state.ts';
@@ -7,6 +7,7 @@ import { length } from '../model/time-scale.ts';
 import type { PickedFile } from '../ui/file-drop.ts';
 import { plural } from '../ui/status-line.ts';
 import type { Context } from './context.ts';
+import type { Input } from './workspace.ts';
 import { importPoses, readFiles } from './input-files.ts';
 import { applyPermalink } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
@@ -17,7 +18,8 @@ export interface Opening {
   /** Resolve to whether what was asked for is open now. */
   sample(id: string, link?: Permalink | null): Promise<boolean>;
   files(files: PickedFile[]): Promise<boolean>;
-  resample(animation: number, count: number): Promise<boolean>;
+  /** Takes the keys anew, at these seconds of the animation's own time line. */
+  resample(animation: number, times: number[]): Promise<boolean>;
   /** Adds the files' poses after the last key. */
   addKeys(files: PickedFile[]): Promise<void>;
   readonly busy: boolean;
@@ -26,7 +28,7 @@ export interface Opening {
 }
 
 interface Request {
-  input: InputFile[];
+  input: Input;
   options: ImportOptions;
   source: Source;
   adjust(doc: Doc): Doc;
@@ -100,12 +102,12 @@ export function createOpening(context: Context): Opening {
     }),
     files: (files) => guarded(async () => {
       fetching.abort();
-      const input = await readFiles(files);
-      return open({ input, options: {}, source: { kind: 'files', names: input.map(({ name }) => name) }, adjust: (doc) => doc, link: null });
+      const input: Input = (report, signal) => readFiles(files, report, signal);
+      return open({ input, options: {}, source: { kind: 'files', names: files.map(({ name }) => name) }, adjust: (doc) => doc, link: null });
     }),
-    resample: (animation, count) => guarded(() => {
+    resample: (animation, times) => guarded(() => {
       const { source } = store.get();
-      return open({ input: workspace.input, options: { animation, sample: count }, source, adjust: (doc) => doc, link: null });
+      return open({ input: workspace.input, options: { animation, sample: times }, source, adjust: (doc) => doc, link: null });
     }),
     addKeys: async (files) => { await guarded(() => addKeys(files)); },
     get busy() { return running.size > 0; },

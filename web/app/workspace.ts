@@ -25,8 +25,12 @@ interface Current {
   input: InputFile[];
 }
 
-/** How much of the bar the reading takes; the rest is encoding and factorising. */
+/** Files, or where they come from: `report` hears the share that is there. */
+export type Input = InputFile[] | ((report: (fraction: number) => void, signal: AbortSignal) => Promise<InputFile[]>);
+
+/** How much of the bar reading takes, and of that the way of the bytes into memory; the rest is encoding and factorising. */
 const READING = 0.3;
+const FETCHING = 0.3;
 const NO_LANES: readonly Lane[] = [];
 
 /** The poses of an import and those taken from shapes since; an index into it never changes its meaning. */
@@ -71,14 +75,19 @@ export class Workspace {
    * Reads files and makes the motion; only when both have succeeded does it replace what is open. `adjust` may change
    * the document first. Resolves to null when it was cancelled or overtaken by another call.
    */
-  async open(input: InputFile[], options: ImportOptions, adjust: (doc: Doc, info: KeysInfo) => Doc): Promise<Opened | null> {
+  async open(source: Input, options: ImportOptions, adjust: (doc: Doc, info: KeysInfo) => Doc): Promise<Opened | null> {
     this.opening?.abort();
     const abort = new AbortController();
     this.opening = abort;
     let keys: Keys | null = null;
     try {
-      const onProgress = ({ stage, fraction }: Progress): void => this.progress(abort, { stage, fraction: READING * fraction });
-      onProgress({ stage: 'reading', fraction: 0 });
+      const report = (stage: string, fraction: number): void => this.progress(abort, { stage, fraction: READING * fraction });
+      report('reading the files', 0);
+      const fetched = typeof source === 'function' ? FETCHING : 0;
+      const input = typeof source === 'function'
+        ? await source((fraction) => report('reading the files', fetched * fraction), abort.signal) : source;
+      abort.signal.throwIfAborted();
+      const onProgress = ({ stage, fraction }: Progress): void => report(stage, fetched + (1 - fetched) * fraction);
       keys = await this.engine.importKeyframes(input, options, { signal: abort.signal, onProgress });
       const { info } = keys;
       const pool = new PosePool(keys);

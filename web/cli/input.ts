@@ -1,4 +1,4 @@
-/** Named files, and what a .gltf among them names: from its own folder only, and never over the network. */
+/** Named files, and what a .gltf or .obj among them names: from its own folder only, and never over the network. */
 import { readFile, realpath } from 'node:fs/promises';
 import path from 'node:path';
 import { EngineError, messageOf } from '../engine/errors.ts';
@@ -9,12 +9,27 @@ export async function readInputs(names: string[]): Promise<InputFile[]> {
   for (const name of names) {
     const file = { name: toSlashes(name), bytes: await read(name) };
     files.push(file);
-    for (const uri of urisOf(file.bytes)) {
+    const named = /\.obj$/i.test(name) ? await librariesOf(file) : urisOf(file.bytes);
+    for (const uri of named) {
       const resource = await readBeside(name, uri);
       if (resource && !files.some((other) => other.name === resource.name)) files.push(resource);
     }
   }
   return files;
+}
+
+/** The material libraries of an OBJ, which it names before its first face, and the images that they name. */
+async function librariesOf({ name, bytes }: InputFile): Promise<string[]> {
+  const libraries = namedIn(bytes.subarray(0, OBJ_HEAD), /^mtllib[ \t]+(.+?)[ \t]*$/gm);
+  const texts = await Promise.all(libraries.map((library) => readBeside(name, library)));
+  const images = texts.flatMap((library) => (library ? namedIn(library.bytes, /^[ \t]*map_Kd[ \t]+(?:.*[ \t])?(\S+)[ \t]*$/gm) : []));
+  return [...libraries, ...images];
+}
+
+const OBJ_HEAD = 1 << 16;
+
+function namedIn(bytes: Uint8Array, pattern: RegExp): string[] {
+  return [...new Set(Array.from(new TextDecoder().decode(bytes).replaceAll('\r', '').matchAll(pattern), ([, name]) => name!))];
 }
 
 async function read(name: string): Promise<Uint8Array> {

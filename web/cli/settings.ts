@@ -19,7 +19,8 @@ export const HELP = `shapespline: smooth motion of a shape through key poses
   complete FILE... --output OUT          the completed motion
 
 FILE is a .glb, .gltf, .obj, .ply or .off file: several are the keys in the order given, one holds
-morph targets or an animation. Buffers and textures that a .gltf names are read from its own folder.
+morph targets or an animation. What a .gltf or .obj names (buffers, materials, textures) is read from
+its own folder.
 OUT ending in .glb is one file with an animation, in .obj or .ply one shape (with one --at time), and
 a folder (ending in /) gets 0000.obj, 0001.obj, ... one for each requested time.
 
@@ -27,7 +28,7 @@ Keys are counted from 1, animations from 0. Times are in any unit you like.
 
   --report R.json                        options, timings, counts, warnings, volume and area
   --key-times T,T,...                    default: evenly over [0,1], or the animation's own times
-  --animation NAME|INDEX                 take the keys from this animation of the file
+  --animation NAME|INDEX                 take the keys from this animation of the one file
   --sample T,T,... | N                   at these seconds of it, or N evenly spaced (default 8)
   --up y|z  --unit METRES                of .obj, .ply and .off files
 

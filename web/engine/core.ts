@@ -77,7 +77,8 @@ export class Core {
     return this.answer<{ count: number }>(this.module._shapespline_objects()).count;
   }
 
-  importKeys(files: InputFile[], options: ImportOptions): RawImport {
+  importKeys(files: InputFile[], options: ImportOptions, onProgress: OnProgress = () => undefined): RawImport {
+    this.module.onProgress = (stage, fraction) => onProgress(readText(this.module, stage), fraction);
     return this.lend((loan) => {
       const { animation, sample, keyTimes, up, unit } = options;
       const request = {

@@ -10,19 +10,45 @@ import type { InputFile } from './types.ts';
 const COMPRESSIONS = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression'];
 const GLB_MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
+const BIN_CHUNK = 0x004e4942;
+/** What glTF-Transform calls the binary chunk. */
+const GLB_BUFFER = '@glb.bin';
 
 /** `dracoWasm` brings the Draco decoder's wasm file; browsers and Node find it in different places. */
 export function decoder(dracoWasm: () => Promise<Uint8Array>): Decode {
-  return (files) => Promise.all(files.map(async (file) => {
-    const text = jsonOf(file.bytes);
-    if (!text || !COMPRESSIONS.some((name) => text.includes(`"${name}"`))) return file;
-    try {
-      return { name: file.name, bytes: await uncompress(file, text, files, dracoWasm) };
-    } catch (error) {
-      const reason = messageOf(error).replace(/\.$/, '');
-      throw new EngineError('malformed-file', `${file.name}: its compressed mesh cannot be decoded (${reason}).`, { file: file.name });
+  return async (files, report) => {
+    const texts = files.map(({ bytes }) => jsonOf(bytes));
+    const compressed = texts.map((text) => COMPRESSIONS.some((name) => text?.includes(`"${name}"`)));
+    const [all, decoded] = [compressed.filter(Boolean).length, [...files]];
+    let done = 0;
+    for (const [index, file] of files.entries()) {
+      if (!compressed[index]) continue;
+      report(done / all);
+      decoded[index] = await decodeFile({ file, text: texts[index]!, files, dracoWasm });
+      done += 1;
+      report(done / all);
     }
-  }));
+    return decoded;
+  };
+}
+
+interface Job {
+  file: InputFile;
+  text: string;
+  files: InputFile[];
+  dracoWasm: () => Promise<Uint8Array>;
+}
+
+async function decodeFile(job: Job): Promise<InputFile> {
+  const { name } = job.file;
+  try {
+    return { name, bytes: await uncompress(job) };
+  } catch (error) {
+    if (error instanceof EngineError) throw error;
+    const reason = messageOf(error).replace(/\.$/, '');
+    const sentence = `${name}: its compressed mesh cannot be decoded (${reason}). Export the file again, or without compression.`;
+    throw new EngineError('malformed-file', sentence, { file: name });
+  }
 }
 
 /** The JSON text of a .glb or .gltf file; null for anything else, which is for the core to judge. */
@@ -36,12 +62,11 @@ function jsonOf(bytes: Uint8Array): string | null {
   return /^[\uFEFF\s]*\{/.test(decode(0, 64)) ? decode(0, bytes.length) : null;
 }
 
-async function uncompress(file: InputFile, text: string, files: InputFile[], dracoWasm: () => Promise<Uint8Array>): Promise<Uint8Array> {
+async function uncompress({ file, text, files, dracoWasm }: Job): Promise<Uint8Array> {
   const io = await reader(text, dracoWasm);
-  const isBinary = new DataView(file.bytes.buffer, file.bytes.byteOffset).getUint32(0, true) === GLB_MAGIC;
-  const source: JSONDocument = isBinary
-    ? await io.binaryToJSON(file.bytes as Uint8Array<ArrayBuffer>)
-    : { json: JSON.parse(text.replace(/^\uFEFF/, '')) as JSONDocument['json'], resources: {} };
+  const source: JSONDocument = { json: JSON.parse(text.replace(/^\uFEFF/, '')) as JSONDocument['json'], resources: {} };
+  const binary = binaryOf(file.bytes);
+  if (binary) source.resources[GLB_BUFFER] = binary as Uint8Array<ArrayBuffer>;
   addResources(source, file.name, files);
   const document = await io.readJSON(source);
   for (const extension of document.getRoot().listExtensionsUsed()) {
@@ -49,6 +74,17 @@ async function uncompress(file: InputFile, text: string, files: InputFile[], dra
   }
   joinBuffers(document);
   return io.writeBinary(document);
+}
+
+/** The binary chunk of a GLB. */
+function binaryOf(bytes: Uint8Array): Uint8Array | null {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (view.getUint32(0, true) !== GLB_MAGIC) return null;
+  const start = 20 + view.getUint32(12, true);
+  if (start + 8 > bytes.length || view.getUint32(start + 4, true) !== BIN_CHUNK) return null;
+  const length = view.getUint32(start, true);
+  if (start + 8 + length > bytes.length) throw new Error('its binary chunk is cut off');
+  return bytes.subarray(start + 8, start + 8 + length);
 }
 
 async function reader(text: string, dracoWasm: () => Promise<Uint8Array>) {
@@ -66,15 +102,54 @@ async function reader(text: string, dracoWasm: () => Promise<Uint8Array>) {
   return io;
 }
 
-/** Files beside this one that it names; nothing else is looked for anywhere. */
+/** Files beside this one that it names; nothing else is looked for anywhere. A missing image costs the texture only. */
 function addResources({ json, resources }: JSONDocument, name: string, files: InputFile[]): void {
-  const folder = name.slice(0, name.lastIndexOf('/') + 1);
-  for (const { uri } of [...(json.buffers ?? []), ...(json.images ?? [])]) {
-    if (!uri || uri.startsWith('data:')) continue;
-    const found = files.find((file) => file.name === folder + decodeURIComponent(uri));
-    if (!found) throw new Error(`the file ${uri} was not given with it`);
+  const wanted = (list: { uri?: string }[] | undefined): string[] =>
+    (list ?? []).map(({ uri }) => uri).filter((uri) => typeof uri === 'string' && !uri.startsWith('data:')) as string[];
+  for (const uri of wanted(json.images)) resources[uri] = (find(uri, name, files)?.bytes ?? new Uint8Array(0)) as Uint8Array<ArrayBuffer>;
+  for (const uri of wanted(json.buffers)) {
+    const found = find(uri, name, files);
+    if (!found) throw missing(uri, name);
     resources[uri] = found.bytes as Uint8Array<ArrayBuffer>;
   }
+}
+
+/** As the core finds them: by path, or by name alone where files came without their folders. */
+function find(uri: string, from: string, files: InputFile[]): InputFile | undefined {
+  if (isExternal(uri)) return undefined;
+  const path = normalised(unescaped(uri));
+  const beside = normalised(from.slice(0, from.lastIndexOf('/') + 1) + unescaped(uri));
+  const exact = files.find((file) => normalised(file.name) === beside);
+  if (exact || path.startsWith('..')) return exact;
+  const last = (text: string): string => text.slice(text.lastIndexOf('/') + 1);
+  const byName = files.filter((file) => last(normalised(file.name)) === last(path));
+  return byName.length === 1 ? byName[0] : undefined;
+}
+
+const isExternal = (uri: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(uri);
+
+function unescaped(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
+function normalised(path: string): string {
+  const parts: string[] = [];
+  for (const part of path.split(/[/\\]/)) {
+    if (part === '..' && parts.length > 0 && parts.at(-1) !== '..') parts.pop();
+    else if (part !== '' && part !== '.') parts.push(part);
+  }
+  return parts.join('/');
+}
+
+function missing(uri: string, name: string): EngineError {
+  const sentence = isExternal(uri)
+    ? `${name} refers to "${uri}". Nothing outside the given files is ever fetched: save that file beside it and give both together.`
+    : `${name} needs the file "${uri}", which was not given. Give both files together.`;
+  return new EngineError(isExternal(uri) ? 'external-resource' : 'missing-resource', sentence, { file: name });
 }
 
 // A GLB has one buffer.

@@ -1,11 +1,17 @@
 /** Files -> keys, inside a worker: compressed meshes are decoded first, a project brings its options along. */
-import type { Core } from './core.ts';
+import type { Core, OnProgress } from './core.ts';
 import { readOptions } from './project.ts';
 import type { ImportedData } from './protocol.ts';
 import type { ImportOptions, InputFile, Warning } from './types.ts';
 
-/** Undoes compression; files that have none are returned as they are. */
-export type Decode = (files: InputFile[]) => Promise<InputFile[]>;
+/** Undoes compression, one file after the other; those that have none are returned as they are. `report` hears how far it is. */
+export type Decode = (files: InputFile[], report: (fraction: number) => void) => Promise<InputFile[]>;
+
+interface ImportJob {
+  files: InputFile[];
+  options: ImportOptions;
+  report: OnProgress;
+}
 
 const UNREADABLE: Warning = {
   code: 'project-options-ignored',
@@ -13,8 +19,20 @@ const UNREADABLE: Warning = {
   count: 0,
 };
 
-export async function importFiles(core: Core, decode: Decode, files: InputFile[], options: ImportOptions): Promise<ImportedData> {
-  const { project: text, ...imported } = core.importKeys(await decode(files), options);
+/** Shares of the progress: decoding, where there is anything to decode, and reading. The rest is the way out of the core. */
+const DECODING = 0.3;
+const READING = 0.95;
+
+export async function importFiles(core: Core, decode: Decode, { files, options, report }: ImportJob): Promise<ImportedData> {
+  let start = 0;
+  report('reading the file', start);
+  const decoded = await decode(files, (fraction) => {
+    start = DECODING * fraction;
+    report('decoding compressed meshes', start);
+  });
+  const { project: text, ...imported } = core.importKeys(decoded, options, (stage, fraction) =>
+    report(stage, start + (READING - start) * fraction));
+  report('taking the keys', READING);
   if (text === '') return { ...imported, project: null };
   const project = readOptions(text);
   return project ? { ...imported, project } : { ...imported, project, warnings: [...imported.warnings, UNREADABLE] };

@@ -59,7 +59,7 @@ export class Service {
 
   private makeHandlers(): Handlers {
     return {
-      import: (core, { files, options }) => importFiles(core, this.host.decode, files, options),
+      import: (core, { files, options }, report) => importFiles(core, this.host.decode, { files, options, report }),
       create: (core, { keys, encoding, motion }, report) => {
         const { handle, range, warnings } = core.createSequence(keys, encoding, motion, report);
         this.sequence = handle;

@@ -5,6 +5,7 @@ import { DEFAULT_ENCODING } from '../model/state.ts';
 import type { Choice } from './controls.ts';
 import { button, numberField, segments, select } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
+import { createSampling } from './sampling.ts';
 
 export interface ShapePanelProps {
   encoding: Encoding;
@@ -25,7 +26,7 @@ export interface ShapePanelProps {
 export interface ShapePanelEvents {
   onEncoding(change: Partial<Encoding>): void;
   onReset(): void;
-  onSample(animation: number, count: number): void;
+  onSample(animation: number, times: number[]): void;
 }
 
 const STRETCHES: readonly Choice<Stretch>[] = [
@@ -42,7 +43,7 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
   const reset = button({ label: 'Set the shape options back to what they were when opened', testId: 'shape-reset', icon: 'reset', onClick: () => events.onReset() });
   const lost = h('p', { class: 'notice-inline', 'data-testid': 'lost-hint', hidden: true });
   const facts = h('dl', { class: 'facts' });
-  const sampling = createSampling(events);
+  const sampling = createSampling(events.onSample);
   const element = h('section', { class: 'panel', 'aria-labelledby': 'shape-title', 'data-testid': 'panel-shape' },
     h('header', {}, h('h2', { id: 'shape-title' }, 'Shape'), reset),
     stretch.element, lost, reference.element,
@@ -97,26 +98,3 @@ const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStat
   }
   list.replaceChildren(...entries.flatMap(([label, value]) => [h('dt', {}, label), h('dd', {}, value)]));
 };
-
-/** Where the file holds animations: which one the keys are taken from, and how many. */
-function createSampling(events: ShapePanelEvents): { element: HTMLElement; update(info: KeysInfo | null): void } {
-  let count = 8;
-  let chosen = 0;
-  const animation = select<string>('Keys from animation', 'animation', [], (value) => { chosen = Number(value); });
-  const number = numberField({ label: 'How many keys', testId: 'sample-count', min: 2, max: 64, step: 1, onInput: (value) => { count = Math.round(value); } });
-  const take = button({ label: 'Take the keys from this animation', testId: 'sample-apply', text: 'Take', kind: 'plain', onClick: () => events.onSample(chosen, count) });
-  const element = h('div', { class: 'group', hidden: true, 'data-testid': 'sampling' }, animation.element,
-    h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Evenly spaced keys'), number, take));
-  const draw = memo(({ info }: { info: KeysInfo | null }) => {
-    const list = info?.animations ?? [];
-    setHidden(element, list.length === 0);
-    if (!info || list.length === 0) return;
-    chosen = Math.max(info.animation, 0);
-    animation.update(String(chosen), list.map((a, index) => ({
-      value: String(index), label: `${a.name || `Animation ${index + 1}`}  (${(a.end - a.start).toFixed(2)} s, ${a.keys} keys)`,
-    })));
-    count = Math.max(2, Math.min(info.names.length, 64));
-    setField(number, String(count));
-  });
-  return { element, update: (info) => draw({ info }) };
-}
