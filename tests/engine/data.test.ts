@@ -4,6 +4,7 @@ import { EngineError } from '../../web/engine/errors.ts';
 import type { ImportOptions } from '../../web/engine/types.ts';
 import { dataFile, dataFiles, hasData } from './support/data.ts';
 import { frameAt, testEngine } from './support/engines.ts';
+import { expectPlayed } from './support/exported.ts';
 import { diagonal, largestDistance } from './support/shapes.ts';
 
 const engine = testEngine();
@@ -21,7 +22,7 @@ const inputs: [string, string[], ImportOptions, { vertices: number; weldedVertic
 ];
 
 describe.skipIf(!hasData)('real files', () => {
-  it.each(inputs)('with %s import, and the motion passes through their keys', async (_, names, options, report, count) => {
+  it.each(inputs)('with %s import, the motion passes through their keys, and three.js plays the valid export', async (_, names, options, report, count) => {
     const keys = await load(names, options);
     expect(keys.info.report).toMatchObject(report);
     if (!Number.isNaN(count)) expect(keys.info.times).toHaveLength(count);
@@ -35,6 +36,7 @@ describe.skipIf(!hasData)('real files', () => {
       const { positions, normals } = await frameAt(sequence, t);
       expect(positions.every(Number.isFinite) && normals.every(Number.isFinite)).toBe(true);
     }
+    await expectPlayed(sequence, { frames: 4 });
     sequence.dispose();
   });
 
@@ -45,6 +47,7 @@ describe.skipIf(!hasData)('real files', () => {
       const poses = names.filter((name) => !name.includes('reference'));
       const sequence = await engine.createSequence(await load(poses));
       expect((await frameAt(sequence, 0.3)).positions.every(Number.isFinite)).toBe(true);
+      await expectPlayed(sequence, { frames: 4 });
       sequence.dispose();
     }
   });

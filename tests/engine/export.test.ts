@@ -1,7 +1,10 @@
-import { validateBytes } from 'gltf-validator';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Sequence } from '../../web/engine/api.ts';
+import { draco, meshopt, quantised } from './support/compress.ts';
 import { bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
+import { expectPlayed, expectValid, exported } from './support/exported.ts';
+import { paintedFile } from './support/painted.ts';
+import { rigFile } from './support/rig.ts';
 import { diagonal, largestDistance } from './support/shapes.ts';
 import { threePlayer } from './support/three-player.ts';
 
@@ -12,17 +15,6 @@ const size = (): number => diagonal(bend.poses[0]!);
 beforeAll(async () => {
   bend = await bendSequence(engine);
 });
-
-async function exported(sequence: Sequence, options: Parameters<Sequence['export']>[0]): Promise<Uint8Array> {
-  const files = await sequence.export(options);
-  expect(files).toHaveLength(1);
-  return files[0]!.bytes;
-}
-
-async function expectValid(bytes: Uint8Array): Promise<void> {
-  const { issues } = await validateBytes(bytes);
-  expect(issues.messages).toEqual([]);
-}
 
 describe('an animated GLB', () => {
   it('passes the official validator, and three.js plays the computed vertices', async () => {
@@ -38,6 +30,31 @@ describe('an animated GLB', () => {
       const computed = (await frameAt(bend.sequence, t)).positions;
       expect(largestDistance(player.positionsAt(player.times[index]!), computed)).toBeLessThan(1e-4 * size());
     }
+  });
+
+  it.each([
+    ['textures, a normal map, two materials and seams', async () => paintedFile()],
+    ['the same, compressed with meshopt and quantised', async () => (await meshopt([await paintedFile()]))[0]!],
+    ['the same, compressed with Draco', async () => (await draco([await paintedFile()]))[0]!],
+    ['the same, quantised', async () => quantised(await paintedFile())],
+    ['a skin, morph targets and several parts', async () => rigFile()],
+  ])('of an input with %s is valid, plays the computed vertices and keeps the look', async (_, make) => {
+    const file = await make();
+    const keys = await engine.importKeyframes([file]);
+    const sequence = await engine.createSequence(keys);
+    const bytes = await expectPlayed(sequence, { frames: 6, range: [sequence.range[0] - 0.2, sequence.range[1]] });
+    const again = (await engine.importKeyframes([{ name: 'again.glb', bytes }])).info;
+    expect(again.materials).toEqual(keys.info.materials);
+    expect(again.groups).toEqual(keys.info.groups);
+    expect(again.images).toEqual(keys.info.images);
+    expect(again.uvs).toEqual(keys.info.uvs);
+    expect(again.indices).toEqual(keys.info.indices);
+    if (file.name === 'painted.glb') {
+      expect(keys.info.materials.map(({ name }) => name)).toEqual(['skin', 'cloth']);
+      expect(keys.info.materials[0]!.normalImage).toBeGreaterThanOrEqual(0);
+      expect(keys.info.report.weldedVertices).toBeLessThan(keys.info.report.vertices / 4);
+    }
+    sequence.dispose();
   });
 
   it('opens again as the same project, also where the range leaves keys out', async () => {

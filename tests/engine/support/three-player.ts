@@ -9,8 +9,21 @@ export interface Player {
   positionsAt(seconds: number): Float32Array;
 }
 
+/** Images cannot be decoded in Node; they matter nothing here. */
+export function withoutImages(bytes: Uint8Array): ArrayBuffer {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const length = view.getUint32(12, true);
+  const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as Record<string, unknown>;
+  for (const name of ['images', 'textures', 'materials']) delete json[name];
+  for (const mesh of json.meshes as { primitives: { material?: number }[] }[]) for (const part of mesh.primitives) delete part.material;
+  const text = new TextEncoder().encode(JSON.stringify(json).padEnd(length));  // shorter than before, so the rest stays in its place
+  const copy = bytes.slice();
+  copy.set(text.subarray(0, length), 20);
+  return copy.buffer;
+}
+
 export async function threePlayer(bytes: Uint8Array): Promise<Player> {
-  const { scene, animations } = await new GLTFLoader().parseAsync(bytes.slice().buffer, '');
+  const { scene, animations } = await new GLTFLoader().parseAsync(withoutImages(bytes), '');
   const meshes: Mesh[] = [];
   scene.traverse((object: Object3D) => {
     if ((object as Mesh).isMesh) meshes.push(object as Mesh);
