@@ -63,6 +63,18 @@ describe('inspect', () => {
     expect(outside.code).toBe(0);
   });
 
+  it('reads the materials that an OBJ names, and their images', async () => {
+    const text = (content: string): Uint8Array => new TextEncoder().encode(content);
+    const faces = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3\n';
+    const png = Uint8Array.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
+    const where = await folderOf([
+      { name: 'a.obj', bytes: text(`mtllib a.mtl\r\n${faces}`) }, { name: 'b.obj', bytes: text(faces) },
+      { name: 'a.mtl', bytes: text('newmtl red\nKd 1 0 0\nmap_Kd -s 1 1 1 red.png\r\n') }, { name: 'red.png', bytes: png },
+    ]);
+    const { code, stdout } = await runCli(where, 'inspect', 'a.obj', 'b.obj');
+    expect([code, (JSON.parse(stdout) as { warnings: object[] }).warnings]).toEqual([0, []]);
+  });
+
   it('reads nothing outside that folder', async () => {
     const where = await folderOf([...gltfPair('a', poses[0]!), ...gltfPair('b', poses[1]!)]);
     await mkdir(path.join(where, 'inner'));
@@ -203,6 +215,8 @@ describe('wrong use', () => {
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--ghost-faces=no']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--ghost-faces=500', '--transfer=fast']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--reference', '7']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--animation', '0']],
+    [['inspect', 'pose-1.glb', 'pose-2.glb', '--sample', '0,1']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundary=periodic', '--period=0.5']],
   ])('is one line and exit code 2: %j', async (words) => {
     const before = await listed(folder);

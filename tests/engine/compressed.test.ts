@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { InputFile } from '../../web/engine/types.ts';
 import { draco, meshopt } from './support/compress.ts';
 import { failureOf, testEngine } from './support/engines.ts';
 import { poseFiles } from './support/glb.ts';
@@ -37,6 +38,25 @@ describe('compressed meshes', () => {
     expect(keys.info.report.faces).toBe(mesh.indices.length / 3);
     expect(diagonal(keys.positions(1))).toBeCloseTo(diagonal(poses[1]!), 3);
     expect(cornersOf(keys.positions(0), keys.info.indices)).toEqual(cornersOf(poses[0]!, mesh.indices));
+  });
+
+  it('find their buffers as other files do, and miss only the buffers', async () => {
+    const [{ bytes }] = await meshopt(plain) as [InputFile];
+    const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
+    const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as { buffers: { uri?: string }[]; images?: object[] };
+    const binary = { name: 'the mesh.bin', bytes: bytes.slice(28 + length) };
+    const gltf = (uri: string): InputFile => {
+      json.buffers[0]!.uri = uri;
+      json.images = [{ uri: 'missing.png' }];
+      return { name: 'a.gltf', bytes: new TextEncoder().encode(JSON.stringify(json)) };
+    };
+    for (const uri of ['the%20mesh.bin', './the mesh.bin', 'buffers/the%20mesh.bin']) {
+      const keys = await engine.importKeyframes([gltf(uri), plain[1]!, binary]);
+      expect(keys.positions(0)).toEqual(poses[0]);
+    }
+    const refused = async (uri: string) => failureOf(engine.importKeyframes([gltf(uri), plain[1]!]));
+    expect(await refused('the%20mesh.bin')).toMatchObject({ code: 'missing-resource', message: expect.stringMatching(/^a\.gltf needs the file .*\.$/) as string });
+    expect(await refused('https://example.com/m.bin')).toMatchObject({ code: 'external-resource', message: expect.stringMatching(/ever fetched.*\.$/) as string });
   });
 
   it('that are broken are refused with the file\'s name', async () => {

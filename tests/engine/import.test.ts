@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { InputFile } from '../../web/engine/types.ts';
+import type { InputFile, Progress } from '../../web/engine/types.ts';
+import { meshopt } from './support/compress.ts';
 import { bendSequence, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { glb, meshGlb, poseFiles } from './support/glb.ts';
 import { bar, bent, type Mesh } from './support/shapes.ts';
@@ -61,6 +62,25 @@ describe('importing', () => {
     keys.positions(2).forEach((value, i) => expect(value).toBeCloseTo(curved[i]!, 5));
   });
 
+  it('reports named stages, never falling, and can be cancelled at any of them', async () => {
+    const fine = bar(4, 40);
+    const morph = named('morph.glb', meshGlb(fine, fine.positions, [20, 40, 60, 80].map((degrees) => bent(fine, degrees))));
+    for (const files of [[morph], good, await meshopt(good)]) {
+      const heard: Progress[] = [];
+      await engine.importKeyframes(files, {}, { onProgress: (progress) => heard.push(progress) });
+      const fractions = heard.map(({ fraction }) => fraction);
+      expect(fractions.length).toBeGreaterThanOrEqual(4);
+      expect(fractions).toEqual(fractions.slice().sort((a, b) => a - b));
+      expect(fractions[0]).toBe(0);
+      expect(fractions.at(-1)).toBeLessThanOrEqual(1);
+      for (const { stage } of heard) expect(stage).toMatch(/^[a-z ]{5,}$/);
+    }
+    const abort = new AbortController();
+    const work = engine.importKeyframes([morph], {}, { signal: abort.signal, onProgress: () => abort.abort() });
+    expect((await failureOf(work)).code).toBe('cancelled');
+    expect((await engine.importKeyframes([morph])).info.names).toHaveLength(5);
+  });
+
   it('keeps nothing of the bytes it was given, and takes none away', async () => {
     const files = good.map(({ name, bytes }) => ({ name, bytes: bytes.slice() }));
     const keys = await engine.importKeyframes(files);
@@ -115,5 +135,6 @@ describe('importing', () => {
     expect(await refused([])).toBe('invalid-option');
     expect(await refused([{ name: 'a', bytes: 'text' } as unknown as InputFile])).toBe('invalid-option');
     expect(await refused(good, { upp: 'y' } as object)).toBe('invalid-option');
+    for (const options of [{ animation: 0 }, { sample: 3 }, { sample: [0, 1] }]) expect(await refused(good, options)).toBe('invalid-option');
   });
 });
