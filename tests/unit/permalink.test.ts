@@ -15,8 +15,11 @@ const state: AppState = {
     encoding: { ...DEFAULT_ENCODING, stretch: 'log', patches: 40, referencePose: 1, ghostFaces: 1500, transfer: 'paper', placement: 'optimal' },
     tension: [0, 0.25, 0],
   },
-  view: { ...DEFAULT_VIEW, wireframe: true, floor: false, ghostWire: true, ghostDifference: true, compare: ['linear', 'cubic-vertex'], camera: { position: [1, 2, 3], target: [0, 0.5, 0] } },
-  play: { playing: false, speed: 0.5, loop: 'loop' },
+  view: {
+    ...DEFAULT_VIEW, wireframe: true, floor: false, ghostWire: true, ghostDifference: true, compare: ['linear', 'cubic-vertex'],
+    camera: { position: [1, 2, 3], target: [0, 0.5, 0] }, window: [0.25, 0.5],
+  },
+  play: { playing: false, speed: 0.5, loop: 'loop', between: [-0.125, 0.75], fps: 12.5 },
 };
 
 describe('permalinks', () => {
@@ -25,7 +28,7 @@ describe('permalinks', () => {
     expect(link.sample).toBe('cactus');
     expect(applyPermalink(initial, link)).toEqual(state.doc);
     expect({ ...DEFAULT_VIEW, ...link.view }).toEqual(state.view);
-    expect([link.time, link.speed, link.loop]).toEqual([1.25, 0.5, 'loop']);
+    expect([link.time, link.speed, link.loop, link.between, link.fps]).toEqual([1.25, 0.5, 'loop', [-0.125, 0.75], 12.5]);
   });
 
   it('write down what was set back to a default that the sample did not start with', () => {
@@ -45,10 +48,10 @@ describe('permalinks', () => {
   });
 
   it('ignore whatever does not fit', () => {
-    const link = readPermalink('sample=x&keys=0@0,9@1&boundary=evil&startSpeed=NaN&t=Infinity&patches=-3&camera=1,2&compare=lri,nonsense&tension=1,2&speed=0&ghostFaces=3&transfer=fast&placement=1&ghostWire=yes')!;
+    const link = readPermalink('sample=x&keys=0@0,9@1&boundary=evil&startSpeed=NaN&t=Infinity&patches=-3&camera=1,2&compare=lri,nonsense&tension=1,2&speed=0&ghostFaces=3&transfer=fast&placement=1&ghostWire=yes&between=1,0&fps=1e9&window=2')!;
     expect(applyPermalink(initial, link)).toEqual(initial);
     expect(link.time).toBeNull();
-    expect(link.speed).toBeNull();
+    expect([link.speed, link.between, link.fps]).toEqual([null, null, null]);
     expect(link.view).toEqual({ compare: ['lri'] });
   });
 

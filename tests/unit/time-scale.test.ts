@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import {
-  MARGIN, clampKeyTime, clampTime, formatTime, limits, neighbourKey, phaseOf, snap, toFraction, toTime, wrap,
+  MARGIN, clampKeyTime, clampTime, formatTime, limits, neighbourKey, phaseOf, snap, wrap,
 } from '../../web/model/time-scale.ts';
 
 const range = [2, 4] as const;
@@ -12,16 +12,9 @@ describe('the slider', () => {
     expect(limits(range)).toEqual([1.2, 4.8]);
   });
 
-  it('has times and places that are inverse to each other', () => {
-    for (const t of [1.2, 2, 2.71, 4, 4.8]) expect(toTime(toFraction(t, range), range)).toBeCloseTo(t, 12);
-    expect(toFraction(1.2, range)).toBe(0);
-    expect(toFraction(4.8, range)).toBe(1);
-  });
-
   it('does not leave its limits', () => {
     expect(clampTime(-9, range)).toBe(1.2);
     expect(clampTime(9, range)).toBe(4.8);
-    expect(toTime(7, range)).toBeCloseTo(4.8, 12);
   });
 
   it('snaps to the nearest key within reach only', () => {

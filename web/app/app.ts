@@ -102,7 +102,7 @@ export function startApp(root: HTMLElement): void {
   };
   const shortcuts = createShortcuts(context, commands, {
     openFiles: () => ui.openFiles(), openExport: () => { if (runtime.info) ui.openExport(); }, openHelp: () => ui.openHelp(),
-    toggleLook: () => ui.toggleLook(), nextTheme: theme.next, undo: store.undo, redo: store.redo,
+    toggleLook: () => ui.toggleLook(), toggleClock: () => ui.toggleClock(), nextTheme: theme.next, undo: store.undo, redo: store.redo,
     escape: () => (runtime.working ? cancel() : context.inform({ problem: null })),
   });
   const ui = createInterface({

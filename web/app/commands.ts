@@ -1,9 +1,12 @@
 /** What the controls do to the document, the time and the view. */
 import type { Method } from '../engine/types.ts';
 import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setTension } from '../model/edits.ts';
-import type { Encoding, LoopMode, Motion, View } from '../model/state.ts';
+import type { Encoding, LoopMode, Motion, Play, View } from '../model/state.ts';
 import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, GHOST_FACES, METHODS, SPEEDS, ignoresHermite } from '../model/state.ts';
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey } from '../model/time-scale.ts';
+import type { Range } from '../model/time-scale.ts';
+import { loopRange, withEnd } from '../model/frames.ts';
+import { windowOf, zoomed } from '../model/time-window.ts';
 import type { Context } from './context.ts';
 
 const LOOPS: readonly LoopMode[] = ['bounce', 'loop', 'once'];
@@ -24,9 +27,15 @@ export function createCommands(context: Context) {
   const motion = (change: Partial<Motion>, merge?: string): void =>
     store.edit(Object.keys(change)[0] ?? 'motion', (doc) => setMotion(doc, change), merge);
 
+  const play = (change: Partial<Play>): void => store.set({ play: { ...state().play, ...change } });
+  const between = (stretch: Range | null): void => play({ between: stretch && [stretch[0], stretch[1]] });
+  const window = (part: Range | null): void => view({ window: part && [part[0], part[1]] });
+
   return {
     seek,
     view,
+    between,
+    window,
     motion,
     encoding: (change: Partial<Encoding>): void => store.edit(Object.keys(change)[0] ?? 'shape', (doc) => setEncoding(doc, change)),
     toggleGhost: (): void => store.edit('ghost mesh', (doc) => setEncoding(doc, { ghostFaces: doc.encoding.ghostFaces > 0 ? 0 : GHOST_FACES })),
@@ -55,20 +64,30 @@ export function createCommands(context: Context) {
     },
 
     togglePlay(): void {
-      const { play } = state();
-      store.set({ play: { ...play, playing: !play.playing } });
-      if (play.playing) context.inform({ welcome: false });
+      const { playing } = state().play;
+      play({ playing: !playing });
+      if (playing) context.inform({ welcome: false });
     },
-    loop: (loop: LoopMode): void => store.set({ play: { ...state().play, loop } }),
-    nextLoop: (): void => {
-      const { play } = state();
-      store.set({ play: { ...play, loop: LOOPS[(LOOPS.indexOf(play.loop) + 1) % LOOPS.length]! } });
-    },
-    speed: (speed: number): void => store.set({ play: { ...state().play, speed } }),
+    loop: (loop: LoopMode): void => play({ loop }),
+    nextLoop: (): void => play({ loop: LOOPS[(LOOPS.indexOf(state().play.loop) + 1) % LOOPS.length]! }),
+    speed: (speed: number): void => play({ speed }),
     stepSpeed: (by: 1 | -1): void => {
-      const { play } = state();
-      const next = SPEEDS[SPEEDS.indexOf(play.speed) + by];
-      if (next) store.set({ play: { ...play, speed: next } });
+      const next = SPEEDS[SPEEDS.indexOf(state().play.speed) + by];
+      if (next) play({ speed: next });
+    },
+    fps: (fps: number | null): void => play({ fps }),
+    /** Playing starts or ends at t; null = at the moment on the screen. */
+    loopEnd: (end: 'start' | 'end', t: number | null): void => {
+      const range = context.range();
+      const { fps, between: now } = state().play;
+      between(withEnd(loopRange(now, range), range, end, t ?? state().time, fps === null ? 0.001 * length(range) : 1 / fps));
+    },
+    /** Zooms the timeline about the playhead, or about its middle where that is out of sight. */
+    zoomTime: (factor: number): void => {
+      const range = context.range();
+      const part = windowOf(state().view.window, range);
+      const t = state().time;
+      window(zoomed(part, range, factor, t >= part[0] && t <= part[1] ? t : (part[0] + part[1]) / 2));
     },
     jumpKey: (direction: 1 | -1): void => seek(neighbourKey(state().time, times(), direction, context.range())),
 

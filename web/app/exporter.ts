@@ -3,8 +3,10 @@ import packageJson from '../../package.json';
 import type { Sequence } from '../engine/api.ts';
 import type { ExportOptions, Progress } from '../engine/types.ts';
 import type { Doc } from '../model/state.ts';
+import { frameTimes } from '../model/frames.ts';
+import type { Range } from '../model/time-scale.ts';
 import type { ExportRequest } from '../ui/export-dialog.ts';
-import { bytesText } from '../ui/export-dialog.ts';
+import { MAX_FRAMES, bytesText, framesWanted } from '../ui/export-dialog.ts';
 import { measuresCsv, patchesCsv } from './csv.ts';
 import { download } from './download.ts';
 import type { Insight } from './insight.ts';
@@ -17,7 +19,7 @@ export interface ExportContext {
   /** Stem of the file's name. */
   name: string;
   time: number;
-  range: readonly [number, number];
+  stretch: Stretch;
   canvas: HTMLCanvasElement;
   insight(): Promise<Insight | null>;
   /** Shows the moment and resolves when it is drawn. */
@@ -31,26 +33,43 @@ export interface ExportContext {
   signal: AbortSignal;
 }
 
-const FRAMES_PER_SECOND = 30;
+const VIDEO_FPS = 30;
+const MAX_VIDEO_FPS = 60;
+
+/** What an export holds unless the request says otherwise. */
+export interface Stretch {
+  /** What plays. */
+  range: Range;
+  fps: number | null;
+}
 
 /** Options of the engine for the kinds of export that it writes; null for pictures, videos and tables. */
-export function engineOptions(request: ExportRequest, time: number): Partial<ExportOptions> | null {
+export function engineOptions(request: ExportRequest, time: number, stretch: Stretch): Partial<ExportOptions> | null {
   if (request.kind === 'pose') return { format: request.pose, pose: time };
   if (request.kind !== 'animation' || request.animation === 'webm') return null;
-  const { animation, frames, range, duration, inPlace } = request;
-  return animation === 'glb' ? { format: 'glb', frames, range, duration, inPlace } : { format: 'obj', frames, range, inPlace };
+  const { animation, duration, inPlace } = request;
+  const grid = gridOf(request, stretch);
+  return animation === 'glb' ? { format: 'glb', ...grid, duration, inPlace } : { format: 'obj', ...grid, inPlace };
+}
+
+/** The whole frames of the timeline where there are some and no other number was asked for. */
+function gridOf(request: ExportRequest, { range, fps }: Stretch): Partial<ExportOptions> {
+  const [start, end] = request.range ?? range;
+  const times = request.frames === null && fps !== null ? frameTimes([start, end], fps) : [];
+  if (times.length > MAX_FRAMES) throw new Error(`These are ${times.length.toLocaleString('en')} frames; ${MAX_FRAMES.toLocaleString('en')} is the most. Take a shorter range or fewer frames per second.`);
+  return times.length > 1 ? { times } : { frames: framesWanted(request, [start, end], fps), range: [start, end] };
 }
 
 /** In words, before anything is made. */
-export async function describeExport(request: ExportRequest, sequence: Sequence, time: number, range: readonly [number, number]): Promise<{ text: string; warnings: string[] }> {
-  const options = engineOptions(request, time);
+export async function describeExport(request: ExportRequest, sequence: Sequence, time: number, stretch: Stretch): Promise<{ text: string; warnings: string[] }> {
+  const options = engineOptions(request, time, stretch);
   if (options) {
     const plan = await sequence.planExport(options);
     const size = `about ${bytesText(plan.bytes)}`;
     return { text: request.kind === 'pose' ? `One shape, ${size}` : `${plan.times.length} frames, ${size}`, warnings: plan.warnings.map(({ message }) => message) };
   }
   if (request.kind === 'animation' || request.picture === 'turntable' && request.kind === 'picture') {
-    const seconds = videoSeconds(request, range);
+    const seconds = videoSeconds(request, stretch);
     return { text: `${seconds.toFixed(1)} s of video, takes as long to make`, warnings: [] };
   }
   return { text: request.kind === 'picture' ? 'A picture' : 'A table', warnings: [] };
@@ -64,10 +83,10 @@ export async function runExport(request: ExportRequest, context: ExportContext):
   }
   if (request.kind === 'numbers') return table(request, context);
   if (request.kind === 'animation' && request.animation === 'webm') {
-    const [start, end] = request.range ?? context.range;
+    const [start, end] = request.range ?? context.stretch.range;
     return video(request, context, (share) => context.show(start + share * (end - start)));
   }
-  const options = engineOptions(request, context.time)!;
+  const options = engineOptions(request, context.time, context.stretch)!;
   const files = await context.sequence.export(options, { signal: context.signal, onProgress: context.onProgress });
   const [first] = files;
   if (!first) return;
@@ -79,7 +98,7 @@ export async function runExport(request: ExportRequest, context: ExportContext):
 async function video(request: ExportRequest, context: ExportContext, draw: (share: number) => Promise<void>): Promise<void> {
   context.backdrop(true);
   const { blob, extension } = await record({
-    canvas: context.canvas, seconds: videoSeconds(request, context.range), framesPerSecond: FRAMES_PER_SECOND, draw, signal: context.signal,
+    canvas: context.canvas, seconds: videoSeconds(request, context.stretch), framesPerSecond: Math.min(context.stretch.fps ?? VIDEO_FPS, MAX_VIDEO_FPS), draw, signal: context.signal,
     onProgress: (fraction) => context.onProgress({ stage: 'recording', fraction }),
   }).finally(() => context.backdrop(false));
   download(blob, `${context.name}.${extension}`);
@@ -96,7 +115,12 @@ async function table(request: ExportRequest, context: ExportContext): Promise<vo
   download(new Blob([measuresCsv(insight, context.doc, version)], { type: 'text/csv' }), `${context.name}-measures.csv`);
 }
 
-function videoSeconds(request: ExportRequest, range: readonly [number, number]): number {
-  const [start, end] = request.kind === 'animation' ? request.range ?? range : [0, 6];
-  return Math.min(request.duration ?? end - start, 600);
+function videoSeconds(request: ExportRequest, stretch: Stretch): number {
+  const length = request.kind === 'animation' ? lengthOf(request, stretch) : 6;
+  return Math.min(request.duration ?? length, 600);
+}
+
+function lengthOf(request: ExportRequest, { range }: Stretch): number {
+  const [start, end] = request.range ?? range;
+  return end - start;
 }

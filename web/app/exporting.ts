@@ -1,8 +1,10 @@
 /** The export dialog's side of things: the plan while it is open, the work and its cancel afterwards. */
 import type { AppState } from '../model/state.ts';
+import { playRange } from '../model/frames.ts';
 import type { ExportRequest } from '../ui/export-dialog.ts';
 import type { Context } from './context.ts';
 import { describeExport, runExport } from './exporter.ts';
+import type { Stretch } from './exporter.ts';
 import type { InsightPanel } from './insight.ts';
 import { isCancelled } from './lanes.ts';
 
@@ -17,6 +19,11 @@ export function createExporting(context: Context, insight: InsightPanel): Export
   const { store, workspace, picture, pump } = context;
   let abort: AbortController | null = null;
   let planned = 0;
+
+  const stretch = (): Stretch => {
+    const { between, fps } = store.get().play;
+    return { range: playRange(between, context.range()), fps };
+  };
 
   const show = async (t: number): Promise<void> => {
     store.set({ time: t });
@@ -39,7 +46,7 @@ export function createExporting(context: Context, insight: InsightPanel): Export
       const mine = planned;
       context.inform({ exporting: { request, plan: null } });
       if (!sequence) return;
-      describeExport(request, sequence, store.get().time, context.range()).then(
+      describeExport(request, sequence, store.get().time, stretch()).then(
         (plan) => { if (mine === planned) context.inform({ exporting: { request, plan } }); },
         (error: unknown) => { if (mine === planned) context.inform({ exporting: { request, plan: { text: error instanceof Error ? error.message : '', warnings: [] } } }); },
       );
@@ -54,7 +61,7 @@ export function createExporting(context: Context, insight: InsightPanel): Export
       context.inform({ problem: null });
       try {
         await runExport(request, {
-          sequence, signal, show, doc: before.doc, name: fileStem(before), time: before.time, range: context.range(),
+          sequence, signal, show, doc: before.doc, name: fileStem(before), time: before.time, stretch: stretch(),
           canvas: picture.viewer.canvas, insight: () => insight.data(), turn: turned(), picture: () => picture.png(), backdrop: (on) => picture.viewer.setBackdrop(on ? stageColour() : null),
           onProgress: (working) => { if (!signal.aborted) context.inform({ working }); },
         });

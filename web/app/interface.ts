@@ -1,10 +1,12 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
 import type { AppState } from '../model/state.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../model/state.ts';
+import { playRange } from '../model/frames.ts';
 import { phaseOf } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
 import { tensionOf } from '../model/edits.ts';
 import { viridisGradient } from '../plots/viridis.ts';
+import { createClockMenu } from '../ui/clock-menu.ts';
 import { createColourBar } from '../ui/colour-bar.ts';
 import type { ColourBarProps } from '../ui/colour-bar.ts';
 import { createExportDialog } from '../ui/export-dialog.ts';
@@ -74,6 +76,7 @@ export interface Interface {
   openExport(): void;
   openHelp(): void;
   toggleLook(): void;
+  toggleClock(): void;
   timeline: HTMLElement;
 }
 
@@ -87,8 +90,11 @@ export function createInterface(input: InterfaceInput): Interface {
     onSample: (id) => void opening.sample(id), onOpen: picker.open, onUndo: input.onUndo, onRedo: input.onRedo,
     onExport: () => openExport(), onLink: input.onLink, onHelp: () => help.open(), onTheme: input.onTheme,
   });
-  const timeline = createTimeline({ onSeek: commands.seek, onRetime: commands.retimeKey });
-  const transport = createTransport(timeline, { onTogglePlay: commands.togglePlay, onLoop: commands.loop, onSpeed: commands.speed, onSeek: commands.seek });
+  const timeline = createTimeline({ onSeek: commands.seek, onRetime: commands.retimeKey, onBetween: commands.between, onWindow: commands.window });
+  const clockMenu = createClockMenu({
+    onFps: commands.fps, onLoopEnd: commands.loopEnd, onBetween: commands.between, onZoom: commands.zoomTime, onWindow: commands.window,
+  });
+  const transport = createTransport(timeline.element, clockMenu.element, { onTogglePlay: commands.togglePlay, onLoop: commands.loop, onSpeed: commands.speed, onSeek: commands.seek });
   const keyStrip = createKeyStrip({
     onSeek: commands.seek, onMove: commands.moveKey, onRemove: commands.removeKey, onRetime: commands.retimeKey, onRename: commands.renameKey,
     onTension: commands.tension, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
@@ -128,7 +134,9 @@ export function createInterface(input: InterfaceInput): Interface {
       samples: runtime.samples, sample: source.kind === 'sample' ? source.id : null, theme, undo, redo,
       fileName: source.kind === 'files' ? sourceName(source.names) : '', canExport: !disabled, canLink: source.kind === 'sample',
     });
-    timeline.update({ range, keys: doc.keys, time, phase, periodic, disabled });
+    const { fps, between, playing } = play;
+    timeline.update({ range, keys: doc.keys, time, playing, phase, periodic, disabled, fps, between, window: view.window });
+    clockMenu.update({ range, time, fps, between, window: view.window, disabled });
     transport.update({ play, time, range, periodic, disabled });
     keyStrip.update({
       keys: keyItems(state, runtime), time, range, disabled, canRemove: doc.keys.length > 2,
@@ -158,11 +166,11 @@ export function createInterface(input: InterfaceInput): Interface {
     progress.update(runtime.working);
     problem.update(runtime.problem);
     welcome.update(runtime.welcome && heat === null && runtime.problem === null && runtime.working === null);
-    exporting.update({ ...runtime.exporting, range, videoReason });
+    exporting.update({ ...runtime.exporting, range: playRange(between, range), fps, videoReason });
     help.update(runtime.singleKeys);
     insight.setCursor(time);
   };
-  return { update, say: toast.say, openFiles: picker.open, openExport, openHelp: help.open, toggleLook: viewBar.toggleLook, timeline: timeline.slider };
+  return { update, say: toast.say, openFiles: picker.open, openExport, openHelp: help.open, toggleLook: viewBar.toggleLook, toggleClock: clockMenu.toggle, timeline: timeline.slider };
 }
 
 function sourceName(names: readonly string[]): string {

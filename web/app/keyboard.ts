@@ -11,6 +11,7 @@ export interface KeyboardTargets {
   openExport(): void;
   openHelp(): void;
   toggleLook(): void;
+  toggleClock(): void;
   nextTheme(): void;
   undo(): void;
   redo(): void;
@@ -33,6 +34,13 @@ export function createShortcuts({ store }: Context, commands: Commands, targets:
     { keys: ['l'], shown: 'L', does: 'Back and forth, loop, or once', run: commands.nextLoop },
     { keys: [','], shown: ',', does: 'Slower', run: () => commands.stepSpeed(-1) },
     { keys: ['.'], shown: '.', does: 'Faster', run: () => commands.stepSpeed(1) },
+    { keys: ['ctrl+home'], shown: 'Ctrl+Home', does: 'Playing starts here', run: () => commands.loopEnd('start', null) },
+    { keys: ['ctrl+end'], shown: 'Ctrl+End', does: 'Playing ends here', run: () => commands.loopEnd('end', null) },
+    { keys: ['p'], shown: 'P', does: 'Play all keys again', run: () => commands.between(null) },
+    { keys: ['+', '='], shown: '+', does: 'Zoom into the timeline; the wheel does it about the pointer', run: () => commands.zoomTime(2) },
+    { keys: ['-'], shown: '-', does: 'Zoom out of the timeline', run: () => commands.zoomTime(0.5) },
+    { keys: ['0'], shown: '0', does: 'The whole timeline', run: () => commands.window(null) },
+    { keys: ['t'], shown: 'T', does: 'Frames, loop and zoom', run: targets.toggleClock },
     { keys: ['k'], shown: 'K', does: 'Add the current shape as a key', run: () => void commands.addCurrent() },
     { keys: ['b'], shown: 'B', does: 'Next boundary', run: commands.nextBoundary },
     { keys: ['m'], shown: 'M', does: 'Next method', run: commands.nextMethod },
@@ -62,7 +70,7 @@ export function listenToArrows({ store, range, runtime }: Context, commands: Com
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || usesArrows(event.target)) return;
     if (runtime().info === null || event.target === picture || document.querySelector('dialog[open]')) return;
-    const time = keyboardStep(event, store.get().time, range());
+    const time = keyboardStep(event, store.get().time, range(), store.get().play.fps);
     if (time === null) return;
     event.preventDefault();
     commands.seek(clampTime(time, range()));

@@ -130,7 +130,7 @@ function ofSample(doc: Doc, { boundary }: Sample): Doc {
 /** The look stays, but for what another mesh cannot have; the camera is fitted unless a link says where it was. */
 function openingView(view: View, info: KeysInfo, link: Permalink | null): View {
   const textured = hasTexture(info);
-  const base = link ? { ...DEFAULT_VIEW, ...link.view } : { ...view, camera: null, film: false };
+  const base = link ? { ...DEFAULT_VIEW, ...link.view } : { ...view, camera: null, window: null, film: false };
   if (base.colouring === 'texture' && !textured) base.colouring = 'phase';
   return base;
 }
@@ -144,7 +144,8 @@ function openingPlay(context: Context, info: KeysInfo, doc: Doc, source: Source,
   const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
   const own = info.animation >= 0 && source.kind === 'files' ? 1 : comfortableSpeed(length(range));
   const speed = SPEEDS.find((known) => known === link?.speed) ?? own;
+  const before = context.store.get().play;
   const playing = link ? link.playing : source.kind === 'sample' && !context.reducedMotion();
-  return { playing: playing && !context.reducedMotion(), speed, loop: link?.loop ?? context.store.get().play.loop };
+  return { playing: playing && !context.reducedMotion(), speed, loop: link?.loop ?? before.loop, between: link?.between ?? null, fps: link ? link.fps : before.fps };
 }
 

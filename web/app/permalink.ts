@@ -3,6 +3,7 @@
  * comes from anywhere: whatever it holds that does not fit is left out.
  */
 import type { AppState, CameraPose, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../model/state.ts';
+import { MAX_FPS } from '../model/frames.ts';
 import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, DEFAULT_VIEW, METHODS } from '../model/state.ts';
 
 export interface Permalink {
@@ -16,6 +17,8 @@ export interface Permalink {
   time: number | null;
   speed: number | null;
   loop: LoopMode | null;
+  between: [number, number] | null;
+  fps: number | null;
   playing: boolean;
 }
 
@@ -43,6 +46,9 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   params.set('t', shortest(state.time));
   put('speed', state.play.speed, null);
   put('loop', state.play.loop, 'bounce');
+  put('between', state.play.between?.map(shortest).join(',') ?? null, null);
+  put('fps', state.play.fps, null);
+  put('window', view.window?.map(shortest).join(',') ?? null, null);
   return params.toString();
 }
 
@@ -75,6 +81,8 @@ export function readPermalink(fragment: string): Permalink | null {
     time: number(params.get('t')) ?? null,
     speed: positive(params.get('speed')) ?? null,
     loop: oneOf(params.get('loop'), ['once', 'loop', 'bounce'] as const) ?? null,
+    between: stretch(params.get('between')) ?? null,
+    fps: fpsOf(params.get('fps')),
     playing: params.get('play') === '1',
   };
 }
@@ -100,6 +108,7 @@ function readView(params: URLSearchParams): Partial<View> {
     ...Object.fromEntries(FLAGS.map((name) => [name, flag(params.get(name))])) as Record<(typeof FLAGS)[number], boolean | undefined>,
     compare: compare && [...new Set(compare)],
     camera: readCamera(params.get('camera')),
+    window: stretch(params.get('window')),
   });
 }
 
@@ -108,6 +117,16 @@ function readCamera(text: string | null): CameraPose | undefined {
   if (!values || values.length !== 6) return undefined;
   const [px, py, pz, tx, ty, tz] = values as [number, number, number, number, number, number];
   return { position: [px, py, pz], target: [tx, ty, tz] };
+}
+
+function stretch(text: string | null): [number, number] | undefined {
+  const values = numbers(text);
+  return values?.length === 2 && values[0]! < values[1]! ? [values[0]!, values[1]!] : undefined;
+}
+
+function fpsOf(text: string | null): number | null {
+  const value = positive(text);
+  return value !== undefined && value <= MAX_FPS ? value : null;
 }
 
 /** Strictly increasing times, or the whole list is left out. */

@@ -1,4 +1,5 @@
-/** Plays: once a screen refresh it moves the time on by what has passed. */
+/** Plays: once a screen refresh it moves the time on by what has passed; whole frames are held until the next begins. */
+import { heldTime, loopRange, playRange } from '../model/frames.ts';
 import type { Play } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { tick } from './clock.ts';
@@ -17,16 +18,23 @@ export class Player {
   private frame = 0;
   private last = 0;
   private direction: 1 | -1 = 1;
+  /** The time that has been reached, of which a whole frame may be shown. */
+  private reached = 0;
+  private shown = NaN;
 
   constructor(private readonly view: () => PlayerView, private readonly move: (time: number, playing: boolean) => void) {}
 
   start(): void {
     if (this.frame !== 0) return;
-    const { time, play, range, periodic } = this.view();
+    const { time, play, periodic, range, chosen } = this.stretch();
     this.direction = 1;
     this.last = performance.now();
+    this.reached = time;
+    this.shown = time;
     // Played once and at its end: from the start again.
-    if (play.loop === 'once' && !periodic && time >= range[1]) this.move(range[0], true);
+    if (play.loop === 'once' && !periodic && time >= this.lastShown(range, play)) this.jump(range[0]);
+    // Coming from outside a chosen stretch would take its time: it plays at once.
+    else if (chosen && (time < range[0] || time > range[1])) this.jump(range[0]);
     this.frame = requestAnimationFrame(() => this.step());
   }
 
@@ -35,14 +43,37 @@ export class Player {
     this.frame = 0;
   }
 
+  private jump(time: number): void {
+    this.reached = time;
+    this.shown = time;
+    this.move(time, true);
+  }
+
+  /** What plays now: a chosen stretch of a closed motion is no longer closed itself. */
+  private stretch(): PlayerView & { chosen: boolean } {
+    const view = this.view();
+    const chosen = loopRange(view.play.between, view.range) !== null;
+    return { ...view, range: playRange(view.play.between, view.range), periodic: view.periodic && !chosen, chosen };
+  }
+
+  private lastShown(range: Range, { fps }: Play): number {
+    return heldTime(range[1], fps, range[0]);
+  }
+
   private step(): void {
     const now = performance.now();
-    const { time, play, range, periodic } = this.view();
+    const { time, play, range, periodic } = this.stretch();
     const step = (Math.min(now - this.last, LONGEST_STEP_MS) / 1000) * play.speed;
     this.last = now;
-    const next = tick({ time, direction: this.direction, step, range, loop: play.loop, periodic });
+    // Someone else has moved the time meanwhile.
+    if (time !== this.shown) this.reached = time;
+    const next = tick({ time: this.reached, direction: this.direction, step, range, loop: play.loop, periodic });
     this.direction = next.direction;
+    this.reached = next.time;
     this.frame = next.playing ? requestAnimationFrame(() => this.step()) : 0;
-    this.move(next.time, next.playing);
+    const shown = heldTime(next.time, play.fps, range[0]);
+    const same = shown === this.shown && next.playing;
+    this.shown = shown;
+    if (!same) this.move(shown, next.playing);
   }
 }

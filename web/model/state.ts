@@ -49,6 +49,10 @@ export interface Play {
   /** Units of time a second. */
   speed: number;
   loop: LoopMode;
+  /** First and last time that play; null = the range of the keys. */
+  between: [number, number] | null;
+  /** Whole frames a unit of time; null = as smooth as the screen allows. */
+  fps: number | null;
 }
 
 export interface CameraPose {
@@ -73,6 +77,8 @@ export interface View {
   ghostDifference: boolean;
   /** null = fitted to the shape. */
   camera: CameraPose | null;
+  /** The part of the time that the slider shows; null = all that it reaches. */
+  window: [number, number] | null;
 }
 
 export interface AppState {
@@ -120,13 +126,14 @@ export const DEFAULT_VIEW: Readonly<View> = {
   ghostBeside: false,
   ghostDifference: false,
   camera: null,
+  window: null,
 };
 
 export const EMPTY_STATE: AppState = {
   source: { kind: 'none' },
   doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [] },
   time: 0,
-  play: { playing: false, speed: 0.25, loop: 'bounce' },
+  play: { playing: false, speed: 0.25, loop: 'bounce', between: null, fps: null },
   view: { ...DEFAULT_VIEW },
 };
 

@@ -26,17 +26,6 @@ export function clampTime(t: number, range: Range): number {
   return clamp(t, low, high);
 }
 
-/** Where t lies on the slider, 0 at its left end and 1 at its right. */
-export function toFraction(t: number, range: Range): number {
-  const [low, high] = limits(range);
-  return (t - low) / (high - low);
-}
-
-export function toTime(fraction: number, range: Range): number {
-  const [low, high] = limits(range);
-  return low + clamp(fraction, 0, 1) * (high - low);
-}
-
 /** The key time within `reach` of t, or t itself. */
 export function snap(t: number, keyTimes: readonly number[], reach: number): number {
   const near = nearestKey(t, keyTimes);

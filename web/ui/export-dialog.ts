@@ -1,6 +1,8 @@
 /** What to take along: an animation, one pose, a picture, a video, or the numbers; the size is stated before. */
 import { button, checkbox, numberField, segments } from './controls.ts';
 import { h, memo, setField, setHidden, setText } from './dom.ts';
+import { frameTimes } from '../model/frames.ts';
+import type { Range } from '../model/time-scale.ts';
 
 export type ExportKind = 'animation' | 'pose' | 'picture' | 'numbers';
 export type AnimationFormat = 'glb' | 'obj' | 'webm';
@@ -15,24 +17,30 @@ export interface ExportRequest {
   pose: PoseFormat;
   picture: PictureFormat;
   numbers: NumbersFormat;
-  frames: number;
-  /** First and last time; null = the keys. */
+  /** null = the whole frames of the timeline, or 60 where it has none. */
+  frames: number | null;
+  /** First and last time; null = what plays. */
   range: [number, number] | null;
   /** Seconds; null = the length of the range. */
   duration: number | null;
   inPlace: boolean;
 }
 
+const USUAL_FRAMES = 60;
+export const MAX_FRAMES = 2000;
+
 export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
   kind: 'animation', animation: 'glb', pose: 'glb', picture: 'png', numbers: 'measures',
-  frames: 60, range: null, duration: null, inPlace: false,
+  frames: null, range: null, duration: null, inPlace: false,
 };
 
 export interface ExportDialogProps {
   request: ExportRequest;
   /** What the export will be, in words and size; null while it is being worked out. */
   plan: { text: string; warnings: readonly string[] } | null;
+  /** What plays. */
   range: readonly [number, number];
+  fps: number | null;
   videoReason: string | null;
 }
 
@@ -81,7 +89,7 @@ export function createExportDialog(events: ExportDialogEvents): {
     { value: 'measures', label: 'Measures (CSV)' }, { value: 'patches', label: 'Patches (CSV)' },
   ], (value) => change({ numbers: value }));
 
-  const frames = numberField({ label: 'Frames', testId: 'export-frames', min: 2, max: 2000, step: 1, onInput: (value) => change({ frames: Math.round(value) }) });
+  const frames = numberField({ label: 'Frames', testId: 'export-frames', min: 2, max: MAX_FRAMES, step: 1, onInput: (value) => change({ frames: Math.round(value) }) });
   const from = numberField({ label: 'From', testId: 'export-from', onInput: (value) => { const [, end] = bounds(); if (value < end) change({ range: [value, end] }); } });
   const to = numberField({ label: 'To', testId: 'export-to', onInput: (value) => { const [start] = bounds(); if (value > start) change({ range: [start, value] }); } });
   const duration = numberField({ label: 'Seconds', testId: 'export-duration', min: 0.01, max: 3600, onInput: (value) => change({ duration: value }) });
@@ -123,7 +131,7 @@ export function createExportDialog(events: ExportDialogEvents): {
     inPlace.update(request.inPlace);
     setText(about, WORDS[wordsFor(request)] ?? '');
     const [start, end] = bounds();
-    setField(frames, String(request.frames));
+    setField(frames, String(framesWanted(request, [start, end], props.fps)));
     setField(from, String(Number(start.toFixed(4))));
     setField(to, String(Number(end.toFixed(4))));
     setField(duration, String(Number((request.duration ?? end - start).toFixed(3))));
@@ -131,6 +139,12 @@ export function createExportDialog(events: ExportDialogEvents): {
     warnings.replaceChildren(...(props.plan?.warnings ?? []).map((warning) => h('li', {}, warning)));
   });
   return { element, open: () => element.showModal(), close: () => element.close(), update: draw };
+}
+
+/** How many frames an animation gets. */
+export function framesWanted({ frames }: ExportRequest, range: Range, fps: number | null): number {
+  if (frames !== null) return frames;
+  return fps === null ? USUAL_FRAMES : Math.max(frameTimes(range, fps).length, 2);
 }
 
 function wordsFor({ kind, animation, pose, picture, numbers }: ExportRequest): string {

@@ -1,29 +1,45 @@
 /**
  * The time slider, the widest control of the page: a solid key range, hatched margins where the motion is extrapolated,
- * key ticks that the playhead snaps to and that can be dragged to other times, and the time as a number.
+ * key ticks that the playhead snaps to and that can be dragged to other times, and two handles for what plays. It can be
+ * zoomed into, about the pointer; then it has a ruler.
  */
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import type { Phase, Range } from '../model/time-scale.ts';
-import { clampKeyTime, clampTime, formatTime, length, limits, snap, toFraction, toTime } from '../model/time-scale.ts';
+import { clamp, clampKeyTime, clampTime, formatTime, length, limits, snap } from '../model/time-scale.ts';
+import { formatMoment, loopRange, nearestFrameTime, steppedFrameTime } from '../model/frames.ts';
+import { fractionIn, panned, revealing, ruler, timeIn, windowOf, zoomed } from '../model/time-window.ts';
+import { createLoopHandles } from './loop-handles.ts';
+import { createOverview } from './overview.ts';
+import { drag, listenToGestures } from './pointer.ts';
 
 /** Pixels within which the playhead snaps to a key. */
 const SNAP_PX = 7;
 /** Pixels that a press on a tick may move and still be a click. */
 const CLICK_PX = 4;
+/** Pixels that a number of the ruler takes. */
+const RULER_PX = 72;
 
 export interface TimelineProps {
   range: Range;
   keys: readonly { time: number; name: string }[];
   time: number;
+  playing: boolean;
   phase: Phase;
   periodic: boolean;
   disabled: boolean;
+  fps: number | null;
+  /** What plays; null = the range of the keys. */
+  between: Range | null;
+  /** What is shown; null = all. */
+  window: Range | null;
 }
 
 export interface TimelineEvents {
   onSeek(t: number): void;
   /** A key is being dragged to another time. */
   onRetime(key: number, time: number): void;
+  onBetween(between: Range | null): void;
+  onWindow(window: Range | null): void;
 }
 
 export interface Timeline {
@@ -35,57 +51,79 @@ export interface Timeline {
 
 export function createTimeline(events: TimelineEvents): Timeline {
   let props: TimelineProps | null = null;
+  const shown = (): Range => windowOf(props!.window, props!.range);
 
   const before = createMargin('before');
   const after = createMargin('after');
-  const track = h('div', { class: 'track', 'aria-hidden': 'true' }, before.element, h('div', { class: 'key-range' }), after.element);
+  const keyRange = h('div', { class: 'key-range' });
+  const silent = [h('div', { class: 'silent' }), h('div', { class: 'silent' })] as const;
+  const track = h('div', { class: 'track', 'aria-hidden': 'true' }, before.element, keyRange, after.element, ...silent);
+  const marks = h('div', { class: 'ruler', 'aria-hidden': 'true' });
   const ticks = h('div', { class: 'ticks' });
   const playhead = h('div', { class: 'playhead', 'aria-hidden': 'true' }, h('div', { class: 'knob' }));
   const slider = h('div', {
     class: 'timeline', role: 'slider', tabindex: 0, 'aria-label': 'Time', 'aria-orientation': 'horizontal', 'data-testid': 'timeline',
-    title: 'Drag through the motion, also past both ends (arrow keys; hold Alt not to snap)',
-  }, track, ticks, playhead);
+    title: 'Drag through the motion, also past both ends (arrow keys; hold Alt not to snap); the wheel zooms',
+  }, track, marks, ticks, playhead);
+  const handles = createLoopHandles(track, { onBetween: events.onBetween, snapped: (t, free) => snapped(t, free) });
+  const overview = createOverview(events.onWindow);
+  const element = h('div', { class: 'time-frame' }, slider, ...handles.elements, overview.element);
 
-  const timeAt = (event: PointerEvent, free: boolean): number => {
-    const { range, keys } = props!;
-    const box = track.getBoundingClientRect();
-    const t = toTime((event.clientX - box.left) / box.width, range);
-    const reach = free ? 0 : (SNAP_PX / box.width) * (limits(range)[1] - limits(range)[0]);
-    return snap(t, keys.map((key) => key.time), reach);
+  const snapped = (t: number, free: boolean): number => {
+    const { keys, fps } = props!;
+    if (free) return t;
+    const reach = (SNAP_PX / track.clientWidth) * length(shown());
+    const key = snap(t, keys.map(({ time }) => time), reach);
+    return key !== t || fps === null ? key : nearestFrameTime(t, fps);
   };
 
+  const timeAt = (x: number): number => {
+    const box = track.getBoundingClientRect();
+    return timeIn(clamp((x - box.left) / box.width, 0, 1), shown());
+  };
+
+  const seek = (event: PointerEvent): void => events.onSeek(snapped(timeAt(event.clientX), event.altKey));
+
   slider.addEventListener('pointerdown', (event) => {
-    if (!props || props.disabled || event.button !== 0 || (event.target as Element).closest('.tick')) return;
+    if (!props || props.disabled || event.button !== 0 || !event.isPrimary || (event.target as Element).closest('.tick')) return;
     event.preventDefault();
     slider.focus({ preventScroll: true });
-    drag(slider, event, (move) => events.onSeek(timeAt(move, move.altKey)));
-    events.onSeek(timeAt(event, event.altKey));
+    drag(slider, event, { onMove: seek });
+    seek(event);
+  });
+
+  listenToGestures(element, {
+    onZoom: (factor, x) => { if (props && !props.disabled) events.onWindow(zoomed(shown(), props.range, factor, timeAt(x))); },
+    onPan: (pixels) => { if (props && !props.disabled) events.onWindow(panned(shown(), props.range, (-pixels / track.clientWidth) * length(shown()))); },
   });
 
   const tickPressed = (index: number, event: PointerEvent): void => {
-    if (!props || props.disabled || event.button !== 0) return;
+    if (!props || props.disabled || event.button !== 0 || !event.isPrimary) return;
     event.preventDefault();
     slider.focus({ preventScroll: true });
     const startX = event.clientX;
     let moved = false;
-    const { range, keys } = props;
+    const { keys, fps } = props;
     const times = keys.map((key) => key.time);
-    const box = track.getBoundingClientRect();
-    const scale = (limits(range)[1] - limits(range)[0]) / box.width;
-    drag(event.currentTarget as HTMLElement, event, (move) => {
-      moved ||= Math.abs(move.clientX - startX) > CLICK_PX;
-      if (!moved) return;
-      const wanted = (times[index] ?? 0) + (move.clientX - startX) * scale;
-      events.onRetime(index, clampKeyTime(times, index, wanted));
-    }, () => { if (!moved) events.onSeek(times[index] ?? 0); });
+    const scale = length(shown()) / track.clientWidth;
+    drag(event.currentTarget as HTMLElement, event, {
+      onMove(move) {
+        moved ||= Math.abs(move.clientX - startX) > CLICK_PX;
+        if (!moved) return;
+        const wanted = (times[index] ?? 0) + (move.clientX - startX) * scale;
+        events.onRetime(index, clampKeyTime(times, index, fps === null || move.altKey ? wanted : nearestFrameTime(wanted, fps)));
+      },
+      onEnd: () => { if (!moved) events.onSeek(times[index] ?? 0); },
+    });
   };
 
-  const drawTicks = memo(({ keys, range }: Pick<TimelineProps, 'keys' | 'range'>) => {
+  const drawTicks = memo(({ keys, range, window, fps }: Pick<TimelineProps, 'keys' | 'range' | 'fps' | 'window'>) => {
+    const part = windowOf(window, range);
     while (ticks.children.length > keys.length) ticks.lastElementChild?.remove();
     keys.forEach((key, index) => {
       const tick = (ticks.children[index] ?? ticks.appendChild(makeTick(index))) as HTMLElement;
-      setStyle(tick, 'left', percent(toFraction(key.time, range)));
-      setAttribute(tick, 'title', `Key ${index + 1}, ${key.name}, at ${formatTime(key.time, range)}: click to go there, drag to move it in time`);
+      place(tick, key.time, part);
+      setAttribute(tick, 'title', `Key ${index + 1}, ${key.name}, at ${formatMoment(key.time, range, fps)}: click to go there, drag to move it in time`);
       setAttribute(tick, 'data-time', key.time);
     });
   });
@@ -95,28 +133,69 @@ export function createTimeline(events: TimelineEvents): Timeline {
     onpointerdown: (event: PointerEvent) => tickPressed(index, event),
   }, h('span', { class: 'diamond' }), h('span', { class: 'tick-number' }, String(index + 1)));
 
-  const drawRange = memo(({ range, periodic, disabled }: Pick<TimelineProps, 'range' | 'periodic' | 'disabled'>) => {
+  const drawRange = memo(({ range, window, between, periodic, disabled }: Pick<TimelineProps, 'range' | 'window' | 'between' | 'periodic' | 'disabled'>) => {
     const [low, high] = limits(range);
+    const part = windowOf(window, range);
+    const loop = loopRange(between, range);
+    stretch(before.element, low, range[0], part);
+    stretch(keyRange, range[0], range[1], part);
+    stretch(after.element, range[1], high, part);
+    stretch(silent[0], loop ? low : 0, loop ? loop[0] : 0, part);
+    stretch(silent[1], loop ? loop[1] : 0, loop ? high : 0, part);
     setAttribute(slider, 'aria-valuemin', round(low));
     setAttribute(slider, 'aria-valuemax', round(high));
     setAttribute(slider, 'aria-disabled', disabled ? 'true' : null);
     setAttribute(slider, 'data-periodic', periodic);
     before.label(periodic ? REPEATS : ['Before the first key (extrapolated)', 'Extrapolated', 'Before']);
     after.label(periodic ? REPEATS : ['Beyond the last key (extrapolated)', 'Extrapolated', 'Beyond']);
+    setAttribute(element, 'data-zoomed', window !== null);
+    overview.update(range, part);
   });
 
+  const drawRuler = memo(({ range, window, fps, width }: Pick<TimelineProps, 'range' | 'window' | 'fps'> & { width: number }) => {
+    const needed = width > 0 && (window !== null || fps !== null);
+    const part = windowOf(window, range);
+    const unit = fps ?? 1;
+    const numbers = needed ? ruler([part[0] * unit, part[1] * unit], width / RULER_PX).filter((n) => fps === null || Number.isInteger(n)) : [];
+    marks.replaceChildren(...numbers.map((n) => {
+      const mark = h('span', { class: 'mark' }, fps === null ? formatTime(n, part) : String(n));
+      place(mark, n / unit, part);
+      return mark;
+    }));
+  });
+
+  let width = 0;
+  new ResizeObserver(() => {
+    width = track.clientWidth;
+    if (props) drawRuler({ range: props.range, window: props.window, fps: props.fps, width });
+  }).observe(track);
+
+  /** The playhead stays in sight wherever it goes, unless the user has panned away from a motion that plays. */
+  const follow = (last: TimelineProps | null, next: TimelineProps): void => {
+    if (!last || next.window === null || last.time === next.time || next.window !== last.window) return;
+    const part = windowOf(next.window, next.range);
+    const sees = (t: number): boolean => t >= part[0] && t <= part[1];
+    if (!sees(next.time) && (sees(last.time) || !next.playing)) events.onWindow(revealing(part, next.range, clampTime(next.time, next.range)));
+  };
+
   return {
-    element: slider,
+    element,
     slider,
     update(next) {
+      const last = props;
       props = next;
-      drawRange({ range: next.range, periodic: next.periodic, disabled: next.disabled });
-      drawTicks({ keys: next.keys, range: next.range });
-      setHidden(playhead, next.disabled);
-      setStyle(playhead, 'left', percent(toFraction(clampTime(next.time, next.range), next.range)));
-      setAttribute(slider, 'data-phase', next.phase.kind);
+      const { range, keys, periodic, disabled, fps, between, window, phase } = next;
+      const part = windowOf(window, range);
+      drawRange({ range, window, between, periodic, disabled });
+      drawTicks({ keys, range, window, fps });
+      drawRuler({ range, window, fps, width });
+      handles.update({ range, window: part, between: loopRange(between, range), fps, disabled });
+      if (disabled) setHidden(playhead, true);
+      else place(playhead, clampTime(next.time, range), part);
+      setAttribute(slider, 'data-phase', phase.kind);
       setAttribute(slider, 'aria-valuenow', round(next.time));
-      setAttribute(slider, 'aria-valuetext', `${formatTime(next.time, next.range)}, ${next.phase.text}`);
+      setAttribute(slider, 'aria-valuetext', `${fps === null ? '' : 'frame '}${formatMoment(next.time, range, fps)}, ${phase.text}`);
+      follow(last, next);
     },
   };
 }
@@ -137,6 +216,21 @@ function createMargin(side: 'before' | 'after'): { element: HTMLElement; label(w
   };
 }
 
+/** Puts an element at a moment, or hides it where the window does not reach. */
+function place(element: HTMLElement, t: number, window: Range): void {
+  const at = fractionIn(t, window);
+  setHidden(element, at < -1e-9 || at > 1 + 1e-9);
+  setStyle(element, 'left', percent(at));
+}
+
+/** Lets an element span what the window shows of a stretch of time. */
+function stretch(element: HTMLElement, from: number, to: number, window: Range): void {
+  const [left, right] = [clamp(fractionIn(from, window), 0, 1), clamp(fractionIn(to, window), 0, 1)];
+  setHidden(element, right <= left);
+  setStyle(element, 'left', percent(left));
+  setStyle(element, 'width', percent(right - left));
+}
+
 function percent(fraction: number): string {
   return `${(fraction * 100).toFixed(4)}%`;
 }
@@ -145,31 +239,15 @@ function round(value: number): number {
   return Number(value.toFixed(6));
 }
 
-/** Follows one pointer from its press to its release. */
-function drag(element: HTMLElement, start: PointerEvent, onMove: (event: PointerEvent) => void, onEnd?: () => void): void {
-  element.setPointerCapture(start.pointerId);
-  const move = (event: PointerEvent): void => { if (event.pointerId === start.pointerId) onMove(event); };
-  const end = (event: PointerEvent): void => {
-    if (event.pointerId !== start.pointerId) return;
-    element.removeEventListener('pointermove', move);
-    element.removeEventListener('pointerup', end);
-    element.removeEventListener('pointercancel', end);
-    onEnd?.();
-  };
-  element.addEventListener('pointermove', move);
-  element.addEventListener('pointerup', end);
-  element.addEventListener('pointercancel', end);
-}
-
 /** Where a key press takes the playhead, or null when the key means something else. */
-export function keyboardStep(event: KeyboardEvent, time: number, range: Range): number | null {
-  const step = (event.shiftKey ? 0.1 : 0.01) * length(range);
+export function keyboardStep(event: KeyboardEvent, time: number, range: Range, fps: number | null): number | null {
   const [low, high] = limits(range);
+  const step = (by: number): number => clampTime(fps === null ? time + 0.01 * by * length(range) : steppedFrameTime(time, fps, by), range);
   switch (event.key) {
-    case 'ArrowLeft': case 'ArrowDown': return clampTime(time - step, range);
-    case 'ArrowRight': case 'ArrowUp': return clampTime(time + step, range);
-    case 'PageDown': return clampTime(time - 0.1 * length(range), range);
-    case 'PageUp': return clampTime(time + 0.1 * length(range), range);
+    case 'ArrowLeft': case 'ArrowDown': return step(event.shiftKey ? -10 : -1);
+    case 'ArrowRight': case 'ArrowUp': return step(event.shiftKey ? 10 : 1);
+    case 'PageDown': return step(-10);
+    case 'PageUp': return step(10);
     case 'Home': return time <= range[0] ? low : range[0];
     case 'End': return time >= range[1] ? high : range[1];
     default: return null;

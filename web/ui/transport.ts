@@ -5,9 +5,8 @@ import { button, numberField, select, tooltip } from './controls.ts';
 import { h, memo, setAttribute, setField } from './dom.ts';
 import type { IconName } from './icons.ts';
 import { setIcon } from './icons.ts';
-import type { Timeline } from './timeline.ts';
 import type { Range } from '../model/time-scale.ts';
-import { formatTime } from '../model/time-scale.ts';
+import { formatMoment } from '../model/frames.ts';
 
 export interface TransportProps {
   play: Play;
@@ -30,7 +29,8 @@ const LOOPS: Record<LoopMode, { next: LoopMode; icon: IconName; label: string }>
   once: { next: 'bounce', icon: 'once', label: 'Plays once' },
 };
 
-export function createTransport(timeline: Timeline, events: TransportEvents): {
+/** The timeline stands in the middle, the clock menu at the end. */
+export function createTransport(timeline: HTMLElement, clockMenu: HTMLElement, events: TransportEvents): {
   element: HTMLElement; update(props: TransportProps): void;
 } {
   let loop: LoopMode = 'bounce';
@@ -43,10 +43,12 @@ export function createTransport(timeline: Timeline, events: TransportEvents): {
   const speed = select('Speed', 'speed', SPEEDS.map((value) => ({ value: String(value), label: `${value}×` })),
     (value) => events.onSpeed(Number(value)), ', and .');
   speed.element.classList.add('compact');
-  const time = numberField({ label: 'Time; type a number to go there', testId: 'time', onInput: (t) => events.onSeek(t) });
+  let fps: number | null = null;
+  const time = numberField({ label: 'Time; type a number to go there', testId: 'time', onInput: (value) => events.onSeek(fps === null ? value : value / fps) });
   time.classList.add('time');
   const element = h('section', { class: 'transport', 'aria-label': 'Time' },
-    h('div', { class: 'transport-buttons' }, play, loopButton, speed.element), timeline.element, time);
+    h('div', { class: 'transport-buttons' }, play, loopButton, speed.element), timeline,
+    h('div', { class: 'transport-time' }, time, clockMenu));
 
   const drawButtons = memo(({ play: state, disabled, periodic }: Pick<TransportProps, 'play' | 'disabled' | 'periodic'>) => {
     const label = state.playing ? 'Pause' : 'Play';
@@ -68,8 +70,11 @@ export function createTransport(timeline: Timeline, events: TransportEvents): {
     element,
     update(props) {
       drawButtons({ play: props.play, disabled: props.disabled, periodic: props.periodic });
-      setField(time, formatTime(props.time, props.range));
-      if (time.step !== stepFor(props.range)) time.step = stepFor(props.range);
+      ({ fps } = props.play);
+      setField(time, formatMoment(props.time, props.range, fps));
+      setAttribute(time, 'aria-label', fps === null ? 'Time; type a number to go there' : 'Frame; type a number to go there');
+      setAttribute(time, 'title', fps === null ? 'Time; type a number to go there' : `Frame, at time ${formatMoment(props.time, props.range, null)}; type a number to go there`);
+      setAttribute(time, 'step', fps === null ? stepFor(props.range) : 1);
     },
   };
 }

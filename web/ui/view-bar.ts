@@ -3,6 +3,7 @@ import type { Colouring, View } from '../model/state.ts';
 import type { Phase } from '../model/time-scale.ts';
 import { button, checkbox, segments } from './controls.ts';
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
+import { popover } from './popover.ts';
 
 export type ViewName = 'home' | 'front' | 'top' | 'right';
 
@@ -34,8 +35,6 @@ export function createViewBar(events: ViewBarEvents): { element: HTMLElement; to
   const look = h('div', { class: 'card popover', id: 'look', 'data-testid': 'look', hidden: true },
     colouring.element, shading.element, h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element));
   const toggle = button({ label: 'Look', testId: 'look-toggle', icon: 'eye', text: 'Look', shortcut: 'V', kind: 'plain', onClick: () => toggleLook() });
-  setAttribute(toggle, 'aria-expanded', 'false');
-  setAttribute(toggle, 'aria-controls', 'look');
   const view = (name: ViewName, label: string, key: string): HTMLButtonElement => button({
     label: `${label} view`, testId: `view-${name}`, text: label, shortcut: key, kind: 'plain', onClick: () => events.onFit(name),
   });
@@ -44,20 +43,7 @@ export function createViewBar(events: ViewBarEvents): { element: HTMLElement; to
     view('front', 'Front', '1'), view('top', 'Top', '7'), view('right', 'Right', '3'), toggle);
   const element = h('div', { class: 'view-bar' }, look, bar);
 
-  const toggleLook = (): void => {
-    look.hidden = !look.hidden;
-    setAttribute(toggle, 'aria-expanded', String(!look.hidden));
-    if (!look.hidden) look.querySelector('input')?.focus();
-  };
-  element.addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape' || look.hidden) return;
-    event.stopPropagation();
-    toggleLook();
-    toggle.focus();
-  });
-  document.addEventListener('pointerdown', (event) => {
-    if (!look.hidden && !element.contains(event.target as Node)) toggleLook();
-  });
+  const toggleLook = popover(element, toggle, look);
 
   const draw = memo(({ view: state, hasTexture, disabled }: ViewBarProps) => {
     colouring.update(state.colouring, hasTexture ? {} : { texture: 'The files hold no texture.' });

@@ -1,0 +1,57 @@
+import { describe, expect, it } from 'vitest';
+import { formatMoment, frameTimes, heldTime, loopRange, nearestFrameTime, playRange, steppedFrameTime, withEnd } from '../../web/model/frames.ts';
+
+const range = [0, 1] as const;
+
+describe('whole frames', () => {
+  it('are held until the next one begins, and never before the start', () => {
+    expect(heldTime(0.49, null, 0)).toBe(0.49);
+    expect(heldTime(0.49, 10, 0)).toBe(0.4);
+    expect(heldTime(0.5, 10, 0)).toBe(0.5);
+    expect(heldTime(0.3, 10, 0)).toBe(0.3);  // 0.3 * 10 is a little less than 3
+    expect(heldTime(0.26, 10, 0.25)).toBe(0.25);
+    expect(heldTime(-0.01, 10, -1)).toBe(-0.1);
+  });
+
+  it('are stepped through one by one, also from between two', () => {
+    expect(steppedFrameTime(0.5, 24, 1)).toBe(13 / 24);
+    expect(steppedFrameTime(0.51, 24, 1)).toBe(13 / 24);
+    expect(steppedFrameTime(0.51, 24, -1)).toBe(12 / 24);
+    expect(steppedFrameTime(0.5, 24, -10)).toBe(2 / 24);
+    let t = 0;
+    for (let n = 1; n <= 240; n += 1) expect(t = steppedFrameTime(t, 24, 1)).toBe(n / 24);
+  });
+
+  it('lie on the grid of time zero', () => {
+    expect(nearestFrameTime(0.51, 24)).toBe(0.5);
+    expect(frameTimes([0, 1], 4)).toEqual([0, 0.25, 0.5, 0.75, 1]);
+    expect(frameTimes([0.1, 0.8], 4)).toEqual([0.25, 0.5, 0.75]);
+    expect(frameTimes([0, 1], 24)).toHaveLength(25);
+    expect(frameTimes([0.1, 0.2], 4)).toEqual([]);
+  });
+
+  it('are shown as numbers', () => {
+    expect(formatMoment(0.5, range, 24)).toBe('12');
+    expect(formatMoment(0.51, range, 24)).toBe('12.24');
+    expect(formatMoment(-1e-9, range, 24)).toBe('0');
+    expect(formatMoment(0.51, range, null)).toBe('0.510');
+  });
+});
+
+describe('what plays', () => {
+  it('is the range of the keys, or the chosen stretch as far as the slider reaches', () => {
+    expect(playRange(null, range)).toEqual([0, 1]);
+    expect(playRange([-0.2, 0.5], range)).toEqual([-0.2, 0.5]);
+    expect(playRange([0.5, 9], range)).toEqual([0.5, 1.4]);
+    expect(loopRange([7, 9], range)).toBeNull();
+    expect(playRange([7, 9], range)).toEqual([0, 1]);
+  });
+
+  it('has ends that give way to each other', () => {
+    expect(withEnd(null, range, 'start', 0.3, 0.01)).toEqual([0.3, 1]);
+    expect(withEnd([0.3, 0.6], range, 'start', 0.8, 0.01)).toEqual([0.8, 0.81]);
+    expect(withEnd([0.3, 0.6], range, 'end', 0.1, 0.05)).toEqual([0.05, 0.1]);
+    expect(withEnd(null, range, 'end', 99, 0.01)).toEqual([0, 1.4]);
+    expect(withEnd(null, range, 'start', 99, 0.1)[1]).toBeCloseTo(1.4, 12);
+  });
+});

@@ -1,0 +1,69 @@
+import { describe, expect, it } from 'vitest';
+import { MAX_ZOOM, fractionIn, panned, revealing, ruler, timeIn, windowOf, zoomed } from '../../web/model/time-window.ts';
+
+const range = [2, 4] as const;  // the slider reaches from 1.2 to 4.8
+
+describe('the window of the slider', () => {
+  it('shows everything unless something else is wanted', () => {
+    expect(windowOf(null, range)).toEqual([1.2, 4.8]);
+  });
+
+  it('has times and places that are inverse to each other', () => {
+    for (const window of [windowOf(null, range), [2.5, 2.6] as const]) {
+      for (const t of [1.2, 2, 2.71, 4, 4.8]) expect(timeIn(fractionIn(t, window), window)).toBeCloseTo(t, 12);
+      expect(fractionIn(window[0], window)).toBe(0);
+      expect(fractionIn(window[1], window)).toBe(1);
+    }
+  });
+
+  it('keeps the moment under the pointer where it is while zooming in and out', () => {
+    let window = windowOf(null, range);
+    const at = fractionIn(3.1, window);
+    for (const factor of [2, 5, 3, 0.4, 2]) {
+      window = windowOf(zoomed(window, range, factor, 3.1), range);
+      expect(fractionIn(3.1, window)).toBeCloseTo(at, 9);
+    }
+    expect(3.6 / (window[1] - window[0])).toBeCloseTo(2 * 5 * 3 * 0.4 * 2, 9);
+  });
+
+  it('comes at least twenty times nearer, and no nearer than its limit', () => {
+    expect(MAX_ZOOM).toBeGreaterThanOrEqual(20);
+    const nearest = zoomed(windowOf(null, range), range, 1e9, 3)!;
+    expect(3.6 / (nearest[1] - nearest[0])).toBeCloseTo(MAX_ZOOM, 6);
+  });
+
+  it('is everything again when zoomed out far enough', () => {
+    expect(zoomed([3, 3.2], range, 1e-6, 3.1)).toBeNull();
+  });
+
+  it('stays within what the slider reaches', () => {
+    expect(panned([3, 3.5], range, 99)).toEqual([4.3, 4.8]);
+    expect(panned([3, 3.5], range, -99)).toEqual([1.2, 1.7]);
+    expect(windowOf([90, 91], range)).toEqual([3.8, 4.8]);
+  });
+
+  it('turns a page when a moment runs out of it', () => {
+    expect(revealing([3, 3.5], range, 3.2)).toEqual([3, 3.5]);
+    const [start, end] = revealing([3, 3.5], range, 3.51)!;
+    expect(start).toBeLessThan(3.51);
+    expect(start).toBeGreaterThan(3.4);
+    expect(end - start).toBeCloseTo(0.5, 12);
+    const back = revealing([3, 3.5], range, 2.9)!;
+    expect(back[1]).toBeGreaterThan(2.9);
+    expect(back[1]).toBeLessThan(3);
+  });
+});
+
+describe('the ruler', () => {
+  it('has round numbers inside the window, not more than asked for', () => {
+    expect(ruler([0, 1], 10).map((t) => Number(t.toFixed(9)))).toEqual([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1]);
+    expect(ruler([-0.4, 1.4], 4).map((t) => Number(t.toFixed(9)))).toEqual([0, 0.5, 1]);
+    for (const window of [[0.312, 0.347], [-7, 912], [1e-7, 3e-7]] as const) {
+      const marks = ruler(window, 8);
+      expect(marks.length).toBeGreaterThan(1);
+      expect(marks.length).toBeLessThanOrEqual(9);
+      expect(marks[0]).toBeGreaterThanOrEqual(window[0] - 1e-15);
+      expect(marks.at(-1)).toBeLessThanOrEqual(window[1] + 1e-12);
+    }
+  });
+});

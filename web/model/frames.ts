@@ -1,0 +1,70 @@
+/**
+ * Whole frames on the motion's own time: frame n stands at time n / fps, frame 0 at time 0, as in any animation program.
+ * Also the stretch that plays. `fps` is null where the motion runs as smoothly as the screen allows.
+ */
+import type { Range } from './time-scale.ts';
+import { clamp, formatTime, length, limits } from './time-scale.ts';
+
+export const MAX_FPS = 1000;
+/** A frame number this near to a whole one is meant to be it: times are quotients. */
+const SAME_FRAME = 1e-6;
+/** Shorter stretches, as a share of the range, cannot be told from a moment. */
+const SHORTEST = 1e-4;
+
+export function frameAt(t: number, fps: number): number {
+  const frame = t * fps;
+  const whole = Math.round(frame);
+  return Math.abs(frame - whole) <= SAME_FRAME ? whole : frame;
+}
+
+/** The time of the frame that is on the screen at t: the last one that has begun, but none before `start`. */
+export function heldTime(t: number, fps: number | null, start: number): number {
+  return fps === null ? t : Math.max(Math.floor(frameAt(t, fps)) / fps, start);
+}
+
+export function nearestFrameTime(t: number, fps: number): number {
+  return Math.round(t * fps) / fps;
+}
+
+/** The next whole frame that is `by` frames on; from between two frames the first step goes to one of them. */
+export function steppedFrameTime(t: number, fps: number, by: number): number {
+  const frame = frameAt(t, fps);
+  return ((by > 0 ? Math.floor(frame) : Math.ceil(frame)) + by) / fps;
+}
+
+/** Times of all whole frames in the range. */
+export function frameTimes([start, end]: Range, fps: number): number[] {
+  const first = Math.ceil(start * fps - SAME_FRAME);
+  const last = Math.floor(end * fps + SAME_FRAME);
+  return Array.from({ length: Math.max(last - first + 1, 0) }, (_, index) => (first + index) / fps);
+}
+
+/** A moment as people read it: a time, or a frame number with two decimals between frames. */
+export function formatMoment(t: number, range: Range, fps: number | null): string {
+  return fps === null ? formatTime(t, range) : String(Number(frameAt(t, fps).toFixed(2)) + 0);
+}
+
+/** The stretch that plays: the wanted one as far as the slider reaches, or the range of the keys. */
+export function playRange(between: Range | null, range: Range): Range {
+  return loopRange(between, range) ?? range;
+}
+
+/** The wanted stretch as far as the slider reaches; null where nothing of it is left. */
+export function loopRange(between: Range | null, range: Range): Range | null {
+  if (!between) return null;
+  const [low, high] = limits(range);
+  const inside: Range = [clamp(between[0], low, high), clamp(between[1], low, high)];
+  return length(inside) > SHORTEST * length(range) ? inside : null;
+}
+
+/** The stretch with one end moved; the other end gives way by at least `gap`. */
+export function withEnd(between: Range | null, range: Range, end: 'start' | 'end', t: number, gap: number): Range {
+  const [low, high] = limits(range);
+  const [start, stop] = playRange(between, range);
+  if (end === 'start') {
+    const moved = clamp(t, low, high - gap);
+    return [moved, Math.max(stop, moved + gap)];
+  }
+  const moved = clamp(t, low + gap, high);
+  return [Math.min(start, moved - gap), moved];
+}

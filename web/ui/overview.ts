@@ -1,0 +1,38 @@
+/** Under a timeline that is zoomed into: where its window lies in the whole; dragged, it moves the window. */
+import { h, setHidden, setStyle } from './dom.ts';
+import type { Range } from '../model/time-scale.ts';
+import { length, limits } from '../model/time-scale.ts';
+import { panned } from '../model/time-window.ts';
+import { drag } from './pointer.ts';
+
+export interface Overview {
+  element: HTMLElement;
+  update(range: Range, window: Range): void;
+}
+
+export function createOverview(onWindow: (window: Range | null) => void): Overview {
+  let range: Range = [0, 1];
+  let shown: Range = [0, 1];
+  const thumb = h('div', { class: 'overview-thumb' });
+  const element = h('div', {
+    class: 'overview', 'aria-hidden': 'true', 'data-testid': 'overview', title: 'The part that is shown; drag it along', hidden: true,
+    onpointerdown: (event: PointerEvent) => {
+      if (event.button !== 0) return;
+      event.preventDefault();
+      const start = shown;
+      const scale = length(limits(range)) / element.clientWidth;
+      drag(element, event, { onMove: (move) => onWindow(panned(start, range, (move.clientX - event.clientX) * scale)) });
+    },
+  }, thumb);
+  return {
+    element,
+    update(nextRange, window) {
+      range = nextRange;
+      shown = window;
+      const whole = limits(range);
+      setHidden(element, length(window) >= length(whole) * (1 - 1e-9));
+      setStyle(thumb, 'left', `${(100 * (window[0] - whole[0])) / length(whole)}%`);
+      setStyle(thumb, 'width', `${(100 * length(window)) / length(whole)}%`);
+    },
+  };
+}

@@ -1,0 +1,69 @@
+/** Pointers that are followed from their press to their release. */
+
+export interface Dragging {
+  onMove(event: PointerEvent): void;
+  onEnd?(): void;
+}
+
+/** Follows one pointer. A second finger that comes down ends it: that is another gesture. */
+export function drag(element: HTMLElement, start: PointerEvent, { onMove, onEnd }: Dragging): void {
+  element.setPointerCapture(start.pointerId);
+  const move = (event: PointerEvent): void => { if (event.pointerId === start.pointerId) onMove(event); };
+  const end = (event: PointerEvent): void => {
+    const another = event.type === 'pointerdown';
+    if ((event.pointerId === start.pointerId) === another) return;
+    element.removeEventListener('pointermove', move);
+    for (const name of ENDS) element.removeEventListener(name, end);
+    onEnd?.();
+  };
+  element.addEventListener('pointermove', move);
+  for (const name of ENDS) element.addEventListener(name, end);
+}
+
+const ENDS = ['pointerup', 'pointercancel', 'pointerdown'] as const;
+
+export interface Gestures {
+  /** Larger than 1 = nearer; `x` is where, in page pixels. */
+  onZoom(factor: number, x: number): void;
+  /** Pixels that the content is pushed to the right. */
+  onPan(pixels: number): void;
+}
+
+const WHEEL_ZOOM = 0.002;
+const LINE_PX = 16;
+
+/** Wheel and pinch zoom; the wheel with Shift or sideways, two fingers, and the middle button pan. */
+export function listenToGestures(element: HTMLElement, { onZoom, onPan }: Gestures): void {
+  element.addEventListener('wheel', (event) => {
+    event.preventDefault();
+    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PX : 1;
+    const sideways = event.shiftKey ? event.deltaY || event.deltaX : Math.abs(event.deltaX) > Math.abs(event.deltaY) ? event.deltaX : 0;
+    if (sideways !== 0) onPan(-sideways * unit);
+    // A pinch on a trackpad comes as a wheel with Ctrl and small steps.
+    else onZoom(Math.exp(-event.deltaY * unit * WHEEL_ZOOM * (event.ctrlKey ? 5 : 1)), event.clientX);
+  }, { passive: false });
+
+  element.addEventListener('pointerdown', (event) => {
+    if (event.button !== 1) return;
+    event.preventDefault();
+    let x = event.clientX;
+    drag(element, event, { onMove: (move) => { onPan(move.clientX - x); x = move.clientX; } });
+  });
+
+  const fingers = new Map<number, number>();
+  const spread = (): { middle: number; width: number } => {
+    const [a = 0, b = 0] = fingers.values();
+    return { middle: (a + b) / 2, width: Math.max(Math.abs(a - b), 8) };
+  };
+  element.addEventListener('pointerdown', (event) => { if (event.pointerType === 'touch') fingers.set(event.pointerId, event.clientX); });
+  element.addEventListener('pointermove', (event) => {
+    if (!fingers.has(event.pointerId)) return;
+    const before = spread();
+    fingers.set(event.pointerId, event.clientX);
+    if (fingers.size !== 2) return;
+    const now = spread();
+    onPan(now.middle - before.middle);
+    onZoom(now.width / before.width, now.middle);
+  });
+  for (const end of ['pointerup', 'pointercancel'] as const) element.addEventListener(end, (event) => fingers.delete(event.pointerId));
+}

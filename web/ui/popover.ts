@@ -1,0 +1,23 @@
+/** A panel that a button opens over the page; Escape, another press of the button, or one elsewhere closes it. */
+import { setAttribute } from './dom.ts';
+
+/** `home` holds both. Returns what opens and closes the panel. */
+export function popover(home: HTMLElement, toggle: HTMLButtonElement, panel: HTMLElement): () => void {
+  setAttribute(toggle, 'aria-expanded', 'false');
+  setAttribute(toggle, 'aria-controls', panel.id);
+  const flip = (): void => {
+    panel.hidden = !panel.hidden;
+    setAttribute(toggle, 'aria-expanded', String(!panel.hidden));
+    if (!panel.hidden) panel.querySelector('input')?.focus();
+  };
+  home.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape' || panel.hidden) return;
+    event.stopPropagation();
+    flip();
+    toggle.focus();
+  });
+  document.addEventListener('pointerdown', (event) => {
+    if (!panel.hidden && !home.contains(event.target as Node)) flip();
+  });
+  return flip;
+}
