@@ -141,13 +141,21 @@ test('stretch, reference and patches change the encoding, and the old shape stay
   await app.expectNoProblems();
 });
 
-test('the tension of a key changes the motion about it and not the key', async ({ app }) => {
-  await app.open();
-  const [near, key] = [await app.positionsAt(0.45), await app.positionsAt(0.5)];
-  await app.by('key-1-edit').click();
-  await app.by('key-tension').fill('1');
-  await app.by('key-editor-close').click();
-  await app.settled();
-  expect(difference(await app.positionsAt(0.45), near)).toBeGreaterThan(1e-4 * diagonal(near));
-  expect(difference(await app.positionsAt(0.5), key)).toBeLessThan(1e-5 * diagonal(key));
-});
+for (const [name, value] of [['tension', '1'], ['bias', '-1']] as const) {
+  test(`the ${name} of a key changes the motion about it and not the key`, async ({ app }) => {
+    await app.open();
+    const [near, key] = [await app.positionsAt(0.45), await app.positionsAt(0.5)];
+    await app.by('key-1-edit').click();
+    await expect(app.by('key-bend')).toBeHidden();
+    await app.by(`key-${name}`).fill(value);
+    await expect(app.by('key-bend')).toContainText('no longer C2');
+    await app.by('key-editor-close').click();
+    await app.settled();
+    expect((await app.state()).doc[name]).toEqual([0, Number(value), 0]);
+    expect(difference(await app.positionsAt(0.45), near)).toBeGreaterThan(1e-4 * diagonal(near));
+    expect(difference(await app.positionsAt(0.5), key)).toBeLessThan(1e-5 * diagonal(key));
+    await app.page.keyboard.press('Control+z');
+    await app.settled();
+    expect(await app.positionsAt(0.45)).toEqual(near);
+  });
+}

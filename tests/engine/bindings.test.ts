@@ -56,6 +56,8 @@ describe('the bindings', () => {
       at({ method: 'linear' }, 0.8),
       at({ method: 'cubic-vertex' }, 0.8),
       at({ tension: [0, 1, 0] }, 0.8),
+      at({ bias: [0, 1, 0] }, 0.8),
+      at({ bias: [0, -1, 0] }, 0.8),
       at({ turns: [{ key: 2, turns: 1 }] }, 0.8),
     ];
     const all = [natural, ...others].map((positions) => positions.join());

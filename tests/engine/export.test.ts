@@ -59,7 +59,7 @@ describe('an animated GLB', () => {
 
   it('opens again as the same project, also where the range leaves keys out', async () => {
     const { sequence } = await bendSequence(engine, { boundary: 'hermite', startSpeed: 0, stretch: 'log', endTangent: bend.poses[0]! });
-    await sequence.update({ keyTimes: [2, 3, 7], tension: [0, 0.5, 0], turns: [{ key: 1, turns: 1 }] });
+    await sequence.update({ keyTimes: [2, 3, 7], tension: [0, 0.5, 0], bias: [0, -0.5, 0], turns: [{ key: 1, turns: 1 }] });
     for (const range of [null, [2.5, 4] as [number, number]]) {
       const bytes = await exported(sequence, { frames: 9, range, duration: 2 });
       await expectValid(bytes);

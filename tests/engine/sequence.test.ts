@@ -71,11 +71,27 @@ describe('a sequence', () => {
       await sequence.update({ method });
       await frameAt(sequence, 0.3);
     }
-    await sequence.update({ keyTimes: [0, 0.1, 5], startSpeed: 0.5, tension: [0, 0.5, 0] });
+    await sequence.update({ keyTimes: [0, 0.1, 5], startSpeed: 0.5, tension: [0, 0.5, 0], bias: [0.5, -1, 0] });
     await frameAt(sequence, 2);
     const after = await sequence.stats();
     expect([after.encodings, after.factorisations]).toEqual([before.encodings, before.factorisations]);
     expect(after.solves).toBeGreaterThan(before.solves);
+    sequence.dispose();
+  });
+
+  it('lets the slope at a key lean by its bias: 0 changes no bit, and every key stays where it is', async () => {
+    const sequence = await engine.createSequence(bend.keys);
+    const [plain, before] = [await positionsAt(sequence, 0.7), await positionsAt(sequence, 0.4)];
+    await sequence.update({ bias: [0, 0, 0] });
+    expect(await positionsAt(sequence, 0.7)).toEqual(plain);
+    for (const bias of [1, -1]) {
+      await sequence.update({ bias: [0, bias, 0] });
+      expect(largestDistance(await positionsAt(sequence, 0.7), plain)).toBeGreaterThan(1e-3);
+      expect(largestDistance(await positionsAt(sequence, 0.4), before)).toBeGreaterThan(1e-3);
+      for (const [key, t] of sequence.keyTimes.entries()) {
+        expect(largestDistance(await positionsAt(sequence, t), bend.poses[key]!)).toBeLessThan(1e-4);
+      }
+    }
     sequence.dispose();
   });
 
@@ -90,13 +106,13 @@ describe('a sequence', () => {
   it('keeps its motion when an update is refused', async () => {
     const before = await positionsAt(bend.sequence, 0.7);
     const refused = [
-      { keyTimes: [0, 0, 1] }, { keyTimes: [0, 1] }, { tension: [1] }, { turns: [{ key: 9, turns: 1 }] },
+      { keyTimes: [0, 0, 1] }, { keyTimes: [0, 1] }, { tension: [1] }, { bias: [0, 1] }, { turns: [{ key: 9, turns: 1 }] },
       { boundary: 'periodic' as const, period: 0.5 },
     ];
     const codes = [];
     for (const change of refused) codes.push((await failureOf(bend.sequence.update(change))).code);
-    expect(codes).toEqual(['times-not-increasing', 'time-count-mismatch', 'invalid-option', 'invalid-option', 'invalid-option']);
-    expect(bend.sequence.options).toMatchObject({ boundary: 'natural', tension: [], turns: [], period: null });
+    expect(codes).toEqual(['times-not-increasing', 'time-count-mismatch', 'invalid-option', 'invalid-option', 'invalid-option', 'invalid-option']);
+    expect(bend.sequence.options).toMatchObject({ boundary: 'natural', tension: [], bias: [], turns: [], period: null });
     expect(await positionsAt(bend.sequence, 0.7)).toEqual(before);
   });
 

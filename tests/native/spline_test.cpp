@@ -138,6 +138,48 @@ TEST_CASE("tension scales the slope at a key") {
   CHECK(value(tense, y, -0.7) == doctest::Approx(value(plain, y, -0.7)));  // the first interval's slopes are unchanged
 }
 
+TEST_CASE("a bias of 0 changes no bit, any other none of the keys, the affine weights or the slopes' continuity") {
+  const std::vector<double> bias = {-0.5, 0.3, 1, -1, 0, 0.8}, tension = {0, 0.25, 0, 0, 0.5, 0};
+  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
+    const Curve plain = fit({.boundary = boundary, .tension = tension});
+    const Curve none = fit({.boundary = boundary, .tension = tension, .bias = std::vector<double>(6, 0)});
+    const Curve biased = fit({.boundary = boundary, .tension = tension, .bias = bias});
+    for (double t = plain.start(); t <= plain.end(); t += 0.173)
+      for (int d = 0; d <= 2; ++d) {
+        CHECK(none.weights(t, d) == plain.weights(t, d));
+        CHECK(biased.weights(t, d).sum() == doctest::Approx(d == 0 ? 1 : 0).epsilon(1e-10));
+      }
+    const Eigen::VectorXd y = randomColumns(6);
+    for (std::size_t j = 0; j < times.size(); ++j) CHECK(value(biased, y, times[j]) == y[static_cast<Eigen::Index>(j)]);
+    for (std::size_t j = 1; j + 1 < times.size(); ++j)
+      CHECK(value(biased, y, times[j] - 1e-9, 1) == doctest::Approx(value(biased, y, times[j] + 1e-9, 1)).epsilon(1e-5));
+    if (boundary == BoundaryKind::Periodic)
+      CHECK(value(biased, y, biased.start(), 1) == doctest::Approx(value(biased, y, biased.end(), 1)));
+  }
+}
+
+TEST_CASE("bias takes the slope from the C2 spline's own to the difference before the key or after it") {
+  const Eigen::VectorXd y = randomColumns(6);
+  const Curve plain = fit({}), biased = fit({.bias = {0, 0, 1, -1, 0.25, 1}});
+  const auto secant = [&](Eigen::Index i) { return (y[i + 1] - y[i]) / (times[i + 1] - times[i]); };
+  CHECK(value(biased, y, 0.5, 1) == doctest::Approx(secant(1)));
+  CHECK(value(biased, y, 2, 1) == doctest::Approx(secant(3)));
+  CHECK(value(biased, y, 2.3, 1) == doctest::Approx(0.75 * value(plain, y, 2.3, 1) + 0.25 * secant(3)));
+  CHECK(value(biased, y, 4, 1) == doctest::Approx(secant(4)));  // an end has one difference only
+  CHECK(value(biased, y, -0.7) == doctest::Approx(value(plain, y, -0.7)));
+  // Where a closed curve begins, the key before is the last one, a closing interval earlier.
+  const Curve closed = fit({.boundary = BoundaryKind::Periodic, .bias = {1, 0, 0, 0, 0, 0}});
+  CHECK(value(closed, y, -1, 1) == doctest::Approx((y[0] - y[5]) / (closed.end() - 4)));
+}
+
+TEST_CASE("a curve that its last key closes has one slope there, whatever the last key's own bias and tension") {
+  Eigen::VectorXd y = randomColumns(6);
+  y[5] = y[0];
+  const Curve curve = fit({.boundary = BoundaryKind::Periodic, .closing = Closing::LastKey,
+                           .tension = {0.5, 0, 0, 0, 0, 0}, .bias = {0, 0, 0, 0, 0, 1}});
+  CHECK(value(curve, y, -1, 1) == doctest::Approx(value(curve, y, 4, 1)));
+}
+
 TEST_CASE("piecewise linear weights blend neighbours only") {
   const Curve curve = fit({.linear = true});
   const Weights w = curve.weights(0.35);
@@ -157,6 +199,9 @@ TEST_CASE("unusable options are refused in a sentence") {
   CHECK(code({.boundary = BoundaryKind::Periodic, .period = 1}) == ErrorCode::InvalidOption);
   CHECK(code({.startSpeed = NAN}) == ErrorCode::InvalidOption);
   CHECK(code({.tension = {1, 2}}) == ErrorCode::InvalidOption);
+  CHECK(code({.bias = {0, 0}}) == ErrorCode::InvalidOption);
+  CHECK(code({.bias = {0, 0, 0, 0, 0, 1.5}}) == ErrorCode::InvalidOption);
+  CHECK(code({.bias = {0, 0, 0, 0, 0, NAN}}) == ErrorCode::InvalidOption);
   CHECK(code({}, {0, 1, 1}) == ErrorCode::TimesNotIncreasing);
   CHECK(code({}, {0, 2, 1}) == ErrorCode::TimesNotIncreasing);
   CHECK(code({}, {0, INFINITY}) == ErrorCode::NotFinite);

@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setTension } from '../../web/model/edits.ts';
+import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setShaping } from '../../web/model/edits.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, referenceKey } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
 
 const doc: Doc = {
   keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 0.4 }, { pose: 2, name: 'c', time: 1 }],
-  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [0, 0.5, 0],
+  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [0, 0.5, 0], bias: [0, 0, -1],
 };
 const poses = (d: Doc): number[] => d.keys.map((key) => key.pose);
 const times = (d: Doc): number[] => d.keys.map((key) => key.time);
@@ -15,14 +15,14 @@ describe('edits of keys', () => {
     const next = moveKey(doc, 0, 2);
     expect(poses(next)).toEqual([1, 2, 0]);
     expect(times(next)).toEqual([0, 0.4, 1]);
-    expect(next.tension).toEqual([0.5, 0, 0]);
+    expect([next.tension, next.bias]).toEqual([[0.5, 0, 0], [0, -1, 0]]);
   });
 
   it('give a key another time, in order of time', () => {
     expect(times(retimeKey(doc, 1, 0.7))).toEqual([0, 0.7, 1]);
     const past = retimeKey(doc, 0, 0.5);
     expect(poses(past)).toEqual([1, 0, 2]);
-    expect(past.tension).toEqual([0.5, 0, 0]);
+    expect([past.tension, past.bias]).toEqual([[0.5, 0, 0], [0, 0, -1]]);
   });
 
   it('refuse a time that another key has', () => {
@@ -33,12 +33,13 @@ describe('edits of keys', () => {
   it('add a key where its time belongs', () => {
     const next = addKey(doc, { pose: 3, name: 'd', time: 0.6 });
     expect(poses(next)).toEqual([0, 1, 3, 2]);
-    expect(next.tension).toEqual([0, 0.5, 0, 0]);
+    expect([next.tension, next.bias]).toEqual([[0, 0.5, 0, 0], [0, 0, 0, -1]]);
   });
 
   it('never leave fewer than two keys', () => {
     const two = removeKey(doc, 1);
     expect(poses(two)).toEqual([0, 2]);
+    expect([two.tension, two.bias]).toEqual([[0, 0], [0, -1]]);
     expect(removeKey(two, 0)).toBe(two);
   });
 
@@ -54,6 +55,8 @@ describe('edits of keys', () => {
     expect(renameKey(doc, 0, '')).toBe(doc);
     expect(moveKey(doc, 1, 1)).toBe(doc);
     expect(setMotion(doc, { boundary: 'natural' })).toBe(doc);
-    expect(setTension(doc, 1, 0.5)).toBe(doc);
+    expect(setShaping(doc, 'tension', 1, 0.5)).toBe(doc);
+    expect(setShaping(doc, 'bias', 0, 0)).toBe(doc);
+    expect(setShaping(doc, 'bias', 0, 0.25).bias).toEqual([0.25, 0, -1]);
   });
 });

@@ -134,6 +134,7 @@ MotionOptions motionFrom(const Json& json) {
   motion.endSpeed = json.at("endSpeed");
   if (!json.at("period").is_null()) motion.period = json.at("period").get<double>();
   motion.tension = json.at("tension").get<std::vector<double>>();
+  motion.bias = json.at("bias").get<std::vector<double>>();
   for (const Json& entry : json.at("turns")) motion.turns.push_back({entry.at("key"), entry.at("turns")});
   motion.inPlace = json.at("inPlace");
   return motion;

@@ -45,6 +45,8 @@ struct MotionOptions {
   double endSpeed = 1;           ///< hermite: the same at the last key
   std::optional<double> period;  ///< periodic: whole period in units of time; default: see BoundaryKind in spline.h
   std::vector<double> tension;   ///< empty, or J values: slope at a key = (1 - tension) * the C2 spline's own
+  std::vector<double> bias;      ///< empty, or J values in [-1, 1]: from 0 to 1 the slope at a key goes over to the difference from
+                                 ///< the key before, from 0 to -1 to that to the key after (at an end key to the only one)
   std::vector<AddedTurns> turns;
   bool inPlace = false;          ///< take out the translation that accumulates along the sequence
 };

@@ -190,7 +190,8 @@ CurveOptions Sequence::State::curveOptions(const MotionOptions& o) const {
           .endShape = shape.endTangent >= 0,
           .closing = closing,
           .period = o.period,
-          .tension = o.tension};
+          .tension = o.tension,
+          .bias = o.bias};
 }
 
 void Sequence::State::collectWarnings() {

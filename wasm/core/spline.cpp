@@ -117,7 +117,26 @@ Status checkOptions(const CurveOptions& o, int keyCount) {
                                                grouped(keyCount) + " keys. Give one a key, or none."};
   for (double tension : o.tension)
     if (!std::isfinite(tension)) return Error{ErrorCode::InvalidOption, "A tension is not a finite number."};
+  if (!o.bias.empty() && static_cast<int>(o.bias.size()) != keyCount)
+    return Error{ErrorCode::InvalidOption, "There are " + grouped(o.bias.size()) + " biases for " + grouped(keyCount) +
+                                               " keys. Give one a key, or none."};
+  for (double bias : o.bias)
+    if (!(std::abs(bias) <= 1)) return Error{ErrorCode::InvalidOption, "A bias is not a number from -1 to 1."};
   return {};
+}
+
+// Bias and tension at one knot: a share |bias| of the C2 slope gives way to the one-sided difference, before the knot for a
+// positive bias and after it for a negative one, as in Kochanek and Bartels (1984), whose splines start from the mean of
+// the two; then the whole is scaled. All of it is linear in the columns, so that the weights stay affine. 0 leaves the
+// slope as it is, bit for bit; anything else costs the continuity of the second derivative there, never of the first.
+void shapeSlope(MatrixXd& slope, const Spans& s, Eigen::Index knot, double bias, double tension, bool closed) {
+  const Eigen::Index spans = s.h.size();
+  if (bias != 0) {
+    const Eigen::Index before = knot > 0 ? knot - 1 : (closed ? spans - 1 : 0);
+    const Eigen::Index after = knot < spans ? knot : (closed ? 0 : spans - 1);
+    slope.row(knot) = (1 - std::abs(bias)) * slope.row(knot) + std::abs(bias) * s.secant.row(bias > 0 ? before : after);
+  }
+  if (tension != 0) slope.row(knot) *= 1 - tension;
 }
 
 }  // namespace
@@ -175,8 +194,12 @@ Result<Curve> Curve::fit(const std::vector<double>& times, const CurveOptions& o
     }
     curve.slope_ = openSlopes(spans, options, options.startSpeed * start, options.endSpeed * end);
   }
-  for (Eigen::Index i = 0; i < knotCount && !options.tension.empty(); ++i)
-    curve.slope_.row(i) *= 1 - options.tension[i < keys ? i : 0];
+  // The last knot of a closed curve is its first again.
+  const auto at = [&](const std::vector<double>& values, Eigen::Index i) {
+    return values.empty() ? 0 : values[curve.periodic_ && i + 1 == knotCount ? 0 : i];
+  };
+  for (Eigen::Index i = 0; i < knotCount; ++i)
+    shapeSlope(curve.slope_, spans, i, at(options.bias, i), at(options.tension, i), curve.periodic_);
   return curve;
 }
 

@@ -26,6 +26,7 @@ struct CurveOptions {
   Closing closing = Closing::Extra;
   std::optional<double> period = {};
   std::vector<double> tension = {};
+  std::vector<double> bias = {};
 };
 
 /// The columns that a weight vector of J keys ranges over: keys 0 to J - 1, then these.
@@ -48,8 +49,8 @@ struct WrappedTime {
 /// A fitted curve: knots and the slope at each as a combination of the columns. Immutable.
 class Curve {
  public:
-  /// times: J >= 2, strictly increasing. Errors: InvalidOption (period too short, tensions of another count, speeds or
-  /// numbers that are not finite), TimesNotIncreasing, TimeCountMismatch.
+  /// times: J >= 2, strictly increasing. Errors: InvalidOption (period too short, tensions or biases of another count,
+  /// a bias outside [-1, 1], speeds or numbers that are not finite), TimesNotIncreasing, TimeCountMismatch.
   static Result<Curve> fit(const std::vector<double>& times, const CurveOptions& options);
 
   /// Weights of the value (derivative 0) or of its first or second derivative at time t. Outside the knots: linear from

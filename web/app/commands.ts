@@ -1,7 +1,7 @@
 /** What the controls do to the document, the time and the view. */
 import type { Method } from '../engine/types.ts';
-import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setTension } from '../model/edits.ts';
-import type { Encoding, LoopMode, Motion, Play, View } from '../model/state.ts';
+import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setShaping } from '../model/edits.ts';
+import type { Encoding, LoopMode, Motion, Play, Shaping, View } from '../model/state.ts';
 import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, GHOST_FACES, METHODS, SPEEDS, ignoresHermite } from '../model/state.ts';
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -47,7 +47,7 @@ export function createCommands(context: Context) {
     removeKey: (key: number): void => store.edit('remove a key', (doc) => removeKey(doc, key)),
     renameKey: (key: number, name: string): void => store.edit('rename a key', (doc) => renameKey(doc, key, name)),
     retimeKey: (key: number, time: number): void => store.edit('time of a key', (doc) => retimeKey(doc, key, time), `time ${key}`),
-    tension: (key: number, value: number): void => store.edit('tension', (doc) => setTension(doc, key, value), `tension ${key}`),
+    shaping: (key: number, name: Shaping, value: number): void => store.edit(name, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
     reference: (key: number): void => store.edit('reference', (doc) => setEncoding(doc, { referencePose: doc.keys[key]?.pose ?? null })),
 
     /** Takes the shape on the screen as a key at its own time. */

@@ -26,6 +26,7 @@ export function docOf(info: KeysInfo, pool: PosePool): Doc {
       endTangentPose: tangentPose(project, 'endTangent', pool),
     },
     tension: project.tension ?? [],
+    bias: project.bias ?? [],
   };
 }
 

@@ -4,8 +4,8 @@ import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../mode
 import { playRange } from '../model/frames.ts';
 import { phaseOf } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
-import { tensionOf } from '../model/edits.ts';
 import { viridisGradient } from '../plots/viridis.ts';
+import { shapingOf } from '../model/edits.ts';
 import { createClockMenu } from '../ui/clock-menu.ts';
 import { createColourBar } from '../ui/colour-bar.ts';
 import type { ColourBarProps } from '../ui/colour-bar.ts';
@@ -97,7 +97,7 @@ export function createInterface(input: InterfaceInput): Interface {
   const transport = createTransport(timeline.element, clockMenu.element, { onTogglePlay: commands.togglePlay, onLoop: commands.loop, onSpeed: commands.speed, onSeek: commands.seek });
   const keyStrip = createKeyStrip({
     onSeek: commands.seek, onMove: commands.moveKey, onRemove: commands.removeKey, onRetime: commands.retimeKey, onRename: commands.renameKey,
-    onTension: commands.tension, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
+    onShaping: commands.shaping, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
   });
   const motionPanel = createMotionPanel({ onMotion: commands.motion, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
@@ -187,11 +187,12 @@ const keyItems = (() => {
   };
 })();
 
-function makeItems(doc: AppState['doc'], thumbnails: Runtime['thumbnails']): { pose: number; name: string; time: number; tension: number; isReference: boolean; thumbnail: string | null }[] {
-  const tension = tensionOf(doc);
+function makeItems(doc: AppState['doc'], thumbnails: Runtime['thumbnails']): { pose: number; name: string; time: number; tension: number; bias: number; isReference: boolean; thumbnail: string | null }[] {
+  const [tension, bias] = [shapingOf(doc, 'tension'), shapingOf(doc, 'bias')];
   const reference = referenceKey(doc);
   return doc.keys.map((key, index) => ({
-    pose: key.pose, name: key.name, time: key.time, tension: tension[index] ?? 0, isReference: index === reference, thumbnail: thumbnails.get(key.pose) ?? null,
+    pose: key.pose, name: key.name, time: key.time, tension: tension[index]!, bias: bias[index]!,
+    isReference: index === reference, thumbnail: thumbnails.get(key.pose) ?? null,
   }));
 }
 

@@ -11,6 +11,7 @@ export interface Permalink {
   /** [pose, time] of each key; null = the sample's own. */
   keys: [number, number][] | null;
   tension: number[];
+  bias: number[];
   motion: Partial<Motion>;
   encoding: Partial<Encoding>;
   view: Partial<View>;
@@ -35,7 +36,7 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   };
   const keys = doc.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(',');
   put('keys', keys, initial.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(','));
-  if (doc.tension.some((value) => value !== 0)) params.set('tension', doc.tension.map(shortest).join(','));
+  for (const name of ['tension', 'bias'] as const) if (doc[name].some((value) => value !== 0)) params.set(name, doc[name].map(shortest).join(','));
   for (const name of Object.keys(DEFAULT_MOTION) as (keyof Motion)[]) put(name, doc.motion[name], initial.motion[name]);
   for (const name of Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]) put(name, doc.encoding[name], initial.encoding[name]);
   put('colour', view.colouring, DEFAULT_VIEW.colouring);
@@ -60,6 +61,7 @@ export function readPermalink(fragment: string): Permalink | null {
     sample,
     keys: readKeys(params.get('keys')),
     tension: numbers(params.get('tension')) ?? [],
+    bias: numbers(params.get('bias'))?.filter((value) => Math.abs(value) <= 1) ?? [],
     motion: defined({
       method: oneOf(params.get('method'), METHODS),
       boundary: oneOf(params.get('boundary'), BOUNDARIES),
@@ -96,8 +98,8 @@ export function applyPermalink(doc: Doc, link: Permalink): Doc {
   const keys = usable ? link.keys!.map(([pose, time]) => ({ pose, time, name: names[pose]! })) : doc.keys;
   const encoding = { ...doc.encoding, ...link.encoding };
   for (const name of ['referencePose', 'startTangentPose', 'endTangentPose'] as const) if (!known(encoding[name])) encoding[name] = null;
-  const tension = link.tension.length === keys.length ? link.tension : doc.tension;
-  return { keys, tension, encoding, motion: { ...doc.motion, ...link.motion } };
+  const [tension, bias] = (['tension', 'bias'] as const).map((name) => (link[name].length === keys.length ? link[name] : doc[name])) as [number[], number[]];
+  return { keys, tension, bias, encoding, motion: { ...doc.motion, ...link.motion } };
 }
 
 function readView(params: URLSearchParams): Partial<View> {

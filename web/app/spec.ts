@@ -27,7 +27,7 @@ export interface Spec {
 
 /** `difference` puts the motion without a ghost beside the first one, which has one. */
 export function specOf(doc: Doc, compare: readonly Method[], difference = false): Spec {
-  const { keys, motion, encoding, tension } = doc;
+  const { keys, motion, encoding } = doc;
   const { method, ...rest } = motion;
   const { patches, stretch, ghostFaces, transfer, placement } = encoding;
   const hermite = motion.boundary === 'hermite';
@@ -39,7 +39,7 @@ export function specOf(doc: Doc, compare: readonly Method[], difference = false)
     encoding: { reference: referenceKey(doc), patches, stretch, ghostFaces, transfer, placement },
     startTangentPose: hermite ? encoding.startTangentPose : null,
     endTangentPose: hermite ? encoding.endTangentPose : null,
-    motion: { ...rest, tension: tension.some((value) => value !== 0) ? tension : [], turns: [], inPlace: false },
+    motion: { ...rest, tension: orNone(doc.tension), bias: orNone(doc.bias), turns: [], inPlace: false },
     variants: [
       { method, ghost },
       ...(ghost && difference && isInLri(method) ? [{ method, ghost: false }] : []),
@@ -57,6 +57,10 @@ export function encodingFor({ encoding }: Spec, { ghost }: Variant): Encoding {
 export function laneKey(spec: Spec, variant: Variant): string {
   const { order, startTangentPose, endTangentPose } = spec;
   return JSON.stringify([order, encodingFor(spec, variant), startTangentPose, endTangentPose]);
+}
+
+function orNone(values: number[]): number[] {
+  return values.some((value) => value !== 0) ? values : [];
 }
 
 /** The boundary that a method makes use of: straight motion has no end derivatives. */

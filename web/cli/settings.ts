@@ -5,7 +5,7 @@ import * as read from './values.ts';
 
 const IMPORT = ['key-times', 'animation', 'sample', 'up', 'unit'];
 const MOTION = [
-  'boundary', 'start-speed', 'end-speed', 'start-tangent', 'end-tangent', 'period', 'tension', 'method', 'stretch', 'precision',
+  'boundary', 'start-speed', 'end-speed', 'start-tangent', 'end-tangent', 'period', 'tension', 'bias', 'method', 'stretch', 'precision',
   'patches', 'reference', 'turns', 'ghost-faces', 'transfer', 'placement',
 ];
 const EXPORT = ['output', 'report', 'at', 'frames', 'range', 'duration'];
@@ -38,6 +38,7 @@ Keys are counted from 1, animations from 0. Times are in any unit you like.
   --start-tangent FILE  --end-tangent FILE   hermite: a shape that the motion comes from or goes to
   --period P                             periodic: length of one whole period
   --tension X,X,...                      for each key: 0 as it is, 1 stops there
+  --bias X,X,...                         for each key: from -1, as the key after asks, over 0 to 1, as the key before does
   --turns KEY:N,...                      whole turns added on the way to a key
   --stretch linear|log                   how stretch is interpolated; log never turns inside out
   --reference KEY                        key that the others are measured against
@@ -90,6 +91,7 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
     endSpeed: value(args, 'end-speed', read.number),
     period: value(args, 'period', read.positive),
     tension: value(args, 'tension', read.numbers),
+    bias: value(args, 'bias', read.numbers),
     turns: value(args, 'turns', read.turns),
     inPlace: args.flags.has('in-place') || undefined,
     reference: value(args, 'reference', read.key),

@@ -64,6 +64,7 @@ const motionChecks: Checks<MotionOptions> = {
   endSpeed: number,
   period: orNull(positive),
   tension: numbers,
+  bias: (v) => numbers(v) ?? ((v as number[]).every((b) => Math.abs(b) <= 1) ? null : 'must hold numbers from -1 to 1'),
   turns,
   inPlace: boolean,
 };
@@ -125,8 +126,8 @@ export function checkUpdate(present: MotionOptions, change: object): { motion: M
 }
 
 export function motionOf(options: SequenceOptions): MotionOptions {
-  const { method, boundary, startSpeed, endSpeed, period, tension, turns: added, inPlace } = options;
-  return { method, boundary, startSpeed, endSpeed, period, tension, turns: added, inPlace };
+  const { method, boundary, startSpeed, endSpeed, period, tension, bias, turns: added, inPlace } = options;
+  return { method, boundary, startSpeed, endSpeed, period, tension, bias, turns: added, inPlace };
 }
 
 export function encodingOf(options: SequenceOptions): EncodingOptions {

@@ -47,6 +47,8 @@ export interface MotionOptions {
   period: number | null;
   /** Empty, or one value a key: slope at the key = (1 - tension) times the C2 spline's own. */
   tension: number[];
+  /** Empty, or one value a key in [-1, 1]: above 0 the slope goes over to the difference from the key before, below 0 to the key after. */
+  bias: number[];
   /** Whole turns added to the mean rotation on its way to a key (0-based, at least 1). */
   turns: { key: number; turns: number }[];
   /** Take out the translation that accumulates along the sequence. */
@@ -60,6 +62,7 @@ export const MOTION_DEFAULTS: Readonly<MotionOptions> = {
   endSpeed: 1,
   period: null,
   tension: [],
+  bias: [],
   turns: [],
   inPlace: false,
 };

@@ -1,5 +1,5 @@
 /** Edits of the document: each takes one and returns the next, or the same where nothing changes. */
-import type { Doc, Encoding, KeyRef, Motion } from './state.ts';
+import type { Doc, Encoding, KeyRef, Motion, Shaping } from './state.ts';
 import { clamp } from './time-scale.ts';
 
 /** Puts a key elsewhere in the order; the times stay where they are and the shapes change places. */
@@ -8,21 +8,21 @@ export function moveKey(doc: Doc, from: number, to: number): Doc {
   if (from === target || !doc.keys[from]) return doc;
   const times = doc.keys.map((key) => key.time);
   const keys = moved(doc.keys, from, target).map((key, index) => ({ ...key, time: times[index]! }));
-  return { ...doc, keys, tension: moved(tensionOf(doc), from, target) };
+  return { ...doc, keys, ...eachShaping((name) => moved(shapingOf(doc, name), from, target)) };
 }
 
 /** A motion needs two keys: the last two stay. */
 export function removeKey(doc: Doc, index: number): Doc {
   if (doc.keys.length <= 2 || !doc.keys[index]) return doc;
   const without = <T>(list: readonly T[]): T[] => list.filter((_, other) => other !== index);
-  return { ...doc, keys: without(doc.keys), tension: without(tensionOf(doc)) };
+  return { ...doc, keys: without(doc.keys), ...eachShaping((name) => without(shapingOf(doc, name))) };
 }
 
 /** Gives a key another time; past its neighbours it takes another place in the order. Equal times are refused. */
 export function retimeKey(doc: Doc, index: number, time: number): Doc {
   const key = doc.keys[index];
   if (!key || key.time === time || doc.keys.some((other, at) => at !== index && other.time === time)) return doc;
-  return sorted(doc, doc.keys.map((other, at) => (at === index ? { ...other, time } : other)), tensionOf(doc));
+  return sorted({ ...doc, keys: doc.keys.map((other, at) => (at === index ? { ...other, time } : other)) });
 }
 
 export function renameKey(doc: Doc, index: number, name: string): Doc {
@@ -33,13 +33,13 @@ export function renameKey(doc: Doc, index: number, name: string): Doc {
 /** Adds a key in order of time. */
 export function addKey(doc: Doc, key: KeyRef): Doc {
   if (doc.keys.some((other) => other.time === key.time)) return doc;
-  return sorted(doc, [...doc.keys, key], [...tensionOf(doc), 0]);
+  return sorted({ ...doc, keys: [...doc.keys, key] });
 }
 
-export function setTension(doc: Doc, index: number, value: number): Doc {
-  const tension = tensionOf(doc);
-  if (tension[index] === value) return doc;
-  return { ...doc, tension: tension.map((other, at) => (at === index ? value : other)) };
+export function setShaping(doc: Doc, name: Shaping, index: number, value: number): Doc {
+  const values = shapingOf(doc, name);
+  if (values[index] === value) return doc;
+  return { ...doc, [name]: values.map((other, at) => (at === index ? value : other)) };
 }
 
 export function setMotion(doc: Doc, change: Partial<Motion>): Doc {
@@ -51,13 +51,19 @@ export function setEncoding(doc: Doc, change: Partial<Encoding>): Doc {
 }
 
 /** One value a key, in the keys' order. */
-export function tensionOf({ keys, tension }: Doc): number[] {
-  return keys.map((_, index) => tension[index] ?? 0);
+export function shapingOf(doc: Doc, name: Shaping): number[] {
+  return doc.keys.map((_, index) => doc[name][index] ?? 0);
 }
 
-function sorted(doc: Doc, keys: KeyRef[], tension: number[]): Doc {
+function eachShaping(values: (name: Shaping) => number[]): Pick<Doc, Shaping> {
+  return { tension: values('tension'), bias: values('bias') };
+}
+
+function sorted(doc: Doc): Doc {
+  const { keys } = doc;
   const order = keys.map((_, index) => index).sort((a, b) => keys[a]!.time - keys[b]!.time);
-  return { ...doc, keys: order.map((index) => keys[index]!), tension: order.map((index) => tension[index]!) };
+  const arranged = <T>(list: readonly T[]): T[] => order.map((index) => list[index]!);
+  return { ...doc, keys: arranged(keys), ...eachShaping((name) => arranged(shapingOf(doc, name))) };
 }
 
 function moved<T>(list: readonly T[], from: number, to: number): T[] {

@@ -15,8 +15,8 @@ export interface KeyRef {
   time: number;
 }
 
-/** Motion options as the app edits them; the tension is kept per key so that it travels with the key. */
-export type Motion = Omit<MotionOptions, 'tension' | 'turns' | 'inPlace'>;
+/** Motion options as the app edits them; what shapes the slope at a key is kept per key and travels with it. */
+export type Motion = Omit<MotionOptions, Shaping | 'turns' | 'inPlace'>;
 
 export interface Encoding {
   /** Pose that deformations are measured from; null = the first key. */
@@ -40,7 +40,11 @@ export interface Doc {
   encoding: Encoding;
   /** One value a key, in the keys' order; empty = all 0. */
   tension: number[];
+  bias: number[];
 }
+
+/** What makes the slope at a key another than the smooth spline's own. */
+export type Shaping = 'tension' | 'bias';
 
 export type LoopMode = 'once' | 'loop' | 'bounce';
 
@@ -131,7 +135,7 @@ export const DEFAULT_VIEW: Readonly<View> = {
 
 export const EMPTY_STATE: AppState = {
   source: { kind: 'none' },
-  doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [] },
+  doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [] },
   time: 0,
   play: { playing: false, speed: 0.25, loop: 'bounce', between: null, fps: null },
   view: { ...DEFAULT_VIEW },

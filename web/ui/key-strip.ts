@@ -1,7 +1,8 @@
 /** The keys as thumbnails: go to one, put it elsewhere in the order, give it another time or name, remove it, add one. */
-import { button, numberField } from './controls.ts';
+import { button, numberField, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
+import type { Shaping } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
 
@@ -10,6 +11,7 @@ export interface KeyItem {
   name: string;
   time: number;
   tension: number;
+  bias: number;
   isReference: boolean;
   /** Picture of the key, or null while there is none. */
   thumbnail: string | null;
@@ -31,7 +33,7 @@ export interface KeyStripEvents {
   onRemove(key: number): void;
   onRetime(key: number, time: number): void;
   onRename(key: number, name: string): void;
-  onTension(key: number, tension: number): void;
+  onShaping(key: number, name: Shaping, value: number): void;
   onReference(key: number): void;
   onAddCurrent(): void;
   onAddFile(): void;
@@ -168,12 +170,18 @@ function createEditor(events: KeyStripEvents): Editor {
     onchange: () => events.onRename(index, name.value.trim()),
   });
   const time = numberField({ label: 'Time', testId: 'key-time', onInput: (t) => events.onRetime(index, t) });
-  const tension = h('input', {
-    type: 'range', min: 0, max: 1, step: 0.05, 'data-testid': 'key-tension', 'aria-label': 'Tension',
-    title: 'Slope at this key = (1 - tension) times the smooth one. Above 0 the motion bends at the key: it is C1 there, no longer C2.',
-    oninput: () => events.onTension(index, Number(tension.value)),
+  const tension = slider({
+    label: 'Tension', testId: 'key-tension', min: 0, max: 1, step: 0.05, fallback: 0,
+    hint: 'Slope at this key = (1 - tension) times the smooth one: 1 stops there, which takes overshooting away',
+    onInput: (value) => events.onShaping(index, 'tension', value),
   });
-  const tensionValue = h('output', { class: 'number-text' });
+  const bias = slider({
+    label: 'Bias', testId: 'key-bias', min: -1, max: 1, step: 0.05, fallback: 0,
+    hint: 'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the motion from the key before on',
+    onInput: (value) => events.onShaping(index, 'bias', value),
+  });
+  const bend = h('p', { class: 'reason', 'data-testid': 'key-bend', hidden: true },
+    'With tension or bias the motion still has one slope at this key, but its acceleration jumps there: it is C1, no longer C2.');
   const earlier = button({ label: 'Earlier in the order', testId: 'key-earlier', icon: 'left', text: 'Earlier', kind: 'plain', onClick: () => move(-1) });
   const later = button({ label: 'Later in the order', testId: 'key-later', icon: 'right', text: 'Later', kind: 'plain', onClick: () => move(1) });
   const reference = button({
@@ -189,7 +197,7 @@ function createEditor(events: KeyStripEvents): Editor {
     h('header', {}, title, button({ label: 'Close', testId: 'key-editor-close', icon: 'close', onClick: () => element.close() })),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Name'), name),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Time'), time),
-    h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Tension'), tension, tensionValue),
+    tension.element, bias.element, bend,
     h('div', { class: 'button-row' }, earlier, later), h('div', { class: 'button-row' }, reference, remove), reason);
   element.addEventListener('click', (event) => { if (event.target === element) element.close(); });
 
@@ -210,8 +218,9 @@ function createEditor(events: KeyStripEvents): Editor {
       setText(title, `Key ${index + 1}`);
       setField(name, item.name);
       setField(time, formatTime(item.time, range));
-      tension.value = String(item.tension);
-      setText(tensionValue, item.tension.toFixed(2));
+      tension.update(item.tension);
+      bias.update(item.bias);
+      setHidden(bend, item.tension === 0 && item.bias === 0);
       earlier.disabled = index === 0;
       later.disabled = index === keys.length - 1;
       reference.disabled = item.isReference;

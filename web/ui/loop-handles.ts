@@ -32,7 +32,12 @@ export interface LoopHandles {
 export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents): LoopHandles {
   let props: LoopHandlesProps | null = null;
   const gap = (): number => (props!.fps === null ? 0.001 * length(props!.range) : 1 / props!.fps);
-  const move = (end: End, t: number): void => events.onBetween(withEnd(props!.between, props!.range, end, t, gap()));
+  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
+  const move = (end: End, t: number): void => {
+    const between = withEnd(props!.between, props!.range, end, t, gap());
+    props = { ...props!, between };
+    events.onBetween(between);
+  };
 
   const pressed = (end: End, event: PointerEvent): void => {
     if (!props || props.disabled || event.button !== 0) return;

@@ -52,6 +52,11 @@ export interface Timeline {
 export function createTimeline(events: TimelineEvents): Timeline {
   let props: TimelineProps | null = null;
   const shown = (): Range => windowOf(props!.window, props!.range);
+  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
+  const setWindow = (window: Range | null): void => {
+    if (props) props = { ...props, window };
+    events.onWindow(window);
+  };
 
   const before = createMargin('before');
   const after = createMargin('after');
@@ -66,7 +71,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
     title: 'Drag through the motion, also past both ends (arrow keys; hold Alt not to snap); the wheel zooms',
   }, track, marks, ticks, playhead);
   const handles = createLoopHandles(track, { onBetween: events.onBetween, snapped: (t, free) => snapped(t, free) });
-  const overview = createOverview(events.onWindow);
+  const overview = createOverview(setWindow);
   const element = h('div', { class: 'time-frame' }, slider, ...handles.elements, overview.element);
 
   const snapped = (t: number, free: boolean): number => {
@@ -93,8 +98,8 @@ export function createTimeline(events: TimelineEvents): Timeline {
   });
 
   listenToGestures(element, {
-    onZoom: (factor, x) => { if (props && !props.disabled) events.onWindow(zoomed(shown(), props.range, factor, timeAt(x))); },
-    onPan: (pixels) => { if (props && !props.disabled) events.onWindow(panned(shown(), props.range, (-pixels / track.clientWidth) * length(shown()))); },
+    onZoom: (factor, x) => { if (props && !props.disabled) setWindow(zoomed(shown(), props.range, factor, timeAt(x))); },
+    onPan: (pixels) => { if (props && !props.disabled) setWindow(panned(shown(), props.range, (-pixels / track.clientWidth) * length(shown()))); },
   });
 
   const tickPressed = (index: number, event: PointerEvent): void => {

@@ -43,6 +43,8 @@ describe('options', () => {
     [{ period: 0 }, 'period'],
     [{ period: Infinity }, 'period'],
     [{ tension: [0, 'x'] }, 'tension'],
+    [{ bias: [0, 1.01] }, 'bias'],
+    [{ bias: 0.5 }, 'bias'],
     [{ turns: [{ key: 0, turns: 1 }] }, 'turns'],
     [{ turns: [{ key: 1, turns: 0.5 }] }, 'turns'],
     [{ turns: [{ key: 1, turns: 1, more: 1 }] }, 'turns'],
