@@ -1,6 +1,7 @@
-import { existsSync, readdirSync } from 'node:fs';
+import { existsSync, readdirSync, rmSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import type { Plugin } from 'vite';
 import { offline } from './offline/plugin.ts';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -12,13 +13,20 @@ const pages = ['', 'embed/']
   .flatMap((folder) => readdirSync(here + folder).map((file) => here + folder + file))
   .filter((file) => file.endsWith('.html'));
 
+// What is served as it is has a note for those who work on it; visitors need none.
+const withoutNotes: Plugin = {
+  name: 'shapespline-without-notes',
+  apply: 'build',
+  closeBundle: () => rmSync(`${repository}dist/README.md`, { force: true }),
+};
+
 export default defineConfig({
   root: here,
   publicDir: `${repository}public`,
   cacheDir: `${repository}build/vite`,
   // Relative URLs: the built page works from any sub-path of any static host.
   base: './',
-  plugins: [offline()],
+  plugins: [withoutNotes, offline()],
   build: {
     outDir: `${repository}dist`,
     emptyOutDir: true,

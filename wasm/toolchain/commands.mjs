@@ -5,14 +5,19 @@ import { pathToFileURL } from 'node:url';
 import { benchBundle, buildFuzzers, nodeBundle, page, wasmModule } from './build.mjs';
 import { run } from './exec.mjs';
 import { whileLocked } from './lock.mjs';
-import { Explained } from './log.mjs';
+import { Explained, step } from './log.mjs';
 import { inRoot } from './paths.mjs';
 import { prepare, prepareSystem } from './prepare.mjs';
 import { forFuzzing, forWasm } from './requirements.mjs';
 import { serve } from './serve.mjs';
+import { checkSizes } from './sizes.mjs';
 import { test } from './test.mjs';
 
-const build = () => prepare(forWasm, [wasmModule, page, nodeBundle]);
+async function build() {
+  await prepare(forWasm, [wasmModule, page, nodeBundle]);
+  step('checking the sizes');
+  checkSizes(inRoot('dist'));
+}
 
 async function start() {
   await prepare(forWasm, [wasmModule, page]);
