@@ -121,7 +121,8 @@ test('methods stand side by side with one camera and one clock', async ({ app })
 test('the plots follow the motion and the cursor', async ({ app }) => {
   await app.open();
   const curve = app.by('plot-volume').locator('path.curve').first();
-  await curve.scrollIntoViewIfNeeded();
+  // Plots are drawn once they are seen.
+  await app.by('plot-volume').scrollIntoViewIfNeeded();
   await expect(curve).toHaveAttribute('d', /^M[\d.]+ [\d.]+L/);
   const before = await curve.getAttribute('d');
   const cursor = app.by('plot-volume').locator('line.cursor');
@@ -129,6 +130,7 @@ test('the plots follow the motion and the cursor', async ({ app }) => {
   await app.setTime(0.8);
   await expect(cursor).not.toHaveAttribute('x1', place!);
   await app.by('boundary-periodic').check();
+  await app.by('plot-volume').scrollIntoViewIfNeeded();
   await expect(curve).not.toHaveAttribute('d', before!);
   await expect(app.by('plot-plane').locator('circle.key')).toHaveCount((await app.state()).doc.keys.length);
   const plot = app.by('plot-volume').locator('svg.plot');
