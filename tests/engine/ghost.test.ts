@@ -73,7 +73,7 @@ describe('a ghost mesh', () => {
     const seen: Progress[] = [];
     (await engine.createSequence(keys, { ghostFaces: 500 }, { onProgress: (progress) => seen.push(progress) })).dispose();
     expect(seen.map(({ stage }) => stage).filter((stage, i, all) => stage !== all[i - 1]))
-      .toEqual(['welding', 'simplifying', 'encoding', 'ordering', 'factorising']);
+      .toEqual(['welding', 'simplifying', 'matching', 'encoding', 'ordering', 'factorising']);
     expect(seen.map(({ fraction }) => fraction)).toEqual(seen.map(({ fraction }) => fraction).sort((a, b) => a - b));
     expect(seen.at(-1)!.fraction).toBe(1);
   });

@@ -52,7 +52,8 @@ Cholesky::~Cholesky() = default;
 Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
-Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision) {
+Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision,
+                         const std::function<void(double)>& onProgress) {
   if (Status status = checkSymmetric(matrix); !status) return status;
   if (!coordinates.empty() && coordinates.size() != static_cast<std::size_t>(matrix.size))
     return Error{ErrorCode::Internal, "The coordinates given for the elimination order are not one per unknown."};
@@ -66,7 +67,7 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
   state_->precision = precision;
   state_->hash = patternHash(matrix);
   const Graph graph = graphOf(matrix);
-  state_->symbolic = analyseFactor(graph, fillReducingOrder(graph, coordinates));
+  state_->symbolic = analyseFactor(graph, fillReducingOrder(graph, coordinates, onProgress));
   state_->map = mapEntries(matrix, state_->symbolic.position);
   state_->flops = factorisationFlops(state_->symbolic);
   if (precision == Precision::Single) state_->single.allocate(state_->symbolic);

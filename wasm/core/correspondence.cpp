@@ -10,6 +10,8 @@ namespace {
 // Distances closer than this, over the face's own size, are equal.
 constexpr double tie = 1e-4;
 
+constexpr int facesPerReport = 32768;
+
 double squaredDistanceToEdge(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 edge = b - a;
   const double length = edge.squaredNorm();
@@ -30,7 +32,8 @@ double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
   return std::min({squaredDistanceToEdge(p, a, b), squaredDistanceToEdge(p, b, c), squaredDistanceToEdge(p, c, a)});
 }
 
-std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeParts& parts, const GhostMesh& ghost) {
+std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeParts& parts, const GhostMesh& ghost,
+                                    const std::function<void(double)>& onProgress) {
   const Positions& p = shape.poses[shape.reference];
   const Positions& g = ghost.poses[shape.reference];
   const VertexFaces ghostFacesAt = facesOfVertices(static_cast<int>(g.size()), ghost.faces);
@@ -54,8 +57,10 @@ std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeParts& 
     }
     return face;
   };
-  for (int f = 0; f < shape.faceCount(); ++f)
+  for (int f = 0; f < shape.faceCount(); ++f) {
     if (parts.hasArea[f]) result[f] = nearest(f);
+    if (f % facesPerReport == 0) onProgress(static_cast<double>(f) / shape.faceCount());
+  }
 
   std::vector<int> follows(parts.pieces.count, 0);  // ghost face of components without their own
   for (int piece : parts.tree.order)

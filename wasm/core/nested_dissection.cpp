@@ -16,6 +16,8 @@ namespace shapespline {
 namespace {
 
 constexpr int kLeafSize = 48;
+// Smaller pieces are done at once.
+constexpr int kReportedSize = 4000;
 // A separator of more than this part of the nodes is none: no mesh, so minimum degree does better.
 constexpr double kUselessSeparator = 0.3;
 
@@ -28,7 +30,8 @@ struct Piece {
 
 class Dissection {
  public:
-  Dissection(const Graph& graph, std::span<const Vec3> coordinates) : whole_(graph), local_(graph.size(), -1) {
+  Dissection(const Graph& graph, std::span<const Vec3> coordinates, const std::function<void(double)>& onProgress)
+      : whole_(graph), onProgress_(onProgress), local_(graph.size(), -1) {
     order_.resize(graph.size());
     Piece piece{graph, {coordinates.begin(), coordinates.end()}, std::vector<int>(graph.size())};
     std::iota(piece.original.begin(), piece.original.end(), 0);
@@ -43,6 +46,7 @@ class Dissection {
   void dissect(Piece piece) {
     const int size = piece.graph.size();
     if (size <= kLeafSize) return orderLeaf(piece.original);
+    if (size >= kReportedSize && onProgress_) onProgress_(1 - static_cast<double>(end_) / whole_.size());
     const std::vector<Side> side = findSeparator(piece.graph, piece.coordinates);
     std::array<int, 3> count = {0, 0, 0};
     for (Side s : side) ++count[static_cast<int>(s)];
@@ -146,6 +150,7 @@ class Dissection {
   }
 
   const Graph& whole_;
+  const std::function<void(double)>& onProgress_;
   std::vector<int> local_;  // of a leaf's nodes and their neighbours while it is ordered, else -1
   std::vector<int> halo_;
   std::vector<int> order_;
@@ -154,8 +159,9 @@ class Dissection {
 
 }  // namespace
 
-std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates) {
-  return Dissection(graph, coordinates).takeOrder();
+std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates,
+                                       const std::function<void(double)>& onProgress) {
+  return Dissection(graph, coordinates, onProgress).takeOrder();
 }
 
 }  // namespace shapespline

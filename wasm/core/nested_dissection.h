@@ -1,6 +1,7 @@
 // Nested dissection (George 1973) on coordinates.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace shapespline {
 
 /// Elimination order: order[p] is the node at position p. Graph halves come first, their separator last, recursively; small
 /// pieces are ordered by minimum degree among all their neighbours. coordinates: one finite position a node.
-std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates);
+/// onProgress, if any: fraction in [0, 1].
+std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates,
+                                       const std::function<void(double)>& onProgress = {});
 
 }  // namespace shapespline

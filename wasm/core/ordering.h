@@ -1,6 +1,7 @@
 // Fill-reducing elimination orders.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace shapespline {
 std::vector<int> minimumDegreeOrder(const Graph& graph);
 
 /// The order the solver uses: nested dissection for large graphs with coordinates, else minimum degree.
-/// coordinates: one position a node, or empty.
-std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates);
+/// coordinates: one position a node, or empty. onProgress, if any: fraction in [0, 1].
+std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates,
+                                   const std::function<void(double)>& onProgress = {});
 
 }  // namespace shapespline

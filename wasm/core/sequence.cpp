@@ -71,8 +71,8 @@ double wholeProgress(std::string_view stage, double fraction, bool withGhost) {
     std::string_view name;
     double share, shareWithGhost;
   };
-  constexpr Stage stages[] = {{"welding", 0.08, 0.06}, {"simplifying", 0, 0.3}, {"encoding", 0.42, 0.24},
-                              {"ordering", 0.15, 0.12}, {"factorising", 0.35, 0.28}};
+  constexpr Stage stages[] = {{"welding", 0.08, 0.02},  {"simplifying", 0, 0.58},  {"matching", 0, 0.06},
+                              {"encoding", 0.42, 0.12}, {"ordering", 0.15, 0.14}, {"factorising", 0.35, 0.08}};
   double before = 0;
   for (const Stage& s : stages) {
     const double share = withGhost ? s.shareWithGhost : s.share;

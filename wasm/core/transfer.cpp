@@ -16,7 +16,7 @@ Status GhostMotion::build(const WeldedShape& full, const ShapeParts& parts, cons
   if (Status status = buildMotion(options, stats); !status) return status;
   stats.encodeMs += watch.lap();
 
-  faceOf_ = correspondingFaces(full, parts, mesh_);
+  faceOf_ = correspondingFaces(full, parts, mesh_, [&](double fraction) { progress("matching", fraction); });
   for (int c = 0; c < shape_.columns(); ++c) {
     rotation_.emplace_back();
     for (int f = 0; f < shape_.faceCount(); ++f) rotation_.back().push_back(rotationOf(shape_, f, c));
