@@ -1,6 +1,7 @@
 /**
  * npm run bench -- ghost [FACES[:KEYS],...]: what a ghost mesh costs and saves. Without sizes, error and time over sizes of the
  * ghost as in the paper's Fig. 8 (of the cactus sample and a generated mesh), then one ghost of 2,000 faces for large meshes.
+ * `ghost browser` measures in a page (ghost-browser.ts).
  */
 import { execFileSync } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
@@ -23,9 +24,10 @@ type Line = string[];
 
 /** Returns the exit code. */
 export async function benchGhost(words: string[]): Promise<number> {
+  if (words[0] === 'browser') return (await import('./ghost-browser.ts')).benchGhostInBrowser(words.slice(1));
   const meshes = (words[0]?.split(',') ?? DEFAULT_MESHES).map((word) => word.split(':').map(Number) as [number, number?]);
   if (meshes.some(([faces, keys = 3]) => !(faces >= 64 && faces <= 4_000_000 && keys >= 2))) {
-    console.error('usage: npm run bench -- ghost [FACES[:KEYS],...]');
+    console.error('usage: npm run bench -- ghost [FACES[:KEYS],... | browser [FACES,...]]');
     return 2;
   }
   if (words.length === 0) await bench('cactus', cactus);

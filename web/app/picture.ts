@@ -45,6 +45,8 @@ export class Picture {
   /** The shapes of the strip where they stand. */
   private film: Float32Array[] | null = null;
   private ghost: { of: Sequence; mesh: Ghost | null } | null = null;
+  /** Of the import's poses along x. */
+  private width = 0;
   /** How far along x the ghost stands beside the shape now. */
   private beside: number | null = null;
   /** The colour bar's range only grows as long as the same motions are shown. */
@@ -66,6 +68,7 @@ export class Picture {
     this.clearDifference();
     const poses = info.times.map((_, pose) => pool.keys.positions(pose));
     const bounds = boundsOf(poses);
+    this.width = bounds.max[0] - bounds.min[0];
     this.base = poses[0] && info.report.faces <= MEASURED_FACES ? measure(poses[0], info.indices) : null;
     this.viewer.setTopology({
       vertices: info.report.vertices, indices: info.indices, uvs: info.uvs, groups: info.groups, materials: info.materials, images: info.images,
@@ -193,7 +196,7 @@ export class Picture {
     const wanted = (ghostWire || ghostBeside) && !film && lane !== undefined && lane.ghost && isInLri(lane.method);
     if (wanted && this.ghost?.of !== lane.sequence) this.ghost = { of: lane.sequence, mesh: await lane.sequence.ghost() };
     const mesh = wanted ? this.ghost?.mesh : null;
-    const offset = mesh && ghostBeside ? this.width() * BESIDE : null;
+    const offset = mesh && ghostBeside ? this.width * BESIDE : null;
     if (mesh) {
       const positions = await this.ghost!.of.ghostPositions(t);
       this.viewer.setGhost({ faces: mesh.faces, vertexOf: mesh.vertexOf, positions, overlay: ghostWire, offset });
@@ -203,12 +206,6 @@ export class Picture {
     if (offset === this.beside) return;
     this.beside = offset;
     this.fit(null, true);
-  }
-
-  /** Of all poses along x. */
-  private width(): number {
-    const { min, max } = boundsOf(Array.from({ length: this.pool?.count ?? 0 }, (_, pose) => this.pool!.keys.positions(pose)));
-    return max[0] - min[0];
   }
 
   private withGhost(poses: Float32Array[]): Float32Array[] {

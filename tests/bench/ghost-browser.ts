@@ -1,0 +1,114 @@
+/**
+ * npm run bench -- ghost browser [FACES,...]: large meshes led by a ghost of 2,000 faces in one tab of Chromium, on the built page:
+ * the answer to each move of the slider, the main thread's long tasks meanwhile, and the memory of the tab at its worst.
+ */
+import { execFileSync, spawn } from 'node:child_process';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { mkdtemp, rm } from 'node:fs/promises';
+import { createServer, type AddressInfo } from 'node:net';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium, type Page } from '@playwright/test';
+import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
+import type {} from '../../web/app/hook.ts';
+
+const DEFAULT_SIZES = [330_000, 1_300_000];
+const MOVES = 40;
+const WAIT_MS = 600_000;
+const dist = fileURLToPath(new URL('../../dist', import.meta.url));
+const generator = fileURLToPath(new URL('../cmake-wasm/shapespline_samples.js', import.meta.url));
+
+export async function benchGhostInBrowser(words: string[]): Promise<number> {
+  const sizes = words[0]?.split(',').map(Number) ?? DEFAULT_SIZES;
+  if (!existsSync(path.join(dist, 'index.html'))) throw new Error('Build the page first: npm run build');
+  const folder = await mkdtemp(path.join(tmpdir(), 'shapespline-bench-'));
+  const port = await freePort();
+  const server = spawn(process.execPath, [path.join(dist, '../wasm/toolchain/serve.mjs'), dist, '--port', String(port)], { stdio: ['ignore', 'pipe', 'inherit'] });
+  await new Promise((listening) => server.stdout.once('data', listening));
+  const args = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...(process.getuid?.() === 0 ? ['--no-sandbox'] : [])];
+  try {
+    for (const faces of sizes) {
+      execFileSync(process.execPath, [generator, '--bench', String(faces), folder], { stdio: ['ignore', 'ignore', 'inherit'] });
+      const browser = await chromium.launchServer({ executablePath: findBrowser(chromium) ?? undefined, args });
+      try {
+        const page = await (await chromium.connect(browser.wsEndpoint())).newPage();
+        console.log(JSON.stringify(await measure(page, `http://localhost:${port}/`, path.join(folder, `bench-${faces}.glb`), browser.process().pid!), null, 2));
+      } finally {
+        await browser.close();
+      }
+    }
+    return 0;
+  } finally {
+    server.kill();
+    await rm(folder, { recursive: true, force: true });
+  }
+}
+
+function freePort(): Promise<number> {
+  return new Promise((resolve) => {
+    const server = createServer().listen(0, 'localhost', () => {
+      const { port } = server.address() as AddressInfo;
+      server.close(() => resolve(port));
+    });
+  });
+}
+
+async function measure(page: Page, url: string, file: string, pid: number): Promise<object> {
+  page.setDefaultTimeout(WAIT_MS);
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.goto(url);
+  await page.waitForFunction(() => window.__shapespline !== undefined);
+  const settled = async (): Promise<void> => {
+    await page.waitForTimeout(100);
+    await page.evaluate(() => window.__shapespline!.settled());
+  };
+  await page.evaluate(() => window.__shapespline!.ready);
+  await settled();
+  const opened = performance.now();
+  await page.getByTestId('file-input').setInputFiles(file);
+  await page.waitForFunction(() => window.__shapespline!.state.source.kind === 'files');
+  await settled();
+  const openMs = performance.now() - opened;
+  const led = performance.now();
+  await page.getByTestId('ghost').check();
+  await settled();
+  const ghostMs = performance.now() - led;
+  const scrub = await page.evaluate(async (moves) => {
+    const hook = window.__shapespline!;
+    const tasks: number[] = [];
+    const observer = new PerformanceObserver((list) => tasks.push(...list.getEntries().map(({ duration }) => duration)));
+    observer.observe({ type: 'longtask' });
+    const answers: number[] = [];
+    for (let i = 0; i < moves; i += 1) {
+      const start = performance.now();
+      await hook.evaluate(-0.3 + (1.6 * i) / moves);
+      const answered = performance.now();
+      await hook.setTime(-0.3 + (1.6 * i) / moves);
+      answers.push(answered - start);
+    }
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    observer.disconnect();
+    return { answers: answers.sort((a, b) => a - b), tasks: tasks.sort((a, b) => b - a) };
+  }, MOVES);
+  const stats = (await page.evaluate(() => window.__shapespline!.stats()))!;
+  const round = (ms: number | undefined): number => Math.round(10 * (ms ?? 0)) / 10;
+  return {
+    file: path.basename(file), ghostFaces: stats.ghostFaces, openMs: round(openMs), ghostMs: round(ghostMs),
+    answerMs: { median: round(scrub.answers[MOVES / 2]), slowest: round(scrub.answers.at(-1)) },
+    longTasks: { over50: scrub.tasks.length, longestMs: round(scrub.tasks[0]) },
+    heapMB: Math.round(stats.heapBytes / 2 ** 20), tabPeakMB: peakOf(pid),
+  };
+}
+
+/** The largest resident set that any renderer of the browser ever had, where the system tells (Linux). */
+function peakOf(pid: number): number | null {
+  if (!existsSync('/proc/self/status')) return null;
+  const statusOf = (id: string): string => {
+    try { return readFileSync(`/proc/${id}/status`, 'utf8'); } catch { return ''; }
+  };
+  const parentOf = new Map(readdirSync('/proc').filter((id) => /^\d+$/.test(id)).map((id) => [Number(id), Number(/^PPid:\s+(\d+)/m.exec(statusOf(id))?.[1] ?? 0)]));
+  const isOurs = (id: number): boolean => id === pid || (id > 1 && isOurs(parentOf.get(id) ?? 0));
+  const peaks = [...parentOf.keys()].filter((id) => id !== pid && isOurs(id)).map((id) => Number(/^VmHWM:\s+(\d+)/m.exec(statusOf(String(id)))?.[1] ?? 0));
+  return Math.round(Math.max(0, ...peaks) / 1024);
+}
