@@ -6,6 +6,7 @@ import { h, setHidden, setStyle, setText, svg } from '../ui/dom.ts';
 import type { Context } from './context.ts';
 import { isCancelled } from './lanes.ts';
 import { encodingFor, motionFor, specOf } from './spec.ts';
+import type { PosePool } from './workspace.ts';
 
 const FRAMES = 24;
 const NAMES: Record<Transfer, string> = { exact: 'Exact', paper: 'As published' };
@@ -26,7 +27,8 @@ export function createGhostStudy(context: Context): GhostStudyView {
   const result = h('div', { class: 'group', 'data-testid': 'study', hidden: true });
   const element = h('div', { class: 'group' }, start, working, result);
   let abort: AbortController | null = null;
-  let of = '';
+  /** What the study is of; null without one. */
+  let of: { pool: PosePool; subject: string } | null = null;
 
   const run = async (): Promise<void> => {
     const { pool } = context.workspace;
@@ -35,7 +37,7 @@ export function createGhostStudy(context: Context): GhostStudyView {
     const [variant] = spec.variants;
     const own = new AbortController();
     abort = own;
-    of = subject();
+    of = { pool, subject: subject() };
     show(null);
     const keys = pool.keys.arrange(spec.order, spec.times, spec.names);
     try {
@@ -113,8 +115,8 @@ export function createGhostStudy(context: Context): GhostStudyView {
     element,
     update() {
       start.disabled = context.runtime().info === null;
-      if (of === '' || (abort === null && result.hidden) || subject() === of) return;
-      of = '';
+      if (!of || (of.pool === context.workspace.pool && of.subject === subject())) return;
+      of = null;
       abort?.abort();
       result.replaceChildren();
       if (!abort) show(false);
