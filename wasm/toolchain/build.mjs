@@ -44,6 +44,14 @@ export async function buildNative(targets) {
   return folder;
 }
 
+/** Builds native programs that are to be fast in build/cmake-release. */
+export async function buildRelease(targets) {
+  step(`building ${targets.join(' and ')} with the system's compiler`);
+  const folder = path.join(buildDir, 'cmake-release');
+  await cmake({ folder, compiler: process.env.CXX ?? '', options: ['-DBUILD_TESTING=OFF'], targets });
+  return folder;
+}
+
 /** Builds the fuzz targets in build/cmake-fuzz. */
 export async function buildFuzzers() {
   step('building the fuzz targets');
@@ -114,7 +122,7 @@ async function bundle(entries) {
     sourcemap: true,
     // The decoders of compressed meshes stay packages of their own, loaded when a file needs them.
     packages: 'external',
-    external: ['../../build/wasm/shapespline.mjs'],
+    external: ['../../build/wasm/shapespline.mjs', '../../wasm/toolchain/*'],
     logLevel: 'warning',
   });
 }
@@ -126,6 +134,16 @@ export const nodeBundle = guarded(
   () => digest(['web/engine', 'web/cli', 'package.json', 'package-lock.json']),
   ['build/node/cli.mjs'],
   () => bundle([entry('cli', 'web/cli/main.ts'), entry('node-worker', 'web/engine/node-worker.ts')]),
+);
+
+export const benchPrograms = guarded(
+  'bench-programs',
+  () => digest([...wasmInputs, 'tests/bench/native.cpp', 'tests/bench/wasm'], `${emccOnPath()} ${process.env.CXX ?? ''}`),
+  ['build/cmake-release/shapespline_bench_native', 'build/cmake-wasm/shapespline_bench_read.wasm'],
+  async () => {
+    await buildRelease(['shapespline_bench_native']);
+    await buildWasm(['shapespline_bench_read']);
+  },
 );
 
 export const benchBundle = guarded(

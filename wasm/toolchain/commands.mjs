@@ -2,13 +2,13 @@
 import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { benchBundle, buildFuzzers, nodeBundle, page, wasmModule } from './build.mjs';
+import { benchBundle, benchPrograms, buildFuzzers, nodeBundle, page, wasmModule } from './build.mjs';
 import { run } from './exec.mjs';
 import { whileLocked } from './lock.mjs';
 import { Explained, step } from './log.mjs';
 import { inRoot } from './paths.mjs';
 import { prepare, prepareSystem } from './prepare.mjs';
-import { forFuzzing, forWasm } from './requirements.mjs';
+import { forBrowser, forFuzzing, forNative, forWasm } from './requirements.mjs';
 import { serve } from './serve.mjs';
 import { checkSizes } from './sizes.mjs';
 import { test } from './test.mjs';
@@ -43,7 +43,8 @@ async function cli(args) {
 }
 
 async function bench(args) {
-  await prepare(forWasm, [wasmModule, benchBundle]);
+  const browser = args.includes('--browser') ? forBrowser : [];
+  await prepare([...forWasm, ...forNative, ...browser], [wasmModule, benchPrograms, benchBundle]);
   await runBundle(inRoot('build/node/bench.mjs'), args);
 }
 

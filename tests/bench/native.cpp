@@ -1,0 +1,172 @@
+// shapespline_bench_native FILE.glb [REFERENCE T]: Eigen's Cholesky factorisation of the file's second system and our own,
+// both native, as JSON on stdout. With REFERENCE the shape at time T, computed in double, is written there: 3 doubles a vertex.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/SparseCholesky>
+
+#include "core/cholesky.h"
+#include "core/poisson.h"
+#include "core/sequence.h"
+#include "core/weld.h"
+#include "core/welded_shape.h"
+#include "io/import.h"
+
+using namespace shapespline;
+
+namespace {
+
+constexpr int repeats = 5;
+constexpr double longEnoughMs = 10000;  // no further repetition of what has taken so long
+
+std::vector<std::uint8_t> bytesOf(const char* name) {
+  std::vector<std::uint8_t> bytes;
+  std::FILE* file = std::fopen(name, "rb");
+  if (!file) return bytes;
+  std::uint8_t buffer[1 << 16];
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, file)) > 0;) bytes.insert(bytes.end(), buffer, buffer + n);
+  std::fclose(file);
+  return bytes;
+}
+
+template <class Work>
+double medianMs(Work work) {
+  std::vector<double> ms;
+  double sum = 0;
+  while (static_cast<int>(ms.size()) < repeats && sum < longEnoughMs) {
+    Stopwatch watch;
+    work();
+    ms.push_back(watch.lap());
+    sum += ms.back();
+  }
+  std::sort(ms.begin(), ms.end());
+  return ms[ms.size() / 2];
+}
+
+// The reference pose's system, as Sequence makes it.
+CotangentLaplacian laplacianOf(const Keyframes& keyframes) {
+  std::vector<const Positions*> poses;
+  for (const Key& key : keyframes.keys) poses.push_back(&key.positions);
+  const Welding welding = weld(poses, weldTolerance * boundingDiagonal(poses));
+  WeldedShape shape;
+  shape.keys = keyframes.keyCount();
+  shape.faces = weldFaces(keyframes.faces, welding);
+  for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, welding));
+  const ShapeParts parts = partsOf(shape);
+  return cotangentLaplacian(shape.faces, parts.hasArea, parts.pieces, shape.poses[0]);
+}
+
+Eigen::SparseMatrix<double> lowerTriangle(const SymmetricMatrix& matrix) {
+  using Map = Eigen::Map<const Eigen::SparseMatrix<double>>;
+  return Map(matrix.size, matrix.size, static_cast<Eigen::Index>(matrix.row.size()), matrix.columnStart.data(), matrix.row.data(),
+             matrix.value.data());
+}
+
+// Largest distance to the places that the right-hand side was made from, over the diagonal of their bounding box.
+double errorOf(const Eigen::MatrixX3d& solution, const Eigen::MatrixX3d& places) {
+  const double diagonal = (places.colwise().maxCoeff() - places.colwise().minCoeff()).norm();
+  return (solution - places).rowwise().norm().maxCoeff() / diagonal;
+}
+
+template <class Real>
+Eigen::MatrixX3d solveOwn(const Cholesky& cholesky, const Eigen::MatrixX3d& b, double& ms) {
+  const auto position = cholesky.eliminationPosition();
+  std::vector<Real, Eigen::aligned_allocator<Real>> start(4 * static_cast<std::size_t>(cholesky.paddedSize()), Real(0)), x;
+  for (Eigen::Index i = 0; i < b.rows(); ++i)
+    for (int k = 0; k < 3; ++k) start[4 * static_cast<std::size_t>(position[i]) + k] = static_cast<Real>(b(i, k));
+  std::vector<double> times;
+  for (int i = 0; i < repeats; ++i) {
+    x = start;
+    Stopwatch watch;
+    cholesky.solve(x.data());
+    times.push_back(watch.lap());
+  }
+  std::sort(times.begin(), times.end());
+  ms = times[times.size() / 2];
+  Eigen::MatrixX3d result(b.rows(), 3);
+  for (Eigen::Index i = 0; i < b.rows(); ++i)
+    for (int k = 0; k < 3; ++k) result(i, k) = x[4 * static_cast<std::size_t>(position[i]) + k];
+  return result;
+}
+
+bool benchSolvers(const CotangentLaplacian& laplacian) {
+  const Eigen::SparseMatrix<double> matrix = lowerTriangle(laplacian.matrix);
+  Eigen::MatrixX3d places(laplacian.matrix.size, 3);
+  for (Eigen::Index i = 0; i < places.rows(); ++i) places.row(i) = laplacian.coordinates[i];
+  const Eigen::MatrixX3d b = matrix.selfadjointView<Eigen::Lower>() * places;
+
+  double orderMs = 0, factorMs = 0, solveMs = 0, eigenError = 0;
+  {
+    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> llt;
+    Stopwatch watch;
+    llt.analyzePattern(matrix);
+    orderMs = watch.lap();
+    factorMs = medianMs([&] { llt.factorize(matrix); });
+    if (llt.info() != Eigen::Success) return false;
+    Eigen::MatrixX3d x;
+    solveMs = medianMs([&] { x = llt.solve(b); });
+    eigenError = errorOf(x, places);
+  }
+  std::printf("{\"unknowns\":%d,\"eigen\":{\"orderMs\":%.3f,\"factorMs\":%.3f,\"solveMs\":%.4f,\"error\":%.3g}", laplacian.matrix.size,
+              orderMs, factorMs, solveMs, eigenError);
+
+  for (const Precision precision : {Precision::Single, Precision::Double}) {
+    Cholesky own;
+    Stopwatch watch;
+    if (!own.analyse(laplacian.matrix, laplacian.coordinates, precision)) return false;
+    const double ownOrderMs = watch.lap();
+    bool good = true;
+    const double ownFactorMs = medianMs([&] { good = good && own.factorise(laplacian.matrix).ok(); });
+    if (!good) return false;
+    double ownSolveMs = 0;
+    const bool isSingle = precision == Precision::Single;
+    const Eigen::MatrixX3d x = isSingle ? solveOwn<float>(own, b, ownSolveMs) : solveOwn<double>(own, b, ownSolveMs);
+    std::printf(",\"%s\":{\"orderMs\":%.3f,\"factorMs\":%.3f,\"solveMs\":%.4f,\"error\":%.3g}", isSingle ? "single" : "double",
+                ownOrderMs, ownFactorMs, ownSolveMs, errorOf(x, places));
+  }
+  std::printf("}\n");
+  return true;
+}
+
+bool writeReference(Keyframes keyframes, const char* name, double t) {
+  EncodingOptions encoding;
+  encoding.precision = Precision::Double;
+  auto sequence = Sequence::create(std::move(keyframes), encoding, {});
+  Positions positions;
+  if (!sequence || !sequence->evaluate(t, positions)) return false;
+  std::FILE* file = std::fopen(name, "wb");
+  if (!file) return false;
+  const bool written = std::fwrite(positions.data(), sizeof(Vec3), positions.size(), file) == positions.size();
+  return std::fclose(file) == 0 && written;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2 && argc != 4) {
+    std::fprintf(stderr, "usage: shapespline_bench_native FILE.glb [REFERENCE T]\n");
+    return 2;
+  }
+  const std::vector<std::uint8_t> bytes = bytesOf(argv[1]);
+  const NamedBytes file{argv[1], bytes};
+  auto import = importKeyframes({&file, 1}, {});
+  if (!import) {
+    std::fprintf(stderr, "%s: %s\n", argv[1], import.error().message.c_str());
+    return 1;
+  }
+  if (!benchSolvers(laplacianOf(import->keyframes))) {
+    std::fprintf(stderr, "%s: the system cannot be factorised\n", argv[1]);
+    return 1;
+  }
+  if (argc == 4 && !writeReference(std::move(import->keyframes), argv[2], std::atof(argv[3]))) {
+    std::fprintf(stderr, "%s: the reference cannot be written\n", argv[1]);
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,7 @@
+import type { Server } from 'node:http';
+
+export function serve(
+  folder: string,
+  options?: { port?: number; prefix?: string; tries?: number },
+): Promise<{ url: string; server: Server }>;
+export function freePort(): Promise<number>;
