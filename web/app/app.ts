@@ -32,15 +32,18 @@ import { createThumbnails } from './thumbnails.ts';
 import { Workspace } from './workspace.ts';
 
 const LINK_DELAY_MS = 300;
+const SAME_DEATH_MS = 1000;
+const NEXT_DEATH_MS = 10_000;
 
 export function startApp(root: HTMLElement): void {
-  const engine = createEngine();
+  const engine = createEngine({ onLost: () => void restart() });
   const store = createStore(EMPTY_STATE);
   const theme = createTheme(() => { applyLook(); render(); });
   const shell = createShell();
   let runtime: Runtime = { ...EMPTY_RUNTIME, welcome: true };
   let good: { doc: Doc; view: Pick<View, 'compare' | 'ghostDifference'> } | null = null;
   let drawnState = store.get();
+  let restartedAt = -Infinity;
 
   const picture = new Picture(shell.picture, {
     onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
@@ -64,7 +67,7 @@ export function startApp(root: HTMLElement): void {
       context.inform({ ms: frames[0]?.ms ?? null, lost: frames[0]?.lostDefiniteness ?? 0 });
     },
     drawn: () => picture.viewer.drawn(),
-    onError: (error) => context.fail(error),
+    onError: (error) => { if (!restarts(error)) context.fail(error); },
   });
 
   const player = new Player(
@@ -92,7 +95,7 @@ export function startApp(root: HTMLElement): void {
   const opening = createOpening(context);
   const insight = createInsightPanel(
     () => ({ lanes: workspace.lanes.filter((lane, index) => index === 0 || lane.ghost === workspace.lanes[0]?.ghost), keyTimes: store.get().doc.keys.map((key) => key.time), range: context.range(), ms: runtime.ms ?? 1 }),
-    commands.seek, context.fail);
+    commands.seek, (error) => { if (restarts(error)) insight.invalidate(); else context.fail(error); });
   const exporting = createExporting(context, insight);
   const ghostStudy = createGhostStudy(context);
   const cancel = (): void => {
@@ -151,6 +154,22 @@ export function startApp(root: HTMLElement): void {
     void pump.request(store.get().time);
     insight.invalidate();
     thumbnails.refresh();
+  }
+
+  /** A worker has died: the engine starts another for the next shape that is asked for. Returns whether that is worth a try. */
+  function restart(): boolean {
+    const since = performance.now() - restartedAt;
+    // One death is told by everyone who waited for an answer; another soon after it is a matter of the shape.
+    if (since < SAME_DEATH_MS) return true;
+    if (since < NEXT_DEATH_MS) return false;
+    restartedAt = performance.now();
+    context.say('The browser has ended the computation. It is started again; nothing is lost.');
+    void pump.request(store.get().time);
+    return true;
+  }
+
+  function restarts(error: unknown): boolean {
+    return error instanceof Error && 'code' in error && error.code === 'crashed' && restart();
   }
 
   /** After a refused or cancelled edit the document is again what the sequences serve. */

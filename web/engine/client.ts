@@ -3,7 +3,7 @@ import defaultWasmUrl from '../../build/wasm/shapespline.wasm?url';
 import type { Engine } from './api.ts';
 import { EngineClient } from './engine.ts';
 import { engineError, messageOf, type EngineError } from './errors.ts';
-import type { FromWorker } from './protocol.ts';
+import type { FromWorker, Locked } from './protocol.ts';
 import { endedWorker, type Spawn } from './remote.ts';
 
 export interface EngineUrls {
@@ -11,30 +11,47 @@ export interface EngineUrls {
   workerUrl?: string | URL;
   /** shapespline.wasm; default: the one that was bundled with this file. */
   wasmUrl?: string | URL;
+  /** A worker has ended by itself. What it was asked is rejected; the next call starts another one with the same keys. */
+  onLost?: () => void;
 }
 
 /** Starts fetching the wasm at once; workers are made when they are needed. */
-export function createEngine({ workerUrl, wasmUrl }: EngineUrls = {}): Engine {
+export function createEngine({ workerUrl, wasmUrl, onLost }: EngineUrls = {}): Engine {
   const url = new URL(wasmUrl ?? defaultWasmUrl, document.baseURI);
-  return new EngineClient({ spawn: spawnFrom(workerUrl), module: compile(url) });
+  return new EngineClient({ spawn: spawnFrom(workerUrl, onLost), module: compile(url) });
 }
 
-function spawnFrom(workerUrl: string | URL | undefined): Spawn {
+let workers = 0;
+
+function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | undefined): Spawn {
   return (events) => {
+    const name = `shapespline worker ${++workers} ${performance.timeOrigin} ${Math.random()}`;
     const worker = workerUrl
-      ? new Worker(sameOrigin(new URL(workerUrl, document.baseURI)), { type: 'module' })
-      : new Worker(new URL('./engine.worker.ts', import.meta.url), { type: 'module' });
+      ? new Worker(sameOrigin(new URL(workerUrl, document.baseURI)), { type: 'module', name })
+      : new Worker(new URL('./engine.worker.ts', import.meta.url), { type: 'module', name });
     let answered = false;
-    worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
+    let wanted = true;
+    const lost = (reason: string): void => {
+      const unexpected = wanted;
+      events.failure(endedWorker(reason));
+      if (unexpected) onLost?.();
+    };
+    worker.onmessage = ({ data }: MessageEvent<FromWorker | Locked>) => {
       answered = true;
-      events.message(data);
+      if (data.type === 'locked') void navigator.locks.request(name, () => lost('the browser has ended it'));
+      else events.message(data);
     };
     worker.onmessageerror = () => events.failure(endedWorker('an answer could not be received'));
     worker.onerror = (event) => {
       event.preventDefault();
-      events.failure(answered || event.message ? endedWorker(event.message) : notLoaded("the worker's script", 'it did not start'));
+      if (answered || event.message) lost(event.message);
+      else events.failure(notLoaded("the worker's script", 'it did not start'));
     };
-    return { post: (message, transfer) => worker.postMessage(message, transfer), terminate: () => worker.terminate() };
+    const terminate = (): void => {
+      wanted = false;
+      worker.terminate();
+    };
+    return { post: (message, transfer) => worker.postMessage(message, transfer), terminate };
   };
 }
 

@@ -1,7 +1,7 @@
 /** The browser's worker. */
 import createWasm from '../../build/wasm/shapespline.mjs';
 import { decoder } from './decode.ts';
-import type { ToWorker } from './protocol.ts';
+import type { Locked, ToWorker } from './protocol.ts';
 import { Service } from './service.ts';
 
 async function dracoWasm(): Promise<Uint8Array> {
@@ -16,4 +16,11 @@ const service = new Service({
   create: createWasm,
   decode: decoder(dracoWasm),
 });
+// A worker that the browser ends tells nobody. It holds a lock as long as it lives; whoever gets it next knows.
+if (self.name && navigator.locks) {
+  void navigator.locks.request(self.name, () => {
+    self.postMessage({ type: 'locked' } satisfies Locked);
+    return new Promise(() => undefined);
+  });
+}
 self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => service.receive(data));

@@ -108,3 +108,8 @@ export type FromWorker =
   /** `fatal`: the worker's memory can no longer be trusted; it must be ended. */
   | { type: 'error'; id: number; error: ErrorData; fatal: boolean }
   | { type: 'progress'; id: number; stage: string; fraction: number };
+
+/** The worker now holds the lock that bears its name: it is free again when the worker has ended, however that came. */
+export interface Locked {
+  type: 'locked';
+}

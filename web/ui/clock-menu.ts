@@ -49,9 +49,9 @@ export function createClockMenu(events: ClockMenuEvents): { element: HTMLElement
 
   const panel = h('div', { class: 'card popover', id: 'clock', 'data-testid': 'clock', hidden: true },
     h('div', { class: 'group' },
-      h('div', { class: 'field row' }, frames.element, h('span', { class: 'spacer' }), fps, h('span', { class: 'unit' }, 'per s')), fpsHint),
+      h('div', { class: 'field row' }, frames.element, h('span', { class: 'spacer' }), fps, h('span', { class: 'unit' }, 'per second')), fpsHint),
     h('div', { class: 'group' },
-      h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Play from, to'), from, to, reset),
+      h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Play'), from, to, reset),
       h('div', { class: 'button-row' }, here('start', 'Start here', 'Ctrl+Home'), here('end', 'End here', 'Ctrl+End'))),
     h('div', { class: 'field row' }, zoom, farther, nearer, whole));
   const toggle = button({ label: 'Frames, loop and zoom', testId: 'clock-toggle', icon: 'clock', shortcut: 'T', onClick: () => flip() });
