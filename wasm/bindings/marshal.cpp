@@ -26,7 +26,8 @@ constexpr std::pair<const char*, BoundaryKind> boundaries[] = {{"natural", Bound
 constexpr std::pair<const char*, Stretch> stretches[] = {{"linear", Stretch::Linear}, {"log", Stretch::Log}};
 constexpr std::pair<const char*, Transfer> transfers[] = {{"exact", Transfer::Exact}, {"paper", Transfer::Paper}};
 constexpr std::pair<const char*, Precision> precisions[] = {{"single", Precision::Single},
-                                                            {"double", Precision::Double}};
+                                                            {"double", Precision::Double},
+                                                            {"exact", Precision::Exact}};
 constexpr std::pair<const char*, Material::Alpha> alphas[] = {{"OPAQUE", Material::Alpha::Opaque},
                                                               {"MASK", Material::Alpha::Mask},
                                                               {"BLEND", Material::Alpha::Blend}};
@@ -209,7 +210,11 @@ Json toJson(const SequenceStats& stats) {
           {"orderMs", stats.orderMs},
           {"factorMs", stats.factorMs},
           {"factorBytes", stats.factorBytes},
-          {"alignedByPatches", stats.alignedByPatches}};
+          {"alignedByPatches", stats.alignedByPatches},
+          {"facesMs", stats.facesMs},
+          {"solveMs", stats.solveMs},
+          {"placeMs", stats.placeMs},
+          {"normalsMs", stats.normalsMs}};
 }
 
 Json toJson(const std::vector<AnimationInfo>& animations) {

@@ -53,7 +53,7 @@ Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision,
-                         const std::function<void(double)>& onProgress) {
+                         const FractionReport& onProgress) {
   if (Status status = checkSymmetric(matrix); !status) return status;
   if (!coordinates.empty() && coordinates.size() != static_cast<std::size_t>(matrix.size))
     return Error{ErrorCode::Internal, "The coordinates given for the elimination order are not one per unknown."};
@@ -67,7 +67,8 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
   state_->precision = precision;
   state_->hash = patternHash(matrix);
   const Graph graph = graphOf(matrix);
-  state_->symbolic = analyseFactor(graph, fillReducingOrder(graph, coordinates, onProgress));
+  const std::vector<int> order = fillReducingOrder(graph, coordinates, partOf(onProgress, 0.05, 0.75));
+  state_->symbolic = analyseFactor(graph, order, partOf(onProgress, 0.75, 0.95));
   state_->map = mapEntries(matrix, state_->symbolic.position);
   state_->flops = factorisationFlops(state_->symbolic);
   if (precision == Precision::Single) state_->single.allocate(state_->symbolic);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 
 #include "core/precision.h"
+#include "core/progress.h"
 #include "core/sparse_matrix.h"
 #include "core/status.h"
 #include "core/types.h"
@@ -36,9 +36,9 @@ class Cholesky {
 
   /// Finds the elimination order and the factor's structure; drops any earlier factor. coordinates: one position an unknown, which
   /// makes for a better order of a large mesh, or empty. Error if the matrix is malformed or not finite, or the
-  /// coordinates are of another number. onProgress, if any: fraction of the ordering, in [0, 1].
+  /// coordinates are of another number. onProgress: fraction of the analysis, below 1.
   Status analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision,
-                 const std::function<void(double)>& onProgress = {});
+                 const FractionReport& onProgress = {});
 
   /// Starts a factorisation of a matrix with the analysed pattern. Error if the pattern differs or a value is not finite.
   Status beginFactorise(const SymmetricMatrix& matrix);

@@ -1,5 +1,6 @@
 #include "core/face_kernel.h"
 
+#include <bit>
 #include <cmath>
 #include <type_traits>
 
@@ -11,10 +12,13 @@ namespace shapespline {
 namespace {
 
 // sin(a) / a and (1 - cos(a)) / a^2 as power series in x = a^2, up to x = seriesLimit (a little over half a turn). The
-// first term left out is below the precision's rounding there; larger angles go through the C library.
-constexpr double seriesLimit = 10.5;
+// first term left out is below the precision's rounding there; larger angles go through the C library. Most faces turn by
+// less than half a radian against their frame: they take few terms.
+constexpr double seriesLimit = 10.5, shortLimit = 0.25;
 template <class Real>
 constexpr int seriesTerms = std::is_same_v<Real, float> ? 11 : 17;
+template <class Real>
+constexpr int shortTerms = std::is_same_v<Real, float> ? 4 : 8;
 
 struct Series {
   double sine[17], cosine[17];
@@ -34,10 +38,10 @@ constexpr Series makeSeries() {
 
 constexpr Series series = makeSeries();
 
-template <class L, class Real>
-L horner(const double* coefficient, L x) {
-  L sum = L::splat(static_cast<Real>(coefficient[seriesTerms<Real> - 1]));
-  for (int k = seriesTerms<Real> - 2; k >= 0; --k) sum = sum * x + L::splat(static_cast<Real>(coefficient[k]));
+template <int terms, class Real>
+Lanes<Real> horner(const double* coefficient, Lanes<Real> x) {
+  auto sum = Lanes<Real>::splat(static_cast<Real>(coefficient[terms - 1]));
+  for (int k = terms - 2; k >= 0; --k) sum = sum * x + Lanes<Real>::splat(static_cast<Real>(coefficient[k]));
   return sum;
 }
 
@@ -48,16 +52,12 @@ struct Rodrigues {
 };
 
 template <class Real>
-Rodrigues<Real> rodrigues(Lanes<Real> squaredAngle) {
+Rodrigues<Real> rodriguesOfLargeAngles(Lanes<Real> squaredAngle) {
   using L = Lanes<Real>;
-  Rodrigues<Real> result{horner<L, Real>(series.sine, squaredAngle), horner<L, Real>(series.cosine, squaredAngle)};
-  alignas(32) Real x[faceLanes];
+  alignas(32) Real x[faceLanes], a[faceLanes], b[faceLanes];
   squaredAngle.store(x);
-  if (x[0] <= Real(seriesLimit) && x[1] <= Real(seriesLimit) && x[2] <= Real(seriesLimit) && x[3] <= Real(seriesLimit))
-    return result;
-  alignas(32) Real a[faceLanes], b[faceLanes];
-  result.a.store(a);
-  result.b.store(b);
+  horner<seriesTerms<Real>, Real>(series.sine, squaredAngle).store(a);
+  horner<seriesTerms<Real>, Real>(series.cosine, squaredAngle).store(b);
   for (int i = 0; i < faceLanes; ++i) {
     if (x[i] <= Real(seriesLimit)) continue;
     const double angle = std::sqrt(static_cast<double>(x[i]));
@@ -65,6 +65,16 @@ Rodrigues<Real> rodrigues(Lanes<Real> squaredAngle) {
     b[i] = static_cast<Real>((1 - std::cos(angle)) / (angle * angle));
   }
   return {L::load(a), L::load(b)};
+}
+
+template <class Real>
+Rodrigues<Real> rodrigues(Lanes<Real> squaredAngle) {
+  using L = Lanes<Real>;
+  if (!notPositive(L::splat(Real(shortLimit)) - squaredAngle))
+    return {horner<shortTerms<Real>, Real>(series.sine, squaredAngle), horner<shortTerms<Real>, Real>(series.cosine, squaredAngle)};
+  if (!notPositive(L::splat(Real(seriesLimit)) - squaredAngle))
+    return {horner<seriesTerms<Real>, Real>(series.sine, squaredAngle), horner<seriesTerms<Real>, Real>(series.cosine, squaredAngle)};
+  return rodriguesOfLargeAngles<Real>(squaredAngle);
 }
 
 template <class L>
@@ -101,12 +111,7 @@ void exponentiate(Lanes<Real>& xx, Lanes<Real>& xy, Lanes<Real>& yy) {
 
 template <class Real>
 int notPositiveDefinite(const Lanes<Real>& xx, const Lanes<Real>& xy, const Lanes<Real>& yy) {
-  alignas(32) Real determinant[faceLanes], trace[faceLanes];
-  (xx * yy - xy * xy).store(determinant);
-  (xx + yy).store(trace);
-  int count = 0;
-  for (int i = 0; i < faceLanes; ++i) count += !(determinant[i] > 0 && trace[i] > 0);
-  return count;
+  return std::popcount(static_cast<unsigned>(notPositive(xx * yy - xy * xy) | notPositive(xx + yy)));
 }
 
 // The six numbers of four faces at the given weights.
@@ -141,20 +146,20 @@ Divergence<Real> divergence(const FaceBlock<Real>& face, const Lanes<Real> (&n)[
           corner(L::load(face.gradient[2]), L::load(face.gradient[3]))};
 }
 
-// Turns one lane's contributions by its patch frame and adds them to its three corners.
+// Turns one lane's contributions by its frame and adds them to its three corners.
 template <class Real>
-void scatter(const FaceBlock<Real>& face, int lane, const Real* frames, const Real (&v)[6][faceLanes], Real sign, Real* rhs) {
-  const Real* g = frames + 9 * static_cast<std::size_t>(face.frame[lane]);
-  Real* at0 = rhs + 4 * static_cast<std::size_t>(face.corner[0][lane]);
-  Real* at1 = rhs + 4 * static_cast<std::size_t>(face.corner[1][lane]);
-  Real* at2 = rhs + 4 * static_cast<std::size_t>(face.corner[2][lane]);
-  for (int i = 0; i < 3; ++i) {
-    const Real b0 = sign * (g[3 * i] * v[0][lane] + g[3 * i + 1] * v[1][lane] + g[3 * i + 2] * v[2][lane]);
-    const Real b1 = sign * (g[3 * i] * v[3][lane] + g[3 * i + 1] * v[4][lane] + g[3 * i + 2] * v[5][lane]);
-    at0[i] += b0;
-    at1[i] += b1;
-    at2[i] -= b0 + b1;
-  }
+void scatter(const FaceBlock<Real>& face, int lane, const Real* frames, const Real (&v)[6][faceLanes], Real* rhs) {
+  using L = Lanes<Real>;
+  const Real* g = frames + numbersPerFrame * static_cast<std::size_t>(face.frame[lane]);
+  const L g0 = L::load(g), g1 = L::load(g + 4), g2 = L::load(g + 8);
+  const auto turned = [&](int k) {
+    return g0 * L::loadSplat(&v[k][lane]) + g1 * L::loadSplat(&v[k + 1][lane]) + g2 * L::loadSplat(&v[k + 2][lane]);
+  };
+  const auto at = [&](int c) { return rhs + 4 * static_cast<std::size_t>(face.corner[c][lane]); };
+  const L b0 = turned(0), b1 = turned(3);
+  (L::load(at(0)) + b0).store(at(0));
+  (L::load(at(1)) + b1).store(at(1));
+  (L::load(at(2)) - (b0 + b1)).store(at(2));
 }
 
 template <class Real>
@@ -167,17 +172,16 @@ void store(const Divergence<Real>& d, Real (&v)[6][faceLanes]) {
 
 template <class Real>
 void FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
-                             const std::vector<int>& position, int dump) {
-  faceCount_ = shape.faceCount();
+                             const std::vector<int>& order, const std::vector<int>& position, int dump) {
   stretch_ = stretch;
-  blocks_.assign((faceCount_ + faceLanes - 1) / faceLanes, {});
+  blocks_.assign((order.size() + faceLanes - 1) / faceLanes, {});
   const Positions& p = shape.poses[shape.reference];
-  for (int f = 0; f < static_cast<int>(blocks_.size()) * faceLanes; ++f) {
-    FaceBlock<Real>& block = blocks_[f / faceLanes];
-    const int lane = f % faceLanes;
+  for (std::size_t i = 0; i < blocks_.size() * faceLanes; ++i) {
+    FaceBlock<Real>& block = blocks_[i / faceLanes];
+    const int lane = static_cast<int>(i % faceLanes);
     for (int c = 0; c < 3; ++c) block.corner[c][lane] = dump;
-    if (f >= faceCount_ || frameOf[f] < 0) continue;  // zero gradients contribute nothing
-    const Triangle& t = shape.faces[f];
+    if (i >= order.size() || frameOf[order[i]] < 0) continue;  // zero gradients contribute nothing
+    const Triangle& t = shape.faces[order[i]];
     const FaceFrame frame = faceFrame(p[t[0]], p[t[1]], p[t[2]]);
     for (int k = 0; k < 3; ++k) {
       block.tangent[k][lane] = static_cast<Real>(frame.basis(k, 0));
@@ -192,7 +196,7 @@ void FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& f
     block.gradient[1][lane] = static_cast<Real>(g0.y());
     block.gradient[2][lane] = static_cast<Real>(g1.x());
     block.gradient[3][lane] = static_cast<Real>(g1.y());
-    block.frame[lane] = frameOf[f];
+    block.frame[lane] = frameOf[order[i]];
   }
 }
 
@@ -207,7 +211,7 @@ int FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const
     else lost += notPositiveDefinite<Real>(number[3], number[4], number[5]);
     alignas(32) Real v[6][faceLanes];
     store(divergence(blocks_[b], number), v);
-    for (int lane = 0; lane < faceLanes; ++lane) scatter(blocks_[b], lane, frames.data(), v, Real(1), rhs);
+    for (int lane = 0; lane < faceLanes; ++lane) scatter(blocks_[b], lane, frames.data(), v, rhs);
   }
   return lost;
 }
@@ -215,16 +219,18 @@ int FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const
 template <class Real>
 void FaceKernel<Real>::accumulateShift(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
                                        const std::vector<Real>& weights, int face, const Vec3& difference, Real* rhs) const {
-  const FaceBlock<Real>& block = blocks_[face / faceLanes];
+  const int slot = coordinates.slot(face);
+  const FaceBlock<Real>& block = blocks_[slot / faceLanes];
   Lanes<Real> number[numbersPerFace];
-  blend(coordinates.block(face / faceLanes), weights, number);
+  blend(coordinates.block(slot / faceLanes), weights, number);
   if (stretch_ == Stretch::Log) exponentiate<Real>(number[3], number[4], number[5]);
   alignas(32) Real v[6][faceLanes];
   store(divergence(block, number), v);
-  scatter(block, face % faceLanes, frames.data(), v, Real(-1), rhs);
+  for (auto& row : v) row[slot % faceLanes] = -row[slot % faceLanes];
+  scatter(block, slot % faceLanes, frames.data(), v, rhs);
   for (int k = 0; k < 3; ++k) number[k] = number[k] + Lanes<Real>::splat(static_cast<Real>(difference[k]));
   store(divergence(block, number), v);
-  scatter(block, face % faceLanes, frames.data(), v, Real(1), rhs);
+  scatter(block, slot % faceLanes, frames.data(), v, rhs);
 }
 
 template class FaceKernel<float>;

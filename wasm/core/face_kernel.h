@@ -11,6 +11,9 @@
 
 namespace shapespline {
 
+/// A frame's matrix in the kernel: its columns, four numbers each, the last of them zero.
+inline constexpr int numbersPerFrame = 12;
+
 /// What a face contributes that does not depend on time. Lanes of one block lie side by side.
 template <class Real>
 struct FaceBlock {
@@ -26,13 +29,13 @@ class FaceKernel {
  public:
   FaceKernel() = default;
 
-  /// frameOf: frame of each face, or -1 for faces that take no part. position: where each vertex's right-hand side lies,
-  /// or `dump` for vertices that have none.
-  void build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch, const std::vector<int>& position,
-             int dump);
+  /// frameOf: frame of each face, or -1 for faces that take no part. order: the faces as they are gone through, that of
+  /// the coordinates. position: where each vertex's right-hand side lies, or `dump` for vertices that have none.
+  void build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch, const std::vector<int>& order,
+             const std::vector<int>& position, int dump);
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
-  /// frames: row-major 3x3 matrices G that stand before exp(r_f) S_f, 9 numbers each. weights: one a column of the coordinates.
+  /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: one a column of the coordinates.
   /// Returns the number of faces whose interpolated S_f is not positive definite.
   int accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
                  const std::vector<Real>& weights, Real* rhs) const;
@@ -43,7 +46,6 @@ class FaceKernel {
 
  private:
   std::vector<FaceBlock<Real>> blocks_;
-  int faceCount_ = 0;
   Stretch stretch_ = Stretch::Linear;
 };
 

@@ -24,8 +24,8 @@ class Encoder {
   Encoder(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames, Stretch stretch, Transfer transfer)
       : shape_(shape), parts_(parts), frames_(frames), stretch_(stretch), rests_(transfer == Transfer::Paper) {}
 
-  LriCoordinates<Real> run() {
-    if (!rests_) encodeFaces();
+  LriCoordinates<Real> run(const FractionReport& onProgress) {
+    if (!rests_) encodeFaces(partOf(onProgress, 0, 0.9));
     else restAll();
     encodePlaces();
     encodeLoose();
@@ -42,11 +42,12 @@ class Encoder {
 
   const Quaternion& frameOf(int f, int column) const { return frames_.rotation[column][frames_.ofFace[f]]; }
 
-  void encodeFaces() {
+  void encodeFaces(const FractionReport& onProgress) {
     const int columns = shape_.columns();
     out_.face = FaceCoordinates<Real>(shape_.faceCount(), columns);
     std::vector<int> wild;
     eachUsedFace([&](int f) {
+      reportItem(onProgress, static_cast<std::size_t>(f), parts_.hasArea.size());
       const FaceFrame frame = referenceFrame(shape_, f);
       double largest = 0;
       for (int c = 0; c < columns; ++c) {
@@ -193,11 +194,13 @@ class Encoder {
 
 template <class Real>
 LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames, Stretch stretch,
-                            Transfer transfer) {
-  return Encoder<Real>(shape, parts, frames, stretch, transfer).run();
+                            Transfer transfer, const FractionReport& onProgress) {
+  return Encoder<Real>(shape, parts, frames, stretch, transfer).run(onProgress);
 }
 
-template LriCoordinates<float> encode<float>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch, Transfer);
-template LriCoordinates<double> encode<double>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch, Transfer);
+template LriCoordinates<float> encode<float>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch, Transfer,
+                                        const FractionReport&);
+template LriCoordinates<double> encode<double>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch, Transfer,
+                                          const FractionReport&);
 
 }  // namespace shapespline

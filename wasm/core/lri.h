@@ -43,6 +43,6 @@ struct LriCoordinates {
 /// Encodes all poses in the given frames. With Transfer::Paper faces rest in their frames as they do in the reference.
 template <class Real>
 LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames, Stretch stretch,
-                            Transfer transfer);
+                            Transfer transfer, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

@@ -32,7 +32,7 @@ struct Sides {
 };
 
 template <class Use>
-Sides collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use) {
+Sides collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use, const FractionReport& onProgress = {}) {
   Sides sides;
   sides.start.assign(vertexCount + 1, 0);
   const auto eachSide = [&](auto visit) {
@@ -49,9 +49,12 @@ Sides collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use)
   sides.side.resize(sides.start.back());
   std::vector<int> next(sides.start.begin(), sides.start.end() - 1);
   eachSide([&](int low, const Side& side) { sides.side[next[low]++] = side; });
-  for (int v = 0; v < vertexCount; ++v)
+  const FractionReport onVertices = partOf(onProgress, 0.5, 1);
+  for (int v = 0; v < vertexCount; ++v) {
+    reportItem(onVertices, static_cast<std::size_t>(v), static_cast<std::size_t>(vertexCount));
     std::sort(sides.side.begin() + sides.start[v], sides.side.begin() + sides.start[v + 1],
               [](const Side& x, const Side& y) { return x.high != y.high ? x.high < y.high : x.face < y.face; });
+  }
   return sides;
 }
 
@@ -125,11 +128,12 @@ MeshCounts countMesh(int vertexCount, const std::vector<Triangle>& faces) {
   return counts;
 }
 
-FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use) {
+FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
+                    const FractionReport& onProgress) {
   const int faceCount = static_cast<int>(faces.size());
   std::vector<std::pair<int, int>> links;
   UnionFind joined(faceCount);
-  const Sides sides = collectSides(vertexCount, faces, [&](int f) { return use[f] != 0; });
+  const Sides sides = collectSides(vertexCount, faces, [&](int f) { return use[f] != 0; }, partOf(onProgress, 0, 0.5));
   sides.eachEdge([&](const Side* first, const Side* last) {
     // Consecutive faces at a non-manifold edge: enough to connect them, and linear in their number.
     for (const Side* s = first; s + 1 < last; ++s) {
@@ -138,6 +142,7 @@ FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const s
       joined.join(s[0].face, s[1].face);
     }
   });
+  reportFraction(onProgress, 0.7);
   std::vector<int> firstAt(vertexCount, -1);
   for (int f = 0; f < faceCount; ++f) {
     if (!use[f]) continue;
@@ -146,6 +151,7 @@ FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const s
       else if (joined.join(firstAt[v], f)) links.emplace_back(firstAt[v], f);
     }
   }
+  reportFraction(onProgress, 0.9);
   return graphOf(faceCount, links);
 }
 

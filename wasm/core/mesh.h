@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/types.h"
 
 namespace shapespline {
@@ -44,7 +45,8 @@ MeshCounts countMesh(int vertexCount, const std::vector<Triangle>& faces);
 
 /// Neighbours across edges, between those faces for which `use` is true. Where faces meet only in a vertex (and no chain
 /// of edges joins them) one link is added, so that the pieces of this graph are the pieces that share vertices.
-FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use);
+FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
+                    const FractionReport& onProgress = {});
 
 /// Connected pieces of a face graph.
 struct Pieces {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -16,8 +17,6 @@ namespace shapespline {
 namespace {
 
 constexpr int kLeafSize = 48;
-// Smaller pieces are done at once.
-constexpr int kReportedSize = 4000;
 // A separator of more than this part of the nodes is none: no mesh, so minimum degree does better.
 constexpr double kUselessSeparator = 0.3;
 
@@ -30,7 +29,7 @@ struct Piece {
 
 class Dissection {
  public:
-  Dissection(const Graph& graph, std::span<const Vec3> coordinates, const std::function<void(double)>& onProgress)
+  Dissection(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress)
       : whole_(graph), onProgress_(onProgress), local_(graph.size(), -1) {
     order_.resize(graph.size());
     Piece piece{graph, {coordinates.begin(), coordinates.end()}, std::vector<int>(graph.size())};
@@ -46,8 +45,9 @@ class Dissection {
   void dissect(Piece piece) {
     const int size = piece.graph.size();
     if (size <= kLeafSize) return orderLeaf(piece.original);
-    if (size >= kReportedSize && onProgress_) onProgress_(1 - static_cast<double>(end_) / whole_.size());
+    reportWork(size);
     const std::vector<Side> side = findSeparator(piece.graph, piece.coordinates);
+    reportWork(size);
     std::array<int, 3> count = {0, 0, 0};
     for (Side s : side) ++count[static_cast<int>(s)];
     if (count[0] == 0 || count[1] == 0 || count[2] > kUselessSeparator * size) return orderByDegree(piece);
@@ -57,6 +57,15 @@ class Dissection {
     piece = {};
     dissect(std::move(right));
     dissect(std::move(left));
+  }
+
+  // Every node is divided off about as often as pieces can be halved, each time in two steps: finding, extracting.
+  void reportWork(int nodes) {
+    const double halvings = std::max(1.0, std::log2(static_cast<double>(whole_.size()) / kLeafSize));
+    work_ += nodes / (2 * halvings * whole_.size());
+    if (work_ < reported_ + 0.01) return;
+    reported_ = std::min(1.0, work_);
+    reportFraction(onProgress_, reported_);
   }
 
   // Along its longest axis, so that the rows that a neighbouring block shares with it are contiguous.
@@ -150,7 +159,8 @@ class Dissection {
   }
 
   const Graph& whole_;
-  const std::function<void(double)>& onProgress_;
+  const FractionReport& onProgress_;
+  double work_ = 0, reported_ = 0;
   std::vector<int> local_;  // of a leaf's nodes and their neighbours while it is ordered, else -1
   std::vector<int> halo_;
   std::vector<int> order_;
@@ -159,8 +169,7 @@ class Dissection {
 
 }  // namespace
 
-std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates,
-                                       const std::function<void(double)>& onProgress) {
+std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress) {
   return Dissection(graph, coordinates, onProgress).takeOrder();
 }
 

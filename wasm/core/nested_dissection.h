@@ -1,19 +1,18 @@
 // Nested dissection (George 1973) on coordinates.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "core/graph.h"
+#include "core/progress.h"
 #include "core/types.h"
 
 namespace shapespline {
 
 /// Elimination order: order[p] is the node at position p. Graph halves come first, their separator last, recursively; small
 /// pieces are ordered by minimum degree among all their neighbours. coordinates: one finite position a node.
-/// onProgress, if any: fraction in [0, 1].
 std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates,
-                                       const std::function<void(double)>& onProgress = {});
+                                       const FractionReport& onProgress = {});
 
 }  // namespace shapespline

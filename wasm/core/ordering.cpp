@@ -28,8 +28,7 @@ std::vector<int> minimumDegreeOrder(const Graph& graph) {
   return {permutation.indices().data(), permutation.indices().data() + size};
 }
 
-std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates,
-                                   const std::function<void(double)>& onProgress) {
+std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress) {
   // Below this nested dissection has no less fill than minimum degree.
   constexpr int kLarge = 40000;
   if (graph.size() < kLarge || coordinates.empty()) return minimumDegreeOrder(graph);

@@ -1,11 +1,11 @@
 // Fill-reducing elimination orders.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "core/graph.h"
+#include "core/progress.h"
 #include "core/types.h"
 
 namespace shapespline {
@@ -14,8 +14,7 @@ namespace shapespline {
 std::vector<int> minimumDegreeOrder(const Graph& graph);
 
 /// The order the solver uses: nested dissection for large graphs with coordinates, else minimum degree.
-/// coordinates: one position a node, or empty. onProgress, if any: fraction in [0, 1].
-std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates,
-                                   const std::function<void(double)>& onProgress = {});
+/// coordinates: one position a node, or empty.
+std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

@@ -12,8 +12,8 @@ class PatchEncoder {
  public:
   PatchEncoder(const WeldedShape& shape, const ShapeParts& parts) : shape_(shape), parts_(parts) {}
 
-  PatchCoordinates run(int wantedPatches) {
-    partition(wantedPatches);
+  PatchCoordinates run(int wantedPatches, const FractionReport& onProgress) {
+    partition(wantedPatches, onProgress);
     encodePairs();
     encodeTurns();
     return std::move(out_);
@@ -26,12 +26,14 @@ class PatchEncoder {
       if (parts_.hasArea[f]) visit(f);
   }
 
-  void partition(int wantedPatches) {
+  void partition(int wantedPatches, const FractionReport& onProgress) {
     const int m = shape_.faceCount(), columns = shape_.columns();
     std::vector<double> area(m, 0);
     Positions centroid(m, Vec3::Zero());
     std::vector<std::vector<Quaternion>> rotations(columns, std::vector<Quaternion>(m, Quaternion::Identity()));
+    const FractionReport onFaces = partOf(onProgress, 0, 0.3);
     eachUsedFace([&](int f) {
+      reportItem(onFaces, static_cast<std::size_t>(f), area.size());
       const FaceFrame frame = referenceFrame(shape_, f);
       area[f] = frame.area;
       centroid[f] = centroidOf(shape_.poses[shape_.reference], shape_.faces[f]);
@@ -39,7 +41,8 @@ class PatchEncoder {
     });
     const int used = static_cast<int>(std::count(parts_.hasArea.begin(), parts_.hasArea.end(), 1));
     const int wanted = wantedPatches > 0 ? std::min(wantedPatches, used) : defaultPatchCount(used);
-    out_.patches = partitionFaces({parts_.graph, parts_.pieces, area, centroid, rotations}, wanted);
+    out_.patches = partitionFaces({parts_.graph, parts_.pieces, area, centroid, rotations}, wanted,
+                                  partOf(onProgress, 0.3, 0.9));
     out_.area.assign(out_.patches.count, 0);
     eachUsedFace([&](int f) { out_.area[out_.patches.ofFace[f]] += area[f]; });
     averageRotations(area, rotations);
@@ -100,8 +103,9 @@ class PatchEncoder {
 
 }  // namespace
 
-PatchCoordinates encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches) {
-  return PatchEncoder(shape, parts).run(wantedPatches);
+PatchCoordinates encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches,
+                               const FractionReport& onProgress) {
+  return PatchEncoder(shape, parts).run(wantedPatches, onProgress);
 }
 
 double pairWeight(double angle) {

@@ -31,7 +31,8 @@ struct PatchCoordinates {
 };
 
 /// Partitions the faces and encodes their patches in all poses. wantedPatches: 0 = default. Needs some piece.
-PatchCoordinates encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches);
+PatchCoordinates encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches,
+                               const FractionReport& onProgress = {});
 
 /// Weight of a patch pair whose largest turn over the poses is `angle` radians. Log branches cannot agree around a cycle
 /// of patches where pairs turn by more than about 120 degrees; plain least squares would smear that error over the whole

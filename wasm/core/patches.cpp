@@ -22,6 +22,9 @@ constexpr double distanceWeight = 0.03;
 // Faces that may become a first seed, as a multiple of the number of seeds.
 constexpr int candidatesPerSeed = 48;
 
+// Of the time that a partition takes, about.
+constexpr double shareOfSeeds = 0.3;
+
 // A patch while it grows.
 struct Centre {
   std::vector<Quaternion> rotation;  // one a key
@@ -32,7 +35,8 @@ struct Centre {
 
 class Partition {
  public:
-  Partition(const PatchInput& input, int wanted) : in_(input), faceCount_(static_cast<int>(input.area.size())) {
+  Partition(const PatchInput& input, int wanted, const FractionReport& onProgress)
+      : in_(input), onProgress_(onProgress), faceCount_(static_cast<int>(input.area.size())) {
     patches_.ofFace.assign(faceCount_, -1);
     chooseSeeds(wanted);
   }
@@ -40,8 +44,9 @@ class Partition {
   Patches run() {
     const int count = faceCount_ > largeFaceCount ? roundsWhenLarge : rounds;
     for (int round = 0; round < count; ++round) {
+      const double share = (1 - shareOfSeeds) / count, begin = shareOfSeeds + share * round;
       if (round > 0) recentre();
-      grow();
+      grow(partOf(onProgress_, begin, begin + share));
     }
     collectPairs();
     patches_.count = static_cast<int>(centres_.size());
@@ -80,11 +85,11 @@ class Partition {
     for (int piece = 0; piece < in_.pieces.count; ++piece) {
       const auto size = static_cast<int>(members[piece].size());
       const auto share = static_cast<int>(std::lround(static_cast<double>(wanted) * size / std::max(1, used)));
-      chooseSeedsOf(piece, members[piece], std::clamp(share, 1, size));
+      chooseSeedsOf(piece, members[piece], std::clamp(share, 1, size), wanted);
     }
   }
 
-  void chooseSeedsOf(int piece, const std::vector<int>& members, int count) {
+  void chooseSeedsOf(int piece, const std::vector<int>& members, int count, int wanted) {
     double area = 0;
     Vec3 middle = Vec3::Zero();
     for (int f : members) area += in_.area[f], middle += in_.area[f] * in_.centroid[f];
@@ -102,6 +107,7 @@ class Partition {
     for (int i = 1; i < candidateCount; ++i)  // the first seed lies farthest out
       if (farness(candidates[i]) > farness(candidates[next])) next = i;
     for (int s = 0; s < count; ++s) {
+      if (s % 16 == 0) reportFraction(onProgress_, shareOfSeeds * std::min(1.0, static_cast<double>(centres_.size()) / wanted));
       centres_.push_back(centreAt(candidates[next], inverseRadiusSquared));
       patches_.pieceOf.push_back(piece);
       nearest[next] = -1;
@@ -113,7 +119,7 @@ class Partition {
   }
 
   // Floods all patches from their seeds at once, the cheapest face first, so that patches stay connected.
-  void grow() {
+  void grow(const FractionReport& onProgress) {
     struct Claim {
       double cost;
       int face, patch;
@@ -131,10 +137,12 @@ class Partition {
         if (patches_.ofFace[g] < 0) queue.push({cost(g, centres_[patch]), g, patch});
     };
     for (int k = 0; k < count; ++k) claimNeighbours(centres_[k].seed, k);
+    std::size_t claimed = 0;
     while (!queue.empty()) {
       const Claim claim = queue.top();
       queue.pop();
       if (patches_.ofFace[claim.face] >= 0) continue;
+      reportItem(onProgress, ++claimed, static_cast<std::size_t>(faceCount_));
       patches_.ofFace[claim.face] = claim.patch;
       claimNeighbours(claim.face, claim.patch);
     }
@@ -183,6 +191,7 @@ class Partition {
   }
 
   const PatchInput& in_;
+  const FractionReport& onProgress_;
   int faceCount_;
   std::vector<Centre> centres_;
   Patches patches_;
@@ -192,6 +201,8 @@ class Partition {
 
 int defaultPatchCount(int faceCount) { return std::max(1, static_cast<int>(std::lround(std::sqrt(faceCount)))); }
 
-Patches partitionFaces(const PatchInput& input, int wanted) { return Partition(input, wanted).run(); }
+Patches partitionFaces(const PatchInput& input, int wanted, const FractionReport& onProgress) {
+  return Partition(input, wanted, onProgress).run();
+}
 
 }  // namespace shapespline

@@ -38,6 +38,6 @@ int defaultPatchCount(int faceCount);
 
 /// Farthest-point seeds, then rounds of region growing on the dual graph and re-seeding (Lloyd). Every piece gets at
 /// least one patch, so that the count may exceed `wanted`; it never exceeds the number of faces.
-Patches partitionFaces(const PatchInput& input, int wanted);
+Patches partitionFaces(const PatchInput& input, int wanted, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

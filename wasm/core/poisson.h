@@ -34,6 +34,8 @@ class PoissonSystem {
   int dump() const { return solver_.paddedSize(); }
   /// Length of the vectors, in slots: the solver's and the dump, which reads as zero after solve().
   int size() const { return solver_.paddedSize() + 1; }
+  /// The slots that vertices are in come first.
+  int unknowns() const { return static_cast<int>(solver_.eliminationPosition().size()); }
 
   /// In place; 4 * size() numbers.
   template <class Real>
@@ -42,10 +44,21 @@ class PoissonSystem {
     for (int i = 0; i < 4; ++i) xyzp[4 * static_cast<std::size_t>(dump()) + i] = 0;
   }
 
+  /// Solves A x = b to double accuracy on a factor in single precision: residuals in double, corrections in single (Wilkinson
+  /// 1963), from the x given until a correction is small beside `extent`. 4 * size() numbers each; the pads of b must be
+  /// zero, those of x are kept. Only with Precision::Exact.
+  void refine(const double* b, double* x, double extent);
+
   CholeskyStats stats() const { return solver_.stats(); }
 
  private:
+  void keepMatrix(const SymmetricMatrix& matrix);
+  void residual(const double* b, const double* x);
+
   Cholesky solver_;
+  SymmetricMatrix bySlot_;         // with Precision::Exact: the matrix in elimination order
+  std::vector<double> residual_;   // scratch
+  std::vector<float, Eigen::aligned_allocator<float>> correction_;
   std::vector<int> slot_;
 };
 

@@ -2,7 +2,28 @@
 
 #include <algorithm>
 
+#include "core/lanes.h"
+
 namespace shapespline {
+
+namespace {
+
+// The faces sorted by the first of their corners to be eliminated: neighbours in this order write to neighbouring places of
+// the right-hand side. Faces that take no part come last.
+std::vector<int> inEliminationOrder(const std::vector<Triangle>& faces, const std::vector<int>& frameOf, const PoissonSystem& system) {
+  std::vector<int> key(faces.size()), start(static_cast<std::size_t>(system.size()) + 1, 0), order(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    key[f] = system.dump();
+    for (int v : faces[f])
+      if (frameOf[f] >= 0) key[f] = std::min(key[f], system.slot()[v]);
+    ++start[key[f] + 1];
+  }
+  for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
+  for (std::size_t f = 0; f < faces.size(); ++f) order[start[key[f]]++] = static_cast<int>(f);
+  return order;
+}
+
+}  // namespace
 
 template <class Real>
 Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordinates, const StageProgress& onProgress) {
@@ -10,8 +31,13 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   shape_ = &shape;
   source_ = &in.frames;
   lri_ = std::move(coordinates);
+  precision_ = in.precision;
+  stretch_ = in.stretch;
+  const Positions* reference = &shape.poses[shape.reference];
+  extent_ = boundingDiagonal({&reference, 1});
   frameOf_.assign(in.frameOf.begin(), in.frameOf.end());
   pieceOfVertex_.assign(shape.vertexCount(), -1);
+  pieceOfFace_ = in.parts.pieces.ofFace;
   for (int f = 0; f < shape.faceCount(); ++f)
     if (in.parts.hasArea[f])
       for (int v : shape.faces[f]) pieceOfVertex_[v] = in.parts.pieces.ofFace[f];
@@ -22,9 +48,15 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
       laplacian, in.precision, [&](double fraction) { onProgress("ordering", fraction); },
       [&](double fraction) { onProgress("factorising", fraction); });
   if (!status) return status;
-  kernel_.build(shape, frameOf_, in.stretch, poisson_.slot(), poisson_.dump());
+  std::vector<int> order = inEliminationOrder(shape.faces, frameOf_, poisson_);
+  lri_.face.reorder(order);
+  kernel_.build(shape, frameOf_, in.stretch, order, poisson_.slot(), poisson_.dump());
   solution_.resize(4 * static_cast<std::size_t>(poisson_.size()));
   shift_.resize(in.parts.pieces.count);
+  offset_.resize(4 * shift_.size());
+  verticesOfPiece_.assign(shift_.size(), 0);
+  for (int piece : pieceOfVertex_)
+    if (piece >= 0) ++verticesOfPiece_[piece];
   return {};
 }
 
@@ -48,12 +80,13 @@ void Reconstructor<Real>::faceRotations(const Weights& weights, std::vector<Quat
 }
 
 template <class Real>
-int Reconstructor<Real>::solveVertices(const PoseWeights& weights) {
+int Reconstructor<Real>::assemble(const PoseWeights& weights) {
   const std::size_t count = frames_.rotation.size();
-  matrices_.resize(9 * count);
+  matrices_.resize(numbersPerFrame * count);
   for (std::size_t k = 0; k < count; ++k) {
     const Mat3 g = frames_.gradient.empty() ? frames_.rotation[k].toRotationMatrix() : frames_.gradient[k];
-    for (int i = 0; i < 9; ++i) matrices_[9 * k + i] = static_cast<Real>(g(i / 3, i % 3));
+    for (int i = 0; i < numbersPerFrame; ++i)
+      matrices_[numbersPerFrame * k + i] = i % 4 < 3 ? static_cast<Real>(g(i % 4, i / 4)) : Real(0);
   }
   columnWeights_.assign(1, Real(1));  // of faces that rest in their frames
   if (lri_.face.columns() > 1) columnWeights_.assign(weights.column.begin(), weights.column.end());
@@ -63,8 +96,36 @@ int Reconstructor<Real>::solveVertices(const PoseWeights& weights) {
     for (const Winding& winding : lri_.faceWinding)
       kernel_.accumulateShift(lri_.face, matrices_, columnWeights_, winding.index, weights.closing * winding.difference,
                               solution_.data());
-  poisson_.solve(solution_.data());
   return lost;
+}
+
+// Refinement starts from the key with the largest weight: a frame depends on its weights alone, never on another frame.
+template <class Real>
+void Reconstructor<Real>::startFromKey(const PoseWeights& weights) {
+  const auto first = weights.column.begin();
+  const Positions& key = shape_->poses[std::max_element(first, first + shape_->keys) - first];
+  rightHandSide_.assign(solution_.begin(), solution_.end());
+  std::vector<Vec3> tied(shift_.size(), Vec3::Zero());
+  for (std::size_t v = 0; v < key.size(); ++v)
+    if (pieceOfVertex_[v] >= 0 && poisson_.slot()[v] == poisson_.dump()) tied[pieceOfVertex_[v]] = key[v];
+  for (std::size_t v = 0; v < key.size(); ++v) {
+    if (poisson_.slot()[v] == poisson_.dump()) continue;
+    const Vec3 p = key[v] - tied[pieceOfVertex_[v]];
+    for (int i = 0; i < 3; ++i) solution_[4 * static_cast<std::size_t>(poisson_.slot()[v]) + i] = static_cast<Real>(p[i]);
+  }
+  for (int i = 0; i < 4; ++i) solution_[4 * static_cast<std::size_t>(poisson_.dump()) + i] = 0;
+}
+
+template <class Real>
+void Reconstructor<Real>::solve(const PoseWeights& weights) {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (precision_ == Precision::Exact) {
+      startFromKey(weights);
+      poisson_.refine(rightHandSide_.data(), solution_.data(), extent_);
+      return;
+    }
+  }
+  poisson_.solve(solution_.data());
 }
 
 template <class Real>
@@ -90,33 +151,92 @@ void Reconstructor<Real>::placeComponents(const PoseWeights& weights) {
   }
 }
 
+// What every piece has to be moved by, so that the mean of all vertices lies where the coordinates have it.
 template <class Real>
-void Reconstructor<Real>::writeVertices(const PoseWeights& weights, std::vector<Real>& xyz) const {
-  const int n = shape_->vertexCount();
-  xyz.resize(3 * static_cast<std::size_t>(n));
+Vec3 Reconstructor<Real>::settleMean(const PoseWeights& weights) {
   Vec3 sum = Vec3::Zero();
-  const auto set = [&](int v, const Vec3& p) {
-    for (int i = 0; i < 3; ++i) xyz[3 * static_cast<std::size_t>(v) + i] = static_cast<Real>(p[i]);
-    sum += p;
-  };
-  for (int v = 0; v < n; ++v)
-    if (pieceOfVertex_[v] >= 0) set(v, placedVertex(v));
-  for (const LooseVertex& loose : lri_.loose)
-    set(loose.vertex, placedCentroid(loose.anchorFace) +
-                          faceRotation(loose.anchorFace, loose.anchorFrame, weights) * blend(loose.offset, weights));
-  const Vec3 move = blend(lri_.meanPosition, weights) - sum / n;
-  for (int v = 0; v < n; ++v)
-    for (int i = 0; i < 3; ++i) xyz[3 * static_cast<std::size_t>(v) + i] += static_cast<Real>(move[i]);
+  const Real* x = solution_.data();
+  for (const Real* end = x + 4 * static_cast<std::size_t>(poisson_.unknowns()); x != end; x += 4) sum += Vec3(x[0], x[1], x[2]);
+  for (std::size_t p = 0; p < shift_.size(); ++p) sum += verticesOfPiece_[p] * shift_[p];
+  for (const LooseVertex& loose : lri_.loose) sum += loosePlace(loose, weights);
+  const Vec3 move = blend(lri_.meanPosition, weights) - sum / shape_->vertexCount();
+  for (std::size_t p = 0; p < shift_.size(); ++p)
+    for (int i = 0; i < 3; ++i) offset_[4 * p + i] = static_cast<Real>(shift_[p][i] + move[i]);
+  return move;
 }
 
 template <class Real>
-int Reconstructor<Real>::reconstruct(const Weights& weights, std::vector<Real>& xyz) {
+Vec3 Reconstructor<Real>::loosePlace(const LooseVertex& loose, const PoseWeights& weights) const {
+  return placedCentroid(loose.anchorFace) + faceRotation(loose.anchorFace, loose.anchorFrame, weights) * blend(loose.offset, weights);
+}
+
+template <class Real>
+void Reconstructor<Real>::writeVertices(const PoseWeights& weights, std::vector<Real>& xyz) {
+  const std::size_t n = pieceOfVertex_.size();
+  xyz.resize(3 * n);
+  const Vec3 move = settleMean(weights);
+  const Real* x = solution_.data();
+  const int* slot = poisson_.slot().data();
+  const auto placed = [&](std::size_t v) {
+    const std::size_t piece = static_cast<std::size_t>(std::max(0, pieceOfVertex_[v]));
+    return Lanes<Real>::load(x + 4 * static_cast<std::size_t>(slot[v])) + Lanes<Real>::load(offset_.data() + 4 * piece);
+  };
+  // Four numbers at a time: the next vertex overwrites the pad of this one.
+  Real* out = xyz.data();
+  for (std::size_t v = 0; v + 1 < n; ++v) placed(v).store(out + 3 * v);
+  Real last[4];
+  placed(n - 1).store(last);
+  std::copy_n(last, 3, out + 3 * (n - 1));
+  for (const LooseVertex& loose : lri_.loose) {
+    const Vec3 p = loosePlace(loose, weights) + move;
+    for (int i = 0; i < 3; ++i) out[3 * static_cast<std::size_t>(loose.vertex) + i] = static_cast<Real>(p[i]);
+  }
+}
+
+template <class Real>
+int Reconstructor<Real>::reconstruct(const Weights& weights, std::vector<Real>& xyz, SequenceStats* stats) {
+  Stopwatch watch;
   const PoseWeights w = poseWeights(weights, *shape_);
   source_->at(weights, frames_);
-  const int lost = solveVertices(w);
+  const int lost = assemble(w);
+  const double facesMs = watch.lap();
+  solve(w);
+  const double solveMs = watch.lap();
   placeComponents(w);
   writeVertices(w, xyz);
+  if (stats) stats->facesMs = facesMs, stats->solveMs = solveMs, stats->placeMs = watch.lap();
   return lost;
+}
+
+template <class Real>
+Status Reconstructor<Real>::embed(const FramePoses& poses) {
+  std::vector<int> faceOfVertex(shape_->vertexCount(), -1);
+  for (int f = 0; f < shape_->faceCount(); ++f)
+    if (frameOf_[f] >= 0)
+      for (int v : shape_->faces[f])
+        if (faceOfVertex[v] < 0) faceOfVertex[v] = f;
+  std::vector<int> loose;
+  for (const LooseVertex& l : lri_.loose) {
+    faceOfVertex[l.vertex] = l.anchorFace;
+    loose.push_back(l.vertex);
+  }
+  const auto turn = [&](int f, int c) -> Vec3 { return lri_.face.columns() > 1 ? lri_.face.rotation(f, c) : Vec3::Zero(); };
+  std::vector<std::pair<int, int>> anchors;
+  for (const ComponentPlace& place : lri_.places) anchors.emplace_back(place.anchorFace, place.contactFace);
+  Embedding embedding;
+  const Status status = embedding.build(
+      {*shape_, faceOfVertex, loose, frameOf_, pieceOfFace_, poses.rotation, turn, std::move(anchors), stretch_ == Stretch::Log});
+  if (status) embedding_ = std::move(embedding);
+  return status;
+}
+
+template <class Real>
+Status Reconstructor<Real>::preview(const Weights& weights, const FramePoses& poses, std::vector<float>& xyz) {
+  if (!embedding_)
+    if (Status status = embed(poses); !status) return status;
+  source_->at(weights, frames_);
+  embedding_->at(poseWeights(weights, *shape_), frames_.rotation, xyz);
+  return {};
 }
 
 template class Reconstructor<float>;

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "core/embedding.h"
 #include "core/face_kernel.h"
 #include "core/frame_source.h"
 #include "core/lri.h"
 #include "core/poisson.h"
 #include "core/pose_weights.h"
+#include "core/sequence_stats.h"
 
 namespace shapespline {
 
@@ -34,7 +37,12 @@ class Reconstructor {
 
   /// The shape at `weights`, its mean position where the coordinates have it. xyz: 3 numbers a welded vertex.
   /// Returns the number of faces whose interpolated S_f is not positive definite.
-  int reconstruct(const Weights& weights, std::vector<Real>& xyz);
+  /// The parts' wall times go to stats, if there is one.
+  int reconstruct(const Weights& weights, std::vector<Real>& xyz, SequenceStats* stats = nullptr);
+
+  /// The shape at `weights`, about (embedding.h), made for it when it is first asked for. poses: the frames that the
+  /// coordinates are in. Error: that of the embedding's solver.
+  Status preview(const Weights& weights, const FramePoses& poses, std::vector<float>& xyz);
 
   /// R_f of every face at `weights`; the identity for faces without area.
   void faceRotations(const Weights& weights, std::vector<Quaternion>& rotation);
@@ -42,11 +50,19 @@ class Reconstructor {
   const LriCoordinates<Real>& coordinates() const { return lri_; }
   CholeskyStats solverStats() const { return poisson_.stats(); }
 
+  /// Where each welded vertex lies in the solver's vectors: neighbours of the mesh are near each other there.
+  const std::vector<int>& vertexOrder() const { return poisson_.slot(); }
+
  private:
   Quaternion faceRotation(int face, int frame, const PoseWeights& weights) const;
-  int solveVertices(const PoseWeights& weights);
+  Status embed(const FramePoses& poses);
+  int assemble(const PoseWeights& weights);
+  void solve(const PoseWeights& weights);
+  void startFromKey(const PoseWeights& weights);
   void placeComponents(const PoseWeights& weights);
-  void writeVertices(const PoseWeights& weights, std::vector<Real>& xyz) const;
+  void writeVertices(const PoseWeights& weights, std::vector<Real>& xyz);
+  Vec3 settleMean(const PoseWeights& weights);
+  Vec3 loosePlace(const LooseVertex& loose, const PoseWeights& weights) const;
   Vec3 placedVertex(int v) const;
   Vec3 placedCentroid(int face) const;
 
@@ -55,14 +71,22 @@ class Reconstructor {
   LriCoordinates<Real> lri_;
   PoissonSystem poisson_;
   FaceKernel<Real> kernel_;
+  Precision precision_ = Precision::Single;
+  Stretch stretch_ = Stretch::Linear;
+  double extent_ = 0;  // diagonal of the reference pose
   std::vector<int> frameOf_;
   std::vector<int> pieceOfVertex_;  // -1 for loose vertices
+  std::vector<int> verticesOfPiece_;
+  std::vector<int> pieceOfFace_;
+  std::optional<Embedding> embedding_;
 
   // scratch, overwritten by every reconstruction
   std::vector<Real, Eigen::aligned_allocator<Real>> solution_;
+  std::vector<Real, Eigen::aligned_allocator<Real>> rightHandSide_;  // with Precision::Exact
   Frames frames_;
   std::vector<Real> matrices_, columnWeights_;
-  std::vector<Vec3> shift_;  // translation of each piece
+  std::vector<Vec3> shift_;   // translation of each piece against the others
+  std::vector<Real> offset_;  // of each piece, with what the mean position asks for: (x, y, z, 0)
 };
 
 }  // namespace shapespline

@@ -116,7 +116,8 @@ struct Sequence::State {
 
   Columns columns() const { return {shape.keys}; }
 
-  void weldKeys(const EncodingOptions& encoding);
+  void weldKeys(const EncodingOptions& encoding, const FractionReport& onProgress);
+  void prepareShading();
   void findClosing();
   void decideAlignment();
   CurveOptions curveOptions(const MotionOptions& options) const;
@@ -133,13 +134,15 @@ struct Sequence::State {
   Vec3 meanPosition(const Weights& weights) const;
   int weldedShape(const Weights& weights, Positions& out);
   int weldedShape(const Weights& weights, std::vector<float>& out);
+  std::vector<float>& weldedFrame(Frame& frame);
   void fill(const Weights& weights, const Global& global, Frame& frame);
+  void finish(const Global& global, std::vector<float>& xyz, Frame& frame);
   void fill(const Weights& weights, const Global& global, Positions& positions);
   const Eigen::MatrixXd& gramMatrix();
   Eigen::VectorXd poseWeightsAt(double t) const;
 };
 
-void Sequence::State::weldKeys(const EncodingOptions& encoding) {
+void Sequence::State::weldKeys(const EncodingOptions& encoding, const FractionReport& onProgress) {
   std::vector<const Positions*> poses;
   for (const Key& key : raw.keys) poses.push_back(&key.positions);
   shape.keys = raw.keyCount();
@@ -147,12 +150,17 @@ void Sequence::State::weldKeys(const EncodingOptions& encoding) {
   if (encoding.startTangent) shape.startTangent = static_cast<int>(poses.size()), poses.push_back(&*encoding.startTangent);
   if (encoding.endTangent) shape.endTangent = static_cast<int>(poses.size()), poses.push_back(&*encoding.endTangent);
   diagonal = boundingDiagonal(poses);
-  welding = weld(poses, weldTolerance * diagonal);
+  welding = weld(poses, weldTolerance * diagonal, partOf(onProgress, 0, 0.8));
   shape.faces = weldFaces(raw.faces, welding);
   for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, welding));
+}
+
+void Sequence::State::prepareShading() {
   int groups = 0;
-  std::vector<int> group = shadingGroups(welding, raw.normals, groups);
-  shading = Shading(std::move(group), groups);
+  const std::vector<int> group = shadingGroups(welding, raw.normals, groups);
+  std::vector<int> rank(group.size());
+  for (std::size_t v = 0; v < rank.size(); ++v) rank[v] = shapeMotion->vertexOrder()[welding.weldedOfRaw[v]];
+  shading = Shading(raw.faces, group, groups, rank);
 }
 
 void Sequence::State::findClosing() {
@@ -266,8 +274,9 @@ int Sequence::State::weldedShape(const Weights& weights, Positions& out) {
 int Sequence::State::weldedShape(const Weights& weights, std::vector<float>& out) {
   if (!blendsVertices(motion.method)) {
     ++stats.solves;
-    return shapeMotion->at(weights, out);
+    return shapeMotion->at(weights, out, stats);
   }
+  stats.facesMs = stats.solveMs = stats.placeMs = 0;
   blendVertices(shape, weights, weldedPositions);
   out.resize(3 * weldedPositions.size());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<float>(weldedPositions[i / 3][i % 3]);
@@ -282,17 +291,33 @@ void Sequence::State::fill(const Weights& weights, const Global& global, Positio
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = weldedPositions[welding.weldedOfRaw[v]];
 }
 
+// Without seams the welded vertices are the raw ones, in the same order.
+std::vector<float>& Sequence::State::weldedFrame(Frame& frame) {
+  return welding.count == raw.vertexCount() ? frame.positions : weldedXyz;
+}
+
 void Sequence::State::fill(const Weights& weights, const Global& global, Frame& frame) {
-  frame.lostDefiniteness = weldedShape(weights, weldedXyz);
+  std::vector<float>& xyz = weldedFrame(frame);
+  frame.lostDefiniteness = weldedShape(weights, xyz);
+  finish(global, xyz, frame);
+}
+
+// From welded vertices to what is drawn.
+void Sequence::State::finish(const Global& global, std::vector<float>& xyz, Frame& frame) {
+  Stopwatch watch;
   if (global.moves)
-    for (std::size_t i = 0; i < weldedXyz.size(); i += 3) {
-      const Vec3 p = global.apply({weldedXyz[i], weldedXyz[i + 1], weldedXyz[i + 2]});
-      for (int k = 0; k < 3; ++k) weldedXyz[i + k] = static_cast<float>(p[k]);
+    for (std::size_t i = 0; i < xyz.size(); i += 3) {
+      const Vec3 p = global.apply({xyz[i], xyz[i + 1], xyz[i + 2]});
+      for (int k = 0; k < 3; ++k) xyz[i + k] = static_cast<float>(p[k]);
     }
-  frame.positions.resize(3 * welding.weldedOfRaw.size());
-  for (std::size_t v = 0; v < welding.weldedOfRaw.size(); ++v)
-    std::copy_n(&weldedXyz[3 * static_cast<std::size_t>(welding.weldedOfRaw[v])], 3, &frame.positions[3 * v]);
-  shading.normals(raw.faces, frame.positions, frame.normals);
+  if (&xyz != &frame.positions) {
+    frame.positions.resize(3 * welding.weldedOfRaw.size());
+    for (std::size_t v = 0; v < welding.weldedOfRaw.size(); ++v)
+      std::copy_n(&xyz[3 * static_cast<std::size_t>(welding.weldedOfRaw[v])], 3, &frame.positions[3 * v]);
+  }
+  stats.placeMs += watch.lap();
+  shading.normals(frame.positions, frame.normals);
+  stats.normalsMs = watch.lap();
 }
 
 const Eigen::MatrixXd& Sequence::State::gramMatrix() {
@@ -311,8 +336,10 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   if (Status status = checkEncoding(encoding, keyframes); !status) return status.error();
   if (keyframes.normals.size() != static_cast<std::size_t>(keyframes.vertexCount())) keyframes.normals.clear();
 
+  double reached = 0;
   const auto report = [&, withGhost = encoding.ghostFaces > 0](const char* stage, double fraction) {
-    if (progress) progress(stage, wholeProgress(stage, fraction, withGhost));
+    reached = std::max(reached, wholeProgress(stage, fraction, withGhost));
+    if (progress) progress(stage, reached);
   };
 
   auto state = std::make_unique<State>();
@@ -320,13 +347,14 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   s.raw = std::move(keyframes);
   Stopwatch watch;
   report("welding", 0);
-  s.weldKeys(encoding);
+  s.weldKeys(encoding, [&](double fraction) { report("welding", fraction); });
   s.stats.weldMs = watch.lap();
   report("welding", 1);
   auto shapeMotion = ShapeMotion::create(s.shape, encoding, s.stats, report);
   if (!shapeMotion) return shapeMotion.error();
   s.shapeMotion = std::move(*shapeMotion);
   s.wantedGhostFaces = encoding.ghostFaces;
+  s.prepareShading();
   s.describeGhost();
   s.findClosing();
   s.decideAlignment();
@@ -375,6 +403,20 @@ Status Sequence::evaluate(double t, Frame& frame) {
   const WrappedTime wrapped = state_->curve->wrap(t);
   const Weights weights = state_->curve->weights(wrapped.time);
   state_->fill(weights, state_->globalMotion(t, wrapped, weights), frame);
+  return {};
+}
+
+Status Sequence::preview(double t, Frame& frame) {
+  if (Status status = checkTime(t); !status) return status;
+  State& s = *state_;
+  const WrappedTime wrapped = s.curve->wrap(t);
+  const Weights weights = s.curve->weights(wrapped.time);
+  if (blendsVertices(s.motion.method)) return evaluate(t, frame);
+  std::vector<float>& xyz = s.weldedFrame(frame);
+  frame.lostDefiniteness = 0;
+  s.stats.facesMs = s.stats.solveMs = s.stats.placeMs = 0;
+  if (Status status = s.shapeMotion->previewAt(weights, xyz); !status) return status;
+  s.finish(s.globalMotion(t, wrapped, weights), xyz, frame);
   return {};
 }
 

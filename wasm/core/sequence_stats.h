@@ -20,6 +20,9 @@ struct SequenceStats {
   int joinedComponents = 0;               ///< components too small for a ghost of their own
   double simplifyMs = 0, transferMs = 0;  ///< with a ghost: collapses; correspondence and residuals
   bool alignedByPatches = false;  ///< the mean rotation was badly conditioned (alignment.h)
+  /// Wall time of the last frame's parts: spline, frames and right-hand side; the full-resolution solve; placing the
+  /// vertices and undoing the welding; normals.
+  double facesMs = 0, solveMs = 0, placeMs = 0, normalsMs = 0;
 };
 
 class Stopwatch {

@@ -15,19 +15,23 @@ class TypedMotion final : public ShapeMotion {
 
   Status build(const EncodingOptions& options, SequenceStats& stats, const StageProgress& progress) {
     Stopwatch watch;
-    progress(options.ghostFaces > 0 ? "simplifying" : "encoding", 0);
-    const ShapeParts parts = partsOf(shape_);
+    const bool wantsGhost = options.ghostFaces > 0;
+    const auto stage = [&progress](const char* name, double from, double to) {
+      return FractionReport([&progress, name, from, to](double f) { progress(name, from + (to - from) * f); });
+    };
+    const ShapeParts parts = partsOf(shape_, wantsGhost ? stage("simplifying", 0, 0) : stage("encoding", 0, 0.2));
     if (parts.pieces.count == 0)
       return Error{ErrorCode::NoArea, "No triangle has area in every key. Use poses in which the shape is not collapsed."};
     stats.components = parts.pieces.count;
     const auto usedFaces = std::count(parts.hasArea.begin(), parts.hasArea.end(), 1);
-    const bool withGhost = options.ghostFaces > 0 && options.ghostFaces < usedFaces;
-    Status status = withGhost ? buildGhost(parts, options, stats, progress) : buildPatches(parts, options, stats);
+    const bool withGhost = wantsGhost && options.ghostFaces < usedFaces;
+    Status status = withGhost ? buildGhost(parts, options, stats, progress)
+                              : buildPatches(parts, options, stats, stage("encoding", 0.2, 0.7));
     if (!status) return status;
-    progress("encoding", 0);
     watch.lap();
     const FramePoses frames = withGhost ? ghost_->poses() : patches_.poses();
-    auto coordinates = encode<Real>(shape_, parts, frames, options.stretch, withGhost ? options.transfer : Transfer::Exact);
+    auto coordinates = encode<Real>(shape_, parts, frames, options.stretch, withGhost ? options.transfer : Transfer::Exact,
+                                    stage("encoding", withGhost ? 0 : 0.7, 1));
     ++stats.encodings;
     (withGhost ? stats.transferMs : stats.encodeMs) += watch.lap();
     progress("encoding", 1);
@@ -38,7 +42,6 @@ class TypedMotion final : public ShapeMotion {
                                   });
     stats.factorMs = watch.lap();
     ++stats.factorisations;
-    if (ghost_) ghost_->forgetPoses();
     return status;
   }
 
@@ -49,14 +52,18 @@ class TypedMotion final : public ShapeMotion {
     return lost;
   }
 
-  int at(const Weights& weights, std::vector<float>& welded) override {
+  int at(const Weights& weights, std::vector<float>& welded, SequenceStats& stats) override {
     if constexpr (std::is_same_v<Real, float>) {
-      return reconstructor_.reconstruct(weights, welded);
+      return reconstructor_.reconstruct(weights, welded, &stats);
     } else {
-      const int lost = reconstructor_.reconstruct(weights, xyz_);
+      const int lost = reconstructor_.reconstruct(weights, xyz_, &stats);
       welded.assign(xyz_.begin(), xyz_.end());
       return lost;
     }
+  }
+
+  Status previewAt(const Weights& weights, std::vector<float>& welded) override {
+    return reconstructor_.preview(weights, ghost_ ? ghost_->poses() : patches_.poses(), welded);
   }
 
   PatchMotion& patchMotion() override { return ghost_ ? ghost_->patchMotion() : patches_; }
@@ -70,6 +77,7 @@ class TypedMotion final : public ShapeMotion {
     return gramMatrix(patches_.coordinates(), reconstructor_.coordinates(), shape_, diagonal);
   }
   const std::vector<Vec3>& meanPosition() const override { return reconstructor_.coordinates().meanPosition; }
+  const std::vector<int>& vertexOrder() const override { return reconstructor_.vertexOrder(); }
   bool hasWinding() const override {
     const bool ghostWinds = ghost_ && !ghost_->coordinates().faceWinding.empty();
     return ghostWinds || !patchMotion().coordinates().pairWinding.empty() || !reconstructor_.coordinates().faceWinding.empty();
@@ -82,9 +90,9 @@ class TypedMotion final : public ShapeMotion {
     return patches_;
   }
 
-  Status buildPatches(const ShapeParts& parts, const EncodingOptions& options, SequenceStats& stats) {
+  Status buildPatches(const ShapeParts& parts, const EncodingOptions& options, SequenceStats& stats, const FractionReport& onProgress) {
     Stopwatch watch;
-    const Status status = patches_.build(shape_, encodePatches(shape_, parts, options.patches), options.rootPatch);
+    const Status status = patches_.build(shape_, encodePatches(shape_, parts, options.patches, onProgress), options.rootPatch);
     ++stats.factorisations;
     stats.encodeMs += watch.lap();
     return status;
@@ -118,7 +126,7 @@ Result<std::unique_ptr<ShapeMotion>> createTyped(const WeldedShape& shape, const
 
 Result<std::unique_ptr<ShapeMotion>> ShapeMotion::create(const WeldedShape& shape, const EncodingOptions& options,
                                                          SequenceStats& stats, const StageProgress& progress) {
-  if (options.precision == Precision::Double) return createTyped<double>(shape, options, stats, progress);
+  if (options.precision != Precision::Single) return createTyped<double>(shape, options, stats, progress);
   return createTyped<float>(shape, options, stats, progress);
 }
 

@@ -1,5 +1,6 @@
 // Four floats or two doubles in one register: WebAssembly SIMD, SSE2, or plain C++ (SHAPESPLINE_SCALAR).
-// Each operation rounds once per lane, nothing is fused: all three give the same bits.
+// Each operation rounds once per lane, nothing is fused: all three give the same bits. notPositive: a bit for each lane
+// that is zero, negative or not a number; largerMagnitude: per lane; turnedXyz: (y, z, x, w).
 #pragma once
 
 #if defined(SHAPESPLINE_SCALAR)
@@ -12,6 +13,9 @@
 #include <emmintrin.h>
 #else
 #define SHAPESPLINE_SIMD_SCALAR 1
+#endif
+#if SHAPESPLINE_SIMD_SCALAR
+#include <cmath>
 #endif
 
 namespace shapespline {
@@ -28,6 +32,11 @@ struct Float4 {
   friend Float4 operator+(Float4 a, Float4 b) { return {wasm_f32x4_add(a.v, b.v)}; }
   friend Float4 operator-(Float4 a, Float4 b) { return {wasm_f32x4_sub(a.v, b.v)}; }
   friend Float4 operator*(Float4 a, Float4 b) { return {wasm_f32x4_mul(a.v, b.v)}; }
+  friend Float4 operator/(Float4 a, Float4 b) { return {wasm_f32x4_div(a.v, b.v)}; }
+  friend Float4 squareRoot(Float4 a) { return {wasm_f32x4_sqrt(a.v)}; }
+  friend Float4 largerMagnitude(Float4 a, Float4 b) { return {wasm_f32x4_pmax(wasm_f32x4_abs(a.v), wasm_f32x4_abs(b.v))}; }
+  friend Float4 turnedXyz(Float4 a) { return {wasm_i32x4_shuffle(a.v, a.v, 1, 2, 0, 3)}; }
+  friend int notPositive(Float4 a) { return 15 ^ static_cast<int>(wasm_i32x4_bitmask(wasm_f32x4_gt(a.v, zero().v))); }
   friend Float4 lowHalves(Float4 a, Float4 b) { return {wasm_i64x2_shuffle(a.v, b.v, 0, 2)}; }
   friend Float4 highHalves(Float4 a, Float4 b) { return {wasm_i64x2_shuffle(a.v, b.v, 1, 3)}; }
   friend Float4 interleaveLow(Float4 a, Float4 b) { return {wasm_i32x4_shuffle(a.v, b.v, 0, 4, 1, 5)}; }
@@ -42,6 +51,14 @@ struct Float4 {
   friend Float4 operator+(Float4 a, Float4 b) { return {_mm_add_ps(a.v, b.v)}; }
   friend Float4 operator-(Float4 a, Float4 b) { return {_mm_sub_ps(a.v, b.v)}; }
   friend Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.v, b.v)}; }
+  friend Float4 operator/(Float4 a, Float4 b) { return {_mm_div_ps(a.v, b.v)}; }
+  friend Float4 squareRoot(Float4 a) { return {_mm_sqrt_ps(a.v)}; }
+  friend Float4 largerMagnitude(Float4 a, Float4 b) {
+    const __m128 sign = _mm_set1_ps(-0.0f);
+    return {_mm_max_ps(_mm_andnot_ps(sign, b.v), _mm_andnot_ps(sign, a.v))};
+  }
+  friend Float4 turnedXyz(Float4 a) { return {_mm_shuffle_ps(a.v, a.v, _MM_SHUFFLE(3, 0, 2, 1))}; }
+  friend int notPositive(Float4 a) { return 15 ^ _mm_movemask_ps(_mm_cmpgt_ps(a.v, zero().v)); }
   friend Float4 lowHalves(Float4 a, Float4 b) { return {_mm_movelh_ps(a.v, b.v)}; }
   friend Float4 highHalves(Float4 a, Float4 b) { return {_mm_movehl_ps(b.v, a.v)}; }
   friend Float4 interleaveLow(Float4 a, Float4 b) { return {_mm_unpacklo_ps(a.v, b.v)}; }
@@ -67,6 +84,24 @@ struct Float4 {
     for (int i = 0; i < 4; ++i) a.v[i] *= b.v[i];
     return a;
   }
+  friend Float4 operator/(Float4 a, Float4 b) {
+    for (int i = 0; i < 4; ++i) a.v[i] /= b.v[i];
+    return a;
+  }
+  friend Float4 squareRoot(Float4 a) {
+    for (int i = 0; i < 4; ++i) a.v[i] = std::sqrt(a.v[i]);
+    return a;
+  }
+  friend Float4 largerMagnitude(Float4 a, Float4 b) {
+    for (int i = 0; i < 4; ++i) a.v[i] = std::fabs(a.v[i]) < std::fabs(b.v[i]) ? std::fabs(b.v[i]) : std::fabs(a.v[i]);
+    return a;
+  }
+  friend Float4 turnedXyz(Float4 a) { return {{a.v[1], a.v[2], a.v[0], a.v[3]}}; }
+  friend int notPositive(Float4 a) {
+    int mask = 0;
+    for (int i = 0; i < 4; ++i) mask |= !(a.v[i] > 0) << i;
+    return mask;
+  }
   friend Float4 lowHalves(Float4 a, Float4 b) { return {{a.v[0], a.v[1], b.v[0], b.v[1]}}; }
   friend Float4 highHalves(Float4 a, Float4 b) { return {{a.v[2], a.v[3], b.v[2], b.v[3]}}; }
   friend Float4 interleaveLow(Float4 a, Float4 b) { return {{a.v[0], b.v[0], a.v[1], b.v[1]}}; }
@@ -86,6 +121,7 @@ struct Double2 {
   friend Double2 operator+(Double2 a, Double2 b) { return {wasm_f64x2_add(a.v, b.v)}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {wasm_f64x2_sub(a.v, b.v)}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {wasm_f64x2_mul(a.v, b.v)}; }
+  friend int notPositive(Double2 a) { return 3 ^ static_cast<int>(wasm_i64x2_bitmask(wasm_f64x2_gt(a.v, zero().v))); }
   friend Double2 lowHalves(Double2 a, Double2 b) { return {wasm_i64x2_shuffle(a.v, b.v, 0, 2)}; }
   friend Double2 highHalves(Double2 a, Double2 b) { return {wasm_i64x2_shuffle(a.v, b.v, 1, 3)}; }
 #elif SHAPESPLINE_SIMD_SSE
@@ -98,6 +134,7 @@ struct Double2 {
   friend Double2 operator+(Double2 a, Double2 b) { return {_mm_add_pd(a.v, b.v)}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {_mm_sub_pd(a.v, b.v)}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {_mm_mul_pd(a.v, b.v)}; }
+  friend int notPositive(Double2 a) { return 3 ^ _mm_movemask_pd(_mm_cmpgt_pd(a.v, zero().v)); }
   friend Double2 lowHalves(Double2 a, Double2 b) { return {_mm_unpacklo_pd(a.v, b.v)}; }
   friend Double2 highHalves(Double2 a, Double2 b) { return {_mm_unpackhi_pd(a.v, b.v)}; }
 #else
@@ -110,6 +147,7 @@ struct Double2 {
   friend Double2 operator+(Double2 a, Double2 b) { return {{a.v[0] + b.v[0], a.v[1] + b.v[1]}}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {{a.v[0] - b.v[0], a.v[1] - b.v[1]}}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {{a.v[0] * b.v[0], a.v[1] * b.v[1]}}; }
+  friend int notPositive(Double2 a) { return !(a.v[0] > 0) | !(a.v[1] > 0) << 1; }
   friend Double2 lowHalves(Double2 a, Double2 b) { return {{a.v[0], b.v[0]}}; }
   friend Double2 highHalves(Double2 a, Double2 b) { return {{a.v[1], b.v[1]}}; }
 #endif
@@ -129,6 +167,7 @@ struct Double4 {
   friend Double4 operator+(Double4 a, Double4 b) { return {a.low + b.low, a.high + b.high}; }
   friend Double4 operator-(Double4 a, Double4 b) { return {a.low - b.low, a.high - b.high}; }
   friend Double4 operator*(Double4 a, Double4 b) { return {a.low * b.low, a.high * b.high}; }
+  friend int notPositive(Double4 a) { return notPositive(a.low) | notPositive(a.high) << 2; }
 };
 
 /// p - n, computed where it stands. WebAssembly addresses have no negative offsets, and compilers that fold this step

@@ -120,11 +120,12 @@ std::vector<int> stackOrder(const std::vector<Node>& nodes, const std::vector<in
 }
 
 // Fills in the rows of every supernode: those of its columns' entries and of its children, beyond its own columns.
-void collectRows(const Graph& graph, SymbolicFactor& factor) {
+void collectRows(const Graph& graph, SymbolicFactor& factor, const FractionReport& onProgress) {
   const int count = factor.supernodes();
   std::vector<int> firstChild(count, -1), sibling(count, -1), mark(factor.size(), -1);
   factor.rowStart.assign(1, 0);
   for (int s = 0; s < count; ++s) {
+    reportItem(onProgress, static_cast<std::size_t>(s), static_cast<std::size_t>(count));
     const int end = factor.first[s + 1];
     const auto add = [&](int p) {
       if (p < end || mark[p] == s) return;
@@ -146,10 +147,11 @@ void collectRows(const Graph& graph, SymbolicFactor& factor) {
 
 }  // namespace
 
-SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order) {
+SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order, const FractionReport& onProgress) {
   const int size = graph.size();
   // Renumber by a postorder of the elimination tree.
   std::vector<int> parent = eliminationTree(permuted(graph, order));
+  reportFraction(onProgress, 0.2);
   const std::vector<int> post = postorder(parent);
   std::vector<int> postordered(size), inverse(size), postParent(size);
   for (int p = 0; p < size; ++p) inverse[post[p]] = p, postordered[p] = order[post[p]];
@@ -158,9 +160,11 @@ SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order) 
   std::vector<int> supernodeOf;
   std::vector<Node> nodes = maximalSupernodes(
       postParent, factorColumnCounts(permuted(graph, postordered), postParent), supernodeOf);
+  reportFraction(onProgress, 0.5);
   const std::vector<int> mergedInto = mergeSupernodes(nodes);
   const std::vector<int> finalOrder = stackOrder(nodes, mergedInto);
 
+  reportFraction(onProgress, 0.7);
   // Columns of merged supernodes come together, the child's before the parent's.
   SymbolicFactor factor;
   std::vector<int> finalIndex(nodes.size(), -1);
@@ -177,7 +181,7 @@ SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order) 
     factor.order[at] = postordered[p];
     factor.position[postordered[p]] = at;
   }
-  collectRows(graph, factor);
+  collectRows(graph, factor, partOf(onProgress, 0.7, 1));
   return factor;
 }
 

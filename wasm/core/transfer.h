@@ -34,9 +34,8 @@ class GhostMotion final : public FrameSource {
   /// The ghost's vertices at `weights`; returns its number of faces whose S_f is not positive definite.
   int positions(const Weights& weights, Positions& positions);
 
-  /// The ghost's frames in the poses that were encoded; valid until forgetPoses().
+  /// The ghost's frames in the poses that were encoded.
   FramePoses poses() const { return {faceOf_, rotation_}; }
-  void forgetPoses() { rotation_ = {}; }
 
   const GhostMesh& mesh() const { return mesh_; }
   const WeldedShape& shape() const { return shape_; }

@@ -64,7 +64,7 @@ class Grid {
 
 }  // namespace
 
-Welding weld(std::span<const Positions* const> poses, double tolerance) {
+Welding weld(std::span<const Positions* const> poses, double tolerance, const FractionReport& onProgress) {
   Welding welding;
   const int n = static_cast<int>(poses[0]->size());
   welding.weldedOfRaw.resize(n);
@@ -75,6 +75,7 @@ Welding weld(std::span<const Positions* const> poses, double tolerance) {
     });
   };
   for (int v = 0; v < n; ++v) {
+    reportItem(onProgress, static_cast<std::size_t>(v), static_cast<std::size_t>(n));
     const int twin = grid.find((*poses[0])[v], [&](int candidate) { return coincide(candidate, v); });
     if (twin >= 0) {
       welding.weldedOfRaw[v] = welding.weldedOfRaw[twin];

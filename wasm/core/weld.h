@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/keyframes.h"
+#include "core/progress.h"
 #include "core/types.h"
 
 namespace shapespline {
@@ -17,7 +18,7 @@ struct Welding {
 };
 
 /// Joins vertices that coincide in every pose within `tolerance` (a length).
-Welding weld(std::span<const Positions* const> poses, double tolerance);
+Welding weld(std::span<const Positions* const> poses, double tolerance, const FractionReport& onProgress = {});
 
 /// Default tolerance: 1e-6 of the bounding diagonal over all poses. Exporters write float32, whose rounding is 6e-8 of
 /// the size; anything much larger would join real detail.

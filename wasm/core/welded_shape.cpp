@@ -20,16 +20,19 @@ Quaternion rotationOf(const WeldedShape& shape, int face, int column) {
   return Quaternion(deformationOf(shape, face, referenceFrame(shape, face), column).rotation);
 }
 
-ShapeParts partsOf(const WeldedShape& shape) {
+ShapeParts partsOf(const WeldedShape& shape, const FractionReport& onProgress) {
   ShapeParts parts;
   parts.hasArea.resize(shape.faceCount());
+  const FractionReport onFaces = partOf(onProgress, 0, 0.3);
   for (int f = 0; f < shape.faceCount(); ++f) {
+    reportItem(onFaces, static_cast<std::size_t>(f), parts.hasArea.size());
     const Triangle& t = shape.faces[f];
     parts.hasArea[f] = std::none_of(shape.poses.begin(), shape.poses.end(),
                                     [&](const Positions& p) { return isDegenerate(p[t[0]], p[t[1]], p[t[2]]); });
   }
-  parts.graph = dualGraph(shape.vertexCount(), shape.faces, parts.hasArea);
+  parts.graph = dualGraph(shape.vertexCount(), shape.faces, parts.hasArea, partOf(onProgress, 0.3, 0.9));
   parts.pieces = connectedPieces(parts.graph, parts.hasArea);
+  reportFraction(onProgress, 1);
   if (parts.pieces.count == 0) return parts;
   std::vector<const Positions*> poses;
   for (const Positions& p : shape.poses) poses.push_back(&p);

@@ -51,6 +51,6 @@ struct ShapeParts {
   ComponentTree tree;  ///< empty where there is no piece
 };
 
-ShapeParts partsOf(const WeldedShape& shape);
+ShapeParts partsOf(const WeldedShape& shape, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

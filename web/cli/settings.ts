@@ -100,7 +100,7 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
     ghostFaces: value(args, 'ghost-faces', (text, option) => (text === 'off' ? 0 : read.wholeFrom(4)(text, option))),
     transfer: value(args, 'transfer', read.oneOf('exact', 'paper')),
     placement: value(args, 'placement', read.oneOf('vertices', 'optimal')),
-    precision: value(args, 'precision', read.oneOf('single', 'double')),
+    precision: value(args, 'precision', read.oneOf('single', 'double', 'exact')),
     startTangent: undefined,
     endTangent: undefined,
   });

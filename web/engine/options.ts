@@ -52,7 +52,7 @@ const encodingChecks: Checks<EncodingOptions> = {
   ghostFaces: (v) => (v === 0 ? null : wholeFrom(4)(v) && 'must be 0 (off) or a whole number of at least 4'),
   transfer: oneOf('exact', 'paper'),
   placement: oneOf('vertices', 'optimal'),
-  precision: oneOf('single', 'double'),
+  precision: oneOf('single', 'double', 'exact'),
   startTangent: orNull(floats),
   endTangent: orNull(floats),
 };

@@ -11,7 +11,8 @@ export type Stretch = 'linear' | 'log';
 export type Transfer = 'exact' | 'paper';
 /** Where the ghost's vertices stand: on vertices of the shape, or in each key where the error is least. */
 export type Placement = 'vertices' | 'optimal';
-export type Precision = 'single' | 'double';
+/** 'exact': as accurate as 'double' in less memory; the solution is refined on a factor in single precision. */
+export type Precision = 'single' | 'double' | 'exact';
 
 /** One dropped or named file. `name` may hold a path relative to the dropped folder; `bytes` are copied, never kept. */
 export interface InputFile {
@@ -244,6 +245,11 @@ export interface SequenceStats {
   factorMs: number;
   factorBytes: number;
   alignedByPatches: boolean;
+  /** Of the last frame: spline and right-hand side; solve; placing the vertices; normals. */
+  facesMs: number;
+  solveMs: number;
+  placeMs: number;
+  normalsMs: number;
   /** Bytes of the wasm heap. */
   heapBytes: number;
 }

@@ -1,0 +1,188 @@
+// The cheap shape for while a slider moves, and the same motion at two resolutions.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/sequence.h"
+#include "samples/bench_mesh.h"
+#include "shapes.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+struct Distances {
+  double mean = 0, largest = 0;
+};
+
+// Over the diagonal of the keys' box; the first `count` vertices.
+Distances distances(const Frame& a, const Frame& b, std::size_t count, double diagonal) {
+  Distances d;
+  for (std::size_t v = 0; v < count; ++v) {
+    double squared = 0;
+    for (int k = 0; k < 3; ++k) squared += std::pow(double(a.positions[3 * v + k]) - b.positions[3 * v + k], 2);
+    const double distance = std::sqrt(squared) / diagonal;
+    d.mean += distance / static_cast<double>(count);
+    d.largest = std::max(d.largest, distance);
+  }
+  return d;
+}
+
+Sequence made(const Keyframes& keyframes, const EncodingOptions& encoding = {}, const MotionOptions& motion = {}) {
+  auto sequence = Sequence::create(keyframes, encoding, motion);
+  REQUIRE(sequence.ok());
+  return std::move(*sequence);
+}
+
+EncodingOptions ghostOf(int faces) {
+  EncodingOptions options;
+  options.ghostFaces = faces;
+  return options;
+}
+
+EncodingOptions logStretch() {
+  EncodingOptions options;
+  options.stretch = Stretch::Log;
+  return options;
+}
+
+EncodingOptions exactPrecision() {
+  EncodingOptions options;
+  options.precision = Precision::Exact;
+  return options;
+}
+
+MotionOptions ease() {
+  MotionOptions options;
+  options.boundary = BoundaryKind::Hermite;
+  options.startSpeed = options.endSpeed = 0;
+  return options;
+}
+
+// Between the keys and as far beyond them as the slider reaches.
+void checkPreview(Sequence& sequence, double diagonal, const char* name) {
+  Distances worst;
+  Frame exact, cheap;
+  for (int i = -4; i <= 14; ++i) {
+    const double t = i / 10.0 + 0.03;
+    REQUIRE(sequence.evaluate(t, exact).ok());
+    REQUIRE(sequence.preview(t, cheap).ok());
+    REQUIRE(cheap.normals.size() == exact.normals.size());
+    const Distances d = distances(exact, cheap, exact.positions.size() / 3, diagonal);
+    worst.mean = std::max(worst.mean, d.mean);
+    worst.largest = std::max(worst.largest, d.largest);
+  }
+  MESSAGE(std::string(name) << ": preview differs by " << 100 * worst.mean << " % of the diagonal in the mean, " << 100 * worst.largest << " % at worst");
+  CHECK(worst.mean < 0.001);
+  CHECK(worst.largest < 0.005);
+}
+
+}  // namespace
+
+TEST_CASE("preview: stays close to the exact shape, with and without a ghost and with other options") {
+  const Keyframes capsule = makeBenchKeyframes(20000, 3, 1);
+  const double diagonal = diagonalOf(capsule);
+  Sequence plain = made(capsule);
+  checkPreview(plain, diagonal, "capsule");
+  Sequence withGhost = made(capsule, ghostOf(2000));
+  checkPreview(withGhost, diagonal, "capsule with a ghost");
+  Sequence log = made(capsule, logStretch(), ease());
+  checkPreview(log, diagonal, "log stretch, ease");
+}
+
+TEST_CASE("preview: meets every key, and is a pure function") {
+  const Keyframes capsule = makeBenchKeyframes(4000, 3, 2);
+  const double diagonal = diagonalOf(capsule);
+  Sequence sequence = made(capsule);
+  Frame first, again, key;
+  REQUIRE(sequence.preview(0.37, first).ok());
+  for (const Key& pose : capsule.keys) {
+    REQUIRE(sequence.preview(pose.time, key).ok());
+    double largest = 0;
+    for (std::size_t i = 0; i < key.positions.size(); ++i)
+      largest = std::max(largest, std::abs(key.positions[i] - pose.positions[i / 3][i % 3]));
+    CHECK(largest < 1e-5 * diagonal);  // float32
+  }
+  REQUIRE(sequence.preview(0.37, again).ok());
+  CHECK(first.positions == again.positions);
+  CHECK(first.normals == again.normals);
+  CHECK_FALSE(sequence.preview(std::nan(""), key).ok());
+}
+
+TEST_CASE("preview: parts, seams and loose vertices come along") {
+  Keyframes k = makeBenchKeyframes(2000, 2, 3);
+  const int n = k.vertexCount();
+  // A second capsule far off that turns with the first about the common origin, one vertex without faces, and a copy of vertex 0.
+  const std::size_t faces = k.faces.size();
+  for (std::size_t f = 0; f < faces; ++f) k.faces.push_back({k.faces[f][0] + n, k.faces[f][1] + n, k.faces[f][2] + n});
+  const Mat3 turn = Eigen::AngleAxisd(1.0, Vec3::UnitZ()).toRotationMatrix();
+  for (std::size_t j = 0; j < k.keys.size(); ++j) {
+    Positions& p = k.keys[j].positions;
+    for (int v = 0; v < n; ++v) p.push_back(p[v] + Vec3(3, 0, 0));
+    p.push_back(Vec3(0, 0, 6));
+    p.push_back(p[0]);
+    if (j > 0)
+      for (Vec3& x : p) x = turn * x;
+  }
+  for (Triangle& f : k.faces)
+    if (f[0] == 0) {
+      f[0] = 2 * n + 1;  // one face holds the copy: a seam
+      break;
+    }
+  Sequence sequence = made(k);
+  checkPreview(sequence, diagonalOf(k), "two capsules");
+}
+
+TEST_CASE("the same motion at two resolutions agrees to half a percent of the diagonal") {
+  const Keyframes coarse = makeBenchKeyframes(8000, 3, 1), fine = subdivided(coarse);
+  const double diagonal = diagonalOf(coarse);
+  Sequence a = made(coarse), b = made(fine);
+  double largest = 0;
+  for (const double t : {-0.2, 0.25, 0.6, 0.85, 1.2}) {
+    Frame coarseFrame, fineFrame;
+    REQUIRE(a.evaluate(t, coarseFrame).ok());
+    REQUIRE(b.evaluate(t, fineFrame).ok());
+    largest = std::max(largest, distances(coarseFrame, fineFrame, coarse.keys[0].positions.size(), diagonal).largest);
+  }
+  MESSAGE("two resolutions differ by " << 100 * largest << " % of the diagonal");
+  CHECK(largest < 0.005);
+}
+
+TEST_CASE("exact: a factor in single precision gives the double solution") {
+  for (const Keyframes& k : {makeBenchKeyframes(6000, 3, 4), keyframes(bar(), {twist(0), twist(pi), twist(radians(350))})}) {
+    const double diagonal = diagonalOf(k);
+    Sequence full = made(k, doublePrecision()), exact = made(k, exactPrecision());
+    CHECK(exact.stats().factorBytes < 0.6 * full.stats().factorBytes);
+    double largest = 0;
+    Positions a, b;
+    for (const double t : {-0.4, 0.0, 0.3, 0.5, 0.77, 1.4}) {
+      REQUIRE(full.evaluate(t, a).ok());
+      REQUIRE(exact.evaluate(t, b).ok());
+      for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] - b[v]).norm() / diagonal);
+    }
+    MESSAGE("exact differs from double by " << largest << " of the diagonal");
+    CHECK(largest < 1e-9);
+    Positions again;
+    REQUIRE(exact.evaluate(1.4, again).ok());
+    CHECK(again == b);
+  }
+}
+
+TEST_CASE("progress of a large mesh: monotone, to the end, and in small steps") {
+  std::vector<double> fractions;
+  std::vector<std::string> stages;
+  const auto progress = [&](const char* stage, double fraction) {
+    fractions.push_back(fraction);
+    if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
+  };
+  REQUIRE(Sequence::create(makeBenchKeyframes(90000, 2, 1), {}, {}, progress).ok());
+  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+  CHECK(fractions.back() == 1.0);
+  CHECK(stages == std::vector<std::string>{"welding", "encoding", "ordering", "factorising"});
+  double largest = 0;
+  for (std::size_t i = 1; i < fractions.size(); ++i) largest = std::max(largest, fractions[i] - fractions[i - 1]);
+  CHECK(largest < 0.2);
+}

@@ -1,0 +1,245 @@
+#include "core/embedding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "core/patch_coordinates.h"
+#include "core/simd.h"
+
+namespace shapespline {
+
+namespace {
+
+// Cells have at most so many vertices, unless there would be more than mostCells of them.
+constexpr int cellSize = 12, mostCells = 8192;
+
+// Halfway from one rotation to the other. Seen from there the way between two points of a bending body keeps its direction.
+Quaternion midway(const Quaternion& a, const Quaternion& b) {
+  const double sign = a.dot(b) < 0 ? -1 : 1;
+  const Eigen::Vector4d sum = a.coeffs() + sign * b.coeffs();
+  return Quaternion(sum).normalized();
+}
+
+}  // namespace
+
+Status Embedding::build(const Input& input) {
+  columns_ = input.shape.columns();
+  vertexCount_ = input.shape.vertexCount();
+  keyRotation_.resize(columns_);
+  keyCentre_.resize(columns_);
+  const int limit = std::max(cellSize, vertexCount_ / mostCells);
+  std::vector<char> isLoose(vertexCount_, 0);
+  for (int v : input.loose) isLoose[v] = 1;
+  // What belongs together: same frame and component, or same anchor.
+  const auto key = [&](int v) {
+    const int f = input.faceOfVertex[v];
+    return std::tuple(isLoose[v] ? f : -1, input.frameOf[f], input.pieceOf[f]);
+  };
+  std::vector<int> vertices(vertexCount_);
+  std::iota(vertices.begin(), vertices.end(), 0);
+  std::sort(vertices.begin(), vertices.end(), [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  for (std::size_t begin = 0, end; begin < vertices.size(); begin = end) {
+    for (end = begin + 1; end < vertices.size() && key(vertices[end]) == key(vertices[begin]); ++end) {}
+    const std::span<int> group(vertices.data() + begin, end - begin);
+    if (isLoose[group[0]]) addCell(input, group, input.faceOfVertex[group[0]]);
+    else divide(input, group, limit);
+  }
+  encodeVertices(input);
+  const Status status = buildLinks(input);
+  keyRotation_ = {};
+  keyCentre_ = {};
+  anchorOf_ = {};
+  return status;
+}
+
+// Halves across the longest axis of the reference pose.
+void Embedding::divide(const Input& input, std::span<int> vertices, int limit) {
+  if (static_cast<int>(vertices.size()) <= limit) return addCell(input, vertices, -1);
+  const Positions& p = input.shape.poses[input.shape.reference];
+  Vec3 low = p[vertices[0]], high = low;
+  for (int v : vertices) low = low.cwiseMin(p[v]), high = high.cwiseMax(p[v]);
+  int axis = 0;
+  (high - low).maxCoeff(&axis);
+  const std::size_t half = vertices.size() / 2;
+  std::nth_element(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(half), vertices.end(),
+                   [&](int a, int b) { return std::pair(p[a][axis], a) < std::pair(p[b][axis], b); });
+  divide(input, vertices.first(half), limit);
+  divide(input, vertices.subspan(half), limit);
+}
+
+// A cell's centre is the mean of its vertices: the mean of all vertices then depends on the centres alone.
+void Embedding::addCell(const Input& input, std::span<const int> vertices, int anchor) {
+  const int face = input.faceOfVertex[vertices[0]], begin = static_cast<int>(vertex_.size());
+  Cell cell{input.frameOf[face], anchor < 0 ? input.pieceOf[face] : -1, begin, 0, static_cast<int>(vertices.size()), {}};
+  anchorOf_.push_back(anchor);
+  vertex_.insert(vertex_.end(), vertices.begin(), vertices.end());
+  while (vertex_.size() % 4 != 0) vertex_.push_back(-1);
+  cell.end = static_cast<int>(vertex_.size());
+  for (int c = 0; c < columns_; ++c) {
+    Vec3 turn = Vec3::Zero(), centre = Vec3::Zero();
+    for (int v : vertices) turn += input.turn(input.faceOfVertex[v], c), centre += input.shape.poses[c][v];
+    cell.turn.push_back(turn / cell.size);
+    keyCentre_[c].push_back(centre / cell.size);
+    keyRotation_[c].push_back(input.frames[c][cell.frame] * expQuaternion(cell.turn.back()));
+  }
+  cells_.push_back(std::move(cell));
+}
+
+void Embedding::encodeVertices(const Input& input) {
+  const std::size_t blockSize = 12 * static_cast<std::size_t>(columns_);
+  numbers_.assign(vertex_.size() / 4 * blockSize, 0.0f);
+  mean_.assign(columns_, Vec3::Zero());
+  for (int c = 0; c < columns_; ++c)
+    for (std::size_t k = 0; k < cells_.size(); ++k) {
+      mean_[c] += cells_[k].size * keyCentre_[c][k] / vertexCount_;
+      const Mat3 toCell = keyRotation_[c][k].conjugate().toRotationMatrix();
+      for (int i = cells_[k].begin; i < cells_[k].begin + cells_[k].size; ++i) {
+        const Vec3 r = toCell * (input.shape.poses[c][vertex_[i]] - keyCentre_[c][k]);
+        float* number = &numbers_[static_cast<std::size_t>(i) / 4 * blockSize + 12 * static_cast<std::size_t>(c) + i % 4];
+        for (int j = 0; j < 3; ++j) number[4 * j] = static_cast<float>(r[j]);
+      }
+    }
+}
+
+Embedding::Link Embedding::link(int from, int to, double weight, bool logarithmic) const {
+  Link result{from, to, weight, {}, {}};
+  for (int c = 0; c < columns_; ++c) {
+    Vec3 offset = midway(keyRotation_[c][from], keyRotation_[c][to]).conjugate() * (keyCentre_[c][to] - keyCentre_[c][from]);
+    const double length = offset.norm();
+    if (logarithmic) {
+      result.logLength.push_back(std::log(std::max(length, 1e-300)));
+      offset /= std::max(length, 1e-300);
+    }
+    result.offset.push_back(offset);
+  }
+  return result;
+}
+
+Vec3 Embedding::way(const Link& link, const Quaternion& middle, const PoseWeights& weights) {
+  Vec3 offset = blend(link.offset, weights);
+  if (!link.logLength.empty()) {
+    double logarithm = 0;
+    for (std::size_t c = 0; c < link.logLength.size(); ++c) logarithm += weights.column[c] * link.logLength[c];
+    const double length = offset.norm();
+    if (length > 0) offset *= std::exp(logarithm) / length;
+  }
+  return middle * offset;
+}
+
+Embedding::Hanger Embedding::hanger(const Input& input, int face, int from, int to) const {
+  Hanger result{from, to, input.frameOf[face], {}, {}};
+  for (int c = 0; c < columns_; ++c) {
+    result.turn.push_back(input.turn(face, c));
+    const Quaternion rotation = input.frames[c][result.frame] * expQuaternion(result.turn.back());
+    result.offset.push_back(rotation.conjugate() * (keyCentre_[c][to] - keyCentre_[c][from]));
+  }
+  return result;
+}
+
+// Pairs of cells that an edge joins, ascending.
+std::vector<std::pair<int, int>> Embedding::neighbours(const Input& input, const std::vector<int>& cellOf) const {
+  std::vector<std::pair<int, int>> pairs;
+  for (int f = 0; f < input.shape.faceCount(); ++f) {
+    if (input.frameOf[f] < 0) continue;
+    const Triangle& t = input.shape.faces[f];
+    for (int i = 0; i < 3; ++i) {
+      const int a = cellOf[t[i]], b = cellOf[t[(i + 1) % 3]];
+      if (a != b) pairs.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+Status Embedding::buildLinks(const Input& input) {
+  const int count = static_cast<int>(cells_.size());
+  std::vector<int> cellOf(vertexCount_);
+  for (int k = 0; k < count; ++k)
+    for (int i = cells_[k].begin; i < cells_[k].begin + cells_[k].size; ++i) cellOf[vertex_[i]] = k;
+  std::vector<Triplet> entries;
+  std::vector<int> root(count);  // of the cells that links join, the lowest
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int k) {
+    while (root[k] != k) k = root[k] = root[root[k]];
+    return k;
+  };
+  for (const auto& [a, b] : neighbours(input, cellOf)) {
+    double angle = 0;  // cells that turn far against each other say little
+    for (int c = 0; c < columns_; ++c) angle = std::max(angle, keyRotation_[c][a].angularDistance(keyRotation_[c][b]));
+    const double weight = pairWeight(angle);
+    links_.push_back(link(a, b, weight, input.logarithmic));
+    entries.insert(entries.end(), {{a, a, weight}, {b, b, weight}, {b, a, -weight}});
+    const int x = find(a), y = find(b);
+    root[std::max(x, y)] = std::min(x, y);
+  }
+  for (int k = 0; k < count; ++k)
+    if (find(k) == k) entries.push_back({k, k, 1.0});  // tied to zero
+  for (const auto& [anchor, contact] : input.anchors)
+    hangers_.push_back(hanger(input, anchor, cellOf[input.shape.faces[anchor][0]], cellOf[input.shape.faces[contact][0]]));
+  for (int k = 0; k < count; ++k)
+    if (anchorOf_[k] >= 0) hangers_.push_back(hanger(input, anchorOf_[k], cellOf[input.shape.faces[anchorOf_[k]][0]], k));
+  const SymmetricMatrix matrix = assembleSymmetric(count, entries);
+  if (Status status = laplacian_.analyse(matrix, {}, Precision::Double); !status) return status;
+  solution_.resize(4 * static_cast<std::size_t>(laplacian_.paddedSize()));
+  centre_.resize(count);
+  rotation_.resize(count);
+  return laplacian_.factorise(matrix);
+}
+
+// The cells' centres: neighbours as the keys have them, components and anchored vertices where their anchors have them.
+void Embedding::settle(const PoseWeights& weights, const std::vector<Quaternion>& frames) {
+  const auto position = laplacian_.eliminationPosition();
+  const auto at = [&](int cell) { return Eigen::Map<Vec3>(&solution_[4 * static_cast<std::size_t>(position[cell])]); };
+  std::fill(solution_.begin(), solution_.end(), 0.0);
+  for (const Link& l : links_) {
+    const Vec3 pull = l.weight * way(l, midway(rotation_[l.from], rotation_[l.to]), weights);
+    at(l.to) += pull;
+    at(l.from) -= pull;
+  }
+  laplacian_.solve(solution_.data());
+  for (std::size_t k = 0; k < cells_.size(); ++k) centre_[k] = at(static_cast<int>(k));
+  for (const Hanger& h : hangers_) {
+    const Quaternion rotation = frames[h.frame] * expQuaternion(blend(h.turn, weights));
+    const Vec3 shift = centre_[h.from] + rotation * blend(h.offset, weights) - centre_[h.to];
+    const int piece = cells_[h.to].piece;
+    if (piece < 0) centre_[h.to] += shift;
+    for (std::size_t k = 0; k < cells_.size() && piece >= 0; ++k)
+      if (cells_[k].piece == piece) centre_[k] += shift;
+  }
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t k = 0; k < cells_.size(); ++k) mean += cells_[k].size * centre_[k] / vertexCount_;
+  const Vec3 move = blend(mean_, weights) - mean;
+  for (Vec3& p : centre_) p += move;
+}
+
+void Embedding::at(const PoseWeights& weights, const std::vector<Quaternion>& frames, std::vector<float>& xyz) {
+  for (std::size_t k = 0; k < cells_.size(); ++k)
+    rotation_[k] = frames[cells_[k].frame] * expQuaternion(blend(cells_[k].turn, weights));
+  settle(weights, frames);
+  xyz.resize(3 * static_cast<std::size_t>(vertexCount_));
+  const float* number = numbers_.data();
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    const Eigen::Matrix3f g = rotation_[k].toRotationMatrix().cast<float>();
+    const Eigen::Vector3f centre = centre_[k].cast<float>();
+    for (int i = cells_[k].begin; i < cells_[k].end; i += 4) {
+      Float4 r[3] = {Float4::zero(), Float4::zero(), Float4::zero()};
+      for (int c = 0; c < columns_; ++c) {
+        const Float4 w = Float4::splat(static_cast<float>(weights.column[c]));
+        for (int j = 0; j < 3; ++j, number += 4) r[j] = r[j] + w * Float4::load(number);
+      }
+      Float4 p[4];
+      for (int j = 0; j < 3; ++j)
+        p[j] = Float4::splat(centre[j]) + (Float4::splat(g(j, 0)) * r[0] + Float4::splat(g(j, 1)) * r[1] + Float4::splat(g(j, 2)) * r[2]);
+      p[3] = Float4::zero();
+      transpose(p[0], p[1], p[2], p[3]);
+      float places[16];
+      for (int j = 0; j < 4; ++j) p[j].store(places + 4 * j);
+      for (int j = 0; j < 4 && vertex_[i + j] >= 0; ++j) std::copy_n(places + 4 * j, 3, &xyz[3 * static_cast<std::size_t>(vertex_[i + j])]);
+    }
+  }
+}
+
+}  // namespace shapespline

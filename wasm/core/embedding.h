@@ -1,0 +1,89 @@
+// Shapes at a fraction of a frame's cost, for while a slider moves: every vertex is carried by a small cell of the mesh.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/cholesky.h"
+#include "core/pose_weights.h"
+#include "core/rotation.h"
+#include "core/welded_shape.h"
+
+namespace shapespline {
+
+/// Vertices embedded in cells, parts of what follows one frame. A cell turns with its frame and, within it, as its faces do on
+/// average; its centre follows from where the keys have neighbouring centres, seen from the frame halfway between
+/// theirs (least squares over the graph of cells); a vertex from where the keys have it in its cell. All of that is splined with
+/// the curve's weights, so that every key is met. Between the keys the error is of second order in how much a
+/// cell bends within itself. No system of the mesh's size is solved.
+class Embedding {
+ public:
+  struct Input {
+    const WeldedShape& shape;
+    std::span<const int> faceOfVertex;  ///< a face of the vertex, or the one that a loose vertex is anchored at
+    std::span<const int> loose;         ///< vertices that are anchored
+    std::span<const int> frameOf;       ///< frame of each face
+    std::span<const int> pieceOf;       ///< component of each face
+    const std::vector<std::vector<Quaternion>>& frames;  ///< frames[column][frame]
+    std::function<Vec3(int face, int column)> turn;      ///< log(G^T R_f)
+    std::vector<std::pair<int, int>> anchors;            ///< faces that hold components together, parents before children
+    bool logarithmic;                                    ///< lengths are splined by their logarithms, as log S_f is
+  };
+
+  /// Error: that of the solver.
+  Status build(const Input& input);
+
+  /// The shape at `weights`, with the frames' rotations there. xyz: 3 numbers a welded vertex.
+  void at(const PoseWeights& weights, const std::vector<Quaternion>& frames, std::vector<float>& xyz);
+
+ private:
+  // Vertices of one cell, four side by side: numbers_ holds x, y and z of each column for each block.
+  struct Cell {
+    int frame, piece;        // piece -1: anchored vertices
+    int begin, end;          // in vertex_, in whole blocks of four
+    int size;
+    std::vector<Vec3> turn;  // against its frame, one a column
+  };
+  // Where `to` lies from `from`, in the frame halfway between theirs.
+  struct Link {
+    int from, to;
+    double weight;
+    std::vector<Vec3> offset;       // one a column; directions only where there are
+    std::vector<double> logLength;  // one a column, or none
+  };
+  // The same in a face's own frame: a component, or anchored vertices, at an anchor face.
+  struct Hanger {
+    int from, to, frame;
+    std::vector<Vec3> turn, offset;  // one a column
+  };
+
+  void divide(const Input& input, std::span<int> vertices, int limit);
+  void addCell(const Input& input, std::span<const int> vertices, int anchor);
+  void encodeVertices(const Input& input);
+  Link link(int from, int to, double weight, bool logarithmic) const;
+  Hanger hanger(const Input& input, int face, int from, int to) const;
+  std::vector<std::pair<int, int>> neighbours(const Input& input, const std::vector<int>& cellOf) const;
+  Status buildLinks(const Input& input);
+  static Vec3 way(const Link& link, const Quaternion& middle, const PoseWeights& weights);
+  void settle(const PoseWeights& weights, const std::vector<Quaternion>& frames);
+
+  int columns_ = 0, vertexCount_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<int> vertex_;  // -1 fills up a block
+  std::vector<float> numbers_;
+  std::vector<Vec3> mean_;             // of all vertices, one a column
+  std::vector<Link> links_;            // between neighbouring cells
+  std::vector<Hanger> hangers_;
+  std::vector<int> anchorOf_;          // of each cell while it is built: its anchor face, or -1
+  Cholesky laplacian_;
+  // of the columns while it is built: rotation and centre of each cell
+  std::vector<std::vector<Quaternion>> keyRotation_;
+  std::vector<std::vector<Vec3>> keyCentre_;
+  // scratch
+  std::vector<Quaternion> rotation_;
+  std::vector<Vec3> centre_;
+  std::vector<double, Eigen::aligned_allocator<double>> solution_;
+};
+
+}  // namespace shapespline
