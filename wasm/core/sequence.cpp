@@ -69,17 +69,17 @@ Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount) {
 double wholeProgress(std::string_view stage, double fraction, bool withGhost) {
   struct Stage {
     std::string_view name;
-    double share, shareWithGhost;
+    int percent, percentWithGhost;
   };
-  constexpr Stage stages[] = {{"welding", 0.08, 0.02},  {"simplifying", 0, 0.58},  {"matching", 0, 0.06},
-                              {"encoding", 0.42, 0.12}, {"ordering", 0.15, 0.14}, {"factorising", 0.35, 0.08}};
-  double before = 0;
+  constexpr Stage stages[] = {{"welding", 8, 2},    {"simplifying", 0, 58}, {"matching", 0, 6},
+                              {"encoding", 42, 12}, {"ordering", 15, 14},   {"factorising", 35, 8}};
+  int before = 0;
   for (const Stage& s : stages) {
-    const double share = withGhost ? s.shareWithGhost : s.share;
-    if (s.name == stage) return std::min(1.0, before + share * fraction);
-    before += share;
+    const int percent = withGhost ? s.percentWithGhost : s.percent;
+    if (s.name == stage) return std::min(1.0, (before + percent * fraction) / 100);
+    before += percent;
   }
-  return before;
+  return before / 100.0;
 }
 
 bool isLinear(Method method) { return method == Method::Geodesic || method == Method::Linear; }
