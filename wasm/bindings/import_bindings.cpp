@@ -9,6 +9,8 @@
 namespace shapespline::bindings {
 namespace {
 
+constexpr double kImporting = 0.8;  // share of the progress; the rest is the report on the mesh
+
 Json toJson(const MeshReport& report) {
   return {{"vertices", report.vertices},
           {"weldedVertices", report.weldedVertices},
@@ -52,8 +54,10 @@ ENTRY const char* shapespline_import(const char* request) {
     const Json json = Json::parse(request);
     std::vector<NamedBytes> files;
     for (const Json& file : json.at("files")) files.push_back({file.at("name"), elements<std::uint8_t>(file.at("bytes"))});
-    Result<Import> import = importKeyframes(files, importOptionsFrom(json.at("options")), reportProgress);
+    const auto progress = [](const char* stage, double fraction) { reportProgress(stage, kImporting * fraction); };
+    Result<Import> import = importKeyframes(files, importOptionsFrom(json.at("options")), progress);
     if (!import) return import.error();
+    reportProgress("checking the mesh", kImporting);
     if (const Status valid = validate(import->keyframes); !valid) return valid.error();
     ImportObject object{std::move(*import), {}, {}};
     object.normals = floatsFrom(object.import.keyframes.normals);

@@ -28,7 +28,7 @@ export function createSampling(onTake: (animation: number, times: number[]) => v
     choose(evenly(span(), times.length));
   });
   const track = createTrack(choose);
-  const list = h('input', { type: 'text', 'data-testid': 'sample-times', 'aria-label': 'Times of the keys in seconds', spellcheck: false, autocomplete: 'off' });
+  const list = h('input', { type: 'text', 'data-testid': 'sample-times', 'aria-label': 'Times of the keys in seconds', title: 'Times of the keys in seconds', spellcheck: false, autocomplete: 'off' });
   const reason = h('p', { class: 'reason', 'data-testid': 'sample-reason', hidden: true });
   list.addEventListener('change', () => {
     const read = readTimes(list.value, span());
@@ -43,7 +43,7 @@ export function createSampling(onTake: (animation: number, times: number[]) => v
   const take = button({ label: 'Take the keys at these times of the animation', testId: 'sample-apply', text: 'Take', kind: 'plain', onClick: () => onTake(chosen, times) });
   const row = (label: string, ...controls: HTMLElement[]): HTMLElement => h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...controls);
   const element = h('div', { class: 'group', hidden: true, 'data-testid': 'sampling' },
-    animation.element, track.element, row('At seconds', list), reason, row('Evenly spaced keys', count, take));
+    animation.element, track.element, list, reason, row('Evenly spaced keys', count, take));
 
   function complain(text: string): void {
     setText(reason, text);
