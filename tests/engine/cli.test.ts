@@ -140,6 +140,15 @@ describe('complete', () => {
     expect((await objOf('all/0059.obj')).positions).toEqual((await objOf('one.obj')).positions);
   });
 
+  it('says the size of a large export first, and only of one', async () => {
+    const fine = bar(8, 120);
+    const where = await folderOf(poseFiles(fine, [0, 60].map((degrees) => bent(fine, degrees))));
+    const { code, stderr } = await runCli(where, 'complete', 'pose-1.glb', 'pose-2.glb', '--output', 'large.glb', '--frames', '1300');
+    expect([code, stderr]).toEqual([0, expect.stringMatching(/^large\.glb will take about \d{3} MB\n/)]);
+    const written = (await readFile(path.join(where, 'large.glb'))).length;
+    expect(Math.abs(Number(/about (\d+)/.exec(stderr)![1]) * 1e6 - written)).toBeLessThan(0.1 * written);
+  });
+
   it('takes tangent shapes', async () => {
     const shape = async (...words: string[]): Promise<Float32Array> => {
       const { code } = await runCli(folder, 'complete', ...names, '--output', 't.obj', '--at=0.2', '--boundary=hermite', ...words);

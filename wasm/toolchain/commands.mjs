@@ -59,7 +59,7 @@ async function fuzz([seconds = '60', only]) {
     mkdirSync(corpus, { recursive: true });
     const seeds = inRoot('tests/fuzz/corpus', target.replace(/_fuzz$/, ''));
     const inputs = [corpus, ...(existsSync(seeds) ? [seeds] : [])];
-    await run(path.join(folder, target), [...inputs, `-max_total_time=${seconds}`, `-artifact_prefix=${folder}/`], { inherit: true });
+    await run(path.join(folder, target), [...inputs, `-max_total_time=${seconds}`, '-timeout=10', `-artifact_prefix=${folder}/`], { inherit: true });
   }
 }
 

@@ -64,8 +64,11 @@ export interface Completed {
   warnings: Warning[];
 }
 
-/** Writes the completed motion and, if asked for, the report. */
-export async function complete(args: Arguments): Promise<Completed> {
+/** From here on the size is said before the work. */
+const LARGE = 100e6;
+
+/** Writes the completed motion and, if asked for, the report. `say` hears of a large export before it is made. */
+export async function complete(args: Arguments, say: (text: string) => void): Promise<Completed> {
   const started = performance.now();
   checkFiles(args);
   const output = args.values.get('output');
@@ -78,6 +81,7 @@ export async function complete(args: Arguments): Promise<Completed> {
     const tangents = await readTangents(engine, args, keys);
     const sequence = await timings.time('build', engine.createSequence(keys, { ...keys.info.project, ...options.sequence, ...tangents }));
     const plan = await sequence.planExport(options.export);
+    if (plan.bytes > LARGE) say(`${output} will take about ${Math.round(plan.bytes / 1e6)} MB`);
     const files = await timings.time('export', sequence.export(options.export));
     const warnings = [...keys.info.warnings, ...sequence.warnings, ...plan.warnings];
     const outputs: Output[] = [{ path: output, files }];

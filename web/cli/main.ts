@@ -15,7 +15,7 @@ async function run([command, ...words]: string[]): Promise<string> {
   const args = parseArguments(words, command === 'inspect' ? INSPECT : COMPLETE);
   if (args.flags.has('help')) return HELP;
   if (command === 'inspect') return inspect(args);
-  const { summary, warnings } = await complete(args);
+  const { summary, warnings } = await complete(args, (text) => process.stderr.write(`${text}\n`));
   for (const { message } of warnings) process.stderr.write(`warning: ${oneLine(message)}\n`);
   return summary;
 }
