@@ -59,6 +59,13 @@ describe('compressed meshes', () => {
     expect(await refused('https://example.com/m.bin')).toMatchObject({ code: 'external-resource', message: expect.stringMatching(/ever fetched.*\.$/) as string });
   });
 
+  it('that are cut off are refused as other files are', async () => {
+    for (const files of [await meshopt(plain), await draco(plain)]) {
+      const cut = { name: 'cut.glb', bytes: files[1]!.bytes.slice(0, -100) };
+      expect(await failureOf(engine.importKeyframes([files[0]!, cut]))).toMatchObject({ code: 'truncated-file', message: expect.stringMatching(/^cut\.glb .*cut off/) as string });
+    }
+  });
+
   it('that are broken are refused with the file\'s name', async () => {
     for (const files of [await meshopt(plain), await draco(plain)]) {
       const bytes = files[1]!.bytes;

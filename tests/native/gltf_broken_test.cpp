@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <ctime>
 #include <limits>
 
 #include "gltf_maker.h"
@@ -180,7 +181,7 @@ TEST_CASE("declared gigabytes are refused at once") {
 
 // Parts of a file may be named many times: what they add up to is bounded too, and seen before it is done.
 TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const auto checkTooLarge = [](const GltfMaker& file, const std::string& says, const ImportOptions& options = {}) {
     const auto result = Files().add("bomb.glb", file.glb()).import(options);
     REQUIRE(!result.ok());
@@ -195,7 +196,7 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
   json nothing = zero;
   nothing["count"] = 15'000'000;
   empty.doc["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = empty.add("accessors", nothing);
-  checkTooLarge(empty, "without bytes");
+  checkTooLarge(empty, "15,000,000 vertices");
 
   GltfMaker targets = boxFile();  // as many keys as targets
   const std::size_t vertices = targets.doc["accessors"][0]["count"];
@@ -246,12 +247,11 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
   channels.doc["animations"][0]["channels"] = std::vector<json>(1'000, channel);
   checkTooLarge(channels, "numbers");
 
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  CHECK(took.count() < 5);
+  CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 5);
 }
 
 TEST_CASE("what is named many times costs once") {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   GltfMaker file = boxFile();
   const int inverse = file.add("accessors", {{"componentType", kFloat32}, {"count", 100'000}, {"type", "MAT4"}});
   for (int i = 0; i < 2'000; ++i) file.add("skins", {{"joints", {0}}, {"inverseBindMatrices", inverse}});
@@ -278,8 +278,7 @@ TEST_CASE("what is named many times costs once") {
   result = Files().add("a.glb", file.glb()).add("b.glb", boxFile(1).glb()).import();
   REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
   CHECK(result->scene.images.size() < 50);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  CHECK(took.count() < 5);
+  CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 5);
 }
 
 TEST_CASE("indices out of range name the face") {
@@ -345,7 +344,10 @@ TEST_CASE("numbers that are not finite name the vertex") {
     CHECK(result.error().code == ErrorCode::NotFinite);
     CHECK(result.error().key == 1);
     CHECK(result.error().vertex == 5);
-    CHECK(result.error().message.find("bad") != std::string::npos);
+    CHECK(result.error().message.starts_with("bad.glb (key 2): "));
+    GltfMaker morph = morphFile({0, 1});
+    std::memcpy(morph.bin.data() + 5 * 12 + 4, &bad, 4);
+    CHECK(Files().add("morph.glb", morph.glb()).import().error().message.starts_with("morph.glb: base (key 1): "));
   }
 }
 

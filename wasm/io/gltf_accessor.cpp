@@ -96,10 +96,9 @@ struct Reader {
     if (componentBytes(a.componentType) == 0) return malformed("has an unknown component type");
     if (tinygltf::GetNumComponentsInType(a.type) != components)
       return malformed("does not have " + std::to_string(components) + " components");
-    // Zeros without bytes are for morph targets and the like; no mesh has more vertices than bytes.
-    if (a.bufferView < 0 && a.count > std::min(kMostElements, doc.bufferBytes))
+    if (a.bufferView < 0 && a.count > kMostElements)
       return Error{ErrorCode::TooLarge, doc.where + ": " + what + " declares " + grouped(std::int64_t(a.count)) +
-                                            " elements without bytes for them. Export the file again."};
+                                            " elements, more than can be held. Simplify the mesh first."};
     return &a;
   }
 

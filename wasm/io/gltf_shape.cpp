@@ -13,8 +13,8 @@ namespace {
 // Several times the largest mesh that the method has been run on; keeps node instancing from multiplying a small file
 // into gigabytes.
 constexpr std::int64_t kMostFaces = 32'000'000;
-// Primitives of all mesh nodes, and morph weights of all nodes: a thousand nodes of a thousand primitives.
-constexpr std::int64_t kMostParts = 1'000'000, kMostWeights = 10'000'000;
+// Primitives of all mesh nodes, and morph weights of all nodes: many times what scenes hold.
+constexpr std::int64_t kMostParts = 100'000, kMostWeights = 10'000'000;
 
 Error malformed(const GltfDocument& doc, const std::string& what) {
   return {ErrorCode::MalformedFile, doc.where + ": " + what + ". Export the file again."};
@@ -140,6 +140,11 @@ struct ShapeReader {
     const int position = attribute(primitive, "POSITION"), normal = attribute(primitive, "NORMAL");
     if (position < 0) return malformed(doc, name + " has no positions");
     if (shape.vertexCount + accessorCount(doc, position) > kMostElements) return tooLarge(kMostElements, "vertices");
+    // An accessor may leave out its bytes, for zeros; but no mesh has more vertices than its file has bytes.
+    if (accessorCount(doc, position) > doc.bufferBytes && doc.model.accessors[position].bufferView < 0)
+      return Error{ErrorCode::TooLarge, doc.where + ": POSITION of " + name + " declares " +
+                                            grouped(std::int64_t(accessorCount(doc, position))) + " vertices, more than the file has bytes. " +
+                                            "Export it again."};
     auto positions = readNumbers(doc, position, 3, "POSITION of " + name);
     if (!positions) return positions.error();
     part.positions = toPositions(*positions);

@@ -160,6 +160,16 @@ void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& 
                                              "they do not change it.", static_cast<int>(count)});
 }
 
+// What is wrong with the keys names them; their file belongs to it.
+Error withFile(Error error, const std::vector<MeshFile>& meshes, const Keyframes& keyframes) {
+  if (meshes.size() == 1) {
+    error.message = placeName(*meshes[0].file, 0, 1) + ": " + error.message;
+  } else if (error.key >= 0 && error.message.starts_with(keyframes.keys[error.key].name)) {
+    error.message.replace(0, keyframes.keys[error.key].name.size(), baseName(meshes[error.key].file->name));
+  }
+  return error;
+}
+
 Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOptions& options, const Progress& progress) {
   if (!(options.unit > 0) || !std::isfinite(options.unit))
     return Error{ErrorCode::InvalidOption, "The unit must be a positive number of metres."};
@@ -169,7 +179,7 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
   if (!keys) return keys;
   checkOrientation(*meshes, options, keys->warnings);
   if (Status times = setTimes(keys->keyframes, options.keyTimes); !times) return times.error();
-  if (Status valid = validate(keys->keyframes); !valid) return valid.error();
+  if (Status valid = validate(keys->keyframes); !valid) return withFile(valid.error(), *meshes, keys->keyframes);
   return keys;
 }
 

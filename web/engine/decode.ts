@@ -40,9 +40,11 @@ interface Job {
 }
 
 async function decodeFile(job: Job): Promise<InputFile> {
-  const { name } = job.file;
+  const name = lastOf(job.file.name);
+  const json = parsed(job.text);
+  if (!json) return job.file;  // the core says where it is broken
   try {
-    return { name, bytes: await uncompress(job) };
+    return { name: job.file.name, bytes: await uncompress(job, json) };
   } catch (error) {
     if (error instanceof EngineError) throw error;
     const reason = messageOf(error).replace(/\.$/, '');
@@ -51,20 +53,31 @@ async function decodeFile(job: Job): Promise<InputFile> {
   }
 }
 
+function parsed(text: string): JSONDocument['json'] | null {
+  try {
+    return JSON.parse(text.replace(/^\uFEFF/, '')) as JSONDocument['json'];
+  } catch {
+    return null;
+  }
+}
+
+const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
+
 /** The JSON text of a .glb or .gltf file; null for anything else, which is for the core to judge. */
 function jsonOf(bytes: Uint8Array): string | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const decode = (start: number, end: number): string => new TextDecoder().decode(bytes.subarray(start, end));
   if (bytes.length >= 20 && view.getUint32(0, true) === GLB_MAGIC) {
+    if (view.getUint32(8, true) > bytes.length) return null;  // cut off
     const length = view.getUint32(12, true);
     return view.getUint32(16, true) === JSON_CHUNK && 20 + length <= bytes.length ? decode(20, 20 + length) : null;
   }
   return /^[\uFEFF\s]*\{/.test(decode(0, 64)) ? decode(0, bytes.length) : null;
 }
 
-async function uncompress({ file, text, files, dracoWasm }: Job): Promise<Uint8Array> {
+async function uncompress({ file, text, files, dracoWasm }: Job, json: JSONDocument['json']): Promise<Uint8Array> {
   const io = await reader(text, dracoWasm);
-  const source: JSONDocument = { json: JSON.parse(text.replace(/^\uFEFF/, '')) as JSONDocument['json'], resources: {} };
+  const source: JSONDocument = { json, resources: {} };
   const binary = binaryOf(file.bytes);
   if (binary) source.resources[GLB_BUFFER] = binary as Uint8Array<ArrayBuffer>;
   addResources(source, file.name, files);
@@ -121,8 +134,7 @@ function find(uri: string, from: string, files: InputFile[]): InputFile | undefi
   const beside = normalised(from.slice(0, from.lastIndexOf('/') + 1) + unescaped(uri));
   const exact = files.find((file) => normalised(file.name) === beside);
   if (exact || path.startsWith('..')) return exact;
-  const last = (text: string): string => text.slice(text.lastIndexOf('/') + 1);
-  const byName = files.filter((file) => last(normalised(file.name)) === last(path));
+  const byName = files.filter((file) => lastOf(normalised(file.name)) === lastOf(path));
   return byName.length === 1 ? byName[0] : undefined;
 }
 
@@ -145,7 +157,8 @@ function normalised(path: string): string {
   return parts.join('/');
 }
 
-function missing(uri: string, name: string): EngineError {
+function missing(uri: string, from: string): EngineError {
+  const name = lastOf(from);
   const sentence = isExternal(uri)
     ? `${name} refers to "${uri}". Nothing outside the given files is ever fetched: save that file beside it and give both together.`
     : `${name} needs the file "${uri}", which was not given. Give both files together.`;
