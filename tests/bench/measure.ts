@@ -31,6 +31,8 @@ export interface Run {
   place: Spread;
   normals: Spread;
   frame: Spread;
+  /** The cheap shape while a slider moves. */
+  preview: Spread;
   heapBytes: number;
   factorBytes: number;
   /** Bytes a second. */
@@ -114,6 +116,13 @@ export async function measure(engine: Engine, { name, mesh, reference, reader }:
   const { ms: firstMs } = await frameAt(sequence, 0);
   const frames: FrameTimes[] = [];
   for (let k = 0; k <= FRAMES; ++k) frames.push(await frameAt(sequence, -0.2 + (1.4 * k) / FRAMES));
+  await sequence.preview(0.1);  // makes the embedding
+  const previews: number[] = [];
+  for (let k = 0; k <= FRAMES; ++k) {
+    const frame = await sequence.preview(-0.2 + (1.4 * k) / FRAMES);
+    previews.push(frame?.ms ?? Number.NaN);
+    frame?.release();
+  }
   const part = (of: (frame: FrameTimes) => number): Spread => spread(frames.map(of));
   const stats = await sequence.stats();
   const { vertices, faces } = keys.info.report;
@@ -134,6 +143,7 @@ export async function measure(engine: Engine, { name, mesh, reference, reader }:
     place: part(({ stats: s }) => s.placeMs),
     normals: part(({ stats: s }) => s.normalsMs),
     frame: part(({ ms }) => ms),
+    preview: spread(previews),
     heapBytes: Math.max(heapBytes, stats.heapBytes),
     factorBytes: stats.factorBytes,
     bandwidth,

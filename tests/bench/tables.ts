@@ -43,9 +43,9 @@ function buildTable(results: Result[]): string {
 }
 
 function frameTable(results: Result[]): string {
-  const titles = ['faces', 'first frame', 'spline + faces', 'solve', 'place', 'normals', 'frame', 'factor MB', 'read GB/s', 'read bound', 'error'];
+  const titles = ['faces', 'first frame', 'spline + faces', 'solve', 'place', 'normals', 'frame', 'preview', 'factor MB', 'read GB/s', 'read bound', 'error'];
   return table(titles, results.map(({ run }) => [
-    String(run.faces), short(run.firstMs), both(run.spline), both(run.solve), both(run.place), both(run.normals), both(run.frame),
+    String(run.faces), short(run.firstMs), both(run.spline), both(run.solve), both(run.place), both(run.normals), both(run.frame), both(run.preview),
     (run.factorBytes / 1e6).toFixed(1), short(run.bandwidth / 1e9), short(boundMs(run)), run.error.toExponential(1),
   ]));
 }

@@ -41,11 +41,13 @@ ENTRY const char* shapespline_update(int handle, const char* request) {
   });
 }
 
-/// {positions, normals, lostDefiniteness} of the shape at t: 3n floats each, valid until the next frame of this handle.
-ENTRY const char* shapespline_evaluate(int handle, double t) {
+/// {positions, normals, lostDefiniteness} of the shape at t, about where preview is not 0: 3n floats each, valid until the
+/// next frame of this handle.
+ENTRY const char* shapespline_evaluate(int handle, double t, int preview) {
   return answer([&]() -> Result<Json> {
     auto& [sequence, frame, ghost] = objects().get<SequenceObject>(handle);
-    if (const Status status = sequence.evaluate(t, frame); !status) return status.error();
+    const Status status = preview ? sequence.preview(t, frame) : sequence.evaluate(t, frame);
+    if (!status) return status.error();
     return Json{{"positions", range(frame.positions.data(), frame.positions.size())},
                 {"normals", range(frame.normals.data(), frame.normals.size())},
                 {"lostDefiniteness", frame.lostDefiniteness}};

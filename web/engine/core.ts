@@ -128,9 +128,9 @@ export class Core {
   }
 
   /** Fills `buffers` where they are given and fit. */
-  evaluate(handle: number, t: number, buffers: FrameBuffers | null): Omit<FrameData, 'ms'> {
+  evaluate(handle: number, t: number, buffers: FrameBuffers | null, preview = false): Omit<FrameData, 'ms'> {
     interface FrameAnswer { positions: Range; normals: Range; lostDefiniteness: number }
-    const frame = this.answer<FrameAnswer>(this.module._shapespline_evaluate(handle, t));
+    const frame = this.answer<FrameAnswer>(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0));
     return {
       positions: readFloats(this.module, frame.positions, buffers?.positions),
       normals: readFloats(this.module, frame.normals, buffers?.normals),

@@ -66,7 +66,7 @@ export interface Calls {
   };
   /** Refits; on an error the motion before stays. */
   update: { request: { motion: MotionSpec }; result: { range: [number, number]; warnings: Warning[] } };
-  evaluate: { request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null }; result: FrameData };
+  evaluate: { request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null; preview: boolean }; result: FrameData };
   measure: { request: { motion: MotionSpec; t: number }; result: { volume: number; area: number } };
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
   bending: { request: { motion: MotionSpec; times: number[] }; result: number[] };

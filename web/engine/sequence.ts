@@ -71,6 +71,14 @@ export class SequenceClient implements Sequence {
   }
 
   async evaluate(t: number): Promise<Frame | null> {
+    return this.shownFrame(t, false);
+  }
+
+  async preview(t: number): Promise<Frame | null> {
+    return this.shownFrame(t, true);
+  }
+
+  private async shownFrame(t: number, preview: boolean): Promise<Frame | null> {
     this.checkAlive();
     checkTime(t);
     this.supersede();
@@ -79,7 +87,7 @@ export class SequenceClient implements Sequence {
         urgency: urgency.shown,
         start: () => {
           this.shown = null;
-          return this.frame(t, this.motion).then(resolve, (error: EngineError) =>
+          return this.frame(t, this.motion, preview).then(resolve, (error: EngineError) =>
             error.code === 'disposed' ? resolve(null) : reject(error));
         },
       };
@@ -191,10 +199,10 @@ export class SequenceClient implements Sequence {
     return this.motion;
   }
 
-  private async frame(t: number, motion: MotionSpec): Promise<Frame> {
+  private async frame(t: number, motion: MotionSpec, preview = false): Promise<Frame> {
     const buffers = this.pool.take();
     const transfer = buffers ? [buffers.positions.buffer, buffers.normals.buffer] : [];
-    const data = await this.ask('evaluate', { motion, t, buffers }, { transfer: transfer as ArrayBuffer[] });
+    const data = await this.ask('evaluate', { motion, t, buffers, preview }, { transfer: transfer as ArrayBuffer[] });
     return this.pool.frame(t, data);
   }
 

@@ -67,10 +67,10 @@ export class Service {
         return { range, warnings };
       },
       update: (core, { motion }) => this.refit(core, motion),
-      evaluate: (core, { motion, t, buffers }) => {
+      evaluate: (core, { motion, t, buffers, preview }) => {
         const start = performance.now();
         this.follow(core, motion);
-        const frame = core.evaluate(this.sequence, t, buffers);
+        const frame = core.evaluate(this.sequence, t, buffers, preview);
         return { ...frame, ms: performance.now() - start };
       },
       measure: (core, { motion, t }) => core.measure(this.follow(core, motion), t),

@@ -18,7 +18,7 @@ export interface WasmModule extends WasmHost {
   _shapespline_import_positions(handle: number, key: number): Address;
   _shapespline_sequence(request: Address): Address;
   _shapespline_update(handle: number, request: Address): Address;
-  _shapespline_evaluate(handle: number, t: number): Address;
+  _shapespline_evaluate(handle: number, t: number, preview: number): Address;
   _shapespline_measure(handle: number, t: number): Address;
   _shapespline_plane(handle: number, request: Address): Address;
   _shapespline_bending(handle: number, request: Address): Address;
