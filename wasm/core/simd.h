@@ -99,7 +99,7 @@ struct Float4 {
   friend Float4 turnedXyz(Float4 a) { return {{a.v[1], a.v[2], a.v[0], a.v[3]}}; }
   friend int notPositive(Float4 a) {
     int mask = 0;
-    for (int i = 0; i < 4; ++i) mask |= !(a.v[i] > 0) << i;
+    for (int i = 0; i < 4; ++i) mask |= (a.v[i] > 0 ? 0 : 1) << i;
     return mask;
   }
   friend Float4 lowHalves(Float4 a, Float4 b) { return {{a.v[0], a.v[1], b.v[0], b.v[1]}}; }
@@ -147,7 +147,7 @@ struct Double2 {
   friend Double2 operator+(Double2 a, Double2 b) { return {{a.v[0] + b.v[0], a.v[1] + b.v[1]}}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {{a.v[0] - b.v[0], a.v[1] - b.v[1]}}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {{a.v[0] * b.v[0], a.v[1] * b.v[1]}}; }
-  friend int notPositive(Double2 a) { return !(a.v[0] > 0) | !(a.v[1] > 0) << 1; }
+  friend int notPositive(Double2 a) { return (a.v[0] > 0 ? 0 : 1) | (a.v[1] > 0 ? 0 : 2); }
   friend Double2 lowHalves(Double2 a, Double2 b) { return {{a.v[0], b.v[0]}}; }
   friend Double2 highHalves(Double2 a, Double2 b) { return {{a.v[1], b.v[1]}}; }
 #endif

@@ -1,0 +1,116 @@
+// Runs of the vector kernels on plain data. Included twice: as the core is built, and as it is without vector instructions
+// (scalar_kernels.cpp, where the namespace has another name).
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/dense_front.h"
+#include "core/face_kernel.h"
+#include "core/panels.h"
+#include "core/shading.h"
+
+namespace kernels {
+
+using Faces = std::vector<std::array<int, 3>>;
+
+/// xyz interleaved.
+struct Surface {
+  std::vector<double> xyz;
+  Faces faces;
+};
+
+// Reproducible numbers in [-1, 1).
+class Noise {
+ public:
+  double next() {
+    state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
+    return static_cast<double>(state_ >> 11) * 0x1.0p-52 - 1.0;
+  }
+
+ private:
+  unsigned long long state_ = 1;
+};
+
+}  // namespace kernels
+
+namespace shapespline::kernelRuns {
+
+/// Right-hand side of random coordinates on the surface, one frame for every three faces. largestTurn: radians.
+template <class Real>
+std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestTurn, bool logarithmic) {
+  WeldedShape shape;
+  shape.faces = surface.faces;
+  shape.keys = 1;
+  shape.poses.emplace_back();
+  for (std::size_t i = 0; i < surface.xyz.size(); i += 3)
+    shape.poses[0].push_back({surface.xyz[i], surface.xyz[i + 1], surface.xyz[i + 2]});
+  const int faceCount = shape.faceCount(), vertexCount = shape.vertexCount(), columns = 3;
+  std::vector<int> frameOf(faceCount), order(faceCount), position(vertexCount);
+  for (int f = 0; f < faceCount; ++f) frameOf[f] = f % 7 == 3 ? -1 : f / 3, order[f] = faceCount - 1 - f;
+  for (int v = 0; v < vertexCount; ++v) position[v] = vertexCount - 1 - v;
+
+  kernels::Noise noise;
+  FaceCoordinates<Real> coordinates(faceCount, columns);
+  for (int f = 0; f < coordinates.paddedFaces(); ++f)
+    for (int c = 0; c < columns; ++c) {
+      for (int k = 0; k < 3; ++k) coordinates.at(f, c, k) = static_cast<Real>(largestTurn * noise.next());
+      const double one = logarithmic ? 0 : 1;
+      coordinates.at(f, c, 3) = static_cast<Real>(one + 0.2 * noise.next());
+      coordinates.at(f, c, 4) = static_cast<Real>(0.2 * noise.next());
+      coordinates.at(f, c, 5) = static_cast<Real>(one + 0.2 * noise.next());
+    }
+  coordinates.reorder(order);
+  std::vector<Real> frames(numbersPerFrame * static_cast<std::size_t>(faceCount / 3 + 1), Real(0));
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (i % 4 != 3) frames[i] = static_cast<Real>(noise.next());
+  FaceKernel<Real> kernel;
+  kernel.build(shape, frameOf, logarithmic ? Stretch::Log : Stretch::Linear, order, position, vertexCount);
+  std::vector<Real> result(4 * (static_cast<std::size_t>(vertexCount) + 1), Real(0));
+  const int lost = kernel.accumulate(coordinates, frames, {Real(0.4), Real(0.9), Real(-0.3)}, result.data());
+  result.push_back(static_cast<Real>(lost));
+  return result;
+}
+
+/// Solution of a dense definite system of `size` unknowns, through the dense elimination and the panels.
+template <class Real>
+std::vector<Real> denseSolution(int size) {
+  SymbolicFactor symbolic;
+  for (int i = 0; i < size; ++i) symbolic.order.push_back(i), symbolic.position.push_back(i);
+  symbolic.first = {0, size};
+  symbolic.rowStart = {0, 0};
+  symbolic.parent = {-1};
+  const int strips = stripsFor(size);
+  kernels::Noise noise;
+  std::vector<double> front(stripOffset(static_cast<std::size_t>(strips)), 0.0), reference(4 * static_cast<std::size_t>(strips), 1.0), inverse(16 * static_cast<std::size_t>(strips));
+  for (int r = 0; r < 4 * strips; ++r)
+    for (int c = 0; c <= r; ++c) {
+      double& entry = front[stripOffset(static_cast<std::size_t>(r) / 4) + 4 * static_cast<std::size_t>(c) + r % 4];
+      entry = r < size && c < r ? noise.next() : 0;
+      if (c == r) entry = r < size ? size : 1;
+      if (c == r) reference[r] = entry;
+    }
+  PivotReport report;
+  eliminateStrips(front.data(), strips, 0, strips, reference.data(), inverse.data(), report);
+  PanelFactor<Real> factor;
+  factor.allocate(symbolic);
+  factor.store(symbolic, 0, front.data());
+  std::vector<Real> x(4 * static_cast<std::size_t>(factor.paddedSize()), Real(0));
+  for (int i = 0; i < 4 * size; ++i) x[i] = static_cast<Real>(noise.next());
+  factor.solve(x.data());
+  return x;
+}
+
+inline std::vector<float> vertexNormals(const kernels::Surface& surface) {
+  const int n = static_cast<int>(surface.xyz.size() / 3);
+  std::vector<int> group(n), rank(n);
+  for (int v = 0; v < n; ++v) group[v] = v / 2, rank[v] = n - v;
+  Shading shading(surface.faces, group, (n + 1) / 2, rank);
+  std::vector<float> normals;
+  shading.normals({surface.xyz.begin(), surface.xyz.end()}, normals);
+  return normals;
+}
+
+}  // namespace shapespline::kernelRuns

@@ -1,0 +1,89 @@
+// The vector kernels against a build of the same code in plain C++. Every operation of simd.h rounds once in both, so that the
+// tolerance is none: the same bits.
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+#include "scalar_kernels.h"
+
+namespace {
+
+using kernels::Surface;
+
+// A bumpy sheet with a few faces more than a whole number of blocks.
+Surface sheet() {
+  Surface surface;
+  kernels::Noise noise;
+  constexpr int size = 12;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      surface.xyz.insert(surface.xyz.end(), {x + 0.2 * noise.next(), y + 0.2 * noise.next(), 0.5 * noise.next()});
+  for (int y = 0; y + 1 < size; ++y)
+    for (int x = 0; x + 1 < size; ++x) {
+      const int a = y * size + x;
+      surface.faces.push_back({a, a + 1, a + size});
+      if (x + y > 0) surface.faces.push_back({a + 1, a + size + 1, a + size});
+    }
+  return surface;
+}
+
+template <class Real>
+void checkRightHandSides() {
+  for (const bool logarithmic : {false, true})
+    for (const double largestTurn : {0.1, 1.0, 3.0, 12.0}) {  // few terms, all, at the end of the series, beyond it
+      CAPTURE(largestTurn);
+      const auto vector = shapespline::kernelRuns::rightHandSide<Real>(sheet(), largestTurn, logarithmic);
+      CHECK(vector == kernels::scalarRightHandSide(sheet(), Real(), largestTurn, logarithmic));
+    }
+}
+
+template <class Real>
+void checkSolutions() {
+  for (const int size : {1, 2, 3, 4, 5, 8, 63, 64, 65, 150}) {
+    CAPTURE(size);
+    CHECK(shapespline::kernelRuns::denseSolution<Real>(size) == kernels::scalarSolution(size, Real()));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("kernels: right-hand sides are those of the scalar build, bit for bit") {
+  checkRightHandSides<float>();
+  checkRightHandSides<double>();
+}
+
+TEST_CASE("kernels: float right-hand sides stay within 1e-6 of the double ones") {
+  // Small and large turns take series of different lengths: both must be good.
+  for (const double largestTurn : {0.1, 0.28, 1.0, 3.0}) {
+    const auto single = shapespline::kernelRuns::rightHandSide<float>(sheet(), largestTurn, false);
+    const auto full = shapespline::kernelRuns::rightHandSide<double>(sheet(), largestTurn, false);
+    double largest = 0, extent = 0;
+    for (std::size_t i = 0; i + 1 < full.size(); ++i) {
+      largest = std::max(largest, std::abs(single[i] - full[i]));
+      extent = std::max(extent, std::abs(full[i]));
+    }
+    CHECK(largest < 1e-6 * extent);
+  }
+}
+
+TEST_CASE("kernels: solutions are those of the scalar build, bit for bit") {
+  checkSolutions<float>();
+  checkSolutions<double>();
+}
+
+TEST_CASE("kernels: normals are those of the scalar build, bit for bit, and unit vectors") {
+  const std::vector<float> normals = shapespline::kernelRuns::vertexNormals(sheet());
+  CHECK(normals == kernels::scalarNormals(sheet()));
+  for (std::size_t i = 0; i < normals.size(); i += 3) {
+    const double length = std::hypot(normals[i], normals[i + 1], normals[i + 2]);
+    CHECK(length == doctest::Approx(1).epsilon(1e-6));
+  }
+  Surface tiny = sheet();
+  for (double& x : tiny.xyz) x *= 1e-15;  // squares of areas leave the range of float
+  const std::vector<float> same = shapespline::kernelRuns::vertexNormals(tiny);
+  for (std::size_t i = 0; i < normals.size(); ++i) CHECK(same[i] == doctest::Approx(normals[i]).epsilon(1e-4));
+  Surface flat = sheet();
+  for (double& x : flat.xyz) x = 1;
+  const std::vector<float> up = shapespline::kernelRuns::vertexNormals(flat);
+  for (std::size_t i = 0; i < up.size(); ++i) CHECK(up[i] == (i % 3 == 2 ? 1.0f : 0.0f));
+}

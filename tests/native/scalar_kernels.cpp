@@ -1,0 +1,30 @@
+// The same sources as the core's, in a namespace of their own, where simd.h takes plain C++.
+#define SHAPESPLINE_SCALAR 1
+#define shapespline shapespline_scalar
+
+#include "core/dense_front.cpp"
+#include "core/face_frame.cpp"
+#include "core/face_kernel.cpp"
+#include "core/panel_kernels.cpp"
+#include "core/panels.cpp"
+#include "core/shading.cpp"
+
+#include "scalar_kernels.h"
+
+#ifndef SHAPESPLINE_SIMD_SCALAR
+#error "the reference must not use vector instructions"
+#endif
+
+namespace kernels {
+
+std::vector<float> scalarRightHandSide(const Surface& surface, float, double largestTurn, bool logarithmic) {
+  return shapespline::kernelRuns::rightHandSide<float>(surface, largestTurn, logarithmic);
+}
+std::vector<double> scalarRightHandSide(const Surface& surface, double, double largestTurn, bool logarithmic) {
+  return shapespline::kernelRuns::rightHandSide<double>(surface, largestTurn, logarithmic);
+}
+std::vector<float> scalarSolution(int size, float) { return shapespline::kernelRuns::denseSolution<float>(size); }
+std::vector<double> scalarSolution(int size, double) { return shapespline::kernelRuns::denseSolution<double>(size); }
+std::vector<float> scalarNormals(const Surface& surface) { return shapespline::kernelRuns::vertexNormals(surface); }
+
+}  // namespace kernels
