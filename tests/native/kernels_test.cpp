@@ -2,7 +2,8 @@
 // tolerance is none: the same bits.
 #include <doctest/doctest.h>
 
-#include <numbers>
+#include <algorithm>
+#include <cmath>
 
 #include "scalar_kernels.h"
 
