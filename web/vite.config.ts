@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { Plugin } from 'vite';
 import { offline } from './offline/plugin.ts';
+import { preload } from './offline/preload.ts';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = fileURLToPath(new URL('..', import.meta.url));
@@ -26,7 +27,7 @@ export default defineConfig({
   cacheDir: `${repository}build/vite`,
   // Relative URLs: the built page works from any sub-path of any static host.
   base: './',
-  plugins: [withoutNotes, offline()],
+  plugins: [preload(), withoutNotes, offline()],
   build: {
     outDir: `${repository}dist`,
     emptyOutDir: true,

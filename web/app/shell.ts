@@ -21,7 +21,13 @@ export interface Shell {
   /** The viewer puts its canvas in here; takes the keyboard. */
   picture: HTMLElement;
   mount(root: HTMLElement, parts: ShellParts): void;
+  /** Pixels that bars and words take at the top and the bottom of each of so many views in the picture. */
+  covered(views: number): { top: number; bottom: number };
 }
+
+/** Title and measures over a view; the line in words above the buttons, on a small screen. */
+const TILE_LABEL_PX = 54;
+const PHASE_PX = 34;
 
 type Sheet = 'keys' | 'motion' | 'shape' | 'see';
 
@@ -37,8 +43,20 @@ export function createShell(): Shell {
     class: 'picture', tabindex: 0, role: 'application', 'data-testid': 'viewport',
     'aria-label': 'The shape. Arrow keys turn it, plus and minus zoom, Shift with arrows moves it.',
   });
+  const covered = (views: number): { top: number; bottom: number } => {
+    const host = picture.getBoundingClientRect();
+    const height = (selector: string, from: (box: DOMRect) => number): number => {
+      const box = document.querySelector(selector)?.getBoundingClientRect();
+      return box && box.height > 0 ? Math.max(from(box), 0) : 0;
+    };
+    const small = matchMedia('(max-width: 767px)').matches;
+    const buttons = height('.view-buttons', (box) => host.bottom - box.top);
+    const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
+    return { top: status + (views > 1 ? TILE_LABEL_PX : 0), bottom: buttons + (small ? PHASE_PX : 0) };
+  };
   return {
     picture,
+    covered,
     mount(root, parts) {
       const app = h('div', { class: 'app' }, parts.header,
         h('main', { class: 'viewport', 'aria-label': 'Viewport' }, picture, ...parts.overlays, h('div', { class: 'overlay-top' }, ...parts.messages)),

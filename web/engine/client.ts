@@ -15,10 +15,12 @@ export interface EngineUrls {
   onLost?: () => void;
 }
 
-/** Starts fetching the wasm at once; workers are made when they are needed. */
+/** Starts fetching the wasm and a first worker at once; further workers are made when they are needed. */
 export function createEngine({ workerUrl, wasmUrl, onLost }: EngineUrls = {}): Engine {
   const url = new URL(wasmUrl ?? defaultWasmUrl, document.baseURI);
-  return new EngineClient({ spawn: spawnFrom(workerUrl, onLost), module: compile(url) });
+  const engine = new EngineClient({ spawn: spawnFrom(workerUrl, onLost), module: compile(url) });
+  engine.warm();
+  return engine;
 }
 
 let workers = 0;

@@ -26,6 +26,12 @@ export class EngineClient implements Engine {
     platform.module.catch(() => undefined);  // said by the first call
   }
 
+  /** Starts a worker ahead of the first call, which then need not wait for it. */
+  warm(): void {
+    this.checkAlive();
+    this.idle ??= this.freshWorker();
+  }
+
   async importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys> {
     this.checkAlive();
     checkCall(call);

@@ -99,6 +99,7 @@ export function createTileLabels(): { element: HTMLElement; update(labels: reado
         setStyle(tile, 'top', `${label.y}px`);
         setStyle(tile, 'width', `${label.width}px`);
         setAttribute(tile, 'data-edge', label.x > 0);
+        setAttribute(tile, 'data-below', label.y > 0);
         setText(tile.firstElementChild!, label.title);
         setText(tile.lastElementChild!, label.detail);
       });

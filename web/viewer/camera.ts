@@ -14,12 +14,21 @@ const DIRECTIONS: Record<ViewName, [number, number, number]> = {
   top: [0, 1, 1e-4],
 };
 
+/** Shares of a view's height that other things cover: a fitted shape stands between them. */
+export interface Insets {
+  top: number;
+  bottom: number;
+}
+
+export const NO_INSETS: Readonly<Insets> = { top: 0, bottom: 0 };
+
 export class CameraRig {
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
   private readonly controls: OrbitControls;
   private points: Float32Array = new Float32Array([-1, -1, -1, 1, 1, 1]);
   private radius = 1;
   private aspect = 1;
+  private insets: Insets = NO_INSETS;
   private turn = 0;
 
   constructor(element: HTMLElement, private readonly onChange: () => void, private readonly onUserMove: () => void) {
@@ -55,6 +64,13 @@ export class CameraRig {
 
   setAspect(aspect: number): void {
     this.aspect = aspect;
+  }
+
+  /** The picture as a whole moves to the middle of what is left; nothing turns. Returns the insets before. */
+  setInsets(insets: Insets): Insets {
+    const before = this.insets;
+    this.insets = insets;
+    return before;
   }
 
   pose(): CameraPose {
@@ -101,7 +117,9 @@ export class CameraRig {
   /** Sets what depends on the size of the view and the distance; call before drawing. */
   prepare(aspect: number): void {
     const distance = this.camera.position.distanceTo(this.target);
-    this.camera.aspect = aspect;
+    const { top, bottom } = this.insets;
+    // The lens is shifted, as architects do it: the point that is turned about stays the middle of the shape.
+    this.camera.setViewOffset(aspect, 1, 0, (bottom - top) / 2, aspect, 1);
     this.camera.near = Math.max(distance - 12 * this.radius, 0.01 * this.radius, distance * 1e-3);
     this.camera.far = distance + 24 * this.radius;
     this.camera.updateProjectionMatrix();
@@ -132,8 +150,9 @@ export class CameraRig {
     eye.updateMatrix();
     const right = new Vector3().setFromMatrixColumn(eye.matrix, 0);
     const up = new Vector3().setFromMatrixColumn(eye.matrix, 1);
-    const vertical = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / MARGIN;
-    const horizontal = vertical * this.aspect;
+    const half = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / MARGIN;
+    const vertical = half * (1 - this.insets.top - this.insets.bottom);
+    const horizontal = half * this.aspect;
     const x = extent(this.points, right);
     const y = extent(this.points, up);
     const z = extent(this.points, direction);

@@ -2,7 +2,8 @@
 import {
   BufferAttribute, NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer,
 } from 'three';
-import { CameraRig } from './camera.ts';
+import { CameraRig, NO_INSETS } from './camera.ts';
+import type { Insets } from './camera.ts';
 import { GhostView } from './ghost.ts';
 import { Shape } from './shape.ts';
 import type { SharedTopology } from './shape.ts';
@@ -17,8 +18,12 @@ export interface ViewerEvents {
   onCamera(pose: CameraPose): void;
   onContextLost(): void;
   onContextRestored(): void;
+  /** Pixels at the top and the bottom of each of so many views that other things lie over. */
+  covered(views: number): { top: number; bottom: number };
 }
 
+/** The largest share of a view's height that is given to what lies over it. */
+const MOST_COVERED = 0.4;
 const DEFAULT_LOOK: Look = { colouring: 'phase', shading: 'smooth', wireframe: false, floor: true, dark: false };
 
 export class Viewer {
@@ -41,7 +46,7 @@ export class Viewer {
   private readonly resize: ResizeObserver;
 
   /** Throws where the browser has no WebGL 2. */
-  constructor(private readonly host: HTMLElement, events: ViewerEvents) {
+  constructor(private readonly host: HTMLElement, private readonly events: ViewerEvents) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.toneMapping = NoToneMapping;
     this.renderer.shadowMap.enabled = true;
@@ -168,6 +173,7 @@ export class Viewer {
 
   fit(view: ViewName | null, eased: boolean): void {
     this.rig.setAspect(this.aspect());
+    this.rig.setInsets(this.insets());
     this.rig.fit(view, eased);
   }
 
@@ -298,6 +304,14 @@ export class Viewer {
     this.setLook(this.look);
   }
 
+  /** What covers the views, as shares of their height; never so much that little is left. */
+  private insets(): Insets {
+    const { height } = this.rects()[0]!;
+    const { top, bottom } = this.events.covered(this.shapes.length);
+    const scale = Math.min(1, MOST_COVERED / Math.max((top + bottom) / height, 1e-6));
+    return { top: (scale * top) / height, bottom: (scale * bottom) / height };
+  }
+
   private aspect(): number {
     const rect = this.rects()[0]!;
     return rect.width / rect.height;
@@ -308,6 +322,7 @@ export class Viewer {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(clientWidth, clientHeight);
+    this.rig.setInsets(this.insets());
     this.draw();
   }
 
@@ -339,6 +354,7 @@ export class Viewer {
     for (const [other] of shown) other.object.visible = false;
     const before = this.rig.extent();
     const pose = this.rig.pose();
+    const insets = this.rig.setInsets(NO_INSETS);
     if (this.home) this.rig.setPoints(this.home.points, this.home.radius);
     this.rig.setAspect(w / h);
     this.rig.setPose(this.rig.fittedPose('home'));
@@ -348,6 +364,7 @@ export class Viewer {
     this.stage.setLook(this.look.floor, this.look.dark);
     for (const [other, visible] of shown) other.object.visible = visible;
     this.rig.setPoints(before.points, before.radius);
+    this.rig.setInsets(insets);
     this.rig.setPose(pose);
     return picture;
   }
