@@ -113,6 +113,7 @@ class Simplifier {
  private:
   // The faces of components with a share, each set of three vertices once.
   std::vector<Triangle> facesToUse(const ShapeParts& parts) {
+    onProgress_(0);
     std::vector<Triangle> faces;
     std::vector<int> piece;
     for (int f = 0; f < shape_.faceCount(); ++f) {
@@ -133,6 +134,7 @@ class Simplifier {
     std::vector<Triangle> distinct;
     for (int f = 0; f < m; ++f)
       if (!repeated[f]) distinct.push_back(faces[f]), ++count_[piece[f]];
+    onProgress_(setUpShare / 8);
     return distinct;
   }
 
