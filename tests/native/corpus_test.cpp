@@ -37,6 +37,6 @@ TEST_CASE("corpus and findings of the fuzzers") {
     const auto start = std::chrono::steady_clock::now();
     shapespline::fuzz::oneInput(file.filename().string(), bytes);  // aborts where something is wrong
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    CHECK(took.count() < 5);
+    CHECK(took.count() < 60);  // it hangs: no measure of speed
   }
 }

@@ -136,7 +136,7 @@ TEST_CASE("malformed real files") {
     const auto start = std::chrono::steady_clock::now();
     const auto import = alone.import();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    CHECK(took.count() < 5);
+    CHECK(took.count() < 60);  // it hangs: no measure of speed
     if (import.ok()) {
       shapespline::fuzz::checkImport(*import);
     } else {
