@@ -38,7 +38,7 @@ function buildTable(results: Result[]): string {
   const titles = ['faces', 'vertices', 'import', 'weld', 'encode', 'order', 'factor', 'whole', 'builds', 'silent', 'memory MB'];
   return table(titles, results.map(({ run }) => [
     String(run.faces), String(run.vertices), ...[run.importMs, run.weldMs, run.encodeMs, run.orderMs, run.factorMs, run.buildMs].map(short),
-    String(run.builds), short(run.silentMs), (run.heapBytes / 2 ** 20).toFixed(0),
+    String(run.builds), `${short(run.silentMs)} (${run.silentStage})`, (run.heapBytes / 2 ** 20).toFixed(0),
   ]));
 }
 
@@ -87,7 +87,7 @@ export function report(title: string, results: Result[]): string {
   return `${title}
 
 Three keys of a generated mesh; milliseconds; median / 95th percentile of single frames. "silent": the longest time without a
-sign of progress. "error": largest distance to the shape computed in double, over the bounding box's diagonal.
+sign of progress, and what was reported after it. "error": largest distance to the shape computed in double, over the bounding box's diagonal.
 
 Building a sequence:
 

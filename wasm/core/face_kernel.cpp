@@ -172,11 +172,13 @@ void store(const Divergence<Real>& d, Real (&v)[6][faceLanes]) {
 
 template <class Real>
 void FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
-                             const std::vector<int>& order, const std::vector<int>& position, int dump) {
+                             const std::vector<int>& order, const std::vector<int>& position, int dump,
+                             const FractionReport& onProgress) {
   stretch_ = stretch;
   blocks_.assign((order.size() + faceLanes - 1) / faceLanes, {});
   const Positions& p = shape.poses[shape.reference];
   for (std::size_t i = 0; i < blocks_.size() * faceLanes; ++i) {
+    reportItem(onProgress, i, order.size());
     FaceBlock<Real>& block = blocks_[i / faceLanes];
     const int lane = static_cast<int>(i % faceLanes);
     for (int c = 0; c < 3; ++c) block.corner[c][lane] = dump;

@@ -6,6 +6,7 @@
 
 #include "core/face_coordinates.h"
 #include "core/options.h"
+#include "core/progress.h"
 #include "core/types.h"
 #include "core/welded_shape.h"
 
@@ -32,7 +33,7 @@ class FaceKernel {
   /// frameOf: frame of each face, or -1 for faces that take no part. order: the faces as they are gone through, that of
   /// the coordinates. position: where each vertex's right-hand side lies, or `dump` for vertices that have none.
   void build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch, const std::vector<int>& order,
-             const std::vector<int>& position, int dump);
+             const std::vector<int>& position, int dump, const FractionReport& onProgress = {});
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
   /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: one a column of the coordinates.

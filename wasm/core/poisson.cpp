@@ -23,7 +23,7 @@ constexpr int mostCorrections = 12;
 }  // namespace
 
 CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const std::vector<char>& hasArea,
-                                      const Pieces& pieces, const Positions& reference) {
+                                      const Pieces& pieces, const Positions& reference, const FractionReport& onProgress) {
   CotangentLaplacian result;
   result.unknown.assign(reference.size(), -1);
   std::vector<char> tied(pieces.count, 0);
@@ -60,6 +60,7 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
     if (a >= 0 && b >= 0) ++start[std::min(a, b) + 1];
   });
   std::partial_sum(start.begin(), start.end(), start.begin());
+  reportFraction(onProgress, 0.3);
   struct Entry {
     int row;
     double value;
@@ -75,11 +76,13 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
     if (a >= 0 && b >= 0) entries[next[std::min(a, b)]++] = {std::max(a, b), -weight};
   });
 
+  const FractionReport onColumns = partOf(onProgress, 0.6, 1);
   SymmetricMatrix& matrix = result.matrix;
   matrix.size = count;
   matrix.row.reserve(entries.size() / 2 + 2 * static_cast<std::size_t>(count));
   matrix.value.reserve(matrix.row.capacity());
   for (int column = 0; column < count; ++column) {
+    reportItem(onColumns, static_cast<std::size_t>(column), static_cast<std::size_t>(count));
     matrix.row.push_back(column);
     matrix.value.push_back(diagonal[column]);
     const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(start[column]);

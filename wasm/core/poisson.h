@@ -20,7 +20,7 @@ struct CotangentLaplacian {
 };
 
 CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const std::vector<char>& hasArea,
-                                      const Pieces& pieces, const Positions& reference);
+                                      const Pieces& pieces, const Positions& reference, const FractionReport& onProgress = {});
 
 /// The factored system and where each vertex lies in its vectors.
 class PoissonSystem {

@@ -42,15 +42,17 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
     if (in.parts.hasArea[f])
       for (int v : shape.faces[f]) pieceOfVertex_[v] = in.parts.pieces.ofFace[f];
 
-  const CotangentLaplacian laplacian =
-      cotangentLaplacian(shape.faces, in.parts.hasArea, in.parts.pieces, shape.poses[shape.reference]);
-  const Status status = poisson_.build(
-      laplacian, in.precision, [&](double fraction) { onProgress("ordering", fraction); },
-      [&](double fraction) { onProgress("factorising", fraction); });
+  const auto part = [&onProgress](const char* stage, double from, double to) {
+    return FractionReport([&onProgress, stage, from, to](double f) { onProgress(stage, from + (to - from) * f); });
+  };
+  const CotangentLaplacian laplacian = cotangentLaplacian(shape.faces, in.parts.hasArea, in.parts.pieces,
+                                                          shape.poses[shape.reference], part("ordering", 0, 0.1));
+  const Status status = poisson_.build(laplacian, in.precision, part("ordering", 0.1, 1), part("factorising", 0, 0.8));
   if (!status) return status;
   std::vector<int> order = inEliminationOrder(shape.faces, frameOf_, poisson_);
+  onProgress("factorising", 0.83);
   lri_.face.reorder(order);
-  kernel_.build(shape, frameOf_, in.stretch, order, poisson_.slot(), poisson_.dump());
+  kernel_.build(shape, frameOf_, in.stretch, order, poisson_.slot(), poisson_.dump(), part("factorising", 0.85, 0.95));
   solution_.resize(4 * static_cast<std::size_t>(poisson_.size()));
   shift_.resize(in.parts.pieces.count);
   offset_.resize(4 * shift_.size());

@@ -119,7 +119,7 @@ struct Sequence::State {
   void weldKeys(const EncodingOptions& encoding, const FractionReport& onProgress);
   void prepareShading();
   void findClosing();
-  void decideAlignment();
+  void decideAlignment(const FractionReport& onProgress);
   CurveOptions curveOptions(const MotionOptions& options) const;
   void describeGhost();
   void collectWarnings();
@@ -172,7 +172,7 @@ void Sequence::State::findClosing() {
 
 // Whether the mean rotation can be trusted is asked once, at the keys and at fixed times between and beyond them: asked for
 // every frame, the shape would jump while the time is dragged.
-void Sequence::State::decideAlignment() {
+void Sequence::State::decideAlignment(const FractionReport& onProgress) {
   const std::vector<double> times = timesOf(raw);
   const double span = times.back() - times.front();
   const int samples = std::min(conditionSamples, 8 * shape.keys);
@@ -182,6 +182,7 @@ void Sequence::State::decideAlignment() {
     if (!curveFit) continue;
     for (int i = 0; i <= samples; ++i) {
       const double t = times.front() + span * (-margin + (1 + 2 * margin) * i / samples);
+      reportFraction(onProgress, static_cast<double>(sampled.size()) / (2 * samples + 2));
       sampled.emplace_back();
       shapeMotion->patchMotion().unaligned(curveFit->weights(curveFit->wrap(t).time), sampled.back());
     }
@@ -355,9 +356,10 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   s.shapeMotion = std::move(*shapeMotion);
   s.wantedGhostFaces = encoding.ghostFaces;
   s.prepareShading();
+  report("factorising", 0.97);
   s.describeGhost();
   s.findClosing();
-  s.decideAlignment();
+  s.decideAlignment([&](double fraction) { report("factorising", 0.97 + 0.03 * fraction); });
 
   s.stats.patches = s.shapeMotion->patchMotion().coordinates().patches.count;
   s.stats.weldedVertices = s.welding.count;
