@@ -141,6 +141,26 @@ test('stretch, reference and patches change the encoding, and the old shape stay
   await app.expectNoProblems();
 });
 
+test('whole turns are added on the way to a key, and come back from a link', async ({ app }) => {
+  await app.open();
+  const [between, key] = [await app.positionsAt(0.25), await app.positionsAt(0.5)];
+  await app.by('key-0-edit').click();
+  await expect(app.by('key-turns')).toBeHidden();
+  await app.by('key-editor-close').click();
+  await app.by('key-1-edit').click();
+  await app.by('key-turns').fill('1');
+  await app.by('key-turns').press('Enter');
+  await app.by('key-editor-close').click();
+  await app.settled();
+  const turned = await app.positionsAt(0.25);
+  expect(difference(turned, between)).toBeGreaterThan(0.1 * diagonal(between));
+  expect(difference(await app.positionsAt(0.5), key)).toBeLessThan(1e-5 * diagonal(key));
+  await app.page.goto('about:blank');
+  await app.open({ hash: '#sample=cactus&turns=0,1,0' });
+  expect((await app.state()).doc.turns).toEqual([0, 1, 0]);
+  expect(difference(await app.positionsAt(0.25), turned)).toBeLessThan(1e-5 * diagonal(turned));
+});
+
 for (const [name, value] of [['tension', '1'], ['bias', '-1']] as const) {
   test(`the ${name} of a key changes the motion about it and not the key`, async ({ app }) => {
     await app.open();

@@ -5,7 +5,7 @@ import type { Doc } from '../../web/model/state.ts';
 
 const doc: Doc = {
   keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 0.4 }, { pose: 2, name: 'c', time: 1 }],
-  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [0, 0.5, 0], bias: [0, 0, -1],
+  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [0, 0.5, 0], bias: [0, 0, -1], turns: [0, 1, 0],
 };
 const poses = (d: Doc): number[] => d.keys.map((key) => key.pose);
 const times = (d: Doc): number[] => d.keys.map((key) => key.time);
@@ -15,7 +15,7 @@ describe('edits of keys', () => {
     const next = moveKey(doc, 0, 2);
     expect(poses(next)).toEqual([1, 2, 0]);
     expect(times(next)).toEqual([0, 0.4, 1]);
-    expect([next.tension, next.bias]).toEqual([[0.5, 0, 0], [0, -1, 0]]);
+    expect([next.tension, next.bias, next.turns]).toEqual([[0.5, 0, 0], [0, -1, 0], [1, 0, 0]]);
   });
 
   it('give a key another time, in order of time', () => {

@@ -5,7 +5,7 @@ import type { AppState, Doc } from '../../web/model/state.ts';
 
 const initial: Doc = {
   keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 0.5 }, { pose: 2, name: 'c', time: 1 }],
-  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [],
+  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [],
 };
 const state: AppState = {
   ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, time: 1.25,
@@ -13,7 +13,7 @@ const state: AppState = {
     keys: [{ pose: 2, name: 'c', time: -0.25 }, { pose: 0, name: 'a', time: 0.5 }, { pose: 1, name: 'b', time: 1 }],
     motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0, endSpeed: 2.5 },
     encoding: { ...DEFAULT_ENCODING, stretch: 'log', patches: 40, referencePose: 1, ghostFaces: 1500, transfer: 'paper', placement: 'optimal' },
-    tension: [0, 0.25, 0], bias: [-0.5, 0, 1],
+    tension: [0, 0.25, 0], bias: [-0.5, 0, 1], turns: [0, -2, 0],
   },
   view: {
     ...DEFAULT_VIEW, wireframe: true, floor: false, ghostWire: true, ghostDifference: true, compare: ['linear', 'cubic-vertex'],
@@ -48,7 +48,7 @@ describe('permalinks', () => {
   });
 
   it('ignore whatever does not fit', () => {
-    const link = readPermalink('sample=x&keys=0@0,9@1&boundary=evil&startSpeed=NaN&t=Infinity&patches=-3&camera=1,2&compare=lri,nonsense&tension=1,2&bias=0,9,0&speed=0&ghostFaces=3&transfer=fast&placement=1&ghostWire=yes&between=1,0&fps=1e9&window=2')!;
+    const link = readPermalink('sample=x&keys=0@0,9@1&boundary=evil&startSpeed=NaN&t=Infinity&patches=-3&camera=1,2&compare=lri,nonsense&tension=1,2&bias=0,9,0&turns=0,1.5,0&speed=0&ghostFaces=3&transfer=fast&placement=1&ghostWire=yes&between=1,0&fps=1e9&window=2')!;
     expect(applyPermalink(initial, link)).toEqual(initial);
     expect(link.time).toBeNull();
     expect([link.speed, link.between, link.fps]).toEqual([null, null, null]);

@@ -27,7 +27,12 @@ export function docOf(info: KeysInfo, pool: PosePool): Doc {
     },
     tension: project.tension ?? [],
     bias: project.bias ?? [],
+    turns: turnsOf(project, info.times.length),
   };
+}
+
+function turnsOf({ turns = [] }: Partial<SequenceOptions>, keys: number): number[] {
+  return turns.length === 0 ? [] : Array.from({ length: keys }, (_, index) => turns.find(({ key }) => key === index)?.turns ?? 0);
 }
 
 function tangentPose(project: Partial<SequenceOptions>, end: 'startTangent' | 'endTangent', pool: PosePool): number | null {

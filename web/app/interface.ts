@@ -1,6 +1,6 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
 import type { AppState } from '../model/state.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../model/state.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, SHAPINGS, isInLri, referenceKey } from '../model/state.ts';
 import { playRange } from '../model/frames.ts';
 import { phaseOf } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -187,11 +187,11 @@ const keyItems = (() => {
   };
 })();
 
-function makeItems(doc: AppState['doc'], thumbnails: Runtime['thumbnails']): { pose: number; name: string; time: number; tension: number; bias: number; isReference: boolean; thumbnail: string | null }[] {
-  const [tension, bias] = [shapingOf(doc, 'tension'), shapingOf(doc, 'bias')];
+function makeItems(doc: AppState['doc'], thumbnails: Runtime['thumbnails']): { pose: number; name: string; time: number; tension: number; bias: number; turns: number; isReference: boolean; thumbnail: string | null }[] {
+  const [tension, bias, turns] = SHAPINGS.map((name) => shapingOf(doc, name)) as [number[], number[], number[]];
   const reference = referenceKey(doc);
   return doc.keys.map((key, index) => ({
-    pose: key.pose, name: key.name, time: key.time, tension: tension[index]!, bias: bias[index]!,
+    pose: key.pose, name: key.name, time: key.time, tension: tension[index]!, bias: bias[index]!, turns: turns[index]!,
     isReference: index === reference, thumbnail: thumbnails.get(key.pose) ?? null,
   }));
 }

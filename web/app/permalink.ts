@@ -2,9 +2,9 @@
  * The state of a built-in sample as a link's fragment, and back. Only what differs from the defaults is written. A link
  * comes from anywhere: whatever it holds that does not fit is left out.
  */
-import type { AppState, CameraPose, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../model/state.ts';
+import type { AppState, CameraPose, Colouring, Doc, Encoding, LoopMode, Motion, Shaping, View } from '../model/state.ts';
 import { MAX_FPS } from '../model/frames.ts';
-import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, DEFAULT_VIEW, METHODS } from '../model/state.ts';
+import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, DEFAULT_VIEW, MAX_TURNS, SHAPINGS, METHODS } from '../model/state.ts';
 
 export interface Permalink {
   sample: string;
@@ -12,6 +12,7 @@ export interface Permalink {
   keys: [number, number][] | null;
   tension: number[];
   bias: number[];
+  turns: number[];
   motion: Partial<Motion>;
   encoding: Partial<Encoding>;
   view: Partial<View>;
@@ -36,7 +37,7 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   };
   const keys = doc.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(',');
   put('keys', keys, initial.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(','));
-  for (const name of ['tension', 'bias'] as const) if (doc[name].some((value) => value !== 0)) params.set(name, doc[name].map(shortest).join(','));
+  for (const name of SHAPINGS) if (doc[name].some((value) => value !== 0)) params.set(name, doc[name].map(shortest).join(','));
   for (const name of Object.keys(DEFAULT_MOTION) as (keyof Motion)[]) put(name, doc.motion[name], initial.motion[name]);
   for (const name of Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]) put(name, doc.encoding[name], initial.encoding[name]);
   put('colour', view.colouring, DEFAULT_VIEW.colouring);
@@ -62,6 +63,7 @@ export function readPermalink(fragment: string): Permalink | null {
     keys: readKeys(params.get('keys')),
     tension: numbers(params.get('tension')) ?? [],
     bias: numbers(params.get('bias'))?.filter((value) => Math.abs(value) <= 1) ?? [],
+    turns: numbers(params.get('turns'))?.filter((value) => Number.isInteger(value) && Math.abs(value) <= MAX_TURNS) ?? [],
     motion: defined({
       method: oneOf(params.get('method'), METHODS),
       boundary: oneOf(params.get('boundary'), BOUNDARIES),
@@ -98,8 +100,8 @@ export function applyPermalink(doc: Doc, link: Permalink): Doc {
   const keys = usable ? link.keys!.map(([pose, time]) => ({ pose, time, name: names[pose]! })) : doc.keys;
   const encoding = { ...doc.encoding, ...link.encoding };
   for (const name of ['referencePose', 'startTangentPose', 'endTangentPose'] as const) if (!known(encoding[name])) encoding[name] = null;
-  const [tension, bias] = (['tension', 'bias'] as const).map((name) => (link[name].length === keys.length ? link[name] : doc[name])) as [number[], number[]];
-  return { keys, tension, bias, encoding, motion: { ...doc.motion, ...link.motion } };
+  const shaping = (name: Shaping): number[] => (link[name].length === keys.length ? link[name] : doc[name]);
+  return { keys, tension: shaping('tension'), bias: shaping('bias'), turns: shaping('turns'), encoding, motion: { ...doc.motion, ...link.motion } };
 }
 
 function readView(params: URLSearchParams): Partial<View> {

@@ -39,7 +39,7 @@ export function specOf(doc: Doc, compare: readonly Method[], difference = false)
     encoding: { reference: referenceKey(doc), patches, stretch, ghostFaces, transfer, placement },
     startTangentPose: hermite ? encoding.startTangentPose : null,
     endTangentPose: hermite ? encoding.endTangentPose : null,
-    motion: { ...rest, tension: orNone(doc.tension), bias: orNone(doc.bias), turns: [], inPlace: false },
+    motion: { ...rest, tension: orNone(doc.tension), bias: orNone(doc.bias), turns: addedTurns(doc.turns), inPlace: false },
     variants: [
       { method, ghost },
       ...(ghost && difference && isInLri(method) ? [{ method, ghost: false }] : []),
@@ -57,6 +57,10 @@ export function encodingFor({ encoding }: Spec, { ghost }: Variant): Encoding {
 export function laneKey(spec: Spec, variant: Variant): string {
   const { order, startTangentPose, endTangentPose } = spec;
   return JSON.stringify([order, encodingFor(spec, variant), startTangentPose, endTangentPose]);
+}
+
+function addedTurns(turns: number[]): { key: number; turns: number }[] {
+  return turns.flatMap((count, key) => (key > 0 && count !== 0 ? [{ key, turns: count }] : []));
 }
 
 function orNone(values: number[]): number[] {

@@ -56,7 +56,7 @@ export function shapingOf(doc: Doc, name: Shaping): number[] {
 }
 
 function eachShaping(values: (name: Shaping) => number[]): Pick<Doc, Shaping> {
-  return { tension: values('tension'), bias: values('bias') };
+  return { tension: values('tension'), bias: values('bias'), turns: values('turns') };
 }
 
 function sorted(doc: Doc): Doc {

@@ -16,7 +16,7 @@ export interface KeyRef {
 }
 
 /** Motion options as the app edits them; what shapes the slope at a key is kept per key and travels with it. */
-export type Motion = Omit<MotionOptions, Shaping | 'turns' | 'inPlace'>;
+export type Motion = Omit<MotionOptions, Shaping | 'inPlace'>;
 
 export interface Encoding {
   /** Pose that deformations are measured from; null = the first key. */
@@ -41,10 +41,13 @@ export interface Doc {
   /** One value a key, in the keys' order; empty = all 0. */
   tension: number[];
   bias: number[];
+  /** Whole turns that are added on the way to a key; the first key has no way to it. */
+  turns: number[];
 }
 
-/** What makes the slope at a key another than the smooth spline's own. */
-export type Shaping = 'tension' | 'bias';
+/** What makes the motion about a key another than the smooth spline's own. */
+export const SHAPINGS = ['tension', 'bias', 'turns'] as const;
+export type Shaping = (typeof SHAPINGS)[number];
 
 export type LoopMode = 'once' | 'loop' | 'bounce';
 
@@ -97,6 +100,8 @@ export const METHODS: readonly Method[] = ['lri', 'geodesic', 'linear', 'cubic-v
 export const BOUNDARIES: readonly Boundary[] = ['natural', 'hermite', 'periodic'];
 /** Faces of a ghost mesh when it is switched on: the paper's choice. */
 export const GHOST_FACES = 2000;
+/** More added turns than anybody means. */
+export const MAX_TURNS = 100;
 export const SPEEDS: readonly number[] = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export const DEFAULT_MOTION: Readonly<Motion> = {
@@ -135,7 +140,7 @@ export const DEFAULT_VIEW: Readonly<View> = {
 
 export const EMPTY_STATE: AppState = {
   source: { kind: 'none' },
-  doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [] },
+  doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [] },
   time: 0,
   play: { playing: false, speed: 0.25, loop: 'bounce', between: null, fps: null },
   view: { ...DEFAULT_VIEW },

@@ -2,6 +2,7 @@
 import { button, numberField, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
+import { MAX_TURNS } from '../model/state.ts';
 import type { Shaping } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
@@ -12,6 +13,7 @@ export interface KeyItem {
   time: number;
   tension: number;
   bias: number;
+  turns: number;
   isReference: boolean;
   /** Picture of the key, or null while there is none. */
   thumbnail: string | null;
@@ -180,6 +182,12 @@ function createEditor(events: KeyStripEvents): Editor {
     hint: 'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the motion from the key before on',
     onInput: (value) => events.onShaping(index, 'bias', value),
   });
+  const turns = numberField({
+    label: 'Whole turns added on the way to this key; negative ones go the other way', testId: 'key-turns', min: -MAX_TURNS, max: MAX_TURNS, step: 1,
+    onInput: (value) => events.onShaping(index, 'turns', Math.round(value)),
+  });
+  const turnsRow = h('div', { class: 'field row' },
+    h('span', { class: 'label', title: 'Keys do not say how often the shape turned between them' }, 'Whole turns on the way here'), turns);
   const bend = h('p', { class: 'reason', 'data-testid': 'key-bend', hidden: true },
     'With tension or bias the motion still has one slope at this key, but its acceleration jumps there: it is C1, no longer C2.');
   const earlier = button({ label: 'Earlier in the order', testId: 'key-earlier', icon: 'left', text: 'Earlier', kind: 'plain', onClick: () => move(-1) });
@@ -197,7 +205,7 @@ function createEditor(events: KeyStripEvents): Editor {
     h('header', {}, title, button({ label: 'Close', testId: 'key-editor-close', icon: 'close', onClick: () => element.close() })),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Name'), name),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Time'), time),
-    tension.element, bias.element, bend,
+    tension.element, bias.element, bend, turnsRow,
     h('div', { class: 'button-row' }, earlier, later), h('div', { class: 'button-row' }, reference, remove), reason);
   element.addEventListener('click', (event) => { if (event.target === element) element.close(); });
 
@@ -220,6 +228,8 @@ function createEditor(events: KeyStripEvents): Editor {
       setField(time, formatTime(item.time, range));
       tension.update(item.tension);
       bias.update(item.bias);
+      setField(turns, String(item.turns));
+      setHidden(turnsRow, index === 0);
       setHidden(bend, item.tension === 0 && item.bias === 0);
       earlier.disabled = index === 0;
       later.disabled = index === keys.length - 1;
