@@ -181,9 +181,11 @@ TEST_CASE("declared gigabytes are refused at once") {
 
 // Parts of a file may be named many times: what they add up to is bounded too, and seen before it is done.
 TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
-  const std::clock_t start = std::clock();
   const auto checkTooLarge = [](const GltfMaker& file, const std::string& says, const ImportOptions& options = {}) {
-    const auto result = Files().add("bomb.glb", file.glb()).import(options);
+    const Files files = Files().add("bomb.glb", file.glb());
+    const std::clock_t start = std::clock();
+    const auto result = files.import(options);
+    CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 5);
     REQUIRE(!result.ok());
     CAPTURE(result.error().message);
     CHECK(std::string(errorCodeName(result.error().code)) == errorCodeName(ErrorCode::TooLarge));
@@ -246,8 +248,6 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
   const json channel = channels.doc["animations"][0]["channels"][0];
   channels.doc["animations"][0]["channels"] = std::vector<json>(1'000, channel);
   checkTooLarge(channels, "numbers");
-
-  CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 5);
 }
 
 TEST_CASE("what is named many times costs once") {
