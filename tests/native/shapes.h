@@ -157,4 +157,23 @@ inline Positions aligned(const Positions& from, const Positions& to) {
   return mapped(from, [&](const Vec3& p) -> Vec3 { return r * (p - a) + b; });
 }
 
+/// Turn of each cross-section of a bar along z against the next, from the best rigid fit of its vertices; `perUnit` sections
+/// a unit of length.
+inline std::vector<Vec3> sectionTurns(const Positions& rest, const Positions& pose, int perUnit) {
+  std::map<int, std::pair<Positions, Positions>> sections;
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    auto& [a, b] = sections[static_cast<int>(std::lround(rest[v].z() * perUnit))];
+    a.push_back(rest[v]), b.push_back(pose[v]);
+  }
+  std::vector<Vec3> turns;
+  Mat3 before = Mat3::Identity();
+  bool first = true;
+  for (const auto& [z, section] : sections) {
+    const Mat3 r = fitRigid(section.first, section.second).rotation;
+    if (!first) turns.push_back(logRotation(Mat3(before.transpose() * r)));
+    before = r, first = false;
+  }
+  return turns;
+}
+
 }  // namespace shapespline::test

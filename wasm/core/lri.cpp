@@ -34,19 +34,13 @@ class Encoder {
   }
 
  private:
-  template <class Visit>
-  void eachUsedFace(Visit visit) const {
-    for (int f = 0; f < shape_.faceCount(); ++f)
-      if (parts_.hasArea[f]) visit(f);
-  }
-
   const Quaternion& frameOf(int f, int column) const { return frames_.rotation[column][frames_.ofFace[f]]; }
 
   void encodeFaces(const FractionReport& onProgress) {
     const int columns = shape_.columns();
     out_.face = FaceCoordinates<Real>(shape_.faceCount(), columns);
     std::vector<int> wild;
-    eachUsedFace([&](int f) {
+    parts_.eachUsedFace([&](int f) {
       reportItem(onProgress, static_cast<std::size_t>(f), parts_.hasArea.size());
       const FaceFrame frame = referenceFrame(shape_, f);
       double largest = 0;
@@ -143,7 +137,7 @@ class Encoder {
 
   void encodeLoose() {
     std::vector<int> faceAt(shape_.vertexCount(), -1);  // a face with area
-    eachUsedFace([&](int f) {
+    parts_.eachUsedFace([&](int f) {
       for (int v : shape_.faces[f])
         if (faceAt[v] < 0) faceAt[v] = f;
     });

@@ -20,19 +20,13 @@ class PatchEncoder {
   }
 
  private:
-  template <class Visit>
-  void eachUsedFace(Visit visit) const {
-    for (int f = 0; f < shape_.faceCount(); ++f)
-      if (parts_.hasArea[f]) visit(f);
-  }
-
   void partition(int wantedPatches, const FractionReport& onProgress) {
     const int m = shape_.faceCount(), columns = shape_.columns();
     std::vector<double> area(m, 0);
     Positions centroid(m, Vec3::Zero());
     std::vector<std::vector<Quaternion>> rotations(columns, std::vector<Quaternion>(m, Quaternion::Identity()));
     const FractionReport onFaces = partOf(onProgress, 0, 0.3);
-    eachUsedFace([&](int f) {
+    parts_.eachUsedFace([&](int f) {
       reportItem(onFaces, static_cast<std::size_t>(f), area.size());
       const FaceFrame frame = referenceFrame(shape_, f);
       area[f] = frame.area;
@@ -44,7 +38,7 @@ class PatchEncoder {
     out_.patches = partitionFaces({parts_.graph, parts_.pieces, area, centroid, rotations}, wanted,
                                   partOf(onProgress, 0.3, 0.9));
     out_.area.assign(out_.patches.count, 0);
-    eachUsedFace([&](int f) { out_.area[out_.patches.ofFace[f]] += area[f]; });
+    parts_.eachUsedFace([&](int f) { out_.area[out_.patches.ofFace[f]] += area[f]; });
     averageRotations(area, rotations);
   }
 
@@ -52,7 +46,7 @@ class PatchEncoder {
   void averageRotations(const std::vector<double>& area, const std::vector<std::vector<Quaternion>>& rotations) {
     for (int c = 0; c < shape_.columns(); ++c) {
       std::vector<RotationMean> mean(out_.patches.count);
-      eachUsedFace([&](int f) { mean[out_.patches.ofFace[f]].add(rotations[c][f], area[f]); });
+      parts_.eachUsedFace([&](int f) { mean[out_.patches.ofFace[f]].add(rotations[c][f], area[f]); });
       std::vector<Quaternion> rotation(out_.patches.count);
       for (int k = 0; k < out_.patches.count; ++k) rotation[k] = mean[k].mean();
       out_.rotation.push_back(std::move(rotation));

@@ -49,6 +49,13 @@ struct ShapeParts {
   FaceGraph graph;     ///< of those faces
   Pieces pieces;
   ComponentTree tree;  ///< empty where there is no piece
+
+  /// The faces that take part, in order.
+  template <class Visit>
+  void eachUsedFace(Visit visit) const {
+    for (std::size_t f = 0; f < hasArea.size(); ++f)
+      if (hasArea[f]) visit(static_cast<int>(f));
+  }
 };
 
 ShapeParts partsOf(const WeldedShape& shape, const FractionReport& onProgress = {});
