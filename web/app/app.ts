@@ -15,6 +15,7 @@ import { createInsightPanel } from './insight.ts';
 import { createInterface } from './interface.ts';
 import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
 import { isCancelled } from './lanes.ts';
+import { createMemory } from './memory.ts';
 import { createOpening } from './opening.ts';
 import { readPermalink, writePermalink } from './permalink.ts';
 import { Picture } from './picture.ts';
@@ -94,6 +95,7 @@ export function startApp(root: HTMLElement): void {
   const thumbnails = createThumbnails(context);
   const commands = createCommands(context);
   const opening = createOpening(context);
+  const memory = createMemory(context);
   const insight = createInsightPanel(
     () => ({ lanes: workspace.lanes.filter((lane, index) => index === 0 || lane.ghost === workspace.lanes[0]?.ghost), keyTimes: store.get().doc.keys.map((key) => key.time), range: context.range(), ms: runtime.ms ?? 1 }),
     commands.seek, (error) => { if (restarts(error)) insight.invalidate(); else context.fail(error); });
@@ -113,6 +115,7 @@ export function startApp(root: HTMLElement): void {
     shell, root, commands, opening, insight, ghostStudy, shortcuts: shortcutLines(shortcuts),
     onUndo: store.undo, onRedo: store.redo, onTheme: theme.next, onCancel: cancel,
     onLink: () => void copyLink(),
+    onRemember: () => void memory.toggle().catch(context.fail),
     onCloseProblem: () => context.inform({ problem: null }),
     onSingleKeys: (singleKeys) => context.inform({ singleKeys }),
     onExportOpen: () => exporting.plan(),
@@ -193,7 +196,10 @@ export function startApp(root: HTMLElement): void {
       void pump.request(state.time);
     }
     if (state.source === before.source && otherMotions) context.inform({ welcome: false });
-    if (!state.play.playing) saveLink();
+    if (!state.play.playing) {
+      saveLink();
+      memory.follow();
+    }
     render();
   });
 
@@ -260,6 +266,8 @@ export function startApp(root: HTMLElement): void {
   async function start(): Promise<void> {
     context.inform({ samples: await fetchSamples(), offline: !navigator.onLine });
     const link = readPermalink(location.hash);
+    const left = link ? null : await memory.recall();
+    if (left && await opening.again(left)) return pump.idle();
     const first = runtime.samples.find(({ id }) => id === link?.sample) ?? runtime.samples[0];
     if (!first) throw new Error('There are no samples beside this page. Open files of your own.');
     await opening.sample(first.id, first.id === link?.sample ? link : null);

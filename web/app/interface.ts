@@ -49,6 +49,7 @@ export interface InterfaceInput {
   onUndo(): void;
   onRedo(): void;
   onLink(): void;
+  onRemember(): void;
   onTheme(): void;
   onCancel(): void;
   onCloseProblem(): void;
@@ -88,7 +89,7 @@ export function createInterface(input: InterfaceInput): Interface {
   const dropZone = createDropZone(openFiles);
   const header = createHeader({
     onSample: (id) => void opening.sample(id), onOpen: picker.open, onUndo: input.onUndo, onRedo: input.onRedo,
-    onExport: () => openExport(), onLink: input.onLink, onHelp: () => help.open(), onTheme: input.onTheme,
+    onExport: () => openExport(), onLink: input.onLink, onRemember: input.onRemember, onHelp: () => help.open(), onTheme: input.onTheme,
   });
   const timeline = createTimeline({ onSeek: commands.seek, onRetime: commands.retimeKey, onBetween: commands.between, onWindow: commands.window });
   const clockMenu = createClockMenu({
@@ -132,7 +133,7 @@ export function createInterface(input: InterfaceInput): Interface {
     const phase = phaseOf({ t: time, keys: doc.keys, range, periodic, tolerance: play.playing ? PLAYING_TOLERANCE : undefined });
     header.update({
       samples: runtime.samples, sample: source.kind === 'sample' ? source.id : null, theme, undo, redo,
-      fileName: source.kind === 'files' ? sourceName(source.names) : '', canExport: !disabled, canLink: source.kind === 'sample',
+      fileName: source.kind === 'files' ? sourceName(source.names) : '', canExport: !disabled, own: source.kind === 'files', remembered: runtime.remembered,
     });
     const { fps, between, playing } = play;
     timeline.update({ range, keys: doc.keys, time, playing, phase, periodic, disabled, fps, between, window: view.window });

@@ -7,7 +7,8 @@ import { length } from '../model/time-scale.ts';
 import type { PickedFile } from '../ui/file-drop.ts';
 import { plural } from '../ui/status-line.ts';
 import type { Context } from './context.ts';
-import type { Input } from './workspace.ts';
+import type { Remembered } from './memory.ts';
+import type { Input, PosePool } from './workspace.ts';
 import { importPoses, readFiles } from './input-files.ts';
 import { applyPermalink } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
@@ -18,6 +19,8 @@ export interface Opening {
   /** Resolve to whether what was asked for is open now. */
   sample(id: string, link?: Permalink | null): Promise<boolean>;
   files(files: PickedFile[]): Promise<boolean>;
+  /** Opens what an earlier visit left. */
+  again(remembered: Remembered): Promise<boolean>;
   /** Takes the keys anew, at these seconds of the animation's own time line. */
   resample(animation: number, times: number[]): Promise<boolean>;
   /** Adds the files' poses after the last key. */
@@ -33,6 +36,8 @@ interface Request {
   source: Source;
   adjust(doc: Doc): Doc;
   link: Permalink | null;
+  /** How an earlier visit left it. */
+  left?: Remembered;
 }
 
 export function createOpening(context: Context): Opening {
@@ -40,23 +45,25 @@ export function createOpening(context: Context): Opening {
   let fetching = new AbortController();
   const running = new Set<Promise<unknown>>();
 
-  const open = async ({ input, options, source, adjust, link }: Request): Promise<boolean> => {
+  const open = async ({ input, options, source, adjust, link, left }: Request): Promise<boolean> => {
     context.inform({ problem: null });
     let initial: Doc | null = null;
-    const opened = await workspace.open(input, options, (doc) => {
+    const opened = await workspace.open(input, options, (doc, pool) => {
       initial = adjust(doc);
+      if (left) return restored(left, pool);
       return link ? applyPermalink(initial, link) : initial;
     });
     if (!opened) return false;
     const { info, doc } = opened;
-    const view = openingView(store.get().view, info, link);
+    const view = left ? { ...DEFAULT_VIEW, ...left.state.view } : openingView(store.get().view, info, link);
     picture.setImport(info, workspace.pool!, view.camera);
     context.inform({
       info, initial, warnings: info.warnings, thumbnails: new Map(), stats: null, lost: 0, ms: null,
       range: workspace.lanes[0]?.sequence.range ?? [0, 1], welcome: context.runtime().welcome && source.kind === 'sample',
     });
     if (source.kind === 'files') context.say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
-    store.reset({ source, doc, view, time: link?.time ?? doc.keys[0]?.time ?? 0, play: openingPlay(context, info, doc, source, link) });
+    const play = left ? { ...left.state.play, playing: false } : openingPlay(context, info, doc, source, link);
+    store.reset({ source, doc, view, play, time: left?.state.time ?? link?.time ?? doc.keys[0]?.time ?? 0 });
     return true;
   };
 
@@ -105,6 +112,9 @@ export function createOpening(context: Context): Opening {
       const input: Input = (report, signal) => readFiles(files, report, signal);
       return open({ input, options: {}, source: { kind: 'files', names: files.map(({ name }) => name) }, adjust: (doc) => doc, link: null });
     }),
+    again: (left) => guarded(() => open({
+      input: left.files, options: left.options, source: left.state.source, adjust: (doc) => doc, link: null, left,
+    })),
     resample: (animation, times) => guarded(() => {
       const { source } = store.get();
       return open({ input: workspace.input, options: { animation, sample: times }, source, adjust: (doc) => doc, link: null });
@@ -113,6 +123,12 @@ export function createOpening(context: Context): Opening {
     get busy() { return running.size > 0; },
     idle: async () => { while (running.size > 0) await Promise.all(running); },
   };
+}
+
+/** The poses that are not of the files come back first: the document's keys name them by their place. */
+function restored({ poses, state }: Remembered, pool: PosePool): Doc {
+  for (const { name, positions } of poses.slice(pool.count - pool.imported)) pool.add(name, positions);
+  return state.doc;
 }
 
 /** After the last key, as far from it as the keys are from each other on average. */

@@ -23,11 +23,13 @@ export interface Runtime {
   thumbnails: ReadonlyMap<number, string>;
   welcome: boolean;
   offline: boolean;
+  /** The user's files are kept in this browser for the next visit. */
+  remembered: boolean;
   singleKeys: boolean;
   exporting: { request: ExportRequest; plan: { text: string; warnings: readonly string[] } | null };
 }
 
 export const EMPTY_RUNTIME: Runtime = {
   samples: [], info: null, initial: null, warnings: [], working: null, problem: null, stats: null, range: [0, 1], ms: null, lost: 0,
-  thumbnails: new Map(), welcome: false, offline: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
+  thumbnails: new Map(), welcome: false, offline: false, remembered: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

@@ -23,6 +23,7 @@ interface Current {
   lanes: Lanes;
   pool: PosePool;
   input: InputFile[];
+  options: ImportOptions;
 }
 
 /** Files, or where they come from: `report` hears the share that is there. */
@@ -36,9 +37,12 @@ const NO_LANES: readonly Lane[] = [];
 /** The poses of an import and those taken from shapes since; an index into it never changes its meaning. */
 export class PosePool {
   count: number;
+  /** How many of them are the import's own. */
+  readonly imported: number;
 
   constructor(public keys: Keys) {
-    this.count = keys.info.times.length;
+    this.imported = keys.info.times.length;
+    this.count = this.imported;
   }
 
   /** Returns the new pose's index. */
@@ -71,11 +75,16 @@ export class Workspace {
     return this.current?.input ?? [];
   }
 
+  /** How they were read. */
+  get options(): ImportOptions {
+    return this.current?.options ?? {};
+  }
+
   /**
    * Reads files and makes the motion; only when both have succeeded does it replace what is open. `adjust` may change
    * the document first. Resolves to null when it was cancelled or overtaken by another call.
    */
-  async open(source: Input, options: ImportOptions, adjust: (doc: Doc, info: KeysInfo) => Doc): Promise<Opened | null> {
+  async open(source: Input, options: ImportOptions, adjust: (doc: Doc, pool: PosePool) => Doc): Promise<Opened | null> {
     this.opening?.abort();
     const abort = new AbortController();
     this.opening = abort;
@@ -91,10 +100,10 @@ export class Workspace {
       keys = await this.engine.importKeyframes(input, options, { signal: abort.signal, onProgress });
       const { info } = keys;
       const pool = new PosePool(keys);
-      const doc = adjust(docOf(info, pool), info);
+      const doc = adjust(docOf(info, pool), pool);
       const lanes = await this.firstLanes(pool, specOf(doc, []), abort);
       this.close();
-      this.current = { lanes, pool, input };
+      this.current = { lanes, pool, input, options };
       return { info, doc };
     } catch (error) {
       keys?.dispose();

@@ -1,6 +1,6 @@
 /** The top bar: name, sample, open, undo and redo, export, link, help, theme. */
 import { button, select, tooltip } from './controls.ts';
-import { h, memo, setAttribute } from './dom.ts';
+import { h, memo, setAttribute, setHidden } from './dom.ts';
 import type { IconName } from './icons.ts';
 import { setIcon } from './icons.ts';
 import type { Theme } from './theme.ts';
@@ -20,7 +20,9 @@ export interface HeaderProps {
   redo: string | null;
   theme: Theme;
   canExport: boolean;
-  canLink: boolean;
+  /** Files of the user are loaded: links cannot carry them, this browser can remember them. */
+  own: boolean;
+  remembered: boolean;
 }
 
 export interface HeaderEvents {
@@ -30,6 +32,7 @@ export interface HeaderEvents {
   onRedo(): void;
   onExport(): void;
   onLink(): void;
+  onRemember(): void;
   onHelp(): void;
   onTheme(): void;
 }
@@ -51,11 +54,12 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
   const redo = button({ label: 'Redo', testId: 'redo', icon: 'redo', shortcut: 'Ctrl+Shift+Z', onClick: () => events.onRedo() });
   const exporting = button({ label: 'Export', testId: 'export', icon: 'download', text: 'Export', shortcut: 'E', kind: 'primary', onClick: () => events.onExport() });
   const link = button({ label: 'Copy a link to this view', testId: 'link', icon: 'link', onClick: () => events.onLink() });
+  const remember = button({ label: 'Remember these files on this computer', testId: 'remember', icon: 'bookmark', onClick: () => events.onRemember() });
   const help = button({ label: 'Help', testId: 'help', icon: 'help', shortcut: '?', onClick: () => events.onHelp() });
   const theme = button({ label: 'Colours', testId: 'theme', icon: 'system', shortcut: 'D', onClick: () => events.onTheme() });
   const element = h('header', { class: 'app-header' },
     h('h1', { class: 'wordmark' }, 'shape', h('span', {}, 'spline')),
-    sample.element, open, h('div', { class: 'history' }, undo, redo), h('div', { class: 'spacer' }), exporting, link, help, theme);
+    sample.element, open, h('div', { class: 'history' }, undo, redo), h('div', { class: 'spacer' }), exporting, link, remember, help, theme);
 
   const draw = memo((props: HeaderProps) => {
     const own = props.sample === null && props.fileName ? [{ value: OWN, label: props.fileName }] : [];
@@ -63,8 +67,12 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
     describe(undo, 'Undo', props.undo, 'Ctrl+Z');
     describe(redo, 'Redo', props.redo, 'Ctrl+Shift+Z');
     exporting.disabled = !props.canExport;
-    link.disabled = !props.canLink;
-    setAttribute(link, 'title', props.canLink ? 'Copy a link to this view' : 'Links work for the built-in samples; your own files stay on your machine. Export saves them as a project.');
+    setHidden(link, props.own);
+    setHidden(remember, !props.own);
+    setAttribute(remember, 'aria-pressed', String(props.remembered));
+    setAttribute(remember, 'title', props.remembered
+      ? 'These files are remembered in this browser, on this computer only; click to forget them'
+      : 'Remember these files in this browser for the next visit; they stay on this computer');
     setIcon(theme, THEMES[props.theme].icon);
     const words = `${THEMES[props.theme].label}; click to change`;
     setAttribute(theme, 'aria-label', words);
