@@ -7,6 +7,7 @@
 
 #include "core/mesh.h"
 #include "core/metrics.h"
+#include "core/sequence_stages.h"
 #include "core/shading.h"
 #include "core/shape_motion.h"
 #include "core/spline.h"
@@ -63,23 +64,6 @@ Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount) {
                                                  ", up to 1000 each; got " + std::to_string(t.turns) + " for key " +
                                                  std::to_string(t.key + 1) + "."};
   return {};
-}
-
-// The fraction of the whole at a fraction of a stage. Shares from measured runs.
-double wholeProgress(std::string_view stage, double fraction, bool withGhost) {
-  struct Stage {
-    std::string_view name;
-    int percent, percentWithGhost;
-  };
-  constexpr Stage stages[] = {{"welding", 8, 2},    {"simplifying", 0, 58}, {"matching", 0, 6},
-                              {"encoding", 42, 12}, {"ordering", 15, 14},   {"factorising", 35, 8}};
-  int before = 0;
-  for (const Stage& s : stages) {
-    const int percent = withGhost ? s.percentWithGhost : s.percent;
-    if (s.name == stage) return std::min(1.0, (before + percent * fraction) / 100);
-    before += percent;
-  }
-  return before / 100.0;
 }
 
 bool isLinear(Method method) { return method == Method::Geodesic || method == Method::Linear; }
