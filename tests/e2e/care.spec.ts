@@ -29,6 +29,10 @@ test('axe finds nothing serious in the dialogs and messages', async ({ app }) =>
     await expectAccessible(app);
     await app.by(closer).click();
   }
+  await app.by('clock-toggle').click();
+  await expect(app.by('clock')).toBeVisible();
+  await expectAccessible(app);
+  await app.page.keyboard.press('Escape');
   await app.by('file-input').setInputFiles({ name: 'bad.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('<html>') });
   await expect(app.by('error')).toBeVisible();
   await expectAccessible(app);
