@@ -69,7 +69,7 @@ async function study(engine: Engine, keys: Keys): Promise<void> {
 function linesOf({ rows, ms, buildMs }: GhostStudy): Line[] {
   const lines = rows.map(({ faces, transfer, kg, ms: frame, buildMs: build, stats: s }) => [
     String(faces), transfer, kg.toFixed(3), frame.toFixed(2), s.simplifyMs.toFixed(0), s.encodeMs.toFixed(0), s.transferMs.toFixed(0),
-    (s.orderMs + s.factorMs).toFixed(0), build.toFixed(0),
+    (s.orderMs + s.factorMs + s.arrangeMs).toFixed(0), build.toFixed(0),
   ]);
   return [...lines, ['none', '-', '0', ms.toFixed(2), '-', '-', '-', '-', buildMs.toFixed(0)]];
 }

@@ -209,6 +209,7 @@ Json toJson(const SequenceStats& stats) {
           {"encodeMs", stats.encodeMs},
           {"orderMs", stats.orderMs},
           {"factorMs", stats.factorMs},
+          {"arrangeMs", stats.arrangeMs},
           {"factorBytes", stats.factorBytes},
           {"alignedByPatches", stats.alignedByPatches},
           {"facesMs", stats.facesMs},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/out_of_line.h"
 #include "core/simd.h"
 
 namespace shapespline {
@@ -85,24 +86,37 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
 // Strips that are eliminated together: each strip above is read once for all of them, and they fit a level-2 cache.
 constexpr int kGroup = 8;
 
+// What the pivots need and leave; see eliminateStrips().
+struct Pivots {
+  int strips;
+  const double* reference;
+  double* inverse;
+  PivotReport& report;
+};
+
+// The tiles in column j of the strips begin ... end - 1.
+void eliminateColumn(double* front, int j, int begin, int end, const Pivots& pivots) {
+  const double* columns = front + stripOffset(j);
+  const int depth = 4 * std::min(j, pivots.strips);
+  for (int i = std::max(j, begin); i < end; ++i) {
+    double* rows = front + stripOffset(i);
+    double* tile = rows + 16 * static_cast<std::ptrdiff_t>(j);
+    updateTile(rows, columns, depth, tile);
+    if (j >= pivots.strips) continue;
+    if (i == j) factorTile(tile, 4 * j, pivots.reference + 4 * j, pivots.inverse + 16 * j, pivots.report);
+    else solveTile(tile, pivots.inverse + 16 * j);
+  }
+}
+
 }  // namespace
 
 void eliminateStrips(double* front, int pivotStrips, int begin, int end, const double* reference, double* inverse,
                      PivotReport& report) {
+  const Pivots pivots = {pivotStrips, reference, inverse, report};
+  const auto eliminate = outOfLine(eliminateColumn);
   for (int group = begin; group < end; group += kGroup) {
     const int groupEnd = std::min(end, group + kGroup);
-    for (int j = 0; j < groupEnd; ++j) {
-      const double* columns = front + stripOffset(j);
-      const int depth = 4 * std::min(j, pivotStrips);
-      for (int i = std::max(j, group); i < groupEnd; ++i) {
-        double* rows = front + stripOffset(i);
-        double* tile = rows + 16 * static_cast<std::ptrdiff_t>(j);
-        updateTile(rows, columns, depth, tile);
-        if (j >= pivotStrips) continue;
-        if (i == j) factorTile(tile, 4 * j, reference + 4 * j, inverse + 16 * j, report);
-        else solveTile(tile, inverse + 16 * j);
-      }
-    }
+    for (int j = 0; j < groupEnd; ++j) eliminate(front, j, group, groupEnd, pivots);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/dense_front.h"
+#include "core/out_of_line.h"
 
 namespace shapespline {
 
@@ -26,6 +27,23 @@ std::size_t stackPeak(const SymbolicFactor& symbolic) {
     if (symbolic.parent[s] != -1) childUpdates[symbolic.parent[s]] += stripOffset(update);
   }
   return peak;
+}
+
+// Adds a strip of an update matrix, `rows` rows from row `first` on, to its parent's front: entry (r, c) at
+// target[r - first][column[c]].
+void addStrip(const double* strip, int first, int rows, double* const* target, const int* column) {
+  if (rows == 4) {
+    double *a = target[0], *b = target[1], *c = target[2], *d = target[3];
+    for (int k = 0; k < first; ++k, strip += 4) {
+      const int to = column[k];
+      a[to] += strip[0], b[to] += strip[1], c[to] += strip[2], d[to] += strip[3];
+    }
+  } else {
+    for (int k = 0; k < first; ++k, strip += 4)
+      for (int r = 0; r < rows; ++r) target[r][column[k]] += strip[r];
+  }
+  for (int k = 0; k < rows; ++k, strip += 4)
+    for (int r = k; r < rows; ++r) target[r][column[first + k]] += strip[r];
 }
 
 }  // namespace
@@ -85,26 +103,22 @@ void Multifrontal::assembleFront() {
     reference_[c] = at(c, c);
   }
   for (int c = columns; c < pivots; ++c) at(c, c) = 1.0;  // padding to whole strips
-  for (int child = firstChild_[s]; child != -1; child = sibling_[child]) addChild(child, front, pivots);
+  for (int child = firstChild_[s]; child != -1; child = sibling_[child]) addChild(child, front);
 }
 
-void Multifrontal::addChild(int child, double* front, int pivots) {
+void Multifrontal::addChild(int child, double* front) {
   const int rows = symbolic_.rows(child);
   const int* row = symbolic_.rowsOf(child);
-  offset_.resize(rows);
+  target_.resize(4 * static_cast<std::size_t>(updateStrips(symbolic_, child)));
   column_.resize(rows);
   for (int r = 0; r < rows; ++r) {
     const int to = local_[row[r]];
-    offset_[r] = stripOffset(to / 4) + to % 4;
+    target_[r] = front + stripOffset(to / 4) + to % 4;
     column_[r] = 4 * to;
   }
+  const auto add = outOfLine(addStrip);
   const double* update = stack_.data() + updateBase_[child];
-  for (int r = 0; r < rows; ++r) {
-    const double* source = update + stripOffset(r / 4) + r % 4;
-    double* target = front + offset_[r];
-    for (int c = 0; c <= r; ++c) target[column_[c]] += source[4 * static_cast<std::size_t>(c)];
-  }
-  (void)pivots;
+  for (int r = 0; r < rows; r += 4) add(update + stripOffset(r / 4), r, std::min(4, rows - r), target_.data() + r, column_.data());
 }
 
 bool Multifrontal::eliminate(double& flopBudget) {

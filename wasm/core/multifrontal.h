@@ -42,7 +42,7 @@ class Multifrontal {
 
  private:
   void assembleFront();
-  void addChild(int child, double* front, int pivots);
+  void addChild(int child, double* front);
 
   const SymbolicFactor& symbolic_;
   const EntryMap& map_;
@@ -51,8 +51,8 @@ class Multifrontal {
   std::vector<int> firstChild_, sibling_;  // last pushed child first
   std::vector<std::size_t> updateBase_;    // of each supernode whose update matrix is on the stack
   std::vector<int> local_;                 // position -> row in the current front
-  std::vector<std::size_t> offset_;        // of a child's rows in the current front
-  std::vector<int> column_;
+  std::vector<double*> target_;            // of a child's rows in the current front
+  std::vector<int> column_;                // of its columns, in doubles
   std::vector<double> reference_, inverse_;
   std::size_t stackTop_ = 0, frontBase_ = 0;
   int supernode_ = 0;

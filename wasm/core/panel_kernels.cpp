@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/out_of_line.h"
 #include "core/simd.h"
 
 // Loops here are as small as they can be. Browsers' optimising compilers move the loads of a loop body to its front, so
@@ -188,10 +189,7 @@ void backwardPanel(const Scalar* values, int columns, const int* row, int rows, 
 template <class Scalar>
 PanelKernels<Scalar> panelKernels() {
   using V = typename VectorOf<Scalar>::type;
-  // volatile keeps the optimiser from turning the pointers back into calls.
-  static PanelKernel<Scalar> volatile forward = forwardPanel<V, Scalar>;
-  static PanelKernel<Scalar> volatile backward = backwardPanel<V, Scalar>;
-  return {forward, backward};
+  return {outOfLine(forwardPanel<V, Scalar>), outOfLine(backwardPanel<V, Scalar>)};
 }
 
 template PanelKernels<float> panelKernels<float>();

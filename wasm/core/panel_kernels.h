@@ -26,8 +26,7 @@ struct PanelKernels {
   PanelKernel<Scalar> forward, backward;
 };
 
-/// Called through pointers: inlined into the loop over all panels, which is one long call, they would stay in the
-/// browser's baseline compiler.
+/// Called through pointers, see out_of_line.h.
 template <class Scalar>
 PanelKernels<Scalar> panelKernels();
 

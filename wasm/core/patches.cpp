@@ -7,7 +7,6 @@
 #include <numbers>
 #include <queue>
 
-
 namespace shapespline {
 
 namespace {
@@ -24,6 +23,10 @@ constexpr int candidatesPerSeed = 48;
 
 // Of the time that a partition takes, about.
 constexpr double shareOfSeeds = 0.3;
+
+// In whole steps of 2^-20: ties of a symmetric mesh then go to the lower index, and a common rigid motion of all keys,
+// which changes costs by rounding, does not change the partition.
+double inSteps(double exact) { return std::nearbyint(exact * 0x1p20); }
 
 // A patch while it grows.
 struct Centre {
@@ -54,21 +57,19 @@ class Partition {
   }
 
  private:
-  double rotationCost(int face, const std::vector<Quaternion>& rotation) const {
-    double cost = 0;  // |R - G|_F^2 = 8 (1 - (q . g)^2)
-    for (std::size_t j = 0; j < rotation.size(); ++j) {
-      const double dot = in_.rotations[j][face].dot(rotation[j]);
-      cost += 8 * (1 - dot * dot);
+  // rotationOf(j): the face's rotation in key j.
+  template <class RotationOf>
+  static double cost(const Vec3& centroid, RotationOf rotationOf, const Centre& centre) {
+    double rotationCost = 0;  // |R - G|_F^2 = 8 (1 - (q . g)^2)
+    for (std::size_t j = 0; j < centre.rotation.size(); ++j) {
+      const double dot = rotationOf(j).dot(centre.rotation[j]);
+      rotationCost += 8 * (1 - dot * dot);
     }
-    return cost;
+    return inSteps(rotationCost + distanceWeight * (centroid - centre.position).squaredNorm() * centre.inverseRadiusSquared);
   }
 
-  // In whole steps of 2^-20: ties of a symmetric mesh then go to the lower index, and a common rigid motion of all keys,
-  // which changes costs by rounding, does not change the partition.
   double cost(int face, const Centre& centre) const {
-    const double exact = rotationCost(face, centre.rotation) +
-                         distanceWeight * (in_.centroid[face] - centre.position).squaredNorm() * centre.inverseRadiusSquared;
-    return std::round(std::ldexp(exact, 20));
+    return cost(in_.centroid[face], [&](std::size_t j) -> const Quaternion& { return in_.rotations[j][face]; }, centre);
   }
 
   Centre centreAt(int face, double inverseRadiusSquared) const {
@@ -101,7 +102,20 @@ class Partition {
     for (int i = 0; i < candidateCount; ++i)
       candidates[i] = members[static_cast<std::int64_t>(i) * static_cast<std::int64_t>(members.size()) / candidateCount];
 
-    const auto farness = [&](int f) { return std::round(std::ldexp((in_.centroid[f] - middle).squaredNorm() / area, 20)); };
+    // Side by side: every seed asks all of them.
+    const std::size_t keys = in_.rotations.size();
+    std::vector<Vec3> centroid;
+    std::vector<Quaternion> rotation;
+    for (int f : candidates) {
+      centroid.push_back(in_.centroid[f]);
+      for (const auto& key : in_.rotations) rotation.push_back(key[f]);
+    }
+    const auto costTo = [&](int i, const Centre& centre) {
+      const Quaternion* own = &rotation[keys * static_cast<std::size_t>(i)];
+      return cost(centroid[i], [own](std::size_t j) -> const Quaternion& { return own[j]; }, centre);
+    };
+
+    const auto farness = [&](int f) { return inSteps((in_.centroid[f] - middle).squaredNorm() / area); };
     std::vector<double> nearest(candidateCount, std::numeric_limits<double>::infinity());
     int next = 0;
     for (int i = 1; i < candidateCount; ++i)  // the first seed lies farthest out
@@ -112,7 +126,7 @@ class Partition {
       patches_.pieceOf.push_back(piece);
       nearest[next] = -1;
       for (int i = 0; i < candidateCount; ++i)
-        if (nearest[i] >= 0) nearest[i] = std::min(nearest[i], cost(candidates[i], centres_.back()));
+        if (nearest[i] >= 0) nearest[i] = std::min(nearest[i], costTo(i, centres_.back()));
       next = static_cast<int>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
       if (nearest[next] < 0) break;  // every candidate is a seed
     }

@@ -101,21 +101,21 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
   return result;
 }
 
-Status PoissonSystem::build(const CotangentLaplacian& laplacian, Precision precision,
-                            const std::function<void(double)>& onOrder, const std::function<void(double)>& onFactor) {
-  onOrder(0);
+Status PoissonSystem::order(const CotangentLaplacian& laplacian, Precision precision, const FractionReport& onProgress) {
+  precision_ = precision;
   const Precision stored = precision == Precision::Double ? Precision::Double : Precision::Single;
-  if (Status status = solver_.analyse(laplacian.matrix, laplacian.coordinates, stored, onOrder); !status) return status;
-  onOrder(1);
+  return solver_.analyse(laplacian.matrix, laplacian.coordinates, stored, onProgress);
+}
+
+Status PoissonSystem::factorise(const CotangentLaplacian& laplacian, const FractionReport& onProgress) {
   if (Status status = solver_.beginFactorise(laplacian.matrix); !status) return status;
-  while (solver_.factoriseSome(flopsPerChunk)) onFactor(solver_.factoriseProgress());
+  while (solver_.factoriseSome(flopsPerChunk)) reportFraction(onProgress, solver_.factoriseProgress());
   if (Status status = solver_.factoriseStatus(); !status) return status;
-  onFactor(1);
   const auto position = solver_.eliminationPosition();
   slot_.resize(laplacian.unknown.size());
   for (std::size_t v = 0; v < slot_.size(); ++v)
     slot_[v] = laplacian.unknown[v] >= 0 ? position[laplacian.unknown[v]] : dump();
-  if (precision == Precision::Exact) keepMatrix(laplacian.matrix);
+  if (precision_ == Precision::Exact) keepMatrix(laplacian.matrix);
   return {};
 }
 

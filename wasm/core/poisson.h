@@ -25,9 +25,11 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
 /// The factored system and where each vertex lies in its vectors.
 class PoissonSystem {
  public:
-  /// onProgress: fraction of the factorisation in [0, 1], called at least a few times a second on large meshes.
-  Status build(const CotangentLaplacian& laplacian, Precision precision, const std::function<void(double)>& onOrder,
-               const std::function<void(double)>& onFactor);
+  /// Finds the order of elimination. onProgress: called at least a few times a second on large meshes, as below.
+  Status order(const CotangentLaplacian& laplacian, Precision precision, const FractionReport& onProgress);
+
+  /// Factorises the matrix that was ordered.
+  Status factorise(const CotangentLaplacian& laplacian, const FractionReport& onProgress);
 
   /// Slot of each vertex in right-hand sides and solutions; dump() for tied and loose ones.
   const std::vector<int>& slot() const { return slot_; }
@@ -56,6 +58,7 @@ class PoissonSystem {
   void residual(const double* b, const double* x);
 
   Cholesky solver_;
+  Precision precision_ = Precision::Single;
   SymmetricMatrix bySlot_;         // with Precision::Exact: the matrix in elimination order
   std::vector<double> residual_;   // scratch
   std::vector<float, Eigen::aligned_allocator<float>> correction_;

@@ -26,7 +26,9 @@ std::vector<int> inEliminationOrder(const std::vector<Triangle>& faces, const st
 }  // namespace
 
 template <class Real>
-Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordinates, const StageProgress& onProgress) {
+Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordinates, SequenceStats& stats,
+                                  const StageProgress& onProgress) {
+  Stopwatch watch;
   const WeldedShape& shape = in.shape;
   shape_ = &shape;
   source_ = &in.frames;
@@ -47,8 +49,11 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   };
   const CotangentLaplacian laplacian = cotangentLaplacian(shape.faces, in.parts.hasArea, in.parts.pieces,
                                                           shape.poses[shape.reference], part("ordering", 0, 0.1));
-  const Status status = poisson_.build(laplacian, in.precision, part("ordering", 0.1, 1), part("factorising", 0, 0.8));
-  if (!status) return status;
+  if (Status status = poisson_.order(laplacian, in.precision, part("ordering", 0.1, 1)); !status) return status;
+  stats.orderMs += watch.lap();
+  onProgress("ordering", 1);
+  if (Status status = poisson_.factorise(laplacian, part("factorising", 0, 0.8)); !status) return status;
+  stats.factorMs += watch.lap();
   std::vector<int> order = inEliminationOrder(shape.faces, frameOf_, poisson_);
   onProgress("factorising", 0.83);
   lri_.face.reorder(order);
@@ -59,6 +64,7 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   verticesOfPiece_.assign(shift_.size(), 0);
   for (int piece : pieceOfVertex_)
     if (piece >= 0) ++verticesOfPiece_[piece];
+  stats.arrangeMs += watch.lap();
   return {};
 }
 

@@ -32,8 +32,8 @@ class Reconstructor {
     Precision precision;
   };
 
-  /// Analyses and factorises the system.
-  Status build(const Input& input, LriCoordinates<Real> coordinates, const StageProgress& onProgress);
+  /// Orders and factorises the system and lays the faces' numbers out for it; the times of that go to stats.
+  Status build(const Input& input, LriCoordinates<Real> coordinates, SequenceStats& stats, const StageProgress& onProgress);
 
   /// The shape at `weights`, its mean position where the coordinates have it. xyz: 3 numbers a welded vertex.
   /// Returns the number of faces whose interpolated S_f is not positive definite.

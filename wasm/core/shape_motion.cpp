@@ -36,11 +36,7 @@ class TypedMotion final : public ShapeMotion {
     (withGhost ? stats.transferMs : stats.encodeMs) += watch.lap();
     progress("encoding", 1);
     status = reconstructor_.build({shape_, parts, frames.ofFace, source(), options.stretch, options.precision},
-                                  std::move(coordinates), [&](const char* stage, double f) {
-                                    if (stage[0] == 'o' && f == 1) stats.orderMs = watch.lap();
-                                    progress(stage, f);
-                                  });
-    stats.factorMs = watch.lap();
+                                  std::move(coordinates), stats, progress);
     ++stats.factorisations;
     return status;
   }

@@ -31,8 +31,9 @@ Status GhostMotion::buildMotion(const EncodingOptions& options, SequenceStats& s
   if (!status) return status;
   auto coordinates = encode<double>(shape_, parts, patches_.poses(), options.stretch, Transfer::Exact);
   ++stats.encodings;
+  SequenceStats ownStats;  // the whole counts as encoding
   status = reconstructor_.build({shape_, parts, patches_.poses().ofFace, patches_, options.stretch, Precision::Double},
-                                std::move(coordinates), [](const char*, double) {});
+                                std::move(coordinates), ownStats, [](const char*, double) {});
   stats.factorisations += 2;  // one a system
   return status;
 }

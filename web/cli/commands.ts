@@ -136,13 +136,13 @@ async function describeGhost(engine: Engine, keys: Keys, sequence: Sequence, tim
 
 /** Every option as it was used, and what the sequence counted; tangents are said, not spelt out. */
 async function settled(sequence: Sequence, exported: Partial<ExportOptions>): Promise<Record<'options' | 'counts' | 'stages', object>> {
-  const { weldMs, simplifyMs, encodeMs, transferMs, orderMs, factorMs, ...counts } = await sequence.stats();
+  const { weldMs, simplifyMs, encodeMs, transferMs, orderMs, factorMs, arrangeMs, ...counts } = await sequence.stats();
   const { startTangent, endTangent, ...rest } = sequence.options;
   const options = {
     sequence: { ...rest, startTangent: startTangent !== null, endTangent: endTangent !== null, keyTimes: sequence.keyTimes },
     export: exported,
   };
-  const ms = { weld: weldMs, simplify: simplifyMs, encode: encodeMs, transfer: transferMs, order: orderMs, factor: factorMs };
+  const ms = { weld: weldMs, simplify: simplifyMs, encode: encodeMs, transfer: transferMs, order: orderMs, factor: factorMs, arrange: arrangeMs };
   const stages = Object.fromEntries(Object.entries(ms).map(([stage, value]) => [stage, rounded(value)]));
   return { options, counts, stages };
 }

@@ -243,6 +243,8 @@ export interface SequenceStats {
   encodeMs: number;
   orderMs: number;
   factorMs: number;
+  /** Laying the faces' numbers out in the order of elimination. */
+  arrangeMs: number;
   factorBytes: number;
   alignedByPatches: boolean;
   /** Of the last frame: spline and right-hand side; solve; placing the vertices; normals. */
