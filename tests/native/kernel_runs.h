@@ -105,11 +105,14 @@ std::vector<Real> denseSolution(int size) {
 
 inline std::vector<float> vertexNormals(const kernels::Surface& surface) {
   const int n = static_cast<int>(surface.xyz.size() / 3);
-  std::vector<int> group(n), rank(n);
-  for (int v = 0; v < n; ++v) group[v] = v / 2, rank[v] = n - v;
-  Shading shading(surface.faces, group, (n + 1) / 2, rank);
-  std::vector<float> normals;
-  shading.normals({surface.xyz.begin(), surface.xyz.end()}, normals);
+  std::vector<int> group(n), placeOf(n);
+  std::vector<float> places(4 * static_cast<std::size_t>(n)), positions, normals;
+  for (int v = 0; v < n; ++v) {
+    group[v] = v / 2, placeOf[v] = n - 1 - v;
+    for (int k = 0; k < 3; ++k) places[4 * static_cast<std::size_t>(placeOf[v]) + k] = static_cast<float>(surface.xyz[3 * static_cast<std::size_t>(v) + k]);
+  }
+  Shading shading(surface.faces, group, (n + 1) / 2, placeOf);
+  shading.draw(places, positions, normals);
   return normals;
 }
 

@@ -48,6 +48,8 @@ Status Embedding::build(const Input& input) {
   }
   encodeVertices(input);
   const Status status = buildLinks(input);
+  for (int v : vertex_) place_.push_back(v < 0 ? -1 : input.placeOf[v]);
+  vertex_ = {};
   keyRotation_ = {};
   keyCentre_ = {};
   anchorOf_ = {};
@@ -70,7 +72,8 @@ void Embedding::divide(const Input& input, std::span<int> vertices, int limit) {
 }
 
 // A cell's centre is the mean of its vertices: the mean of all vertices then depends on the centres alone.
-void Embedding::addCell(const Input& input, std::span<const int> vertices, int anchor) {
+void Embedding::addCell(const Input& input, std::span<int> vertices, int anchor) {
+  std::sort(vertices.begin(), vertices.end(), [&](int a, int b) { return input.placeOf[a] < input.placeOf[b]; });
   const int face = input.faceOfVertex[vertices[0]], begin = static_cast<int>(vertex_.size());
   Cell cell{input.frameOf[face], anchor < 0 ? input.pieceOf[face] : -1, begin, 0, static_cast<int>(vertices.size()), {}};
   anchorOf_.push_back(anchor);
@@ -215,11 +218,11 @@ void Embedding::settle(const PoseWeights& weights, const std::vector<Quaternion>
   for (Vec3& p : centre_) p += move;
 }
 
-void Embedding::at(const PoseWeights& weights, const std::vector<Quaternion>& frames, std::vector<float>& xyz) {
+void Embedding::at(const PoseWeights& weights, const std::vector<Quaternion>& frames, std::vector<float>& places) {
   for (std::size_t k = 0; k < cells_.size(); ++k)
     rotation_[k] = frames[cells_[k].frame] * expQuaternion(blend(cells_[k].turn, weights));
   settle(weights, frames);
-  xyz.resize(3 * static_cast<std::size_t>(vertexCount_));
+  places.resize(4 * static_cast<std::size_t>(vertexCount_));
   const float* number = numbers_.data();
   for (std::size_t k = 0; k < cells_.size(); ++k) {
     const Eigen::Matrix3f g = rotation_[k].toRotationMatrix().cast<float>();
@@ -235,9 +238,7 @@ void Embedding::at(const PoseWeights& weights, const std::vector<Quaternion>& fr
         p[j] = Float4::splat(centre[j]) + (Float4::splat(g(j, 0)) * r[0] + Float4::splat(g(j, 1)) * r[1] + Float4::splat(g(j, 2)) * r[2]);
       p[3] = Float4::zero();
       transpose(p[0], p[1], p[2], p[3]);
-      float places[16];
-      for (int j = 0; j < 4; ++j) p[j].store(places + 4 * j);
-      for (int j = 0; j < 4 && vertex_[i + j] >= 0; ++j) std::copy_n(places + 4 * j, 3, &xyz[3 * static_cast<std::size_t>(vertex_[i + j])]);
+      for (int j = 0; j < 4 && place_[i + j] >= 0; ++j) p[j].store(&places[4 * static_cast<std::size_t>(place_[i + j])]);
     }
   }
 }

@@ -21,6 +21,7 @@ class Embedding {
  public:
   struct Input {
     const WeldedShape& shape;
+    std::span<const int> placeOf;       ///< of each vertex in the shapes that are made, a permutation
     std::span<const int> faceOfVertex;  ///< a face of the vertex, or the one that a loose vertex is anchored at
     std::span<const int> loose;         ///< vertices that are anchored
     std::span<const int> frameOf;       ///< frame of each face
@@ -34,14 +35,14 @@ class Embedding {
   /// Error: that of the solver.
   Status build(const Input& input);
 
-  /// The shape at `weights`, with the frames' rotations there. xyz: 3 numbers a welded vertex.
-  void at(const PoseWeights& weights, const std::vector<Quaternion>& frames, std::vector<float>& xyz);
+  /// The shape at `weights`, with the frames' rotations there. places: (x, y, z, pad) of each vertex, in the order of placeOf.
+  void at(const PoseWeights& weights, const std::vector<Quaternion>& frames, std::vector<float>& places);
 
  private:
   // Vertices of one cell, four side by side: numbers_ holds x, y and z of each column for each block.
   struct Cell {
     int frame, piece;        // piece -1: anchored vertices
-    int begin, end;          // in vertex_, in whole blocks of four
+    int begin, end;          // in vertex_ and place_, in whole blocks of four
     int size;
     std::vector<Vec3> turn;  // against its frame, one a column
   };
@@ -59,7 +60,7 @@ class Embedding {
   };
 
   void divide(const Input& input, std::span<int> vertices, int limit);
-  void addCell(const Input& input, std::span<const int> vertices, int anchor);
+  void addCell(const Input& input, std::span<int> vertices, int anchor);
   void encodeVertices(const Input& input);
   Link link(int from, int to, double weight, bool logarithmic) const;
   Hanger hanger(const Input& input, int face, int from, int to) const;
@@ -70,14 +71,15 @@ class Embedding {
 
   int columns_ = 0, vertexCount_ = 0;
   std::vector<Cell> cells_;
-  std::vector<int> vertex_;  // -1 fills up a block
+  std::vector<int> place_;   // of the vertices, cell by cell; -1 fills up a block
   std::vector<float> numbers_;
   std::vector<Vec3> mean_;             // of all vertices, one a column
   std::vector<Link> links_;            // between neighbouring cells
   std::vector<Hanger> hangers_;
-  std::vector<int> anchorOf_;          // of each cell while it is built: its anchor face, or -1
   Cholesky laplacian_;
-  // of the columns while it is built: rotation and centre of each cell
+  // while it is built: the vertex at each of place_, each cell's anchor face or -1, and of the columns the rotation and
+  // centre of each cell
+  std::vector<int> vertex_, anchorOf_;
   std::vector<std::vector<Quaternion>> keyRotation_;
   std::vector<std::vector<Vec3>> keyCentre_;
   // scratch

@@ -64,6 +64,12 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   verticesOfPiece_.assign(shift_.size(), 0);
   for (int piece : pieceOfVertex_)
     if (piece >= 0) ++verticesOfPiece_[piece];
+  placeOf_ = poisson_.slot();
+  int next = poisson_.unknowns();
+  for (int& place : placeOf_)
+    if (place == poisson_.dump()) place = next++;
+  pieceAt_.resize(placeOf_.size());
+  for (std::size_t v = 0; v < placeOf_.size(); ++v) pieceAt_[placeOf_[v]] = std::max(0, pieceOfVertex_[v]);
   stats.arrangeMs += watch.lap();
   return {};
 }
@@ -179,30 +185,22 @@ Vec3 Reconstructor<Real>::loosePlace(const LooseVertex& loose, const PoseWeights
 }
 
 template <class Real>
-void Reconstructor<Real>::writeVertices(const PoseWeights& weights, std::vector<Real>& xyz) {
-  const std::size_t n = pieceOfVertex_.size();
-  xyz.resize(3 * n);
+void Reconstructor<Real>::writePlaces(const PoseWeights& weights, std::vector<Real>& places) {
+  using L = Lanes<Real>;
+  places.resize(4 * placeOf_.size());
   const Vec3 move = settleMean(weights);
-  const Real* x = solution_.data();
-  const int* slot = poisson_.slot().data();
-  const auto placed = [&](std::size_t v) {
-    const std::size_t piece = static_cast<std::size_t>(std::max(0, pieceOfVertex_[v]));
-    return Lanes<Real>::load(x + 4 * static_cast<std::size_t>(slot[v])) + Lanes<Real>::load(offset_.data() + 4 * piece);
-  };
-  // Four numbers at a time: the next vertex overwrites the pad of this one.
-  Real* out = xyz.data();
-  for (std::size_t v = 0; v + 1 < n; ++v) placed(v).store(out + 3 * v);
-  Real last[4];
-  placed(n - 1).store(last);
-  std::copy_n(last, 3, out + 3 * (n - 1));
+  const std::size_t unknowns = static_cast<std::size_t>(poisson_.unknowns());
+  const auto offset = [&](std::size_t i) { return L::load(&offset_[4 * static_cast<std::size_t>(pieceAt_[i])]); };
+  for (std::size_t i = 0; i < unknowns; ++i) (L::load(&solution_[4 * i]) + offset(i)).store(&places[4 * i]);
+  for (std::size_t i = unknowns; i < placeOf_.size(); ++i) offset(i).store(&places[4 * i]);  // tied to zero
   for (const LooseVertex& loose : lri_.loose) {
     const Vec3 p = loosePlace(loose, weights) + move;
-    for (int i = 0; i < 3; ++i) out[3 * static_cast<std::size_t>(loose.vertex) + i] = static_cast<Real>(p[i]);
+    for (int k = 0; k < 3; ++k) places[4 * static_cast<std::size_t>(placeOf_[loose.vertex]) + k] = static_cast<Real>(p[k]);
   }
 }
 
 template <class Real>
-int Reconstructor<Real>::reconstruct(const Weights& weights, std::vector<Real>& xyz, SequenceStats* stats) {
+int Reconstructor<Real>::reconstruct(const Weights& weights, std::vector<Real>& places, SequenceStats* stats) {
   Stopwatch watch;
   const PoseWeights w = poseWeights(weights, *shape_);
   source_->at(weights, frames_);
@@ -211,8 +209,19 @@ int Reconstructor<Real>::reconstruct(const Weights& weights, std::vector<Real>& 
   solve(w);
   const double solveMs = watch.lap();
   placeComponents(w);
-  writeVertices(w, xyz);
+  writePlaces(w, places);
   if (stats) stats->facesMs = facesMs, stats->solveMs = solveMs, stats->placeMs = watch.lap();
+  return lost;
+}
+
+template <class Real>
+int Reconstructor<Real>::reconstruct(const Weights& weights, Positions& positions) {
+  const int lost = reconstruct(weights, places_);
+  positions.resize(placeOf_.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const Real* p = &places_[4 * static_cast<std::size_t>(placeOf_[v])];
+    positions[v] = {p[0], p[1], p[2]};
+  }
   return lost;
 }
 
@@ -233,17 +242,17 @@ Status Reconstructor<Real>::embed(const FramePoses& poses) {
   for (const ComponentPlace& place : lri_.places) anchors.emplace_back(place.anchorFace, place.contactFace);
   Embedding embedding;
   const Status status = embedding.build(
-      {*shape_, faceOfVertex, loose, frameOf_, pieceOfFace_, poses.rotation, turn, std::move(anchors), stretch_ == Stretch::Log});
+      {*shape_, placeOf_, faceOfVertex, loose, frameOf_, pieceOfFace_, poses.rotation, turn, std::move(anchors), stretch_ == Stretch::Log});
   if (status) embedding_ = std::move(embedding);
   return status;
 }
 
 template <class Real>
-Status Reconstructor<Real>::preview(const Weights& weights, const FramePoses& poses, std::vector<float>& xyz) {
+Status Reconstructor<Real>::preview(const Weights& weights, const FramePoses& poses, std::vector<float>& places) {
   if (!embedding_)
     if (Status status = embed(poses); !status) return status;
   source_->at(weights, frames_);
-  embedding_->at(poseWeights(weights, *shape_), frames_.rotation, xyz);
+  embedding_->at(poseWeights(weights, *shape_), frames_.rotation, places);
   return {};
 }
 

@@ -35,14 +35,17 @@ class Reconstructor {
   /// Orders and factorises the system and lays the faces' numbers out for it; the times of that go to stats.
   Status build(const Input& input, LriCoordinates<Real> coordinates, SequenceStats& stats, const StageProgress& onProgress);
 
-  /// The shape at `weights`, its mean position where the coordinates have it. xyz: 3 numbers a welded vertex.
-  /// Returns the number of faces whose interpolated S_f is not positive definite.
-  /// The parts' wall times go to stats, if there is one.
-  int reconstruct(const Weights& weights, std::vector<Real>& xyz, SequenceStats* stats = nullptr);
+  /// The shape at `weights`, its mean position where the coordinates have it. places: (x, y, z, pad) of each welded vertex,
+  /// in the order of placeOf(). Returns the number of faces whose interpolated S_f is not positive definite. The parts'
+  /// wall times go to stats, if there is one.
+  int reconstruct(const Weights& weights, std::vector<Real>& places, SequenceStats* stats = nullptr);
 
-  /// The shape at `weights`, about (embedding.h), made for it when it is first asked for. poses: the frames that the
-  /// coordinates are in. Error: that of the embedding's solver.
-  Status preview(const Weights& weights, const FramePoses& poses, std::vector<float>& xyz);
+  /// The same as one position a welded vertex.
+  int reconstruct(const Weights& weights, Positions& positions);
+
+  /// The shape at `weights`, about (embedding.h), made for it when it is first asked for; places as above. poses: the
+  /// frames that the coordinates are in. Error: that of the embedding's solver.
+  Status preview(const Weights& weights, const FramePoses& poses, std::vector<float>& places);
 
   /// R_f of every face at `weights`; the identity for faces without area.
   void faceRotations(const Weights& weights, std::vector<Quaternion>& rotation);
@@ -50,8 +53,9 @@ class Reconstructor {
   const LriCoordinates<Real>& coordinates() const { return lri_; }
   CholeskyStats solverStats() const { return poisson_.stats(); }
 
-  /// Where each welded vertex lies in the solver's vectors: neighbours of the mesh are near each other there.
-  const std::vector<int>& vertexOrder() const { return poisson_.slot(); }
+  /// Of each welded vertex, a permutation: as they are eliminated, then those that are not. Neighbours of the mesh are near
+  /// each other in this order, so that passes over it stay in the processor's caches.
+  const std::vector<int>& placeOf() const { return placeOf_; }
 
  private:
   Quaternion faceRotation(int face, int frame, const PoseWeights& weights) const;
@@ -60,7 +64,7 @@ class Reconstructor {
   void solve(const PoseWeights& weights);
   void startFromKey(const PoseWeights& weights);
   void placeComponents(const PoseWeights& weights);
-  void writeVertices(const PoseWeights& weights, std::vector<Real>& xyz);
+  void writePlaces(const PoseWeights& weights, std::vector<Real>& places);
   Vec3 settleMean(const PoseWeights& weights);
   Vec3 loosePlace(const LooseVertex& loose, const PoseWeights& weights) const;
   Vec3 placedVertex(int v) const;
@@ -76,6 +80,8 @@ class Reconstructor {
   double extent_ = 0;  // diagonal of the reference pose
   std::vector<int> frameOf_;
   std::vector<int> pieceOfVertex_;  // -1 for loose vertices
+  std::vector<int> placeOf_;
+  std::vector<int> pieceAt_;        // of the vertex at each place; 0 for loose vertices
   std::vector<int> verticesOfPiece_;
   std::vector<int> pieceOfFace_;
   std::optional<Embedding> embedding_;
@@ -85,6 +91,7 @@ class Reconstructor {
   std::vector<Real, Eigen::aligned_allocator<Real>> rightHandSide_;  // with Precision::Exact
   Frames frames_;
   std::vector<Real> matrices_, columnWeights_;
+  std::vector<Real> places_;
   std::vector<Vec3> shift_;   // translation of each piece against the others
   std::vector<Real> offset_;  // of each piece, with what the mean position asks for: (x, y, z, 0)
 };

@@ -95,7 +95,7 @@ struct Sequence::State {
   SequenceStats stats;
   std::vector<Warning> warnings;
   Eigen::MatrixXd gram;  // made when it is first asked for
-  std::vector<float> weldedXyz;
+  std::vector<float> places;  // scratch, as the rest
   Positions weldedPositions, ghostPositions;
 
   Columns columns() const { return {shape.keys}; }
@@ -117,10 +117,9 @@ struct Sequence::State {
   Global globalMotion(double t, const WrappedTime& wrapped, const Weights& weights) const;
   Vec3 meanPosition(const Weights& weights) const;
   int weldedShape(const Weights& weights, Positions& out);
-  int weldedShape(const Weights& weights, std::vector<float>& out);
-  std::vector<float>& weldedFrame(Frame& frame);
+  int placedShape(const Weights& weights);
   void fill(const Weights& weights, const Global& global, Frame& frame);
-  void finish(const Global& global, std::vector<float>& xyz, Frame& frame);
+  void finish(const Global& global, Frame& frame);
   void fill(const Weights& weights, const Global& global, Positions& positions);
   const Eigen::MatrixXd& gramMatrix();
   Eigen::VectorXd poseWeightsAt(double t) const;
@@ -142,9 +141,9 @@ void Sequence::State::weldKeys(const EncodingOptions& encoding, const FractionRe
 void Sequence::State::prepareShading() {
   int groups = 0;
   const std::vector<int> group = shadingGroups(welding, raw.normals, groups);
-  std::vector<int> rank(group.size());
-  for (std::size_t v = 0; v < rank.size(); ++v) rank[v] = shapeMotion->vertexOrder()[welding.weldedOfRaw[v]];
-  shading = Shading(raw.faces, group, groups, rank);
+  std::vector<int> placeOf;
+  for (int w : welding.weldedOfRaw) placeOf.push_back(shapeMotion->placeOf()[w]);
+  shading = Shading(raw.faces, group, groups, placeOf);
 }
 
 void Sequence::State::findClosing() {
@@ -256,15 +255,18 @@ int Sequence::State::weldedShape(const Weights& weights, Positions& out) {
   return shapeMotion->at(weights, out);
 }
 
-int Sequence::State::weldedShape(const Weights& weights, std::vector<float>& out) {
+// Leaves the shape in `places`, (x, y, z, pad) of each welded vertex.
+int Sequence::State::placedShape(const Weights& weights) {
   if (!blendsVertices(motion.method)) {
     ++stats.solves;
-    return shapeMotion->at(weights, out, stats);
+    return shapeMotion->at(weights, places, stats);
   }
   stats.facesMs = stats.solveMs = stats.placeMs = 0;
   blendVertices(shape, weights, weldedPositions);
-  out.resize(3 * weldedPositions.size());
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<float>(weldedPositions[i / 3][i % 3]);
+  places.resize(4 * weldedPositions.size());
+  for (std::size_t v = 0; v < weldedPositions.size(); ++v)
+    for (int k = 0; k < 3; ++k)
+      places[4 * static_cast<std::size_t>(shapeMotion->placeOf()[v]) + k] = static_cast<float>(weldedPositions[v][k]);
   return 0;
 }
 
@@ -276,32 +278,21 @@ void Sequence::State::fill(const Weights& weights, const Global& global, Positio
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = weldedPositions[welding.weldedOfRaw[v]];
 }
 
-// Without seams the welded vertices are the raw ones, in the same order.
-std::vector<float>& Sequence::State::weldedFrame(Frame& frame) {
-  return welding.count == raw.vertexCount() ? frame.positions : weldedXyz;
-}
-
 void Sequence::State::fill(const Weights& weights, const Global& global, Frame& frame) {
-  std::vector<float>& xyz = weldedFrame(frame);
-  frame.lostDefiniteness = weldedShape(weights, xyz);
-  finish(global, xyz, frame);
+  frame.lostDefiniteness = placedShape(weights);
+  finish(global, frame);
 }
 
-// From welded vertices to what is drawn.
-void Sequence::State::finish(const Global& global, std::vector<float>& xyz, Frame& frame) {
+// From the welded vertices in `places` to what is drawn.
+void Sequence::State::finish(const Global& global, Frame& frame) {
   Stopwatch watch;
   if (global.moves)
-    for (std::size_t i = 0; i < xyz.size(); i += 3) {
-      const Vec3 p = global.apply({xyz[i], xyz[i + 1], xyz[i + 2]});
-      for (int k = 0; k < 3; ++k) xyz[i + k] = static_cast<float>(p[k]);
+    for (std::size_t i = 0; i < places.size(); i += 4) {
+      const Vec3 p = global.apply({places[i], places[i + 1], places[i + 2]});
+      for (int k = 0; k < 3; ++k) places[i + k] = static_cast<float>(p[k]);
     }
-  if (&xyz != &frame.positions) {
-    frame.positions.resize(3 * welding.weldedOfRaw.size());
-    for (std::size_t v = 0; v < welding.weldedOfRaw.size(); ++v)
-      std::copy_n(&xyz[3 * static_cast<std::size_t>(welding.weldedOfRaw[v])], 3, &frame.positions[3 * v]);
-  }
   stats.placeMs += watch.lap();
-  shading.normals(frame.positions, frame.normals);
+  shading.draw(places, frame.positions, frame.normals);
   stats.normalsMs = watch.lap();
 }
 
@@ -398,11 +389,10 @@ Status Sequence::preview(double t, Frame& frame) {
   const WrappedTime wrapped = s.curve->wrap(t);
   const Weights weights = s.curve->weights(wrapped.time);
   if (blendsVertices(s.motion.method)) return evaluate(t, frame);
-  std::vector<float>& xyz = s.weldedFrame(frame);
   frame.lostDefiniteness = 0;
   s.stats.facesMs = s.stats.solveMs = s.stats.placeMs = 0;
-  if (Status status = s.shapeMotion->previewAt(weights, xyz); !status) return status;
-  s.finish(s.globalMotion(t, wrapped, weights), xyz, frame);
+  if (Status status = s.shapeMotion->previewAt(weights, s.places); !status) return status;
+  s.finish(s.globalMotion(t, wrapped, weights), frame);
   return {};
 }
 

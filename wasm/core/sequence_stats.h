@@ -23,7 +23,7 @@ struct SequenceStats {
   double simplifyMs = 0, transferMs = 0;  ///< with a ghost: collapses; correspondence and residuals
   bool alignedByPatches = false;  ///< the mean rotation was badly conditioned (alignment.h)
   /// Wall time of the last frame's parts: spline, frames and right-hand side; the full-resolution solve; placing the
-  /// vertices and undoing the welding; normals.
+  /// vertices; normals and what is drawn, in the order of the raw vertices.
   double facesMs = 0, solveMs = 0, placeMs = 0, normalsMs = 0;
 };
 

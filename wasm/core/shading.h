@@ -1,4 +1,4 @@
-// Vertex normals for drawing, beside the positions, so that the page never computes them.
+// What is drawn of a shape: positions and vertex normals of the raw vertices, so that the page never computes any.
 #pragma once
 
 #include <vector>
@@ -12,18 +12,22 @@ class Shading {
  public:
   Shading() = default;
 
-  /// rank: a number for each raw vertex that is about equal for neighbours; the work is done in its order.
-  Shading(const std::vector<Triangle>& faces, const std::vector<int>& groupOfVertex, int groups, const std::vector<int>& rank);
+  /// placeOf: where each raw vertex lies in the shapes that come; neighbours should be near each other there.
+  Shading(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups, const std::vector<int>& placeOf);
 
-  /// positions: 3n. normals: 3n, unit; (0, 0, 1) where a vertex has no area around it.
-  void normals(const std::vector<float>& positions, std::vector<float>& normals);
+  /// places: (x, y, z, pad) at each place. positions, normals: 3n; normals are unit, (0, 0, 1) where a vertex has no area
+  /// around it.
+  void draw(const std::vector<float>& places, std::vector<float>& positions, std::vector<float>& normals);
 
  private:
-  std::vector<int> vertexAt_;     // raw vertices in order of rank
-  std::vector<Triangle> corner_;  // faces of places in that order, themselves in order of rank
-  std::vector<Triangle> target_;  // their corners' groups; empty where every vertex is a group of its own, in the same order
-  std::vector<int> group_;        // of each raw vertex, numbered in order of rank
-  std::vector<float> place_, sum_;  // scratch: (x, y, z, pad) of each vertex and group
+  struct Drawn {
+    int vertex, place, group;
+  };
+  std::vector<Drawn> drawn_;      // the raw vertices in order of place: read in order and written anywhere is twice as fast
+                                  // as the other way round
+  std::vector<Triangle> corner_;  // faces of places, themselves in order of place
+  std::vector<Triangle> target_;  // their corners' groups, numbered in order of place; empty where those are the places
+  std::vector<float> sum_;        // scratch: (x, y, z, pad) of each group
 };
 
 }  // namespace shapespline

@@ -42,24 +42,21 @@ class TypedMotion final : public ShapeMotion {
   }
 
   int at(const Weights& weights, Positions& welded) override {
-    const int lost = reconstructor_.reconstruct(weights, xyz_);
-    welded.resize(xyz_.size() / 3);
-    for (std::size_t v = 0; v < welded.size(); ++v) welded[v] = {xyz_[3 * v], xyz_[3 * v + 1], xyz_[3 * v + 2]};
-    return lost;
+    return reconstructor_.reconstruct(weights, welded);
   }
 
-  int at(const Weights& weights, std::vector<float>& welded, SequenceStats& stats) override {
+  int at(const Weights& weights, std::vector<float>& places, SequenceStats& stats) override {
     if constexpr (std::is_same_v<Real, float>) {
-      return reconstructor_.reconstruct(weights, welded, &stats);
+      return reconstructor_.reconstruct(weights, places, &stats);
     } else {
-      const int lost = reconstructor_.reconstruct(weights, xyz_, &stats);
-      welded.assign(xyz_.begin(), xyz_.end());
+      const int lost = reconstructor_.reconstruct(weights, places_, &stats);
+      places.assign(places_.begin(), places_.end());
       return lost;
     }
   }
 
-  Status previewAt(const Weights& weights, std::vector<float>& welded) override {
-    return reconstructor_.preview(weights, ghost_ ? ghost_->poses() : patches_.poses(), welded);
+  Status previewAt(const Weights& weights, std::vector<float>& places) override {
+    return reconstructor_.preview(weights, ghost_ ? ghost_->poses() : patches_.poses(), places);
   }
 
   PatchMotion& patchMotion() override { return ghost_ ? ghost_->patchMotion() : patches_; }
@@ -73,7 +70,7 @@ class TypedMotion final : public ShapeMotion {
     return gramMatrix(patches_.coordinates(), reconstructor_.coordinates(), shape_, diagonal);
   }
   const std::vector<Vec3>& meanPosition() const override { return reconstructor_.coordinates().meanPosition; }
-  const std::vector<int>& vertexOrder() const override { return reconstructor_.vertexOrder(); }
+  const std::vector<int>& placeOf() const override { return reconstructor_.placeOf(); }
   bool hasWinding() const override {
     const bool ghostWinds = ghost_ && !ghost_->coordinates().faceWinding.empty();
     return ghostWinds || !patchMotion().coordinates().pairWinding.empty() || !reconstructor_.coordinates().faceWinding.empty();
@@ -107,7 +104,7 @@ class TypedMotion final : public ShapeMotion {
   std::unique_ptr<GhostMotion> ghost_;
   std::vector<int> patchOfFace_;        // with one
   Reconstructor<Real> reconstructor_;
-  std::vector<Real> xyz_;  // scratch
+  std::vector<Real> places_;  // scratch
 };
 
 template <class Real>

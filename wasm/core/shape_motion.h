@@ -26,12 +26,12 @@ class ShapeMotion {
 
   /// Both return the number of faces whose interpolated S_f is not positive definite.
   virtual int at(const Weights& weights, Positions& welded) = 0;
-  /// The parts' wall times go to stats.
-  virtual int at(const Weights& weights, std::vector<float>& welded, SequenceStats& stats) = 0;
+  /// places: (x, y, z, pad) of each welded vertex, in the order of placeOf(). The parts' wall times go to stats.
+  virtual int at(const Weights& weights, std::vector<float>& places, SequenceStats& stats) = 0;
 
   /// The shape as embedded in its frames (embedding.h): cheap and close. The embedding is made when it is first asked for.
   /// Error: that of its solver.
-  virtual Status previewAt(const Weights& weights, std::vector<float>& welded) = 0;
+  virtual Status previewAt(const Weights& weights, std::vector<float>& places) = 0;
 
   /// The patches that everything follows.
   virtual PatchMotion& patchMotion() = 0;
@@ -44,8 +44,8 @@ class ShapeMotion {
   virtual const std::vector<int>& patchOfFace() const = 0;
   virtual Eigen::MatrixXd gram(double diagonal) const = 0;
   virtual const std::vector<Vec3>& meanPosition() const = 0;  ///< one a column
-  /// A rank for each welded vertex that is about equal for neighbours.
-  virtual const std::vector<int>& vertexOrder() const = 0;
+  /// Of each welded vertex, a permutation that brings neighbours together (reconstruct.h).
+  virtual const std::vector<int>& placeOf() const = 0;
   virtual bool hasWinding() const = 0;
   virtual CholeskyStats solverStats() const = 0;
 };

@@ -42,16 +42,15 @@ void GhostMotion::at(const Weights& weights, Frames& frames) {
   reconstructor_.faceRotations(weights, frames.rotation);
   frames.gradient.clear();
   if (transfer_ == Transfer::Exact) return;
-  reconstructor_.reconstruct(weights, xyz_);
+  reconstructor_.reconstruct(weights, positions_);
   for (int f = 0; f < shape_.faceCount(); ++f) frames.gradient.push_back(gradient(f, frames.rotation[f].toRotationMatrix()));
 }
 
-// [e1 e2 n] [e1~ e2~ n~]^-1 of the ghost as it lies in xyz_. A face that has collapsed takes its normal from R_f.
+// [e1 e2 n] [e1~ e2~ n~]^-1 of the ghost as it lies in positions_. A face that has collapsed takes its normal from R_f.
 Mat3 GhostMotion::gradient(int face, const Mat3& rotation) const {
   const FaceFrame frame = referenceFrame(shape_, face);
   const Triangle& t = shape_.faces[face];
-  const auto vertex = [&](int v) { return Vec3(xyz_[3 * v], xyz_[3 * v + 1], xyz_[3 * v + 2]); };
-  const Vec3 e1 = vertex(t[1]) - vertex(t[0]), e2 = vertex(t[2]) - vertex(t[0]);
+  const Vec3 e1 = positions_[t[1]] - positions_[t[0]], e2 = positions_[t[2]] - positions_[t[0]];
   const Vec3 cross = e1.cross(e2);
   const double area = cross.norm();
   const Mat2& e = frame.edges;  // upper triangular
@@ -62,10 +61,7 @@ Mat3 GhostMotion::gradient(int face, const Mat3& rotation) const {
 }
 
 int GhostMotion::positions(const Weights& weights, Positions& positions) {
-  const int lost = reconstructor_.reconstruct(weights, xyz_);
-  positions.resize(xyz_.size() / 3);
-  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = {xyz_[3 * v], xyz_[3 * v + 1], xyz_[3 * v + 2]};
-  return lost;
+  return reconstructor_.reconstruct(weights, positions);
 }
 
 }  // namespace shapespline

@@ -55,7 +55,7 @@ class GhostMotion final : public FrameSource {
   Reconstructor<double> reconstructor_;
   std::vector<int> faceOf_;
   std::vector<std::vector<Quaternion>> rotation_;  // rotation_[column][ghost face]
-  std::vector<double> xyz_;                        // scratch
+  Positions positions_;                            // scratch
 };
 
 }  // namespace shapespline
