@@ -1,14 +1,12 @@
 // The npm scripts.
-import { existsSync, mkdirSync, readdirSync } from 'node:fs';
-import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { benchBundle, benchPrograms, buildFuzzers, nodeBundle, page, wasmModule } from './build.mjs';
+import { benchBundle, benchPrograms, nodeBundle, page, wasmModule } from './build.mjs';
 import { run } from './exec.mjs';
-import { whileLocked } from './lock.mjs';
-import { Explained, step } from './log.mjs';
+import { fuzz } from './fuzz.mjs';
+import { step } from './log.mjs';
 import { inRoot } from './paths.mjs';
-import { prepare, prepareSystem } from './prepare.mjs';
-import { forBrowser, forFuzzing, forNative, forWasm } from './requirements.mjs';
+import { prepare } from './prepare.mjs';
+import { forBrowser, forNative, forWasm } from './requirements.mjs';
 import { serve } from './serve.mjs';
 import { checkSizes } from './sizes.mjs';
 import { test } from './test.mjs';
@@ -46,21 +44,6 @@ async function bench(args) {
   const browser = args.includes('--browser') ? forBrowser : [];
   await prepare([...forWasm, ...forNative, ...browser], [wasmModule, benchPrograms, benchBundle]);
   await runBundle(inRoot('build/node/bench.mjs'), args);
-}
-
-// fuzz [SECONDS] [TARGET]: each target, from its corpus, for so many seconds.
-async function fuzz([seconds = '60', only]) {
-  await prepareSystem(forFuzzing);
-  const folder = await whileLocked(buildFuzzers);
-  const targets = readdirSync(folder).filter((name) => name.endsWith('_fuzz') && (!only || name === only));
-  if (targets.length === 0) throw new Explained('there is no such fuzz target in tests/fuzz');
-  for (const target of targets) {
-    const corpus = path.join(folder, 'corpus', target);
-    mkdirSync(corpus, { recursive: true });
-    const seeds = inRoot('tests/fuzz/corpus', target.replace(/_fuzz$/, ''));
-    const inputs = [corpus, ...(existsSync(seeds) ? [seeds] : [])];
-    await run(path.join(folder, target), [...inputs, `-max_total_time=${seconds}`, '-timeout=10', `-artifact_prefix=${folder}/`], { inherit: true });
-  }
 }
 
 export const commands = { start, dev, build, test, bench, fuzz, cli };
