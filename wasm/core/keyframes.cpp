@@ -14,6 +14,11 @@ std::string keyName(const std::string& name, int key) {
   return name.empty() ? number : name + " (" + number + ")";
 }
 
+// Whether two faces are the same triangle with the same winding, whichever corner they start at.
+bool sameTriangle(const Triangle& a, const Triangle& b) {
+  return b == a || b == Triangle{a[1], a[2], a[0]} || b == Triangle{a[2], a[0], a[1]};
+}
+
 Triangle sorted(Triangle face) {
   std::sort(face.begin(), face.end());
   return face;
@@ -30,7 +35,7 @@ std::vector<Triangle> sortedSet(const std::vector<Triangle>& faces) {
 std::string sameTrianglesHint(const std::vector<Triangle>& first, const std::vector<Triangle>& other) {
   bool inPlace = true;
   for (std::size_t f = 0; f < first.size() && inPlace; ++f) inPlace = sorted(first[f]) == sorted(other[f]);
-  if (inPlace) return " The triangles are the same but some are wound or started differently.";
+  if (inPlace) return " The triangles are the same but some are wound the other way.";
   if (sortedSet(first) == sortedSet(other)) return " The triangles are the same but in another order.";
   return "";
 }
@@ -111,7 +116,7 @@ Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triang
     return Error{ErrorCode::FaceCountMismatch,
                  keyName(name, key) + " has " + grouped(other.size()) + " faces, but key 1 has " + grouped(first.size()) +
                      ". All keys must be poses of one mesh.", key};
-  const auto [a, b] = std::mismatch(first.begin(), first.end(), other.begin());
+  const auto [a, b] = std::mismatch(first.begin(), first.end(), other.begin(), sameTriangle);
   if (a == first.end()) return {};
   const int face = static_cast<int>(a - first.begin());
   return Error{ErrorCode::FaceMismatch,
