@@ -71,9 +71,10 @@ struct PoseReader {
     if (!polygons) return polygons.error();
     orient(polygons->positions, options.zUp, options.unit);
     orient(polygons->normals, options.zUp, 1);
-    if (!cuts) cuts = cutPolygons(*polygons);
+    if (!cuts) cuts = options.like.empty() ? cutPolygons(*polygons) : cutPolygonsLike(*polygons, options.like);
     PoseFile pose;
     pose.faces = trianglesOf(*polygons, *cuts);
+    polygons->scene.seams.faces = drawnTrianglesOf(*polygons, *cuts);
     polygons->scene.groups = triangleGroups(*polygons);
     pose.positions = std::move(polygons->positions);
     pose.normals = std::move(polygons->normals);

@@ -29,6 +29,7 @@ struct ImportOptions {
   std::vector<double> keyTimes;     ///< default: the animation's own times, else evenly over [0, 1]
   bool zUp = false;                 ///< OBJ, PLY and OFF only
   double unit = 1;                  ///< metres per unit, OBJ, PLY and OFF only
+  std::vector<Triangle> like;       ///< of a mesh that the files are further poses of: polygons are cut into its triangles
 
   bool animationAsked() const {
     return !std::holds_alternative<std::monostate>(animation) || !sampleTimes.empty() || sampleAsked;

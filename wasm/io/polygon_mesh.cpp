@@ -69,18 +69,18 @@ void cutFan(int size, PolygonCuts& cuts) {
   for (int c = 1; c + 1 < size; ++c) cuts.push_back({0, c, c + 1});
 }
 
-void addTriangle(const PolygonMesh& mesh, int start, const Triangle& cut, std::vector<Triangle>& out) {
-  out.push_back({mesh.corners[start + cut[0]], mesh.corners[start + cut[1]], mesh.corners[start + cut[2]]});
+void addTriangle(const std::vector<int>& corners, int start, const Triangle& cut, std::vector<Triangle>& out) {
+  out.push_back({corners[start + cut[0]], corners[start + cut[1]], corners[start + cut[2]]});
 }
 
-std::vector<Triangle> fans(const PolygonMesh& mesh) {
+std::vector<Triangle> fans(const PolygonMesh& mesh, const std::vector<int>& corners) {
   std::vector<Triangle> out;
   PolygonCuts cuts;
   for (int p = 0; p < mesh.polygonCount(); ++p) {
     const int start = mesh.firstCorner(p);
     cuts.clear();
     cutFan(mesh.ends[p] - start, cuts);
-    for (const Triangle& cut : cuts) addTriangle(mesh, start, cut, out);
+    for (const Triangle& cut : cuts) addTriangle(corners, start, cut, out);
   }
   return out;
 }
@@ -98,6 +98,18 @@ bool fits(const PolygonMesh& mesh, const PolygonCuts& cuts) {
   return true;
 }
 
+// `corners` holds what the triangles are made of: a vertex for each corner of each polygon.
+std::vector<Triangle> cutTriangles(const PolygonMesh& mesh, const std::vector<int>& corners, const PolygonCuts& cuts) {
+  if (!fits(mesh, cuts)) return fans(mesh, corners);
+  std::vector<Triangle> out;
+  out.reserve(cuts.size());
+  for (int p = 0; p < mesh.polygonCount(); ++p) {
+    const int start = mesh.firstCorner(p);
+    for (int left = mesh.ends[p] - start - 2; left > 0; --left) addTriangle(corners, start, cuts[out.size()], out);
+  }
+  return out;
+}
+
 }  // namespace
 
 PolygonCuts cutPolygons(const PolygonMesh& mesh) {
@@ -113,15 +125,34 @@ PolygonCuts cutPolygons(const PolygonMesh& mesh) {
   return cuts;
 }
 
-std::vector<Triangle> trianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts) {
-  if (!fits(mesh, cuts)) return fans(mesh);
-  std::vector<Triangle> out;
-  out.reserve(cuts.size());
+PolygonCuts cutPolygonsLike(const PolygonMesh& mesh, const std::vector<Triangle>& triangles) {
+  PolygonCuts cuts;
+  if (mesh.corners.size() - 2 * mesh.ends.size() != triangles.size()) return cutPolygons(mesh);
+  cuts.reserve(triangles.size());
   for (int p = 0; p < mesh.polygonCount(); ++p) {
-    const int start = mesh.firstCorner(p);
-    for (int left = mesh.ends[p] - start - 2; left > 0; --left) addTriangle(mesh, start, cuts[out.size()], out);
+    const auto first = mesh.corners.begin() + mesh.firstCorner(p), last = mesh.corners.begin() + mesh.ends[p];
+    const int size = static_cast<int>(last - first);
+    if (size > kMostEarCorners) {
+      cutFan(size, cuts);
+      continue;
+    }
+    for (int t = 0; t < size - 2; ++t) {
+      const Triangle& triangle = triangles[cuts.size()];
+      Triangle cut;
+      for (int c = 0; c < 3; ++c) cut[c] = static_cast<int>(std::find(first, last, triangle[c]) - first);
+      if (std::max({cut[0], cut[1], cut[2]}) == size) return cutPolygons(mesh);
+      cuts.push_back(cut);
+    }
   }
-  return out;
+  return cuts;
+}
+
+std::vector<Triangle> trianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts) {
+  return cutTriangles(mesh, mesh.corners, cuts);
+}
+
+std::vector<Triangle> drawnTrianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts) {
+  return mesh.drawn.empty() ? std::vector<Triangle>() : cutTriangles(mesh, mesh.drawn, cuts);
 }
 
 std::vector<MaterialGroup> triangleGroups(const PolygonMesh& mesh) {

@@ -1,7 +1,8 @@
 /** Picked files -> bytes, and poses out of further files of the same mesh. */
 import type { Engine, Keys } from '../engine/api.ts';
-import type { InputFile, KeysInfo } from '../engine/types.ts';
-import type { PickedFile } from '../ui/file-drop.ts';
+import { firstOtherFace } from '../engine/pose.ts';
+import type { ImportOptions, InputFile, KeysInfo } from '../engine/types.ts';
+import type { PickedFile } from '../ui/dropped-files.ts';
 
 export interface NewPose {
   name: string;
@@ -45,9 +46,9 @@ async function bytesOf(file: File, report: (done: number) => void, signal?: Abor
   return bytes.subarray(0, done);
 }
 
-/** Every pose that the files hold; each must be a pose of the mesh that is open. */
-export async function importPoses(engine: Engine, files: InputFile[], open: KeysInfo, signal: AbortSignal): Promise<NewPose[]> {
-  const { keys, count } = await importAny(engine, files, signal);
+/** Every pose that the files hold; each must be a pose of the mesh that is open, which was read with these options. */
+export async function importPoses(engine: Engine, files: InputFile[], open: KeysInfo, { up, unit }: ImportOptions): Promise<NewPose[]> {
+  const { keys, count } = await importAny(engine, files, { up, unit, like: open.indices });
   try {
     checkSameMesh(files[0]?.name ?? 'The file', keys.info, open);
     return Array.from({ length: count }, (_, key) => ({ name: keys.info.names[key] ?? '', positions: keys.positions(key) }));
@@ -57,17 +58,17 @@ export async function importPoses(engine: Engine, files: InputFile[], open: Keys
 }
 
 /** An import needs two keys; a file with one pose is read as both. */
-async function importAny(engine: Engine, files: InputFile[], signal: AbortSignal): Promise<{ keys: Keys; count: number }> {
+async function importAny(engine: Engine, files: InputFile[], options: ImportOptions): Promise<{ keys: Keys; count: number }> {
   const models = files.filter(({ name }) => MODEL.test(name));
   try {
-    const keys = await engine.importKeyframes(files, {}, { signal });
+    const keys = await engine.importKeyframes(files, options);
     return { keys, count: keys.info.times.length };
   } catch (error) {
     const single = models[0];
     const tooFew = error instanceof Error && 'code' in error && error.code === 'too-few-keys';
     if (!tooFew || models.length !== 1 || !single) throw error;
     const twin = { name: `again/${single.name}`, bytes: single.bytes };
-    return { keys: await engine.importKeyframes([...files, twin], {}, { signal }), count: 1 };
+    return { keys: await engine.importKeyframes([...files, twin], options), count: 1 };
   }
 }
 
@@ -76,8 +77,8 @@ function checkSameMesh(name: string, { report, indices }: KeysInfo, open: KeysIn
   if (report.vertices !== mesh.vertices || report.faces !== mesh.faces) {
     throw new Error(`${name} has ${report.vertices} vertices and ${report.faces} faces, the open shape ${mesh.vertices} and ${mesh.faces}. A key must be a pose of the same mesh.`);
   }
-  const corner = indices.findIndex((vertex, index) => vertex !== open.indices[index]);
-  if (corner >= 0) {
-    throw new Error(`${name} joins other vertices than the open shape, first in face ${Math.floor(corner / 3)}. A key must be a pose of the same mesh.`);
+  const other = firstOtherFace(indices, open.indices);
+  if (other >= 0) {
+    throw new Error(`${name} joins other vertices than the open shape, first in face ${other}. A key must be a pose of the same mesh.`);
   }
 }

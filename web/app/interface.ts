@@ -11,8 +11,8 @@ import { createColourBar } from '../ui/colour-bar.ts';
 import type { ColourBarProps } from '../ui/colour-bar.ts';
 import { createExportDialog } from '../ui/export-dialog.ts';
 import type { ExportRequest } from '../ui/export-dialog.ts';
+import type { PickedFile } from '../ui/dropped-files.ts';
 import { createDropZone, createPicker } from '../ui/file-drop.ts';
-import type { PickedFile } from '../ui/file-drop.ts';
 import { createGhostPanel } from '../ui/ghost-panel.ts';
 import { createHeader } from '../ui/header.ts';
 import { createHelp } from '../ui/help.ts';
@@ -83,7 +83,7 @@ export interface Interface {
 
 export function createInterface(input: InterfaceInput): Interface {
   const { commands, opening, insight, ghostStudy, shell } = input;
-  const openFiles = (files: PickedFile[]): void => void opening.files(files);
+  const openFiles = (files: PickedFile[] | Promise<PickedFile[]>): void => void opening.files(files);
   const picker = createPicker('file-input', openFiles);
   const keyPicker = createPicker('key-file-input', (files) => void opening.addKeys(files));
   const dropZone = createDropZone(openFiles);
@@ -102,7 +102,7 @@ export function createInterface(input: InterfaceInput): Interface {
   });
   const motionPanel = createMotionPanel({ onMotion: commands.motion, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
-  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void opening.resample(animation, times) });
+  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void opening.resample(animation, times), onOrient: (orientation) => void opening.reorient(orientation) });
   const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
   const phaseLabel = createPhaseLabel(() => commands.encoding({ stretch: 'log' }));
   const tileLabels = createTileLabels();
@@ -149,7 +149,7 @@ export function createInterface(input: InterfaceInput): Interface {
     });
     shapePanel.update({
       encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: runtime.stats, lost: runtime.lost, disabled,
-      canSample: source.kind === 'files', defaults: runtime.initial?.encoding ?? DEFAULT_ENCODING,
+      canSample: source.kind === 'files', orientation: runtime.orientation, defaults: runtime.initial?.encoding ?? DEFAULT_ENCODING,
       lriMethod: isInLri(doc.motion.method),
     });
     ghostPanel.update({

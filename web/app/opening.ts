@@ -4,7 +4,8 @@ import { addKey, setMotion } from '../model/edits.ts';
 import type { Doc, Play, Source, View } from '../model/state.ts';
 import { DEFAULT_VIEW, SPEEDS, comfortableSpeed } from '../model/state.ts';
 import { length } from '../model/time-scale.ts';
-import type { PickedFile } from '../ui/file-drop.ts';
+import type { PickedFile } from '../ui/dropped-files.ts';
+import type { Orientation } from '../ui/orientation.ts';
 import { plural } from '../ui/status-line.ts';
 import type { Context } from './context.ts';
 import type { Remembered } from './memory.ts';
@@ -18,11 +19,13 @@ import { fetchSample } from './samples.ts';
 export interface Opening {
   /** Resolve to whether what was asked for is open now. */
   sample(id: string, link?: Permalink | null): Promise<boolean>;
-  files(files: PickedFile[]): Promise<boolean>;
+  files(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean>;
   /** Opens what an earlier visit left. */
   again(remembered: Remembered): Promise<boolean>;
   /** Takes the keys anew, at these seconds of the animation's own time line. */
   resample(animation: number, times: number[]): Promise<boolean>;
+  /** Reads the files again with another axis up or another unit. */
+  reorient(orientation: Orientation): Promise<boolean>;
   /** Adds the files' poses after the last key. */
   addKeys(files: PickedFile[]): Promise<void>;
   readonly busy: boolean;
@@ -58,7 +61,7 @@ export function createOpening(context: Context): Opening {
     const view = left ? { ...DEFAULT_VIEW, ...left.state.view } : openingView(store.get().view, info, link);
     picture.setImport(info, workspace.pool!, view.camera);
     context.inform({
-      info, initial, warnings: info.warnings, thumbnails: new Map(), stats: null, lost: 0, ms: null,
+      info, initial, orientation: orientationOf(source, options), warnings: info.warnings, thumbnails: new Map(), stats: null, lost: 0, ms: null,
       range: workspace.lanes[0]?.sequence.range ?? [0, 1], welcome: context.runtime().welcome && source.kind === 'sample',
     });
     if (source.kind === 'files') context.say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
@@ -82,7 +85,7 @@ export function createOpening(context: Context): Opening {
     if (!info || !pool) return false;
     context.inform({ problem: null, working: { stage: 'reading', fraction: 0 } });
     try {
-      const poses = await importPoses(context.engine, await readFiles(files), info, new AbortController().signal);
+      const poses = await importPoses(context.engine, await readFiles(files), info, workspace.options);
       if (workspace.pool !== pool) return false;
       const added = poses.map(({ name, positions }) => ({ name: name.replace(/\.[a-z]+$/i, ''), pose: pool.add(name, positions) }));
       store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => added.reduce(appendKey, doc));
@@ -107,8 +110,12 @@ export function createOpening(context: Context): Opening {
       const options = sample.times ? { keyTimes: sample.times } : {};
       return open({ input, options, source: { kind: 'sample', id }, adjust: (doc) => ofSample(doc, sample), link });
     }),
-    files: (files) => guarded(async () => {
+    files: (given) => guarded(async () => {
       fetching.abort();
+      fetching = new AbortController();
+      const { signal } = fetching;
+      const files = await given;
+      if (signal.aborted || files.length === 0) return false;
       const input: Input = (report, signal) => readFiles(files, report, signal);
       return open({ input, options: {}, source: { kind: 'files', names: files.map(({ name }) => name) }, adjust: (doc) => doc, link: null });
     }),
@@ -118,6 +125,13 @@ export function createOpening(context: Context): Opening {
     resample: (animation, times) => guarded(() => {
       const { source } = store.get();
       return open({ input: workspace.input, options: { animation, sample: times }, source, adjust: (doc) => doc, link: null });
+    }),
+    reorient: (orientation) => guarded(() => {
+      const { source, doc } = store.get();
+      const options = { ...workspace.options, ...orientation };
+      // Everything but poses that were taken from the shape as it lay before.
+      const adjust = (fresh: Doc): Doc => (doc.keys.every(({ pose }) => pose < fresh.keys.length) ? doc : fresh);
+      return open({ input: workspace.input, options, source, adjust, link: null });
     }),
     addKeys: async (files) => { await guarded(() => addKeys(files)); },
     get busy() { return running.size > 0; },
@@ -151,8 +165,13 @@ function openingView(view: View, info: KeysInfo, link: Permalink | null): View {
   return base;
 }
 
+/** glTF says which way is up and how long a metre is; the other formats do not. */
+function orientationOf(source: Source, { up = 'y', unit = 1 }: ImportOptions): Orientation | null {
+  return source.kind === 'files' && source.names.some((name) => /\.(obj|ply|off)$/i.test(name)) ? { up, unit } : null;
+}
+
 export function hasTexture(info: KeysInfo | null): boolean {
-  return info !== null && info.materials.length > 0;
+  return info !== null && (info.materials.length > 0 || info.colors !== null);
 }
 
 /** Samples start moving slowly by themselves, unless the visitor wants no motion or came by a link to a moment. */

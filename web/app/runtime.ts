@@ -4,11 +4,14 @@ import type { Doc } from '../model/state.ts';
 import type { ExportRequest } from '../ui/export-dialog.ts';
 import { DEFAULT_REQUEST } from '../ui/export-dialog.ts';
 import type { Problem, Working } from '../ui/messages.ts';
+import type { Orientation } from '../ui/orientation.ts';
 import type { Sample } from './samples.ts';
 
 export interface Runtime {
   samples: readonly Sample[];
   info: KeysInfo | null;
+  /** How the open files were read where they do not say it themselves, else null. */
+  orientation: Orientation | null;
   /** The document that the open files started with: links are written against it. */
   initial: Doc | null;
   warnings: readonly Warning[];
@@ -30,6 +33,6 @@ export interface Runtime {
 }
 
 export const EMPTY_RUNTIME: Runtime = {
-  samples: [], info: null, initial: null, warnings: [], working: null, problem: null, stats: null, range: [0, 1], ms: null, lost: 0,
+  samples: [], info: null, orientation: null, initial: null, warnings: [], working: null, problem: null, stats: null, range: [0, 1], ms: null, lost: 0,
   thumbnails: new Map(), welcome: false, offline: false, remembered: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

@@ -4,7 +4,7 @@ import type { Engine, Keys, Sequence } from '../engine/api.ts';
 import { kgBetween } from '../engine/ghost-study.ts';
 import { createEngine } from '../engine/node.ts';
 import { readPose } from '../engine/pose.ts';
-import type { ExportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/types.ts';
+import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/types.ts';
 import { UsageError, type Arguments } from './arguments.ts';
 import { readInputs } from './input.ts';
 import { writeOutputs, type Output } from './output.ts';
@@ -78,7 +78,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     const timings = new Timings();
     const inputs = await timings.time('read', readInputs(args.files));
     const keys = await timings.time('import', engine.importKeyframes(inputs, options.import));
-    const tangents = await readTangents(engine, args, keys);
+    const tangents = await readTangents(engine, args, keys, options.import);
     const sequence = await timings.time('build', engine.createSequence(keys, { ...keys.info.project, ...options.sequence, ...tangents }));
     const plan = await sequence.planExport(options.export);
     if (plan.bytes > LARGE) say(`${output} will take about ${Math.round(plan.bytes / 1e6)} MB`);
@@ -114,11 +114,11 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
   });
 }
 
-async function readTangents(engine: Engine, args: Arguments, keys: Keys): Promise<Partial<SequenceOptions>> {
+async function readTangents(engine: Engine, args: Arguments, keys: Keys, options: ImportOptions): Promise<Partial<SequenceOptions>> {
   const tangents: Partial<SequenceOptions> = {};
   for (const [option, name] of [['start-tangent', 'startTangent'], ['end-tangent', 'endTangent']] as const) {
     const file = args.values.get(option);
-    if (file) tangents[name] = await readPose(engine, await readInputs([file]), keys);
+    if (file) tangents[name] = await readPose(engine, await readInputs([file]), keys, options);
   }
   return tangents;
 }

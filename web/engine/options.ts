@@ -75,6 +75,7 @@ const importChecks: Checks<ImportOptions> = {
   keyTimes: numbers,
   up: oneOf('y', 'z'),
   unit: positive,
+  like: (v) => (v instanceof Uint32Array ? null : 'must be a Uint32Array of vertices'),
 };
 
 const exportChecks: Checks<ExportOptions> = {

@@ -1,14 +1,8 @@
 /** Files from a drop anywhere on the page or from the system's picker, folders included, in natural order of name. */
+import { ACCEPTED, droppedFiles } from './dropped-files.ts';
+import type { PickedFile } from './dropped-files.ts';
 import { h } from './dom.ts';
 import { icon } from './icons.ts';
-
-export interface PickedFile {
-  /** Path relative to what was dropped. */
-  name: string;
-  file: File;
-}
-
-export const ACCEPTED = '.glb,.gltf,.bin,.obj,.ply,.off,.png,.jpg,.jpeg,.webp,model/gltf-binary,model/gltf+json';
 
 const naturally = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
 
@@ -16,10 +10,10 @@ export function inNaturalOrder<T extends { name: string }>(files: readonly T[]):
   return [...files].sort((a, b) => naturally.compare(a.name, b.name));
 }
 
-/** Covers the page while files are dragged over it. */
-export function createDropZone(onFiles: (files: PickedFile[]) => void): { element: HTMLElement } {
+/** Covers the page while files are dragged over it. Folders take a while to be looked through, which may fail. */
+export function createDropZone(onFiles: (files: Promise<PickedFile[]>) => void): { element: HTMLElement } {
   const element = h('div', { class: 'drop-zone', 'data-testid': 'drop-zone', hidden: true },
-    h('div', {}, icon('open'), h('p', {}, 'Drop the poses of one mesh: several files, or one with morph targets or an animation')));
+    h('div', {}, icon('open'), h('p', {}, 'Drop the poses of one mesh: several files or their folder, or one file with morph targets or an animation')));
   let depth = 0;
   const holdsFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
   const leave = (): void => { depth = 0; element.hidden = true; };
@@ -39,7 +33,7 @@ export function createDropZone(onFiles: (files: PickedFile[]) => void): { elemen
     if (!holdsFiles(event) || !event.dataTransfer) return;
     event.preventDefault();
     leave();
-    void collect(event.dataTransfer).then((files) => { if (files.length > 0) onFiles(inNaturalOrder(files)); });
+    onFiles(droppedFiles(event.dataTransfer).then(inNaturalOrder));
   });
   return { element };
 }
@@ -55,29 +49,4 @@ export function createPicker(testId: string, onFiles: (files: PickedFile[]) => v
     },
   });
   return { element, open: () => element.click() };
-}
-
-async function collect(transfer: DataTransfer): Promise<PickedFile[]> {
-  // Entries are only valid during the event, so all are taken before the first await.
-  const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
-  const plain = [...transfer.files];
-  if (entries.every((entry) => entry === null || entry.isFile)) return plain.map((file) => ({ name: file.name, file }));
-  const nested = await Promise.all(entries.map((entry) => (entry ? walk(entry, '') : [])));
-  return nested.flat();
-}
-
-async function walk(entry: FileSystemEntry, path: string): Promise<PickedFile[]> {
-  const name = path + entry.name;
-  if (entry.isFile) {
-    const file = await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
-    return [{ name, file }];
-  }
-  const reader = (entry as FileSystemDirectoryEntry).createReader();
-  const files: PickedFile[] = [];
-  // A reader hands out a hundred entries at most each time.
-  for (;;) {
-    const batch = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
-    if (batch.length === 0) return files;
-    for (const child of batch) files.push(...await walk(child, `${name}/`));
-  }
 }

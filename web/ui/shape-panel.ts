@@ -5,6 +5,8 @@ import { DEFAULT_ENCODING } from '../model/state.ts';
 import type { Choice } from './controls.ts';
 import { button, numberField, segments, select } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
+import { createOrientation } from './orientation.ts';
+import type { Orientation } from './orientation.ts';
 import { createSampling } from './sampling.ts';
 
 export interface ShapePanelProps {
@@ -18,6 +20,8 @@ export interface ShapePanelProps {
   lriMethod: boolean;
   /** The keys may be taken from the file's animation anew. */
   canSample: boolean;
+  /** How files were read that do not say it themselves; null where there are none. */
+  orientation: Orientation | null;
   /** What the reset button goes back to. */
   defaults: Encoding;
   disabled: boolean;
@@ -27,6 +31,7 @@ export interface ShapePanelEvents {
   onEncoding(change: Partial<Encoding>): void;
   onReset(): void;
   onSample(animation: number, times: number[]): void;
+  onOrient(orientation: Orientation): void;
 }
 
 const STRETCHES: readonly Choice<Stretch>[] = [
@@ -44,11 +49,12 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
   const lost = h('p', { class: 'notice-inline', 'data-testid': 'lost-hint', hidden: true });
   const facts = h('dl', { class: 'facts' });
   const sampling = createSampling(events.onSample);
+  const orientation = createOrientation(events.onOrient);
   const element = h('section', { class: 'panel', 'aria-labelledby': 'shape-title', 'data-testid': 'panel-shape' },
     h('header', {}, h('h2', { id: 'shape-title' }, 'Shape'), reset),
     stretch.element, lost, reference.element,
     h('div', { class: 'field row' }, h('span', { class: 'label', title: 'Pieces that the shape is cut into; each turns as one, and the faces turn within them' }, 'Patches'), patches, patchesUsed),
-    sampling.element, ghost,
+    sampling.element, orientation.element, ghost,
     h('details', { class: 'details', 'data-testid': 'mesh-report' }, h('summary', {}, 'What was read'), facts));
 
   const draw = memo((props: ShapePanelProps) => {
@@ -65,6 +71,7 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
     reset.disabled = !touched;
     setAttribute(reset, 'data-idle', !touched);
     sampling.update(props.canSample ? info : null);
+    orientation.update(props.orientation);
     drawFacts(facts, info, stats);
   });
   return { element, update: draw };

@@ -46,7 +46,7 @@ export function createViewBar(events: ViewBarEvents): { element: HTMLElement; to
   const toggleLook = popover(element, toggle, look);
 
   const draw = memo(({ view: state, hasTexture, disabled }: ViewBarProps) => {
-    colouring.update(state.colouring, hasTexture ? {} : { texture: 'The files hold no texture.' });
+    colouring.update(state.colouring, hasTexture ? {} : { texture: 'The files hold no texture and no colours.' });
     shading.update(state.shading);
     wireframe.update(state.wireframe);
     floor.update(state.floor);

@@ -1,0 +1,74 @@
+/** What was dropped -> files: folders are walked through, and everything in them that is no model or part of one is left out. */
+
+export interface PickedFile {
+  /** Path relative to what was dropped. */
+  name: string;
+  file: File;
+}
+
+const MODELS = ['glb', 'gltf', 'obj', 'ply', 'off'];
+const COMPANIONS = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp', 'ktx2'];
+
+/** For the system's picker. */
+export const ACCEPTED = [...[...MODELS, ...COMPANIONS].map((extension) => `.${extension}`), 'model/gltf-binary', 'model/gltf+json'].join();
+
+/** A whole disk dropped by mistake is not walked to its end. */
+const MOST_ENTRIES = 20_000;
+
+/**
+ * To be called during the drop event, as what it holds is only there then. Single files are taken whatever they are, so that
+ * what is wrong with them is said.
+ */
+export function droppedFiles({ items, files }: DataTransfer): Promise<PickedFile[]> {
+  const entries = [...items].map((item) => item.webkitGetAsEntry?.() ?? null);
+  const plain = [...files].map((file) => ({ name: file.name, file }));
+  // Without entries, as from another program or in an older browser, a folder is a file that cannot be read, which is said then.
+  if (entries.every((entry) => !entry?.isDirectory)) return Promise.resolve(plain);
+  return filesOf(entries.filter((entry) => entry !== null));
+}
+
+/** Files at the top, and those in folders that belong to models; their names are paths from the top. */
+export async function filesOf(entries: readonly FileSystemEntry[]): Promise<PickedFile[]> {
+  const found: PickedFile[] = [];
+  let left = MOST_ENTRIES;
+  const walk = async (entry: FileSystemEntry, path: string, inFolder: boolean): Promise<void> => {
+    left -= 1;
+    if (left < 0) throw new Error(`There are more than ${MOST_ENTRIES.toLocaleString('en')} files in what was dropped. Drop the poses themselves.`);
+    const name = path + entry.name;
+    if (entry.isDirectory) {
+      for (const child of await childrenOf(entry as FileSystemDirectoryEntry, name)) await walk(child, `${name}/`, true);
+    } else if (!inFolder || belongs(entry.name)) {
+      found.push({ name, file: await fileOf(entry as FileSystemFileEntry, name) });
+    }
+  };
+  for (const entry of entries) await walk(entry, '', false);
+  if (found.length === 0) throw new Error(`There is no model in ${entries[0]?.name ?? 'what was dropped'}. Drop a folder with glTF, OBJ, PLY or OFF files.`);
+  return found;
+}
+
+/** Names with a dot in front are what systems leave behind beside other files. */
+function belongs(name: string): boolean {
+  const extension = name.slice(name.lastIndexOf('.') + 1).toLowerCase();
+  return !name.startsWith('.') && [...MODELS, ...COMPANIONS].includes(extension);
+}
+
+async function childrenOf(folder: FileSystemDirectoryEntry, name: string): Promise<FileSystemEntry[]> {
+  const reader = folder.createReader();
+  const children: FileSystemEntry[] = [];
+  // A reader hands out a hundred entries at most each time.
+  for (;;) {
+    const batch = await read<FileSystemEntry[]>(name, (resolve, reject) => reader.readEntries(resolve, reject));
+    if (batch.length === 0) return children;
+    if (children.push(...batch) > MOST_ENTRIES) return children;
+  }
+}
+
+const fileOf = (entry: FileSystemFileEntry, name: string): Promise<File> => read(name, (resolve, reject) => entry.file(resolve, reject));
+
+async function read<T>(name: string, start: (resolve: (value: T) => void, reject: (reason: unknown) => void) => void): Promise<T> {
+  try {
+    return await new Promise<T>(start);
+  } catch {
+    throw new Error(`${name} could not be read. Was it moved, or is it not yours to read? Drop it again.`);
+  }
+}
