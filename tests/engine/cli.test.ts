@@ -66,10 +66,10 @@ describe('inspect', () => {
   it('reads the materials that an OBJ names, and their images', async () => {
     const text = (content: string): Uint8Array => new TextEncoder().encode(content);
     const faces = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3\n';
-    const png = Uint8Array.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
+    const png = Uint8Array.from(atob('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=='), (c) => c.charCodeAt(0));
     const where = await folderOf([
       { name: 'a.obj', bytes: text(`mtllib a.mtl\r\n${faces}`) }, { name: 'b.obj', bytes: text(faces) },
-      { name: 'a.mtl', bytes: text('newmtl red\nKd 1 0 0\nmap_Kd -s 1 1 1 red.png\r\n') }, { name: 'red.png', bytes: png },
+      { name: 'a.mtl', bytes: text('newmtl red\nKd 1 0 0\nmap_Kd -s 1 1 1 -clamp on dark red.png\r\n') }, { name: 'dark red.png', bytes: png },
     ]);
     const { code, stdout } = await runCli(where, 'inspect', 'a.obj', 'b.obj');
     expect([code, (JSON.parse(stdout) as { warnings: object[] }).warnings]).toEqual([0, []]);

@@ -3,9 +3,10 @@ import type { Sequence } from '../../web/engine/api.ts';
 import { draco, meshopt, quantised } from './support/compress.ts';
 import { bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
 import { expectPlayed, expectValid, exported } from './support/exported.ts';
+import { poseFiles } from './support/glb.ts';
 import { paintedFile } from './support/painted.ts';
 import { rigFile } from './support/rig.ts';
-import { diagonal, largestDistance } from './support/shapes.ts';
+import { bar, bent, diagonal, largestDistance } from './support/shapes.ts';
 import { threePlayer } from './support/three-player.ts';
 
 const engine = testEngine();
@@ -119,6 +120,29 @@ describe('an animated GLB', () => {
     expect(await lift(false)).toBeCloseTo(20, 3);
     expect(Math.abs(await lift(true))).toBeLessThan(1e-3);
     expect(sequence.options.inPlace).toBe(false);
+    sequence.dispose();
+  });
+});
+
+describe('the largest animation', () => {
+  it('opens again, and a larger one is refused before any work', async () => {
+    const box = bar(1, 1);
+    const sequence = await engine.createSequence(await engine.importKeyframes(poseFiles(box, [box.positions, bent(box, 30)])));
+    const bytes = await exported(sequence, { frames: 4000 });
+    const again = await engine.importKeyframes([{ name: 'long.glb', bytes }]);
+    expect([again.info.times, again.info.animations]).toMatchObject([[0, 1], [{ keys: 4000 }]]);
+    const sampled = await engine.importKeyframes([{ name: 'long.glb', bytes }], { sample: 3 });
+    expect(largestDistance(sampled.positions(1), (await frameAt(sequence, 0.5)).positions)).toBeLessThan(1e-2);
+
+    const stages: string[] = [];
+    for (const refused of [sequence.planExport({ frames: 4001 }), sequence.export({ frames: 4001 }, { onProgress: ({ stage }) => stages.push(stage) })]) {
+      const failure = await failureOf(refused);
+      expect(failure.code).toBe('too-large');
+      expect(failure.message).toBe('An animation of 4,001 frames would not open again: its 4,000 morph targets need more than 16,000,000 weights. '
+        + 'Export fewer frames, or an OBJ sequence.');
+    }
+    expect(stages).toEqual([]);
+    expect((await sequence.planExport({ frames: 4001, format: 'obj' })).times).toHaveLength(4001);
     sequence.dispose();
   });
 });

@@ -38,7 +38,7 @@ describe('the heap', () => {
     const mesh = bar();
     const files = poseFiles(mesh, [mesh.positions, bent(mesh, 30)]);
     const bad = [files[0]!, { name: 'cut.glb', bytes: files[1]!.bytes.slice(0, 5000) }];
-    const scene = { uvs: null, colors: null, groups: [], materials: [], images: [] };
+    const scene = { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] };
     const pose = { positions: mesh.positions, normals: mesh.positions };
     const cycle = (): void => {
       core.importKeys(files, IMPORT_DEFAULTS);

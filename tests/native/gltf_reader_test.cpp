@@ -292,7 +292,7 @@ TEST_CASE("materials, coordinates, colours and images are kept as they are") {
   const Bytes png = bytesOf("\x89PNG\r\n\x1a\n and so on");
   const int image = maker.add("images", {{"bufferView", maker.view(png)}, {"mimeType", "image/png"}});
   maker.add("images", {{"uri", "skin.jpg"}});
-  maker.add("samplers", {{"wrapS", 33071}, {"wrapT", 33648}});
+  maker.add("samplers", {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9987}, {"minFilter", 9987}});
   maker.add("textures", {{"source", image}, {"sampler", 0}});
   maker.add("textures", {{"source", 1}});
   maker.add("materials", {{"name", "skin"}, {"alphaMode", "MASK"}, {"alphaCutoff", 0.25}, {"doubleSided", true}, {"emissiveFactor", {0, 0.5, 0}},
@@ -320,6 +320,8 @@ TEST_CASE("materials, coordinates, colours and images are kept as they are") {
   CHECK(m.emissive[1] == 0.5f);
   CHECK(m.normalScale == 0.5f);
   CHECK(m.wrapS == Material::Wrap::Clamp);
+  CHECK(m.magFilter == 0);  // there is no such one for magnification
+  CHECK(m.minFilter == 9987);
   CHECK(m.wrapT == Material::Wrap::Mirror);
   REQUIRE(scene.images.size() == 2);
   CHECK(scene.images[m.baseColorImage].bytes == png);

@@ -182,6 +182,7 @@ TEST_CASE("materials, coordinates, colours and images go round") {
   skin.normalImage = 1;
   skin.normalScale = 0.5f;
   skin.wrapS = Material::Wrap::Mirror;
+  skin.magFilter = 9728;
   Material glass;
   glass.alpha = Material::Alpha::Blend;
   glass.unlit = true;
@@ -207,6 +208,8 @@ TEST_CASE("materials, coordinates, colours and images go round") {
   CHECK(m.emissive == skin.emissive);
   CHECK(m.normalScale == skin.normalScale);
   CHECK(m.wrapS == skin.wrapS);
+  CHECK(m.magFilter == 9728);
+  CHECK(m.minFilter == 0);
   CHECK(again.images[m.baseColorImage].bytes == scene.images[0].bytes);
   CHECK(again.images[m.normalImage].mimeType == "image/webp");
   CHECK(again.materials[again.groups[2].material].unlit);
@@ -275,6 +278,29 @@ TEST_CASE("the size is known beforehand to a few percent") {
   }
 }
 
+TEST_CASE("as many frames as open again, and no more") {
+  const Scene scene;
+  std::vector<double> seconds(4000);
+  for (std::size_t k = 0; k < seconds.size(); ++k) seconds[k] = static_cast<double>(k);
+  const auto bytes = writeAnimatedGlb(bending(seconds, scene));
+  REQUIRE(bytes.ok());
+  ImportOptions options;
+  options.sampleTimes = {0, 3999};
+  const auto import = Files().add("m.glb", *bytes).import(options);
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  CHECK(distance(import->keyframes.keys[1].positions, boxPose(399.9)) < 1e-3);
+
+  const auto refusal = [&](const AnimationSource& source) {
+    const auto refused = writeAnimatedGlb(source);
+    REQUIRE(!refused.ok());
+    CHECK(refused.error().code == ErrorCode::TooLarge);
+    return refused.error().message;
+  };
+  CHECK(refusal(bending(seconds, scene, 2)).find("4,001 morph targets need 16,004,000 weights") != std::string::npos);
+  seconds.push_back(4000);
+  CHECK(refusal(bending(seconds, scene)).find("16,004,000 weights") != std::string::npos);
+}
+
 TEST_CASE("exports that cannot be are refused") {
   const Scene scene;
   const auto code = [&](const AnimationSource& source) {
@@ -312,6 +338,109 @@ TEST_CASE("a shape without a normal somewhere still gets unit normals") {
   for (const Vec3& n : import->keyframes.normals) CHECK(n.norm() == doctest::Approx(1));
 }
 
+// The box with a texture that jumps: its first four faces lie elsewhere in it than the others.
+Scene seamScene() {
+  Scene scene;
+  std::vector<int> copy(8, -1);
+  scene.seams.faces = boxFaces();
+  for (int f = 0; f < 4; ++f)
+    for (int& v : scene.seams.faces[f]) {
+      if (copy[v] < 0) copy[v] = 8 + static_cast<int>(scene.seams.copyOf.size()), scene.seams.copyOf.push_back(v);
+      v = copy[v];
+    }
+  const std::size_t drawn = 8 + scene.seams.copyOf.size();
+  for (std::size_t i = 0; i < drawn; ++i) scene.uvs.insert(scene.uvs.end(), {static_cast<float>(i) / 16, i < 8 ? 0.25f : 0.75f});
+  for (int i = 0; i < 8; ++i) scene.colors.insert(scene.colors.end(), {1, i / 8.0f, 0, 1});
+  scene.groups = {{0, 12, 0}};
+  scene.images = {{"image/png", bytesOf("\x89PNG\r\n\x1a\n 1")}};
+  scene.materials.resize(1);
+  scene.materials[0].baseColorImage = 0;
+  return scene;
+}
+
+void checkSeams(const Import& import, const Scene& scene) {
+  CHECK(import.keyframes.faces == boxFaces());
+  CHECK(import.keyframes.vertexCount() == 8);
+  CHECK(import.keyframes.normals.size() == 8);
+  CHECK(import.scene.uvs == scene.uvs);
+  CHECK(import.scene.colors == scene.colors);
+  CHECK(import.scene.seams.copyOf == scene.seams.copyOf);
+  CHECK(import.scene.seams.faces == scene.seams.faces);
+  CHECK(import.warnings.empty());
+}
+
+TEST_CASE("a texture's seams are split open in the file, and closed when it opens again") {
+  const Scene scene = seamScene();
+  AnimationSource source = bending({0, 0.5, 2}, scene, 1);
+  source.project = R"({"version": 1, "keys": {"times": [0, 1, 2], "frames": [0, 2, 3]}})";
+  const Exported file = exported(writeAnimatedGlb(source));
+  const json& primitive = file.doc["meshes"][0]["primitives"][0];
+  const std::size_t drawn = 8 + scene.seams.copyOf.size();
+  for (const auto& [name, accessor] : primitive["attributes"].items()) CHECK(file.doc["accessors"][accessor.get<int>()]["count"] == drawn);
+  for (const json& target : primitive["targets"]) CHECK(file.doc["accessors"][target["POSITION"].get<int>()]["count"] == drawn);
+  CHECK(static_cast<double>(animatedGlbSize(8, 12, 4, scene)) == doctest::Approx(file.bytes.size()).epsilon(0.4));
+
+  const auto import = Files().add("m.glb", file.bytes).import();
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  checkSeams(*import, scene);
+  for (int k = 0; k < 3; ++k) CHECK(distance(import->keyframes.keys[k].positions, boxPose(std::array{0.0, 0.2, 0.3}[k])) < 1e-6);
+  SUBCASE("other programs that split vertices get what every GLB gives them") {
+    json doc = file.doc;
+    for (json& p : doc["meshes"][0]["primitives"]) p["attributes"].erase("_SHAPESPLINE_VERTEX");
+    const auto split = Files().add("m.glb", glbFrom(doc.dump(), {file.bin.begin(), file.bin.end()})).import();
+    REQUIRE(split.ok());
+    CHECK(split->keyframes.vertexCount() == static_cast<int>(drawn));
+    CHECK(split->scene.uvs == scene.uvs);
+  }
+  SUBCASE("numbers of vertices that are none, or whose copies stand elsewhere, are not believed") {
+    const json& accessor = file.doc["accessors"][primitive["attributes"]["_SHAPESPLINE_VERTEX"].get<int>()];
+    const std::size_t at = file.doc["bufferViews"][accessor["bufferView"].get<int>()]["byteOffset"].get<std::size_t>() + 4 * (drawn - 1);
+    for (float wrong : {8.0f, -1.0f, 1e30f, NAN, scene.seams.copyOf.back() == 0 ? 1.0f : 0.0f}) {
+      CAPTURE(wrong);
+      Bytes bin(file.bin.begin(), file.bin.end());
+      std::memcpy(&bin[at], &wrong, 4);
+      const auto other = Files().add("m.glb", glbFrom(file.doc.dump(), bin)).import();
+      REQUIRE(other.ok());
+      CHECK(other->keyframes.vertexCount() == static_cast<int>(drawn));
+    }
+  }
+}
+
+TEST_CASE("where there is no texture, seams cannot be seen, and the file has the mesh's own vertices") {
+  Scene scene = seamScene();
+  scene.images.clear();
+  scene.materials[0].baseColorImage = -1;
+  const Exported file = exported(writeAnimatedGlb(bending({0, 0.5}, scene)));
+  const json& attributes = file.doc["meshes"][0]["primitives"][0]["attributes"];
+  CHECK(attributes.size() == 3);
+  for (const char* name : {"POSITION", "NORMAL", "COLOR_0"}) CHECK(file.doc["accessors"][attributes[name].get<int>()]["count"] == 8);
+  CHECK(static_cast<double>(animatedGlbSize(8, 12, 2, scene)) == doctest::Approx(file.bytes.size()).epsilon(0.5));
+}
+
+TEST_CASE("single poses with seams go round as GLB and OBJ, in the mesh's own vertices and faces") {
+  const Scene scene = seamScene();
+  const std::vector<float> positions = floats(boxPose(0.1)), normals = floats(outward(boxPose(0.1)));
+  const auto glb = writePoseGlb(positions, normals, boxFaces(), scene);
+  REQUIRE(glb.ok());
+  const auto import = Files().add("a.glb", *glb).add("b.glb", *glb).import();
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  checkSeams(*import, scene);
+
+  const Bytes obj = writeObj(positions, boxFaces(), scene);
+  const auto polygons = Files().add("a.obj", obj).add("b.obj", obj).import();
+  REQUIRE(polygons.ok());
+  CHECK(polygons->keyframes.vertexCount() == 8);
+  CHECK(polygons->keyframes.faces == boxFaces());
+  CHECK(polygons->scene.seams.copyOf.size() == scene.seams.copyOf.size());
+  const auto coordinates = [](const Scene& s, const Triangle& own, std::size_t f, int c) {
+    const int v = s.seams.faces.empty() ? own[c] : s.seams.faces[f][c];
+    return std::pair(s.uvs[2 * v], s.uvs[2 * v + 1]);
+  };
+  for (std::size_t f = 0; f < 12; ++f)
+    for (int c = 0; c < 3; ++c)
+      CHECK(coordinates(polygons->scene, boxFaces()[f], f, c) == coordinates(scene, boxFaces()[f], f, c));
+}
+
 TEST_CASE("single poses go round as GLB, OBJ and PLY, bit for bit") {
   std::vector<float> positions = floats(boxPose(1 / 3.0));
   positions[0] = 1.17549435e-38f;
@@ -320,7 +449,7 @@ TEST_CASE("single poses go round as GLB, OBJ and PLY, bit for bit") {
   const auto glb = writePoseGlb(positions, {}, boxFaces(), Scene());
   REQUIRE(glb.ok());
   const std::vector<std::pair<std::string, Bytes>> files{
-      {"a.glb", *glb}, {"a.obj", writeObj(positions, boxFaces())}, {"a.ply", writePly(positions, boxFaces())}};
+      {"a.glb", *glb}, {"a.obj", writeObj(positions, boxFaces(), Scene())}, {"a.ply", writePly(positions, boxFaces())}};
   for (const auto& [name, bytes] : files) {
     CAPTURE(name);
     const auto import = Files().add(name, bytes).add("b" + name.substr(1), bytes).import();

@@ -70,7 +70,8 @@ TEST_CASE("OBJ: comments, negative indices, all kinds of corners, continued line
   CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
   REQUIRE(import.keyframes.normals.size() == 4);
   CHECK((import.keyframes.normals[3] - Vec3::UnitZ()).norm() == 0);
-  CHECK(import.scene.uvs.empty());  // the second face has none
+  CHECK(import.scene.uvs == std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0});  // vertex 3 has none
+  CHECK(import.scene.seams.copyOf.empty());
   CHECK(import.warnings.at(0).code == "skipped-primitives");
   CHECK(import.warnings.at(0).count == 3);
 }
@@ -82,14 +83,82 @@ TEST_CASE("a byte order mark is no part of a text") {
   }
 }
 
-TEST_CASE("OBJ: texture coordinates where they belong to vertices, with the origin above") {
+TEST_CASE("OBJ: texture coordinates, with the origin above, and copies of vertices where they have several") {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0.25\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\n";
   const Import kept = twice("a.obj", vertices + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
   REQUIRE(kept.scene.uvs.size() == 8);
   CHECK(kept.scene.uvs[1] == 0.75f);
+  CHECK(kept.scene.seams.copyOf.empty());
+  CHECK(kept.scene.seams.faces.empty());
   const Import seam = twice("a.obj", vertices + "f 1/1 2/2 3/3\nf 1/5 3/3 4/4\n");
-  CHECK(seam.scene.uvs.empty());
-  CHECK(seam.warnings.at(0).code == "texture-seams");
+  CHECK(seam.warnings.empty());
+  CHECK(seam.keyframes.vertexCount() == 4);
+  CHECK(seam.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(seam.scene.seams.copyOf == std::vector<int>{0});
+  CHECK(seam.scene.seams.faces == std::vector<Triangle>{{0, 1, 2}, {4, 2, 3}});
+  CHECK(seam.scene.uvs == std::vector<float>{0, 0.75f, 1, 1, 1, 0, 0, 0, 0.5f, 0.5f});
+}
+
+TEST_CASE("OBJ: one copy for all corners of a vertex that lie at the same place of the texture") {
+  // A fan about vertex 1, whose sectors lie in the texture by turns at two places; those are written several times.
+  std::string text = "v 0 0 0\n", faces;
+  for (int i = 0; i <= 6; ++i) text += "v " + std::to_string(i) + " 1 0\nvt " + std::to_string(i % 2) + " 0.5\n";
+  for (int i = 0; i < 6; ++i)
+    faces += "f 1/" + std::to_string(i + 1) + " " + std::to_string(i + 2) + "/1 " + std::to_string(i + 3) + "/1\n";
+  const Import import = twice("a.obj", text + faces);
+  CHECK(import.scene.seams.copyOf == std::vector<int>{0});
+  for (int f = 0; f < 6; ++f) CHECK(import.scene.seams.faces[f][0] == (f % 2 ? 8 : 0));
+}
+
+TEST_CASE("further poses of a mesh are cut into its triangles, however they would be cut by themselves") {
+  const std::string faces = "f 1 2 3 4\nf 5 6 7 8 9\nf 1 2 6\n";
+  const auto pose = [&](double x) {  // the diagonal of the first polygon that is shorter changes, and so does the corner that points inwards
+    return bytesOf("v 0 0 0\nv 1 0 0\nv " + std::to_string(1 + x) + " 1 0\nv " + std::to_string(x) + " 1 0\nv 0 5 0\nv 2 5 0\nv " +
+                   std::to_string(2 - x) + " 6 0\nv 1 7 0\nv 0 7 0\n" + faces);
+  };
+  const std::vector<Triangle> mine = imported(Files().add("a.obj", pose(0.5)).add("b.obj", pose(-0.5))).keyframes.faces;
+  const std::vector<Triangle> others = imported(Files().add("a.obj", pose(-0.5)).add("b.obj", pose(0.5))).keyframes.faces;
+  REQUIRE(mine != others);
+  ImportOptions options;
+  options.like = mine;
+  CHECK(imported(Files().add("a.obj", pose(-0.5)).add("b.obj", pose(-0.5)), options).keyframes.faces == mine);
+  options.like[1][1] = 8;  // of another mesh: cut by themselves
+  CHECK(imported(Files().add("a.obj", pose(-0.5)).add("b.obj", pose(-0.5)), options).keyframes.faces == others);
+  options.like = {{0, 1, 2}};
+  CHECK(imported(Files().add("a.obj", pose(-0.5)).add("b.obj", pose(-0.5)), options).keyframes.faces == others);
+}
+
+TEST_CASE("OBJ: polygons with seams are cut as their faces are; later keys may have other coordinates") {
+  const std::string house = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 1.5 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.5\nvt 0 1\nvt 0.25 0.25\n";
+  const auto obj = [&](const std::string& faces) { return bytesOf(house + faces); };
+  const auto first = obj("f 1/1 2/2 3/3 4/4 5/5\nf 2/6 6/2 7/3 3/1\n"), second = obj("f 1/1 2/1 3/1 4/1 5/1\nf 2/2 6/2 7/2 3/2\n");
+  const Import import = imported(Files().add("a.obj", first).add("b.obj", second).add("c.obj", obj("f 1 2 3 4 5\nf 2 6 7 3\n")));
+  const Seams& seams = import.scene.seams;
+  CHECK(seams.copyOf == std::vector<int>{1, 2});
+  REQUIRE(seams.faces.size() == 5);
+  for (int f = 0; f < 5; ++f)
+    for (int c = 0; c < 3; ++c) {
+      const int drawn = seams.faces[f][c];
+      CHECK(import.keyframes.faces[f][c] == (drawn < 7 ? drawn : seams.copyOf[drawn - 7]));
+      if (f >= 3) CHECK((drawn >= 5));  // nothing of the second polygon is drawn with the first one's coordinates
+    }
+}
+
+TEST_CASE("OBJ: coordinates that are not there or no numbers are left out with a warning") {
+  const Import import = twice("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0.5 0.5\nvt nan 0\nf 1/1 2/2 3/7\n");
+  CHECK(import.scene.uvs == std::vector<float>{0.5f, 0.5f, 0, 0, 0, 0});
+  REQUIRE(import.warnings.size() == 1);
+  CHECK(import.warnings[0].code == "texture-coordinates");
+  CHECK(import.warnings[0].count == 2);
+}
+
+TEST_CASE("OBJ: a vertex with a hundred thousand places in the texture takes no longer than as many vertices") {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", faces;
+  for (int i = 1; i <= 100'000; ++i) {
+    text += "vt 0." + std::to_string(100'000 + i) + " 0\n";
+    faces += "f 1/" + std::to_string(i) + " 2/1 3/1\n";
+  }
+  CHECK(twice("a.obj", text + faces).scene.seams.copyOf.size() == 99'999);
 }
 
 TEST_CASE("OBJ: materials of its MTL, and its texture") {
@@ -110,6 +179,20 @@ TEST_CASE("OBJ: materials of its MTL, and its texture") {
   CHECK(scene.groups[2].material == -1);
   const Import without = twice("a.obj", obj);
   CHECK(without.warnings.at(0).code == "missing-materials");
+}
+
+TEST_CASE("OBJ: images are looked for as seen from their library, and stop at their edges where it says so") {
+  const Bytes red = bytesOf("\x89PNG\r\n\x1a\n red"), blue = bytesOf("\x89PNG\r\n\x1a\n blue");
+  const Bytes obj = bytesOf("mtllib paint/a.mtl\n" + kSquareObj), mtl = bytesOf("newmtl a\nmap_Kd -clamp on -s 1 1 1 images/skin.png\nnewmtl b\nmap_Kd -clamp off ../on top.png\n");
+  const Import import = imported(Files().add("x/a.obj", obj).add("x/b.obj", obj).add("x/paint/a.mtl", mtl)
+      .add("x/images/skin.png", blue).add("x/paint/images/skin.png", red).add("x/on top.png", blue));
+  REQUIRE(import.scene.images.size() == 2);
+  const auto& materials = import.scene.materials;
+  CHECK(import.scene.images[materials.at(0).baseColorImage].bytes == red);
+  CHECK(materials[0].wrapS == Material::Wrap::Clamp);
+  CHECK(import.scene.images[materials.at(1).baseColorImage].bytes == blue);
+  CHECK(materials[1].wrapT == Material::Wrap::Repeat);
+  CHECK(import.warnings.empty());
 }
 
 TEST_CASE("OBJ: a library and an image are read once, however often they are named") {

@@ -16,7 +16,7 @@ Json keepBytes(Bytes bytes) {
 
 Result<Bytes> writePose(const std::string& format, std::span<const float> positions, std::span<const float> normals,
                         const std::vector<Triangle>& faces, const Scene& scene) {
-  if (format == "obj") return writeObj(positions, faces);
+  if (format == "obj") return writeObj(positions, faces, scene);
   if (format == "ply") return writePly(positions, faces);
   return writePoseGlb(positions, normals, faces, scene);
 }

@@ -70,6 +70,8 @@ Material materialFrom(const Json& json) {
   for (const auto& [name, image] : images) material.*image = json.at(name);
   material.wrapS = named(json.at("wrapS"), wraps);
   material.wrapT = named(json.at("wrapT"), wraps);
+  material.magFilter = json.at("magFilter");
+  material.minFilter = json.at("minFilter");
   return material;
 }
 
@@ -86,9 +88,17 @@ Json toJson(const Material& material) {
                {"normalScale", material.normalScale},
                {"occlusionStrength", material.occlusionStrength},
                {"wrapS", nameOf(material.wrapS, wraps)},
-               {"wrapT", nameOf(material.wrapT, wraps)}};
+               {"wrapT", nameOf(material.wrapT, wraps)},
+               {"magFilter", material.magFilter},
+               {"minFilter", material.minFilter}};
   for (const auto& [name, image] : images) json[name] = material.*image;
   return json;
+}
+
+Json toJson(const Seams& seams) {
+  if (seams.copyOf.empty()) return {};
+  return {{"copyOf", range(seams.copyOf.data(), seams.copyOf.size())},
+          {"indices", range(seams.faces.data()->data(), 3 * seams.faces.size())}};
 }
 
 }  // namespace
@@ -168,6 +178,7 @@ ImportOptions importOptionsFrom(const Json& json) {
   options.keyTimes = json.at("keyTimes").get<std::vector<double>>();
   options.zUp = json.at("zUp");
   options.unit = json.at("unit");
+  options.like = trianglesFrom(elements<std::int32_t>(json.at("like")));
   return options;
 }
 
@@ -176,6 +187,10 @@ Scene sceneFrom(const Json& json) {
   const auto uvs = elements<float>(json.at("uvs")), colors = elements<float>(json.at("colors"));
   scene.uvs.assign(uvs.begin(), uvs.end());
   scene.colors.assign(colors.begin(), colors.end());
+  if (const Json& seams = json.at("seams"); !seams.is_null()) {
+    const auto copyOf = elements<std::int32_t>(seams.at("copyOf"));
+    scene.seams = {{copyOf.begin(), copyOf.end()}, trianglesFrom(elements<std::int32_t>(seams.at("indices")))};
+  }
   for (const Json& group : json.at("groups")) {
     scene.groups.push_back({group.at("start"), group.at("count"), group.at("material")});
   }
@@ -237,6 +252,7 @@ Json toJson(const Scene& scene) {
   }
   return {{"uvs", rangeOrNull(scene.uvs)},
           {"colors", rangeOrNull(scene.colors)},
+          {"seams", toJson(scene.seams)},
           {"groups", groups},
           {"materials", materials},
           {"images", images}};

@@ -29,10 +29,10 @@ struct AnimationSource {
   std::string project;
 };
 
-/// One GLB: a mesh whose base is frame 0 and a morph target for every later frame, and one LINEAR weight animation that
+/// One GLB, with the scene's seams split open where it has textures: a mesh whose base is frame 0 and a morph target for every later frame, and one LINEAR weight animation that
 /// plays them (glTF 2.0). Passes the Khronos validator without error or warning.
-/// Errors: InvalidOption for times that do not increase from 0, NotFinite with the frame as `key`, TooLarge beyond the
-/// 4 GB of a GLB, and whatever `frame` returns.
+/// Errors: InvalidOption for times that do not increase from 0, NotFinite with the frame as `key`, TooLarge where the
+/// file would not open again (2 GB; 16 million weights, which are some 4,000 frames), and whatever `frame` returns.
 Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source);
 
 /// Bytes that writeAnimatedGlb will produce, to a few percent. `frames` counts stills too.
@@ -41,7 +41,8 @@ std::uint64_t animatedGlbSize(int vertices, int faces, int frames, const Scene& 
 /// One pose. positions: 3n; normals: 3n or empty.
 Result<std::vector<std::uint8_t>> writePoseGlb(std::span<const float> positions, std::span<const float> normals,
                                                const std::vector<Triangle>& faces, const Scene& scene);
-std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces);
+/// Of the scene: texture coordinates.
+std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces, const Scene& scene);
 std::vector<std::uint8_t> writePly(std::span<const float> positions, const std::vector<Triangle>& faces);  ///< binary little endian
 
 }  // namespace shapespline

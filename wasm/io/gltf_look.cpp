@@ -55,12 +55,21 @@ struct LookReader {
     return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Material::Wrap::Mirror : Material::Wrap::Repeat;
   }
 
-  void readWrap(int texture, Material& out) const {
+  static int filterOf(int mode) {
+    const bool known = mode == TINYGLTF_TEXTURE_FILTER_NEAREST || mode == TINYGLTF_TEXTURE_FILTER_LINEAR ||
+                       (mode >= TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST && mode <= TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR);
+    return known ? mode : 0;
+  }
+
+  void readSampler(int texture, Material& out) const {
     if (texture < 0 || texture >= static_cast<int>(doc.model.textures.size())) return;
     const int sampler = doc.model.textures[texture].sampler;
     if (sampler < 0 || sampler >= static_cast<int>(doc.model.samplers.size())) return;
-    out.wrapS = wrapOf(doc.model.samplers[sampler].wrapS);
-    out.wrapT = wrapOf(doc.model.samplers[sampler].wrapT);
+    const tinygltf::Sampler& s = doc.model.samplers[sampler];
+    out.wrapS = wrapOf(s.wrapS);
+    out.wrapT = wrapOf(s.wrapT);
+    if (const int filter = filterOf(s.magFilter); filter <= TINYGLTF_TEXTURE_FILTER_LINEAR) out.magFilter = filter;
+    out.minFilter = filterOf(s.minFilter);
   }
 
   static float unit(double value) { return static_cast<float>(value >= 0 ? std::min(value, 1.0) : 0); }  // NaN becomes 0
@@ -80,7 +89,7 @@ struct LookReader {
     if (source.alphaMode == "BLEND") out.alpha = Material::Alpha::Blend;
     out.unlit = source.extensions.count("KHR_materials_unlit") > 0;
     const int kept = coordinatesOf(source);
-    readWrap(pbr.baseColorTexture.index, out);
+    readSampler(pbr.baseColorTexture.index, out);
     out.baseColorImage = keepImage(pbr.baseColorTexture.index);
     out.metallicRoughnessImage = keepImage(pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord, kept);
     out.normalImage = keepImage(source.normalTexture.index, source.normalTexture.texCoord, kept);

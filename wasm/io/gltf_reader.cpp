@@ -7,6 +7,7 @@
 #include "io/byte_text.h"
 #include "io/gltf_look.h"
 #include "io/gltf_pose.h"
+#include "io/gltf_seams.h"
 #include "io/project.h"
 
 namespace shapespline {
@@ -226,6 +227,9 @@ struct KeyReader {
     if (Status keys = takeKeys(); !keys) return keys;
     out.scene = readLook(doc, shape);
     out.keyframes.faces = std::move(shape.faces);
+    std::vector<Positions*> poses;
+    for (Key& key : out.keyframes.keys) poses.push_back(&key.positions);
+    joinSeams(doc, shape, poses, out.keyframes.normals, out.keyframes.faces, out.scene);
     append(out.warnings, std::move(doc.warnings));
     append(out.warnings, std::move(shape.warnings));
     return {};
@@ -248,6 +252,7 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
   out.positions = std::move(*positions);
   out.scene = readLook(*doc, *shape);
   out.faces = std::move(shape->faces);
+  joinSeams(*doc, *shape, {&out.positions}, out.normals, out.faces, out.scene);
   append(out.warnings, std::move(doc->warnings));
   append(out.warnings, std::move(shape->warnings));
   return out;

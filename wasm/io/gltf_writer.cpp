@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #define JSON_NO_IO
 #include <nlohmann/json.hpp>
@@ -10,6 +9,8 @@
 #include "core/text.h"
 #include "io/export.h"
 #include "io/byte_text.h"
+#include "io/gltf_accessor.h"  // kMostElements
+#include "io/gltf_seams.h"
 #include "io/tangents.h"
 
 namespace shapespline {
@@ -23,6 +24,9 @@ constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 // Up to here the one-hot weight matrix (frames x targets floats, 4 MB at most) is written out, because every reader
 // understands that; beyond, as a sparse accessor, which grows with the frames instead of their square.
 constexpr std::size_t kMostDenseFrames = 1024;
+
+// Whole numbers in a file are read up to here (gltf_json); other programs fail there as well.
+constexpr std::uint64_t kMostGlbBytes = 0x7fffffff;
 
 // The binary chunk and the JSON that describes it, growing together.
 struct GlbBuilder {
@@ -67,8 +71,9 @@ struct GlbBuilder {
     std::string text = doc.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const std::uint64_t total = 12 + 8 + text.size() + 8 + bin.size();
-    if (total > std::numeric_limits<std::uint32_t>::max())
-      return Error{ErrorCode::TooLarge, "The file would be " + sizeText(total) + "; a GLB holds 4.2 GB at most. Export fewer frames."};
+    if (total > kMostGlbBytes)
+      return Error{ErrorCode::TooLarge, "The file would be " + sizeText(total) + "; a GLB of more than " + sizeText(kMostGlbBytes) +
+                                            " would not open again. Export fewer frames."};
     std::string head = "glTF";
     const auto word = [&](std::uint64_t value) {
       for (int shift = 0; shift < 32; shift += 8) head += static_cast<char>(value >> shift & 0xff);
@@ -121,7 +126,10 @@ struct LookWriter {
     } else {
       out = source;
     }
-    glb.doc["samplers"].push_back({{"wrapS", wrapMode(m.wrapS)}, {"wrapT", wrapMode(m.wrapT)}});
+    json sampler = {{"wrapS", wrapMode(m.wrapS)}, {"wrapT", wrapMode(m.wrapT)}};
+    if (m.magFilter) sampler["magFilter"] = m.magFilter;
+    if (m.minFilter) sampler["minFilter"] = m.minFilter;
+    glb.doc["samplers"].push_back(std::move(sampler));
     out["sampler"] = glb.doc["samplers"].size() - 1;
     glb.doc["textures"].push_back(std::move(out));
     return {{"index", glb.doc["textures"].size() - 1}};
@@ -165,11 +173,19 @@ std::vector<MaterialGroup> completeGroups(const Scene& scene, int faces) {
   return out;
 }
 
+// Values of the mesh's own vertices, `width` each -> those of the drawn ones.
+void addCopies(const Seams& seams, std::size_t width, std::vector<float>& values) {
+  if (values.empty()) return;
+  values.reserve(values.size() + width * seams.copyOf.size());
+  for (int v : seams.copyOf)
+    for (std::size_t i = 0; i < width; ++i) values.push_back(values[width * v + i]);
+}
+
 struct MeshWriter {
   GlbBuilder& glb;
-  const std::vector<Triangle>& faces;
+  const std::vector<Triangle>& faces;  // of drawn vertices
   const Scene& scene;
-  std::size_t vertices = 0;
+  std::size_t vertices = 0;  // that are drawn
 
   int addIndices(const MaterialGroup& group) {
     const auto collect = [&](auto& out) {
@@ -196,10 +212,27 @@ struct MeshWriter {
     attributes["TANGENT"] = glb.addArray(tangentsOf(positions, normals, scene.uvs, faces), "VEC4", 4, kFloat, kArrayBuffer);
   }
 
+  void addColors(json& attributes) {
+    std::vector<float> colors = scene.colors;
+    addCopies(scene.seams, 4, colors);
+    if (colors.size() == 4 * vertices) attributes["COLOR_0"] = glb.addArray(colors, "VEC4", 4, kFloat, kArrayBuffer);
+  }
+
+  // So that the file opens again with the mesh's own vertices.
+  void addVertexNumbers(json& attributes) {
+    const std::vector<int>& copyOf = scene.seams.copyOf;
+    if (copyOf.empty()) return;
+    std::vector<float> numbers(vertices - copyOf.size());
+    for (std::size_t v = 0; v < numbers.size(); ++v) numbers[v] = static_cast<float>(v);
+    numbers.insert(numbers.end(), copyOf.begin(), copyOf.end());
+    attributes[std::string(kVertexAttribute)] = glb.addArray(numbers, "SCALAR", 1, kFloat, kArrayBuffer);
+  }
+
   // A primitive for every material group, all on the same vertices.
   json primitives(json attributes, const json& targets) {
     if (scene.uvs.size() == 2 * vertices) attributes["TEXCOORD_0"] = glb.addArray(scene.uvs, "VEC2", 2, kFloat, kArrayBuffer);
-    if (scene.colors.size() == 4 * vertices) attributes["COLOR_0"] = glb.addArray(scene.colors, "VEC4", 4, kFloat, kArrayBuffer);
+    addColors(attributes);
+    addVertexNumbers(attributes);
     json out = json::array();
     int plain = -1;
     for (const MaterialGroup& group : completeGroups(scene, static_cast<int>(faces.size()))) {
@@ -267,7 +300,7 @@ Status checkFinite(std::span<const float> values, int frame) {
 struct AnimationWriter {
   const AnimationSource& source;
   GlbBuilder glb;
-  std::size_t vertices = 0;
+  std::size_t vertices = 0;  // of the mesh itself
   FrameAttribute positions{true, {}, {}}, normals{false, {}, {}};
 
   int frameCount() const { return static_cast<int>(source.seconds.size()) + source.stills; }
@@ -280,6 +313,14 @@ struct AnimationWriter {
     return Error{ErrorCode::InvalidOption, "The exported times must start at 0 and increase. Use a longer duration or fewer frames."};
   }
 
+  Status checkWeights() const {
+    const std::uint64_t weights = source.seconds.size() * static_cast<std::uint64_t>(frameCount() - 1);
+    if (weights <= kMostElements) return {};
+    return Error{ErrorCode::TooLarge, "An animation with " + grouped(std::int64_t(frameCount() - 1)) + " morph targets needs " +
+                                          grouped(std::int64_t(weights)) + " weights, one for each at every frame; with more than " +
+                                          grouped(std::int64_t(kMostElements)) + " the file would not open again. Export fewer frames."};
+  }
+
   Status readFrame(int k, std::vector<float>& p, std::vector<float>& n) {
     if (Status frame = source.frame(k, p, n); !frame) return frame;
     if (k == 0) vertices = p.size() / 3;
@@ -287,6 +328,8 @@ struct AnimationWriter {
       return Error{ErrorCode::Internal, "Frame " + std::to_string(k) + " has another number of vertices."};
     if (Status finite = checkFinite(p, k); !finite) return finite;
     makeUnit(n);
+    addCopies(source.scene->seams, 3, p);
+    addCopies(source.scene->seams, 3, n);
     return {};
   }
 
@@ -351,6 +394,7 @@ struct AnimationWriter {
 
   Result<std::vector<std::uint8_t>> write() {
     if (Status times = checkTimes(); !times) return times.error();
+    if (Status weights = checkWeights(); !weights) return weights.error();
     if (Status frames = writeFrames(); !frames) return frames.error();
     const int view = glb.addView(0, kArrayBuffer, 12);
     const auto p = addAccessors(positions, view), n = addAccessors(normals, view);
@@ -361,7 +405,8 @@ struct AnimationWriter {
       if (!n.empty()) targets.back()["NORMAL"] = n[k];
     }
     LookWriter{glb, *source.scene, {}}.write();
-    MeshWriter mesh{glb, *source.faces, *source.scene, vertices};
+    const Seams& seams = source.scene->seams;
+    MeshWriter mesh{glb, seams.copyOf.empty() ? *source.faces : seams.faces, *source.scene, vertices + seams.copyOf.size()};
     mesh.addTangents(attributes, positions.base, normals.base);
     json out = {{"primitives", mesh.primitives(std::move(attributes), targets)}};
     if (!targets.empty()) out["weights"] = std::vector<int>(targets.size(), 0);
@@ -379,11 +424,28 @@ struct AnimationWriter {
   }
 };
 
+// Seams can only be seen in a texture: without one the file has the mesh's own vertices.
+bool hasIdleSeams(const Scene& scene) { return !scene.seams.copyOf.empty() && scene.images.empty(); }
+
+Scene withoutSeams(Scene scene) {
+  scene.seams = {};
+  scene.uvs.clear();
+  return scene;
+}
+
+Result<std::vector<std::uint8_t>> write(const AnimationSource& source) {
+  if (!hasIdleSeams(*source.scene)) return AnimationWriter{source, {}}.write();
+  const Scene scene = withoutSeams(*source.scene);
+  AnimationSource plain = source;
+  plain.scene = &scene;
+  return AnimationWriter{plain, {}}.write();
+}
+
 }  // namespace
 
 Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source) {
   try {
-    return AnimationWriter{source, {}}.write();
+    return write(source);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::OutOfMemory, "There is not enough memory for this export. Export fewer frames."};
   } catch (const std::length_error&) {
@@ -394,11 +456,12 @@ Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source
 }
 
 std::uint64_t animatedGlbSize(int vertices, int faces, int frames, const Scene& scene) {
-  const std::uint64_t n = vertices, f = frames;
+  if (hasIdleSeams(scene)) return animatedGlbSize(vertices, faces, frames, withoutSeams(scene));
+  const std::uint64_t copies = scene.seams.copyOf.size(), n = vertices + copies, f = frames;
   const std::uint64_t dense = f * f * 4, sparse = f * 8;
-  std::uint64_t size = n * 24 * f + std::uint64_t(faces) * (vertices <= 0xffff ? 6 : 12) + f * 500 + 2000;
+  std::uint64_t size = n * 24 * f + std::uint64_t(faces) * (n <= 0xffff ? 6 : 12) + f * 500 + 2000;
   size += f <= kMostDenseFrames ? dense : sparse;
-  size += 4 * (scene.uvs.size() + scene.colors.size());
+  size += 4 * (scene.uvs.size() + scene.colors.size() + (copies > 0 ? n : 0));
   const auto mapped = [](const Material& m) { return m.normalImage >= 0; };
   if (std::any_of(scene.materials.begin(), scene.materials.end(), mapped)) size += 16 * n;  // tangents
   for (const Image& image : scene.images) size += image.bytes.size();

@@ -31,18 +31,26 @@ void appendBytes(std::vector<std::uint8_t>& out, T value) {
 
 }  // namespace
 
-std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces) {
+std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces, const Scene& scene) {
   std::vector<std::uint8_t> out;
-  out.reserve(positions.size() * 12 + faces.size() * 24);
+  out.reserve(positions.size() * 12 + scene.uvs.size() * 12 + faces.size() * (scene.uvs.empty() ? 24 : 45));
   TextSink sink{out};
   for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
     sink.text("v");
     for (int c = 0; c < 3; ++c) sink.text(" "), sink.number(positions[i + c]);
     sink.text("\n");
   }
-  for (const Triangle& face : faces) {
+  for (std::size_t i = 0; i + 1 < scene.uvs.size(); i += 2) {
+    sink.text("vt "), sink.number(scene.uvs[i]), sink.text(" "), sink.number(1 - scene.uvs[i + 1]);  // counted from below
+    sink.text("\n");
+  }
+  const std::vector<Triangle>& drawn = scene.seams.copyOf.empty() ? faces : scene.seams.faces;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
     sink.text("f");
-    for (int v : face) sink.text(" "), sink.number(v + 1);
+    for (int c = 0; c < 3; ++c) {
+      sink.text(" "), sink.number(faces[f][c] + 1);
+      if (!scene.uvs.empty()) sink.text("/"), sink.number(drawn[f][c] + 1);
+    }
     sink.text("\n");
   }
   return out;

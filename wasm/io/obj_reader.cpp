@@ -7,6 +7,7 @@
 
 #include "core/text.h"
 #include "io/byte_text.h"
+#include "io/corner_coordinates.h"
 #include "io/gltf_accessor.h"  // kMostElements
 #include "io/image_type.h"
 #include "io/polygon_readers.h"
@@ -29,7 +30,7 @@ std::string_view trimmed(std::string_view text) {
 
 // The materials of an MTL file: colour, opacity and colour texture.
 struct MtlReader {
-  std::string_view from;
+  std::string from;  // its own path: images are named as seen from there
   std::span<const NamedBytes> files;
   const std::string& where;
   PolygonMesh& mesh;
@@ -38,10 +39,14 @@ struct MtlReader {
 
   void readImage(std::string_view text, Material& material) {
     std::string_view name = trimmed(text);
-    while (name.starts_with('-')) {  // options such as -s 1 1 1: skip to the first word that is no number
-      takeWord(name);
+    while (name.starts_with('-')) {  // options such as -s 1 1 1 and -clamp on
+      const std::string_view option = takeWord(name);
       double number;
       while (takeNumber(name, number)) {}
+      name = trimmed(name);
+      if (!name.starts_with("on ") && !name.starts_with("off ")) continue;
+      const bool on = takeWord(name) == "on";
+      if (option == "-clamp" && on) material.wrapS = material.wrapT = Material::Wrap::Clamp;
       name = trimmed(name);
     }
     const auto [known, isNew] = imageOf.try_emplace(std::string(name), -1);
@@ -90,7 +95,7 @@ struct ObjReader {
   const std::string& where;
   PolygonMesh mesh;
   std::vector<Vec3> colors, normals;
-  std::vector<Vec2> coordinates;
+  std::vector<Coordinate> coordinates;
   std::vector<int> cornerNormal, cornerCoordinate;  // -1 where a corner has none
   std::map<std::string, int, std::less<>> materialOf, imageOf;
   std::set<std::string, std::less<>> libraries;  // read already
@@ -175,7 +180,8 @@ struct ObjReader {
   void readLibrary(std::string_view name) {
     if (!libraries.emplace(name).second) return;
     const auto found = resolveUri(name, file.name, files, where);
-    if (found) return MtlReader{file.name, files, where, mesh, materialOf, imageOf}.read(found->bytes);
+    const std::string folder = file.name.substr(0, file.name.size() - baseName(file.name).size());
+    if (found) return MtlReader{folder + std::string(name), files, where, mesh, materialOf, imageOf}.read(found->bytes);
     mesh.warnings.push_back({"missing-materials", "Materials are left out: " + found.error().message, 1});
   }
 
@@ -185,8 +191,8 @@ struct ObjReader {
     if (word == "v") return readVertex(text);
     if (word == "f") return readFace(text);
     if (word == "vt") {
-      Vec2 coordinate = Vec2::Zero();
-      for (int c = 0; c < 2 && takeNumber(text, value); ++c) coordinate[c] = value;
+      Coordinate coordinate{};
+      for (int c = 0; c < 2 && takeNumber(text, value); ++c) coordinate[c] = static_cast<float>(value);
       coordinates.push_back(coordinate);
     } else if (word == "vn") {
       Vec3 normal = Vec3::Zero();
@@ -227,28 +233,21 @@ struct ObjReader {
     for (Vec3& normal : mesh.normals) normal.normalize();
   }
 
-  // Coordinates belong to corners in OBJ and to vertices here: kept where no vertex has two.
+  // A corner whose coordinates are not there, or no numbers, does without.
   void keepCoordinates() {
-    const auto known = [&](int t) { return t >= 0 && t < static_cast<int>(coordinates.size()) && coordinates[t].allFinite(); };
-    if (cornerCoordinate.empty() || !std::all_of(cornerCoordinate.begin(), cornerCoordinate.end(), known)) return;
-    std::vector<int> of(mesh.positions.size(), -1);
-    int seams = 0;
-    for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
-      int& kept = of[mesh.corners[c]];
-      if (kept >= 0 && coordinates[kept] != coordinates[cornerCoordinate[c]]) ++seams;
-      kept = cornerCoordinate[c];
+    const auto usable = [&](int t) {
+      return t < static_cast<int>(coordinates.size()) && std::isfinite(coordinates[t][0]) && std::isfinite(coordinates[t][1]);
+    };
+    int given = 0, broken = 0;
+    for (int& t : cornerCoordinate) {
+      if (t < 0) continue;
+      ++given;
+      if (!usable(t)) ++broken, t = -1;
     }
-    if (seams > 0) {
-      mesh.warnings.push_back({"texture-seams", where + ": texture coordinates are left out, because at some corners one "
-                                                "vertex has several. Export as glTF to keep them.", seams});
-      return;
-    }
-    mesh.scene.uvs.assign(2 * of.size(), 0);
-    for (std::size_t v = 0; v < of.size(); ++v) {
-      if (of[v] < 0) continue;
-      mesh.scene.uvs[2 * v] = static_cast<float>(coordinates[of[v]].x());
-      mesh.scene.uvs[2 * v + 1] = static_cast<float>(1 - coordinates[of[v]].y());  // OBJ counts from below
-    }
+    if (broken > 0)
+      mesh.warnings.push_back({"texture-coordinates", where + ": some corners name texture coordinates that are not there or not "
+                                                      "finite; they are left out.", broken});
+    if (given > broken) placeCoordinates(mesh, coordinates, cornerCoordinate);
   }
 
   void keepColors() {

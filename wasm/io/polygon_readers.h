@@ -11,7 +11,7 @@
 namespace shapespline {
 
 /// Wavefront OBJ with its MTL and textures where they are among the files: v (with colours), vt, vn, f, usemtl, mtllib.
-/// Lines, points and everything curved are left out. Coordinates and normals are kept where they belong to vertices.
+/// Lines, points and everything curved are left out. Coordinates belong to corners; a vertex has the mean of its normals.
 /// Errors: MalformedFile, IndexOutOfRange, NoTriangles, TooLarge; messages name the line.
 Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where);
 

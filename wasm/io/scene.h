@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/types.h"
+
 namespace shapespline {
 
 /// A surface's look, as far as it is kept (glTF 2.0 metallic-roughness).
@@ -22,6 +24,7 @@ struct Material {
   /// Indices into Scene::images, or -1. All of them are looked up with Scene::uvs.
   int baseColorImage = -1, metallicRoughnessImage = -1, normalImage = -1, occlusionImage = -1, emissiveImage = -1;
   enum class Wrap { Repeat, Clamp, Mirror } wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;
+  int magFilter = 0, minFilter = 0;  ///< as glTF numbers them; 0 = left to who draws
 };
 
 /// An encoded image, byte for byte as it came; nothing here decodes it.
@@ -36,9 +39,17 @@ struct MaterialGroup {
   int material = -1;
 };
 
+/// Where texture coordinates jump between faces that share a vertex, as OBJ has them: what is drawn has more vertices than
+/// the mesh then, copies of some of its n. The motion, and every file but GLB, knows the mesh alone.
+struct Seams {
+  std::vector<int> copyOf;      ///< drawn vertices 0 to n-1 are the mesh's own, n + i is a copy of vertex copyOf[i]
+  std::vector<Triangle> faces;  ///< m, of drawn vertices; empty without copies
+};
+
 struct Scene {
-  std::vector<float> uvs;     ///< 2n, or empty; origin at the upper left (glTF)
+  std::vector<float> uvs;     ///< 2 a drawn vertex, or empty; origin at the upper left (glTF)
   std::vector<float> colors;  ///< 4n linear RGBA, or empty
+  Seams seams;
   std::vector<MaterialGroup> groups;
   std::vector<Material> materials;
   std::vector<Image> images;

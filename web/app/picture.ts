@@ -71,7 +71,7 @@ export class Picture {
     this.width = bounds.max[0] - bounds.min[0];
     this.base = poses[0] && info.report.faces <= MEASURED_FACES ? measure(poses[0], info.indices) : null;
     this.viewer.setTopology({
-      vertices: info.report.vertices, indices: info.indices, uvs: info.uvs, groups: info.groups, materials: info.materials, images: info.images,
+      vertices: info.report.vertices, indices: info.indices, uvs: info.uvs, seams: info.seams, colors: info.colors, groups: info.groups, materials: info.materials, images: info.images,
     }, bounds, samplePoints(poses));
     this.viewer.setViews(1);
     if (camera) this.viewer.setCameraPose(camera);

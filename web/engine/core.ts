@@ -4,7 +4,7 @@ import { Loan, readBytes, readFloats, readInts, readText, writeFloats, type Rang
 import type { FrameBuffers, FrameData, ImportedData, KeyData, MotionSpec, RequestOf, SceneData } from './protocol.ts';
 import type {
   AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, SequenceStats, ShapePlane,
-  Warning,
+  TextureImage, Warning,
 } from './types.ts';
 import type { Address, CreateWasmModule, WasmModule } from './wasm-module.ts';
 
@@ -22,6 +22,7 @@ interface Failure {
 interface SceneAnswer {
   uvs: Range | null;
   colors: Range | null;
+  seams: { copyOf: Range; indices: Range } | null;
   groups: MaterialGroup[];
   materials: Material[];
   images: { mimeType: string; bytes: Range }[];
@@ -41,8 +42,11 @@ interface ImportAnswer {
   project: string;
 }
 
-/** An import with the project's JSON text still unread. */
-export type RawImport = Omit<ImportedData, 'project'> & { project: string };
+/** An import with the project's JSON text still unread, and its images not looked into. */
+export type RawImport = Omit<ImportedData, 'project' | 'scene'> & {
+  project: string;
+  scene: Omit<SceneData, 'images'> & { images: Omit<TextureImage, 'scale'>[] };
+};
 
 export interface SequenceState {
   range: [number, number];
@@ -80,7 +84,7 @@ export class Core {
   importKeys(files: InputFile[], options: ImportOptions, onProgress: OnProgress = () => undefined): RawImport {
     this.module.onProgress = (stage, fraction) => onProgress(readText(this.module, stage), fraction);
     return this.lend((loan) => {
-      const { animation, sample, keyTimes, up, unit } = options;
+      const { animation, sample, keyTimes, up, unit, like } = options;
       const request = {
         files: files.map(({ name, bytes }) => ({ name, bytes: loan.put(bytes) })),
         options: {
@@ -90,6 +94,7 @@ export class Core {
           keyTimes: keyTimes ?? [],
           zUp: up === 'z',
           unit: unit ?? 1,
+          like: like ? loan.put(like) : null,
         },
       };
       const answer = this.answer<ImportAnswer>(this.module._shapespline_import(loan.putText(JSON.stringify(request))));
@@ -182,6 +187,7 @@ export class Core {
       if (!frame) return false;
       writeFloats(this.module, positions, frame.positions);
       writeFloats(this.module, normals, frame.normals);
+      delete frames[index]; // asked for once; the file grows by as much
       return true;
     };
     return this.lend((loan) => {
@@ -221,7 +227,7 @@ export class Core {
       const range = this.answer<{ positions: Range }>(module._shapespline_import_positions(answer.handle, key)).positions;
       return readFloats(module, range);
     });
-    const { uvs, colors, groups, materials, images } = answer.scene;
+    const { uvs, colors, seams, groups, materials, images } = answer.scene;
     return {
       keys: {
         names: answer.names,
@@ -233,6 +239,7 @@ export class Core {
       scene: {
         uvs: uvs && readFloats(module, uvs),
         colors: colors && readFloats(module, colors),
+        seams: seams && { copyOf: readInts(module, seams.copyOf), indices: new Uint32Array(readInts(module, seams.indices).buffer) },
         groups,
         materials,
         images: images.map(({ mimeType, bytes }) => ({ mimeType, bytes: readBytes(module, bytes) })),
@@ -280,6 +287,7 @@ function lendScene(loan: Loan, scene: SceneData): object {
     ...scene,
     uvs: loan.putOrNull(scene.uvs),
     colors: loan.putOrNull(scene.colors),
+    seams: scene.seams && { copyOf: loan.put(scene.seams.copyOf), indices: loan.put(scene.seams.indices) },
     images: scene.images.map(({ mimeType, bytes }) => ({ mimeType, bytes: loan.put(bytes) })),
   };
 }

@@ -1,9 +1,13 @@
 /** Which times an export holds, and where they lie on the exported animation's own time line. */
-import { invalidOption } from './errors.ts';
+import { EngineError, invalidOption } from './errors.ts';
 import type { ExportOptions, Warning } from './types.ts';
 
 /** Morph targets that WebGL2 players are sure to hold: 256 layers of an array texture. */
 const SAFE_TARGETS = 256;
+
+/** What opens again: weights are one for each target at every frame, and a file's sizes are read up to 2^31 (wasm/io/gltf_writer). */
+const MOST_WEIGHTS = 16_000_000;
+const MOST_GLB_BYTES = 2 ** 31 - 1;
 
 /** A grid time this close to a key, relative to the export's length, is the key's: linspace rounds, keys are exact. */
 const SAME_TIME = 1e-9;
@@ -49,8 +53,24 @@ function onTimeLine(times: number[], keyTimes: readonly number[], duration: numb
   if (seconds.some((s, i) => i > 0 && !(s > seconds[i - 1]!) )) {
     throw invalidOption('Some frames are closer together than the file can tell apart: take fewer frames or a longer duration.');
   }
-  return { times, seconds, stills: keyTimes.filter((t) => !times.includes(t)) };
+  const stills = keyTimes.filter((t) => !times.includes(t));
+  const targets = times.length + stills.length - 1;
+  if (times.length * targets > MOST_WEIGHTS) {
+    throw tooLarge(`An animation of ${grouped(times.length)} frames would not open again: its ${grouped(targets)} morph targets need more than `
+      + `${grouped(MOST_WEIGHTS)} weights. Export fewer frames, or an OBJ sequence.`);
+  }
+  return { times, seconds, stills };
 }
+
+/** Refuses a GLB of so many bytes where that would not open again. */
+export function checkBytes({ format }: ExportOptions, bytes: number): void {
+  if (format !== 'glb' || bytes <= MOST_GLB_BYTES) return;
+  throw tooLarge(`The file would have ${(bytes / 1e9).toFixed(1)} GB and not open again; a GLB may have 2.1 GB. Export fewer frames, or an OBJ sequence.`);
+}
+
+const grouped = (count: number): string => count.toLocaleString('en');
+
+const tooLarge = (sentence: string): EngineError => new EngineError('too-large', sentence);
 
 export function exportWarnings(options: ExportOptions, frames: Frames): Warning[] {
   const targets = frames.times.length + frames.stills.length - 1;

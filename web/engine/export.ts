@@ -4,7 +4,7 @@
  */
 import type { CallOptions } from './api.ts';
 import { cancelled, untilAborted } from './errors.ts';
-import { exportWarnings, framesOf, type Frames } from './export-plan.ts';
+import { checkBytes, exportWarnings, framesOf, type Frames } from './export-plan.ts';
 import { writeProject } from './project.ts';
 import type { KeyData, SceneData } from './protocol.ts';
 import type { Remote } from './remote.ts';
@@ -22,16 +22,18 @@ export interface ExportSource {
   glbSize(vertices: number, faces: number, frames: number, scene: SceneData): Promise<number>;
 }
 
-const NO_SCENE: SceneData = { uvs: null, colors: null, groups: [], materials: [], images: [] };
+const NO_SCENE: SceneData = { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] };
 
 export async function planExport(source: ExportSource, options: ExportOptions): Promise<ExportPlan> {
   const frames = framesOf(options, source.keyTimes, source.range);
   const bytes = await estimate(source, options, frames.times.length + frames.stills.length);
+  checkBytes(options, bytes);
   return { times: frames.times, bytes, warnings: exportWarnings(options, frames) };
 }
 
 export async function exportFiles(source: ExportSource, options: ExportOptions, call: CallOptions): Promise<ExportedFile[]> {
   const frames = framesOf(options, source.keyTimes, source.range);
+  await planExport(source, options);
   const writer = source.freshWorker();
   const stop = (): void => writer.terminate(cancelled());
   if (call.signal?.aborted) stop();
@@ -76,7 +78,7 @@ async function writeAnimation(job: Job): Promise<ExportedFile[]> {
 async function writePoses(job: Job): Promise<ExportedFile[]> {
   const { source, options: { format }, frames, writer, call: { signal } } = job;
   const files: ExportedFile[] = [];
-  const scene = format === 'glb' ? source.scene : NO_SCENE;
+  const scene = sceneOf(format, source.scene);
   for (const [index, t] of frames.times.entries()) {
     const frame = await untilAborted(signal, source.frame(t));
     const pose = { positions: frame.positions, normals: frame.normals };
@@ -86,6 +88,12 @@ async function writePoses(job: Job): Promise<ExportedFile[]> {
     report(job, index + 1);
   }
   return files;
+}
+
+/** What a format keeps of the look. */
+function sceneOf(format: ExportOptions['format'], { uvs, seams, ...rest }: SceneData): SceneData {
+  if (format === 'glb') return { uvs, seams, ...rest };
+  return format === 'obj' ? { ...NO_SCENE, uvs, seams } : NO_SCENE;
 }
 
 /** Every key is one of the frames, shown or not. */
@@ -98,8 +106,15 @@ async function estimate(source: ExportSource, { format }: ExportOptions, frames:
   const vertices = source.keys.positions[0]!.length / 3;
   const faces = source.keys.faces.length / 3;
   if (format === 'ply') return frames * (12 * vertices + 13 * faces);
-  if (format === 'obj') return frames * (33 * vertices + (5 + 3 * String(vertices).length) * faces);
+  if (format === 'obj') return frames * objBytes(vertices, faces, (source.scene.uvs?.length ?? 0) / 2);
   const images = source.scene.images.reduce((sum, image) => sum + image.bytes.length, 0);
   const bare = { ...source.scene, images: source.scene.images.map((image) => ({ ...image, bytes: new Uint8Array(0) })) };
   return images + (await source.glbSize(vertices, faces, frames, bare));
+}
+
+/** Numbers of about 10 characters; indices as long as the largest, twice a corner where there are coordinates. */
+function objBytes(vertices: number, faces: number, coordinates: number): number {
+  const digits = (count: number): number => String(count).length;
+  const corner = 1 + digits(vertices) + (coordinates > 0 ? 1 + digits(coordinates) : 0);
+  return 33 * vertices + 24 * coordinates + (2 + 3 * corner) * faces;
 }

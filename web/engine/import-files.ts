@@ -1,5 +1,6 @@
 /** Files -> keys, inside a worker: compressed meshes are decoded first, a project brings its options along. */
 import type { Core, OnProgress } from './core.ts';
+import { drawnImages } from './images.ts';
 import { readOptions } from './project.ts';
 import type { ImportedData } from './protocol.ts';
 import type { ImportOptions, InputFile, Warning } from './types.ts';
@@ -30,9 +31,11 @@ export async function importFiles(core: Core, decode: Decode, { files, options, 
     start = DECODING * fraction;
     report('decoding compressed meshes', start);
   });
-  const { project: text, ...imported } = core.importKeys(decoded, options, (stage, fraction) =>
+  const { project: text, ...rest } = core.importKeys(decoded, options, (stage, fraction) =>
     report(stage, start + (READING - start) * fraction));
   report('taking the keys', READING);
+  const { images, warnings } = drawnImages(rest.scene.images, rest.scene.materials);
+  const imported = { ...rest, scene: { ...rest.scene, images }, warnings: [...rest.warnings, ...warnings] };
   if (text === '') return { ...imported, project: null };
   const project = readOptions(text);
   return project ? { ...imported, project } : { ...imported, project, warnings: [...imported.warnings, UNREADABLE] };

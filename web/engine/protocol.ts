@@ -5,7 +5,7 @@
 import type { ErrorData } from './errors.ts';
 import type {
   AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, MotionOptions,
-  SequenceOptions, SequenceStats, ShapePlane, TextureImage, Warning,
+  Seams, SequenceOptions, SequenceStats, ShapePlane, TextureImage, Warning,
 } from './types.ts';
 
 /** Everything that a sequence is made from, apart from its options. Never changed once made. */
@@ -23,6 +23,7 @@ export interface KeyData {
 /** What is kept of the look of the input. */
 export interface SceneData {
   uvs: Float32Array | null;
+  seams: Seams | null;
   colors: Float32Array | null;
   groups: MaterialGroup[];
   materials: Material[];

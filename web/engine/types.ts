@@ -32,6 +32,8 @@ export interface ImportOptions {
   up?: 'y' | 'z';
   /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
   unit?: number;
+  /** 3 x faces of a mesh that the files are further poses of: their polygons are cut into its triangles. */
+  like?: Uint32Array;
 }
 
 export const IMPORT_DEFAULTS: Readonly<ImportOptions> = { up: 'y', unit: 1 };
@@ -156,12 +158,25 @@ export interface Material {
   emissiveImage: number;
   wrapS: 'repeat' | 'clamp' | 'mirror';
   wrapT: 'repeat' | 'clamp' | 'mirror';
+  /** Of the samplers, as glTF numbers them (GL_NEAREST is 9728); 0 = left to who draws. */
+  magFilter: number;
+  minFilter: number;
+}
+
+/** Where texture coordinates jump between faces that share a vertex: copies of vertices, for drawing only. */
+export interface Seams {
+  /** Drawn vertices 0 to n - 1 are the mesh's own n; n + i is a copy of vertex copyOf[i]. */
+  copyOf: Int32Array;
+  /** 3 x faces, of drawn vertices. */
+  indices: Uint32Array;
 }
 
 export interface TextureImage {
   mimeType: string;
   /** The encoded image as it was in the file. */
   bytes: Uint8Array;
+  /** At which share of its size it is drawn: below 1 where it is very large, 0 where it is not drawn at all. */
+  scale: number;
 }
 
 /** What an import found; the counts are of the input, raw and welded. */
@@ -201,8 +216,10 @@ export interface KeysInfo {
   animation: number;
   /** 3 x faces. */
   indices: Uint32Array;
-  /** 2 x vertices, origin at the upper left, or null. */
+  /** 2 x drawn vertices, origin at the upper left, or null. */
   uvs: Float32Array | null;
+  /** null where the drawn vertices are the mesh's own. */
+  seams: Seams | null;
   /** 4 x vertices, linear RGBA, or null. */
   colors: Float32Array | null;
   groups: MaterialGroup[];

@@ -10,6 +10,9 @@ import type { Look, Topology } from './types.ts';
 export interface SharedTopology extends Topology {
   index: BufferAttribute;
   uv: BufferAttribute | null;
+  /** The file's own colours without their opacity, 3 x vertices. */
+  tint: Float32Array | null;
+  /** Of each material; empty while they are decoded. */
   textures: (Texture | null)[];
 }
 
@@ -23,14 +26,17 @@ export class Shape {
   });
   private readonly lines = new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 });
   private textured: MeshStandardMaterial[] = [];
+  /** What those were made of: textures come later than the shape. */
+  private texturedBy: SharedTopology['textures'] | null = null;
   private patchColours: Float32Array | null = null;
   private heatColours: Float32Array | null = null;
   private readonly mesh: Mesh;
   private readonly wire: Mesh;
 
   constructor(private readonly topology: SharedTopology) {
-    this.position = dynamic(topology.vertices);
-    this.normal = dynamic(topology.vertices);
+    const drawn = topology.vertices + (topology.seams?.copyOf.length ?? 0);
+    this.position = dynamic(drawn);
+    this.normal = dynamic(drawn);
     this.geometry.setIndex(topology.index);
     this.geometry.setAttribute('position', this.position);
     this.geometry.setAttribute('normal', this.normal);
@@ -45,12 +51,12 @@ export class Shape {
 
   /** The positions that are drawn now, 3 x vertices. A view, valid until the next frame. */
   get positions(): Float32Array {
-    return this.position.array as Float32Array;
+    return (this.position.array as Float32Array).subarray(0, 3 * this.topology.vertices);
   }
 
   setFrame(positions: Float32Array, normals: Float32Array): void {
-    this.position.copyArray(positions).needsUpdate = true;
-    this.normal.copyArray(normals).needsUpdate = true;
+    this.fill(this.position, positions);
+    this.fill(this.normal, normals);
   }
 
   /** 3 x vertices, linear RGB in [0, 1], for the colouring by patches; null takes the colours away. */
@@ -64,10 +70,11 @@ export class Shape {
   }
 
   setLook(look: Look): void {
-    const colours = this.heatColours ?? (look.colouring === 'patches' ? this.patchColours : null);
+    const textured = look.colouring === 'texture' && !this.heatColours;
+    const colours = textured ? this.topology.tint : this.heatColours ?? (look.colouring === 'patches' ? this.patchColours : null);
     this.setVertexColours(colours);
     this.setShading(this.plain, look.shading, colours !== null);
-    if (look.colouring === 'texture' && !this.heatColours) this.mesh.material = this.texturedMaterials(look);
+    if (textured) this.mesh.material = this.texturedMaterials(look);
     else this.mesh.material = this.plain;
     this.wire.visible = look.wireframe;
     this.lines.color.set(look.dark ? 0xffffff : 0x10151b);
@@ -96,8 +103,20 @@ export class Shape {
   private setVertexColours(colours: Float32Array | null): void {
     const present = this.geometry.getAttribute('color') as BufferAttribute | undefined;
     if (!colours) this.geometry.deleteAttribute('color');
-    else if (present) present.copyArray(colours).needsUpdate = true;
-    else this.geometry.setAttribute('color', new BufferAttribute(colours.slice(), 3));
+    else if (present) this.fill(present, colours);
+    else this.geometry.setAttribute('color', this.fill(new BufferAttribute(new Float32Array(3 * this.position.count), 3), colours));
+  }
+
+  /** Copies 3 numbers a vertex into an attribute, and once more for every copy of a vertex at a seam. */
+  private fill(attribute: BufferAttribute, values: Float32Array): BufferAttribute {
+    const array = attribute.array as Float32Array;
+    array.set(values);
+    let at = values.length;
+    for (const vertex of this.topology.seams?.copyOf ?? []) {
+      for (let c = 0; c < 3; c += 1, at += 1) array[at] = values[3 * vertex + c]!;
+    }
+    attribute.needsUpdate = true;
+    return attribute;
   }
 
   private setShading(material: MeshStandardMaterial, shading: Look['shading'], vertexColors: boolean): void {
@@ -109,11 +128,13 @@ export class Shape {
   }
 
   private texturedMaterials(look: Look): ThreeMaterial[] {
-    if (this.textured.length === 0) {
+    if (this.texturedBy !== this.topology.textures) {
+      for (const material of this.textured) material.dispose();
+      this.texturedBy = this.topology.textures;
       this.textured = this.topology.groups.map((group) =>
-        texturedMaterial(this.topology.materials[group.material], this.topology.textures));
+        texturedMaterial(this.topology.materials[group.material], this.topology.textures[group.material]));
     }
-    for (const material of this.textured) this.setShading(material, look.shading, false);
+    for (const material of this.textured) this.setShading(material, look.shading, this.topology.tint !== null);
     return this.textured;
   }
 }
@@ -122,7 +143,7 @@ function dynamic(vertices: number): BufferAttribute {
   return new BufferAttribute(new Float32Array(3 * vertices), 3).setUsage(DynamicDrawUsage);
 }
 
-function texturedMaterial(material: Material | undefined, textures: (Texture | null)[]): MeshStandardMaterial {
+function texturedMaterial(material: Material | undefined, map: Texture | null | undefined): MeshStandardMaterial {
   const result = new MeshStandardMaterial({
     side: DoubleSide, roughness: 0.8, metalness: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
   });
@@ -135,6 +156,6 @@ function texturedMaterial(material: Material | undefined, textures: (Texture | n
   // Without an environment map a metal would be black.
   result.metalness = Math.min(material.metallic, 0.2);
   result.roughness = Math.max(material.roughness, 0.4);
-  result.map = textures[material.baseColorImage] ?? null;
+  result.map = map ?? null;
   return result;
 }

@@ -70,9 +70,10 @@ export class Viewer {
     for (const texture of this.topology?.textures ?? []) texture?.dispose();
     this.topology = {
       ...topology,
-      index: new BufferAttribute(topology.indices, 1),
+      index: new BufferAttribute(topology.seams?.indices ?? topology.indices, 1),
       uv: topology.uvs ? new BufferAttribute(topology.uvs, 2) : null,
-      textures: topology.images.map(() => null),
+      tint: topology.colors && withoutAlpha(topology.colors),
+      textures: [],
     };
     this.patchColours = null;
     this.stage.setBounds(bounds);
@@ -298,7 +299,7 @@ export class Viewer {
   }
 
   private async loadTextures(topology: SharedTopology): Promise<void> {
-    const textures = await decodeTextures(topology.images);
+    const textures = await decodeTextures(topology.images, topology.materials);
     if (this.topology !== topology) return;
     topology.textures = textures;
     this.setLook(this.look);
@@ -379,6 +380,10 @@ export class Viewer {
     this.stage.follow(this.rig.camera, this.rig.target);
     this.renderer.render(this.scene, this.rig.camera);
   }
+}
+
+function withoutAlpha(colors: Float32Array): Float32Array {
+  return Float32Array.from({ length: (colors.length / 4) * 3 }, (_, i) => colors[4 * Math.floor(i / 3) + (i % 3)]!);
 }
 
 /** The bottom left corner of the canvas as a PNG; in the same task as the drawing, before the buffer is cleared. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { exportWarnings, framesOf } from '../../../web/engine/export-plan.ts';
+import { checkBytes, exportWarnings, framesOf } from '../../../web/engine/export-plan.ts';
 import { EXPORT_DEFAULTS } from '../../../web/engine/types.ts';
 
 const keys = [0, 0.4, 1];
@@ -42,6 +42,15 @@ describe('the times of an export', () => {
 
   it('are refused where float32 cannot tell them apart', () => {
     expect(() => plan({ frames: 3, range: [0, 1e9], duration: 1e-40 })).toThrow(/closer together/);
+  });
+
+  it('are refused where the file would not open again', () => {
+    expect(plan({ frames: 3999, range: [1, 2] }).times).toHaveLength(3999);  // and two stills
+    expect(() => plan({ frames: 4000, range: [1, 2] })).toThrow('its 4,001 morph targets need more than 16,000,000 weights');
+    expect(plan({ frames: 9000, format: 'obj' }).times).toHaveLength(9000);
+    expect(() => checkBytes(EXPORT_DEFAULTS, 2 ** 31 - 1)).not.toThrow();
+    expect(() => checkBytes(EXPORT_DEFAULTS, 2.6e9)).toThrow('The file would have 2.6 GB and not open again');
+    expect(() => checkBytes({ ...EXPORT_DEFAULTS, format: 'obj' }, 1e10)).not.toThrow();
   });
 
   it('draw a warning beyond 256 morph targets only', () => {

@@ -43,7 +43,7 @@ export function answerTo(request: Request): FromWorker {
     case 'import':
       return result({
         keys: { names: ['a', 'b'], times: [0, 1], faces: Uint32Array.of(0, 1, 2), positions: [positions, positions.slice()], normals: null },
-        scene: { uvs: null, colors: null, groups: [], materials: [], images: [] },
+        scene: { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] },
         report: { vertices: 3, faces: 1 },
         warnings: [],
         animations: [],
