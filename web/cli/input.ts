@@ -18,15 +18,21 @@ export async function readInputs(names: string[]): Promise<InputFile[]> {
   return files;
 }
 
-/** The material libraries of an OBJ, which it names before its first face, and the images that they name. */
+/** The material libraries of an OBJ, which it names before its first face, and the images that they name, as seen from there. */
 async function librariesOf({ name, bytes }: InputFile): Promise<string[]> {
   const libraries = namedIn(bytes.subarray(0, OBJ_HEAD), /^mtllib[ \t]+(.+?)[ \t]*$/gm);
-  const texts = await Promise.all(libraries.map((library) => readBeside(name, library)));
-  const images = texts.flatMap((library) => (library ? namedIn(library.bytes, /^[ \t]*map_Kd[ \t]+(?:.*[ \t])?(\S+)[ \t]*$/gm) : []));
-  return [...libraries, ...images];
+  const images = await Promise.all(libraries.map(async (library) => {
+    const text = (await readBeside(name, library))?.bytes ?? new Uint8Array(0);
+    return namedIn(text, IMAGE).map((image) => path.join(path.dirname(library), toPath(image)));
+  }));
+  return [...libraries, ...images.flat()];
 }
 
 const OBJ_HEAD = 1 << 16;
+/** Behind options such as -s 1 1 1 and -clamp on. */
+const IMAGE = /^[ \t]*map_Kd[ \t]+(?:-\w+(?:[ \t]+(?:[-+]?[.\d][^ \t]*|on|off))*[ \t]+)*(.+?)[ \t]*$/gm;
+
+const toPath = (name: string): string => name.replaceAll('\\', '/');
 
 function namedIn(bytes: Uint8Array, pattern: RegExp): string[] {
   return [...new Set(Array.from(new TextDecoder().decode(bytes).replaceAll('\r', '').matchAll(pattern), ([, name]) => name!))];
