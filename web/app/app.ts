@@ -2,7 +2,7 @@
 import { createEngine } from '../engine/index.ts';
 import type { Warning } from '../engine/types.ts';
 import type { AppState, Doc, View } from '../model/state.ts';
-import { EMPTY_STATE } from '../model/state.ts';
+import { EMPTY_STATE, tangentKeys } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { clampTime } from '../model/time-scale.ts';
 import { createTheme } from '../ui/theme.ts';
@@ -12,6 +12,7 @@ import { createExporting } from './exporting.ts';
 import { createGhostStudy } from './ghost-study.ts';
 import { installHook } from './hook.ts';
 import { createInsightPanel } from './insight.ts';
+import type { InsightInput } from './insight.ts';
 import { createInterface } from './interface.ts';
 import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
 import { isCancelled } from './lanes.ts';
@@ -96,9 +97,10 @@ export function startApp(root: HTMLElement): void {
   const commands = createCommands(context);
   const opening = createOpening(context);
   const memory = createMemory(context);
-  const insight = createInsightPanel(
-    () => ({ lanes: workspace.lanes.filter((lane, index) => index === 0 || lane.ghost === workspace.lanes[0]?.ghost), keyTimes: store.get().doc.keys.map((key) => key.time), range: context.range(), ms: runtime.ms ?? 1 }),
-    commands.seek, (error) => { if (restarts(error)) insight.invalidate(); else context.fail(error); });
+  const insight = createInsightPanel(insightInput, {
+    onSeek: commands.seek, onSpeed: commands.endSpeed,
+    onError: (error) => { if (restarts(error)) insight.invalidate(); else context.fail(error); },
+  });
   const exporting = createExporting(context, insight);
   const ghostStudy = createGhostStudy(context);
   const cancel = (): void => {
@@ -158,6 +160,15 @@ export function startApp(root: HTMLElement): void {
     void pump.request(store.get().time);
     insight.invalidate();
     thumbnails.refresh();
+  }
+
+  function insightInput(): InsightInput {
+    const [main] = workspace.lanes;
+    const { doc } = store.get();
+    return {
+      lanes: workspace.lanes.filter((lane) => lane === main || lane.ghost === main?.ghost),
+      keyTimes: doc.keys.map((key) => key.time), range: context.range(), ms: runtime.ms ?? 1, towards: tangentKeys(doc),
+    };
   }
 
   /** A worker has died: the engine starts another for the next shape that is asked for. Returns whether that is worth a try. */

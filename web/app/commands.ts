@@ -1,6 +1,8 @@
 /** What the controls do to the document, the time and the view. */
 import type { Method } from '../engine/types.ts';
 import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setShaping } from '../model/edits.ts';
+import type { End } from '../model/speeds.ts';
+import { SPEED_NAME } from '../model/speeds.ts';
 import type { Encoding, LoopMode, Motion, Play, Shaping, View } from '../model/state.ts';
 import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, GHOST_FACES, METHODS, SPEEDS, ignoresHermite } from '../model/state.ts';
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey } from '../model/time-scale.ts';
@@ -25,7 +27,7 @@ export function createCommands(context: Context) {
   };
   const view = (change: Partial<View>): void => store.set({ view: { ...state().view, ...change } });
   const motion = (change: Partial<Motion>, merge?: string): void =>
-    store.edit(Object.keys(change)[0] ?? 'motion', (doc) => setMotion(doc, change), merge);
+    store.edit(nameOf(change), (doc) => setMotion(doc, change), merge);
 
   const play = (change: Partial<Play>): void => store.set({ play: { ...state().play, ...change } });
   const between = (stretch: Range | null): void => play({ between: stretch && [stretch[0], stretch[1]] });
@@ -37,7 +39,8 @@ export function createCommands(context: Context) {
     between,
     window,
     motion,
-    encoding: (change: Partial<Encoding>): void => store.edit(Object.keys(change)[0] ?? 'shape', (doc) => setEncoding(doc, change)),
+    endSpeed: (end: End, speed: number): void => motion({ [SPEED_NAME[end]]: speed }, SPEED_NAME[end]),
+    encoding: (change: Partial<Encoding>): void => store.edit(nameOf(change), (doc) => setEncoding(doc, change)),
     toggleGhost: (): void => store.edit('ghost mesh', (doc) => setEncoding(doc, { ghostFaces: doc.encoding.ghostFaces > 0 ? 0 : GHOST_FACES })),
     resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, context.runtime().initial?.motion ?? DEFAULT_MOTION)),
     resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, context.runtime().initial?.encoding ?? DEFAULT_ENCODING)),
@@ -103,6 +106,11 @@ export function createCommands(context: Context) {
     },
     fit: (name: 'home' | 'front' | 'top' | 'right' | null): void => picture.fit(name, !context.reducedMotion()),
   };
+}
+
+/** What is changed, as undo calls it: "start speed" for { startSpeed }. */
+function nameOf(change: object): string {
+  return (Object.keys(change)[0] ?? '').replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`);
 }
 
 /** Why there can be no key at t, or null. */

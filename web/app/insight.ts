@@ -1,14 +1,17 @@
 /** "What it sees": the shape plane, bending energy, volume and area of the methods on the screen, worked out when idle. */
 import type { Method } from '../engine/types.ts';
-import { limits, length } from '../model/time-scale.ts';
+import { plottedTimes } from '../model/time-scale.ts';
+import type { End } from '../model/speeds.ts';
+import { isInLri } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { createLineChart, make } from '../plots/line-chart.ts';
 import type { LineChart } from '../plots/line-chart.ts';
-import { createShapePlane } from '../plots/shape-plane.ts';
 import { h, setHidden, setText } from '../ui/dom.ts';
 import { METHOD_WORDS } from '../ui/motion-panel.ts';
 import { isCancelled } from './lanes.ts';
 import type { Lane } from './lanes.ts';
+import { createPlaneFigure } from './plane-figure.ts';
+import type { PlaneFigure, PlaneInput } from './plane-figure.ts';
 
 /** Everything that is plotted, and what the CSV holds. */
 export interface Insight {
@@ -30,12 +33,15 @@ export interface LaneInsight {
   explained: number;
 }
 
-export interface InsightInput {
-  lanes: readonly Lane[];
-  keyTimes: readonly number[];
-  range: Range;
+export interface InsightInput extends PlaneInput {
   /** Milliseconds a frame takes: the slower, the fewer points are computed. */
   ms: number;
+}
+
+export interface InsightEvents {
+  onSeek(t: number): void;
+  onSpeed(end: End, speed: number): void;
+  onError(error: unknown): void;
 }
 
 export interface InsightPanel {
@@ -43,6 +49,7 @@ export interface InsightPanel {
   /** Something has changed: what is plotted is worked out anew as soon as the panel can be seen. */
   invalidate(): void;
   setCursor(t: number): void;
+  setSpeeds: PlaneFigure['setSpeeds'];
   /** The numbers, worked out now if they are not there yet; null without a motion. */
   data(): Promise<Insight | null>;
 }
@@ -50,17 +57,14 @@ export interface InsightPanel {
 const DELAY_MS = 200;
 const BUDGET_MS = 1200;
 
-export function createInsightPanel(input: () => InsightInput | null, onSeek: (t: number) => void, onError: (error: unknown) => void): InsightPanel {
-  const plane = createShapePlane();
-  const explained = h('span', { class: 'unit' });
+export function createInsightPanel(input: () => InsightInput | null, { onSeek, onSpeed, onError }: InsightEvents): InsightPanel {
+  const plane = createPlaneFigure(input, { onSpeed, onError });
   const volume = chart('Volume', '% of the first key', 'plot-volume', onSeek);
   const area = chart('Area', '% of the first key', 'plot-area', onSeek);
-  const bending = chart('Bending energy', 'of the mean deformation energy between keys', 'plot-bending', onSeek);
+  const bending = chart('Bending energy', 'times the mean deformation energy between keys, per time⁴', 'plot-bending', onSeek);
   const legend = h('div', { class: 'legend' });
-  const planeFigure = h('figure', { class: 'figure', 'data-testid': 'plot-plane' },
-    h('figcaption', { title: 'All keys as points in the plane that tells them apart best; distances in it are distances between shapes' }, h('strong', {}, 'Shape plane'), explained), plane.element);
   const element = h('section', { class: 'panel', 'aria-labelledby': 'see-title', 'data-testid': 'panel-see' },
-    h('header', {}, h('h2', { id: 'see-title' }, 'What it sees')), legend, planeFigure, volume.element, area.element, bending.element);
+    h('header', {}, h('h2', { id: 'see-title' }, 'What it sees')), legend, plane.element, volume.element, area.element, bending.element);
 
   let shown: Insight | null = null;
   let stale = true;
@@ -98,12 +102,6 @@ export function createInsightPanel(input: () => InsightInput | null, onSeek: (t:
   };
 
   const draw = ({ times, keyTimes, range, lanes }: Insight): void => {
-    const lri = lanes.filter((lane) => lane.plane);
-    setHidden(planeFigure, lri.length === 0);
-    if (lri[0]?.planeKeys) {
-      setText(explained, `holds ${(100 * lri[0].explained).toFixed(0)} % of what differs between the keys`);
-      plane.draw({ times, range, keys: lri[0].planeKeys, curves: lri.map((lane) => ({ label: METHOD_WORDS[lane.method].label, points: lane.plane!, style: lane.method })) });
-    }
     const series = (pick: (lane: LaneInsight) => number[] | null): { label: string; values: number[]; style: string }[] =>
       lanes.flatMap((lane) => { const values = pick(lane); return values ? [{ label: METHOD_WORDS[lane.method].label, values, style: lane.method }] : []; });
     const common = { times, keyTimes, range };
@@ -122,6 +120,7 @@ export function createInsightPanel(input: () => InsightInput | null, onSeek: (t:
 
   new IntersectionObserver(([entry]) => {
     visible = entry?.isIntersecting ?? false;
+    if (visible && stale) plane.refresh();
     schedule();
   }).observe(element);
 
@@ -129,9 +128,11 @@ export function createInsightPanel(input: () => InsightInput | null, onSeek: (t:
     element,
     invalidate() {
       stale = true;
+      if (visible) plane.refresh();
       if (!running) schedule();
     },
     setCursor,
+    setSpeeds: plane.setSpeeds,
     data: async () => {
       if (running) await running;
       return stale || !shown ? refresh() : shown;
@@ -141,24 +142,16 @@ export function createInsightPanel(input: () => InsightInput | null, onSeek: (t:
 
 async function compute({ lanes, keyTimes, range, ms }: InsightInput): Promise<Insight> {
   const count = Math.round(Math.min(Math.max(BUDGET_MS / Math.max(ms * lanes.length, 0.1), 13), 97));
-  const [low, high] = limits(range);
-  const even = Array.from({ length: count }, (_, index) => low + ((high - low) * index) / (count - 1));
-  const times = merged(even, keyTimes, length(range) * 1e-6);
+  const times = plottedTimes(range, keyTimes, count);
   const results = await Promise.all(lanes.map((lane) => computeLane(lane, times)));
   return { times, keyTimes, range, lanes: results };
 }
 
 async function computeLane({ method, sequence }: Lane, times: number[]): Promise<LaneInsight> {
-  const inLri = method === 'lri' || method === 'geodesic';
   const { volume, area } = await sequence.measures(times);
-  const plane = inLri ? await sequence.shapePlane(times) : null;
+  const plane = isInLri(method) ? await sequence.shapePlane(times) : null;
   const bending = method === 'lri' ? await sequence.bendingEnergy(times) : null;
   return { method, volume, area, bending, plane: plane?.curve ?? null, planeKeys: plane?.keys ?? null, explained: plane?.explained ?? 0 };
-}
-
-function merged(even: readonly number[], keyTimes: readonly number[], gap: number): number[] {
-  const others = even.filter((t) => keyTimes.every((key) => Math.abs(key - t) > gap));
-  return [...others, ...keyTimes].sort((a, b) => a - b);
 }
 
 /** In percent of the value at the first key. A surface without volume has no percentage of it. */

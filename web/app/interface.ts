@@ -91,7 +91,7 @@ export function createInterface(input: InterfaceInput): Interface {
     onSample: (id) => void opening.sample(id), onOpen: picker.open, onUndo: input.onUndo, onRedo: input.onRedo,
     onExport: () => openExport(), onLink: input.onLink, onRemember: input.onRemember, onHelp: () => help.open(), onTheme: input.onTheme,
   });
-  const timeline = createTimeline({ onSeek: commands.seek, onRetime: commands.retimeKey, onBetween: commands.between, onWindow: commands.window });
+  const timeline = createTimeline({ onSeek: commands.seek, onRetime: commands.retimeKey, onBetween: commands.between, onWindow: commands.window, onSpeed: commands.endSpeed });
   const clockMenu = createClockMenu({
     onFps: commands.fps, onLoopEnd: commands.loopEnd, onBetween: commands.between, onZoom: commands.zoomTime, onWindow: commands.window,
   });
@@ -100,7 +100,7 @@ export function createInterface(input: InterfaceInput): Interface {
     onSeek: commands.seek, onMove: commands.moveKey, onRemove: commands.removeKey, onRetime: commands.retimeKey, onRename: commands.renameKey,
     onShaping: commands.shaping, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
   });
-  const motionPanel = createMotionPanel({ onMotion: commands.motion, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
+  const motionPanel = createMotionPanel({ onMotion: commands.motion, onSpeed: commands.endSpeed, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
   const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void opening.resample(animation, times), onOrient: (orientation) => void opening.reorient(orientation) });
   const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
@@ -136,7 +136,8 @@ export function createInterface(input: InterfaceInput): Interface {
       fileName: source.kind === 'files' ? sourceName(source.names) : '', canExport: !disabled, own: source.kind === 'files', remembered: runtime.remembered,
     });
     const { fps, between, playing } = play;
-    timeline.update({ range, keys: doc.keys, time, playing, phase, periodic, disabled, fps, between, window: view.window });
+    const speeds = doc.motion.boundary === 'hermite' && !disabled ? { start: doc.motion.startSpeed, end: doc.motion.endSpeed } : null;
+    timeline.update({ range, keys: doc.keys, time, playing, phase, periodic, disabled, fps, between, window: view.window, speeds });
     clockMenu.update({ range, time, fps, between, window: view.window, disabled });
     transport.update({ play, time, range, periodic, disabled });
     keyStrip.update({
@@ -170,6 +171,7 @@ export function createInterface(input: InterfaceInput): Interface {
     exporting.update({ ...runtime.exporting, range: playRange(between, range), fps, videoReason });
     help.update(runtime.singleKeys);
     insight.setCursor(time);
+    insight.setSpeeds(speeds);
   };
   return { update, say: toast.say, openFiles: picker.open, openExport, openHelp: help.open, toggleLook: viewBar.toggleLook, toggleClock: clockMenu.toggle, timeline: timeline.slider };
 }

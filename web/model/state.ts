@@ -162,6 +162,20 @@ export function referenceKey(doc: Doc): number {
   return Math.max(index, 0);
 }
 
+/**
+ * Hermite: the key that tells the direction at either end, the neighbour or the one that is taken as end tangent; null where
+ * that pose is no longer a key. null with another boundary.
+ */
+export function tangentKeys({ keys, motion, encoding }: Doc): { start: number | null; end: number | null } | null {
+  if (motion.boundary !== 'hermite') return null;
+  const of = (pose: number | null, neighbour: number): number | null => {
+    if (pose === null) return neighbour;
+    const index = keys.findIndex((key) => key.pose === pose);
+    return index < 0 ? null : index;
+  };
+  return { start: of(encoding.startTangentPose, 1), end: of(encoding.endTangentPose, keys.length - 2) };
+}
+
 /** Speed at which the range plays in about four seconds, among the offered ones. */
 export function comfortableSpeed(length: number): number {
   const wanted = length / 4;

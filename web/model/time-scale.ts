@@ -117,3 +117,11 @@ export function formatTime(t: number, range: Range = [0, 1]): string {
   const text = t.toFixed(decimals);
   return Number(text) === 0 ? (0).toFixed(decimals) : text;
 }
+
+/** So many times, evenly over all that the slider reaches, and those of the keys. */
+export function plottedTimes(range: Range, keyTimes: readonly number[], count: number): number[] {
+  const [low, high] = limits(range);
+  const gap = length(range) * 1e-6;
+  const even = Array.from({ length: count }, (_, index) => low + ((high - low) * index) / (count - 1));
+  return [...even.filter((t) => keyTimes.every((key) => Math.abs(key - t) > gap)), ...keyTimes].sort((a, b) => a - b);
+}

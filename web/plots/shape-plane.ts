@@ -1,4 +1,6 @@
-/** The motion as a curve in the plane of the two leading principal components of the keys (the paper's Fig. 2b). */
+/** The motion as a curve in the plane of the two leading principal components of the keys (the paper's Fig. 2b, 3). */
+import { createEndHandle } from './end-handle.ts';
+import type { End, EndHandleEvents } from './end-handle.ts';
 import { make, text } from './line-chart.ts';
 import { extent, path } from './scale.ts';
 
@@ -16,7 +18,11 @@ export interface ShapePlaneData {
   /** The first is the motion that is shown; its parts outside the range are drawn as extrapolated. */
   curves: readonly PlaneCurve[];
   range: readonly [number, number];
+  /** Where the handles at the ends of the curve point, for speed 1; null = there are none. */
+  tangents: Readonly<Record<End, Vector | null>> | null;
 }
+
+type Vector = readonly [number, number];
 
 const WIDTH = 272;
 const HEIGHT = 190;
@@ -26,15 +32,18 @@ export interface ShapePlanePlot {
   element: SVGSVGElement;
   draw(data: ShapePlaneData): void;
   setCursor(t: number): void;
+  /** How long the handles are, before the curve is worked out anew. */
+  setSpeeds(speeds: Readonly<Record<End, number>> | null): void;
 }
 
 type Place = (x: number, y: number) => [number, number];
 
-export function createShapePlane(): ShapePlanePlot {
-  const element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot shape-plane', role: 'img', 'aria-label': 'Being computed' });
+export function createShapePlane(events: EndHandleEvents): ShapePlanePlot {
+  const element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot shape-plane', role: 'group', 'aria-label': 'Being computed' });
   const content = make('g', {});
   const cursor = make('circle', { class: 'now', r: 4.5 });
-  element.append(content, cursor);
+  const handles = { start: createEndHandle('start', element, events), end: createEndHandle('end', element, events) };
+  element.append(content, cursor, handles.start.element, handles.end.element);
   let current: { data: ShapePlaneData; place: Place } | null = null;
 
   return {
@@ -45,6 +54,10 @@ export function createShapePlane(): ShapePlanePlot {
       content.replaceChildren(...parts(data, place));
       element.setAttribute('aria-label',
         `The motion through ${data.keys.length / 2} keys as a curve in the plane of their two leading principal components`);
+      for (const end of ['start', 'end'] as const) handles[end].place(onPicture(data, end, place));
+    },
+    setSpeeds(speeds) {
+      for (const end of ['start', 'end'] as const) handles[end].setSpeed(speeds && speeds[end]);
     },
     setCursor(t) {
       if (!current) return;
@@ -72,6 +85,15 @@ function placing({ keys, curves, times, range }: ShapePlaneData): Place {
     (HEIGHT - 2 * PAD) / Math.max((top - bottom) * (1 + 2 * margin), 1e-12));
   const [x, y] = [(left + right) / 2, (bottom + top) / 2];
   return (px, py) => [WIDTH / 2 + (px - x) * scale, HEIGHT / 2 - (py - y) * scale];
+}
+
+/** An end of the curve and the way a handle of speed 1 goes from there, in the picture's own pixels. */
+function onPicture({ keys, tangents }: ShapePlaneData, end: End, place: Place): { from: Vector; unit: Vector; width: number; height: number } | null {
+  const tangent = tangents?.[end];
+  if (!tangent) return null;
+  const [x, y] = (end === 'start' ? keys.slice(0, 2) : keys.slice(-2)) as [number, number];
+  const [from, to] = [place(x, y), place(x + tangent[0], y + tangent[1])];
+  return { from, unit: [to[0] - from[0], to[1] - from[1]], width: WIDTH, height: HEIGHT };
 }
 
 function parts({ times, keys, curves, range }: ShapePlaneData, place: Place): SVGElement[] {

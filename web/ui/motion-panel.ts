@@ -1,6 +1,8 @@
 /** How the keys are joined: the method, what stands beside it, and the boundary with what it asks for. */
 import type { Boundary, Method } from '../engine/types.ts';
 import type { Encoding, KeyRef, Motion } from '../model/state.ts';
+import type { End } from '../model/speeds.ts';
+import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP } from '../model/speeds.ts';
 import { BOUNDARIES, DEFAULT_MOTION, METHODS, ignoresHermite } from '../model/state.ts';
 import type { Choice } from './controls.ts';
 import { button, checkbox, numberField, segments, select, slider } from './controls.ts';
@@ -32,7 +34,8 @@ export interface MotionPanelProps {
 }
 
 export interface MotionPanelEvents {
-  onMotion(change: Partial<Motion>, merge?: string): void;
+  onMotion(change: Partial<Motion>): void;
+  onSpeed(end: End, speed: number): void;
   onEncoding(change: Partial<Encoding>): void;
   onCompare(methods: Method[]): void;
   onReset(): void;
@@ -53,8 +56,8 @@ export function createMotionPanel(events: MotionPanelEvents): { element: HTMLEle
   const boundary = segments<Boundary>('Boundary', 'boundary', BOUNDARIES.map((value) => ({ value, ...BOUNDARY_WORDS[value] })),
     (value) => events.onMotion({ boundary: value }));
   const boundaryHint = h('p', { class: 'hint' });
-  const start = speedSlider('Start speed', 'start-speed', (value) => events.onMotion({ startSpeed: value }, 'start-speed'));
-  const end = speedSlider('End speed', 'end-speed', (value) => events.onMotion({ endSpeed: value }, 'end-speed'));
+  const start = speedSlider('Start speed', 'start-speed', (value) => events.onSpeed('start', value));
+  const end = speedSlider('End speed', 'end-speed', (value) => events.onSpeed('end', value));
   const startTangent = select<string>('Leaves the first key towards', 'start-tangent', [], (value) => events.onEncoding({ startTangentPose: poseOf(value) }));
   const endTangent = select<string>('Arrives at the last key from', 'end-tangent', [], (value) => events.onEncoding({ endTangentPose: poseOf(value) }));
   const hermite = h('div', { class: 'group' }, start.element, end.element, startTangent.element, endTangent.element);
@@ -104,7 +107,7 @@ function forMethod(method: Method, motion: Motion): Partial<Motion> {
 
 function speedSlider(label: string, testId: string, onInput: (value: number) => void): ReturnType<typeof slider> {
   return slider({
-    label, testId, min: 0, max: 4, step: 0.05, fallback: 1, onInput, format: (value) => `${Number(value.toFixed(2))}`,
+    label, testId, min: 0, max: MAX_SPEED, step: SPEED_STEP, fallback: DEFAULT_SPEED, onInput, format: (value) => `${Number(value.toFixed(2))}`,
     hint: 'Times the speed between the end key and its neighbour; 0 eases in and out',
   });
 }

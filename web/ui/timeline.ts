@@ -1,9 +1,10 @@
 /**
  * The time slider, the widest control of the page: a solid key range, hatched margins where the motion is extrapolated,
  * key ticks that the playhead snaps to and that can be dragged to other times, and two handles for what plays. It can be
- * zoomed into, about the pointer; then it has a ruler.
+ * zoomed into, about the pointer; then it has a ruler. Under it are handles for the speeds at its ends, where the boundary has them.
  */
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
+import type { End } from '../model/speeds.ts';
 import type { Phase, Range } from '../model/time-scale.ts';
 import { clamp, clampKeyTime, clampTime, formatTime, length, limits, snap } from '../model/time-scale.ts';
 import { formatMoment, loopRange, nearestFrameTime, steppedFrameTime } from '../model/frames.ts';
@@ -11,6 +12,8 @@ import { fractionIn, panned, revealing, ruler, timeIn, windowOf, zoomed } from '
 import { createLoopHandles } from './loop-handles.ts';
 import { createOverview } from './overview.ts';
 import { drag, listenToGestures } from './pointer.ts';
+import type { SpeedHandlesProps } from './speed-handles.ts';
+import { createSpeedHandles } from './speed-handles.ts';
 
 /** Pixels within which the playhead snaps to a key. */
 const SNAP_PX = 7;
@@ -32,6 +35,8 @@ export interface TimelineProps {
   between: Range | null;
   /** What is shown; null = all. */
   window: Range | null;
+  /** Hermite: how fast the motion leaves the first key and arrives at the last; null = another boundary. */
+  speeds: SpeedHandlesProps['speeds'];
 }
 
 export interface TimelineEvents {
@@ -40,6 +45,7 @@ export interface TimelineEvents {
   onRetime(key: number, time: number): void;
   onBetween(between: Range | null): void;
   onWindow(window: Range | null): void;
+  onSpeed(end: End, speed: number): void;
 }
 
 export interface Timeline {
@@ -72,7 +78,8 @@ export function createTimeline(events: TimelineEvents): Timeline {
   }, track, marks, ticks, playhead);
   const handles = createLoopHandles(track, { onBetween: events.onBetween, snapped: (t, free) => snapped(t, free) });
   const overview = createOverview(setWindow);
-  const element = h('div', { class: 'time-frame' }, slider, ...handles.elements, overview.element);
+  const speedHandles = createSpeedHandles(events.onSpeed);
+  const element = h('div', { class: 'time-frame' }, slider, ...handles.elements, speedHandles.element, overview.element);
 
   const snapped = (t: number, free: boolean): number => {
     const { keys, fps } = props!;
@@ -189,12 +196,13 @@ export function createTimeline(events: TimelineEvents): Timeline {
     update(next) {
       const last = props;
       props = next;
-      const { range, keys, periodic, disabled, fps, between, window, phase } = next;
+      const { range, keys, periodic, disabled, fps, between, window, speeds, phase } = next;
       const part = windowOf(window, range);
       drawRange({ range, window, between, periodic, disabled });
       drawTicks({ keys, range, window, fps });
       drawRuler({ range, window, fps, width });
       handles.update({ range, window: part, between: loopRange(between, range), fps, disabled });
+      speedHandles.update({ speeds, range, window: part });
       if (disabled) setHidden(playhead, true);
       else place(playhead, clampTime(next.time, range), part);
       setAttribute(slider, 'data-phase', phase.kind);

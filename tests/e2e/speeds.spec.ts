@@ -1,0 +1,144 @@
+/** The Hermite speeds as handles at the ends of the curve: on the timeline, and in the shape plane. */
+import type { Locator } from '@playwright/test';
+import { diagonal, difference, expect, test } from './support.ts';
+import type { App } from './support.ts';
+
+/** Drags by so many pixels and holds on. */
+async function pull(app: App, handle: Locator, dx: number, dy = 0): Promise<void> {
+  const box = (await handle.boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await app.page.mouse.move(x, y);
+  await app.page.mouse.down();
+  await app.page.mouse.move(x + dx, y + dy, { steps: 6 });
+}
+
+async function speeds(app: App): Promise<[number, number]> {
+  const { startSpeed, endSpeed } = (await app.state()).doc.motion;
+  return [startSpeed, endSpeed];
+}
+
+async function openHermite(app: App, hash = ''): Promise<void> {
+  await app.open({ hash: `#sample=cactus&boundary=hermite${hash}` });
+}
+
+const ENDS = [{ end: 'start', inward: 1, at: 0.1, panel: 0 }, { end: 'end', inward: -1, at: 0.9, panel: 1 }] as const;
+
+test('handles stand at the first and last key with Hermite alone', async ({ app }) => {
+  await app.open();
+  await expect(app.by('speed-lane')).toBeHidden();
+  await app.by('boundary-hermite').check();
+  const track = (await app.by('timeline').locator('.track').boundingBox())!;
+  for (const { end, inward } of ENDS) {
+    const key = track.x + track.width * (end === 'start' ? 0.4 : 1.4) / 1.8;
+    const grip = (await app.by(`${end}-speed-handle`).boundingBox())!;
+    const reach = (grip.x + grip.width / 2 - key) * inward;
+    expect(reach).toBeGreaterThan(10);
+    expect(reach).toBeLessThan(track.width / 3.6);
+    await expect(app.by(`${end}-speed-value`)).toHaveText('1×');
+  }
+  await app.by('method').selectOption('linear');
+  await expect(app.by('speed-lane')).toBeHidden();
+});
+
+for (const { end, inward, at, panel } of ENDS) {
+  test(`the handle at the ${end} is dragged: the motion there changes at once, and is undone as a whole`, async ({ app }) => {
+    await openHermite(app);
+    const before = await app.positionsAt(at);
+    const key = await app.positionsAt(end === 'start' ? 0 : 1);
+    await app.setTime(at);
+    await pull(app, app.by(`${end}-speed-handle`), 40 * inward);
+    await app.settled();
+    const dragged = await app.positions();
+    expect(difference(dragged, before)).toBeGreaterThan(1e-3 * diagonal(before));
+    await app.page.mouse.up();
+    const speed = (await speeds(app))[panel];
+    expect(speed).toBeGreaterThan(1.5);
+    expect((await speeds(app))[1 - panel]).toBe(1);
+    // What the handle, the panel and a link say is the same.
+    await expect(app.by(`${end}-speed-value`)).toHaveText(`${speed}×`);
+    await expect(app.by(`${end}-speed-handle`)).toHaveAttribute('aria-valuenow', String(speed));
+    await expect(app.by(`${end}-speed-number`)).toHaveValue(String(speed));
+    await expect(app.page).toHaveURL(new RegExp(`${end}Speed=${speed}(&|$)`));
+    expect(difference(await app.positionsAt(end === 'start' ? 0 : 1), key)).toBeLessThan(1e-5 * diagonal(key));
+    await app.by('undo').click();
+    await app.settled();
+    expect(await speeds(app)).toEqual([1, 1]);
+    expect(await app.positionsAt(at)).toEqual(before);
+  });
+
+  test(`the handle at the ${end} is worked by the keyboard, and goes back by a double click`, async ({ app }) => {
+    await openHermite(app);
+    const handle = app.by(`${end}-speed-handle`);
+    const pressed = async (key: string): Promise<number> => { await handle.press(key); return (await speeds(app))[panel]; };
+    expect(await pressed('ArrowUp')).toBe(1.05);
+    expect(await pressed(inward > 0 ? 'ArrowRight' : 'ArrowLeft')).toBe(1.1);
+    expect(await pressed('Shift+ArrowDown')).toBe(0.6);
+    expect(await pressed('Home')).toBe(0);
+    expect(await pressed('ArrowDown')).toBe(0);
+    expect(await pressed('End')).toBe(4);
+    expect(await pressed('Delete')).toBe(1);
+    expect((await app.state()).time).toBe(0);
+    await pressed('End');
+    await app.answered();
+    await handle.dblclick();
+    expect((await speeds(app))[panel]).toBe(1);
+  });
+}
+
+test('the handles can be dragged at 360 px, and stay apart at their longest', async ({ app }) => {
+  await app.page.setViewportSize({ width: 360, height: 740 });
+  await openHermite(app, '&startSpeed=4&endSpeed=4');
+  const [start, end] = [(await app.by('start-speed-handle').boundingBox())!, (await app.by('end-speed-handle').boundingBox())!];
+  expect(start.x + start.width).toBeLessThanOrEqual(end.x + 12);
+  await pull(app, app.by('start-speed-handle'), -30);
+  await app.page.mouse.up();
+  const [speed] = await speeds(app);
+  expect(speed).toBeLessThan(3);
+  expect(speed).toBeGreaterThan(1);
+  await app.expectNoProblems();
+});
+
+test('a handle in the shape plane bends the curve along its tangent', async ({ app }) => {
+  await openHermite(app);
+  await app.by('plot-plane').scrollIntoViewIfNeeded();
+  const curve = app.by('plot-plane').locator('path.curve.lri');
+  await expect(curve).toBeVisible();
+  const [before, shape] = [await curve.getAttribute('d'), await app.positionsAt(0.1)];
+  const grip = app.by('plane-start-speed').locator('.grip-mark');
+  const stem = await app.by('plane-start-speed').locator('.stem').evaluate((line) => {
+    const [x1, y1, x2, y2] = ['x1', 'y1', 'x2', 'y2'].map((name) => Number(line.getAttribute(name))) as [number, number, number, number];
+    return [x2 - x1, y2 - y1] as const;
+  });
+  const scale = (await app.by('plot-plane').locator('svg').boundingBox())!.width / 272;
+  await pull(app, grip, stem[0] * scale, stem[1] * scale);
+  await app.page.mouse.up();
+  await app.settled();
+  expect((await speeds(app))[0]).toBeCloseTo(2, 1);
+  await expect(app.by('start-speed-value')).toHaveText(`${(await speeds(app))[0]}×`);
+  await expect(curve).not.toHaveAttribute('d', before!);
+  expect(difference(await app.positionsAt(0.1), shape)).toBeGreaterThan(1e-3 * diagonal(shape));
+  // Across the tangent nothing changes.
+  const [speed] = await speeds(app);
+  await pull(app, grip, -stem[1], stem[0]);
+  await app.page.mouse.up();
+  expect((await speeds(app))[0]).toBeCloseTo(speed, 1);
+  await app.by('plane-start-speed').press('Delete');
+  expect((await speeds(app))[0]).toBe(1);
+});
+
+test('a shape that is taken as end tangent turns the handle towards it', async ({ app }) => {
+  await openHermite(app);
+  await app.by('plot-plane').scrollIntoViewIfNeeded();
+  const tip = (): Promise<[number, number]> => app.by('plane-end-speed').locator('.stem').evaluate((line) =>
+    [Number(line.getAttribute('x2')) - Number(line.getAttribute('x1')), Number(line.getAttribute('y2')) - Number(line.getAttribute('y1'))]);
+  await expect.poll(async () => Math.hypot(...(await tip()))).toBeGreaterThan(1);
+  const [x, y] = await tip();
+  const shape = await app.positionsAt(0.8);
+  await app.by('end-tangent').selectOption({ index: 1 });
+  await app.settled();
+  expect(difference(await app.positionsAt(0.8), shape)).toBeGreaterThan(1e-3 * diagonal(shape));
+  await expect.poll(async () => {
+    const [u, v] = await tip();
+    return Math.abs(u * y - v * x) / (Math.hypot(u, v) * Math.hypot(x, y));
+  }).toBeGreaterThan(0.2);
+});

@@ -1,0 +1,38 @@
+import { describe, expect, it } from 'vitest';
+import { formatSpeed, offeredSpeed, steppedSpeed } from '../../web/model/speeds.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, tangentKeys } from '../../web/model/state.ts';
+import type { Doc } from '../../web/model/state.ts';
+
+describe('Hermite speeds', () => {
+  it('are whole steps from 0 to 4', () => {
+    expect([-1, 0.024, 0.026, 1.37, 99].map(offeredSpeed)).toEqual([0, 0, 0.05, 1.35, 4]);
+  });
+
+  it('are stepped through without leaving the steps', () => {
+    let speed = 0;
+    for (let n = 1; n <= 80; n += 1) expect(speed = steppedSpeed(speed, 1)).toBe(Number((n * 0.05).toFixed(2)));
+    expect(steppedSpeed(speed, 1)).toBe(4);
+    expect(steppedSpeed(-3, -1)).toBe(0);
+  });
+
+  it('are written with their unit', () => {
+    expect([1, 0.35, -2].map(formatSpeed)).toEqual(['1×', '0.35×', '-2×']);
+  });
+});
+
+describe('the key that tells the direction at an end', () => {
+  const doc = (change: Partial<Doc['encoding']>): Doc => ({
+    keys: [4, 2, 7].map((pose, index) => ({ pose, name: '', time: index })), motion: { ...DEFAULT_MOTION, boundary: 'hermite' },
+    encoding: { ...DEFAULT_ENCODING, ...change }, tension: [], bias: [], turns: [],
+  });
+
+  it('is the neighbour, or the one whose shape is taken as end tangent', () => {
+    expect(tangentKeys(doc({}))).toEqual({ start: 1, end: 1 });
+    expect(tangentKeys(doc({ startTangentPose: 7, endTangentPose: 4 }))).toEqual({ start: 2, end: 0 });
+  });
+
+  it('is none where that shape is no longer a key, or the boundary has no tangents', () => {
+    expect(tangentKeys(doc({ startTangentPose: 3 }))).toEqual({ start: null, end: 1 });
+    expect(tangentKeys({ ...doc({}), motion: { ...DEFAULT_MOTION } })).toBeNull();
+  });
+});

@@ -1,0 +1,117 @@
+/** A handle at an end of the curve: along the tangent there, the longer the faster; dragged, or moved with the arrow keys. */
+import { make, text } from './line-chart.ts';
+
+export type End = 'start' | 'end';
+type Vector = readonly [number, number];
+
+export interface EndHandleEvents {
+  /** The longest handle. */
+  most: number;
+  label(end: End): string;
+  words(speed: number): string;
+  onSpeed(end: End, speed: number): void;
+  /** A key was pressed on the handle; what it means is for the caller. */
+  onKey(end: End, event: KeyboardEvent): void;
+  onReset(end: End): void;
+}
+
+/** Where a handle starts and where one of speed 1 ends, from there, in a picture of this size. */
+export interface Placed {
+  from: Vector;
+  unit: Vector;
+  width: number;
+  height: number;
+}
+
+export interface EndHandle {
+  element: SVGGElement;
+  place(placed: Placed | null): void;
+  /** null = there is none. */
+  setSpeed(speed: number | null): void;
+}
+
+/** Shorter than this at speed 1, a handle could not be dragged. */
+const LEAST_UNIT = 14;
+/** Distance that the grip keeps from the picture's edge. */
+const EDGE = 10;
+
+export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHandleEvents): EndHandle {
+  const stem = make('line', { class: 'stem' });
+  const grip = make('circle', { class: 'grip-mark', r: 5 });
+  const reach = make('circle', { class: 'grip-reach', r: 14 });
+  const value = text('grip-value', 0, 0, '');
+  const element = make('g', {
+    class: 'end-handle', role: 'slider', tabindex: 0, 'aria-label': events.label(end), 'aria-valuemin': 0, 'aria-valuemax': events.most,
+    'data-testid': `plane-${end}-speed`, display: 'none',
+  });
+  element.append(stem, reach, grip, value);
+  let placed: Placed | null = null;
+  let speed: number | null = null;
+
+  const draw = (): void => {
+    element.setAttribute('display', placed && speed !== null ? 'inline' : 'none');
+    if (!placed || speed === null) return;
+    const [x1, y1] = placed.from;
+    const length = Math.min(Math.max(speed, 0), events.most);
+    const [x2, y2] = [x1 + placed.unit[0] * length, y1 + placed.unit[1] * length];
+    set(stem, { x1, y1, x2, y2 });
+    for (const circle of [grip, reach]) set(circle, { cx: x2, cy: y2 });
+    set(value, beside([x2, y2], placed.unit));
+    value.textContent = events.words(speed);
+    element.setAttribute('aria-valuenow', String(Number(speed.toFixed(6))));
+    element.setAttribute('aria-valuetext', events.words(speed));
+  };
+
+  element.addEventListener('pointerdown', (event) => {
+    if (!placed || speed === null || event.button !== 0) return;
+    const [from, { unit }, scale] = [speed, placed, placed.width / picture.getBoundingClientRect().width];
+    const move = (at: PointerEvent): void => {
+      const along = ((at.clientX - event.clientX) * unit[0] + (at.clientY - event.clientY) * unit[1]) * scale;
+      events.onSpeed(end, from + along / (unit[0] ** 2 + unit[1] ** 2));
+    };
+    event.preventDefault();
+    element.focus({ preventScroll: true });
+    element.setPointerCapture(event.pointerId);
+    element.addEventListener('pointermove', move);
+    for (const name of ['pointerup', 'pointercancel'] as const) {
+      element.addEventListener(name, () => element.removeEventListener('pointermove', move), { once: true });
+    }
+  });
+  element.addEventListener('keydown', (event) => events.onKey(end, event));
+  element.addEventListener('dblclick', () => events.onReset(end));
+
+  return {
+    element,
+    place(next) {
+      placed = next && usable(next, events.most);
+      draw();
+    },
+    setSpeed(next) {
+      if (next === speed) return;
+      speed = next;
+      draw();
+    },
+  };
+}
+
+/** Where the middle of the number's line goes: on the upper side of the handle, or on the lower one at the picture's top. */
+function beside([x, y]: Vector, [ux, uy]: Vector): { x: number; y: number } {
+  const length = Math.hypot(ux, uy);
+  const side = (ux < 0 ? -1 : 1) * (y < 24 ? -1 : 1) / length;
+  return { x: x + 18 * uy * side, y: y - 13 * ux * side + 4 };
+}
+
+/** Long enough to be dragged and, at its longest, inside the picture; null where the tangent has no direction in it. */
+function usable(placed: Placed, most: number): Placed | null {
+  const { from, unit, width, height } = placed;
+  const length = Math.hypot(...unit);
+  if (!(length > 1e-6)) return null;
+  const room = [[from[0], unit[0], width], [from[1], unit[1], height]].map(([at, step, size]) =>
+    (step === 0 ? Infinity : ((step! > 0 ? size! - EDGE : EDGE) - at!) / step!) / most);
+  const scale = Math.min(Math.max(1, LEAST_UNIT / length), ...room.map((share) => Math.max(share, 0)));
+  return { ...placed, unit: [unit[0] * scale, unit[1] * scale] };
+}
+
+function set(element: SVGElement, attributes: Record<string, number>): void {
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value.toFixed(2));
+}
