@@ -134,7 +134,7 @@ test('the difference to no ghost is shown as colours, with its range', async ({ 
   // The same numbers, in percent of one diagonal.
   const factor = most / largest;
   shown.forEach((value, v) => expect(Math.abs(value - factor * percent[v]!)).toBeLessThan(1e-3 * most));
-  const top = Number(await app.by('colour-bar').locator('.ramp-ticks span').first().textContent());
+  const top = parseFloat((await app.by('colour-bar').locator('.ramp-ticks span').first().textContent())!);
   expect(top).toBeGreaterThanOrEqual(most);
   expect(top).toBeLessThan(10 * most);
   await expect(app.by('colour-bar')).toContainText('% of the diagonal');

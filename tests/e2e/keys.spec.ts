@@ -107,7 +107,7 @@ test('methods stand side by side with one camera and one clock', async ({ app })
   expect(await changedShare(app.page, alone, await app.picture())).toBeGreaterThan(0.01);
   await expect(app.by('tile-0')).toContainText('LRI spline');
   await expect(app.by('tile-1')).toContainText('Linear vertices');
-  const volume = async (tile: number): Promise<number> => Number(/volume ([\d.]+) %/.exec(await app.by(`tile-${tile}`).innerText())![1]);
+  const volume = async (tile: number): Promise<number> => Number(/volume ([\d.]+)\s%/.exec(await app.by(`tile-${tile}`).innerText())![1]);
   // What the method is for: the spline keeps more of the volume than a blend of positions.
   expect(Math.abs(await volume(0) - 100)).toBeLessThan(Math.abs(await volume(1) - 100));
   await app.setTime(0.6);

@@ -49,6 +49,7 @@ export function startApp(root: HTMLElement): void {
 
   const picture = new Picture(shell.picture, {
     onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
+    onResize: () => render(),
     covered: (views) => shell.covered(views),
     onContextLost: () => context.say('The graphics card was taken away. The picture comes back by itself.'),
     onContextRestored: () => void pump.request(store.get().time),

@@ -167,7 +167,7 @@ export function createInterface(input: InterfaceInput): Interface {
     });
     progress.update(runtime.working);
     problem.update(runtime.problem);
-    welcome.update(runtime.welcome && heat === null && runtime.problem === null && runtime.working === null);
+    welcome.update(runtime.welcome, heat !== null || labels.length > 0 || runtime.problem !== null || runtime.working !== null);
     exporting.update({ ...runtime.exporting, range: playRange(between, range), fps, videoReason });
     help.update(runtime.singleKeys);
     insight.setCursor(time);

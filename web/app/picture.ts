@@ -8,7 +8,7 @@ import { METHOD_WORDS } from '../ui/motion-panel.ts';
 import { phaseOf } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
 import type { TileLabel } from '../ui/view-bar.ts';
-import type { Extra } from '../viewer/types.ts';
+import type { Extra, Rect } from '../viewer/types.ts';
 import { Viewer } from '../viewer/viewer.ts';
 import type { ViewerEvents } from '../viewer/viewer.ts';
 import { PHASE_COLOURS, filmStrip, filmTimes, onionSkins, onionTimes } from './extras.ts';
@@ -53,7 +53,14 @@ export class Picture {
   private heat: { of: Sequence; top: number } | null = null;
 
   constructor(host: HTMLElement, events: ViewerEvents) {
-    this.viewer = new Viewer(host, events);
+    this.viewer = new Viewer(host, { ...events, onResize: () => { this.place(); events.onResize(); } });
+  }
+
+  /** What is written over the views stands where they stand. */
+  private place(): void {
+    const rects = this.viewer.rects();
+    this.labels = this.labels.map((label, index) => ({ ...label, ...rects[index] }));
+    if (this.colourBar) this.colourBar = { ...this.colourBar, ...besideOf(rects[0]!) };
   }
 
   /** A new import: another mesh, another size. `camera` keeps a view that came with a link. */
@@ -137,8 +144,8 @@ export class Picture {
   private measureText(frame: Frame | undefined): string {
     if (!frame || !this.base || !this.info) return '';
     const { volume, area } = measure(frame.positions, this.info.indices);
-    const percent = (value: number, base: number): string => (base === 0 ? '?' : `${((100 * value) / base).toFixed(1)} %`);
-    return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)} of the first key`;
+    const percent = (value: number, base: number): string => (base === 0 ? '?' : `${((100 * value) / base).toFixed(1)}\u00a0%`);
+    return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)}`;
   }
 
   private async showExtras(input: ExtrasInput, sequence: Sequence | undefined, { view, doc }: AppState): Promise<void> {
@@ -178,11 +185,10 @@ export class Picture {
     this.heat = { of: main.sequence, top };
     this.difference = difference;
     this.viewer.setHeatColours(heatColours(difference, top));
-    const rect = this.viewer.rects()[0]!;
     const text = (value: number): string => `${Number(value.toPrecision(2))} %`;
     this.colourBar = {
-      title: 'Difference', unit: '% of the diagonal', top, now: `at most ${text(difference.largest)}, mean ${text(difference.mean)}`,
-      x: rect.x, y: rect.y + rect.height / 2,
+      title: 'Difference', unit: '% of the diagonal', symbol: '%', top, now: `at most ${text(difference.largest)}, mean ${text(difference.mean)}`,
+      ...besideOf(this.viewer.rects()[0]!),
     };
   }
 
@@ -219,6 +225,11 @@ export class Picture {
     this.patchesOf = sequence;
     this.viewer.setPatchColours(patchColours(patches, this.info.indices, this.info.report.vertices));
   }
+}
+
+/** The place of the colour bar of a view. */
+function besideOf(rect: Rect): { x: number; y: number } {
+  return { x: rect.x, y: rect.y + rect.height / 2 };
 }
 
 function titleOf({ method, ghost }: Lane): string {

@@ -28,6 +28,8 @@ export interface Shell {
 /** Title and measures over a view; the line in words above the buttons, on a small screen. */
 const TILE_LABEL_PX = 54;
 const PHASE_PX = 34;
+/** A panel's heading this near to the top is where one is. */
+const NEAR_PX = 24;
 
 type Sheet = 'keys' | 'motion' | 'shape' | 'see';
 
@@ -52,7 +54,8 @@ export function createShell(): Shell {
     const small = matchMedia('(max-width: 767px)').matches;
     const buttons = height('.view-buttons', (box) => host.bottom - box.top);
     const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
-    return { top: status + (views > 1 ? TILE_LABEL_PX : 0), bottom: buttons + (small ? PHASE_PX : 0) };
+    const welcome = height('.welcome', (box) => box.bottom - host.top);
+    return { top: Math.max(status + (views > 1 ? TILE_LABEL_PX : 0), welcome), bottom: buttons + (small ? PHASE_PX : 0) };
   };
   return {
     picture,
@@ -60,12 +63,31 @@ export function createShell(): Shell {
     mount(root, parts) {
       const app = h('div', { class: 'app' }, parts.header,
         h('main', { class: 'viewport', 'aria-label': 'Viewport' }, picture, ...parts.overlays, h('div', { class: 'overlay-top' }, ...parts.messages)),
-        h('aside', { class: 'side', 'aria-label': 'Options', tabindex: 0 }, ...parts.panels),
+        createSide(parts.panels),
         h('div', { class: 'deck' }, parts.keyStrip, parts.transport), parts.status);
       app.append(createTabs(app));
       root.replaceChildren(app, ...parts.floating);
     },
   };
+}
+
+/** The panels under each other, and a row of their names that stays in sight. */
+function createSide(panels: HTMLElement[]): HTMLElement {
+  const names = panels.map((panel) => panel.querySelector('h2')?.textContent ?? '');
+  const buttons = names.map((name, index) => h('button', {
+    type: 'button', 'data-testid': `side-${index}`, onclick: () => { side.scrollTop = panels[index]!.offsetTop - row.offsetHeight; },
+  }, name));
+  const row = h('nav', { class: 'side-nav', 'aria-label': 'Options' }, ...buttons);
+  const side = h('aside', { class: 'side', 'aria-label': 'Options', tabindex: 0 }, row, ...panels);
+  const mark = (): void => {
+    const atEnd = side.scrollTop > 0 && side.scrollTop + side.clientHeight >= side.scrollHeight - 1;
+    const passed = panels.filter((panel) => panel.offsetTop <= side.scrollTop + row.offsetHeight + NEAR_PX).length;
+    const current = atEnd ? panels.length - 1 : Math.max(passed - 1, 0);
+    buttons.forEach((button, index) => setAttribute(button, 'aria-current', index === current ? 'true' : null));
+  };
+  side.addEventListener('scroll', mark, { passive: true });
+  new ResizeObserver(mark).observe(side);
+  return side;
 }
 
 function createTabs(app: HTMLElement): HTMLElement {

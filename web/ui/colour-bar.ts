@@ -4,6 +4,8 @@ import { h, memo, setHidden, setStyle, setText } from './dom.ts';
 export interface ColourBarProps {
   title: string;
   unit: string;
+  /** The unit as it stands behind a number. */
+  symbol: string;
   /** The range starts at 0. */
   top: number;
   /** The numbers of the moment. */
@@ -25,7 +27,7 @@ export function createColourBar(gradient: string): { element: HTMLElement; updat
   const draw = memo((props: ColourBarProps) => {
     setText(title, props.title);
     setText(unit, props.unit);
-    [1, 0.5, 0].forEach((share, index) => setText(ticks.children[index]!, String(Number((share * props.top).toPrecision(3)))));
+    [1, 0.5, 0].forEach((share, index) => setText(ticks.children[index]!, `${Number((share * props.top).toPrecision(3))} ${props.symbol}`));
     setText(now, props.now);
     setStyle(element, 'left', `${props.x}px`);
     setStyle(element, 'top', `${props.y}px`);

@@ -15,7 +15,7 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
     h('header', {}, h('h2', {}, 'From poses to motion'), button({ label: 'Close', testId: 'help-close', icon: 'close', onClick: () => element.close() })),
     h('p', {}, 'Give the page two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Rotations and stretches are joined by cubic splines, not positions, so the shape bends and twists without shrinking.'),
     h('p', {}, 'Drag the slider through the motion, and past both ends, where it goes on as the end keys suggest. Your files stay on your machine.'),
-    h('h3', {}, 'Keys'),
+    h('h3', {}, 'Keyboard'),
     h('dl', { class: 'shortcuts' }, ...shortcuts.map(({ keys, does }) => h('div', {},
       h('dt', {}, ...keys.split('  ').map((key) => h('kbd', {}, key))), h('dd', {}, does)))),
     switchOff.element,

@@ -60,21 +60,12 @@ export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; 
   const element = h('section', { class: 'key-strip', 'aria-label': 'Keys' }, list,
     h('div', { class: 'key-actions' }, addCurrent, addFile), editor.element);
   const cards: Card[] = [];
-  let edited = -1;
-  let props: KeyStripProps | null = null;
-
-  const openEditor = (index: number): void => {
-    edited = index;
-    if (props) editor.update(index, props);
-    editor.open(list.children[index] as HTMLElement | undefined);
-  };
-
   const draw = memo((next: KeyStripProps) => {
     while (cards.length > next.keys.length) cards.pop()?.element.remove();
     next.keys.forEach((item, index) => {
       let card = cards[index];
       if (!card) {
-        card = createCard(events, openEditor);
+        card = createCard(events, editor.open);
         cards.push(card);
         list.append(card.element);
       }
@@ -84,20 +75,13 @@ export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; 
     addCurrent.disabled = next.disabled || next.addReason !== null;
     setAttribute(addCurrent, 'title', next.addReason ?? 'Add the current shape as a key (K)');
     addFile.disabled = next.disabled;
-    if (edited >= next.keys.length) editor.close();
-    else if (edited >= 0) editor.update(edited, next);
+    editor.update(next);
   });
 
-  return {
-    element,
-    update(next) {
-      props = next;
-      draw(next);
-    },
-  };
+  return { element, update: draw };
 }
 
-function createCard(events: KeyStripEvents, onEdit: (index: number) => void): Card {
+function createCard(events: KeyStripEvents, onEdit: (index: number, from: HTMLElement) => void): Card {
   let index = 0;
   let time = 0;
   const image = h('img', { alt: '', draggable: 'false', width: 72, height: 54 });
@@ -106,7 +90,7 @@ function createCard(events: KeyStripEvents, onEdit: (index: number) => void): Ca
   const when = h('span', { class: 'key-time' });
   const go = h('button', { type: 'button', class: 'key-go', onclick: () => events.onSeek(time) },
     h('span', { class: 'thumb' }, image, badge), name, when);
-  const edit = h('button', { type: 'button', class: 'key-edit', onclick: () => onEdit(index) }, icon('down'));
+  const edit = h('button', { type: 'button', class: 'key-edit', onclick: () => onEdit(index, edit) }, icon('down'));
   const element = h('li', { class: 'key-card', draggable: 'true' }, go, edit);
 
   element.addEventListener('dragstart', (event) => {
@@ -148,9 +132,9 @@ function createCard(events: KeyStripEvents, onEdit: (index: number) => void): Ca
       setAttribute(image, 'hidden', item.thumbnail === null);
       setText(badge, String(at + 1));
       setText(name, item.name);
-      const shortTime = String(Number(formatTime(item.time, range)));
       // Keys of an animation are named by their time already.
-      setText(when, item.name === `${shortTime} s` ? '' : shortTime);
+      const named = Math.abs(parseFloat(item.name) - item.time) <= 1e-3 * length(range) && item.name.endsWith(' s');
+      setText(when, named ? '' : String(Number(formatTime(item.time, range))));
       go.disabled = disabled;
       edit.disabled = disabled;
     },
@@ -158,14 +142,17 @@ function createCard(events: KeyStripEvents, onEdit: (index: number) => void): Ca
 }
 
 interface Editor {
-  element: HTMLDialogElement;
-  open(anchor: HTMLElement | undefined): void;
-  close(): void;
-  update(index: number, props: KeyStripProps): void;
+  element: HTMLElement;
+  /** `from`: what was pressed, where the focus goes back to. */
+  open(index: number, from: HTMLElement): void;
+  update(props: KeyStripProps): void;
 }
 
+/** Not modal: the shape, and the time, can be moved while a key is changed. */
 function createEditor(events: KeyStripEvents): Editor {
   let index = 0;
+  let props: KeyStripProps | null = null;
+  let opener: HTMLElement | null = null;
   const title = h('h2', {});
   const name = h('input', {
     type: 'text', maxlength: 60, 'data-testid': 'key-name', 'aria-label': 'Name',
@@ -187,7 +174,7 @@ function createEditor(events: KeyStripEvents): Editor {
     onInput: (value) => events.onShaping(index, 'turns', Math.round(value)),
   });
   const turnsRow = h('div', { class: 'field row' },
-    h('span', { class: 'label', title: 'Keys do not say how often the shape turned between them' }, 'Whole turns on the way here'), turns);
+    h('span', { class: 'label', title: 'Keys do not say how often the shape turned between them' }, 'Whole turns before it'), turns);
   const bend = h('p', { class: 'reason', 'data-testid': 'key-bend', hidden: true },
     'With tension or bias the motion still has one slope at this key, but its acceleration jumps there: it is C1, no longer C2.');
   const earlier = button({ label: 'Earlier in the order', testId: 'key-earlier', icon: 'left', text: 'Earlier', kind: 'plain', onClick: () => move(-1) });
@@ -198,16 +185,26 @@ function createEditor(events: KeyStripEvents): Editor {
   });
   const remove = button({
     label: 'Remove this key', testId: 'key-remove', icon: 'trash', text: 'Remove', kind: 'plain',
-    onClick: () => { events.onRemove(index); element.close(); },
+    onClick: () => { events.onRemove(index); close(); },
   });
   const reason = h('p', { class: 'reason', hidden: true }, 'A motion needs two keys.');
-  const element = h('dialog', { class: 'dialog small', 'data-testid': 'key-editor', 'aria-label': 'Edit key' },
-    h('header', {}, title, button({ label: 'Close', testId: 'key-editor-close', icon: 'close', onClick: () => element.close() })),
+  const element = h('div', { class: 'card key-editor', role: 'dialog', 'data-testid': 'key-editor', 'aria-label': 'Edit key', hidden: true },
+    h('header', {}, title, button({ label: 'Close', testId: 'key-editor-close', icon: 'close', shortcut: 'Esc', onClick: () => close() })),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Name'), name),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Time'), time),
     tension.element, bias.element, bend, turnsRow,
     h('div', { class: 'button-row' }, earlier, later), h('div', { class: 'button-row' }, reference, remove), reason);
-  element.addEventListener('click', (event) => { if (event.target === element) element.close(); });
+  element.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.stopPropagation();
+    close();
+  });
+
+  const close = (): void => {
+    if (element.hidden) return;
+    element.hidden = true;
+    opener?.focus();
+  };
 
   const move = (by: 1 | -1): void => {
     const from = index;
@@ -215,27 +212,39 @@ function createEditor(events: KeyStripEvents): Editor {
     events.onMove(from, from + by);
   };
 
+  const draw = (): void => {
+    const item = props?.keys[index];
+    if (!props || element.hidden) return;
+    if (!item) return close();
+    setText(title, `Key ${index + 1}`);
+    setField(name, item.name);
+    setField(time, formatTime(item.time, props.range));
+    tension.update(item.tension);
+    bias.update(item.bias);
+    setField(turns, String(item.turns));
+    setHidden(turnsRow, index === 0);
+    setHidden(bend, item.tension === 0 && item.bias === 0);
+    earlier.disabled = index === 0;
+    later.disabled = index === props.keys.length - 1;
+    reference.disabled = item.isReference;
+    remove.disabled = !props.canRemove;
+    setHidden(reason, props.canRemove);
+  };
+
   return {
     element,
-    open: () => { element.showModal(); name.select(); },
-    close: () => { if (element.open) element.close(); },
-    update(at, { keys, range, canRemove }) {
-      if (!element.open) index = at;
-      const item = keys[index];
-      if (!item) return;
-      setText(title, `Key ${index + 1}`);
-      setField(name, item.name);
-      setField(time, formatTime(item.time, range));
-      tension.update(item.tension);
-      bias.update(item.bias);
-      setField(turns, String(item.turns));
-      setHidden(turnsRow, index === 0);
-      setHidden(bend, item.tension === 0 && item.bias === 0);
-      earlier.disabled = index === 0;
-      later.disabled = index === keys.length - 1;
-      reference.disabled = item.isReference;
-      remove.disabled = !canRemove;
-      setHidden(reason, canRemove);
+    open(at, from) {
+      if (!element.hidden && at === index) return close();
+      index = at;
+      opener = from;
+      element.hidden = false;
+      draw();
+      name.focus();
+      name.select();
+    },
+    update(next) {
+      props = next;
+      draw();
     },
   };
 }

@@ -52,13 +52,19 @@ export function createProblem(onClose: () => void): { element: HTMLElement; upda
   return { element, update: (problem) => draw({ problem }) };
 }
 
-/** Says in one sentence what the page does, until the visitor has done something. */
-export function createWelcome(onPick: () => void): { element: HTMLElement; update(shown: boolean): void } {
+/** Says in one sentence what the page does, until the visitor has done something; gives way to other messages in the same place. */
+export function createWelcome(onPick: () => void): { element: HTMLElement; update(wanted: boolean, givesWay: boolean): void } {
   const element = h('div', { class: 'welcome', 'data-testid': 'welcome', hidden: true },
     h('p', {}, h('strong', {}, 'Poses in, motion out. '),
       'Drag the slider, also past both ends, or drop two or more poses of your own mesh here.'),
     button({ label: 'Choose files', testId: 'welcome-open', text: 'Choose files', icon: 'open', kind: 'plain', onClick: onPick }));
-  return { element, update: (shown) => setHidden(element, !shown) };
+  return {
+    element,
+    update(wanted, givesWay) {
+      setHidden(element, !wanted);
+      setAttribute(element, 'data-gives-way', givesWay);
+    },
+  };
 }
 
 /** Short news that goes away by itself, read out by screen readers. */

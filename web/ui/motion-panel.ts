@@ -5,7 +5,7 @@ import type { End } from '../model/speeds.ts';
 import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP } from '../model/speeds.ts';
 import { BOUNDARIES, DEFAULT_MOTION, METHODS, ignoresHermite } from '../model/state.ts';
 import type { Choice } from './controls.ts';
-import { button, checkbox, numberField, segments, select, slider } from './controls.ts';
+import { button, checkbox, keyLabel, numberField, segments, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 
 export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: string }> = {
@@ -117,6 +117,6 @@ function poseOf(value: string): number | null {
 }
 
 function poseChoices(keys: readonly KeyRef[], none: string): Choice<string>[] {
-  return [{ value: '', label: none }, ...keys.map((key, index) => ({ value: String(key.pose), label: `${index + 1}  ${key.name}` }))];
+  return [{ value: '', label: none }, ...keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) }))];
 }
 

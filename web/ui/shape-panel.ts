@@ -3,7 +3,7 @@ import type { KeysInfo, SequenceStats, Stretch } from '../engine/types.ts';
 import type { Encoding, KeyRef } from '../model/state.ts';
 import { DEFAULT_ENCODING } from '../model/state.ts';
 import type { Choice } from './controls.ts';
-import { button, numberField, segments, select } from './controls.ts';
+import { button, keyLabel, numberField, segments, select } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 import { createOrientation } from './orientation.ts';
 import type { Orientation } from './orientation.ts';
@@ -64,7 +64,7 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
     });
     setHidden(lost, props.lost === 0);
     setText(lost, lostText(props.lost));
-    reference.update(String(keys[props.reference]?.pose ?? ''), keys.map((key, index) => ({ value: String(key.pose), label: `${index + 1}  ${key.name}` })));
+    reference.update(String(keys[props.reference]?.pose ?? ''), keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) })));
     setField(patches, String(encoding.patches));
     setText(patchesUsed, stats ? `${stats.patches} used` : '');
     const touched = (Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]).some((key) => encoding[key] !== props.defaults[key]);

@@ -6,7 +6,7 @@
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import type { End } from '../model/speeds.ts';
 import type { Phase, Range } from '../model/time-scale.ts';
-import { clamp, clampKeyTime, clampTime, formatTime, length, limits, snap } from '../model/time-scale.ts';
+import { clamp, clampKeyTime, clampTime, length, limits, snap } from '../model/time-scale.ts';
 import { formatMoment, loopRange, nearestFrameTime, steppedFrameTime } from '../model/frames.ts';
 import { fractionIn, panned, revealing, ruler, timeIn, windowOf, zoomed } from '../model/time-window.ts';
 import { createLoopHandles } from './loop-handles.ts';
@@ -169,8 +169,9 @@ export function createTimeline(events: TimelineEvents): Timeline {
     const part = windowOf(window, range);
     const unit = fps ?? 1;
     const numbers = needed ? ruler([part[0] * unit, part[1] * unit], width / RULER_PX).filter((n) => fps === null || Number.isInteger(n)) : [];
+    const decimals = Math.max(Math.ceil(-Math.log10((numbers[1] ?? 1) - (numbers[0] ?? 0)) - 1e-9), 0);
     marks.replaceChildren(...numbers.map((n) => {
-      const mark = h('span', { class: 'mark' }, fps === null ? formatTime(n, part) : String(n));
+      const mark = h('span', { class: 'mark' }, (n + 0).toFixed(decimals));
       place(mark, n / unit, part);
       return mark;
     }));

@@ -79,6 +79,7 @@ export function createPhaseLabel(onUseLog: () => void): { element: HTMLElement; 
 
 export interface TileLabel {
   title: string;
+  /** Measures in percent of the first key's; empty = not known. */
   detail: string;
   x: number;
   y: number;
@@ -94,14 +95,15 @@ export function createTileLabels(): { element: HTMLElement; update(labels: reado
       while (element.children.length > labels.length) element.lastElementChild?.remove();
       labels.forEach((label, index) => {
         const tile = (element.children[index] ?? element.appendChild(
-          h('div', { class: 'tile-label', 'data-testid': `tile-${index}` }, h('strong', {}), h('span', {})))) as HTMLElement;
+          h('div', { class: 'tile-label', 'data-testid': `tile-${index}` }, h('strong', {}), h('span', {}, h('span', {}), h('span', { class: 'of' }, ' of the first key'))))) as HTMLElement;
         setStyle(tile, 'left', `${label.x}px`);
         setStyle(tile, 'top', `${label.y}px`);
         setStyle(tile, 'width', `${label.width}px`);
         setAttribute(tile, 'data-edge', label.x > 0);
         setAttribute(tile, 'data-below', label.y > 0);
         setText(tile.firstElementChild!, label.title);
-        setText(tile.lastElementChild!, label.detail);
+        setHidden(tile.lastElementChild as HTMLElement, label.detail === '');
+        setText(tile.lastElementChild!.firstElementChild!, label.detail);
       });
     },
   };

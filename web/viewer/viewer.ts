@@ -18,6 +18,8 @@ export interface ViewerEvents {
   onCamera(pose: CameraPose): void;
   onContextLost(): void;
   onContextRestored(): void;
+  /** The canvas has another size, and the views stand elsewhere. */
+  onResize(): void;
   /** Pixels at the top and the bottom of each of so many views that other things lie over. */
   covered(views: number): { top: number; bottom: number };
 }
@@ -59,7 +61,7 @@ export class Viewer {
     this.rig = new CameraRig(this.canvas, () => this.invalidate(), () => events.onCamera(this.rig.pose()));
     this.canvas.addEventListener('webglcontextlost', () => events.onContextLost());
     this.canvas.addEventListener('webglcontextrestored', () => { events.onContextRestored(); this.invalidate(); });
-    this.resize = new ResizeObserver(() => this.fitCanvas());
+    this.resize = new ResizeObserver(() => { this.fitCanvas(); events.onResize(); });
     this.resize.observe(host);
     this.fitCanvas();
   }
@@ -262,6 +264,8 @@ export class Viewer {
     shape.setColour(colour);
     const picture = this.drawAlone(width, height);
     shape.dispose();
+    // The browser may show the canvas at any time.
+    this.draw();
     return picture;
   }
 
@@ -345,7 +349,7 @@ export class Viewer {
     for (const resolve of waiting) resolve();
   }
 
-  /** Uses a corner of the canvas, which is drawn anew before the browser shows it. */
+  /** Uses a corner of the canvas, where the picture has to be drawn again. */
   private drawAlone(width: number, height: number): string {
     const { clientWidth, clientHeight } = this.host;
     const scale = Math.min(1, clientWidth / width, clientHeight / height);
