@@ -43,6 +43,20 @@ test('a worker that ends while the motion plays comes back by itself', async ({ 
   await expect(app.by('error')).toBeHidden();
 });
 
+test('a worker that ends is noticed on a page without https, too, where there are no locks', async ({ app, baseURL }) => {
+  await app.page.goto(`http://insecure.test:${new URL(baseURL!).port}${new URL(baseURL!).pathname}`);
+  await app.page.waitForFunction(() => window.__shapespline !== undefined);
+  await app.page.evaluate(() => window.__shapespline!.ready);
+  expect(await app.page.evaluate(() => [isSecureContext, 'locks' in navigator])).toEqual([false, false]);
+  const before = await app.positionsAt(0.3);
+  await killWorkers(app);
+  await expect(app.by('toast')).toContainText('nothing is lost');
+  expect(await app.positionsAt(0.3)).toEqual(before);
+  expect(difference(await app.positionsAt(0.8), before)).toBeGreaterThan(0);
+  await expect(app.by('error')).toBeHidden();
+  await app.expectNoProblems();
+});
+
 interface Big {
   /** How often the page could do something else while it was at it. */
   beats: number;

@@ -17,6 +17,8 @@ const args = [
   '--disable-component-update',
   '--disable-sync',
   '--no-first-run',
+  // Any name but localhost is not trusted without https.
+  '--host-resolver-rules=MAP insecure.test localhost',
 ];
 if (process.getuid?.() === 0) args.push('--no-sandbox');
 

@@ -1,5 +1,6 @@
 /** The engine in a browser. */
 import defaultWasmUrl from '../../build/wasm/shapespline.wasm?url';
+import { lockReleased } from './alive.ts';
 import type { Engine } from './api.ts';
 import { EngineClient } from './engine.ts';
 import { engineError, messageOf, type EngineError } from './errors.ts';
@@ -40,7 +41,7 @@ function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | u
     };
     worker.onmessage = ({ data }: MessageEvent<FromWorker | Locked>) => {
       answered = true;
-      if (data.type === 'locked') void navigator.locks.request(name, () => lost('the browser has ended it'));
+      if (data.type === 'locked') void lockReleased(name).then(() => lost('the browser has ended it'));
       else events.message(data);
     };
     worker.onmessageerror = () => events.failure(endedWorker('an answer could not be received'));

@@ -1,5 +1,6 @@
 /** The browser's worker. */
 import createWasm from '../../build/wasm/shapespline.mjs';
+import { holdLock } from './alive.ts';
 import { decoder } from './decode.ts';
 import type { Locked, ToWorker } from './protocol.ts';
 import { Service } from './service.ts';
@@ -16,11 +17,5 @@ const service = new Service({
   create: createWasm,
   decode: decoder(dracoWasm),
 });
-// A worker that the browser ends tells nobody. It holds a lock as long as it lives; whoever gets it next knows.
-if (self.name && navigator.locks) {
-  void navigator.locks.request(self.name, () => {
-    self.postMessage({ type: 'locked' } satisfies Locked);
-    return new Promise(() => undefined);
-  });
-}
+if (self.name) holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
 self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => service.receive(data));

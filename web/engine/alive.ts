@@ -1,0 +1,34 @@
+/**
+ * How a page learns that one of its workers has ended: the browser, which may end it, tells nobody. As long as it lives, the
+ * worker holds a lock that bears its name; whoever gets it next knows. Pages without https have no locks: there an open
+ * database stands for it, which cannot be deleted before the worker that opened it has ended.
+ */
+
+/** A connection that nothing refers to would be closed. */
+const held: IDBDatabase[] = [];
+
+/** In the worker: takes the lock for as long as it lives; `taken` is called once it has it. */
+export function holdLock(name: string, taken: () => void): void {
+  if ('locks' in navigator) {
+    void navigator.locks.request(name, () => {
+      taken();
+      return new Promise(() => undefined);
+    });
+    return;
+  }
+  const opening = indexedDB.open(name);
+  opening.onsuccess = () => {
+    held.push(opening.result);
+    taken();
+  };
+}
+
+/** In the page: resolves when the worker that holds the lock has ended, however that came. */
+export function lockReleased(name: string): Promise<void> {
+  if ('locks' in navigator) return navigator.locks.request(name, () => undefined);
+  return new Promise((resolve) => {
+    const deleting = indexedDB.deleteDatabase(name);
+    deleting.onsuccess = () => resolve();
+  });
+}
+
