@@ -1,102 +1,387 @@
-import { describe, expect, it } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Lane } from '../../web/app/lanes.ts';
 import { Pump } from '../../web/app/pump.ts';
-import type { Frame } from '../../web/engine/types.ts';
+import type { AheadOptions } from '../../web/engine/api.ts';
+import type { Frame, Method } from '../../web/engine/types.ts';
 
-function setUp(count = 1) {
-  const open: { t: number; resolve(frame: Frame | null): void; reject(error: unknown): void }[] = [];
-  const shown: number[] = [];
+beforeEach(() => { vi.useFakeTimers(); });
+afterEach(() => { vi.useRealTimers(); });
+
+interface Open {
+  t: number;
+  about: boolean;
+  resolve(frame: Frame | null): void;
+  reject(error: unknown): void;
+}
+
+/** Milliseconds of an exact frame and of a cheap one. */
+function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method } = {}) {
+  const open: Open[] = [];
+  const shown: string[] = [];
   const errors: unknown[] = [];
+  const screen = { easing: false, drawn: [] as (() => void)[] };
   let released = 0;
   let frames = 0;
-  const frame = (t: number): Frame => {
+  const frame = (t: number, about: boolean): Frame => {
     frames += 1;
-    return { t, positions: new Float32Array(), normals: new Float32Array(), ms: 1, lostDefiniteness: 0, release: () => { released += 1; } };
+    const ms = about ? cheapMs : exactMs;
+    return { t, positions: new Float32Array(), normals: new Float32Array(), ms, lostDefiniteness: 0, release: () => { released += 1; } };
   };
+  const asked = (t: number, about: boolean, signal?: AbortSignal): Promise<Frame | null> => new Promise((resolve, reject) => {
+    open.push({ t, about, resolve, reject });
+    signal?.addEventListener('abort', () => reject(new Error('taken back')));
+  });
   const lane = (): Lane => ({
-    method: 'lri',
-    sequence: { evaluate: (t: number) => new Promise((resolve, reject) => open.push({ t, resolve, reject })) },
+    method,
+    sequence: {
+      evaluate: (t: number) => asked(t, false),
+      preview: (t: number) => asked(t, true),
+      evaluateAhead: (t: number, { preview = false, signal }: AheadOptions) => asked(t, preview, signal),
+    },
   } as unknown as Lane);
   let lanes: readonly Lane[] = Array.from({ length: count }, lane);
   const pump = new Pump({
-    lanes: () => lanes, show: (t) => { shown.push(t); }, drawn: async () => undefined, onError: (error) => errors.push(error),
+    lanes: () => lanes,
+    show: ({ t, about }, eased) => {
+      shown.push(`${about ? 'about ' : ''}${t}${eased ? ' eased' : ''}`);
+      screen.easing = eased;
+    },
+    // An eased shape is drawn when the test says so.
+    drawn: () => (screen.easing ? new Promise((resolve) => screen.drawn.push(resolve)) : Promise.resolve()),
+    onError: (error) => errors.push(error),
   });
-  const tick = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
-  const answer = async (): Promise<void> => { const next = open.shift()!; next.resolve(frame(next.t)); await tick(); };
-  return { pump, open, shown, errors, tick, answer, frame, balance: () => frames - released, exchange: () => { lanes = [lane()]; } };
+  const pass = async (ms = 0): Promise<void> => { await vi.advanceTimersByTimeAsync(ms); };
+  const answer = async (): Promise<void> => {
+    const next = open.shift()!;
+    next.resolve(frame(next.t, next.about));
+    await pass();
+  };
+  /** Exact shapes have been asked for and answered: their time is known. */
+  const learn = async (): Promise<void> => {
+    for (const t of [0.91, 0.92]) {
+      void pump.request(t);
+      await pass();
+      for (let lane = 0; lane < count; lane += 1) await answer();
+    }
+    shown.length = 0;
+  };
+  const easedToEnd = async (): Promise<void> => {
+    for (const resolve of screen.drawn.splice(0)) resolve();
+    await pass();
+  };
+  return {
+    pump, open, shown, errors, pass, answer, learn, easedToEnd,
+    wanted: () => open.map(({ t, about }) => `${about ? 'about ' : ''}${t}`),
+    balance: () => frames - released, exchange: () => { lanes = [lane()]; },
+  };
 }
 
 describe('the pump', () => {
   it('asks for one moment at a time and skips those that were overtaken', async () => {
-    const { pump, open, shown, answer, balance, tick } = setUp();
+    const { pump, shown, answer, balance, pass, wanted } = setUp();
     const all = [0.1, 0.2, 0.3].map((t) => pump.request(t));
-    await tick();
-    expect(open.map(({ t }) => t)).toEqual([0.3]);
+    await pass();
+    expect(wanted()).toEqual(['0.3']);
     const newer = pump.request(0.4);
     await answer();
     await Promise.all(all);
-    expect(open.map(({ t }) => t)).toEqual([0.4]);
+    expect(wanted()).toEqual(['0.4']);
     await answer();
     await newer;
-    expect(shown).toEqual([0.3, 0.4]);
+    expect(shown).toEqual(['0.3', '0.4']);
     expect(balance()).toBe(0);
     expect(pump.busy).toBe(false);
   });
 
   it('shows all lanes together', async () => {
-    const { pump, shown, answer, tick } = setUp(2);
+    const { pump, shown, answer, pass } = setUp({ count: 2 });
     const done = pump.request(0.5);
-    await tick();
+    await pass();
     await answer();
     expect(shown).toEqual([]);
     await answer();
     await done;
-    expect(shown).toEqual([0.5]);
+    expect(shown).toEqual(['0.5']);
   });
 
   it('asks the successor when the sequence is exchanged meanwhile', async () => {
-    const { pump, open, shown, answer, exchange, balance, tick } = setUp();
+    const { pump, shown, answer, exchange, balance, pass, wanted } = setUp();
     const done = pump.request(0.5);
-    await tick();
+    await pass();
     exchange();
     await answer();
     expect(shown).toEqual([]);
-    expect(open.map(({ t }) => t)).toEqual([0.5]);
+    expect(wanted()).toEqual(['0.5']);
     await answer();
     await done;
-    expect(shown).toEqual([0.5]);
+    expect(shown).toEqual(['0.5']);
     expect(balance()).toBe(0);
   });
 
   it('reports a failure once and goes on with the next moment', async () => {
-    const { pump, open, shown, errors, answer, tick } = setUp();
+    const { pump, open, shown, errors, answer, pass } = setUp();
     const failed = pump.request(0.5);
-    await tick();
+    await pass();
     open.shift()!.reject(new Error('worker ended'));
     await failed;
-    await tick();
+    await pass();
     expect(errors).toHaveLength(1);
     const next = pump.request(0.6);
-    await tick();
+    await pass();
     await answer();
     await next;
-    expect(shown).toEqual([0.6]);
+    expect(shown).toEqual(['0.6']);
   });
 
   it('takes up what is asked for the moment that a frame is done', async () => {
-    const { pump, shown, answer, tick } = setUp();
+    const { pump, shown, answer, pass } = setUp();
     const both = pump.request(0.1).then(() => pump.request(0.2));
-    await tick();
+    await pass();
     await answer();
     await answer();
     await both;
-    expect(shown).toEqual([0.1, 0.2]);
+    expect(shown).toEqual(['0.1', '0.2']);
     expect(pump.busy).toBe(false);
   });
 
   it('ends without lanes', async () => {
-    const { pump } = setUp(0);
+    const { pump } = setUp({ count: 0 });
     await pump.request(0.5);
     expect(pump.busy).toBe(false);
+  });
+});
+
+describe('while the time moves', () => {
+  const slow = { exactMs: 90, cheapMs: 25 };
+
+  it('small shapes are exact, and asked for once', async () => {
+    const { pump, shown, learn, answer, pass } = setUp({ exactMs: 29 });
+    await learn();
+    pump.follow(0.5);
+    await pass();
+    await answer();
+    await pass(1000);
+    expect(shown).toEqual(['0.5']);
+    expect(pump.busy).toBe(false);
+  });
+
+  it('large shapes are about right, the newest one at a time', async () => {
+    const { pump, shown, learn, answer, pass, wanted, balance } = setUp(slow);
+    await learn();
+    pump.follow(0.1);
+    await pass();
+    for (const t of [0.2, 0.3, 0.4]) pump.follow(t);
+    expect(wanted()).toEqual(['about 0.1']);
+    await answer();
+    expect(wanted()).toEqual(['about 0.4']);
+    await answer();
+    expect(shown).toEqual(['about 0.1', 'about 0.4']);
+    expect(pump.shown).toMatchObject({ t: 0.4, about: true });
+    expect(pump.busy).toBe(true);
+    expect(balance()).toBe(0);
+  });
+
+  it('the exact shape is eased in when no newer moment has come for a while', async () => {
+    const { pump, shown, learn, answer, pass, wanted, easedToEnd } = setUp(slow);
+    await learn();
+    pump.follow(0.4);
+    const idle = vi.fn();
+    void pump.idle().then(idle);
+    await pass();
+    await answer();
+    await pass(70);
+    expect(wanted()).toEqual([]);
+    await pass(20);
+    expect(wanted()).toEqual(['0.4']);
+    await answer();
+    expect(shown).toEqual(['about 0.4', '0.4 eased']);
+    expect(idle).not.toHaveBeenCalled();
+    await easedToEnd();
+    expect(idle).toHaveBeenCalled();
+    expect(pump.busy).toBe(false);
+    await pass(1000);
+    expect(wanted()).toEqual([]);
+  });
+
+  it('and at once when the pointer is lifted', async () => {
+    const { pump, learn, answer, pass, wanted } = setUp(slow);
+    await learn();
+    pump.follow(0.4);
+    await pass();
+    await answer();
+    pump.settle();
+    await pass();
+    expect(wanted()).toEqual(['0.4']);
+  });
+
+  it('a request is answered exactly, in the middle of a drag too', async () => {
+    const { pump, shown, learn, answer, pass, wanted } = setUp(slow);
+    await learn();
+    pump.follow(0.4);
+    await pass();
+    const done = vi.fn();
+    void pump.request(0.6).then(done);
+    await answer();
+    expect(done).not.toHaveBeenCalled();
+    expect(wanted()).toEqual(['0.6']);
+    await answer();
+    expect(done).toHaveBeenCalled();
+    // Another moment is no reason to ease.
+    expect(shown).toEqual(['about 0.4', '0.6']);
+  });
+
+  it('a drag that goes on while the exact shape is computed or eased is followed at once', async () => {
+    const { pump, shown, learn, answer, pass, wanted, easedToEnd, balance } = setUp(slow);
+    await learn();
+    pump.follow(0.4);
+    await pass();
+    await answer();
+    await pass(90);
+    pump.follow(0.5);
+    await answer();
+    expect(shown).toEqual(['about 0.4']);
+    expect(wanted()).toEqual(['about 0.5']);
+    await answer();
+    await pass(90);
+    await answer();
+    expect(shown.at(-1)).toBe('0.5 eased');
+    pump.follow(0.6);
+    await pass();
+    expect(wanted()).toEqual(['about 0.6']);
+    await answer();
+    expect(shown.at(-1)).toBe('about 0.6');
+    pump.settle();
+    await pass();
+    await answer();
+    await easedToEnd();
+    expect(pump.busy).toBe(false);
+    expect(balance()).toBe(0);
+  });
+
+  it('all lanes are about right together', async () => {
+    const { pump, shown, learn, answer, pass, wanted } = setUp({ ...slow, count: 2 });
+    await learn();
+    pump.follow(0.4);
+    await pass();
+    expect(wanted()).toEqual(['about 0.4', 'about 0.4']);
+    await answer();
+    expect(shown).toEqual([]);
+    await answer();
+    expect(shown).toEqual(['about 0.4']);
+  });
+
+  it('blends of vertices have no cheaper shape', async () => {
+    const { pump, learn, pass, wanted } = setUp({ ...slow, method: 'linear' });
+    await learn();
+    pump.follow(0.4);
+    await pass();
+    expect(wanted()).toEqual(['0.4']);
+  });
+
+  it('a cheap shape that is hardly cheaper is made before it is needed, and then left', async () => {
+    const { pump, shown, learn, answer, pass, wanted, balance } = setUp({ exactMs: 50, cheapMs: 45 });
+    await learn();
+    await pass(400);
+    expect(wanted()).toEqual(['about 0.92']);
+    await answer();
+    await answer();
+    expect(wanted()).toEqual([]);
+    expect(shown).toEqual([]);
+    pump.follow(0.4);
+    await pass();
+    expect(wanted()).toEqual(['0.4']);
+    await answer();
+    expect(balance()).toBe(0);
+  });
+
+  it('other sequences are measured anew', async () => {
+    const { pump, learn, pass, wanted, exchange } = setUp(slow);
+    await learn();
+    exchange();
+    pump.follow(0.4);
+    await pass();
+    expect(wanted()).toEqual(['0.4']);
+  });
+});
+
+describe('while the motion plays', () => {
+  const clock = () => ({ tick: 0, timeOf: (tick: number) => tick / 10, tickSeconds: () => 1 / 60 });
+
+  it('shapes are computed ahead and shown when they are due', async () => {
+    const { pump, shown, answer, pass, wanted, balance } = setUp();
+    const time = clock();
+    pump.play(time);
+    await pass();
+    expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
+    for (let k = 0; k < 4; k += 1) await answer();
+    expect(shown).toEqual([]);
+    pump.advance();
+    await pass();
+    expect(shown).toEqual(['0']);
+    time.tick = 2;
+    pump.advance();
+    await pass();
+    expect(shown).toEqual(['0', '0.2']);
+    expect(wanted()).toEqual(['0.4', '0.5', '0.6']);
+    pump.pause();
+    await pass();
+    expect(balance()).toBe(0);
+  });
+
+  it('a scrub takes back what was asked for ahead', async () => {
+    const { pump, open, shown, errors, answer, pass } = setUp();
+    pump.play(clock());
+    await pass();
+    const ahead = open.splice(0);
+    expect(ahead).toHaveLength(4);
+    pump.pause();
+    pump.follow(0.7);
+    await pass();
+    await answer();
+    expect(shown).toEqual(['0.7']);
+    expect(errors).toEqual([]);
+  });
+
+  it('large shapes are about right, and exact when it pauses', async () => {
+    const { pump, shown, learn, answer, pass, wanted } = setUp({ exactMs: 90, cheapMs: 25 });
+    await learn();
+    const time = clock();
+    pump.play(time);
+    await pass();
+    expect(wanted()[0]).toBe('about 0');
+    await answer();
+    pump.advance();
+    await pass();
+    expect(shown).toEqual(['about 0']);
+    pump.pause();
+    await pass();
+    const settled = wanted().length;
+    void pump.request(0);
+    await pass();
+    expect(wanted().slice(settled)).toEqual(['0']);
+  });
+
+  it('goes on after a failure', async () => {
+    const { pump, open, errors, pass, wanted } = setUp();
+    pump.play(clock());
+    await pass();
+    for (const one of open.splice(0)) one.reject(new Error('worker ended'));
+    await pass();
+    expect(errors).toHaveLength(1);
+    pump.advance();
+    await pass();
+    expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
+  });
+
+  it('what was computed for another motion is not shown', async () => {
+    const { pump, shown, answer, pass, wanted, balance } = setUp();
+    pump.play(clock());
+    await pass();
+    for (let k = 0; k < 4; k += 1) await answer();
+    pump.follow(0);
+    await pass();
+    expect(shown).toEqual([]);
+    expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
+    expect(balance()).toBe(0);
   });
 });

@@ -66,9 +66,11 @@ export function startApp(root: HTMLElement): void {
 
   const pump = new Pump({
     lanes: () => workspace.lanes,
-    async show(t, frames, lanes) {
-      await picture.show(t, frames, lanes, store.get(), context.range());
-      context.inform({ ms: frames[0]?.ms ?? null, lost: frames[0]?.lostDefiniteness ?? 0 });
+    async show(shapes, eased) {
+      await picture.show(shapes, store.get(), context.range(), eased && !context.reducedMotion());
+      const { about, frames: [first] } = shapes;
+      if (about) context.inform({ aboutMs: first?.ms ?? null });
+      else context.inform({ ms: first?.ms ?? null, aboutMs: null, lost: first?.lostDefiniteness ?? 0 });
     },
     drawn: () => picture.viewer.drawn(),
     onError: (error) => { if (!restarts(error)) context.fail(error); },
@@ -77,6 +79,7 @@ export function startApp(root: HTMLElement): void {
   const player = new Player(
     () => ({ time: store.get().time, play: store.get().play, range: context.range(), periodic: store.get().doc.motion.boundary === 'periodic' }),
     (time, playing) => store.set({ time, play: { ...store.get().play, playing } }),
+    () => pump.advance(),
   );
 
   const context: Context = {
@@ -126,7 +129,12 @@ export function startApp(root: HTMLElement): void {
     onExport: (request) => void exporting.run(request),
   });
   window.addEventListener('pointerdown', () => store.hold(true), { capture: true });
-  for (const end of ['pointerup', 'pointercancel'] as const) window.addEventListener(end, () => store.hold(false), { capture: true });
+  for (const end of ['pointerup', 'pointercancel'] as const) {
+    window.addEventListener(end, () => {
+      store.hold(false);
+      pump.settle();
+    }, { capture: true });
+  }
   listen(shortcuts, () => runtime.singleKeys);
   listenToArrows(context, commands, shell.picture);
   listenToCamera(context, shell.picture);
@@ -158,7 +166,7 @@ export function startApp(root: HTMLElement): void {
     if (!main) return;
     context.inform({ range: main.range, warnings: distinct([...(runtime.info?.warnings ?? []), ...main.warnings]) });
     main.stats().then((stats) => context.inform({ stats }), context.fail);
-    void pump.request(store.get().time);
+    pump.follow(store.get().time);
     insight.invalidate();
     thumbnails.refresh();
   }
@@ -201,11 +209,16 @@ export function startApp(root: HTMLElement): void {
     const otherMotions = state.doc !== before.doc || showsOtherMotions(state.view, before.view);
     if (otherMotions) workspace.want(specOf(state.doc, state.view.compare, state.view.ghostDifference));
     if (lookOf(state) !== lookOf(before)) applyLook();
-    if (state.time !== before.time || drawsOtherwise(state, before)) void pump.request(state.time);
-    if (state.play.playing && !before.play.playing) player.start();
+    if (drawsOtherwise(state, before)) void pump.request(state.time);
+    else if (state.time !== before.time && !state.play.playing) pump.follow(state.time);
+    if (state.play.playing && !before.play.playing) {
+      pump.play(player);
+      player.start();
+    }
     if (!state.play.playing && before.play.playing) {
       player.stop();
-      void pump.request(state.time);
+      pump.pause();
+      pump.follow(state.time);
     }
     if (state.source === before.source && otherMotions) context.inform({ welcome: false });
     if (!state.play.playing) {
@@ -268,6 +281,7 @@ export function startApp(root: HTMLElement): void {
       const mesh = (await sequence?.ghost()) ?? null;
       return mesh && { ...mesh, positions: await sequence!.ghostPositions(store.get().time) };
     },
+    get shown() { return { time: pump.shown.t, about: pump.shown.about }; },
     difference: () => picture.difference?.percent.slice() ?? null,
     positions: (view = 0) => picture.viewer.positions(view),
     project: (points, view = 0) => picture.viewer.project(Float32Array.from(points), view),

@@ -60,6 +60,8 @@ export function createExporting(context: Context, insight: InsightPanel): Export
       store.set({ play: { ...before.play, playing: false } });
       context.inform({ problem: null });
       try {
+        // What moved or played until now may be on the screen about right only.
+        await pump.idle();
         await runExport(request, {
           sequence, signal, show, doc: before.doc, name: fileStem(before), time: before.time, stretch: stretch(),
           canvas: picture.viewer.canvas, insight: () => insight.data(), turn: turned(), picture: () => picture.png(), backdrop: (on) => picture.viewer.setBackdrop(on ? stageColour() : null),

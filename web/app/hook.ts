@@ -8,11 +8,13 @@ import type { AppState } from '../model/state.ts';
 export interface TestHook {
   /** Resolves when the first shape is on the screen. */
   ready: Promise<void>;
-  /** Moves to t and resolves when that frame is drawn. */
+  /** Moves to t and resolves when that frame is drawn, exactly. */
   setTime(t: number): Promise<void>;
   /** Resolves when nothing is under way: no import, no build, no frame. */
   settled(): Promise<void>;
   readonly state: AppState;
+  /** The moment on the screen, which follows that of the state; `about` while what moves is drawn about right (Sequence.preview). */
+  readonly shown: { time: number; about: boolean };
   /** Counters of the main sequence: encodings, factorisations, solves. */
   stats(): Promise<SequenceStats | null>;
   /** The engine's own answer for a moment, 3 x vertices, without drawing it. */

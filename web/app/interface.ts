@@ -163,7 +163,7 @@ export function createInterface(input: InterfaceInput): Interface {
     colourBar.update(heat);
     status.update({
       keys: doc.keys.length, vertices: info?.report.vertices ?? 0, faces: info?.report.faces ?? 0,
-      ms: runtime.ms, warnings: runtime.warnings, offline: runtime.offline,
+      ms: runtime.aboutMs ?? runtime.ms, about: runtime.aboutMs !== null, warnings: runtime.warnings, offline: runtime.offline,
     });
     progress.update(runtime.working);
     problem.update(runtime.problem);

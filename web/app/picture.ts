@@ -18,6 +18,7 @@ import type { Difference } from './difference.ts';
 import { boundsOf, measure, patchColours, samplePoints } from './geometry.ts';
 import type { Measure } from './geometry.ts';
 import type { Lane } from './lanes.ts';
+import type { Shapes } from './shapes.ts';
 import type { PosePool } from './workspace.ts';
 
 /** While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then. */
@@ -95,12 +96,16 @@ export class Picture {
     this.viewer.fit(view, eased);
   }
 
-  /** Copies the frames of a moment to the screen, with what belongs to it. */
-  async show(t: number, frames: readonly Frame[], lanes: readonly Lane[], state: AppState, range: Range): Promise<void> {
+  /** Copies the shapes of a moment to the screen, with what belongs to it; measures and skins wait for the exact ones. */
+  async show({ t, frames, lanes, about }: Shapes, state: AppState, range: Range, eased: boolean): Promise<void> {
     const input = extrasInput(t, state, range);
     const phase = phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
     if (this.viewer.views !== lanes.length) this.setViews(lanes.length);
-    frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind]));
+    frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind], eased));
+    if (about) {
+      if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'of the moment when it rests' };
+      return this.showGhost(t, lanes[0], state.view);
+    }
     this.labels = lanes.length > 1 ? this.tileLabels(frames, lanes) : [];
     this.showDifference(frames, lanes, state.view);
     await this.showGhost(t, lanes[0], state.view);

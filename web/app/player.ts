@@ -3,6 +3,7 @@ import { heldTime, loopRange, playRange } from '../model/frames.ts';
 import type { Play } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { tick } from './clock.ts';
+import type { Clock } from './playback.ts';
 
 export interface PlayerView {
   time: number;
@@ -13,8 +14,13 @@ export interface PlayerView {
 
 /** After a pause of the whole page (a hidden tab, a long task) the motion goes on where it was. */
 const LONGEST_STEP_MS = 100;
+/** How much of the latest refresh enters the running mean. */
+const NEW_SHARE = 0.1;
 
-export class Player {
+export class Player implements Clock {
+  /** Screen refreshes since the page was opened, with those that a busy page has missed. */
+  tick = 0;
+  private refreshMs = 1000 / 60;
   private frame = 0;
   private last = 0;
   private direction: 1 | -1 = 1;
@@ -22,7 +28,11 @@ export class Player {
   private reached = 0;
   private shown = NaN;
 
-  constructor(private readonly view: () => PlayerView, private readonly move: (time: number, playing: boolean) => void) {}
+  /** `onTick` hears of every refresh, `move` of those with another time. */
+  constructor(
+    private readonly view: () => PlayerView, private readonly move: (time: number, playing: boolean) => void,
+    private readonly onTick: () => void = () => undefined,
+  ) {}
 
   start(): void {
     if (this.frame !== 0) return;
@@ -41,6 +51,18 @@ export class Player {
   stop(): void {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
+  }
+
+  tickSeconds(): number {
+    return this.refreshMs / 1000;
+  }
+
+  timeOf(later: number): number {
+    const { play, range, periodic } = this.stretch();
+    const step = this.tickSeconds() * play.speed;
+    let at = { time: this.reached, direction: this.direction, playing: true };
+    for (let ticks = this.tick; ticks < later && at.playing; ticks += 1) at = tick({ ...at, step, range, loop: play.loop, periodic });
+    return heldTime(at.time, play.fps, range[0]);
   }
 
   private jump(time: number): void {
@@ -63,8 +85,10 @@ export class Player {
   private step(): void {
     const now = performance.now();
     const { time, play, range, periodic } = this.stretch();
-    const step = (Math.min(now - this.last, LONGEST_STEP_MS) / 1000) * play.speed;
+    const passed = Math.min(now - this.last, LONGEST_STEP_MS);
+    const step = (passed / 1000) * play.speed;
     this.last = now;
+    this.count(passed);
     // Someone else has moved the time meanwhile.
     if (time !== this.shown) this.reached = time;
     const next = tick({ time: this.reached, direction: this.direction, step, range, loop: play.loop, periodic });
@@ -75,5 +99,12 @@ export class Player {
     const same = shown === this.shown && next.playing;
     this.shown = shown;
     if (!same) this.move(shown, next.playing);
+    this.onTick();
+  }
+
+  private count(passed: number): void {
+    const ticks = Math.max(Math.round(passed / this.refreshMs), 1);
+    if (ticks === 1) this.refreshMs += NEW_SHARE * (passed - this.refreshMs);
+    this.tick += ticks;
   }
 }

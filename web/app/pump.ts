@@ -1,12 +1,20 @@
-/** Asks for shapes and puts them on the screen: one at a time, always the newest moment, all views together. */
-import type { Frame } from '../engine/types.ts';
+/**
+ * Asks for shapes and puts them on the screen: one at a time, always the newest moment, all views together. What moves is
+ * drawn about right where exact shapes are slow, and exactly as soon as it rests; what plays is computed ahead.
+ */
+import type { AheadOptions } from '../engine/api.ts';
+import { Pace } from './pace.ts';
+import { Playback } from './playback.ts';
+import type { Clock } from './playback.ts';
+import { gather } from './shapes.ts';
+import type { Shapes } from './shapes.ts';
 import type { Lane } from './lanes.ts';
 
 export interface PumpTarget {
   lanes(): readonly Lane[];
-  /** Copies the frames to the screen; they are released afterwards. */
-  show(t: number, frames: readonly Frame[], lanes: readonly Lane[]): void | Promise<void>;
-  /** Resolves when what was shown has been drawn. */
+  /** Copies the shapes to the screen; they are released afterwards. `eased`: from those that are about right at this moment. */
+  show(shapes: Shapes, eased: boolean): void | Promise<void>;
+  /** Resolves when what was shown has been drawn, and none is being eased. */
   drawn(): Promise<void>;
   onError(error: unknown): void;
 }
@@ -16,69 +24,230 @@ interface Waiting {
   ticket: number;
 }
 
+/** What moves rests when no newer moment has come for so long. */
+const REST_MS = 80;
+/** The first cheap shape takes a moment: it is made before it is needed, when nothing else is asked for. */
+const PREPARE_MS = 300;
+
 export class Pump {
+  private readonly pace = new Pace();
   private wanted = 0;
   private ticket = 0;
-  private shown = 0;
+  /** The newest tickets that were served about right, and exactly. */
+  private about = 0;
+  private exact = 0;
+  private restsAt = -Infinity;
+  private screen: Pick<Shapes, 't' | 'lanes' | 'about'> = { t: NaN, lanes: [], about: false };
+  private drawing: Promise<void> = Promise.resolve();
+  private playback: Playback | null = null;
   private running: Promise<void> | null = null;
   private waiting: Waiting[] = [];
+  private calls: (() => void)[] = [];
+  private preparing: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly target: PumpTarget) {}
 
   get busy(): boolean {
-    return this.running !== null;
+    return this.exact < this.ticket;
   }
 
-  /** Resolves when this moment, or a newer one that overtook it, has been drawn. */
+  /** What is on the screen. */
+  get shown(): { t: number; about: boolean } {
+    return this.screen;
+  }
+
+  /** The exact shape. Resolves when this moment, or a newer one that overtook it, has been drawn. */
   request(t: number): Promise<void> {
+    this.want(t, -Infinity);
+    return this.idle();
+  }
+
+  /** For while the time or the motion changes: about right where exact shapes are slow, and exact when it rests. What plays goes on. */
+  follow(t: number): void {
+    if (this.playback) {
+      this.playback.discard();
+      this.wake();
+    } else this.want(t, performance.now() + REST_MS);
+  }
+
+  /** What moved has come to rest, as when a pointer is lifted. */
+  settle(): void {
+    if (performance.now() >= this.restsAt) return;
+    this.restsAt = -Infinity;
+    this.wake();
+  }
+
+  /** Shows what plays, until `pause`. The clock calls `advance` when its tick has changed. */
+  play(clock: Clock): void {
+    this.playback?.discard();
+    const source = { evaluateAhead: (t: number, options: AheadOptions) => this.ahead(t, options) };
+    this.playback = new Playback(clock, source, (error) => this.target.onError(error));
+    this.start();
+  }
+
+  advance(): void {
+    this.wake();
+  }
+
+  pause(): void {
+    this.playback?.discard();
+    this.playback = null;
+    this.wake();
+  }
+
+  /** Resolves when what has been asked for so far is drawn exactly; a motion that plays is not waited for. */
+  idle(): Promise<void> {
+    if (!this.busy) return Promise.resolve();
+    return new Promise((resolve) => this.waiting.push({ resolve, ticket: this.ticket }));
+  }
+
+  private want(t: number, restsAt: number): void {
     this.wanted = t;
     this.ticket += 1;
-    const { ticket } = this;
-    const done = new Promise<void>((resolve) => this.waiting.push({ resolve, ticket }));
-    this.running ??= this.run();
-    return done;
+    this.restsAt = restsAt;
+    // Computed ahead for a motion that may be another one now.
+    this.playback?.discard();
+    this.wake();
+    this.start();
   }
 
-  /** Resolves when what has been asked for so far is drawn: a motion that plays asks for more and more. */
-  idle(): Promise<void> {
-    if (!this.running) return Promise.resolve();
-    return new Promise((resolve) => this.waiting.push({ resolve, ticket: this.ticket }));
+  private start(): void {
+    clearTimeout(this.preparing);
+    this.running ??= this.run();
+  }
+
+  private wake(): void {
+    for (const call of this.calls.splice(0)) call();
+  }
+
+  private called(): Promise<void> {
+    return new Promise((resolve) => this.calls.push(resolve));
   }
 
   private async run(): Promise<void> {
     // Whoever waits for a frame may ask for the next one at once: that the work has ended must be known by then.
     await Promise.resolve();
-    while (this.shown < this.ticket) {
-      const { ticket, wanted } = this;
-      try {
-        // A sequence that was exchanged meanwhile answers no more: the same moment is asked of its successor.
-        if (!await this.frame(wanted) && ticket === this.ticket && this.target.lanes().length > 0) continue;
-      } catch (error) {
-        this.target.onError(error);
-      }
-      this.shown = ticket;
-      this.waiting = this.waiting.filter(({ resolve, ticket: mine }) => {
-        if (mine <= ticket) resolve();
-        return mine > ticket;
-      });
+    while (this.busy || this.playback) {
+      if (this.busy) await this.serve();
+      else await this.playOn();
     }
     this.running = null;
+    this.preparing = setTimeout(() => void this.prepare(), PREPARE_MS);
   }
 
-  private async frame(t: number): Promise<boolean> {
-    const lanes = this.target.lanes();
-    const outcomes = await Promise.allSettled(lanes.map((lane) => lane.sequence.evaluate(t)));
-    const frames = outcomes.flatMap((outcome) => (outcome.status === 'fulfilled' && outcome.value ? [outcome.value] : []));
+  /** The newest ticket: about right while it moves, where that is worth it; else exactly, which ends it. */
+  private async serve(): Promise<void> {
+    const { ticket, wanted } = this;
+    const rest = this.restsAt - performance.now();
+    const about = rest > 0 && this.pace.about(this.target.lanes());
+    if (about && this.about === ticket) return this.sleep(rest);
     try {
-      if (lanes !== this.target.lanes()) return false;
-      const failure = outcomes.find((outcome) => outcome.status === 'rejected');
-      if (failure) throw failure.reason;
-      if (frames.length < lanes.length) return false;
-      await this.target.show(t, frames, lanes);
-    } finally {
-      for (const frame of frames) frame.release();
+      const drawn = await this.frame(wanted, ticket, about);
+      if (!drawn) return;
+    } catch (error) {
+      this.target.onError(error);
     }
-    await this.target.drawn();
-    return true;
+    this.about = ticket;
+    if (about) return;
+    this.exact = ticket;
+    this.waiting = this.waiting.filter(({ resolve, ticket: mine }) => {
+      if (mine <= ticket) resolve();
+      return mine > ticket;
+    });
+  }
+
+  /** False where the sequences were exchanged meanwhile, or a newer moment came before an eased shape was drawn to its end. */
+  private async frame(t: number, ticket: number, about: boolean): Promise<boolean> {
+    const shapes = await this.ask(t, about);
+    if (!shapes) return false;
+    try {
+      const eased = !about && this.screen.about && this.screen.t === t && this.screen.lanes === shapes.lanes;
+      if (eased && ticket !== this.ticket) return false;
+      await this.show(shapes, eased);
+      // While a shape that is about right is drawn, the next one is computed.
+      if (about) return true;
+      if (eased) return await this.drawnBefore(ticket);
+      await this.drawing;
+      return true;
+    } finally {
+      shapes.release();
+    }
+  }
+
+  /** A sequence that was exchanged meanwhile answers no more: null, the same moment is to be asked of its successor. */
+  private async ask(t: number, about: boolean): Promise<Shapes | null> {
+    const lanes = this.target.lanes();
+    try {
+      const shapes = await gather(lanes, t, about, (sequence) => (about ? sequence.preview(t) : sequence.evaluate(t)));
+      if (shapes) this.pace.note(shapes);
+      if (lanes === this.target.lanes()) return shapes;
+      shapes?.release();
+      return null;
+    } catch (error) {
+      if (lanes === this.target.lanes()) throw error;
+      return null;
+    }
+  }
+
+  /** Waits until what is shown has been drawn; false as soon as a newer moment is asked for. */
+  private async drawnBefore(ticket: number): Promise<boolean> {
+    let drawn = false;
+    const drawing = this.drawing.then(() => { drawn = true; });
+    while (!drawn && ticket === this.ticket) await Promise.race([drawing, this.called()]);
+    if (!drawn) this.drawing = Promise.resolve();
+    return drawn;
+  }
+
+  private async playOn(): Promise<void> {
+    const shapes = this.playback?.take();
+    if (!shapes) return this.called();
+    try {
+      if (shapes.lanes !== this.target.lanes()) this.playback?.discard();
+      else await this.show(shapes, false);
+    } catch (error) {
+      this.target.onError(error);
+    } finally {
+      shapes.release();
+    }
+    await this.drawing;
+  }
+
+  private async show(shapes: Shapes, eased: boolean): Promise<void> {
+    await this.drawing;
+    await this.target.show(shapes, eased);
+    this.screen = { t: shapes.t, lanes: shapes.lanes, about: shapes.about };
+    this.drawing = this.target.drawn();
+  }
+
+  private async ahead(t: number, { signal }: AheadOptions): Promise<Shapes> {
+    const lanes = this.target.lanes();
+    const preview = this.pace.about(lanes);
+    const shapes = await gather(lanes, t, preview, (sequence) => sequence.evaluateAhead(t, { preview, signal }));
+    if (!shapes) throw new Error('A frame that was fetched ahead was overtaken.');
+    this.pace.note(shapes);
+    return shapes;
+  }
+
+  /** Finds out what cheap shapes take, and makes what they need; a failure is left to whoever asks for one. */
+  private async prepare(): Promise<void> {
+    const lanes = this.target.lanes();
+    if (!this.pace.untried(lanes)) return;
+    for (let times = 0; times < 2 && !this.running && lanes === this.target.lanes(); times += 1) {
+      const shapes = await gather(lanes, this.wanted, true, (sequence) => sequence.evaluateAhead(this.wanted, { preview: true }))
+        .catch(() => null);
+      if (!shapes) return;
+      this.pace.note(shapes);
+      shapes.release();
+    }
+  }
+
+  private sleep(ms: number): Promise<void> {
+    return new Promise((resolve) => {
+      const timer = setTimeout(resolve, ms);
+      this.calls.push(() => {
+        clearTimeout(timer);
+        resolve();
+      });
+    });
   }
 }

@@ -20,7 +20,10 @@ export interface Runtime {
   stats: SequenceStats | null;
   /** The range of the running sequence. */
   range: readonly [number, number];
+  /** Of the last exact shape. */
   ms: number | null;
+  /** Of the shape on the screen where that is about right only, else null. */
+  aboutMs: number | null;
   lost: number;
   /** By pose. */
   thumbnails: ReadonlyMap<number, string>;
@@ -33,6 +36,6 @@ export interface Runtime {
 }
 
 export const EMPTY_RUNTIME: Runtime = {
-  samples: [], info: null, orientation: null, initial: null, warnings: [], working: null, problem: null, stats: null, range: [0, 1], ms: null, lost: 0,
+  samples: [], info: null, orientation: null, initial: null, warnings: [], working: null, problem: null, stats: null, range: [0, 1], ms: null, aboutMs: null, lost: 0,
   thumbnails: new Map(), welcome: false, offline: false, remembered: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

@@ -10,6 +10,14 @@ export interface CallOptions {
   onProgress?: (progress: Progress) => void;
 }
 
+/** How frames are fetched ahead. */
+export interface AheadOptions {
+  /** About, as `preview` has it. */
+  preview?: boolean;
+  /** Takes the request back: what has not begun rejects with code 'cancelled'. */
+  signal?: AbortSignal;
+}
+
 export interface Engine {
   /** Reads files into keys. Nothing of an earlier import or sequence changes, whatever happens. */
   importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys>;
@@ -45,7 +53,7 @@ export interface Sequence {
    */
   preview(t: number): Promise<Frame | null>;
   /** A frame for later: it yields to evaluate and is never overtaken. FramePlayer uses it. */
-  evaluateAhead(t: number): Promise<Frame>;
+  evaluateAhead(t: number, options?: AheadOptions): Promise<Frame>;
   /** Every one of them, in order; used by exports and measures. */
   evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]>;
   /** Refits without encoding or factorising. */

@@ -2,6 +2,7 @@
  * One request at a time to a sequence's worker, the most urgent first: a frame that someone waits for is never behind
  * frames that are fetched ahead or belong to an export.
  */
+import { cancelled } from './errors.ts';
 
 /** What a request is for; lower is served first, equals in the order in which they came. */
 export const urgency = { shown: 0, ahead: 1, batch: 2 } as const;
@@ -16,10 +17,13 @@ export class Scheduler {
   private waiting: Task[] = [];
   private busy = false;
 
-  /** The task's own promise; it starts when nothing more urgent is left. */
-  run<T>(level: Urgency, work: () => Promise<T>): Promise<T> {
+  /** The task's own promise; it starts when nothing more urgent is left. The signal withdraws it as long as it has not. */
+  run<T>(level: Urgency, work: () => Promise<T>, signal?: AbortSignal): Promise<T> {
     return new Promise<T>((resolve, reject) => {
-      this.add({ urgency: level, start: () => work().then(resolve, reject) });
+      if (signal?.aborted) return reject(cancelled());
+      const task: Task = { urgency: level, start: () => work().then(resolve, reject) };
+      signal?.addEventListener('abort', () => { if (this.withdraw(task)) reject(cancelled()); }, { once: true });
+      this.add(task);
     });
   }
 

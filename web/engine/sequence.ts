@@ -1,5 +1,5 @@
 /** A sequence on the caller's side: its worker, the motion that is meant, and what it takes to build it again. */
-import type { CallOptions, Sequence } from './api.ts';
+import type { AheadOptions, CallOptions, Sequence } from './api.ts';
 import { disposed, untilAborted, type EngineError } from './errors.ts';
 import { exportFiles, planExport, type ExportSource } from './export.ts';
 import { checkCall, checkExportOptions, checkTime, checkTimes, checkUpdate, encodingOf, motionOf } from './options.ts';
@@ -96,10 +96,10 @@ export class SequenceClient implements Sequence {
     });
   }
 
-  async evaluateAhead(t: number): Promise<Frame> {
+  async evaluateAhead(t: number, { preview = false, signal }: AheadOptions = {}): Promise<Frame> {
     this.checkAlive();
     checkTime(t);
-    return this.scheduler.run(urgency.ahead, () => this.frame(t, this.motion));
+    return this.scheduler.run(urgency.ahead, () => this.frame(t, this.motion, preview), signal);
   }
 
   async evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]> {

@@ -9,6 +9,8 @@ export interface StatusProps {
   faces: number;
   /** Milliseconds of the last frame in the worker, or null before the first. */
   ms: number | null;
+  /** That frame is about right, as long as something moves. */
+  about: boolean;
   warnings: readonly Warning[];
   offline: boolean;
 }
@@ -17,7 +19,10 @@ export function createStatusLine(): { element: HTMLElement; update(props: Status
   const keys = h('span', { 'data-testid': 'status-keys' });
   const vertices = h('span', { 'data-testid': 'status-vertices' });
   const faces = h('span', { 'data-testid': 'status-faces' });
-  const ms = h('span', { 'data-testid': 'status-ms', class: 'ms' });
+  const ms = h('span', {
+    'data-testid': 'status-ms', class: 'ms',
+    title: 'Time to compute the shape on the screen. Where that is long, a moving shape is drawn about right, and exactly when it rests',
+  });
   const offline = h('span', { hidden: true }, 'offline');
   const list = h('ul', { class: 'warning-list' });
   const popover = h('dialog', { class: 'dialog', 'data-testid': 'warnings', 'aria-label': 'Warnings' },
@@ -32,7 +37,7 @@ export function createStatusLine(): { element: HTMLElement; update(props: Status
   }, icon('warning'), count);
   const element = h('footer', { class: 'status-line', 'data-testid': 'status' }, keys, vertices, faces, ms, warnings, offline, popover);
 
-  const drawCounts = memo((props: Omit<StatusProps, 'ms'>) => {
+  const drawCounts = memo((props: Omit<StatusProps, 'ms' | 'about'>) => {
     setText(keys, plural(props.keys, 'key', 'keys'));
     setText(vertices, plural(props.vertices, 'vertex', 'vertices'));
     setText(faces, plural(props.faces, 'face', 'faces'));
@@ -46,9 +51,9 @@ export function createStatusLine(): { element: HTMLElement; update(props: Status
 
   return {
     element,
-    update({ ms: time, ...rest }) {
+    update({ ms: time, about, ...rest }) {
       drawCounts(rest);
-      setText(ms, time === null ? '' : `${time < 9.95 ? time.toFixed(1) : time.toFixed(0)} ms a frame`);
+      setText(ms, time === null ? '' : `${time < 9.95 ? time.toFixed(1) : time.toFixed(0)} ms a frame, ${about ? 'about right' : 'exact'}`);
     },
   };
 }

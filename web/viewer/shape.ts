@@ -4,6 +4,7 @@ import {
 } from 'three';
 import type { Material as ThreeMaterial, Texture } from 'three';
 import type { Material } from '../engine/types.ts';
+import { Easing } from './easing.ts';
 import type { Look, Topology } from './types.ts';
 
 /** What several shapes of one import share: the index and the decoded images. */
@@ -19,8 +20,11 @@ export interface SharedTopology extends Topology {
 export class Shape {
   readonly object = new Group();
   private readonly geometry = new BufferGeometry();
-  private readonly position: BufferAttribute;
-  private readonly normal: BufferAttribute;
+  private readonly easing = new Easing();
+  private position: BufferAttribute;
+  private normal: BufferAttribute;
+  /** What is eased from; made when it is first needed. */
+  private before: { position: BufferAttribute; normal: BufferAttribute } | null = null;
   private readonly plain = new MeshStandardMaterial({
     roughness: 0.62, metalness: 0, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
   });
@@ -45,11 +49,12 @@ export class Shape {
     this.mesh = new Mesh(this.geometry, this.plain);
     this.wire = new Mesh(this.geometry, this.lines);
     this.mesh.castShadow = true;
+    for (const material of [this.plain, this.lines]) this.easing.install(material);
     for (const mesh of [this.mesh, this.wire]) mesh.frustumCulled = false;
     this.object.add(this.mesh, this.wire);
   }
 
-  /** The positions that are drawn now, 3 x vertices. A view, valid until the next frame. */
+  /** The positions that are drawn now, or eased to, 3 x vertices. A view, valid until the next frame. */
   get positions(): Float32Array {
     return (this.position.array as Float32Array).subarray(0, 3 * this.topology.vertices);
   }
@@ -57,6 +62,28 @@ export class Shape {
   setFrame(positions: Float32Array, normals: Float32Array): void {
     this.fill(this.position, positions);
     this.fill(this.normal, normals);
+    this.easing.share = 1;
+  }
+
+  /** The same, but what is drawn until now goes over into it as `ease` says. */
+  setFrameEased(positions: Float32Array, normals: Float32Array): void {
+    // What is on the graphics card stays there: the two sets of buffers change places.
+    const { position, normal } = this;
+    const spare = this.before ?? { position: dynamic(position.count), normal: dynamic(position.count) };
+    this.position = spare.position;
+    this.normal = spare.normal;
+    this.before = { position, normal };
+    this.geometry.setAttribute('position', this.position);
+    this.geometry.setAttribute('normal', this.normal);
+    this.geometry.setAttribute('fromPosition', position);
+    this.geometry.setAttribute('fromNormal', normal);
+    this.setFrame(positions, normals);
+    this.easing.share = 0;
+  }
+
+  /** share in [0, 1]: how much of the new frame is drawn. */
+  ease(share: number): void {
+    this.easing.share = share;
   }
 
   /** 3 x vertices, linear RGB in [0, 1], for the colouring by patches; null takes the colours away. */
@@ -133,6 +160,7 @@ export class Shape {
       this.texturedBy = this.topology.textures;
       this.textured = this.topology.groups.map((group) =>
         texturedMaterial(this.topology.materials[group.material], this.topology.textures[group.material]));
+      for (const material of this.textured) this.easing.install(material);
     }
     for (const material of this.textured) this.setShading(material, look.shading, this.topology.tint !== null);
     return this.textured;

@@ -24,6 +24,8 @@ export interface ViewerEvents {
   covered(views: number): { top: number; bottom: number };
 }
 
+/** How long a shape takes to go over into the exact one. */
+const EASE_MS = 150;
 /** The largest share of a view's height that is given to what lies over it. */
 const MOST_COVERED = 0.4;
 const DEFAULT_LOOK: Look = { colouring: 'phase', shading: 'smooth', wireframe: false, floor: true, dark: false };
@@ -44,6 +46,8 @@ export class Viewer {
   private hideShapes = false;
   private home: { bounds: Bounds; points: Float32Array; radius: number } | null = null;
   private pending = 0;
+  /** When the shapes began to be eased: 0 = with the next drawing, null = they are not. */
+  private easedSince: number | null = null;
   private waiting: (() => void)[] = [];
   private readonly resize: ResizeObserver;
 
@@ -102,11 +106,16 @@ export class Viewer {
     this.invalidate();
   }
 
-  /** A frame of another import, which was on its way when this one came, is left out. */
-  setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string): void {
+  /**
+   * A frame of another import, which was on its way when this one came, is left out. `eased`: the frame before goes over into
+   * it; all views are eased together, or none.
+   */
+  setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string, eased = false): void {
     const shape = this.shapes[view];
     if (!shape || !this.fits(positions)) return;
-    shape.setFrame(positions, normals);
+    if (eased) shape.setFrameEased(positions, normals);
+    else shape.setFrame(positions, normals);
+    this.easedSince = eased ? 0 : null;
     shape.object.visible = true;
     this.colours[view] = colour;
     this.applyColours();
@@ -237,16 +246,16 @@ export class Viewer {
     if (this.pending === 0) this.pending = requestAnimationFrame(() => this.draw());
   }
 
-  /** Resolves once everything set so far has been drawn and no view is being turned to. */
+  /** Resolves once everything set so far has been drawn, no view is being turned to and no shape eased. */
   async drawn(): Promise<void> {
     // One draw shows all that was set before it; what is set meanwhile, as by a motion that plays, is not waited for.
-    if (this.pending === 0 && !this.rig.turning) return;
+    if (this.pending === 0 && !this.moving) return;
     do {
       await new Promise<void>((resolve) => {
         this.waiting.push(resolve);
         this.invalidate();
       });
-    } while (this.rig.turning);
+    } while (this.moving);
   }
 
   /** Draws now and calls `use` before the browser may clear the canvas. */
@@ -278,6 +287,10 @@ export class Viewer {
     this.canvas.remove();
   }
 
+  private get moving(): boolean {
+    return this.rig.turning || this.easedSince !== null;
+  }
+
   private fits(positions: Float32Array): boolean {
     return positions.length === 3 * (this.topology?.vertices ?? -1);
   }
@@ -296,6 +309,7 @@ export class Viewer {
     this.ghost?.dispose();
     this.ghost = null;
     this.hideShapes = false;
+    this.easedSince = null;
   }
 
   private applyColours(): void {
@@ -334,6 +348,7 @@ export class Viewer {
   private draw(): void {
     cancelAnimationFrame(this.pending);
     this.pending = 0;
+    this.ease();
     const visible = this.shapes.map((shape) => shape.object.visible);
     this.rects().forEach((rect, view) => {
       // Onion skins and film strip belong to the first view's motion.
@@ -347,6 +362,17 @@ export class Viewer {
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();
+  }
+
+  /** The clock starts with the first drawing: to bring large shapes to the graphics card takes a moment. */
+  private ease(): void {
+    if (this.easedSince === null) return;
+    const now = performance.now();
+    if (this.easedSince === 0) this.easedSince = now;
+    const share = Math.min((now - this.easedSince) / EASE_MS, 1);
+    for (const shape of this.shapes) shape.ease(share * share * (3 - 2 * share));
+    if (share < 1) this.invalidate();
+    else this.easedSince = null;
   }
 
   /** Uses a corner of the canvas, where the picture has to be drawn again. */

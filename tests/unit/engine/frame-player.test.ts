@@ -32,7 +32,7 @@ function heldSequence(ms = 1) {
   return { sequence: { evaluateAhead }, asked, counts };
 }
 
-const settings = { timeOf: (tick: number) => tick / 10, tickSeconds: 1 / 60, ahead: 3 };
+const settings = { timeOf: (tick: number) => tick / 10, tickSeconds: () => 1 / 60, ahead: 3 };
 
 describe('the frame player', () => {
   it('asks for a bounded number of ticks ahead and hands each out when it is due', async () => {
@@ -68,6 +68,25 @@ describe('the frame player', () => {
     for (const one of asked.slice()) await one.answer();
     player.take(4);
     expect(asked.slice(3).map(({ t }) => Math.round(10 * t))).toEqual([7, 10, 13]);
+  });
+
+  it('asks once for ticks that show the same moment', async () => {
+    const { sequence, asked } = heldSequence();
+    const player = new FramePlayer(sequence, { ...settings, timeOf: (tick) => Math.floor(tick / 4) });
+    player.take(0);
+    expect(asked.map(({ t }) => t)).toEqual([0, 1, 2]);
+    for (const one of asked.slice()) await one.answer();
+    expect(player.take(3)?.t).toBe(0);
+    expect(player.take(4)?.t).toBe(1);
+    expect(asked.map(({ t }) => t)).toEqual([0, 1, 2, 3, 4]);
+  });
+
+  it('asks for nothing more where the time stands still', () => {
+    const { sequence, asked } = heldSequence();
+    const player = new FramePlayer(sequence, { ...settings, timeOf: () => 0.5 });
+    player.take(0);
+    player.take(1);
+    expect(asked).toHaveLength(1);
   });
 
   it('gives everything back when it stops, also what arrives later', async () => {
