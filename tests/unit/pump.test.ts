@@ -19,7 +19,7 @@ function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method }
   const open: Open[] = [];
   const shown: string[] = [];
   const errors: unknown[] = [];
-  const screen = { easing: false, drawn: [] as (() => void)[] };
+  const screen = { easing: false, slow: false, drawn: [] as (() => void)[] };
   let released = 0;
   let frames = 0;
   const frame = (t: number, about: boolean): Frame => {
@@ -46,8 +46,8 @@ function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method }
       shown.push(`${about ? 'about ' : ''}${t}${eased ? ' eased' : ''}`);
       screen.easing = eased;
     },
-    // An eased shape is drawn when the test says so.
-    drawn: () => (screen.easing ? new Promise((resolve) => screen.drawn.push(resolve)) : Promise.resolve()),
+    // An eased shape is drawn when the test says so, as is every one on a slow screen.
+    drawn: () => (screen.easing || screen.slow ? new Promise((resolve) => screen.drawn.push(resolve)) : Promise.resolve()),
     onError: (error) => errors.push(error),
   });
   const pass = async (ms = 0): Promise<void> => { await vi.advanceTimersByTimeAsync(ms); };
@@ -65,12 +65,12 @@ function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method }
     }
     shown.length = 0;
   };
-  const easedToEnd = async (): Promise<void> => {
+  const draw = async (): Promise<void> => {
     for (const resolve of screen.drawn.splice(0)) resolve();
     await pass();
   };
   return {
-    pump, open, shown, errors, pass, answer, learn, easedToEnd,
+    pump, open, shown, errors, screen, pass, answer, learn, draw,
     wanted: () => open.map(({ t, about }) => `${about ? 'about ' : ''}${t}`),
     balance: () => frames - released, exchange: () => { lanes = [lane()]; },
   };
@@ -182,7 +182,7 @@ describe('while the time moves', () => {
   });
 
   it('the exact shape is eased in when no newer moment has come for a while', async () => {
-    const { pump, shown, learn, answer, pass, wanted, easedToEnd } = setUp(slow);
+    const { pump, shown, learn, answer, pass, wanted, draw } = setUp(slow);
     await learn();
     pump.follow(0.4);
     const idle = vi.fn();
@@ -196,11 +196,26 @@ describe('while the time moves', () => {
     await answer();
     expect(shown).toEqual(['about 0.4', '0.4 eased']);
     expect(idle).not.toHaveBeenCalled();
-    await easedToEnd();
+    await draw();
     expect(idle).toHaveBeenCalled();
     expect(pump.busy).toBe(false);
     await pass(1000);
     expect(wanted()).toEqual([]);
+  });
+
+  it('on a slow screen not before there was a chance to hear of a newer moment', async () => {
+    const { pump, screen, learn, answer, pass, wanted, draw } = setUp(slow);
+    await learn();
+    screen.slow = true;
+    pump.follow(0.4);
+    await pass();
+    await answer();
+    await pass(50);
+    await draw();
+    await pass(50);
+    expect(wanted()).toEqual([]);
+    await pass(40);
+    expect(wanted()).toEqual(['0.4']);
   });
 
   it('and at once when the pointer is lifted', async () => {
@@ -231,7 +246,7 @@ describe('while the time moves', () => {
   });
 
   it('a drag that goes on while the exact shape is computed or eased is followed at once', async () => {
-    const { pump, shown, learn, answer, pass, wanted, easedToEnd, balance } = setUp(slow);
+    const { pump, shown, learn, answer, pass, wanted, draw, balance } = setUp(slow);
     await learn();
     pump.follow(0.4);
     await pass();
@@ -253,7 +268,7 @@ describe('while the time moves', () => {
     pump.settle();
     await pass();
     await answer();
-    await easedToEnd();
+    await draw();
     expect(pump.busy).toBe(false);
     expect(balance()).toBe(0);
   });

@@ -165,13 +165,21 @@ export class Pump {
       if (eased && ticket !== this.ticket) return false;
       await this.show(shapes, eased);
       // While a shape that is about right is drawn, the next one is computed.
-      if (about) return true;
+      if (about) {
+        void this.drawing.then(() => this.awaitRest(ticket));
+        return true;
+      }
       if (eased) return await this.drawnBefore(ticket);
       await this.drawing;
       return true;
     } finally {
       shapes.release();
     }
+  }
+
+  /** To draw may take long, and nobody heard of a newer moment meanwhile: it rests so long after that. */
+  private awaitRest(ticket: number): void {
+    if (ticket === this.ticket && this.restsAt !== -Infinity) this.restsAt = performance.now() + REST_MS;
   }
 
   /** A sequence that was exchanged meanwhile answers no more: null, the same moment is to be asked of its successor. */
