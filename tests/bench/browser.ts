@@ -1,17 +1,10 @@
-/** The same measurements in Chromium: a page of our own, bundled beside the results and served from the repository. */
+/** The engine in Chromium: a page of our own, bundled beside the results and served from the repository. */
 import path from 'node:path';
 import { chromium } from '@playwright/test';
 import { build } from 'esbuild';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 import { serve } from '../../wasm/toolchain/serve.mjs';
-import type { Run } from './measure.ts';
-
-export interface BenchPage {
-  version: string;
-  /** mesh: the file's path in the repository. */
-  measure(mesh: string): Promise<Run>;
-  close(): Promise<void>;
-}
+import type { Place } from './place.ts';
 
 // Page and worker at the depth below the repository at which the path to the wasm module is the engine's own.
 async function bundle(repository: string): Promise<void> {
@@ -31,7 +24,7 @@ async function bundle(repository: string): Promise<void> {
   });
 }
 
-export async function openPage(repository: string): Promise<BenchPage> {
+export async function browserPlace(repository: string): Promise<Place> {
   await bundle(repository);
   const { url, server } = await serve(repository, { port: 4273 });
   const args = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
@@ -40,10 +33,15 @@ export async function openPage(repository: string): Promise<BenchPage> {
   page.setDefaultTimeout(0);
   page.on('pageerror', (error) => process.stderr.write(`${error.message}\n`));
   await page.goto(`${url}tests/bench/page.html`);
+  const addressOf = (file: string): string => url + path.relative(repository, file).split(path.sep).join('/');
+  const call = <T>(name: string, ...words: unknown[]): Promise<T> => page.evaluate(
+    ([program, exported, args]) => import(program).then((bundled) => (bundled as Record<string, (...args: unknown[]) => Promise<unknown>>)[exported]!(...args)),
+    [`${url}build/bench-page/page.js`, name, words] as const) as Promise<T>;
   return {
-    version: `Chromium ${browser.version()}`,
-    measure: (mesh) => page.evaluate(([program, file]) => import(program!).then(({ measureFile }) => measureFile(file) as Promise<Run>),
-      [`${url}build/bench-page/page.js`, `${url}${mesh}`]),
+    name: `Chromium ${browser.version()}`,
+    measure: (mesh) => call('measureFile', addressOf(mesh)),
+    motion: (mesh, motion) => call('motionOf', addressOf(mesh), motion),
+    resolutions: (coarse, fine) => call('resolutionsOf', addressOf(coarse), addressOf(fine)),
     close: async () => {
       await browser.close();
       server.close();

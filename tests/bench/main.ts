@@ -8,12 +8,13 @@ import { cpus } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { createEngine } from '../../web/engine/node.ts';
-import { openPage } from './browser.ts';
+import { browserPlace } from './browser.ts';
 import { benchGhost } from './ghost.ts';
-import { measure, type Run } from './measure.ts';
-import { runNative, type NativeRun } from './native.ts';
-import { report, type Result } from './tables.ts';
+import { runNative } from './native.ts';
+import { nodePlace } from './node-place.ts';
+import { TABLE_2 } from './paper.ts';
+import { REFERENCE, type Place } from './place.ts';
+import { report, type Results } from './report.ts';
 
 // Relative to the bundle, build/node/bench.mjs.
 const repository = fileURLToPath(new URL('../../', import.meta.url));
@@ -45,41 +46,35 @@ function choicesFrom(args: string[]): Choices | null {
   }
 }
 
-/** The generated mesh as a file, and what the native solvers make of it. */
-function prepareMesh(faces: number): { mesh: string; native: NativeRun; reference: Float64Array } {
-  execFileSync(process.execPath, [generator, '--bench', String(faces), folder], { stdio: ['ignore', 'ignore', 'inherit'] });
-  const mesh = path.join(folder, `bench-${faces}.glb`);
-  return { mesh, ...runNative(mesh) };
+/** Path of a generated mesh. */
+function meshOf(faces: number, split = false): string {
+  execFileSync(process.execPath, [generator, split ? '--bench-split' : '--bench', String(faces), folder], { stdio: ['ignore', 'ignore', 'inherit'] });
+  return path.join(folder, `bench-${faces}${split ? '-split' : ''}.glb`);
 }
 
-async function measureInNode(mesh: string, reference: Float64Array): Promise<Run> {
-  const engine = createEngine();
-  try {
-    return await measure(engine, {
-      name: path.basename(mesh),
-      mesh: new Uint8Array(readFileSync(mesh)),
-      reference,
-      reader: readFileSync(reader),
-    });
-  } finally {
-    engine.dispose();
-  }
+function say(what: string): void {
+  process.stderr.write(`${what}\n`);
 }
 
-async function runAll({ sizes, browser }: Choices): Promise<{ where: string; results: Result[] }> {
-  const page = browser ? await openPage(repository) : null;
-  try {
-    const results: Result[] = [];
-    for (const faces of sizes) {
-      process.stderr.write(`${faces} faces\n`);
-      const { mesh, native, reference } = prepareMesh(faces);
-      const run = page ? await page.measure(path.relative(repository, mesh)) : await measureInNode(mesh, reference);
-      results.push({ run, native });
-    }
-    return { where: page ? page.version : `Node ${process.version}`, results };
-  } finally {
-    await page?.close();
+async function runAll(place: Place, sizes: number[]): Promise<Results> {
+  const where = `${place.name}, ${cpus().length} x ${cpus()[0]?.model ?? 'unknown processor'}`;
+  const results: Results = { where, sizes: [], motions: [], resolutions: [] };
+  for (const faces of sizes) {
+    say(`${faces} faces`);
+    const mesh = meshOf(faces);
+    const native = runNative(mesh, mesh + REFERENCE);
+    results.sizes.push({ native, run: await place.measure(mesh) });
   }
+  for (const row of TABLE_2.filter(({ faces }) => faces <= 1.2 * Math.max(...sizes))) {
+    say(`${row.model}, ${row.shapes} shapes`);
+    results.motions.push({ row, run: await place.motion(meshOf(row.faces), row) });
+  }
+  // Where the list has a size of about four times the faces.
+  for (const faces of sizes.filter((one) => sizes.some((other) => Math.abs(other - 4 * one) < 0.05 * other))) {
+    say(`${faces} faces and each of them split into four`);
+    results.resolutions.push(await place.resolutions(meshOf(faces), meshOf(faces, true)));
+  }
+  return results;
 }
 
 function save(text: string, browser: boolean): void {
@@ -87,19 +82,27 @@ function save(text: string, browser: boolean): void {
   const file = path.join(repository, 'tests/bench/results', `${version}${browser ? '-browser' : ''}.md`);
   mkdirSync(path.dirname(file), { recursive: true });
   writeFileSync(file, text);
-  process.stderr.write(`saved as ${path.relative(repository, file)}\n`);
+  say(`saved as ${path.relative(repository, file)}`);
+}
+
+async function bench({ sizes, browser, save: keep }: Choices): Promise<void> {
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  const place = browser ? await browserPlace(repository) : nodePlace(reader);
+  try {
+    const { text, verdict } = report(await runAll(place, sizes));
+    console.log(text);
+    if (keep) save(text, browser);
+    say(verdict);
+  } finally {
+    await place.close();
+  }
 }
 
 if (process.argv[2] === 'ghost') process.exit(await benchGhost(process.argv.slice(3)));
 const choices = choicesFrom(process.argv.slice(2));
-if (!choices) {
-  process.stderr.write(`${USAGE}\n`);
+if (choices) await bench(choices);
+else {
+  say(USAGE);
   process.exitCode = 2;
-} else {
-  rmSync(folder, { recursive: true, force: true });
-  mkdirSync(folder, { recursive: true });
-  const { where, results } = await runAll(choices);
-  const text = report(`# ${where}, ${cpus().length} x ${cpus()[0]?.model ?? 'unknown processor'}`, results);
-  console.log(text);
-  if (choices.save) save(text, choices.browser);
 }

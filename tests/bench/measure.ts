@@ -1,40 +1,29 @@
 /** One generated mesh through the engine: every stage of building its sequence, then single frames. Browser and Node. */
-import type { Engine, Keys, Sequence } from '../../web/engine/api.ts';
-import type { SequenceStats } from '../../web/engine/types.ts';
+import type { Engine, Sequence } from '../../web/engine/api.ts';
 import { readBandwidth } from './bandwidth.ts';
-import { quantile, spread, type Spread } from './quantile.ts';
+import { buildRepeatedly, Listener, refitGrowth, type Builds, type Silence } from './builds.ts';
+import { distanceOf } from './distance.ts';
+import { cheapFrames, exactFrames, frameOf, type CheapFrames, type ExactFrames } from './frames.ts';
+import { ledRun, type LedRun } from './led.ts';
 
 /** Where frames are compared with those of the double precision. */
 export const REFERENCE_TIME = 0.3;
-const FRAMES = 60;
-const BUILDS = 5;
-/** No further sequence is built once they took so long together. */
-const LONG_ENOUGH_MS = 15_000;
+/** The paper's ghost, and shapes to take its time from. */
+const GHOST_FACES = 2000, GHOST_SHAPES = 12;
 
 /** Milliseconds and bytes. */
 export interface Run {
   faces: number;
   vertices: number;
   importMs: number;
-  weldMs: number;
-  encodeMs: number;
-  orderMs: number;
-  factorMs: number;
-  buildMs: number;
-  /** Sequences built: the stages above are their medians. */
-  builds: number;
-  /** Longest time without a sign of progress while one was built. */
-  silentMs: number;
-  /** The stage that was reported after it. */
-  silentStage: string;
-  firstMs: number;
-  spline: Spread;
-  solve: Spread;
-  place: Spread;
-  normals: Spread;
-  frame: Spread;
-  /** The cheap shape while a slider moves. */
-  preview: Spread;
+  importSilence: Silence;
+  builds: Builds;
+  exact: ExactFrames;
+  cheap: CheapFrames;
+  /** For GHOST_SHAPES shapes, with how many that is; null where the mesh is hardly larger than the ghost. */
+  led: (LedRun & { shapes: number }) | null;
+  /** Heap after many refits over the heap after one. */
+  refitGrowth: number;
   heapBytes: number;
   factorBytes: number;
   /** Bytes a second. */
@@ -50,107 +39,37 @@ export interface Input {
   reference: Float64Array;
   /** The module that reads memory. */
   reader: BufferSource;
-}
-
-type Built = Pick<SequenceStats, 'weldMs' | 'encodeMs' | 'orderMs' | 'factorMs'> & { buildMs: number; silentMs: number; silentStage: string };
-
-async function build(engine: Engine, keys: Keys): Promise<{ sequence: Sequence; built: Built }> {
-  const start = performance.now();
-  let last = start, silentMs = 0, silentStage = '';
-  const tick = (stage: string): void => {
-    const now = performance.now();
-    if (now - last > silentMs) [silentMs, silentStage] = [now - last, stage];
-    last = now;
-  };
-  const sequence = await engine.createSequence(keys, {}, { onProgress: ({ stage, fraction }) => tick(`${stage} ${fraction.toFixed(2)}`) });
-  tick('end');
-  const { weldMs, encodeMs, orderMs, factorMs } = await sequence.stats();
-  return { sequence, built: { weldMs, encodeMs, orderMs, factorMs, buildMs: performance.now() - start, silentMs, silentStage } };
-}
-
-interface FrameTimes {
-  ms: number;
-  stats: SequenceStats;
-}
-
-async function frameAt(sequence: Sequence, t: number): Promise<FrameTimes> {
-  const frame = await sequence.evaluate(t);
-  if (!frame) throw new Error('a frame was overtaken although none else was asked for');
-  frame.release();
-  return { ms: frame.ms, stats: await sequence.stats() };
+  /** Bytes of the whole process, or NaN. */
+  processBytes: () => number;
 }
 
 async function errorOf(sequence: Sequence, reference: Float64Array): Promise<number> {
-  const frame = await sequence.evaluate(REFERENCE_TIME);
-  if (frame?.positions.length !== reference.length) throw new Error('the reference belongs to another mesh');
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  let largest = 0;
-  for (let v = 0; v < reference.length; v += 3) {
-    let squared = 0;
-    for (let k = 0; k < 3; ++k) {
-      const x = reference[v + k]!;
-      low[k] = Math.min(low[k]!, x);
-      high[k] = Math.max(high[k]!, x);
-      squared += (frame.positions[v + k]! - x) ** 2;
-    }
-    largest = Math.max(largest, squared);
-  }
+  const frame = await frameOf(sequence.evaluate(REFERENCE_TIME));
+  const { worst } = distanceOf(frame.positions, reference);
   frame.release();
-  return Math.sqrt(largest) / Math.hypot(...high.map((h, k) => h - low[k]!));
+  return worst;
 }
 
-export async function measure(engine: Engine, { name, mesh, reference, reader }: Input): Promise<Run> {
-  const importStart = performance.now();
-  const keys = await engine.importKeyframes([{ name, bytes: mesh }]);
-  const importMs = performance.now() - importStart;
-  const builds: Built[] = [];
-  const stage = (of: Exclude<keyof Built, 'silentStage'>): number => quantile(builds.map((one) => one[of]));
-
-  let { sequence, built } = await build(engine, keys);
-  builds.push(built);
-  const { heapBytes } = await sequence.stats();  // the import's memory is the same heap
-  while (builds.length < BUILDS && builds.reduce((sum, { buildMs }) => sum + buildMs, 0) < LONG_ENOUGH_MS) {
-    sequence.dispose();
-    ({ sequence, built } = await build(engine, keys));
-    builds.push(built);
-  }
+export async function measure(engine: Engine, { name, mesh, reference, reader, processBytes }: Input): Promise<Run> {
+  const start = performance.now();
+  const listener = new Listener();
+  const keys = await engine.importKeyframes([{ name, bytes: mesh }], {}, { onProgress: listener.onProgress });
+  listener.hear('end');
+  const importMs = performance.now() - start;
+  const { sequence, builds } = await buildRepeatedly(engine, keys, processBytes);
   const bandwidth = await readBandwidth(reader);
-  const { ms: firstMs } = await frameAt(sequence, 0);
-  const frames: FrameTimes[] = [];
-  for (let k = 0; k <= FRAMES; ++k) frames.push(await frameAt(sequence, -0.2 + (1.4 * k) / FRAMES));
-  await sequence.preview(0.1);  // makes the embedding
-  const previews: number[] = [];
-  for (let k = 0; k <= FRAMES; ++k) {
-    const frame = await sequence.preview(-0.2 + (1.4 * k) / FRAMES);
-    previews.push(frame?.ms ?? Number.NaN);
-    frame?.release();
-  }
-  const part = (of: (frame: FrameTimes) => number): Spread => spread(frames.map(of));
-  const stats = await sequence.stats();
-  const quietest = builds.reduce((best, one) => (one.silentMs < best.silentMs ? one : best));
+  const exact = await exactFrames(sequence);
+  const error = await errorOf(sequence, reference);
+  const cheap = await cheapFrames(sequence);
+  const growth = await refitGrowth(sequence);
+  const { heapBytes, factorBytes } = await sequence.stats();
+  sequence.dispose();
   const { vertices, faces } = keys.info.report;
+  const led = faces > 2 * GHOST_FACES ? { ...(await ledRun(engine, keys, GHOST_FACES, GHOST_SHAPES)), shapes: GHOST_SHAPES } : null;
   return {
-    faces,
-    vertices,
-    importMs,
-    weldMs: stage('weldMs'),
-    encodeMs: stage('encodeMs'),
-    orderMs: stage('orderMs'),
-    factorMs: stage('factorMs'),
-    buildMs: stage('buildMs'),
-    builds: builds.length,
-    silentMs: quietest.silentMs,
-    silentStage: quietest.silentStage,
-    firstMs,
-    spline: part(({ stats: s }) => s.facesMs),
-    solve: part(({ stats: s }) => s.solveMs),
-    place: part(({ stats: s }) => s.placeMs),
-    normals: part(({ stats: s }) => s.normalsMs),
-    frame: part(({ ms }) => ms),
-    preview: spread(previews),
-    heapBytes: Math.max(heapBytes, stats.heapBytes),
-    factorBytes: stats.factorBytes,
-    bandwidth,
-    error: await errorOf(sequence, reference),
+    faces, vertices, importMs, importSilence: listener.silence, builds, exact, cheap, led, refitGrowth: growth,
+    // The import's memory was the first build's heap.
+    heapBytes: Math.max(builds.firstHeap, heapBytes),
+    factorBytes, bandwidth, error,
   };
 }

@@ -1,6 +1,5 @@
 /** Eigen's factorisation of the same system, native, on the same machine, and the double solution that frames are compared with. */
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { REFERENCE_TIME } from './measure.ts';
 
@@ -23,10 +22,8 @@ export interface NativeRun {
   double: Solver;
 }
 
-export function runNative(mesh: string): { native: NativeRun; reference: Float64Array } {
-  const referenceFile = `${mesh}.reference`;
-  const output = execFileSync(program, [mesh, referenceFile, String(REFERENCE_TIME)], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });
-  const bytes = readFileSync(referenceFile);
-  const reference = new Float64Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer);
-  return { native: JSON.parse(output) as NativeRun, reference };
+/** Writes the double solution to `reference`. */
+export function runNative(mesh: string, reference: string): NativeRun {
+  const output = execFileSync(program, [mesh, reference, String(REFERENCE_TIME)], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });
+  return JSON.parse(output) as NativeRun;
 }

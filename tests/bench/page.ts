@@ -1,8 +1,12 @@
-/** What the benchmark's page runs: the engine in the browser's own worker. */
+/** What the benchmark's page runs: the engine in the browser's own worker. Files are addresses. */
+import type { Engine } from '../../web/engine/api.ts';
 import { EngineClient } from '../../web/engine/engine.ts';
 import { endedWorker, type Spawn } from '../../web/engine/remote.ts';
 import type { FromWorker } from '../../web/engine/protocol.ts';
 import { measure, type Run } from './measure.ts';
+import { REFERENCE } from './place.ts';
+import { compareResolutions, type Resolutions } from './resolutions.ts';
+import { runMotion, type Motion, type MotionRun } from './whole-sequences.ts';
 
 const spawn: Spawn = (events) => {
   const worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
@@ -18,17 +22,32 @@ async function fetchBytes(url: string): Promise<ArrayBuffer> {
 }
 
 const beside = (file: string): string => new URL(file, new URL('../', import.meta.url)).href;
+const meshOf = async (url: string): Promise<Uint8Array> => new Uint8Array(await fetchBytes(url));
 
-export async function measureFile(mesh: string): Promise<Run> {
+async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
   const engine = new EngineClient({ spawn, module: fetchBytes(beside('wasm/shapespline.wasm')).then((bytes) => WebAssembly.compile(bytes)) });
   try {
-    return await measure(engine, {
-      name: 'bench.glb',
-      mesh: new Uint8Array(await fetchBytes(mesh)),
-      reference: new Float64Array(await fetchBytes(`${mesh}.reference`)),
-      reader: await fetchBytes(beside('cmake-wasm/shapespline_bench_read.wasm')),
-    });
+    return await work(engine);
   } finally {
     engine.dispose();
   }
+}
+
+export function measureFile(mesh: string): Promise<Run> {
+  return withEngine(async (engine) => measure(engine, {
+    name: 'bench.glb',
+    mesh: await meshOf(mesh),
+    reference: new Float64Array(await fetchBytes(mesh + REFERENCE)),
+    reader: await fetchBytes(beside('cmake-wasm/shapespline_bench_read.wasm')),
+    // No page can tell.
+    processBytes: () => NaN,
+  }));
+}
+
+export function motionOf(mesh: string, motion: Motion): Promise<MotionRun> {
+  return withEngine(async (engine) => runMotion(engine, 'bench.glb', await meshOf(mesh), motion));
+}
+
+export function resolutionsOf(coarse: string, fine: string): Promise<Resolutions> {
+  return withEngine(async (engine) => compareResolutions(engine, await meshOf(coarse), await meshOf(fine)));
 }

@@ -1,0 +1,97 @@
+/** The same sequence built again and again: its stages, its silences, and whether memory grows. */
+import type { Engine, Keys, Sequence } from '../../web/engine/api.ts';
+import type { Progress, SequenceStats } from '../../web/engine/types.ts';
+import { quantile } from './quantile.ts';
+
+const BUILDS = 5;
+const REFITS = 10;
+
+/** The longest time without a sign of progress, and the stage that was reported after it. */
+export interface Silence {
+  ms: number;
+  stage: string;
+}
+
+/** Milliseconds: medians of five builds; the silence is that of the median build. */
+export interface Builds {
+  weldMs: number;
+  encodeMs: number;
+  orderMs: number;
+  factorMs: number;
+  buildMs: number;
+  silence: Silence;
+  /** Bytes of the wasm heap after the first build and after the last. */
+  firstHeap: number;
+  lastHeap: number;
+  /** By how much the whole process grew from the second build to the last; NaN where it cannot be told. */
+  processGrowth: number;
+}
+
+/** Listens to one call's progress. */
+export class Listener {
+  silence: Silence = { ms: 0, stage: '' };
+  private last = performance.now();
+
+  readonly onProgress = ({ stage, fraction }: Progress): void => this.hear(`${stage} ${fraction.toFixed(2)}`);
+
+  hear(stage: string): void {
+    const now = performance.now();
+    if (now - this.last > this.silence.ms) this.silence = { ms: now - this.last, stage };
+    this.last = now;
+  }
+}
+
+interface Built {
+  stats: SequenceStats;
+  buildMs: number;
+  silence: Silence;
+  processBytes: number;
+}
+
+async function build(engine: Engine, keys: Keys, processBytes: () => number): Promise<{ sequence: Sequence; built: Built }> {
+  const start = performance.now();
+  const listener = new Listener();
+  const sequence = await engine.createSequence(keys, {}, { onProgress: listener.onProgress });
+  listener.hear('end');
+  const buildMs = performance.now() - start;
+  return { sequence, built: { stats: await sequence.stats(), buildMs, silence: listener.silence, processBytes: processBytes() } };
+}
+
+/** Returns the last of them alive. */
+export async function buildRepeatedly(engine: Engine, keys: Keys, processBytes: () => number): Promise<{ sequence: Sequence; builds: Builds }> {
+  let { sequence, built } = await build(engine, keys, processBytes);
+  const all = [built];
+  while (all.length < BUILDS) {
+    sequence.dispose();
+    ({ sequence, built } = await build(engine, keys, processBytes));
+    all.push(built);
+  }
+  const stage = (of: 'weldMs' | 'encodeMs' | 'orderMs' | 'factorMs'): number => quantile(all.map(({ stats }) => stats[of]));
+  const silences = all.map(({ silence }) => silence).sort((a, b) => a.ms - b.ms);
+  return {
+    sequence,
+    builds: {
+      weldMs: stage('weldMs'),
+      encodeMs: stage('encodeMs'),
+      orderMs: stage('orderMs'),
+      factorMs: stage('factorMs'),
+      buildMs: quantile(all.map(({ buildMs }) => buildMs)),
+      silence: silences[Math.floor(BUILDS / 2)]!,
+      firstHeap: all[0]!.stats.heapBytes,
+      lastHeap: built.stats.heapBytes,
+      processGrowth: built.processBytes - all[1]!.processBytes,
+    },
+  };
+}
+
+/** Heap after many refits, each with an exact frame and a cheap one, over the heap after the first. */
+export async function refitGrowth(sequence: Sequence): Promise<number> {
+  let first = 0;
+  for (let k = 0; k <= REFITS; ++k) {
+    await sequence.update({ boundary: k % 2 === 0 ? 'hermite' : 'natural' });
+    (await sequence.evaluate(0.1 + 0.07 * k))?.release();
+    (await sequence.preview(0.1 + 0.07 * k))?.release();
+    if (k === 0) first = (await sequence.stats()).heapBytes;
+  }
+  return (await sequence.stats()).heapBytes / first;
+}

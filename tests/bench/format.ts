@@ -1,0 +1,19 @@
+/** Numbers and tables as Markdown. */
+import type { Spread } from './quantile.ts';
+
+/** A number with about three digits. */
+export function short(value: number): string {
+  if (!Number.isFinite(value)) return '-';
+  if (value !== 0 && Math.abs(value) < 0.01) return value.toExponential(1);
+  return value >= 100 ? value.toFixed(0) : value >= 10 ? value.toFixed(1) : value.toFixed(2);
+}
+
+/** Median / 95th percentile. */
+export const both = ({ median, slow }: Spread): string => `${short(median)} / ${short(slow)}`;
+
+/** Its columns are as wide as their longest cell. */
+export function table(titles: string[], rows: string[][]): string {
+  const widths = titles.map((title, i) => Math.max(title.length, ...rows.map((row) => row[i]!.length)));
+  const line = (cells: string[]): string => `| ${cells.map((cell, i) => cell.padStart(widths[i]!)).join(' | ')} |`;
+  return [line(titles), `|${widths.map((width) => `${'-'.repeat(width + 1)}:`).join('|')}|`, ...rows.map(line)].join('\n');
+}

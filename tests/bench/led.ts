@@ -1,0 +1,56 @@
+/** A sequence led by a ghost mesh, in the paper's two parts: the ghost's own shapes, and what carries them over to the mesh. */
+import type { Engine, Keys, Sequence } from '../../web/engine/api.ts';
+import { frameOf } from './frames.ts';
+import { quantile } from './quantile.ts';
+
+const REPEATS = 5;
+
+/** Milliseconds for all shapes, medians of five. */
+export interface LedRun {
+  ghostFaces: number;
+  buildMs: number;
+  /** Interpolation and reconstruction on the ghost alone, answered to the caller. */
+  ghostMs: number;
+  /** The rest of a whole frame: from the ghost to the mesh. */
+  transferMs: number;
+}
+
+/** Evenly over the range. */
+export function evenTimes([first, last]: readonly [number, number], count: number): number[] {
+  return Array.from({ length: count }, (_, k) => first + (k / Math.max(count - 1, 1)) * (last - first));
+}
+
+/** Milliseconds for all times: the median of five passes. */
+export async function passes(times: readonly number[], ask: (t: number) => Promise<number>): Promise<number> {
+  const totals: number[] = [];
+  for (let pass = 0; pass < REPEATS; ++pass) {
+    let total = 0;
+    for (const t of times) total += await ask(t);
+    totals.push(total);
+  }
+  return quantile(totals);
+}
+
+export async function frameMs(sequence: Sequence, t: number): Promise<number> {
+  const frame = await frameOf(sequence.evaluate(t));
+  frame.release();
+  return frame.ms;
+}
+
+export async function ledRun(engine: Engine, keys: Keys, ghostFaces: number, shapes: number): Promise<LedRun> {
+  const start = performance.now();
+  const sequence = await engine.createSequence(keys, { ghostFaces });
+  const buildMs = performance.now() - start;
+  try {
+    const times = evenTimes(sequence.range, shapes);
+    const wholeMs = await passes(times, (t) => frameMs(sequence, t));
+    const ghostMs = await passes(times, async (t) => {
+      const asked = performance.now();
+      await sequence.ghostPositions(t);
+      return performance.now() - asked;
+    });
+    return { ghostFaces: (await sequence.stats()).ghostFaces, buildMs, ghostMs, transferMs: Math.max(wholeMs - ghostMs, 0) };
+  } finally {
+    sequence.dispose();
+  }
+}

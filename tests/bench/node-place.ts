@@ -1,0 +1,33 @@
+/** The engine in Node's own workers. */
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import type { Engine } from '../../web/engine/api.ts';
+import { createEngine } from '../../web/engine/node.ts';
+import { measure } from './measure.ts';
+import { REFERENCE, type Place } from './place.ts';
+import { compareResolutions } from './resolutions.ts';
+import { runMotion } from './whole-sequences.ts';
+
+/** `reader`: the module that reads memory. */
+export function nodePlace(reader: string): Place {
+  const bytesOf = (file: string): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(file));
+  return {
+    name: `Node ${process.version}`,
+    measure: (mesh) => withEngine((engine) => measure(engine, {
+      name: path.basename(mesh), mesh: bytesOf(mesh), reference: new Float64Array(bytesOf(mesh + REFERENCE).buffer), reader: bytesOf(reader),
+      processBytes: () => process.memoryUsage().rss,
+    })),
+    motion: (mesh, motion) => withEngine((engine) => runMotion(engine, path.basename(mesh), bytesOf(mesh), motion)),
+    resolutions: (coarse, fine) => withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine))),
+    close: () => Promise.resolve(),
+  };
+}
+
+async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
+  const engine = createEngine();
+  try {
+    return await work(engine);
+  } finally {
+    engine.dispose();
+  }
+}

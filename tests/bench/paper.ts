@@ -1,0 +1,67 @@
+/** The paper's Tables 1 and 2, laid out as there, with our own numbers beside them. Seconds. */
+import { short, table } from './format.ts';
+import type { Run } from './measure.ts';
+import type { Motion, MotionRun } from './whole-sequences.ts';
+
+interface Seconds {
+  /** Interpolation and reconstruction on the ghost mesh; deformation transfer; without a ghost. */
+  ir: number;
+  ts: number;
+  o: number;
+}
+
+const TABLE_1: readonly ({ model: string; faces: number } & Seconds)[] = [
+  { model: 'Cactus (10K)', faces: 10_000, ir: 0.013, ts: 0.014, o: 0.25 },
+  { model: 'Handstand (20K)', faces: 20_000, ir: 0.016, ts: 0.022, o: 0.6 },
+  { model: 'Human (25K)', faces: 25_000, ir: 0.021, ts: 0.029, o: 0.65 },
+  { model: 'Centaur (32K)', faces: 32_000, ir: 0.025, ts: 0.038, o: 0.75 },
+  { model: 'Elephant (80K)', faces: 80_000, ir: 0.024, ts: 0.053, o: 1.29 },
+  { model: 'Armadillo (332K)', faces: 332_000, ir: 0.027, ts: 0.46, o: 6.5 },
+  { model: 'Armadillo (1.3M)', faces: 1_300_000, ir: 0.039, ts: 2.862, o: 37.2 },
+];
+
+export interface Table2Row extends Motion {
+  model: string;
+  /** Of the method that the paper compares with, and its own; NaN where that failed. */
+  other: Seconds;
+  paper: Seconds;
+}
+
+/** The paper does not say how many faces the horse has: one of its shapes takes a little longer than the cactus'. */
+export const TABLE_2: readonly Table2Row[] = [
+  { model: 'Cactus', faces: 10_000, shapes: 20, fraction: 0.05, other: { ir: 1.7, ts: 1.7, o: 83 }, paper: { ir: 0.16, ts: 1, o: 4.35 } },
+  { model: 'Cactus', faces: 10_000, shapes: 170, fraction: 0.05, other: { ir: 22, ts: 14, o: 762 }, paper: { ir: 0.31, ts: 3.2, o: 23.9 } },
+  { model: 'Horse', faces: 12_000, shapes: 40, fraction: 0.1, other: { ir: 22, ts: 5, o: 238 }, paper: { ir: 0.35, ts: 2.2, o: 11.4 } },
+  { model: 'Armadillo', faces: 332_000, shapes: 50, fraction: 0.006, other: { ir: 80, ts: 200, o: NaN }, paper: { ir: 1.34, ts: 47.2, o: 258.6 } },
+];
+
+/** One shape, for the sizes that the paper has too; null where there are none. */
+export function table1(runs: Run[]): string | null {
+  const columns = TABLE_1.flatMap((paper) => {
+    const run = runs.find(({ faces }) => Math.abs(faces - paper.faces) < 0.03 * paper.faces);
+    return run ? [{ paper, run }] : [];
+  });
+  if (columns.length === 0) return null;
+  const rows = (name: string, of: keyof Seconds, ours: (run: Run) => number): string[][] => [
+    [`${name}, paper`, ...columns.map(({ paper }) => short(paper[of]))],
+    [`${name}, here`, ...columns.map(({ run }) => short(ours(run)))],
+    ['times faster', ...columns.map(({ paper, run }) => short(paper[of] / ours(run)))],
+  ];
+  return table(['', ...columns.map(({ paper }) => paper.model)], [
+    ...rows('t_ir', 'ir', ({ led }) => (led ? led.ghostMs / led.shapes / 1000 : NaN)),
+    ...rows('t_ts', 'ts', ({ led }) => (led ? led.transferMs / led.shapes / 1000 : NaN)),
+    ...rows('t_o', 'o', ({ exact }) => exact.frame.median / 1000),
+  ]);
+}
+
+/** Whole motions. */
+export function table2(results: { row: Table2Row; run: MotionRun }[]): string {
+  const three = ({ ir, ts, o }: Seconds): string[] => [ir, ts, o].map(short);
+  return table(
+    ['Model (K, γ)', 'in [2]: t_ir', 't_ts', 't_o', 'paper: t_ir', 't_ts', 't_o', 'here: t_ir', 't_ts', 't_o', 'built once, with ghost', 'without'],
+    results.map(({ row, run: { led, buildMs, wholeMs } }) => [
+      `${row.model} (${row.shapes}, ${row.fraction})`, ...three(row.other), ...three(row.paper),
+      ...three({ ir: led.ghostMs / 1000, ts: led.transferMs / 1000, o: wholeMs / 1000 }), short(led.buildMs / 1000), short(buildMs / 1000),
+    ]),
+  );
+}

@@ -1,0 +1,17 @@
+/** Where the engine runs while it is measured: in Node, or in a page. Meshes are files; `mesh` is a path. */
+import type { Run } from './measure.ts';
+import type { Resolutions } from './resolutions.ts';
+import type { Motion, MotionRun } from './whole-sequences.ts';
+
+export interface Place {
+  /** Program and version. */
+  name: string;
+  /** The double reference lies beside the mesh. */
+  measure(mesh: string): Promise<Run>;
+  motion(mesh: string, motion: Motion): Promise<MotionRun>;
+  resolutions(coarse: string, fine: string): Promise<Resolutions>;
+  close(): Promise<void>;
+}
+
+/** Added to the mesh's path. */
+export const REFERENCE = '.reference';
