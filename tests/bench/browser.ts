@@ -19,6 +19,8 @@ async function bundle(repository: string): Promise<void> {
     platform: 'browser',
     target: 'es2022',
     format: 'esm',
+    // The decoders of compressed meshes are loaded when a file needs them, and the generated ones do not.
+    packages: 'external',
     external: ['../../build/wasm/shapespline.mjs'],
     logLevel: 'warning',
   });

@@ -5,6 +5,7 @@ import type { Spread } from './quantile.ts';
 export function short(value: number): string {
   if (!Number.isFinite(value)) return '-';
   if (value !== 0 && Math.abs(value) < 0.01) return value.toExponential(1);
+  if (value !== 0 && Math.abs(value) < 0.1) return value.toFixed(3);
   return value >= 100 ? value.toFixed(0) : value >= 10 ? value.toFixed(1) : value.toFixed(2);
 }
 

@@ -31,6 +31,7 @@ async function shapesOf(engine: Engine, mesh: Uint8Array, numbers: number): Prom
     frame!.release();
   }
   sequence.dispose();
+  const { faces } = keys.info.report;
   keys.dispose();
-  return { faces: keys.info.report.faces, shapes };
+  return { faces, shapes };
 }
