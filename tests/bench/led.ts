@@ -11,8 +11,8 @@ export interface LedRun {
   buildMs: number;
   /** Interpolation and reconstruction on the ghost alone: the answer to the caller, less what a question takes that needs no work. */
   ghostMs: number;
-  /** The rest of a whole frame: from the ghost to the mesh. */
-  transferMs: number;
+  /** Whole frames, from the spline to the mesh. */
+  wholeMs: number;
 }
 
 /** Evenly over the range. */
@@ -52,8 +52,7 @@ export async function ledRun(engine: Engine, keys: Keys, ghostFaces: number, sha
     const wholeMs = await passes(times, (t) => frameMs(sequence, t));
     const answerMs = await passes(times, (t) => waited(() => sequence.ghostPositions(t)));
     const messagesMs = await passes(times, () => waited(() => sequence.stats()));
-    const ghostMs = Math.max(answerMs - messagesMs, 0);
-    return { ghostFaces: (await sequence.stats()).ghostFaces, buildMs, ghostMs, transferMs: Math.max(wholeMs - ghostMs, 0) };
+    return { ghostFaces: (await sequence.stats()).ghostFaces, buildMs, ghostMs: Math.max(answerMs - messagesMs, 0), wholeMs };
   } finally {
     sequence.dispose();
   }

@@ -1,5 +1,6 @@
 /** The paper's Tables 1 and 2, laid out as there, with our own numbers beside them. Seconds. */
 import { short, table } from './format.ts';
+import type { LedRun } from './led.ts';
 import type { Run } from './measure.ts';
 import type { Motion, MotionRun } from './whole-sequences.ts';
 
@@ -35,6 +36,11 @@ export const TABLE_2: readonly Table2Row[] = [
   { model: 'Armadillo', faces: 332_000, shapes: 50, fraction: 0.006, other: { ir: 80, ts: 200, o: NaN }, paper: { ir: 1.34, ts: 47.2, o: 258.6 } },
 ];
 
+/** Of one shape out of so many. */
+function partsOf({ ghostMs, wholeMs }: LedRun, shapes = 1): Pick<Seconds, 'ir' | 'ts'> {
+  return { ir: ghostMs / shapes / 1000, ts: Math.max(wholeMs - ghostMs, 0) / shapes / 1000 };
+}
+
 /** One shape, for the sizes that the paper has too; null where there are none. */
 export function table1(runs: Run[]): string | null {
   const columns = TABLE_1.flatMap((paper) => {
@@ -42,15 +48,18 @@ export function table1(runs: Run[]): string | null {
     return run ? [{ paper, run }] : [];
   });
   if (columns.length === 0) return null;
-  const rows = (name: string, of: keyof Seconds, ours: (run: Run) => number): string[][] => [
-    [`${name}, paper`, ...columns.map(({ paper }) => short(paper[of]))],
-    [`${name}, here`, ...columns.map(({ run }) => short(ours(run)))],
-    ['times faster', ...columns.map(({ paper, run }) => short(paper[of] / ours(run)))],
+  const ours = columns.map(({ run: { led, exact } }): Seconds => ({
+    ...(led ? partsOf(led, led.shapes) : { ir: NaN, ts: NaN }), o: exact.frame.median / 1000,
+  }));
+  const rows = (name: string, of: (seconds: Seconds) => number): string[][] => [
+    [`${name}, paper`, ...columns.map(({ paper }) => short(of(paper)))],
+    [`${name}, here`, ...ours.map((seconds) => short(of(seconds)))],
   ];
+  const faster = (of: (seconds: Seconds) => number): string[] => ['times faster', ...columns.map(({ paper }, i) => short(of(paper) / of(ours[i]!)))];
+  const led = ({ ir, ts }: Seconds): number => ir + ts;
   return table(['', ...columns.map(({ paper }) => paper.model)], [
-    ...rows('t_ir', 'ir', ({ led }) => (led ? led.ghostMs / led.shapes / 1000 : NaN)),
-    ...rows('t_ts', 'ts', ({ led }) => (led ? led.transferMs / led.shapes / 1000 : NaN)),
-    ...rows('t_o', 'o', ({ exact }) => exact.frame.median / 1000),
+    ...rows('t_ir', ({ ir }) => ir), ...rows('t_ts', ({ ts }) => ts), ...rows('t_ir + t_ts', led), faster(led),
+    ...rows('t_o', ({ o }) => o), faster(({ o }) => o),
   ]);
 }
 
@@ -61,7 +70,7 @@ export function table2(results: { row: Table2Row; run: MotionRun }[]): string {
     ['Model (K, γ)', 'in [2]: t_ir', 't_ts', 't_o', 'paper: t_ir', 't_ts', 't_o', 'here: t_ir', 't_ts', 't_o', 'built once, with ghost', 'without'],
     results.map(({ row, run: { led, buildMs, wholeMs } }) => [
       `${row.model} (${row.shapes}, ${row.fraction})`, ...three(row.other), ...three(row.paper),
-      ...three({ ir: led.ghostMs / 1000, ts: led.transferMs / 1000, o: wholeMs / 1000 }), short(led.buildMs / 1000), short(buildMs / 1000),
+      ...three({ ...partsOf(led), o: wholeMs / 1000 }), short(led.buildMs / 1000), short(buildMs / 1000),
     ]),
   );
 }

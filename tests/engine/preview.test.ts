@@ -25,6 +25,18 @@ describe('preview', () => {
     expect(shown?.t).toBe(0.3);
   });
 
+  it('is fetched ahead, too, and taken back on a signal', async () => {
+    const { sequence } = await bendSequence(testEngine());
+    const cheap = (await sequence.preview(0.4))!;
+    const abort = new AbortController();
+    const [ahead, , late] = await Promise.allSettled([
+      sequence.evaluateAhead(0.4, { preview: true }), sequence.evaluateAhead(0.5),
+      sequence.evaluateAhead(0.6, { preview: true, signal: abort.signal }), abort.abort(),
+    ]);
+    expect(ahead).toMatchObject({ status: 'fulfilled', value: { t: 0.4, positions: cheap.positions } });
+    expect(late).toMatchObject({ status: 'rejected', reason: { code: 'cancelled' } });
+  });
+
   it('of an exact sequence follows it, too', async () => {
     const { sequence } = await bendSequence(testEngine(), { precision: 'exact' });
     const { sequence: full } = await bendSequence(testEngine(), { precision: 'double' });

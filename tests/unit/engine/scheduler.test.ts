@@ -29,6 +29,20 @@ describe('the scheduler', () => {
     await expect(scheduler.run(urgency.shown, () => Promise.resolve(7))).resolves.toBe(7);
   });
 
+  it('withdraws on a signal what has not begun, and lets the rest end', async () => {
+    const scheduler = new Scheduler();
+    const abort = new AbortController();
+    let started = 0;
+    const run = (): Promise<number> => scheduler.run(urgency.ahead, async () => ++started, abort.signal);
+    const first = run();
+    const second = run();
+    abort.abort();
+    await expect(second).rejects.toMatchObject({ code: 'cancelled' });
+    await expect(first).resolves.toBe(1);
+    await expect(run()).rejects.toMatchObject({ code: 'cancelled' });
+    expect(started).toBe(1);
+  });
+
   it('withdraws what has not begun', async () => {
     const scheduler = new Scheduler();
     let started = 0;
