@@ -13,9 +13,10 @@ const SHADES = 256;
 /** Below this, in percent, there is nothing but rounding to be seen. */
 const LEAST_TOP = 0.001;
 
-/** Positions are 3 x vertices. */
-export function differenceOf(positions: Float32Array, reference: Float32Array, diagonal: number): Difference {
-  const percent = new Float32Array(positions.length / 3);
+/** Positions are 3 x vertices; `percent` is filled where it is given. */
+export function differenceOf(
+  positions: Float32Array, reference: Float32Array, diagonal: number, percent: Float32Array = new Float32Array(positions.length / 3),
+): Difference {
   let largest = 0;
   let sum = 0;
   for (let v = 0; v < percent.length; v += 1) {
@@ -39,9 +40,8 @@ export function roundTop(largest: number): number {
   return Number((factor * power).toPrecision(3));
 }
 
-/** 3 x vertices, linear RGB. */
-export function heatColours({ percent }: Difference, top: number): Float32Array {
-  const colours = new Float32Array(3 * percent.length);
+/** 3 x vertices, linear RGB; `colours` are filled where they are given. */
+export function heatColours({ percent }: Difference, top: number, colours: Float32Array = new Float32Array(3 * percent.length)): Float32Array {
   for (let v = 0; v < percent.length; v += 1) {
     const shade = Math.min(Math.round((percent[v]! / top) * (SHADES - 1)), SHADES - 1);
     for (let c = 0; c < 3; c += 1) colours[3 * v + c] = TABLE[3 * shade + c]!;

@@ -52,6 +52,8 @@ export class Picture {
   private beside: number | null = null;
   /** The colour bar's range only grows as long as the same motions are shown. */
   private heat: { of: Sequence; top: number } | null = null;
+  /** The same array for every frame. */
+  private heatColours: Float32Array | null = null;
 
   constructor(host: HTMLElement, events: ViewerEvents) {
     this.viewer = new Viewer(host, { ...events, onResize: () => { this.place(); events.onResize(); } });
@@ -184,12 +186,13 @@ export class Picture {
     const [main] = lanes;
     const other = lanes.findIndex((lane) => main?.ghost && !lane.ghost);
     if (!main || other < 0 || !view.ghostDifference || view.film || !this.info) return this.clearDifference();
-    const difference = differenceOf(frames[0]!.positions, frames[other]!.positions, this.info.report.diagonal);
+    const difference = differenceOf(frames[0]!.positions, frames[other]!.positions, this.info.report.diagonal, this.difference?.percent);
     const before = this.heat?.of === main.sequence ? this.heat.top : 0;
     const top = Math.max(before, roundTop(difference.largest));
     this.heat = { of: main.sequence, top };
     this.difference = difference;
-    this.viewer.setHeatColours(heatColours(difference, top));
+    this.heatColours = heatColours(difference, top, this.heatColours ?? undefined);
+    this.viewer.setHeatColours(this.heatColours);
     const text = (value: number): string => `${Number(value.toPrecision(2))} %`;
     this.colourBar = {
       title: 'Difference', unit: '% of the diagonal', symbol: '%', top, now: `at most ${text(difference.largest)}, mean ${text(difference.mean)}`,
@@ -200,6 +203,7 @@ export class Picture {
   private clearDifference(): void {
     if (this.difference) this.viewer.setHeatColours(null);
     this.difference = null;
+    this.heatColours = null;
     this.colourBar = null;
   }
 
