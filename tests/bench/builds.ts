@@ -18,6 +18,7 @@ export interface Builds {
   encodeMs: number;
   orderMs: number;
   factorMs: number;
+  arrangeMs: number;
   buildMs: number;
   silence: Silence;
   /** Bytes of the wasm heap after the first build and after the last. */
@@ -66,7 +67,7 @@ export async function buildRepeatedly(engine: Engine, keys: Keys, processBytes: 
     ({ sequence, built } = await build(engine, keys, processBytes));
     all.push(built);
   }
-  const stage = (of: 'weldMs' | 'encodeMs' | 'orderMs' | 'factorMs'): number => quantile(all.map(({ stats }) => stats[of]));
+  const stage = (of: 'weldMs' | 'encodeMs' | 'orderMs' | 'factorMs' | 'arrangeMs'): number => quantile(all.map(({ stats }) => stats[of]));
   const silences = all.map(({ silence }) => silence).sort((a, b) => a.ms - b.ms);
   return {
     sequence,
@@ -75,6 +76,7 @@ export async function buildRepeatedly(engine: Engine, keys: Keys, processBytes: 
       encodeMs: stage('encodeMs'),
       orderMs: stage('orderMs'),
       factorMs: stage('factorMs'),
+      arrangeMs: stage('arrangeMs'),
       buildMs: quantile(all.map(({ buildMs }) => buildMs)),
       silence: silences[Math.floor(BUILDS / 2)]!,
       firstHeap: all[0]!.stats.heapBytes,

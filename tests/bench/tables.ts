@@ -13,9 +13,9 @@ const MB = 2 ** 20;
 const percent = (share: number): string => short(100 * share);
 
 export function buildTable(results: Result[]): string {
-  const titles = ['faces', 'vertices', 'import', 'weld', 'encode', 'order', 'factor', 'whole', 'silent'];
+  const titles = ['faces', 'vertices', 'import', 'weld', 'encode', 'order', 'factor', 'arrange', 'whole', 'silent'];
   return table(titles, results.map(({ run: { builds, ...run } }) => [
-    String(run.faces), String(run.vertices), ...[run.importMs, builds.weldMs, builds.encodeMs, builds.orderMs, builds.factorMs, builds.buildMs].map(short),
+    String(run.faces), String(run.vertices), ...[run.importMs, builds.weldMs, builds.encodeMs, builds.orderMs, builds.factorMs, builds.arrangeMs, builds.buildMs].map(short),
     [builds.silence, run.importSilence].map(({ ms, stage }) => `${short(ms)} (${stage})`).join(', import '),
   ]));
 }
