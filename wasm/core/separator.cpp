@@ -16,8 +16,11 @@ namespace {
 // mesh. Wider bands shorten separators little (1 % for twice the width) and cost time and balance.
 constexpr double kBandDepth = 24.0;
 constexpr double kBandFraction = 0.22;
-// The girth of a sphere of n vertices is 1.65 sqrt(n). Beyond this the other axes are worth a try.
-constexpr double kLongSeparator = 2.0;
+// Times the square root of all nodes, the side of a square piece: separators longer than this are worth a try along the
+// diagonals, and along the other axes. The cubes of the largest separators are most of a factorisation's work.
+constexpr double kLongSeparator = 1.1, kVeryLongSeparator = 1.6;
+// Of a piece of n nodes over n^1.5, in units of a separator's cube. Lopsided cuts would be too cheap without it.
+constexpr double kDissectionCost = 5.0;
 
 // The principal axes, longest first.
 std::array<Vec3, 3> principalAxes(std::span<const Vec3> points) {
@@ -63,20 +66,35 @@ std::vector<Side> separatorAlong(const Graph& graph, std::span<const Vec3> coord
   return side;
 }
 
-std::size_t separatorSize(const std::vector<Side>& side) {
-  return static_cast<std::size_t>(std::count(side.begin(), side.end(), Side::Separator));
+// What elimination costs with these sides, about: the cube of the separator, and of each side what nested dissection takes.
+struct Cut {
+  std::vector<Side> side;
+  double separator = 0, cost = 0;
+};
+
+Cut cutAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& direction) {
+  Cut cut{separatorAlong(graph, coordinates, direction)};
+  const auto count = [&](Side s) { return static_cast<double>(std::count(cut.side.begin(), cut.side.end(), s)); };
+  cut.separator = count(Side::Separator);
+  cut.cost = std::pow(cut.separator, 3) + kDissectionCost * (std::pow(count(Side::Left), 1.5) + std::pow(count(Side::Right), 1.5));
+  return cut;
 }
 
 }  // namespace
 
 std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordinates) {
-  const std::array<Vec3, 3> axes = principalAxes(coordinates);
-  std::vector<Side> best = separatorAlong(graph, coordinates, axes[0]);
-  for (int i = 1; i < 3 && static_cast<double>(separatorSize(best)) > kLongSeparator * std::sqrt(graph.size()); ++i) {
-    std::vector<Side> side = separatorAlong(graph, coordinates, axes[i]);
-    if (separatorSize(side) < separatorSize(best)) best = std::move(side);
+  const auto [first, second, third] = principalAxes(coordinates);
+  Cut best = cutAlong(graph, coordinates, first);
+  const struct {
+    Vec3 direction;
+    double worthAbove;
+  } others[] = {{first + second, kLongSeparator}, {first - second, kLongSeparator}, {second, kVeryLongSeparator}, {third, kVeryLongSeparator}};
+  for (const auto& [direction, worthAbove] : others) {
+    if (best.separator <= worthAbove * std::sqrt(graph.size())) break;
+    Cut cut = cutAlong(graph, coordinates, direction);
+    if (cut.cost < best.cost) best = std::move(cut);
   }
-  return best;
+  return std::move(best.side);
 }
 
 }  // namespace shapespline
