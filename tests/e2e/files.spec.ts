@@ -1,6 +1,10 @@
 /** Files of the user: real ones where they are, broken ones, dropped and picked. */
+import { mkdirSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { columns } from './png.ts';
 import { bytesOf, changedShare, difference, expect, realFile, test } from './support.ts';
+import type { App } from './support.ts';
 
 const cactus = ['cactus/cactus-3.glb', 'cactus/cactus-1.glb', 'cactus/cactus-2.glb'].map(realFile);
 
@@ -109,6 +113,51 @@ test('files are dropped anywhere on the page, which answers while they hover', a
   await expect(app.by('status-vertices')).toHaveText('5,261 vertices');
 });
 
+/** The browser's own drag and drop, which alone can hold folders. */
+async function drop(app: App, files: string[]): Promise<void> {
+  const session = await app.page.context().newCDPSession(app.page);
+  const data = { items: [], files, dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const) await session.send('Input.dispatchDragEvent', { type, x: 400, y: 300, data });
+  await session.detach();
+}
+
+test('a folder is dropped: the poses in it and in its folders are opened, with the textures that they name', async ({ app }, testInfo) => {
+  const folder = testInfo.outputPath('many poses');
+  mkdirSync(path.join(folder, 'materials', 'images'), { recursive: true });
+  const pose = (bend: number): string => `mtllib materials/paint.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 ${bend}\nv 0 1 ${bend}\nvt 0 0\nusemtl paint\nf 1/1 2/1 3/1 4/1\n`;
+  // More than a browser hands out at once.
+  const count = 120;
+  for (let i = 1; i <= count; i += 1) writeFileSync(path.join(folder, `pose-${i}.obj`), pose(i / count));
+  writeFileSync(path.join(folder, 'materials', 'paint.mtl'), 'newmtl paint\nmap_Kd images/red.png\n');
+  writeFileSync(path.join(folder, 'materials', 'images', 'red.png'), columns([[255, 0, 0]]));
+  for (const rubbish of ['.DS_Store', 'notes.docx', 'scene.blend']) writeFileSync(path.join(folder, rubbish), 'not a model');
+  await app.open();
+  await drop(app, [folder]);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  const { doc, source } = await app.state();
+  expect(doc.keys.map((key) => key.name)).toEqual(Array.from({ length: count }, (_, i) => `pose-${i + 1}`));
+  expect(source.kind === 'files' && source.names).toContain('many poses/materials/images/red.png');
+  await expect(app.by('warning-count')).toBeHidden();
+  await expect(app.by('colouring-texture')).toBeEnabled();
+  await app.expectNoProblems();
+});
+
+test('a folder without a model is refused in a sentence, and files without a folder drop the same way', async ({ app }, testInfo) => {
+  const folder = testInfo.outputPath('photos');
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(path.join(folder, 'letter.docx'), 'not a model');
+  await app.open();
+  await drop(app, [folder]);
+  await expect(app.by('error-message')).toHaveText('There is no model in photos. Drop a folder with glTF, OBJ, PLY or OFF files.');
+  expect((await app.state()).source.kind).toBe('sample');
+  for (const bend of [1, 2]) writeFileSync(path.join(folder, `${bend}.obj`), `v 0 0 0\nv 1 0 0\nv 1 ${bend} 0\nf 1 2 3\n`);
+  await drop(app, [1, 2].map((bend) => path.join(folder, `${bend}.obj`)));
+  await expect.poll(async () => (await app.state()).doc.keys.map((key) => key.name)).toEqual(['1', '2']);
+  await expect(app.by('error')).toBeHidden();
+  await app.settled();
+});
+
 test('ten files dropped twice are opened once, and nothing is left behind', async ({ app }) => {
   test.skip(cactus.includes(null), 'the real inputs are not there');
   await app.open();
@@ -139,6 +188,29 @@ test('a key of the same mesh is added from a file; another mesh is refused', asy
   await app.by('key-file-input').setInputFiles(horse!);
   await expect(app.by('error-message')).toContainText('same mesh');
   expect((await app.state()).doc.keys.length).toBe(3);
+});
+
+test('a key with polygons is added however it would be cut by itself, and the files lie as they are said to', async ({ app }) => {
+  const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
+  const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
+  await app.open();
+  await expect(app.by('orientation')).toBeHidden();
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.4)]);
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(2);
+  await app.settled();
+  await app.by('boundary-hermite').check();
+  await app.settled();
+  await app.by('up-axis-z').check();
+  await expect.poll(async () => (await app.positionsAt(0))[7]).toBe(1);
+  await app.by('file-unit').selectOption('centimetres');
+  await expect.poll(async () => Math.fround((await app.positionsAt(0))[7]!)).toBe(Math.fround(0.01));
+  expect((await app.state()).doc.motion.boundary).toBe('hermite');
+  await app.by('key-file-input').setInputFiles(given('c.obj', -0.5));
+  await expect.poll(async () => (await app.state()).doc.keys.map(({ name }) => name)).toEqual(['a', 'b', 'c']);
+  await app.settled();
+  expect(difference(await app.positionsAt(2), [0, 0, 0, 0.01, 0, 0, 0.005, 0.01, 0, -0.005, 0.01, 0])).toBeLessThan(1e-6);
+  await expect(app.by('up-axis-z')).toBeChecked();
+  await app.expectNoProblems();
 });
 
 test('files are remembered only where the user says so, with all that was done to them', async ({ app }) => {

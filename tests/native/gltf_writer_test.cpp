@@ -296,7 +296,7 @@ TEST_CASE("as many frames as open again, and no more") {
     CHECK(refused.error().code == ErrorCode::TooLarge);
     return refused.error().message;
   };
-  CHECK(refusal(bending(seconds, scene, 2)).find("4,001 morph targets need 16,004,000 weights") != std::string::npos);
+  CHECK(refusal(bending(seconds, scene, 2)).find("4,001 morph targets needs 16,004,000 weights") != std::string::npos);
   seconds.push_back(4000);
   CHECK(refusal(bending(seconds, scene)).find("16,004,000 weights") != std::string::npos);
 }

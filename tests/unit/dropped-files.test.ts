@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { droppedFiles, filesOf } from '../../web/ui/dropped-files.ts';
+import { droppedFiles, filesOf, leadingName } from '../../web/ui/dropped-files.ts';
 
 type Tree = { [name: string]: Tree | string | null };
 
@@ -49,6 +49,11 @@ describe('what was dropped', () => {
     await expect(namesIn({ many })).rejects.toThrow('more than 20,000 files');
     await expect(namesIn({ locked: { inside: null } })).rejects.toThrow('locked/inside could not be read.');
     await expect(namesIn({ folder: { 'gone.obj': null } })).rejects.toThrow('folder/gone.obj could not be read.');
+  });
+
+  it('is called by its first model', () => {
+    expect(leadingName(['a/paint.mtl', 'a/paint.png', 'a/Wolf.OBJ', 'a/wolf-2.obj'])).toBe('a/Wolf.OBJ');
+    expect([leadingName(['walk.glb']), leadingName(['odd.xyz']), leadingName([])]).toEqual(['walk.glb', 'odd.xyz', '']);
   });
 
   it('comes as plain files where the browser knows no entries, or there is no folder among them', async () => {

@@ -1,6 +1,7 @@
 /** The export dialog's side of things: the plan while it is open, the work and its cancel afterwards. */
 import type { AppState } from '../model/state.ts';
 import { playRange } from '../model/frames.ts';
+import { leadingName } from '../ui/dropped-files.ts';
 import type { ExportRequest } from '../ui/export-dialog.ts';
 import type { Context } from './context.ts';
 import { describeExport, runExport } from './exporter.ts';
@@ -92,6 +93,6 @@ function stageColour(): string {
 
 function fileStem({ source }: AppState): string {
   if (source.kind === 'sample') return source.id;
-  const first = source.kind === 'files' ? source.names[0] : undefined;
-  return first?.replace(/^.*[/\\]/, '').replace(/\.[a-z]+$/i, '') || 'shapespline';
+  const first = source.kind === 'files' ? leadingName(source.names) : '';
+  return first.replace(/^.*[/\\]/, '').replace(/\.[a-z]+$/i, '') || 'shapespline';
 }

@@ -11,6 +11,7 @@ import { createColourBar } from '../ui/colour-bar.ts';
 import type { ColourBarProps } from '../ui/colour-bar.ts';
 import { createExportDialog } from '../ui/export-dialog.ts';
 import type { ExportRequest } from '../ui/export-dialog.ts';
+import { leadingName } from '../ui/dropped-files.ts';
 import type { PickedFile } from '../ui/dropped-files.ts';
 import { createDropZone, createPicker } from '../ui/file-drop.ts';
 import { createGhostPanel } from '../ui/ghost-panel.ts';
@@ -177,7 +178,7 @@ export function createInterface(input: InterfaceInput): Interface {
 }
 
 function sourceName(names: readonly string[]): string {
-  const [first = ''] = names;
+  const first = leadingName(names);
   return names.length > 1 ? `${first} and ${names.length - 1} more` : first;
 }
 

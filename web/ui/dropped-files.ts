@@ -9,6 +9,11 @@ export interface PickedFile {
 const MODELS = ['glb', 'gltf', 'obj', 'ply', 'off'];
 const COMPANIONS = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp', 'ktx2'];
 
+/** The file that gives several their name: the first that is no material, buffer or image. */
+export function leadingName(names: readonly string[]): string {
+  return names.find((name) => MODELS.includes(extensionOf(name))) ?? names[0] ?? '';
+}
+
 /** For the system's picker. */
 export const ACCEPTED = [...[...MODELS, ...COMPANIONS].map((extension) => `.${extension}`), 'model/gltf-binary', 'model/gltf+json'].join();
 
@@ -48,9 +53,10 @@ export async function filesOf(entries: readonly FileSystemEntry[]): Promise<Pick
 
 /** Names with a dot in front are what systems leave behind beside other files. */
 function belongs(name: string): boolean {
-  const extension = name.slice(name.lastIndexOf('.') + 1).toLowerCase();
-  return !name.startsWith('.') && [...MODELS, ...COMPANIONS].includes(extension);
+  return !name.startsWith('.') && [...MODELS, ...COMPANIONS].includes(extensionOf(name));
 }
+
+const extensionOf = (name: string): string => name.slice(name.lastIndexOf('.') + 1).toLowerCase();
 
 async function childrenOf(folder: FileSystemDirectoryEntry, name: string): Promise<FileSystemEntry[]> {
   const reader = folder.createReader();
