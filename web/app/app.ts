@@ -290,9 +290,9 @@ export function startApp(root: HTMLElement): void {
   render();
 
   async function start(): Promise<void> {
-    context.inform({ samples: await fetchSamples(), offline: !navigator.onLine });
     const link = readPermalink(location.hash);
-    const left = link ? null : await memory.recall();
+    const [samples, left] = await Promise.all([fetchSamples(), link ? null : memory.recall()]);
+    context.inform({ samples, offline: !navigator.onLine });
     if (left && await opening.again(left)) return pump.idle();
     const first = runtime.samples.find(({ id }) => id === link?.sample) ?? runtime.samples[0];
     if (!first) throw new Error('There are no samples beside this page. Open files of your own.');

@@ -68,7 +68,7 @@ export class Lanes {
     while (this.wanted && this.wanted !== this.served) {
       const spec = this.wanted;
       try {
-        await this.serve(spec);
+        if (JSON.stringify(spec) !== JSON.stringify(this.served)) await this.serve(spec);
         this.served = spec;
         this.events.onReady(spec);
       } catch (error) {

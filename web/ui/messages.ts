@@ -56,7 +56,7 @@ export function createProblem(onClose: () => void): { element: HTMLElement; upda
 export function createWelcome(onPick: () => void): { element: HTMLElement; update(wanted: boolean, givesWay: boolean): void } {
   const element = h('div', { class: 'welcome', 'data-testid': 'welcome', hidden: true },
     h('p', {}, h('strong', {}, 'Poses in, motion out. '),
-      'Drag the slider, also past both ends, or drop two or more poses of your own mesh here.'),
+      'Drag the slider, also past both ends, or drop poses of your own mesh here.'),
     button({ label: 'Choose files', testId: 'welcome-open', text: 'Choose files', icon: 'open', kind: 'plain', onClick: onPick }));
   return {
     element,
