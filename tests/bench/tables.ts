@@ -24,7 +24,7 @@ export function memoryTable(results: Result[]): string {
   const titles = ['faces', 'heap MB', 'after five builds / one', 'after ten refits / one', 'process grew by MB', 'factor MB'];
   return table(titles, results.map(({ run: { builds, ...run } }) => [
     String(run.faces), (run.heapBytes / MB).toFixed(0), short(builds.lastHeap / builds.firstHeap), short(run.refitGrowth),
-    Number.isFinite(builds.processGrowth) ? (builds.processGrowth / MB).toFixed(0) : '-', (run.factorBytes / 1e6).toFixed(1),
+    Number.isFinite(builds.processGrowth) ? String(Math.round(builds.processGrowth / MB) + 0) : '-', (run.factorBytes / 1e6).toFixed(1),
   ]));
 }
 
