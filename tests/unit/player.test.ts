@@ -19,16 +19,17 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-function start(change: Partial<PlayerView['play']>, time = 0, periodic = false): { view: PlayerView; times: number[]; run(ms: number): void } {
+function start(change: Partial<PlayerView['play']>, time = 0, periodic = false): { view: PlayerView; times: number[]; ticks: number[]; player: Player; run(ms: number): void } {
   const view: PlayerView = {
     time, range: [0, 1], periodic, play: { playing: true, speed: 1, loop: 'loop', between: null, fps: null, ...change },
   };
   const times: number[] = [];
-  const player = new Player(() => view, (next, playing) => {
+  const ticks: number[] = [];
+  const player: Player = new Player(() => view, (next, playing) => {
     view.time = next;
     view.play = { ...view.play, playing };
     times.push(next);
-  });
+  }, () => ticks.push(player.tick));
   player.start();
   const run = (ms: number): void => {
     for (const end = now + ms; now < end;) {
@@ -38,7 +39,7 @@ function start(change: Partial<PlayerView['play']>, time = 0, periodic = false):
       for (const callback of due) callback();
     }
   };
-  return { view, times, run };
+  return { view, times, ticks, player, run };
 }
 
 describe('playing', () => {
@@ -83,6 +84,29 @@ describe('playing', () => {
     run(1200);
     expect(view.play.playing).toBe(false);
     expect(times).toEqual([0.25, 0.5, 0.75, 0.75]);
+  });
+
+  it('knows where it will be: forth and back, and in whole frames', () => {
+    const { player, times, run } = start({ loop: 'bounce' });
+    run(1500);
+    for (const ahead of [1, 7, 90]) {
+      const forecast = player.timeOf(player.tick + ahead);
+      run(10 * ahead);
+      expect(times.at(-1)).toBeCloseTo(forecast, 3);
+    }
+    const held = start({ fps: 10 });
+    held.run(1450);
+    expect(held.player.timeOf(held.player.tick)).toBe(0.4);
+    expect(held.player.timeOf(held.player.tick + 20)).toBe(0.6);
+  });
+
+  it('counts the refreshes of the screen, with those that a busy page has missed', () => {
+    const { ticks, run } = start({ fps: 1 });
+    run(1000);
+    expect(ticks).toEqual(Array.from({ length: 100 }, (_, i) => i + 1));
+    now += 50;
+    run(10);
+    expect(ticks.at(-1)).toBe(106);
   });
 
   it('goes on from where someone else has put the time', () => {
