@@ -12,7 +12,7 @@ import type { Lane } from './lanes.ts';
 
 export interface PumpTarget {
   lanes(): readonly Lane[];
-  /** Copies the shapes to the screen; they are released afterwards. `eased`: from those that are about right at this moment. */
+  /** Copies the shapes to the screen; they are released afterwards. `eased`: from those on the screen, about right at this moment. */
   show(shapes: Shapes, eased: boolean): void | Promise<void>;
   /** Resolves when what was shown has been drawn, and none is being eased. */
   drawn(): Promise<void>;
@@ -62,7 +62,10 @@ export class Pump {
     return this.idle();
   }
 
-  /** For while the time or the motion changes: about right where exact shapes are slow, and exact when it rests. What plays goes on. */
+  /**
+   * For while the time or the motion changes: about right where exact shapes are slow, and exact when it rests. A motion that
+   * plays goes on.
+   */
   follow(t: number): void {
     if (this.playback) {
       this.playback.discard();
@@ -156,7 +159,7 @@ export class Pump {
     });
   }
 
-  /** False where the sequences were exchanged meanwhile, or a newer moment came before an eased shape was drawn to its end. */
+  /** False where the sequences were exchanged meanwhile, or a newer moment came before an eased shape was there. */
   private async frame(t: number, ticket: number, about: boolean): Promise<boolean> {
     const shapes = await this.ask(t, about);
     if (!shapes) return false;
@@ -240,9 +243,9 @@ export class Pump {
   private async prepare(): Promise<void> {
     const lanes = this.target.lanes();
     if (!this.pace.untried(lanes)) return;
+    const t = this.wanted;
     for (let times = 0; times < 2 && !this.running && lanes === this.target.lanes(); times += 1) {
-      const shapes = await gather(lanes, this.wanted, true, (sequence) => sequence.evaluateAhead(this.wanted, { preview: true }))
-        .catch(() => null);
+      const shapes = await gather(lanes, t, true, (sequence) => sequence.evaluateAhead(t, { preview: true })).catch(() => null);
       if (!shapes) return;
       this.pace.note(shapes);
       shapes.release();
