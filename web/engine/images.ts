@@ -89,6 +89,6 @@ function scaleOf({ width, height }: Size): number {
 function warning(code: string, count: number): Warning {
   const what = code === 'large-texture'
     ? `textures of more than ${Math.round(MOST_PIXELS / 1e6)} million pixels, or more than ${Math.round(MOST_PIXELS_KEPT / 1e6)} million together,`
-    : 'textures in a format that browsers do not read';
+    : 'textures that are cut off, or in a format that browsers do not read,';
   return { code, count, message: `The shape is drawn without some of its textures: ${what} are not shown. The exported file keeps them.` };
 }
