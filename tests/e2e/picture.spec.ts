@@ -225,3 +225,23 @@ test('a resize while playing loses nothing', async ({ app }) => {
   }
   await app.expectNoProblems();
 });
+
+test('no sample stands under the first sentence, and names of views move with them', async ({ app }) => {
+  await app.page.setViewportSize({ width: 1024, height: 768 });
+  for (const sample of ['cactus', 'dachshund', 'octopus', 'twisted-bar']) {
+    await app.page.goto('about:blank');
+    await app.open({ sample });
+    const [welcome, picture] = [(await app.by('welcome').boundingBox())!, (await app.by('viewport').boundingBox())!];
+    const highest = await app.page.evaluate(() => {
+      const points = window.__shapespline!.project(window.__shapespline!.positions());
+      return points.filter((_, index) => index % 2 === 1).reduce((least, y) => Math.min(least, y), Infinity);
+    });
+    expect(picture.y + highest, sample).toBeGreaterThan(welcome.y + welcome.height);
+  }
+  await app.by('compare-linear').check();
+  await app.settled();
+  const beside = (await app.by('tile-1').boundingBox())!;
+  await app.page.setViewportSize({ width: 360, height: 740 });
+  await expect.poll(async () => (await app.by('tile-1').boundingBox())!.y).toBeGreaterThan(beside.y + 100);
+  expect((await app.by('tile-1').boundingBox())!.x).toBeLessThan(10);
+});
