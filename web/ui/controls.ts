@@ -160,11 +160,10 @@ interface NumberFieldOptions {
 
 /** A field for one number. What is not a number is put back when the field is left. */
 export function numberField({ label, testId, min, max, step = 'any', onInput }: NumberFieldOptions): HTMLInputElement {
-  let before = '';
   const commit = (): void => {
     const value = field.valueAsNumber;
     if (!Number.isFinite(value)) {
-      field.value = before;
+      field.value = field.defaultValue;
       return;
     }
     onInput(Math.min(Math.max(value, min ?? -Infinity), max ?? Infinity));
@@ -172,7 +171,7 @@ export function numberField({ label, testId, min, max, step = 'any', onInput }: 
   const field = h('input', {
     type: 'number', class: 'number', min, max, step, inputmode: 'decimal', 'data-testid': testId, 'aria-label': label,
     title: label, onchange: commit,
-    onfocus: () => { before = field.value; field.select(); },
+    onfocus: () => field.select(),
     onkeydown: (event: KeyboardEvent) => { if (event.key === 'Enter') field.blur(); },
   });
   return field;

@@ -54,8 +54,9 @@ export function setStyle(element: HTMLElement | SVGElement, name: string, value:
   if (element.style.getPropertyValue(name) !== value) element.style.setProperty(name, value);
 }
 
-/** Sets a field's value unless the user is typing in it. */
+/** Sets a field's value; while the user is typing in it, only what it goes back to (its defaultValue). */
 export function setField(field: HTMLInputElement | HTMLSelectElement, value: string): void {
+  if (field instanceof HTMLInputElement && field.type === 'number' && field.defaultValue !== value) field.defaultValue = value;
   if (document.activeElement === field && field instanceof HTMLInputElement && field.type !== 'range') return;
   if (field.value !== value) field.value = value;
 }

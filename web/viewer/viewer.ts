@@ -64,7 +64,12 @@ export class Viewer {
     this.scene.add(this.stage.object);
     this.rig = new CameraRig(this.canvas, () => this.invalidate(), () => events.onCamera(this.rig.pose()));
     this.canvas.addEventListener('webglcontextlost', () => events.onContextLost());
-    this.canvas.addEventListener('webglcontextrestored', () => { events.onContextRestored(); this.invalidate(); });
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      events.onContextRestored();
+      // The first drawing after it has neither floor nor transparent ground; the second one is whole.
+      this.draw();
+      this.invalidate();
+    });
     this.resize = new ResizeObserver(() => { this.fitCanvas(); events.onResize(); });
     this.resize.observe(host);
     this.fitCanvas();
