@@ -1,8 +1,7 @@
 /** The engine in Node's own workers. */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import type { Engine } from '../../web/engine/api.ts';
-import { createEngine } from '../../web/engine/node.ts';
+import { withEngine } from '../../web/engine/node.ts';
 import { measure } from './measure.ts';
 import { REFERENCE, type Place } from './place.ts';
 import { compareResolutions } from './resolutions.ts';
@@ -21,13 +20,4 @@ export function nodePlace(reader: string): Place {
     resolutions: (coarse, fine) => withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine))),
     close: () => Promise.resolve(),
   };
-}
-
-async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
-  const engine = createEngine();
-  try {
-    return await work(engine);
-  } finally {
-    engine.dispose();
-  }
 }

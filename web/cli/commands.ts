@@ -2,7 +2,7 @@
 import { version } from '../../package.json';
 import type { Engine, Keys, Sequence } from '../engine/api.ts';
 import { kgBetween } from '../engine/ghost-study.ts';
-import { createEngine } from '../engine/node.ts';
+import { withEngine } from '../engine/node.ts';
 import { readPose } from '../engine/pose.ts';
 import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/types.ts';
 import { UsageError, type Arguments } from './arguments.ts';
@@ -23,15 +23,6 @@ class Timings {
 }
 
 const rounded = (ms: number): number => Math.round(ms * 100) / 100;
-
-async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
-  const engine = createEngine();
-  try {
-    return await work(engine);
-  } finally {
-    engine.dispose();
-  }
-}
 
 function checkFiles(args: Arguments): void {
   if (args.files.length === 0) throw new UsageError('name at least one file (see --help)');

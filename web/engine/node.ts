@@ -23,6 +23,16 @@ export function createEngine({ workerUrl = WORKER_URL, wasmUrl = WASM_URL }: Eng
   return new EngineClient({ spawn: spawnFrom(workerUrl), module: compile(wasmUrl) });
 }
 
+/** Works with an engine of its own, which ends with the work. */
+export async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
+  const engine = createEngine();
+  try {
+    return await work(engine);
+  } finally {
+    engine.dispose();
+  }
+}
+
 function spawnFrom(workerUrl: URL): Spawn {
   return (events) => {
     const worker = new Worker(workerUrl);
