@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { changedShare, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-const FACES = 700_000;
+const FACES = 1_000_000;
 const generator = fileURLToPath(new URL('../../build/cmake-wasm/shapespline_samples.js', import.meta.url));
 
 interface Sample {
