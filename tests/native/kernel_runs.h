@@ -53,15 +53,17 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
   for (int v = 0; v < vertexCount; ++v) position[v] = vertexCount - 1 - v;
 
   kernels::Noise noise;
-  FaceCoordinates<Real> coordinates(faceCount, columns);
-  for (int f = 0; f < coordinates.paddedFaces(); ++f)
-    for (int c = 0; c < columns; ++c) {
-      for (int k = 0; k < 3; ++k) coordinates.at(f, c, k) = static_cast<Real>(largestTurn * noise.next());
-      const double one = logarithmic ? 0 : 1;
-      coordinates.at(f, c, 3) = static_cast<Real>(one + 0.2 * noise.next());
-      coordinates.at(f, c, 4) = static_cast<Real>(0.2 * noise.next());
-      coordinates.at(f, c, 5) = static_cast<Real>(one + 0.2 * noise.next());
+  const double one = logarithmic ? 0 : 1;
+  FaceCoordinates<Real> coordinates(faceCount, columns, static_cast<Real>(one));
+  coordinates.store();
+  for (int f = 0; f < faceCount; ++f)
+    for (int c = 1; c < columns; ++c) {
+      for (int k = 0; k < 3; ++k) coordinates.set(f, c, k, static_cast<Real>(largestTurn * noise.next()));
+      coordinates.set(f, c, 3, static_cast<Real>(one + 0.2 * noise.next()));
+      coordinates.set(f, c, 4, static_cast<Real>(0.2 * noise.next()));
+      coordinates.set(f, c, 5, static_cast<Real>(one + 0.2 * noise.next()));
     }
+  coordinates.dropIfAtRest(0);
   coordinates.reorder(order);
   std::vector<Real> frames(numbersPerFrame * static_cast<std::size_t>(faceCount / 3 + 1), Real(0));
   for (std::size_t i = 0; i < frames.size(); ++i)
@@ -69,7 +71,7 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
   FaceKernel<Real> kernel;
   kernel.build(shape, frameOf, logarithmic ? Stretch::Log : Stretch::Linear, order, position, vertexCount);
   std::vector<Real> result(4 * (static_cast<std::size_t>(vertexCount) + 1), Real(0));
-  const int lost = kernel.accumulate(coordinates, frames, {Real(0.4), Real(0.9), Real(-0.3)}, result.data());
+  const int lost = kernel.accumulate(coordinates, frames, coordinates.weights({0.4, 0.9, -0.3}), result.data());
   result.push_back(static_cast<Real>(lost));
   return result;
 }
@@ -108,7 +110,7 @@ inline std::vector<float> vertexNormals(const kernels::Surface& surface) {
   std::vector<int> group(n), placeOf(n);
   std::vector<float> places(4 * static_cast<std::size_t>(n)), positions, normals;
   for (int v = 0; v < n; ++v) {
-    group[v] = v / 2, placeOf[v] = n - 1 - v;
+    group[v] = v / 2, placeOf[v] = (n - 1) / 2 - v / 2;  // copies of one vertex
     for (int k = 0; k < 3; ++k) places[4 * static_cast<std::size_t>(placeOf[v]) + k] = static_cast<float>(surface.xyz[3 * static_cast<std::size_t>(v) + k]);
   }
   Shading shading(surface.faces, group, (n + 1) / 2, placeOf);

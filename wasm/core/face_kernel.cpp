@@ -1,5 +1,6 @@
 #include "core/face_kernel.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <type_traits>
@@ -20,14 +21,16 @@ constexpr int seriesTerms = std::is_same_v<Real, float> ? 11 : 17;
 template <class Real>
 constexpr int shortTerms = std::is_same_v<Real, float> ? 4 : 8;
 
+constexpr int mostTerms = 17;
+
 struct Series {
-  double sine[17], cosine[17];
+  double sine[mostTerms], cosine[mostTerms];
 };
 
 constexpr Series makeSeries() {
   Series s{};
   double factorial = 1;  // (2k)! (2k + 1) in turn
-  for (int k = 0; k < 17; ++k) {
+  for (int k = 0; k < mostTerms; ++k) {
     const double sign = k % 2 == 0 ? 1 : -1;
     if (k > 0) factorial *= (2.0 * k) * (2.0 * k + 1);  // (2k + 1)!
     s.sine[k] = sign / factorial;
@@ -38,11 +41,12 @@ constexpr Series makeSeries() {
 
 constexpr Series series = makeSeries();
 
-template <int terms, class Real>
-Lanes<Real> horner(const double* coefficient, Lanes<Real> x) {
-  auto sum = Lanes<Real>::splat(static_cast<Real>(coefficient[terms - 1]));
-  for (int k = terms - 2; k >= 0; --k) sum = sum * x + Lanes<Real>::splat(static_cast<Real>(coefficient[k]));
-  return sum;
+// The sum of coefficient[k] x^k for k < terms.
+template <int terms, int k = 0, class Real>
+Lanes<Real> horner(const double (&coefficient)[mostTerms], Lanes<Real> x) {
+  const auto term = Lanes<Real>::splat(static_cast<Real>(coefficient[k]));
+  if constexpr (k + 1 == terms) return term;
+  else return horner<terms, k + 1, Real>(coefficient, x) * x + term;
 }
 
 // The two factors of Rodrigues' formula exp(r) = I + a [r] + b [r]^2.
@@ -56,8 +60,8 @@ Rodrigues<Real> rodriguesOfLargeAngles(Lanes<Real> squaredAngle) {
   using L = Lanes<Real>;
   alignas(32) Real x[faceLanes], a[faceLanes], b[faceLanes];
   squaredAngle.store(x);
-  horner<seriesTerms<Real>, Real>(series.sine, squaredAngle).store(a);
-  horner<seriesTerms<Real>, Real>(series.cosine, squaredAngle).store(b);
+  horner<seriesTerms<Real>, 0, Real>(series.sine, squaredAngle).store(a);
+  horner<seriesTerms<Real>, 0, Real>(series.cosine, squaredAngle).store(b);
   for (int i = 0; i < faceLanes; ++i) {
     if (x[i] <= Real(seriesLimit)) continue;
     const double angle = std::sqrt(static_cast<double>(x[i]));
@@ -71,9 +75,9 @@ template <class Real>
 Rodrigues<Real> rodrigues(Lanes<Real> squaredAngle) {
   using L = Lanes<Real>;
   if (!notPositive(L::splat(Real(shortLimit)) - squaredAngle))
-    return {horner<shortTerms<Real>, Real>(series.sine, squaredAngle), horner<shortTerms<Real>, Real>(series.cosine, squaredAngle)};
+    return {horner<shortTerms<Real>, 0, Real>(series.sine, squaredAngle), horner<shortTerms<Real>, 0, Real>(series.cosine, squaredAngle)};
   if (!notPositive(L::splat(Real(seriesLimit)) - squaredAngle))
-    return {horner<seriesTerms<Real>, Real>(series.sine, squaredAngle), horner<seriesTerms<Real>, Real>(series.cosine, squaredAngle)};
+    return {horner<seriesTerms<Real>, 0, Real>(series.sine, squaredAngle), horner<seriesTerms<Real>, 0, Real>(series.cosine, squaredAngle)};
   return rodriguesOfLargeAngles<Real>(squaredAngle);
 }
 
@@ -87,68 +91,94 @@ Vector3<L> cross(const Vector3<L>& a, const Vector3<L>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// exp(r) v with the factors of Rodrigues' formula.
-template <class Real, class L = Lanes<Real>>
-Vector3<L> rotate(const Rodrigues<Real>& f, const Vector3<L>& r, const Vector3<L>& v) {
-  const Vector3<L> rv = cross(r, v), rrv = cross(r, rv);
-  return {v.x + f.a * rv.x + f.b * rrv.x, v.y + f.a * rv.y + f.b * rrv.y, v.z + f.a * rv.z + f.b * rrv.z};
+// One number of each of the faces side by side.
+template <class Real>
+using Four = Real[faceLanes];
+
+template <class Real>
+Vector3<Lanes<Real>> load(const Four<Real>* v) {
+  using L = Lanes<Real>;
+  return {L::load(v[0]), L::load(v[1]), L::load(v[2])};
 }
 
-// exp of a symmetric 2x2 matrix in place, lane by lane.
 template <class Real>
-void exponentiate(Lanes<Real>& xx, Lanes<Real>& xy, Lanes<Real>& yy) {
+void store(const Vector3<Lanes<Real>>& from, Four<Real>* v) {
+  from.x.store(v[0]), from.y.store(v[1]), from.z.store(v[2]);
+}
+
+// Blocks that go through the kernel's steps together, and what a block hands from step to step. Each step is a short loop
+// whose numbers fit the registers; all in one would spill them, at twice the time.
+constexpr int blocksAtOnce = 8;
+template <class Real>
+struct alignas(32) Passing {
+  Four<Real> number[numbersPerFace];  // at the frame's weights
+  Four<Real> factor[2];               // of Rodrigues' formula
+  Four<Real> corner[6];               // contributions of corners 0 and 1 in the frames; corner 2 has minus their sum
+};
+
+// The six numbers at the given weights.
+template <class Real>
+void blend(const Real* block, const ColumnWeights<Real>& weights, Passing<Real>& passing) {
   using L = Lanes<Real>;
-  alignas(32) Real a[faceLanes], b[faceLanes], c[faceLanes];
-  xx.store(a), xy.store(b), yy.store(c);
+  const L atRest = L::splat(weights.atRest);
+  Vector3<L> r{L::zero(), L::zero(), L::zero()}, s{atRest, L::zero(), atRest};
+  const auto add = [](L& sum, const L& w, const Real* number) { sum = sum + w * L::load(number); };
+  for (const Real weight : weights.stored) {
+    const L w = L::splat(weight);
+    add(r.x, w, block), add(r.y, w, block + faceLanes), add(r.z, w, block + 2 * faceLanes);
+    add(s.x, w, block + 3 * faceLanes), add(s.y, w, block + 4 * faceLanes), add(s.z, w, block + 5 * faceLanes);
+    block += numbersPerFace * faceLanes;
+  }
+  store(r, passing.number);
+  store(s, passing.number + 3);
+}
+
+// exp of the symmetric 2x2 matrices in place.
+template <class Real>
+void exponentiate(Passing<Real>& passing) {
+  auto &xx = passing.number[3], &xy = passing.number[4], &yy = passing.number[5];
   for (int i = 0; i < faceLanes; ++i) {
     Mat2 m;
-    m << static_cast<double>(a[i]), static_cast<double>(b[i]), static_cast<double>(b[i]), static_cast<double>(c[i]);
+    m << static_cast<double>(xx[i]), static_cast<double>(xy[i]), static_cast<double>(xy[i]), static_cast<double>(yy[i]);
     m = expSymmetric(m);
-    a[i] = static_cast<Real>(m(0, 0)), b[i] = static_cast<Real>(m(0, 1)), c[i] = static_cast<Real>(m(1, 1));
+    xx[i] = static_cast<Real>(m(0, 0)), xy[i] = static_cast<Real>(m(0, 1)), yy[i] = static_cast<Real>(m(1, 1));
   }
-  xx = L::load(a), xy = L::load(b), yy = L::load(c);
 }
 
 template <class Real>
-int notPositiveDefinite(const Lanes<Real>& xx, const Lanes<Real>& xy, const Lanes<Real>& yy) {
+int notPositiveDefinite(const Passing<Real>& passing) {
+  const auto [xx, xy, yy] = load(passing.number + 3);
   return std::popcount(static_cast<unsigned>(notPositive(xx * yy - xy * xy) | notPositive(xx + yy)));
 }
 
-// The six numbers of four faces at the given weights.
 template <class Real>
-void blend(const Real* block, const std::vector<Real>& weights, Lanes<Real> (&number)[numbersPerFace]) {
-  using L = Lanes<Real>;
-  for (L& n : number) n = L::zero();
-  for (const Real weight : weights) {
-    const L w = L::splat(weight);
-    for (int k = 0; k < numbersPerFace; ++k, block += faceLanes) number[k] = number[k] + w * L::load(block);
-  }
+void findFactors(Passing<Real>& passing) {
+  const auto r = load(passing.number);
+  const Rodrigues<Real> f = rodrigues<Real>(r.x * r.x + r.y * r.y + r.z * r.z);
+  f.a.store(passing.factor[0]), f.b.store(passing.factor[1]);
 }
 
-// Contributions of corners 0 and 1 (corner 2 has minus their sum) in the patches' frames: exp(r) [t1 t2] S g.
+// exp(r) [t1 t2] S g of corners 0 and 1.
 template <class Real>
-struct Divergence {
-  Vector3<Lanes<Real>> corner0, corner1;
-};
-
-template <class Real>
-Divergence<Real> divergence(const FaceBlock<Real>& face, const Lanes<Real> (&n)[numbersPerFace]) {
+void diverge(const FaceBlock<Real>& face, Passing<Real>& passing) {
   using L = Lanes<Real>;
-  const Vector3<L> r{n[0], n[1], n[2]};
-  const Rodrigues<Real> f = rodrigues<Real>(r.x * r.x + r.y * r.y + r.z * r.z);
-  const L t1x = L::load(face.tangent[0]), t1y = L::load(face.tangent[1]), t1z = L::load(face.tangent[2]);
-  const L t2x = L::load(face.tangent[3]), t2y = L::load(face.tangent[4]), t2z = L::load(face.tangent[5]);
-  const auto corner = [&](const L& gx, const L& gy) {
-    const L u = n[3] * gx + n[4] * gy, v = n[4] * gx + n[5] * gy;  // S g
-    return rotate<Real>(f, r, Vector3<L>{t1x * u + t2x * v, t1y * u + t2y * v, t1z * u + t2z * v});
+  const auto r = load(passing.number), s = load(passing.number + 3);
+  const L a = L::load(passing.factor[0]), b = L::load(passing.factor[1]);
+  const auto turned = [&](const L& u, const L& v, Four<Real>* out) {
+    const Vector3<L> t1 = load(face.tangent), t2 = load(face.tangent + 3);
+    const Vector3<L> p{t1.x * u + t2.x * v, t1.y * u + t2.y * v, t1.z * u + t2.z * v};
+    const Vector3<L> rp = cross(r, p), rrp = cross(r, rp);
+    store({p.x + a * rp.x + b * rrp.x, p.y + a * rp.y + b * rrp.y, p.z + a * rp.z + b * rrp.z}, out);
   };
-  return {corner(L::load(face.gradient[0]), L::load(face.gradient[1])),
-          corner(L::load(face.gradient[2]), L::load(face.gradient[3]))};
+  const auto [h, g0, g1] = load(face.gradient);
+  const L u = s.x * h, v = s.y * h;
+  turned(s.y * g0 - u, s.z * g0 - v, passing.corner);
+  turned(u + s.y * g1, v + s.z * g1, passing.corner + 3);
 }
 
 // Turns one lane's contributions by its frame and adds them to its three corners.
 template <class Real>
-void scatter(const FaceBlock<Real>& face, int lane, const Real* frames, const Real (&v)[6][faceLanes], Real* rhs) {
+void scatter(const FaceBlock<Real>& face, int lane, const Real* frames, const Four<Real>* v, Real* rhs) {
   using L = Lanes<Real>;
   const Real* g = frames + numbersPerFrame * static_cast<std::size_t>(face.frame[lane]);
   const L g0 = L::load(g), g1 = L::load(g + 4), g2 = L::load(g + 8);
@@ -160,12 +190,6 @@ void scatter(const FaceBlock<Real>& face, int lane, const Real* frames, const Re
   (L::load(at(0)) + b0).store(at(0));
   (L::load(at(1)) + b1).store(at(1));
   (L::load(at(2)) - (b0 + b1)).store(at(2));
-}
-
-template <class Real>
-void store(const Divergence<Real>& d, Real (&v)[6][faceLanes]) {
-  d.corner0.x.store(v[0]), d.corner0.y.store(v[1]), d.corner0.z.store(v[2]);
-  d.corner1.x.store(v[3]), d.corner1.y.store(v[4]), d.corner1.z.store(v[5]);
 }
 
 }  // namespace
@@ -194,45 +218,51 @@ void FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& f
     const Vec2 a = Vec2::Zero(), b = frame.edges.col(0), c = frame.edges.col(1);
     const auto quarter = [](const Vec2& e) { return Vec2(-e.y() / 2, e.x() / 2); };
     const Vec2 g0 = quarter(c - b), g1 = quarter(a - c);
-    block.gradient[0][lane] = static_cast<Real>(g0.x());
+    block.gradient[0][lane] = static_cast<Real>(g1.x());  // -g0.x()
     block.gradient[1][lane] = static_cast<Real>(g0.y());
-    block.gradient[2][lane] = static_cast<Real>(g1.x());
-    block.gradient[3][lane] = static_cast<Real>(g1.y());
+    block.gradient[2][lane] = static_cast<Real>(g1.y());
     block.frame[lane] = frameOf[order[i]];
   }
 }
 
 template <class Real>
 int FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                                 const std::vector<Real>& weights, Real* rhs) const {
+                                 const ColumnWeights<Real>& weights, Real* rhs) const {
   int lost = 0;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    Lanes<Real> number[numbersPerFace];
-    blend(coordinates.block(static_cast<int>(b)), weights, number);
-    if (stretch_ == Stretch::Log) exponentiate<Real>(number[3], number[4], number[5]);
-    else lost += notPositiveDefinite<Real>(number[3], number[4], number[5]);
-    alignas(32) Real v[6][faceLanes];
-    store(divergence(blocks_[b], number), v);
-    for (int lane = 0; lane < faceLanes; ++lane) scatter(blocks_[b], lane, frames.data(), v, rhs);
+  Passing<Real> passing[blocksAtOnce];
+  for (std::size_t first = 0; first < blocks_.size(); first += blocksAtOnce) {
+    const FaceBlock<Real>* const block = &blocks_[first];
+    const int count = static_cast<int>(std::min<std::size_t>(blocksAtOnce, blocks_.size() - first));
+    for (int i = 0; i < count; ++i) blend(coordinates.block(static_cast<int>(first) + i), weights, passing[i]);
+    for (int i = 0; i < count; ++i) {
+      if (stretch_ == Stretch::Log) exponentiate(passing[i]);
+      else lost += notPositiveDefinite(passing[i]);
+    }
+    for (int i = 0; i < count; ++i) findFactors(passing[i]);
+    for (int i = 0; i < count; ++i) diverge(block[i], passing[i]);
+    for (int i = 0; i < count; ++i)
+      for (int lane = 0; lane < faceLanes; ++lane) scatter(block[i], lane, frames.data(), passing[i].corner, rhs);
   }
   return lost;
 }
 
 template <class Real>
 void FaceKernel<Real>::accumulateShift(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                                       const std::vector<Real>& weights, int face, const Vec3& difference, Real* rhs) const {
-  const int slot = coordinates.slot(face);
+                                       const ColumnWeights<Real>& weights, int face, const Vec3& difference, Real* rhs) const {
+  const int slot = coordinates.slot(face), lane = slot % faceLanes;
   const FaceBlock<Real>& block = blocks_[slot / faceLanes];
-  Lanes<Real> number[numbersPerFace];
-  blend(coordinates.block(slot / faceLanes), weights, number);
-  if (stretch_ == Stretch::Log) exponentiate<Real>(number[3], number[4], number[5]);
-  alignas(32) Real v[6][faceLanes];
-  store(divergence(block, number), v);
-  for (auto& row : v) row[slot % faceLanes] = -row[slot % faceLanes];
-  scatter(block, slot % faceLanes, frames.data(), v, rhs);
-  for (int k = 0; k < 3; ++k) number[k] = number[k] + Lanes<Real>::splat(static_cast<Real>(difference[k]));
-  store(divergence(block, number), v);
-  scatter(block, slot % faceLanes, frames.data(), v, rhs);
+  Passing<Real> passing;
+  const auto contribute = [&](Real sign) {
+    findFactors(passing);
+    diverge(block, passing);
+    for (auto& row : passing.corner) row[lane] *= sign;
+    scatter(block, lane, frames.data(), passing.corner, rhs);
+  };
+  blend(coordinates.block(slot / faceLanes), weights, passing);
+  if (stretch_ == Stretch::Log) exponentiate(passing);
+  contribute(Real(-1));
+  for (int k = 0; k < 3; ++k) passing.number[k][lane] += static_cast<Real>(difference[k]);
+  contribute(Real(1));
 }
 
 template class FaceKernel<float>;

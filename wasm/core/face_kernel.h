@@ -19,7 +19,7 @@ inline constexpr int numbersPerFrame = 12;
 template <class Real>
 struct FaceBlock {
   Real tangent[6][faceLanes];         ///< t1 and t2 of the reference frame, xyz each
-  Real gradient[4][faceLanes];        ///< area times the hat functions' gradients of corners 0 and 1, in (t1, t2)
+  Real gradient[3][faceLanes];        ///< area times the hat functions' gradients, in (t1, t2): (-a, b) of corner 0, (a, c) of 1
   std::int32_t frame[faceLanes];      ///< index into the frames
   std::int32_t corner[3][faceLanes];  ///< where each corner's right-hand side lies
 };
@@ -36,14 +36,14 @@ class FaceKernel {
              const std::vector<int>& position, int dump, const FractionReport& onProgress = {});
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
-  /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: one a column of the coordinates.
+  /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: as the coordinates take them.
   /// Returns the number of faces whose interpolated S_f is not positive definite.
   int accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                 const std::vector<Real>& weights, Real* rhs) const;
+                 const ColumnWeights<Real>& weights, Real* rhs) const;
 
   /// Adds to rhs what changes when face f's rotation vector is shifted by `difference`.
   void accumulateShift(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                       const std::vector<Real>& weights, int face, const Vec3& difference, Real* rhs) const;
+                       const ColumnWeights<Real>& weights, int face, const Vec3& difference, Real* rhs) const;
 
  private:
   std::vector<FaceBlock<Real>> blocks_;

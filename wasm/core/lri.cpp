@@ -11,6 +11,8 @@ namespace {
 
 // Principal logarithms below a quarter turn in every pose are the nearest representatives already.
 constexpr double tameAngle = std::numbers::pi / 2;
+// In the reference frames do not turn; what they seem to is rounding.
+constexpr double roundedTurn = 1e-9;
 
 Vec3 meanOf(const Positions& pose) {
   Vec3 sum = Vec3::Zero();
@@ -25,8 +27,8 @@ class Encoder {
       : shape_(shape), parts_(parts), frames_(frames), stretch_(stretch), rests_(transfer == Transfer::Paper) {}
 
   LriCoordinates<Real> run(const FractionReport& onProgress) {
+    out_.face = FaceCoordinates<Real>(shape_.faceCount(), shape_.columns(), stretch_ == Stretch::Log ? Real(0) : Real(1));
     if (!rests_) encodeFaces(partOf(onProgress, 0, 0.9));
-    else restAll();
     encodePlaces();
     encodeLoose();
     for (const Positions& pose : shape_.poses) out_.meanPosition.push_back(meanOf(pose));
@@ -38,38 +40,31 @@ class Encoder {
 
   void encodeFaces(const FractionReport& onProgress) {
     const int columns = shape_.columns();
-    out_.face = FaceCoordinates<Real>(shape_.faceCount(), columns);
+    out_.face.store();
     std::vector<int> wild;
     parts_.eachUsedFace([&](int f) {
       reportItem(onProgress, static_cast<std::size_t>(f), parts_.hasArea.size());
       const FaceFrame frame = referenceFrame(shape_, f);
       double largest = 0;
       for (int c = 0; c < columns; ++c) {
+        if (c == shape_.reference) {
+          const Vec3 r = logRotation(frameOf(f, c).conjugate());
+          if (r.norm() > roundedTurn) out_.face.setRotation(f, c, r);
+          continue;  // deformed by nothing
+        }
         const FaceDeformation d = deformationOf(shape_, f, frame, c);
         const Vec3 r = logRotation(Quaternion(frameOf(f, c).conjugate() * Quaternion(d.rotation)));
         out_.face.setRotation(f, c, r);
         largest = std::max(largest, r.norm());
         const Mat2 s = stretch_ == Stretch::Log ? logSymmetric(d.stretch) : d.stretch;
-        out_.face.at(f, c, 3) = static_cast<Real>(s(0, 0));
-        out_.face.at(f, c, 4) = static_cast<Real>((s(0, 1) + s(1, 0)) / 2);
-        out_.face.at(f, c, 5) = static_cast<Real>(s(1, 1));
+        out_.face.set(f, c, 3, static_cast<Real>(s(0, 0)));
+        out_.face.set(f, c, 4, static_cast<Real>((s(0, 1) + s(1, 0)) / 2));
+        out_.face.set(f, c, 5, static_cast<Real>(s(1, 1)));
       }
       if (largest > tameAngle) wild.push_back(f);
     });
-    // No sum over lanes counts faces without area and the padding.
-    for (int f = 0; f < out_.face.paddedFaces(); ++f)
-      if (f >= shape_.faceCount() || !parts_.hasArea[f]) rest(f);
     unwrapWildFaces(wild);
-  }
-
-  void restAll() {
-    out_.face = FaceCoordinates<Real>(shape_.faceCount(), 1);
-    for (int f = 0; f < out_.face.paddedFaces(); ++f) rest(f);
-  }
-
-  void rest(int f) {
-    const Real one = stretch_ == Stretch::Log ? Real(0) : Real(1);
-    for (int c = 0; c < out_.face.columns(); ++c) out_.face.at(f, c, 3) = out_.face.at(f, c, 5) = one;
+    out_.face.dropIfAtRest(shape_.reference);
   }
 
   // Faces that turn far against their frame: branches agree with the pose before and with a neighbour in the same frame that

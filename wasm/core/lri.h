@@ -33,7 +33,7 @@ struct ComponentPlace {
 /// part may turn far.
 template <class Real>
 struct LriCoordinates {
-  FaceCoordinates<Real> face;         ///< log(G^T R_f) and S_f; of one column where faces rest in their frames
+  FaceCoordinates<Real> face;         ///< log(G^T R_f) and S_f; no column is stored where faces rest in their frames
   std::vector<Winding> faceWinding;   ///< for a periodic curve with a closing interval
   std::vector<ComponentPlace> places; ///< parents before children; the root has none
   std::vector<LooseVertex> loose;

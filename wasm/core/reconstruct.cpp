@@ -77,8 +77,7 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
 template <class Real>
 Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const PoseWeights& weights) const {
   Vec3 r = Vec3::Zero();
-  const int columns = lri_.face.columns();
-  for (int c = 0; c < columns && columns > 1; ++c) r += weights.column[c] * lri_.face.rotation(face, c);
+  for (int c = 0; c < lri_.face.columns(); ++c) r += weights.column[c] * lri_.face.rotation(face, c);
   for (const Winding& winding : lri_.faceWinding)
     if (winding.index == face) r += weights.closing * winding.difference;
   return frames_.rotation[frame] * expQuaternion(r);
@@ -102,13 +101,12 @@ int Reconstructor<Real>::assemble(const PoseWeights& weights) {
     for (int i = 0; i < numbersPerFrame; ++i)
       matrices_[numbersPerFrame * k + i] = i % 4 < 3 ? static_cast<Real>(g(i % 4, i / 4)) : Real(0);
   }
-  columnWeights_.assign(1, Real(1));  // of faces that rest in their frames
-  if (lri_.face.columns() > 1) columnWeights_.assign(weights.column.begin(), weights.column.end());
+  const ColumnWeights<Real> columnWeights = lri_.face.weights(weights.column);
   std::fill(solution_.begin(), solution_.end(), Real(0));
-  const int lost = kernel_.accumulate(lri_.face, matrices_, columnWeights_, solution_.data());
+  const int lost = kernel_.accumulate(lri_.face, matrices_, columnWeights, solution_.data());
   if (weights.closing != 0)
     for (const Winding& winding : lri_.faceWinding)
-      kernel_.accumulateShift(lri_.face, matrices_, columnWeights_, winding.index, weights.closing * winding.difference,
+      kernel_.accumulateShift(lri_.face, matrices_, columnWeights, winding.index, weights.closing * winding.difference,
                               solution_.data());
   return lost;
 }
@@ -237,7 +235,7 @@ Status Reconstructor<Real>::embed(const FramePoses& poses) {
     faceOfVertex[l.vertex] = l.anchorFace;
     loose.push_back(l.vertex);
   }
-  const auto turn = [&](int f, int c) -> Vec3 { return lri_.face.columns() > 1 ? lri_.face.rotation(f, c) : Vec3::Zero(); };
+  const auto turn = [&](int f, int c) { return lri_.face.rotation(f, c); };
   std::vector<std::pair<int, int>> anchors;
   for (const ComponentPlace& place : lri_.places) anchors.emplace_back(place.anchorFace, place.contactFace);
   Embedding embedding;

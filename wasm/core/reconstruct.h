@@ -90,7 +90,7 @@ class Reconstructor {
   std::vector<Real, Eigen::aligned_allocator<Real>> solution_;
   std::vector<Real, Eigen::aligned_allocator<Real>> rightHandSide_;  // with Precision::Exact
   Frames frames_;
-  std::vector<Real> matrices_, columnWeights_;
+  std::vector<Real> matrices_;
   std::vector<Real> places_;
   std::vector<Vec3> shift_;   // translation of each piece against the others
   std::vector<Real> offset_;  // of each piece, with what the mean position asks for: (x, y, z, 0)
