@@ -27,20 +27,53 @@ Float4 areaNormal(Float4 a, Float4 b, Float4 c) {
   return turnedXyz(u * turnedXyz(v) - turnedXyz(u) * v);
 }
 
-// Four sums to unit length. Divided by their largest component first: the squares of a small mesh's areas leave the range
-// of float. A sum of zero becomes (0, 0, 1).
+// Four sums to unit length; a sum of zero becomes (0, 0, 1). Divided by their largest component first: the squares of a small
+// mesh's areas leave the range of float.
 void normalise(Float4 (&sum)[4]) {
   Float4 &x = sum[0], &y = sum[1], &z = sum[2], &w = sum[3];
   transpose(x, y, z, w);
   const Float4 largest = largerMagnitude(largerMagnitude(x, y), z);
   const int flat = notPositive(largest);
   x = x / largest, y = y / largest, z = z / largest, w = Float4::zero();
-  const Float4 length = squareRoot((x * x + y * y) + z * z);
-  x = x / length, y = y / length, z = z / length;
+  const Float4 shorten = Float4::splat(1) / squareRoot((x * x + y * y) + z * z);
+  x = x * shorten, y = y * shorten, z = z * shorten;
   transpose(x, y, z, w);
+  if (!flat) return;
   constexpr float up[4] = {0, 0, 1, 0};
   for (int i = 0; i < 4; ++i)
     if (flat >> i & 1) sum[i] = Float4::load(up);
+}
+
+const float* at(const float* numbers, int i) { return numbers + 4 * static_cast<std::ptrdiff_t>(i); }
+float* at(float* numbers, int i) { return numbers + 4 * static_cast<std::ptrdiff_t>(i); }
+
+void addNormals(const std::vector<Triangle>& corners, const std::vector<Triangle>& targets, const float* places, float* sums) {
+  const Triangle* target = targets.data();
+  for (const auto& [a, b, c] : corners) {
+    const Float4 normal = areaNormal(Float4::load(at(places, a)), Float4::load(at(places, b)), Float4::load(at(places, c)));
+    for (int corner = 0; corner < 3; ++corner) {
+      float* sum = at(sums, (*target)[corner]);
+      (Float4::load(sum) + normal).store(sum);
+    }
+    ++target;
+  }
+}
+
+// Groups of four, the last of them filled up with vertices before it.
+template <class Drawn>
+void drawVertices(const std::vector<Drawn>& drawn, const float* places, const float* sums, float* positions, float* normals) {
+  const std::size_t count = drawn.size(), last = count - std::min<std::size_t>(count, 4);
+  for (std::size_t i = 0; i < count; i += 4) {
+    const Drawn* d = &drawn[std::min(i, last)];
+    Float4 normal[4];
+    for (std::size_t k = 0; k < 4; ++k) normal[k] = Float4::load(at(sums, d[std::min(k, count - 1)].group));
+    normalise(normal);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto [vertex, place, group] = d[std::min(k, count - 1)];
+      Float4::load(at(places, place)).storeXyz(positions + 3 * static_cast<std::size_t>(vertex));
+      normal[k].storeXyz(normals + 3 * static_cast<std::size_t>(vertex));
+    }
+  }
 }
 
 }  // namespace
@@ -67,33 +100,11 @@ Shading::Shading(const std::vector<Triangle>& faces, const std::vector<int>& gro
 }
 
 void Shading::draw(const std::vector<float>& places, std::vector<float>& positions, std::vector<float>& normals) {
-  const auto at = [](auto* p, int i) { return p + 4 * static_cast<std::ptrdiff_t>(i); };
-  std::fill(sum_.begin(), sum_.end(), 0.0f);
-  const std::vector<Triangle>& target = target_.empty() ? corner_ : target_;
-  for (std::size_t f = 0; f < corner_.size(); ++f) {
-    const Triangle& corner = corner_[f];
-    const Float4 normal = areaNormal(Float4::load(at(places.data(), corner[0])), Float4::load(at(places.data(), corner[1])),
-                                     Float4::load(at(places.data(), corner[2])));
-    for (int g : target[f]) {
-      float* sum = at(sum_.data(), g);
-      (Float4::load(sum) + normal).store(sum);
-    }
-  }
   positions.resize(3 * drawn_.size());
   normals.resize(positions.size());
-  for (std::size_t i = 0; i < drawn_.size(); i += 4) {
-    const std::size_t count = std::min<std::size_t>(4, drawn_.size() - i);
-    Float4 normal[4] = {Float4::zero(), Float4::zero(), Float4::zero(), Float4::zero()};
-    for (std::size_t k = 0; k < count; ++k) normal[k] = Float4::load(at(sum_.data(), drawn_[i + k].group));
-    normalise(normal);
-    for (std::size_t k = 0; k < count; ++k) {
-      float xyz[4];
-      normal[k].store(xyz);
-      const std::size_t to = 3 * static_cast<std::size_t>(drawn_[i + k].vertex);
-      std::copy_n(xyz, 3, &normals[to]);
-      std::copy_n(at(places.data(), drawn_[i + k].place), 3, &positions[to]);
-    }
-  }
+  std::fill(sum_.begin(), sum_.end(), 0.0f);
+  addNormals(corner_, target_.empty() ? corner_ : target_, places.data(), sum_.data());
+  drawVertices(drawn_, places.data(), sum_.data(), positions.data(), normals.data());
 }
 
 }  // namespace shapespline

@@ -1,6 +1,6 @@
 // Four floats or two doubles in one register: WebAssembly SIMD, SSE2, or plain C++ (SHAPESPLINE_SCALAR).
 // Each operation rounds once per lane, nothing is fused: all three give the same bits. notPositive: a bit for each lane
-// that is zero, negative or not a number; largerMagnitude: per lane; turnedXyz: (y, z, x, w).
+// that is zero, negative or not a number; largerMagnitude: per lane; turnedXyz: (y, z, x, w); storeXyz: three lanes.
 #pragma once
 
 #if defined(SHAPESPLINE_SCALAR)
@@ -29,6 +29,7 @@ struct Float4 {
   static Float4 loadSplat(const float* p) { return {wasm_v128_load32_splat(p)}; }
   static Float4 zero() { return {wasm_f32x4_const_splat(0.0f)}; }
   void store(float* p) const { wasm_v128_store(p, v); }
+  void storeXyz(float* p) const { wasm_v128_store64_lane(p, v, 0), wasm_v128_store32_lane(p + 2, v, 2); }
   friend Float4 operator+(Float4 a, Float4 b) { return {wasm_f32x4_add(a.v, b.v)}; }
   friend Float4 operator-(Float4 a, Float4 b) { return {wasm_f32x4_sub(a.v, b.v)}; }
   friend Float4 operator*(Float4 a, Float4 b) { return {wasm_f32x4_mul(a.v, b.v)}; }
@@ -48,6 +49,10 @@ struct Float4 {
   static Float4 loadSplat(const float* p) { return {_mm_set1_ps(*p)}; }
   static Float4 zero() { return {_mm_setzero_ps()}; }
   void store(float* p) const { _mm_storeu_ps(p, v); }
+  void storeXyz(float* p) const {
+    _mm_storel_pi(reinterpret_cast<__m64*>(p), v);
+    _mm_store_ss(p + 2, _mm_movehl_ps(v, v));
+  }
   friend Float4 operator+(Float4 a, Float4 b) { return {_mm_add_ps(a.v, b.v)}; }
   friend Float4 operator-(Float4 a, Float4 b) { return {_mm_sub_ps(a.v, b.v)}; }
   friend Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.v, b.v)}; }
@@ -72,6 +77,7 @@ struct Float4 {
   void store(float* p) const {
     for (int i = 0; i < 4; ++i) p[i] = v[i];
   }
+  void storeXyz(float* p) const { p[0] = v[0], p[1] = v[1], p[2] = v[2]; }
   friend Float4 operator+(Float4 a, Float4 b) {
     for (int i = 0; i < 4; ++i) a.v[i] += b.v[i];
     return a;
