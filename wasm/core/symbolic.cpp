@@ -12,8 +12,8 @@ namespace {
 
 // Merging a child into its parent stores zeros but saves the child's rows in every gather, scatter and assembly.
 // In units of one stored entry: what one row and what one supernode cost. Measured on mesh Laplacians.
-constexpr std::int64_t kCostOfRow = 3;
-constexpr std::int64_t kCostOfSupernode = 16;
+constexpr std::int64_t kCostOfRow = 4;
+constexpr std::int64_t kCostOfSupernode = 80;
 
 // One node of the supernode tree while it is being merged.
 struct Node {
