@@ -75,7 +75,7 @@ TEST_CASE("counts of a closed, an open and a non-manifold mesh") {
   c = countMesh(6, fin.faces);
   CHECK(c.nonManifoldEdges >= 1);
   CHECK(c.duplicateFaces == 1);
-  CHECK(c.unreferencedVertices == 1);
+  CHECK(countUnreferenced(6, fin.faces) == 1);
   CHECK(countMesh(48, moebius().faces).inconsistentEdges >= 1);
 }
 
@@ -109,6 +109,45 @@ TEST_CASE("seams shade together where the file's normals agree within a degree")
   CHECK(group[0] == group[1]);
   CHECK(group[0] != group[2]);
   CHECK(shadingGroups(w, {}, groups)[2] == 0);
+}
+
+TEST_CASE("repeated faces are counted in any order of their vertices, those without three vertices too") {
+  const std::vector<Triangle> faces = {{0, 1, 2}, {2, 1, 0}, {1, 0, 2}, {0, 1, 3}, {3, 3, 1}, {1, 3, 3}, {3, 1, 1}};
+  CHECK(countMesh(4, faces).duplicateFaces == 3);
+}
+
+TEST_CASE("pieces are counted as they are numbered: faces that share a vertex belong together") {
+  Shape shape = joined(joined(sphere({0, 3, 0}, 0.2), tetrahedron()), bar());
+  shape.faces.push_back({0, static_cast<int>(shape.positions.size()) - 1, 1});  // joins the first part to the last
+  std::vector<char> use(shape.faces.size(), 1);
+  const auto n = static_cast<int>(shape.positions.size());
+  const auto bothCounts = [&] {
+    const int numbered = connectedPieces(dualGraph(n, shape.faces, use), use).count;
+    CHECK(countPieces(n, shape.faces, use) == numbered);
+    return numbered;
+  };
+  CHECK(bothCounts() == 2);
+  use.back() = 0;
+  CHECK(bothCounts() == 3);
+  std::fill(use.begin(), use.end(), 0);
+  CHECK(bothCounts() == 0);
+  use[0] = use[4] = 1;
+  const Pieces pieces = connectedPieces(dualGraph(n, shape.faces, use), use);
+  CHECK(pieces.ofFace[0] == 0);
+  CHECK(pieces.ofFace[1] == -1);
+}
+
+TEST_CASE("long work is reported block by block, in order and to its end") {
+  std::vector<double> heard;
+  std::size_t next = 0;
+  inBlocks([&](double fraction) { heard.push_back(fraction); }, 40000, [&](std::size_t begin, std::size_t end) {
+    CHECK(begin == next);
+    next = end;
+  });
+  CHECK(next == 40000);
+  REQUIRE(heard.size() == 3);
+  CHECK(heard[0] == 0);
+  CHECK(heard[1] == doctest::Approx(16384.0 / 40000));
 }
 
 TEST_CASE("components hang on their nearest neighbour, rooted at the largest") {

@@ -38,7 +38,7 @@ Topology topologyOf(const GhostMesh& ghost) {
   CHECK(counts.nonManifoldEdges == 0);
   CHECK(counts.inconsistentEdges == 0);
   CHECK(counts.duplicateFaces == 0);
-  CHECK(counts.unreferencedVertices == 0);
+  CHECK(countUnreferenced(n, ghost.faces) == 0);
   const FaceGraph graph = dualGraph(n, ghost.faces, std::vector<char>(m, 1));
   // Every vertex is in one fan: its faces are connected across the edges at it.
   const VertexFaces at = facesOfVertices(n, ghost.faces);

@@ -9,7 +9,9 @@
 namespace shapespline::bindings {
 namespace {
 
-constexpr double kImporting = 0.8;  // share of the progress; the rest is the report on the mesh
+constexpr double kImporting = 0.5;  // share of the progress; the rest is the report on the mesh
+
+void reportChecking(double fraction) { reportProgress("checking the mesh", kImporting + (1 - kImporting) * fraction); }
 
 Json toJson(const MeshReport& report) {
   return {{"vertices", report.vertices},
@@ -20,7 +22,7 @@ Json toJson(const MeshReport& report) {
           {"nonManifoldEdges", report.counts.nonManifoldEdges},
           {"degenerateFaces", report.degenerateFaces},
           {"duplicateFaces", report.counts.duplicateFaces},
-          {"unreferencedVertices", report.counts.unreferencedVertices},
+          {"unreferencedVertices", report.unreferencedVertices},
           {"inconsistentEdges", report.counts.inconsistentEdges},
           {"diagonal", report.diagonal}};
 }
@@ -38,7 +40,7 @@ Json describe(const ImportObject& object) {
           {"faces", range(faces.data()->data(), 3 * faces.size())},
           {"normals", rangeOrNull(object.normals)},
           {"scene", bindings::toJson(import.scene)},
-          {"report", toJson(reportOf(import.keyframes))},
+          {"report", toJson(reportOf(import.keyframes, reportChecking))},
           {"warnings", bindings::toJson(import.warnings)},
           {"animations", bindings::toJson(import.animations)},
           {"animation", import.animation},
@@ -57,7 +59,7 @@ ENTRY const char* shapespline_import(const char* request) {
     const auto progress = [](const char* stage, double fraction) { reportProgress(stage, kImporting * fraction); };
     Result<Import> import = importKeyframes(files, importOptionsFrom(json.at("options")), progress);
     if (!import) return import.error();
-    reportProgress("checking the mesh", kImporting);
+    reportChecking(0);
     if (const Status valid = validate(import->keyframes); !valid) return valid.error();
     ImportObject object{std::move(*import), {}, {}};
     object.normals = floatsFrom(object.import.keyframes.normals);

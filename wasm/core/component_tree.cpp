@@ -103,6 +103,12 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
 
 ComponentTree linkComponents(const std::vector<Triangle>& faces, const Pieces& pieces,
                              std::span<const Positions* const> poses) {
+  ComponentTree tree;
+  tree.link.resize(pieces.count);
+  if (pieces.count == 1) {
+    tree.order = {0};
+    return tree;
+  }
   const Positions& first = *poses[0];
   std::vector<int> componentOfVertex(first.size(), -1), faceOfVertex(first.size(), -1);
   std::vector<double> area(pieces.count, 0);
@@ -115,15 +121,12 @@ ComponentTree linkComponents(const std::vector<Triangle>& faces, const Pieces& p
       if (faceOfVertex[v] < 0) componentOfVertex[v] = c, faceOfVertex[v] = f;
   }
 
-  ComponentTree tree;
-  tree.link.resize(pieces.count);
   const int root = static_cast<int>(std::max_element(area.begin(), area.end()) - area.begin());
   std::vector<std::vector<Edge>> at(pieces.count);
-  if (pieces.count > 1)
-    for (const Edge& e : spanningEdges(componentOfVertex, pieces.count, poses)) {
-      at[e.a].push_back(e);
-      at[e.b].push_back({e.b, e.a, e.atB, e.atA});
-    }
+  for (const Edge& e : spanningEdges(componentOfVertex, pieces.count, poses)) {
+    at[e.a].push_back(e);
+    at[e.b].push_back({e.b, e.a, e.atB, e.atA});
+  }
   tree.order.push_back(root);
   for (std::size_t i = 0; i < tree.order.size(); ++i) {
     const int parent = tree.order[i];

@@ -5,7 +5,7 @@
 
 namespace shapespline {
 
-Graph permuted(const Graph& graph, const std::vector<int>& order) {
+Graph permuted(const Graph& graph, const std::vector<int>& order, const FractionReport& onProgress) {
   const int size = graph.size();
   std::vector<int> position(size);
   for (int p = 0; p < size; ++p) position[order[p]] = p;
@@ -14,29 +14,31 @@ Graph permuted(const Graph& graph, const std::vector<int>& order) {
   result.start.assign(static_cast<std::size_t>(size) + 1, 0);
   result.neighbour.resize(graph.neighbour.size());
   int next = 0;
-  for (int p = 0; p < size; ++p) {
-    const int begin = next;
-    for (int u : graph.neighbours(order[p])) result.neighbour[next++] = position[u];
-    std::sort(result.neighbour.begin() + begin, result.neighbour.begin() + next);
-    result.start[p + 1] = next;
-  }
+  inBlocks(onProgress, order.size(), [&](std::size_t from, std::size_t end) {
+    for (std::size_t p = from; p < end; ++p) {
+      const int begin = next;
+      for (int u : graph.neighbours(order[p])) result.neighbour[next++] = position[u];
+      std::sort(result.neighbour.begin() + begin, result.neighbour.begin() + next);
+      result.start[p + 1] = next;
+    }
+  });
   return result;
 }
 
-std::vector<int> eliminationTree(const Graph& graph) {
+std::vector<int> eliminationTree(const Graph& graph, const FractionReport& onProgress) {
   const int size = graph.size();
   std::vector<int> parent(size, -1);
   std::vector<int> ancestor(size, -1);  // path-compressed towards the root of the tree so far
-  for (int j = 0; j < size; ++j) {
-    for (int i : graph.neighbours(j)) {
-      while (i != -1 && i < j) {
-        const int next = ancestor[i];
-        ancestor[i] = j;
-        if (next == -1) parent[i] = j;
-        i = next;
-      }
-    }
-  }
+  inBlocks(onProgress, static_cast<std::size_t>(size), [&](std::size_t begin, std::size_t end) {
+    for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
+      for (int i : graph.neighbours(j))
+        while (i != -1 && i < j) {
+          const int next = ancestor[i];
+          ancestor[i] = j;
+          if (next == -1) parent[i] = j;
+          i = next;
+        }
+  });
   return parent;
 }
 
@@ -83,7 +85,7 @@ int findRoot(std::vector<int>& set, int i) {
 
 }  // namespace
 
-std::vector<int> factorColumnCounts(const Graph& graph, const std::vector<int>& parent) {
+std::vector<int> factorColumnCounts(const Graph& graph, const std::vector<int>& parent, const FractionReport& onProgress) {
   const int size = graph.size();
   // Row i of the factor is a subtree rooted at i; a column's count is the number of row subtrees it lies in. Each row
   // subtree adds one at its leaves and takes one off where two branches meet.
@@ -93,17 +95,19 @@ std::vector<int> factorColumnCounts(const Graph& graph, const std::vector<int>& 
     count[j] = first[j] == -1 ? 1 : 0;  // a leaf of the elimination tree starts its own row subtree
     for (int i = j; i != -1 && first[i] == -1; i = parent[i]) first[i] = j;
   }
-  for (int j = 0; j < size; ++j) {
-    if (parent[j] != -1) --count[parent[j]];
-    for (int i : graph.neighbours(j)) {
-      if (i <= j || first[j] <= maxFirst[i]) continue;  // j is no leaf of row i's subtree
-      maxFirst[i] = first[j];
-      ++count[j];
-      if (previousLeaf[i] != -1) --count[findRoot(set, previousLeaf[i])];
-      previousLeaf[i] = j;
+  inBlocks(onProgress, static_cast<std::size_t>(size), [&](std::size_t begin, std::size_t end) {
+    for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j) {
+      if (parent[j] != -1) --count[parent[j]];
+      for (int i : graph.neighbours(j)) {
+        if (i <= j || first[j] <= maxFirst[i]) continue;  // j is no leaf of row i's subtree
+        maxFirst[i] = first[j];
+        ++count[j];
+        if (previousLeaf[i] != -1) --count[findRoot(set, previousLeaf[i])];
+        previousLeaf[i] = j;
+      }
+      if (parent[j] != -1) set[j] = parent[j];
     }
-    if (parent[j] != -1) set[j] = parent[j];
-  }
+  });
   for (int j = 0; j < size; ++j)
     if (parent[j] != -1) count[parent[j]] += count[j];
   return count;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/types.h"
 
 namespace shapespline {
@@ -38,8 +39,10 @@ class FaceCoordinates {
   void store() {
     stored_ = columns();
     for (int c = 0; c < stored_; ++c) place_[c] = c;
-    data_.resize(static_cast<std::size_t>(blocks_) * blockSize());
-    for (std::size_t i = 0; i < data_.size(); ++i) data_[i] = restOf(static_cast<int>(i / faceLanes % numbersPerFace));
+    data_.assign(static_cast<std::size_t>(blocks_) * blockSize(), Real(0));
+    if (rest_ == 0) return;
+    for (std::size_t at = 0; at < data_.size(); at += numbersPerFace * faceLanes)
+      for (int k = 0; k < numbersPerFace; ++k) std::fill_n(&data_[at + k * faceLanes], faceLanes, restOf(k));
   }
 
   int columns() const { return static_cast<int>(place_.size()); }
@@ -93,24 +96,22 @@ class FaceCoordinates {
     --stored_;
   }
 
-  /// Moves the faces within the blocks, without a second copy of them: order[i] is the face that comes to slot i. Once only.
-  void reorder(const std::vector<int>& order) {
+  /// Moves the faces within the blocks, column by column to hold a second copy of one only: order[i] is the face that comes to
+  /// slot i. Once only.
+  void reorder(const std::vector<int>& order, const FractionReport& onProgress = {}) {
     slot_.resize(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) slot_[order[i]] = static_cast<int>(i);
-    const int numbers = stored_ * numbersPerFace;
-    std::vector<char> done(order.size(), 0);
-    std::vector<Real> kept(numbers);
-    const auto entry = [&](int slot, int k) -> Real& { return data_[index(slot, 0, k)]; };
-    for (int start = 0; start < static_cast<int>(order.size()); ++start) {
-      if (done[start]) continue;
-      for (int k = 0; k < numbers; ++k) kept[k] = entry(start, k);
-      int to = start;
-      for (; order[to] != start; to = order[to]) {
-        done[to] = 1;
-        for (int k = 0; k < numbers; ++k) entry(to, k) = entry(order[to], k);
-      }
-      done[to] = 1;
-      for (int k = 0; k < numbers; ++k) entry(to, k) = kept[k];
+    std::vector<Real> moved(order.size() * numbersPerFace);
+    for (int c = 0; c < stored_; ++c) {
+      const double from = static_cast<double>(c) / stored_, middle = from + 0.7 / stored_, to = from + 1.0 / stored_;
+      inBlocks(partOf(onProgress, from, middle), order.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          for (int k = 0; k < numbersPerFace; ++k) moved[numbersPerFace * i + k] = data_[index(order[i], c, k)];
+      });
+      inBlocks(partOf(onProgress, middle, to), order.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          for (int k = 0; k < numbersPerFace; ++k) data_[index(static_cast<int>(i), c, k)] = moved[numbersPerFace * i + k];
+      });
     }
   }
 

@@ -31,6 +31,7 @@ class Encoder {
     if (!rests_) encodeFaces(partOf(onProgress, 0, 0.9));
     encodePlaces();
     encodeLoose();
+    reportFraction(onProgress, 0.95);
     for (const Positions& pose : shape_.poses) out_.meanPosition.push_back(meanOf(pose));
     return std::move(out_);
   }
@@ -42,8 +43,7 @@ class Encoder {
     const int columns = shape_.columns();
     out_.face.store();
     std::vector<int> wild;
-    parts_.eachUsedFace([&](int f) {
-      reportItem(onProgress, static_cast<std::size_t>(f), parts_.hasArea.size());
+    const auto encodeFace = [&](int f) {
       const FaceFrame frame = referenceFrame(shape_, f);
       double largest = 0;
       for (int c = 0; c < columns; ++c) {
@@ -62,8 +62,10 @@ class Encoder {
         out_.face.set(f, c, 5, static_cast<Real>(s(1, 1)));
       }
       if (largest > tameAngle) wild.push_back(f);
-    });
+    };
+    parts_.eachUsedFace(encodeFace, partOf(onProgress, 0, 0.9));
     unwrapWildFaces(wild);
+    reportFraction(onProgress, 0.95);
     out_.face.dropIfAtRest(shape_.reference);
   }
 
@@ -136,6 +138,7 @@ class Encoder {
       for (int v : shape_.faces[f])
         if (faceAt[v] < 0) faceAt[v] = f;
     });
+    if (std::none_of(faceAt.begin(), faceAt.end(), [](int f) { return f < 0; })) return;
     std::vector<int> anchor = faceAt;
     spreadOverFacesWithoutArea(anchor);
     int rootFace = -1;

@@ -1,6 +1,7 @@
 #include "core/mesh.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 
@@ -8,54 +9,86 @@ namespace shapespline {
 
 namespace {
 
-// One side of a face: from its lower to its higher vertex, and whether the face runs the other way.
-struct Side {
-  int high;
-  int face;
-  bool reversed;
+// Items bucketed by row: those of row r are item[start[r]] to item[start[r + 1] - 1].
+template <class Item>
+struct Rows {
+  std::vector<int> start = {0};
+  std::vector<Item> item;
+
+  int count() const { return static_cast<int>(start.size()) - 1; }
+  std::span<Item> of(int row) { return {item.data() + start[row], item.data() + start[row + 1]}; }
+};
+
+// Calls each(i, add) for the numbers below n, which calls add(row, item) for all that i gives, twice the same.
+template <class Item, class Each>
+Rows<Item> bucketed(int rowCount, std::size_t n, Each each, const FractionReport& onProgress = {}) {
+  Rows<Item> rows;
+  rows.start.assign(static_cast<std::size_t>(rowCount) + 1, 0);
+  const auto eachItem = [&](const FractionReport& report, auto add) {
+    inBlocks(report, n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) each(i, add);
+    });
+  };
+  eachItem(partOf(onProgress, 0, 0.4), [&](int row, const Item&) { ++rows.start[row + 1]; });
+  std::partial_sum(rows.start.begin(), rows.start.end(), rows.start.begin());
+  rows.item.resize(rows.start.back());
+  std::vector<int> next(rows.start.begin(), rows.start.end() - 1);
+  eachItem(partOf(onProgress, 0.4, 1), [&](int row, const Item& item) { rows.item[next[row]++] = item; });
+  return rows;
+}
+
+template <class Item>
+void sortRows(Rows<Item>& rows, const FractionReport& onProgress) {
+  inBlocks(onProgress, static_cast<std::size_t>(rows.count()), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const std::span<Item> row = rows.of(static_cast<int>(r));
+      std::sort(row.begin(), row.end());
+    }
+  });
+}
+
+// One side of a face, but for its lower vertex: the higher one, then the face, then whether the face runs from high to low.
+class Side {
+ public:
+  Side() = default;
+  Side(int high, int face, bool reversed)
+      : bits_(static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint64_t>(face) << 1 | static_cast<std::uint64_t>(reversed)) {}
+  int high() const { return static_cast<int>(bits_ >> 32); }
+  int face() const { return static_cast<int>(bits_ >> 1 & 0x7fffffff); }
+  bool reversed() const { return bits_ & 1; }
+  bool operator<(Side other) const { return bits_ < other.bits_; }
+
+ private:
+  std::uint64_t bits_ = 0;
 };
 
 // Sides of faces, bucketed by their lower vertex and sorted by the higher, so that sides of one edge are consecutive.
-struct Sides {
-  std::vector<int> start;
-  std::vector<Side> side;
-
-  // Calls visit(first, last) for each edge with the range of its sides.
-  template <class Visit>
-  void eachEdge(Visit visit) const {
-    for (std::size_t v = 0; v + 1 < start.size(); ++v)
-      for (int a = start[v], b; a < start[v + 1]; a = b) {
-        for (b = a + 1; b < start[v + 1] && side[b].high == side[a].high; ++b) {}
-        visit(side.data() + a, side.data() + b);
-      }
-  }
-};
-
 template <class Use>
-Sides collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use, const FractionReport& onProgress = {}) {
-  Sides sides;
-  sides.start.assign(vertexCount + 1, 0);
-  const auto eachSide = [&](auto visit) {
-    for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
-      if (!use(f)) continue;
-      for (int c = 0; c < 3; ++c) {
-        const int a = faces[f][c], b = faces[f][(c + 1) % 3];
-        if (a != b) visit(std::min(a, b), Side{std::max(a, b), f, a > b});
-      }
+Rows<Side> collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use, const FractionReport& onProgress = {}) {
+  const auto sidesOf = [&](std::size_t f, auto add) {
+    if (!use(static_cast<int>(f))) return;
+    for (int c = 0; c < 3; ++c) {
+      const int a = faces[f][c], b = faces[f][(c + 1) % 3];
+      if (a != b) add(std::min(a, b), Side(std::max(a, b), static_cast<int>(f), a > b));
     }
   };
-  eachSide([&](int low, const Side&) { ++sides.start[low + 1]; });
-  std::partial_sum(sides.start.begin(), sides.start.end(), sides.start.begin());
-  sides.side.resize(sides.start.back());
-  std::vector<int> next(sides.start.begin(), sides.start.end() - 1);
-  eachSide([&](int low, const Side& side) { sides.side[next[low]++] = side; });
-  const FractionReport onVertices = partOf(onProgress, 0.5, 1);
-  for (int v = 0; v < vertexCount; ++v) {
-    reportItem(onVertices, static_cast<std::size_t>(v), static_cast<std::size_t>(vertexCount));
-    std::sort(sides.side.begin() + sides.start[v], sides.side.begin() + sides.start[v + 1],
-              [](const Side& x, const Side& y) { return x.high != y.high ? x.high < y.high : x.face < y.face; });
-  }
+  Rows<Side> sides = bucketed<Side>(vertexCount, faces.size(), sidesOf, partOf(onProgress, 0, 0.6));
+  sortRows(sides, partOf(onProgress, 0.6, 1));
   return sides;
+}
+
+// Calls visit for each edge with its sides.
+template <class Visit>
+void eachEdge(Rows<Side>& sides, const FractionReport& onProgress, Visit visit) {
+  inBlocks(onProgress, static_cast<std::size_t>(sides.count()), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const std::span<const Side> row = sides.of(static_cast<int>(v));
+      for (std::size_t a = 0, b; a < row.size(); a = b) {
+        for (b = a + 1; b < row.size() && row[b].high() == row[a].high(); ++b) {}
+        visit(row.subspan(a, b - a));
+      }
+    }
+  });
 }
 
 class UnionFind {
@@ -77,55 +110,76 @@ class UnionFind {
   std::vector<int> parent_;
 };
 
-FaceGraph graphOf(int faceCount, const std::vector<std::pair<int, int>>& links) {
-  FaceGraph graph;
-  graph.start.assign(faceCount + 1, 0);
-  for (auto [a, b] : links) ++graph.start[a + 1], ++graph.start[b + 1];
-  std::partial_sum(graph.start.begin(), graph.start.end(), graph.start.begin());
-  graph.neighbour.resize(graph.start.back());
-  std::vector<int> next(graph.start.begin(), graph.start.end() - 1);
-  for (auto [a, b] : links) graph.neighbour[next[a]++] = b, graph.neighbour[next[b]++] = a;
-  return graph;
+FaceGraph graphOf(int faceCount, const std::vector<std::pair<int, int>>& links, const FractionReport& onProgress) {
+  const auto endsOf = [&](std::size_t i, auto add) {
+    const auto [a, b] = links[i];
+    add(a, b);
+    add(b, a);
+  };
+  Rows<int> rows = bucketed<int>(faceCount, links.size(), endsOf, onProgress);
+  return {std::move(rows.start), std::move(rows.item)};
 }
 
-int countDuplicates(const std::vector<Triangle>& faces) {
-  std::vector<Triangle> sorted = faces;
-  for (Triangle& f : sorted) std::sort(f.begin(), f.end());
-  std::sort(sorted.begin(), sorted.end());
-  const auto last = std::unique(sorted.begin(), sorted.end());
-  return static_cast<int>(sorted.end() - last);
+int countDuplicates(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress) {
+  using Rest = std::uint64_t;  // a face's vertices but for the lowest one: the middle one, then the highest
+  const auto restOf = [&](std::size_t f, auto add) {
+    const auto [a, b, c] = faces[f];
+    const int low = std::min({a, b, c}), high = std::max({a, b, c}), middle = a ^ b ^ c ^ low ^ high;
+    add(low, static_cast<Rest>(middle) << 32 | static_cast<Rest>(high));
+  };
+  Rows<Rest> rests = bucketed<Rest>(vertexCount, faces.size(), restOf, partOf(onProgress, 0, 0.6));
+  sortRows(rests, partOf(onProgress, 0.6, 1));
+  int count = 0;
+  for (int v = 0; v < vertexCount; ++v) {
+    const std::span<const Rest> row = rests.of(v);
+    for (std::size_t i = 1; i < row.size(); ++i) count += row[i] == row[i - 1];
+  }
+  return count;
 }
 
 }  // namespace
 
 VertexFaces facesOfVertices(int vertexCount, const std::vector<Triangle>& faces) {
-  VertexFaces result;
-  result.start.assign(vertexCount + 1, 0);
-  for (const Triangle& f : faces)
-    for (int v : f) ++result.start[v + 1];
-  std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
-  result.face.resize(result.start.back());
-  std::vector<int> next(result.start.begin(), result.start.end() - 1);
-  for (int f = 0; f < static_cast<int>(faces.size()); ++f)
-    for (int v : faces[f]) result.face[next[v]++] = f;
-  return result;
+  const auto cornersOf = [&](std::size_t f, auto add) {
+    for (int v : faces[f]) add(v, static_cast<int>(f));
+  };
+  Rows<int> rows = bucketed<int>(vertexCount, faces.size(), cornersOf);
+  return {std::move(rows.start), std::move(rows.item)};
 }
 
-MeshCounts countMesh(int vertexCount, const std::vector<Triangle>& faces) {
+MeshCounts countMesh(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress) {
   MeshCounts counts;
-  const Sides sides = collectSides(vertexCount, faces, [](int) { return true; });
-  sides.eachEdge([&](const Side* first, const Side* last) {
+  Rows<Side> sides = collectSides(vertexCount, faces, [](int) { return true; }, partOf(onProgress, 0, 0.6));
+  eachEdge(sides, partOf(onProgress, 0.6, 0.7), [&](std::span<const Side> edge) {
     ++counts.edges;
-    if (last - first == 1) ++counts.boundaryEdges;
-    if (last - first > 2) ++counts.nonManifoldEdges;
-    if (last - first == 2 && first[0].reversed == first[1].reversed) ++counts.inconsistentEdges;
+    if (edge.size() == 1) ++counts.boundaryEdges;
+    if (edge.size() > 2) ++counts.nonManifoldEdges;
+    if (edge.size() == 2 && edge[0].reversed() == edge[1].reversed()) ++counts.inconsistentEdges;
   });
-  counts.duplicateFaces = countDuplicates(faces);
+  sides = {};
+  counts.duplicateFaces = countDuplicates(vertexCount, faces, partOf(onProgress, 0.7, 1));
+  return counts;
+}
+
+int countUnreferenced(int vertexCount, const std::vector<Triangle>& faces) {
   std::vector<char> seen(vertexCount, 0);
   for (const Triangle& f : faces)
     for (int v : f) seen[v] = 1;
-  counts.unreferencedVertices = static_cast<int>(std::count(seen.begin(), seen.end(), 0));
-  return counts;
+  return static_cast<int>(std::count(seen.begin(), seen.end(), 0));
+}
+
+int countPieces(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use, const FractionReport& onProgress) {
+  UnionFind joined(vertexCount);
+  std::vector<char> seen(vertexCount, 0);
+  int pieces = 0;
+  inBlocks(onProgress, faces.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      if (!use[f]) continue;
+      for (int v : faces[f]) pieces += !seen[v], seen[v] = 1;
+      for (int c = 1; c < 3; ++c) pieces -= joined.join(faces[f][0], faces[f][c]);
+    }
+  });
+  return pieces;
 }
 
 FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
@@ -133,45 +187,47 @@ FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const s
   const int faceCount = static_cast<int>(faces.size());
   std::vector<std::pair<int, int>> links;
   UnionFind joined(faceCount);
-  const Sides sides = collectSides(vertexCount, faces, [&](int f) { return use[f] != 0; }, partOf(onProgress, 0, 0.5));
-  sides.eachEdge([&](const Side* first, const Side* last) {
+  Rows<Side> sides = collectSides(vertexCount, faces, [&](int f) { return use[f] != 0; }, partOf(onProgress, 0, 0.5));
+  links.reserve(sides.item.size() / 2);
+  eachEdge(sides, partOf(onProgress, 0.5, 0.65), [&](std::span<const Side> edge) {
     // Consecutive faces at a non-manifold edge: enough to connect them, and linear in their number.
-    for (const Side* s = first; s + 1 < last; ++s) {
-      if (s[0].face == s[1].face) continue;
-      links.emplace_back(s[0].face, s[1].face);
-      joined.join(s[0].face, s[1].face);
+    for (std::size_t i = 1; i < edge.size(); ++i) {
+      const int a = edge[i - 1].face(), b = edge[i].face();
+      if (a == b) continue;
+      links.emplace_back(a, b);
+      joined.join(a, b);
     }
   });
-  reportFraction(onProgress, 0.7);
+  sides = {};
   std::vector<int> firstAt(vertexCount, -1);
-  for (int f = 0; f < faceCount; ++f) {
-    if (!use[f]) continue;
-    for (int v : faces[f]) {
-      if (firstAt[v] < 0) firstAt[v] = f;
-      else if (joined.join(firstAt[v], f)) links.emplace_back(firstAt[v], f);
+  inBlocks(partOf(onProgress, 0.65, 0.8), faces.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      if (!use[f]) continue;
+      for (int v : faces[f]) {
+        if (firstAt[v] < 0) firstAt[v] = static_cast<int>(f);
+        else if (joined.join(firstAt[v], static_cast<int>(f))) links.emplace_back(firstAt[v], static_cast<int>(f));
+      }
     }
-  }
-  reportFraction(onProgress, 0.9);
-  return graphOf(faceCount, links);
+  });
+  return graphOf(faceCount, links, partOf(onProgress, 0.8, 1));
 }
 
-Pieces connectedPieces(const FaceGraph& graph, const std::vector<char>& use) {
+Pieces connectedPieces(const FaceGraph& graph, const std::vector<char>& use, const FractionReport& onProgress) {
   Pieces pieces;
-  const int faceCount = static_cast<int>(use.size());
-  pieces.ofFace.assign(faceCount, -1);
-  std::vector<int> stack;
-  for (int seed = 0; seed < faceCount; ++seed) {
-    if (!use[seed] || pieces.ofFace[seed] >= 0) continue;
-    pieces.ofFace[seed] = pieces.count;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const int f = stack.back();
-      stack.pop_back();
+  UnionFind joined(static_cast<int>(use.size()));
+  inBlocks(partOf(onProgress, 0, 0.8), use.size(), [&](std::size_t begin, std::size_t end) {
+    for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f)
       for (int g : graph.of(f))
-        if (pieces.ofFace[g] < 0) pieces.ofFace[g] = pieces.count, stack.push_back(g);
+        if (g > f) joined.join(f, g);
+  });
+  pieces.ofFace.assign(use.size(), -1);
+  inBlocks(partOf(onProgress, 0.8, 1), use.size(), [&](std::size_t begin, std::size_t end) {
+    for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) {
+      if (!use[f]) continue;
+      const int first = joined.find(f);  // the lowest face of its piece
+      pieces.ofFace[f] = first == f ? pieces.count++ : pieces.ofFace[first];
     }
-    ++pieces.count;
-  }
+  });
   return pieces;
 }
 

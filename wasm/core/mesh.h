@@ -38,10 +38,16 @@ struct MeshCounts {
   int nonManifoldEdges = 0;      ///< with three faces or more
   int inconsistentEdges = 0;     ///< two faces run along it in the same direction
   int duplicateFaces = 0;        ///< faces with the same three vertices as an earlier one
-  int unreferencedVertices = 0;  ///< in no face
 };
 
-MeshCounts countMesh(int vertexCount, const std::vector<Triangle>& faces);
+MeshCounts countMesh(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress = {});
+
+/// Vertices that no face has.
+int countUnreferenced(int vertexCount, const std::vector<Triangle>& faces);
+
+/// How many pieces those faces form for which `use` is true: faces that share a vertex are of one piece.
+int countPieces(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
+                const FractionReport& onProgress = {});
 
 /// Neighbours across edges, between those faces for which `use` is true. Where faces meet only in a vertex (and no chain
 /// of edges joins them) one link is added, so that the pieces of this graph are the pieces that share vertices.
@@ -54,7 +60,8 @@ struct Pieces {
   int count = 0;
 };
 
-Pieces connectedPieces(const FaceGraph& graph, const std::vector<char>& use);
+/// Of those faces for which `use` is true, numbered by their lowest face.
+Pieces connectedPieces(const FaceGraph& graph, const std::vector<char>& use, const FractionReport& onProgress = {});
 
 /// Length of the diagonal of the box around all positions of all poses.
 double boundingDiagonal(std::span<const Positions* const> poses);

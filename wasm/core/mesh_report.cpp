@@ -1,5 +1,7 @@
 #include "core/mesh_report.h"
 
+#include <algorithm>
+
 #include "core/face_frame.h"
 #include "core/weld.h"
 
@@ -7,20 +9,22 @@ namespace shapespline {
 namespace {
 
 /// Of each face whether it has area in every key.
-std::vector<char> facesWithArea(const Keyframes& keyframes) {
-  std::vector<char> use(keyframes.faces.size(), 1);
-  for (const Key& key : keyframes.keys) {
-    for (std::size_t f = 0; f < use.size(); ++f) {
+std::vector<char> facesWithArea(const Keyframes& keyframes, const FractionReport& onProgress) {
+  std::vector<char> use(keyframes.faces.size());
+  inBlocks(onProgress, use.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
       const auto& [a, b, c] = keyframes.faces[f];
-      if (isDegenerate(key.positions[a], key.positions[b], key.positions[c])) use[f] = 0;
+      use[f] = std::none_of(keyframes.keys.begin(), keyframes.keys.end(), [a, b, c](const Key& key) {
+        return isDegenerate(key.positions[a], key.positions[b], key.positions[c]);
+      });
     }
-  }
+  });
   return use;
 }
 
 }  // namespace
 
-MeshReport reportOf(const Keyframes& keyframes) {
+MeshReport reportOf(const Keyframes& keyframes, const FractionReport& onProgress) {
   std::vector<const Positions*> poses;
   for (const Key& key : keyframes.keys) poses.push_back(&key.positions);
 
@@ -28,14 +32,14 @@ MeshReport reportOf(const Keyframes& keyframes) {
   report.vertices = keyframes.vertexCount();
   report.faces = keyframes.faceCount();
   report.diagonal = boundingDiagonal(poses);
-  const Welding welding = weld(poses, weldTolerance * report.diagonal);
+  report.unreferencedVertices = countUnreferenced(report.vertices, keyframes.faces);
+  const Welding welding = weld(poses, weldTolerance * report.diagonal, partOf(onProgress, 0.05, 0.3));
   report.weldedVertices = welding.count;
   const std::vector<Triangle> faces = weldFaces(keyframes.faces, welding);
-  report.counts = countMesh(welding.count, faces);
-  report.counts.unreferencedVertices = countMesh(report.vertices, keyframes.faces).unreferencedVertices;
-  const std::vector<char> use = facesWithArea(keyframes);
-  for (const char used : use) report.degenerateFaces += !used;
-  report.components = connectedPieces(dualGraph(welding.count, faces, use), use).count;
+  report.counts = countMesh(welding.count, faces, partOf(onProgress, 0.3, 0.8));
+  const std::vector<char> use = facesWithArea(keyframes, partOf(onProgress, 0.8, 0.9));
+  report.degenerateFaces = static_cast<int>(std::count(use.begin(), use.end(), 0));
+  report.components = countPieces(welding.count, faces, use, partOf(onProgress, 0.9, 1));
   return report;
 }
 

@@ -13,11 +13,12 @@ struct MeshReport {
   int faces = 0;
   int components = 0;      ///< pieces that share no welded vertex, faces without area left out
   int degenerateFaces = 0; ///< without area in some key
-  MeshCounts counts;       ///< unreferencedVertices counts raw vertices
+  int unreferencedVertices = 0; ///< of the input, in no face
+  MeshCounts counts;
   double diagonal = 0;     ///< of the box around all keys
 };
 
 /// Of keys that passed validate().
-MeshReport reportOf(const Keyframes& keyframes);
+MeshReport reportOf(const Keyframes& keyframes, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

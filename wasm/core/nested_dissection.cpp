@@ -46,8 +46,8 @@ class Dissection {
     const int size = piece.graph.size();
     if (size <= kLeafSize) return orderLeaf(piece.original);
     reportWork(size);
-    const std::vector<Side> side = findSeparator(piece.graph, piece.coordinates);
-    reportWork(size);
+    const std::vector<Side> side = findSeparator(piece.graph, piece.coordinates, [&] { reportWork(0.5 * size); });
+    reportWork(0.5 * size);
     std::array<int, 3> count = {0, 0, 0};
     for (Side s : side) ++count[static_cast<int>(s)];
     if (count[0] == 0 || count[1] == 0 || count[2] > kUselessSeparator * size) return orderByDegree(piece);
@@ -60,7 +60,7 @@ class Dissection {
   }
 
   // Every node is divided off about as often as pieces can be halved, each time in two steps: finding, extracting.
-  void reportWork(int nodes) {
+  void reportWork(double nodes) {
     const double halvings = std::max(1.0, std::log2(static_cast<double>(whole_.size()) / kLeafSize));
     work_ += nodes / (2 * halvings * whole_.size());
     if (work_ < reported_ + 0.01) return;

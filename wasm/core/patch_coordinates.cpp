@@ -25,26 +25,27 @@ class PatchEncoder {
     std::vector<double> area(m, 0);
     Positions centroid(m, Vec3::Zero());
     std::vector<std::vector<Quaternion>> rotations(columns, std::vector<Quaternion>(m, Quaternion::Identity()));
-    const FractionReport onFaces = partOf(onProgress, 0, 0.3);
-    parts_.eachUsedFace([&](int f) {
-      reportItem(onFaces, static_cast<std::size_t>(f), area.size());
+    const auto measure = [&](int f) {
       const FaceFrame frame = referenceFrame(shape_, f);
       area[f] = frame.area;
       centroid[f] = centroidOf(shape_.poses[shape_.reference], shape_.faces[f]);
       for (int c = 0; c < columns; ++c) rotations[c][f] = Quaternion(deformationOf(shape_, f, frame, c).rotation);
-    });
+    };
+    parts_.eachUsedFace(measure, partOf(onProgress, 0, 0.3));
     const int used = static_cast<int>(std::count(parts_.hasArea.begin(), parts_.hasArea.end(), 1));
     const int wanted = wantedPatches > 0 ? std::min(wantedPatches, used) : defaultPatchCount(used);
     out_.patches = partitionFaces({parts_.graph, parts_.pieces, area, centroid, rotations}, wanted,
                                   partOf(onProgress, 0.3, 0.9));
     out_.area.assign(out_.patches.count, 0);
     parts_.eachUsedFace([&](int f) { out_.area[out_.patches.ofFace[f]] += area[f]; });
-    averageRotations(area, rotations);
+    averageRotations(area, rotations, partOf(onProgress, 0.9, 1));
   }
 
   // G_k: the projection to SO(3) of the area-weighted mean of R_f over the patch.
-  void averageRotations(const std::vector<double>& area, const std::vector<std::vector<Quaternion>>& rotations) {
+  void averageRotations(const std::vector<double>& area, const std::vector<std::vector<Quaternion>>& rotations,
+                        const FractionReport& onProgress) {
     for (int c = 0; c < shape_.columns(); ++c) {
+      reportFraction(onProgress, static_cast<double>(c) / shape_.columns());
       std::vector<RotationMean> mean(out_.patches.count);
       parts_.eachUsedFace([&](int f) { mean[out_.patches.ofFace[f]].add(rotations[c][f], area[f]); });
       std::vector<Quaternion> rotation(out_.patches.count);

@@ -110,8 +110,8 @@ class Partition {
       centroid.push_back(in_.centroid[f]);
       for (const auto& key : in_.rotations) rotation.push_back(key[f]);
     }
-    const auto costTo = [&](int i, const Centre& centre) {
-      const Quaternion* own = &rotation[keys * static_cast<std::size_t>(i)];
+    const auto costTo = [&](std::size_t i, const Centre& centre) {
+      const Quaternion* own = &rotation[keys * i];
       return cost(centroid[i], [own](std::size_t j) -> const Quaternion& { return own[j]; }, centre);
     };
 
@@ -125,8 +125,10 @@ class Partition {
       centres_.push_back(centreAt(candidates[next], inverseRadiusSquared));
       patches_.pieceOf.push_back(piece);
       nearest[next] = -1;
-      for (int i = 0; i < candidateCount; ++i)
-        if (nearest[i] >= 0) nearest[i] = std::min(nearest[i], costTo(i, centres_.back()));
+      inBlocks({}, nearest.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          if (nearest[i] >= 0) nearest[i] = std::min(nearest[i], costTo(i, centres_.back()));
+      });
       next = static_cast<int>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
       if (nearest[next] < 0) break;  // every candidate is a seed
     }
@@ -151,15 +153,17 @@ class Partition {
         if (patches_.ofFace[g] < 0) queue.push({cost(g, centres_[patch]), g, patch});
     };
     for (int k = 0; k < count; ++k) claimNeighbours(centres_[k].seed, k);
-    std::size_t claimed = 0;
-    while (!queue.empty()) {
-      const Claim claim = queue.top();
-      queue.pop();
-      if (patches_.ofFace[claim.face] >= 0) continue;
-      reportItem(onProgress, ++claimed, static_cast<std::size_t>(faceCount_));
-      patches_.ofFace[claim.face] = claim.patch;
-      claimNeighbours(claim.face, claim.patch);
-    }
+    // No more faces can be claimed than there are.
+    inBlocks(onProgress, static_cast<std::size_t>(faceCount_), [&](std::size_t claimed, std::size_t end) {
+      while (claimed < end && !queue.empty()) {
+        const Claim claim = queue.top();
+        queue.pop();
+        if (patches_.ofFace[claim.face] >= 0) continue;
+        ++claimed;
+        patches_.ofFace[claim.face] = claim.patch;
+        claimNeighbours(claim.face, claim.patch);
+      }
+    });
   }
 
   // Moves each centre to its patch's means and seeds it with the face that suits them best.

@@ -29,45 +29,47 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
   std::vector<char> tied(pieces.count, 0);
   std::vector<char> seen(reference.size(), 0);
   int count = 0;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (!hasArea[f]) continue;
-    for (int v : faces[f]) {
-      if (seen[v]) continue;
-      seen[v] = 1;
-      char& isTied = tied[pieces.ofFace[f]];
-      if (!isTied) {
-        isTied = 1;
-        continue;
+  inBlocks(partOf(onProgress, 0, 0.1), faces.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      if (!hasArea[f]) continue;
+      for (int v : faces[f]) {
+        if (seen[v]) continue;
+        seen[v] = 1;
+        char& isTied = tied[pieces.ofFace[f]];
+        if (!isTied) {
+          isTied = 1;
+          continue;
+        }
+        result.unknown[v] = count++;
+        result.coordinates.push_back(reference[v]);
       }
-      result.unknown[v] = count++;
-      result.coordinates.push_back(reference[v]);
     }
-  }
+  });
 
   // Every side of a face adds to the diagonal and to one entry below it. Column by column the latter are sorted by row and
   // added up in the order of the faces, so that the sums are reproducible.
   std::vector<double> diagonal(count, 0.0);
   std::vector<std::size_t> start(static_cast<std::size_t>(count) + 1, 0);
-  const auto eachSide = [&](auto visit) {
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      if (!hasArea[f]) continue;
-      for (int c = 0; c < 3; ++c)
-        visit(faces[f][c], faces[f][(c + 1) % 3], faces[f][(c + 2) % 3]);
-    }
+  const auto eachSide = [&](const FractionReport& report, auto visit) {
+    inBlocks(report, faces.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        if (!hasArea[f]) continue;
+        for (int c = 0; c < 3; ++c) visit(faces[f][c], faces[f][(c + 1) % 3], faces[f][(c + 2) % 3]);
+      }
+    });
   };
-  eachSide([&](int, int i, int j) {
+  eachSide(partOf(onProgress, 0.1, 0.3), [&](int, int i, int j) {
     const int a = result.unknown[i], b = result.unknown[j];
     if (a >= 0 && b >= 0) ++start[std::min(a, b) + 1];
   });
   std::partial_sum(start.begin(), start.end(), start.begin());
-  reportFraction(onProgress, 0.3);
   struct Entry {
     int row;
     double value;
   };
   std::vector<Entry> entries(start.back());
   std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  eachSide([&](int apex, int i, int j) {
+  eachSide(partOf(onProgress, 0.3, 0.6), [&](int apex, int i, int j) {
     const Vec3 u = reference[i] - reference[apex], v = reference[j] - reference[apex];
     const double weight = u.dot(v) / u.cross(v).norm() / 2;  // half the cotangent of the angle opposite edge ij
     const int a = result.unknown[i], b = result.unknown[j];

@@ -56,7 +56,7 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   stats.factorMs += watch.lap();
   std::vector<int> order = inEliminationOrder(shape.faces, frameOf_, poisson_);
   onProgress("factorising", 0.83);
-  lri_.face.reorder(order);
+  lri_.face.reorder(order, part("factorising", 0.83, 0.85));
   kernel_.build(shape, frameOf_, in.stretch, order, poisson_.slot(), poisson_.dump(), part("factorising", 0.85, 0.95));
   solution_.resize(4 * static_cast<std::size_t>(poisson_.size()));
   shift_.resize(in.parts.pieces.count);

@@ -82,9 +82,10 @@ Cut cutAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& 
 
 }  // namespace
 
-std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordinates) {
+std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordinates, const std::function<void()>& halfway) {
   const auto [first, second, third] = principalAxes(coordinates);
   Cut best = cutAlong(graph, coordinates, first);
+  if (halfway) halfway();
   const struct {
     Vec3 direction;
     double worthAbove;

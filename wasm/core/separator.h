@@ -1,6 +1,7 @@
 // Separators of graphs with coordinates.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace shapespline {
 
 /// Divides the nodes into two sides without an edge between them and a small separator: the minimum vertex cut within a
 /// band about the median along the longest principal axis, or along another if that one is long. A side may be empty
-/// when the graph has no separator to speak of. coordinates: one finite position a node.
-std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordinates);
+/// when the graph has no separator to speak of. coordinates: one finite position a node. `halfway` is called about then.
+std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordinates, const std::function<void()>& halfway = {});
 
 }  // namespace shapespline

@@ -101,7 +101,7 @@ struct Sequence::State {
   Columns columns() const { return {shape.keys}; }
 
   void weldKeys(const EncodingOptions& encoding, const FractionReport& onProgress);
-  void prepareShading();
+  void prepareShading(const FractionReport& onProgress);
   void findClosing();
   void decideAlignment(const FractionReport& onProgress);
   CurveOptions curveOptions(const MotionOptions& options) const;
@@ -138,11 +138,13 @@ void Sequence::State::weldKeys(const EncodingOptions& encoding, const FractionRe
   for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, welding));
 }
 
-void Sequence::State::prepareShading() {
+void Sequence::State::prepareShading(const FractionReport& onProgress) {
   int groups = 0;
   const std::vector<int> group = shadingGroups(welding, raw.normals, groups);
   std::vector<int> placeOf;
+  placeOf.reserve(welding.weldedOfRaw.size());
   for (int w : welding.weldedOfRaw) placeOf.push_back(shapeMotion->placeOf()[w]);
+  reportFraction(onProgress, 0.5);
   shading = Shading(raw.faces, group, groups, placeOf);
 }
 
@@ -330,7 +332,7 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   if (!shapeMotion) return shapeMotion.error();
   s.shapeMotion = std::move(*shapeMotion);
   s.wantedGhostFaces = encoding.ghostFaces;
-  s.prepareShading();
+  s.prepareShading([&](double fraction) { report("factorising", 0.95 + 0.02 * fraction); });
   report("factorising", 0.97);
   s.describeGhost();
   s.findClosing();

@@ -150,17 +150,18 @@ void collectRows(const Graph& graph, SymbolicFactor& factor, const FractionRepor
 SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order, const FractionReport& onProgress) {
   const int size = graph.size();
   // Renumber by a postorder of the elimination tree.
-  std::vector<int> parent = eliminationTree(permuted(graph, order));
-  reportFraction(onProgress, 0.2);
+  const std::vector<int> parent =
+      eliminationTree(permuted(graph, order, partOf(onProgress, 0, 0.15)), partOf(onProgress, 0.15, 0.2));
   const std::vector<int> post = postorder(parent);
   std::vector<int> postordered(size), inverse(size), postParent(size);
   for (int p = 0; p < size; ++p) inverse[post[p]] = p, postordered[p] = order[post[p]];
   for (int p = 0; p < size; ++p) postParent[p] = parent[post[p]] == -1 ? -1 : inverse[parent[post[p]]];
 
   std::vector<int> supernodeOf;
-  std::vector<Node> nodes = maximalSupernodes(
-      postParent, factorColumnCounts(permuted(graph, postordered), postParent), supernodeOf);
-  reportFraction(onProgress, 0.5);
+  const std::vector<int> counts = factorColumnCounts(permuted(graph, postordered, partOf(onProgress, 0.25, 0.4)), postParent,
+                                                     partOf(onProgress, 0.4, 0.5));
+  std::vector<Node> nodes = maximalSupernodes(postParent, counts, supernodeOf);
+  reportFraction(onProgress, 0.55);
   const std::vector<int> mergedInto = mergeSupernodes(nodes);
   const std::vector<int> finalOrder = stackOrder(nodes, mergedInto);
 

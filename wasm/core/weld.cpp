@@ -74,17 +74,18 @@ Welding weld(std::span<const Positions* const> poses, double tolerance, const Fr
       return ((*p)[a] - (*p)[b]).squaredNorm() <= tolerance * tolerance;
     });
   };
-  for (int v = 0; v < n; ++v) {
-    reportItem(onProgress, static_cast<std::size_t>(v), static_cast<std::size_t>(n));
-    const int twin = grid.find((*poses[0])[v], [&](int candidate) { return coincide(candidate, v); });
-    if (twin >= 0) {
-      welding.weldedOfRaw[v] = welding.weldedOfRaw[twin];
-      continue;
+  inBlocks(onProgress, static_cast<std::size_t>(n), [&](std::size_t begin, std::size_t end) {
+    for (int v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
+      const int twin = grid.find((*poses[0])[v], [&](int candidate) { return coincide(candidate, v); });
+      if (twin >= 0) {
+        welding.weldedOfRaw[v] = welding.weldedOfRaw[twin];
+        continue;
+      }
+      grid.add(v);
+      welding.weldedOfRaw[v] = welding.count++;
+      welding.rawOfWelded.push_back(v);
     }
-    grid.add(v);
-    welding.weldedOfRaw[v] = welding.count++;
-    welding.rawOfWelded.push_back(v);
-  }
+  });
   return welding;
 }
 

@@ -23,15 +23,15 @@ Quaternion rotationOf(const WeldedShape& shape, int face, int column) {
 ShapeParts partsOf(const WeldedShape& shape, const FractionReport& onProgress) {
   ShapeParts parts;
   parts.hasArea.resize(shape.faceCount());
-  const FractionReport onFaces = partOf(onProgress, 0, 0.3);
-  for (int f = 0; f < shape.faceCount(); ++f) {
-    reportItem(onFaces, static_cast<std::size_t>(f), parts.hasArea.size());
-    const Triangle& t = shape.faces[f];
-    parts.hasArea[f] = std::none_of(shape.poses.begin(), shape.poses.end(),
-                                    [&](const Positions& p) { return isDegenerate(p[t[0]], p[t[1]], p[t[2]]); });
-  }
-  parts.graph = dualGraph(shape.vertexCount(), shape.faces, parts.hasArea, partOf(onProgress, 0.3, 0.9));
-  parts.pieces = connectedPieces(parts.graph, parts.hasArea);
+  inBlocks(partOf(onProgress, 0, 0.2), parts.hasArea.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Triangle& t = shape.faces[f];
+      parts.hasArea[f] = std::none_of(shape.poses.begin(), shape.poses.end(),
+                                      [&](const Positions& p) { return isDegenerate(p[t[0]], p[t[1]], p[t[2]]); });
+    }
+  });
+  parts.graph = dualGraph(shape.vertexCount(), shape.faces, parts.hasArea, partOf(onProgress, 0.2, 0.9));
+  parts.pieces = connectedPieces(parts.graph, parts.hasArea, partOf(onProgress, 0.9, 1));
   reportFraction(onProgress, 1);
   if (parts.pieces.count == 0) return parts;
   std::vector<const Positions*> poses;

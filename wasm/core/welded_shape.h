@@ -52,9 +52,11 @@ struct ShapeParts {
 
   /// The faces that take part, in order.
   template <class Visit>
-  void eachUsedFace(Visit visit) const {
-    for (std::size_t f = 0; f < hasArea.size(); ++f)
-      if (hasArea[f]) visit(static_cast<int>(f));
+  void eachUsedFace(Visit visit, const FractionReport& onProgress = {}) const {
+    inBlocks(onProgress, hasArea.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        if (hasArea[f]) visit(static_cast<int>(f));
+    });
   }
 };
 

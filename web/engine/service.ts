@@ -61,6 +61,7 @@ export class Service {
     return {
       import: (core, { files, options }, report) => importFiles(core, this.host.decode, { files, options, report }),
       create: (core, { keys, encoding, motion }, report) => {
+        report('welding', 0);  // large keys take a moment to be copied and checked
         const { handle, range, warnings } = core.createSequence(keys, encoding, motion, report);
         this.sequence = handle;
         this.motionVersion = motion.version;
