@@ -21,9 +21,9 @@ export function buildTable(results: Result[]): string {
 }
 
 export function memoryTable(results: Result[]): string {
-  const titles = ['faces', 'heap MB', 'after five builds / one', 'after ten refits / one', 'process grew by MB', 'factor MB'];
+  const titles = ['faces', 'heap MB', 'fifth build / second', 'after ten refits / one', 'process grew by MB', 'factor MB'];
   return table(titles, results.map(({ run: { builds, ...run } }) => [
-    String(run.faces), (run.heapBytes / MB).toFixed(0), short(builds.lastHeap / builds.firstHeap), short(run.refitGrowth),
+    String(run.faces), (run.heapBytes / MB).toFixed(0), short(builds.heapGrowth), short(run.refitGrowth),
     Number.isFinite(builds.processGrowth) ? String(Math.round(builds.processGrowth / MB) + 0) : '-', (run.factorBytes / 1e6).toFixed(1),
   ]));
 }

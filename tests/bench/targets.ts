@@ -49,10 +49,10 @@ export function targetsOf(run: Run, native: NativeRun): Target[] {
   add('silence while importing, ms', run.importSilence.ms, 250);
   add('silence while building, ms', builds.silence.ms, 250);
   if (large) add('wasm memory, GB', run.heapBytes / GB, 1.5);
-  add('heap, fifth sequence / first', builds.lastHeap / builds.firstHeap, SAME_MEMORY);
+  add('heap, fifth sequence / second', builds.heapGrowth, SAME_MEMORY);
   add('heap after ten refits / one', run.refitGrowth, SAME_MEMORY);
   // One heap that is not given back each time would make it three.
-  if (Number.isFinite(builds.processGrowth)) add('process, second sequence to fifth, heaps', builds.processGrowth / builds.lastHeap, 1);
+  if (Number.isFinite(builds.processGrowth)) add('process, second sequence to fifth, heaps', builds.processGrowth / builds.heapBytes, 1);
   return targets;
 }
 
