@@ -1,4 +1,7 @@
-/** A shape too large for 30 exact frames a second: about right while it moves, exact when it rests. */
+/**
+ * A shape that is about right while it moves, exact when it rests. By itself the page draws so what is too large for 30 exact
+ * frames a second on the machine at hand (tests/unit/pump); here its address asks for it.
+ */
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -7,7 +10,7 @@ import { fileURLToPath } from 'node:url';
 import { changedShare, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-const FACES = 1_000_000;
+const FACES = 40_000;
 const generator = fileURLToPath(new URL('../../build/cmake-wasm/shapespline_samples.js', import.meta.url));
 
 interface Sample {
@@ -80,9 +83,9 @@ async function open(app: App): Promise<void> {
   const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-scrub-'));
   try {
     execFileSync(process.execPath, [generator, '--bench', String(FACES), folder], { stdio: 'ignore' });
-    await app.open();
+    await app.open({ search: '?moving=about' });
     await app.by('file-input').setInputFiles(path.join(folder, `bench-${FACES}.glb`));
-    await expect.poll(async () => (await app.state()).source.kind, { timeout: 240_000 }).toBe('files');
+    await expect.poll(async () => (await app.state()).source.kind).toBe('files');
     await app.settled();
   } finally {
     rmSync(folder, { recursive: true, force: true });
@@ -91,14 +94,12 @@ async function open(app: App): Promise<void> {
 
 const shown = (app: App): Promise<{ time: number; about: boolean }> => app.page.evaluate(() => window.__shapespline!.shown);
 
-test('a large shape is about right while it is dragged or plays, and exact when it rests', async ({ app }) => {
-  test.setTimeout(600_000);
+test('a shape is about right while it is dragged or plays, and exact when it rests', async ({ app }) => {
   await open(app);
   const status = app.by('status-ms');
   for (const t of [0.2, 0.3, 0.25]) await app.setTime(t);
   expect(await shown(app)).toEqual({ time: 0.25, about: false });
   await expect(status).toHaveText(/ms a frame, exact$/);
-  test.skip(Number.parseFloat((await status.textContent())!) < 36, 'This machine draws even such shapes exactly while they move.');
 
   // Easing needs motion to be welcome.
   await app.page.emulateMedia({ reducedMotion: 'no-preference' });

@@ -18,6 +18,7 @@ export function realFile(name: string): string | null {
 }
 
 export interface OpenOptions {
+  search?: string;
   hash?: string;
   sample?: string;
 }
@@ -35,8 +36,8 @@ export class App {
   }
 
   /** Loads the page and waits for the first shape; the motion stands still unless the test wants it. */
-  async open({ hash = '', sample }: OpenOptions = {}): Promise<this> {
-    await this.page.goto(`./${sample ? `#sample=${sample}` : hash}`);
+  async open({ search = '', hash = '', sample }: OpenOptions = {}): Promise<this> {
+    await this.page.goto(`./${search}${sample ? `#sample=${sample}` : hash}`);
     await this.page.waitForFunction(() => window.__shapespline !== undefined);
     await this.page.evaluate(() => window.__shapespline!.ready);
     await this.settled();

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Lane } from '../../web/app/lanes.ts';
+import { Pace, readMoving, type Moving } from '../../web/app/pace.ts';
 import { Pump } from '../../web/app/pump.ts';
 import type { AheadOptions } from '../../web/engine/api.ts';
 import type { Frame, Method } from '../../web/engine/types.ts';
@@ -15,7 +16,7 @@ interface Open {
 }
 
 /** Milliseconds of an exact frame and of a cheap one. */
-function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method } = {}) {
+function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method, moving = 'measured' as Moving } = {}) {
   const open: Open[] = [];
   const shown: string[] = [];
   const errors: unknown[] = [];
@@ -53,7 +54,7 @@ function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method }
     // An eased shape is drawn when the test says so, as is every one on a slow screen.
     drawn: () => (screen.easing || screen.slow ? new Promise((resolve) => screen.drawn.push(resolve)) : Promise.resolve()),
     onError: (error) => errors.push(error),
-  });
+  }, new Pace(moving));
   const pass = async (ms = 0): Promise<void> => { await vi.advanceTimersByTimeAsync(ms); };
   const answer = async (): Promise<void> => {
     const next = open.shift()!;
@@ -167,6 +168,42 @@ describe('while the time moves', () => {
     await pass(1000);
     expect(shown).toEqual(['0.5']);
     expect(pump.busy).toBe(false);
+  });
+
+  it('small shapes are about right, too, where the address asks for it, and exact when they rest', async () => {
+    const { pump, shown, answer, pass, draw } = setUp({ moving: 'about' });
+    pump.follow(0.5);
+    await pass();
+    await answer();
+    expect(shown).toEqual(['about 0.5']);
+    await pass(100);
+    await answer();
+    await draw();
+    expect(shown).toEqual(['about 0.5', '0.5 eased']);
+    expect(pump.busy).toBe(false);
+  });
+
+  it('methods that blend positions are exact whatever the address asks for', async () => {
+    const { pump, shown, answer, pass } = setUp({ moving: 'about', method: 'linear' });
+    pump.follow(0.5);
+    await pass();
+    await answer();
+    expect(shown).toEqual(['0.5']);
+  });
+
+  it('large shapes are exact where the address asks for it, and no cheap one is made', async () => {
+    const { pump, shown, learn, answer, pass, wanted } = setUp({ ...slow, moving: 'exact' });
+    await learn();
+    pump.follow(0.5);
+    await pass();
+    await answer();
+    await pass(1000);
+    expect(shown).toEqual(['0.5']);
+    expect(wanted()).toEqual([]);
+  });
+
+  it('the address says how shapes are drawn while they move, and nonsense in it changes nothing', () => {
+    expect(['', '?moving=about', '?a=b&moving=exact', '?moving=fast', '?moving'].map(readMoving)).toEqual(['measured', 'about', 'exact', 'measured', 'measured']);
   });
 
   it('large shapes are about right, the newest one at a time', async () => {

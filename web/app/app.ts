@@ -22,6 +22,7 @@ import { readPermalink, writePermalink } from './permalink.ts';
 import { Picture } from './picture.ts';
 import { Player } from './player.ts';
 import { problemOf } from './problem.ts';
+import { Pace, readMoving } from './pace.ts';
 import { Pump } from './pump.ts';
 import { EMPTY_RUNTIME } from './runtime.ts';
 import type { Runtime } from './runtime.ts';
@@ -74,7 +75,7 @@ export function startApp(root: HTMLElement): void {
     },
     drawn: () => picture.viewer.drawn(),
     onError: (error) => { if (!restarts(error)) context.fail(error); },
-  });
+  }, new Pace(readMoving(location.search)));
 
   const player = new Player(
     () => ({ time: store.get().time, play: store.get().play, range: context.range(), periodic: store.get().doc.motion.boundary === 'periodic' }),

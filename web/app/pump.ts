@@ -30,7 +30,6 @@ const REST_MS = 80;
 const PREPARE_MS = 300;
 
 export class Pump {
-  private readonly pace = new Pace();
   private wanted = 0;
   private ticket = 0;
   /** The newest tickets that were served about right, and exactly. */
@@ -45,7 +44,7 @@ export class Pump {
   private calls: (() => void)[] = [];
   private preparing: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly target: PumpTarget) {}
+  constructor(private readonly target: PumpTarget, private readonly pace = new Pace()) {}
 
   get busy(): boolean {
     return this.exact < this.ticket;
