@@ -1,7 +1,7 @@
 /** The first five seconds: a shape is there, it moves, the page says what it is. */
 import { expect, test } from './support.ts';
 
-test('shows the first sample with its counts and a picture that is not flat', async ({ app }) => {
+test('shows the first sample with its counts and a picture that is not flat', { tag: '@server' }, async ({ app }) => {
   await app.open();
   const { source, doc } = await app.state();
   expect(source).toEqual({ kind: 'sample', id: 'cactus' });
@@ -32,7 +32,7 @@ test('shows the first sample with its counts and a picture that is not flat', as
   await app.expectNoProblems();
 });
 
-test('every sample opens without a complaint', async ({ app }) => {
+test('every sample opens without a complaint', { tag: '@server' }, async ({ app }) => {
   await app.open();
   const ids = await app.by('sample').locator('option').evaluateAll((options) => options.map((o) => (o as HTMLOptionElement).value));
   expect(ids.length).toBeGreaterThanOrEqual(3);
@@ -49,7 +49,7 @@ test('every sample opens without a complaint', async ({ app }) => {
 test.describe('where motion is welcome', () => {
   test.use({ contextOptions: { reducedMotion: 'no-preference' } });
 
-  test('the sample is moving by itself, and stops when the slider is taken', async ({ app }) => {
+  test('the sample is moving by itself, and stops when the slider is taken', { tag: '@server' }, async ({ app }) => {
     await app.open();
     expect((await app.state()).play.playing).toBe(true);
     await expect(app.by('welcome')).toBeVisible();

@@ -9,7 +9,7 @@ const plain = poseFiles(mesh, [0, 60, 120].map((degrees) => bent(mesh, degrees))
 const vertices = `${mesh.positions.length / 3} vertices`;
 
 for (const [name, compress, decoder] of [['Draco', draco, /draco_decoder.*\.wasm/], ['meshopt', meshopt, /meshopt(imizer)?_decoder/]] as const) {
-  test(`poses compressed with ${name} open`, async ({ app }) => {
+  test(`poses compressed with ${name} open`, { tag: '@server' }, async ({ app }) => {
     const files = await compress(plain);
     await app.open();
     expect(app.requests.filter((url) => decoder.test(url))).toEqual([]);

@@ -8,7 +8,7 @@ import type { App } from './support.ts';
 
 const cactus = ['cactus/cactus-3.glb', 'cactus/cactus-1.glb', 'cactus/cactus-2.glb'].map(realFile);
 
-test('three files become three keys in natural order of name, and are scrubbed past both ends', async ({ app }) => {
+test('three files become three keys in natural order of name, and are scrubbed past both ends', { tag: '@server' }, async ({ app }) => {
   test.skip(cactus.includes(null), 'the real inputs are not there');
   await app.open();
   await app.by('file-input').setInputFiles(cactus as string[]);
@@ -41,7 +41,7 @@ test('a file with morph targets becomes its keys', async ({ app }) => {
   await app.expectNoProblems();
 });
 
-test('an animation is sampled anew with as many keys as are asked for', async ({ app }) => {
+test('an animation is sampled anew with as many keys as are asked for', { tag: '@server' }, async ({ app }) => {
   const man = realFile('skin/CesiumMan.glb');
   test.skip(man === null, 'the real inputs are not there');
   await app.open();
@@ -121,7 +121,7 @@ async function drop(app: App, files: string[]): Promise<void> {
   await session.detach();
 }
 
-test('a folder is dropped: the poses in it and in its folders are opened, with the textures that they name', async ({ app }, testInfo) => {
+test('a folder is dropped: the poses in it and in its folders are opened, with the textures that they name', { tag: '@server' }, async ({ app }, testInfo) => {
   const folder = testInfo.outputPath('many poses');
   mkdirSync(path.join(folder, 'materials', 'images'), { recursive: true });
   const pose = (bend: number): string => `mtllib materials/paint.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 ${bend}\nv 0 1 ${bend}\nvt 0 0\nusemtl paint\nf 1/1 2/1 3/1 4/1\n`;

@@ -76,7 +76,7 @@ test('a shape can be taken as end tangent', async ({ app }) => {
   await expectChange(app, before, await shownAt(app, 0.2));
 });
 
-test('each method moves otherwise between the keys and refits only', async ({ app }) => {
+test('each method moves otherwise between the keys and refits only', { tag: '@server' }, async ({ app }) => {
   await app.open();
   const counters = await app.stats();
   const seen: Shown[] = [await shownAt(app, 0.3)];

@@ -38,10 +38,10 @@ export default defineConfig({
     launchOptions: { executablePath: findBrowser(chromium) ?? undefined, args },
     trace: 'retain-on-failure',
   },
-  // Everything is asked of the built page under a sub-path; of the development server what a server can break: loading
-  // the page, its worker, files and decoders, and the motion itself.
+  // Everything is asked of the built page under a sub-path; of the development server what a server can break (tagged @server):
+  // loading the page, its worker, samples, files and decoders, and the motion itself.
   projects: [
-    { ...project('dev', `http://localhost:${devPort}/`), testMatch: /(app|compressed|files|motion)\.spec\.ts$/ },
+    { ...project('dev', `http://localhost:${devPort}/`), grep: /@server/ },
     project('built', `http://localhost:${builtPort}${subPath}`),
   ],
   webServer: [
