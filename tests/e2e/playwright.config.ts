@@ -36,7 +36,8 @@ export default defineConfig({
   forbidOnly: Boolean(process.env.CI),
   use: {
     launchOptions: { executablePath: findBrowser(chromium) ?? undefined, args },
-    trace: 'retain-on-failure',
+    // Without pictures: to take them costs every test.
+    trace: { mode: 'retain-on-failure', screenshots: false },
   },
   // Everything is asked of the built page under a sub-path; of the development server what a server can break (tagged @server):
   // loading the page, its worker, samples, files and decoders, and the motion itself.
