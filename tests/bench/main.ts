@@ -15,6 +15,7 @@ import { nodePlace } from './node-place.ts';
 import { TABLE_2 } from './paper.ts';
 import { REFERENCE, type Place } from './place.ts';
 import { report, type Results } from './report.ts';
+import { compareThreads } from './threads.ts';
 
 // Relative to the bundle, build/node/bench.mjs.
 const repository = fileURLToPath(new URL('../../', import.meta.url));
@@ -23,7 +24,7 @@ const generator = path.join(repository, 'build/cmake-wasm/shapespline_samples.js
 const reader = path.join(repository, 'build/cmake-wasm/shapespline_bench_read.wasm');
 
 const DEFAULT_SIZES = '10000,32000,80000,332000,1300000';
-const USAGE = 'usage: npm run bench [-- FACES,FACES,... --browser --save] with 64 to 4000000 faces each';
+const USAGE = 'usage: npm run bench [-- [threads] FACES,FACES,... --browser --save] with 64 to 4000000 faces each';
 
 interface Choices {
   sizes: number[];
@@ -100,8 +101,12 @@ async function bench({ sizes, browser, save: keep }: Choices): Promise<void> {
 }
 
 if (process.argv[2] === 'ghost') process.exit(await benchGhost(process.argv.slice(3)));
-const choices = choicesFrom(process.argv.slice(2));
-if (choices) await bench(choices);
+const twoThreads = process.argv[2] === 'threads';
+const choices = choicesFrom(process.argv.slice(twoThreads ? 3 : 2));
+if (choices && twoThreads) {
+  mkdirSync(folder, { recursive: true });
+  for (const faces of choices.sizes) console.log(await compareThreads(meshOf(faces)));
+} else if (choices) await bench(choices);
 else {
   say(USAGE);
   process.exitCode = 2;

@@ -7,6 +7,9 @@ import { REFERENCE, type Place } from './place.ts';
 import { compareResolutions } from './resolutions.ts';
 import { runMotion } from './whole-sequences.ts';
 
+/** The goals are those of one thread; `threads` measures two. */
+const ONE_THREAD = { threadsUrl: null };
+
 /** `reader`: the module that reads memory. */
 export function nodePlace(reader: string): Place {
   const bytesOf = (file: string): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(file));
@@ -15,9 +18,9 @@ export function nodePlace(reader: string): Place {
     measure: (mesh) => withEngine((engine) => measure(engine, {
       name: path.basename(mesh), mesh: bytesOf(mesh), reference: new Float64Array(bytesOf(mesh + REFERENCE).buffer), reader: bytesOf(reader),
       processBytes: () => process.memoryUsage().rss,
-    })),
-    motion: (mesh, motion) => withEngine((engine) => runMotion(engine, path.basename(mesh), bytesOf(mesh), motion)),
-    resolutions: (coarse, fine) => withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine))),
+    }), ONE_THREAD),
+    motion: (mesh, motion) => withEngine((engine) => runMotion(engine, path.basename(mesh), bytesOf(mesh), motion), ONE_THREAD),
+    resolutions: (coarse, fine) => withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine)), ONE_THREAD),
     close: () => Promise.resolve(),
   };
 }

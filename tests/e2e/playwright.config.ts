@@ -6,6 +6,7 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 // `npm test` passes free ports; these are for running Playwright by hand.
 const devPort = process.env.SHAPESPLINE_DEV_PORT ?? '5273';
 const builtPort = process.env.SHAPESPLINE_BUILT_PORT ?? '5274';
+const isolatedPort = process.env.SHAPESPLINE_ISOLATED_PORT ?? '5275';
 const subPath = '/some/sub/path/';
 
 const args = [
@@ -43,7 +44,9 @@ export default defineConfig({
   // loading the page, its worker, samples, files and decoders, and the motion itself.
   projects: [
     { ...project('dev', `http://localhost:${devPort}/`), grep: /@server/ },
-    project('built', `http://localhost:${builtPort}${subPath}`),
+    { ...project('built', `http://localhost:${builtPort}${subPath}`), testIgnore: /threads\.spec\.ts$/ },
+    // A host that sends the two headers with which threads may share memory.
+    { ...project('isolated', `http://localhost:${isolatedPort}/`), testMatch: /(threads|picture)\.spec\.ts$/ },
   ],
   webServer: [
     {
@@ -54,6 +57,11 @@ export default defineConfig({
     {
       command: `node wasm/toolchain/serve.mjs dist --port ${builtPort} --prefix ${subPath}`,
       url: `http://localhost:${builtPort}${subPath}`,
+      cwd: repository,
+    },
+    {
+      command: `node wasm/toolchain/serve.mjs dist --port ${isolatedPort} --isolated`,
+      url: `http://localhost:${isolatedPort}/`,
       cwd: repository,
     },
   ],

@@ -51,6 +51,7 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
   std::vector<int> frameOf(faceCount), order(faceCount), position(vertexCount);
   for (int f = 0; f < faceCount; ++f) frameOf[f] = f % 7 == 3 ? -1 : f / 3, order[f] = faceCount - 1 - f;
   for (int v = 0; v < vertexCount; ++v) position[v] = vertexCount - 1 - v;
+  const FaceHalves halves = halveFaces(order, shape.faces, vertexCount);
 
   kernels::Noise noise;
   const double one = logarithmic ? 0 : 1;
@@ -64,12 +65,12 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
       coordinates.set(f, c, 5, static_cast<Real>(one + 0.2 * noise.next()));
     }
   coordinates.dropIfAtRest(0);
-  coordinates.reorder(order);
+  coordinates.reorder(halves.order);
   std::vector<Real> frames(numbersPerFrame * static_cast<std::size_t>(faceCount / 3 + 1), Real(0));
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (i % 4 != 3) frames[i] = static_cast<Real>(noise.next());
   FaceKernel<Real> kernel;
-  kernel.build(shape, frameOf, logarithmic ? Stretch::Log : Stretch::Linear, order, position, vertexCount);
+  kernel.build(shape, frameOf, logarithmic ? Stretch::Log : Stretch::Linear, halves, position, vertexCount);
   std::vector<Real> result(4 * (static_cast<std::size_t>(vertexCount) + 1), Real(0));
   const int lost = kernel.accumulate(coordinates, frames, coordinates.weights({0.4, 0.9, -0.3}), result.data());
   result.push_back(static_cast<Real>(lost));

@@ -2,12 +2,17 @@
 #define SHAPESPLINE_SCALAR 1
 #define shapespline shapespline_scalar
 
+#include "core/crew.cpp"
 #include "core/dense_front.cpp"
 #include "core/face_frame.cpp"
+#include "core/face_halves.cpp"
 #include "core/face_kernel.cpp"
+#include "core/futex.cpp"
 #include "core/panel_kernels.cpp"
+#include "core/panel_layout.cpp"
 #include "core/panels.cpp"
 #include "core/shading.cpp"
+#include "core/tree_cut.cpp"
 
 #include "scalar_kernels.h"
 

@@ -49,6 +49,11 @@ describe('the check of sizes', () => {
     expect(() => checkSizes(folder, () => undefined)).toThrow(/of wasm/);
   });
 
+  it('fails over the limit of wasm for a module that comes later', () => {
+    write('assets/threads-G.wasm', randomBytes(LIMITS.wasm + 1));
+    expect(() => checkSizes(folder, () => undefined)).toThrow(/threads-G\.wasm has 400\.\d KB/);
+  });
+
   it('fails where it finds nothing to measure', () => {
     write('assets/worker-C.js', 'const u="core-E.wasm"');
     expect(() => checkSizes(folder, () => undefined)).toThrow(/no wasm was found/);

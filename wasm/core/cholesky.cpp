@@ -139,8 +139,8 @@ int Cholesky::paddedSize() const {
   return state_->precision == Precision::Single ? state_->single.paddedSize() : state_->full.paddedSize();
 }
 
-void Cholesky::solve(float* xyzp) const { state_->single.solve(xyzp); }
-void Cholesky::solve(double* xyzp) const { state_->full.solve(xyzp); }
+void Cholesky::solve(float* xyzp, Crew* crew) const { state_->single.solve(xyzp, crew); }
+void Cholesky::solve(double* xyzp, Crew* crew) const { state_->full.solve(xyzp, crew); }
 
 CholeskyStats Cholesky::stats() const {
   const bool isSingle = state_->precision == Precision::Single;

@@ -196,9 +196,12 @@ void scatter(const FaceBlock<Real>& face, int lane, const Real* frames, const Fo
 
 template <class Real>
 void FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
-                             const std::vector<int>& order, const std::vector<int>& position, int dump,
+                             const FaceHalves& halves, const std::vector<int>& position, int dump,
                              const FractionReport& onProgress) {
+  const std::vector<int>& order = halves.order;
   stretch_ = stretch;
+  firstHalf_ = static_cast<std::size_t>(halves.first) / faceLanes;
+  bothHalves_ = firstHalf_ + static_cast<std::size_t>(halves.second) / faceLanes;
   blocks_.assign((order.size() + faceLanes - 1) / faceLanes, {});
   const Positions& p = shape.poses[shape.reference];
   for (std::size_t i = 0; i < blocks_.size() * faceLanes; ++i) {
@@ -227,12 +230,22 @@ void FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& f
 
 template <class Real>
 int FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                                 const ColumnWeights<Real>& weights, Real* rhs) const {
+                                 const ColumnWeights<Real>& weights, Real* rhs, Crew* crew) const {
+  int lost[2];
+  inTwo(crew, [&](int part) {
+    lost[part] = accumulateBlocks(part == 0 ? 0 : firstHalf_, part == 0 ? firstHalf_ : bothHalves_, coordinates, frames, weights, rhs);
+  });
+  return lost[0] + lost[1] + accumulateBlocks(bothHalves_, blocks_.size(), coordinates, frames, weights, rhs);
+}
+
+template <class Real>
+int FaceKernel<Real>::accumulateBlocks(std::size_t begin, std::size_t end, const FaceCoordinates<Real>& coordinates,
+                                       const std::vector<Real>& frames, const ColumnWeights<Real>& weights, Real* rhs) const {
   int lost = 0;
   Passing<Real> passing[blocksAtOnce];
-  for (std::size_t first = 0; first < blocks_.size(); first += blocksAtOnce) {
+  for (std::size_t first = begin; first < end; first += blocksAtOnce) {
     const FaceBlock<Real>* const block = &blocks_[first];
-    const int count = static_cast<int>(std::min<std::size_t>(blocksAtOnce, blocks_.size() - first));
+    const int count = static_cast<int>(std::min<std::size_t>(blocksAtOnce, end - first));
     for (int i = 0; i < count; ++i) blend(coordinates.block(static_cast<int>(first) + i), weights, passing[i]);
     for (int i = 0; i < count; ++i) {
       if (stretch_ == Stretch::Log) exponentiate(passing[i]);

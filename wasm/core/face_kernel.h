@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/crew.h"
 #include "core/face_coordinates.h"
+#include "core/face_halves.h"
 #include "core/options.h"
 #include "core/progress.h"
 #include "core/types.h"
@@ -30,23 +32,27 @@ class FaceKernel {
  public:
   FaceKernel() = default;
 
-  /// frameOf: frame of each face, or -1 for faces that take no part. order: the faces as they are gone through, that of
+  /// frameOf: frame of each face, or -1 for faces that take no part. halves: the faces as they are gone through, in the order of
   /// the coordinates. position: where each vertex's right-hand side lies, or `dump` for vertices that have none.
-  void build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch, const std::vector<int>& order,
+  void build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch, const FaceHalves& halves,
              const std::vector<int>& position, int dump, const FractionReport& onProgress = {});
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
   /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: as the coordinates take them.
   /// Returns the number of faces whose interpolated S_f is not positive definite.
   int accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                 const ColumnWeights<Real>& weights, Real* rhs) const;
+                 const ColumnWeights<Real>& weights, Real* rhs, Crew* crew = nullptr) const;
 
   /// Adds to rhs what changes when face f's rotation vector is shifted by `difference`.
   void accumulateShift(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
                        const ColumnWeights<Real>& weights, int face, const Vec3& difference, Real* rhs) const;
 
  private:
+  [[gnu::noinline]] int accumulateBlocks(std::size_t begin, std::size_t end, const FaceCoordinates<Real>& coordinates,
+                       const std::vector<Real>& frames, const ColumnWeights<Real>& weights, Real* rhs) const;
+
   std::vector<FaceBlock<Real>> blocks_;
+  std::size_t firstHalf_ = 0, bothHalves_ = 0;  // blocks
   Stretch stretch_ = Stretch::Linear;
 };
 

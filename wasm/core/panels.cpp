@@ -5,14 +5,11 @@
 #include "core/dense_front.h"
 #include "core/out_of_line.h"
 #include "core/panel_kernels.h"
+#include "core/tree_cut.h"
 
 namespace shapespline {
 
 namespace {
-
-// Panels of a supernode, all of about the same width.
-int panelCount(int columns, int width) { return (columns + width - 1) / width; }
-int panelStart(int columns, int count, int i) { return static_cast<int>(static_cast<long long>(columns) * i / count); }
 
 // An eliminated front, its rows numbered without the padding between pivots and rows below.
 struct FrontRows {
@@ -65,28 +62,12 @@ Scalar* copyRows(const FrontRows& rows, int r, int last, int group, int begin, i
 template <class Scalar>
 void PanelFactor<Scalar>::allocate(const SymbolicFactor& symbolic) {
   *this = {};
-  size_ = symbolic.size();
-  std::size_t values = 0;
-  for (int s = 0; s < symbolic.supernodes(); ++s) {
-    firstPanel_.push_back(static_cast<int>(panels_.size()));
-    const int columns = symbolic.columns(s), count = panelCount(columns, kWidth);
-    for (int i = 0; i < count; ++i) {
-      const int begin = panelStart(columns, count, i), end = panelStart(columns, count, i + 1);
-      Panel panel = {symbolic.first[s] + begin, end - begin, 0, row_.size(), values};
-      for (int c = end; c < columns; ++c) row_.push_back(symbolic.first[s] + c);
-      row_.insert(row_.end(), symbolic.rowsOf(s), symbolic.rowsOf(s) + symbolic.rows(s));
-      while ((row_.size() - panel.row) % 4 != 0) row_.push_back(size_);
-      panel.rows = static_cast<int>(row_.size() - panel.row);
-      values += panelEntries(panel.columns, panel.rows);
-      panels_.push_back(panel);
-    }
-  }
-  values_.assign(values, Scalar(0));
+  values_.assign(lay(symbolic), Scalar(0));
 }
 
 template <class Scalar>
 void PanelFactor<Scalar>::store(const SymbolicFactor& symbolic, int s, const double* front) {
-  const int columns = symbolic.columns(s), size = columns + symbolic.rows(s), count = panelCount(columns, kWidth);
+  const int columns = symbolic.columns(s), size = columns + symbolic.rows(s), count = panelCount(columns);
   const FrontRows rows = {front, columns, 4 * stripsFor(columns) - columns};
   const auto storeTriangle = outOfLine(copyTriangle<Scalar>);
   const auto storeRows = outOfLine(copyRows<Scalar>);
@@ -102,13 +83,36 @@ void PanelFactor<Scalar>::store(const SymbolicFactor& symbolic, int s, const dou
 }
 
 template <class Scalar>
-void PanelFactor<Scalar>::solve(Scalar* x) const {
-  std::fill_n(x + 4 * static_cast<std::size_t>(size_), 4, Scalar(0));  // what the zero rows read and write
-  const PanelKernels<Scalar> kernels = panelKernels<Scalar>();
-  for (const Panel& panel : panels_)
-    kernels.forward(values_.data() + panel.values, panel.columns, row_.data() + panel.row, panel.rows, x, panel.first);
-  for (auto panel = panels_.rbegin(); panel != panels_.rend(); ++panel)
-    kernels.backward(values_.data() + panel->values, panel->columns, row_.data() + panel->row, panel->rows, x, panel->first);
+void PanelFactor<Scalar>::forward(int part, Scalar* x) const {
+  const PanelKernel<Scalar> kernel = panelKernels<Scalar>().forward;
+  const Panel* const end = panels_.data() + partStart_[part + 1];
+  for (const Panel* panel = panels_.data() + partStart_[part]; panel != end; ++panel)
+    kernel(values_.data() + panel->values, panel->columns, row_.data() + panel->row, panel->rows, x, panel->first);
+}
+
+template <class Scalar>
+void PanelFactor<Scalar>::backward(int part, Scalar* x) const {
+  const PanelKernel<Scalar> kernel = panelKernels<Scalar>().backward;
+  const Panel* const begin = panels_.data() + partStart_[part];
+  for (const Panel* panel = panels_.data() + partStart_[part + 1]; panel != begin;) {
+    --panel;
+    kernel(values_.data() + panel->values, panel->columns, row_.data() + panel->row, panel->rows, x, panel->first);
+  }
+}
+
+template <class Scalar>
+void PanelFactor<Scalar>::solve(Scalar* x, Crew* crew) const {
+  const auto at = [x](int i) { return x + 4 * static_cast<std::ptrdiff_t>(i); };
+  std::fill(at(size_), at(paddedSize()), Scalar(0));  // what the zero rows read and write, and what the second part adds to the top
+  inTwo(crew, [&](int part) { forward(part, x); });
+  const Scalar* copy = at(size_ + 2);
+  for (int p : top_)
+    for (int i = 0; i < 4; ++i) at(p)[i] += *copy++;
+  forward(topPart, x);
+  backward(topPart, x);
+  Scalar* out = at(size_ + 2);
+  for (int p : top_) out = std::copy_n(at(p), 4, out);
+  inTwo(crew, [&](int part) { backward(part, x); });
 }
 
 template class PanelFactor<float>;

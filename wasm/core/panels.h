@@ -1,26 +1,22 @@
 // The stored factor and the solve, which is all about streaming it through the processor.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
-#include "core/symbolic.h"
+#include "core/crew.h"
+#include "core/panel_layout.h"
 
 namespace shapespline {
 
-/// The factor L of a matrix, in Scalar (float or double), for solving with (x, y, z, pad) vectors.
-///
-/// A supernode's columns are cut into panels of at most kWidth. A panel is stored in the order in which the forward
-/// solve reads it and the backward solve reads it backwards:
+/// The factor L of a matrix, in Scalar (float or double), for solving with (x, y, z, pad) vectors. A panel is stored in the order
+/// in which the forward solve reads it and the backward solve reads it backwards:
 ///  - its triangle, four rows at a time: what is left of the diagonal block, column by column, then the inverse of the
 ///    diagonal block (lower triangle, row by row). The first block may have fewer rows;
 ///  - the rows below, eight at a time, then a last group of four, each column by column. Rows that fill up a group are zero.
 /// Four rows of one column are one vector that multiplies x, y and z at once: no lane is wasted on the padding.
 template <class Scalar>
-class PanelFactor {
+class PanelFactor : public PanelLayout {
  public:
-  static constexpr int kWidth = 64;
-
   /// Makes room for the factor.
   void allocate(const SymbolicFactor& symbolic);
 
@@ -30,25 +26,14 @@ class PanelFactor {
 
   /// Solves L Lᵀ x = b in place, (x, y, z, pad) an unknown in elimination order; the padding keeps its values. `x` has
   /// length paddedSize() unknowns, those beyond the matrix's size are scratch.
-  void solve(Scalar* x) const;
+  void solve(Scalar* x, Crew* crew = nullptr) const;
 
-  int paddedSize() const { return size_ + 1; }
   std::size_t entries() const { return values_.size(); }
-  std::size_t indexBytes() const { return row_.size() * sizeof(int) + panels_.size() * sizeof(Panel); }
 
  private:
-  struct Panel {
-    int first;           // column
-    int columns;
-    int rows;            // below its triangle, a multiple of four
-    std::size_t row;     // where they start in row_
-    std::size_t values;  // where its entries start in values_
-  };
+  [[gnu::noinline]] void forward(int part, Scalar* x) const;
+  [[gnu::noinline]] void backward(int part, Scalar* x) const;
 
-  int size_ = 0;
-  std::vector<Panel> panels_;
-  std::vector<int> firstPanel_;  // of each supernode
-  std::vector<int> row_;         // filled up with size_
   std::vector<Scalar> values_;
 };
 

@@ -149,11 +149,11 @@ void PoissonSystem::residual(const double* b, const double* x) {
   }
 }
 
-void PoissonSystem::refine(const double* b, double* x, double extent) {
+void PoissonSystem::refine(const double* b, double* x, double extent, Crew* crew) {
   for (int step = 0; step < mostCorrections; ++step) {
     residual(b, x);
     std::copy(residual_.begin(), residual_.end(), correction_.begin());
-    solve(correction_.data());
+    solve(correction_.data(), crew);
     double largest = 0;
     for (std::size_t i = 0; i < 4 * static_cast<std::size_t>(unknowns()); ++i) {
       if (i % 4 == 3) continue;

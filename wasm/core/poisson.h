@@ -41,15 +41,15 @@ class PoissonSystem {
 
   /// In place; 4 * size() numbers.
   template <class Real>
-  void solve(Real* xyzp) const {
-    solver_.solve(xyzp);
+  void solve(Real* xyzp, Crew* crew = nullptr) const {
+    solver_.solve(xyzp, crew);
     for (int i = 0; i < 4; ++i) xyzp[4 * static_cast<std::size_t>(dump()) + i] = 0;
   }
 
   /// Solves A x = b to double accuracy on a factor in single precision: residuals in double, corrections in single (Wilkinson
   /// 1963), from the x given until a correction is small beside `extent`. 4 * size() numbers each; the pads of b must be
   /// zero, those of x are kept. Only with Precision::Exact.
-  void refine(const double* b, double* x, double extent);
+  void refine(const double* b, double* x, double extent, Crew* crew = nullptr);
 
   CholeskyStats stats() const { return solver_.stats(); }
 

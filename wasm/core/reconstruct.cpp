@@ -10,17 +10,18 @@ namespace {
 
 // The faces sorted by the first of their corners to be eliminated: neighbours in this order write to neighbouring places of
 // the right-hand side. Faces that take no part come last.
-std::vector<int> inEliminationOrder(const std::vector<Triangle>& faces, const std::vector<int>& frameOf, const PoissonSystem& system) {
-  std::vector<int> key(faces.size()), start(static_cast<std::size_t>(system.size()) + 1, 0), order(faces.size());
+FaceHalves inEliminationOrder(const std::vector<Triangle>& faces, const std::vector<int>& frameOf, const PoissonSystem& system) {
+  const int dump = system.dump();
+  std::vector<Triangle> corners(faces.size(), {dump, dump, dump});
+  std::vector<int> start(static_cast<std::size_t>(system.size()) + 1, 0), order(faces.size());
+  const auto first = [&](std::size_t f) { return *std::min_element(corners[f].begin(), corners[f].end()); };
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    key[f] = system.dump();
-    for (int v : faces[f])
-      if (frameOf[f] >= 0) key[f] = std::min(key[f], system.slot()[v]);
-    ++start[key[f] + 1];
+    for (int c = 0; c < 3 && frameOf[f] >= 0; ++c) corners[f][c] = system.slot()[faces[f][c]];
+    ++start[first(f) + 1];
   }
   for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
-  for (std::size_t f = 0; f < faces.size(); ++f) order[start[key[f]]++] = static_cast<int>(f);
-  return order;
+  for (std::size_t f = 0; f < faces.size(); ++f) order[start[first(f)]++] = static_cast<int>(f);
+  return halveFaces(order, corners, system.size(), dump);
 }
 
 }  // namespace
@@ -54,10 +55,10 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   onProgress("ordering", 1);
   if (Status status = poisson_.factorise(laplacian, part("factorising", 0, 0.8)); !status) return status;
   stats.factorMs += watch.lap();
-  std::vector<int> order = inEliminationOrder(shape.faces, frameOf_, poisson_);
+  const FaceHalves halves = inEliminationOrder(shape.faces, frameOf_, poisson_);
   onProgress("factorising", 0.83);
-  lri_.face.reorder(order, part("factorising", 0.83, 0.85));
-  kernel_.build(shape, frameOf_, in.stretch, order, poisson_.slot(), poisson_.dump(), part("factorising", 0.85, 0.95));
+  lri_.face.reorder(halves.order, part("factorising", 0.83, 0.85));
+  kernel_.build(shape, frameOf_, in.stretch, halves, poisson_.slot(), poisson_.dump(), part("factorising", 0.85, 0.95));
   solution_.resize(4 * static_cast<std::size_t>(poisson_.size()));
   shift_.resize(in.parts.pieces.count);
   offset_.resize(4 * shift_.size());
@@ -93,7 +94,7 @@ void Reconstructor<Real>::faceRotations(const Weights& weights, std::vector<Quat
 }
 
 template <class Real>
-int Reconstructor<Real>::assemble(const PoseWeights& weights) {
+int Reconstructor<Real>::assemble(const PoseWeights& weights, Crew* crew) {
   const std::size_t count = frames_.rotation.size();
   matrices_.resize(numbersPerFrame * count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -103,7 +104,7 @@ int Reconstructor<Real>::assemble(const PoseWeights& weights) {
   }
   const ColumnWeights<Real> columnWeights = lri_.face.weights(weights.column);
   std::fill(solution_.begin(), solution_.end(), Real(0));
-  const int lost = kernel_.accumulate(lri_.face, matrices_, columnWeights, solution_.data());
+  const int lost = kernel_.accumulate(lri_.face, matrices_, columnWeights, solution_.data(), crew);
   if (weights.closing != 0)
     for (const Winding& winding : lri_.faceWinding)
       kernel_.accumulateShift(lri_.face, matrices_, columnWeights, winding.index, weights.closing * winding.difference,
@@ -129,15 +130,15 @@ void Reconstructor<Real>::startFromKey(const PoseWeights& weights) {
 }
 
 template <class Real>
-void Reconstructor<Real>::solve(const PoseWeights& weights) {
+void Reconstructor<Real>::solve(const PoseWeights& weights, Crew* crew) {
   if constexpr (std::is_same_v<Real, double>) {
     if (precision_ == Precision::Exact) {
       startFromKey(weights);
-      poisson_.refine(rightHandSide_.data(), solution_.data(), extent_);
+      poisson_.refine(rightHandSide_.data(), solution_.data(), extent_, crew);
       return;
     }
   }
-  poisson_.solve(solution_.data());
+  poisson_.solve(solution_.data(), crew);
 }
 
 template <class Real>
@@ -198,13 +199,13 @@ void Reconstructor<Real>::writePlaces(const PoseWeights& weights, std::vector<Re
 }
 
 template <class Real>
-int Reconstructor<Real>::reconstruct(const Weights& weights, std::vector<Real>& places, SequenceStats* stats) {
+int Reconstructor<Real>::reconstruct(const Weights& weights, std::vector<Real>& places, SequenceStats* stats, Crew* crew) {
   Stopwatch watch;
   const PoseWeights w = poseWeights(weights, *shape_);
   source_->at(weights, frames_);
-  const int lost = assemble(w);
+  const int lost = assemble(w, crew);
   const double facesMs = watch.lap();
-  solve(w);
+  solve(w, crew);
   const double solveMs = watch.lap();
   placeComponents(w);
   writePlaces(w, places);

@@ -38,7 +38,7 @@ class Reconstructor {
   /// The shape at `weights`, its mean position where the coordinates have it. places: (x, y, z, pad) of each welded vertex,
   /// in the order of placeOf(). Returns the number of faces whose interpolated S_f is not positive definite. The parts'
   /// wall times go to stats, if there is one.
-  int reconstruct(const Weights& weights, std::vector<Real>& places, SequenceStats* stats = nullptr);
+  int reconstruct(const Weights& weights, std::vector<Real>& places, SequenceStats* stats = nullptr, Crew* crew = nullptr);
 
   /// The same as one position a welded vertex.
   int reconstruct(const Weights& weights, Positions& positions);
@@ -60,8 +60,8 @@ class Reconstructor {
  private:
   Quaternion faceRotation(int face, int frame, const PoseWeights& weights) const;
   Status embed(const FramePoses& poses);
-  int assemble(const PoseWeights& weights);
-  void solve(const PoseWeights& weights);
+  int assemble(const PoseWeights& weights, Crew* crew);
+  void solve(const PoseWeights& weights, Crew* crew);
   void startFromKey(const PoseWeights& weights);
   void placeComponents(const PoseWeights& weights);
   void writePlaces(const PoseWeights& weights, std::vector<Real>& places);

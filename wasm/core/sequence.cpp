@@ -95,6 +95,7 @@ struct Sequence::State {
   SequenceStats stats;
   std::vector<Warning> warnings;
   Eigen::MatrixXd gram;  // made when it is first asked for
+  Crew* crew = nullptr;
   std::vector<float> places;  // scratch, as the rest
   Positions weldedPositions, ghostPositions;
 
@@ -261,7 +262,7 @@ int Sequence::State::weldedShape(const Weights& weights, Positions& out) {
 int Sequence::State::placedShape(const Weights& weights) {
   if (!blendsVertices(motion.method)) {
     ++stats.solves;
-    return shapeMotion->at(weights, places, stats);
+    return shapeMotion->at(weights, places, stats, crew);
   }
   stats.facesMs = stats.solveMs = stats.placeMs = 0;
   blendVertices(shape, weights, weldedPositions);
@@ -294,7 +295,7 @@ void Sequence::State::finish(const Global& global, Frame& frame) {
       for (int k = 0; k < 3; ++k) places[i + k] = static_cast<float>(p[k]);
     }
   stats.placeMs += watch.lap();
-  shading.draw(places, frame.positions, frame.normals);
+  shading.draw(places, frame.positions, frame.normals, crew);
   stats.normalsMs = watch.lap();
 }
 
@@ -353,6 +354,8 @@ Sequence::Sequence(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Sequence::Sequence(Sequence&&) noexcept = default;
 Sequence& Sequence::operator=(Sequence&&) noexcept = default;
 Sequence::~Sequence() = default;
+
+void Sequence::setCrew(Crew* crew) { state_->crew = crew; }
 
 Status Sequence::update(const MotionOptions& motion, const std::vector<double>& keyTimes) {
   State& s = *state_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/crew.h"
 #include "core/keyframes.h"
 #include "core/options.h"
 #include "core/sequence_stats.h"
@@ -61,6 +62,9 @@ class Sequence {
 
   /// The shape at time t, which may lie beyond the keys.
   Status evaluate(double t, Frame& frame);
+
+  /// Frames are made by two from here on, to the same bits, or by one with null. The crew must outlive the sequence.
+  void setCrew(Crew* crew);
 
   /// The same in double precision, n positions: for measures and tests.
   Status evaluate(double t, Positions& positions);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <span>
 
+#include "core/face_halves.h"
+#include "core/out_of_line.h"
 #include "core/simd.h"
 
 namespace shapespline {
@@ -47,21 +50,27 @@ void normalise(Float4 (&sum)[4]) {
 const float* at(const float* numbers, int i) { return numbers + 4 * static_cast<std::ptrdiff_t>(i); }
 float* at(float* numbers, int i) { return numbers + 4 * static_cast<std::ptrdiff_t>(i); }
 
-void addNormals(const std::vector<Triangle>& corners, const std::vector<Triangle>& targets, const float* places, float* sums) {
-  const Triangle* target = targets.data();
-  for (const auto& [a, b, c] : corners) {
+// Faces as they lie in the shape, and the groups that their normals belong to.
+struct Faces {
+  const std::vector<Triangle>& corner;
+  const std::vector<Triangle>& target;
+};
+
+void addNormals(const Faces& faces, std::size_t begin, std::size_t end, const float* places, float* sums) {
+  const Triangle *corner = faces.corner.data(), *target = faces.target.data();
+  for (std::size_t f = begin; f < end; ++f) {
+    const auto& [a, b, c] = corner[f];
     const Float4 normal = areaNormal(Float4::load(at(places, a)), Float4::load(at(places, b)), Float4::load(at(places, c)));
-    for (int corner = 0; corner < 3; ++corner) {
-      float* sum = at(sums, (*target)[corner]);
+    for (int group : target[f]) {
+      float* sum = at(sums, group);
       (Float4::load(sum) + normal).store(sum);
     }
-    ++target;
   }
 }
 
 // Groups of four, the last of them filled up with vertices before it.
 template <class Drawn>
-void drawVertices(const std::vector<Drawn>& drawn, const float* places, const float* sums, float* positions, float* normals) {
+void drawVertices(std::span<const Drawn> drawn, const float* places, const float* sums, float* positions, float* normals) {
   const std::size_t count = drawn.size(), last = count - std::min<std::size_t>(count, 4);
   for (std::size_t i = 0; i < count; i += 4) {
     const Drawn* d = &drawn[std::min(i, last)];
@@ -89,22 +98,36 @@ Shading::Shading(const std::vector<Triangle>& faces, const std::vector<int>& gro
     drawn_.push_back({v, placeOf[v], group});
     seams = seams || group != placeOf[v];
   }
-  const auto renumber = [&](int v) { return renumbered[groupOf[v]]; };
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    faceKey[f] = std::min({placeOf[faces[f][0]], placeOf[faces[f][1]], placeOf[faces[f][2]]});
-  for (int f : sortedBy(faceKey)) {
+  std::vector<Triangle> target(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& [a, b, c] = faces[f];
+    faceKey[f] = std::min({placeOf[a], placeOf[b], placeOf[c]});
+    target[f] = {renumbered[groupOf[a]], renumbered[groupOf[b]], renumbered[groupOf[c]]};
+  }
+  const FaceHalves halves = halveFaces(sortedBy(faceKey), target, groups);
+  firstHalf_ = static_cast<std::size_t>(halves.first);
+  bothHalves_ = firstHalf_ + static_cast<std::size_t>(halves.second);
+  for (int f : halves.order) {
     const auto& [a, b, c] = faces[f];
     corner_.push_back({placeOf[a], placeOf[b], placeOf[c]});
-    if (seams) target_.push_back({renumber(a), renumber(b), renumber(c)});
+    if (seams) target_.push_back(target[f]);
   }
 }
 
-void Shading::draw(const std::vector<float>& places, std::vector<float>& positions, std::vector<float>& normals) {
+void Shading::draw(const std::vector<float>& places, std::vector<float>& positions, std::vector<float>& normals, Crew* crew) {
   positions.resize(3 * drawn_.size());
   normals.resize(positions.size());
   std::fill(sum_.begin(), sum_.end(), 0.0f);
-  addNormals(corner_, target_.empty() ? corner_ : target_, places.data(), sum_.data());
-  drawVertices(drawn_, places.data(), sum_.data(), positions.data(), normals.data());
+  const Faces faces = {corner_, target_.empty() ? corner_ : target_};
+  const auto add = outOfLine(addNormals);
+  inTwo(crew, [&](int part) { add(faces, part == 0 ? 0 : firstHalf_, part == 0 ? firstHalf_ : bothHalves_, places.data(), sum_.data()); });
+  add(faces, bothHalves_, corner_.size(), places.data(), sum_.data());
+  const auto write = outOfLine(drawVertices<Drawn>);
+  inTwo(crew, [&](int part) {
+    const std::span<const Drawn> all = drawn_;
+    const std::size_t half = all.size() / 2;
+    write(part == 0 ? all.first(half) : all.subspan(half), places.data(), sum_.data(), positions.data(), normals.data());
+  });
 }
 
 }  // namespace shapespline

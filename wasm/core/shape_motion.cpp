@@ -45,11 +45,11 @@ class TypedMotion final : public ShapeMotion {
     return reconstructor_.reconstruct(weights, welded);
   }
 
-  int at(const Weights& weights, std::vector<float>& places, SequenceStats& stats) override {
+  int at(const Weights& weights, std::vector<float>& places, SequenceStats& stats, Crew* crew) override {
     if constexpr (std::is_same_v<Real, float>) {
-      return reconstructor_.reconstruct(weights, places, &stats);
+      return reconstructor_.reconstruct(weights, places, &stats, crew);
     } else {
-      const int lost = reconstructor_.reconstruct(weights, places_, &stats);
+      const int lost = reconstructor_.reconstruct(weights, places_, &stats, crew);
       places.assign(places_.begin(), places_.end());
       return lost;
     }

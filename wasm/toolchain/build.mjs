@@ -62,7 +62,8 @@ export async function buildFuzzers(targets) {
 }
 
 const wasmInputs = ['CMakeLists.txt', 'wasm/core', 'wasm/io', 'wasm/bindings', 'wasm/samples'];
-const wasmOutputs = ['build/wasm/shapespline.mjs', 'build/wasm/shapespline.wasm', 'public/samples'];
+const wasmModules = ['shapespline', 'shapespline_threads'];
+const wasmOutputs = [...wasmModules.flatMap((name) => [`build/wasm/${name}.mjs`, `build/wasm/${name}.wasm`]), 'public/samples'];
 
 /** A step that a digest of its inputs guards. The digest is taken before it runs, so that edits meanwhile count. */
 function guarded(name, value, outputs, action) {
@@ -81,7 +82,7 @@ export const wasmModule = guarded(
   () => digest(wasmInputs, emccOnPath()),
   wasmOutputs,
   async () => {
-    const folder = await buildWasm(['shapespline', 'shapespline_samples']);
+    const folder = await buildWasm([...wasmModules, 'shapespline_samples']);
     await makeSamples(folder);
   },
 );
@@ -122,18 +123,19 @@ async function bundle(entries) {
     sourcemap: true,
     // The decoders of compressed meshes stay packages of their own, loaded when a file needs them.
     packages: 'external',
-    external: ['../../build/wasm/shapespline.mjs', '../../wasm/toolchain/*'],
+    external: ['../../build/wasm/*', '../../wasm/toolchain/*'],
     logLevel: 'warning',
   });
 }
 
 const entry = (out, file) => ({ out, in: inRoot(file) });
+const engineEntries = [entry('node-worker', 'web/engine/node-worker.ts'), entry('node-helper', 'web/engine/node-helper.ts')];
 
 export const nodeBundle = guarded(
   'node-bundle',
   () => digest(['web/engine', 'web/cli', 'package.json', 'package-lock.json']),
-  ['build/node/cli.mjs'],
-  () => bundle([entry('cli', 'web/cli/main.ts'), entry('node-worker', 'web/engine/node-worker.ts')]),
+  ['build/node/cli.mjs', 'build/node/node-helper.mjs'],
+  () => bundle([entry('cli', 'web/cli/main.ts'), ...engineEntries]),
 );
 
 export const benchPrograms = guarded(
@@ -150,5 +152,5 @@ export const benchBundle = guarded(
   'bench-bundle',
   () => digest(['web/engine', 'tests/bench', 'package.json', 'package-lock.json']),
   ['build/node/bench.mjs'],
-  () => bundle([entry('bench', 'tests/bench/main.ts'), entry('node-worker', 'web/engine/node-worker.ts')]),
+  () => bundle([entry('bench', 'tests/bench/main.ts'), ...engineEntries]),
 );

@@ -19,7 +19,7 @@ async function build() {
 
 async function start() {
   await prepare(forWasm, [wasmModule, page]);
-  const { url } = await serve(inRoot('dist'), { port: Number(process.env.PORT) || 4173 });
+  const { url } = await serve(inRoot('dist'), { port: Number(process.env.PORT) || 4173, isolated: true });
   console.log(`shapespline is at ${url} (stop it with Ctrl+C)`);
 }
 

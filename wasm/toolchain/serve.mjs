@@ -1,5 +1,6 @@
-// A plain static file server, as any host would be: no special headers, optionally below a sub-path.
-//   node serve.mjs FOLDER [--port N] [--prefix /sub/path/]
+// A plain static file server, as any host would be, optionally below a sub-path. With --isolated it sends the two headers that let
+// a page share memory between threads.
+//   node serve.mjs FOLDER [--port N] [--prefix /sub/path/] [--isolated]
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import path from 'node:path';
@@ -21,6 +22,8 @@ const types = {
   '.gltf': 'model/gltf+json',
   '.txt': 'text/plain; charset=utf-8',
 };
+
+const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
 
 // null for what is not there, and for a file asked for as if it were a folder (ENOTDIR).
 function statsOf(file) {
@@ -48,7 +51,7 @@ function locate(folder, prefix, url) {
 }
 
 /** Serves `folder` on the first free port from `port` on; resolves to the page's URL and the server. */
-export async function serve(folder, { port = 4173, prefix = '/', tries = 50 } = {}) {
+export async function serve(folder, { port = 4173, prefix = '/', tries = 50, isolated = false } = {}) {
   const top = path.resolve(folder);
   const server = createServer((request, response) => {
     const found = ['GET', 'HEAD'].includes(request.method) ? locate(top, prefix, request.url) : null;
@@ -60,6 +63,7 @@ export async function serve(folder, { port = 4173, prefix = '/', tries = 50 } = 
       'content-type': types[path.extname(found.file)] ?? 'application/octet-stream',
       'content-length': found.stats.size,
       'cache-control': 'no-cache',
+      ...(isolated ? isolation : {}),
     });
     if (request.method === 'HEAD') response.end();
     else createReadStream(found.file).on('error', () => response.destroy()).pipe(response);
@@ -96,8 +100,10 @@ export async function freePort() {
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
-    options: { port: { type: 'string', default: '4173' }, prefix: { type: 'string', default: '/' } },
+    options: {
+      port: { type: 'string', default: '4173' }, prefix: { type: 'string', default: '/' }, isolated: { type: 'boolean', default: false },
+    },
   });
-  const { url } = await serve(positionals[0], { port: Number(values.port), prefix: values.prefix, tries: 1 });
+  const { url } = await serve(positionals[0], { ...values, port: Number(values.port), tries: 1 });
   console.log(url);
 }

@@ -86,6 +86,7 @@ async function endToEnd(words) {
     PLAYWRIGHT_JSON_OUTPUT_NAME: path.join(reports, 'e2e.json'),
     SHAPESPLINE_DEV_PORT: String(await freePort()),
     SHAPESPLINE_BUILT_PORT: String(await freePort()),
+    SHAPESPLINE_ISOLATED_PORT: String(await freePort()),
   };
   return runReported('e2e', node, args, countPlaywright, env);
 }

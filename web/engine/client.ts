@@ -2,7 +2,7 @@
 import defaultWasmUrl from '../../build/wasm/shapespline.wasm?url';
 import { lockReleased } from './alive.ts';
 import type { Engine } from './api.ts';
-import { EngineClient } from './engine.ts';
+import { EngineClient, onlyOnce } from './engine.ts';
 import { engineError, messageOf, type EngineError } from './errors.ts';
 import type { FromWorker, Locked } from './protocol.ts';
 import { endedWorker, type Spawn } from './remote.ts';
@@ -12,16 +12,33 @@ export interface EngineUrls {
   workerUrl?: string | URL;
   /** shapespline.wasm; default: the one that was bundled with this file. */
   wasmUrl?: string | URL;
+  /** shapespline_threads.wasm, for large meshes on a page that is cross-origin isolated; null: none. Default: the bundled one. */
+  threadsUrl?: string | URL | null;
   /** A worker has ended by itself. What it was asked is rejected; the next call starts another one with the same keys. */
   onLost?: () => void;
 }
 
 /** Starts fetching the wasm and a first worker at once; further workers are made when they are needed. */
-export function createEngine({ workerUrl, wasmUrl, onLost }: EngineUrls = {}): Engine {
+export function createEngine({ workerUrl, wasmUrl, threadsUrl, onLost }: EngineUrls = {}): Engine {
   const url = new URL(wasmUrl ?? defaultWasmUrl, document.baseURI);
-  const engine = new EngineClient({ spawn: spawnFrom(workerUrl, onLost), module: compile(url) });
+  const possible = threadsUrl !== null && globalThis.crossOriginIsolated && navigator.hardwareConcurrency > 1;
+  const threaded = possible ? onlyOnce(() => compileThreaded(threadsUrl)) : null;
+  const engine = new EngineClient({ spawn: spawnFrom(workerUrl, onLost), module: compile(url), threaded });
   engine.warm();
   return engine;
+}
+
+/** Milliseconds that a large mesh may wait for the module for two threads. */
+const PATIENCE = 5000;
+
+// Two threads share memory, which browsers allow where the host isolates the page. Without them everything works the same.
+async function compileThreaded(given: string | URL | undefined): Promise<WebAssembly.Module | null> {
+  const compiled = async (): Promise<WebAssembly.Module> => {
+    const url = given ?? (await import('../../build/wasm/shapespline_threads.wasm?url')).default;
+    return compile(new URL(url, document.baseURI));
+  };
+  const late = new Promise<null>((resolve) => void setTimeout(resolve, PATIENCE, null));
+  return Promise.race([compiled().catch(() => null), late]);
 }
 
 let workers = 0;

@@ -1,5 +1,6 @@
 /** The core as TypeScript sees it: typed calls into the bindings, arrays copied in and out. Runs inside a worker. */
-import { EngineError } from './errors.ts';
+import { EngineError, outOfMemory } from './errors.ts';
+import type { HelperStart } from './helper.ts';
 import { Loan, readBytes, readFloats, readInts, readText, writeFloats, type Range } from './heap.ts';
 import type { FrameBuffers, FrameData, ImportedData, KeyData, MotionSpec, RequestOf, SceneData } from './protocol.ts';
 import type {
@@ -60,6 +61,9 @@ function placeOf({ key, vertex, face }: Failure): EngineError['place'] {
   return Object.fromEntries(entries);
 }
 
+/** Bytes: many times what a frame's kernels need. */
+const HELPER_STACK = 1 << 18;
+
 export class Core {
   private readonly module: WasmModule;
 
@@ -70,6 +74,20 @@ export class Core {
   /** Instantiates the compiled module with its Emscripten glue. */
   static async start(create: CreateWasmModule, compiled: WebAssembly.Module): Promise<Core> {
     return new Core(await instantiate(create, compiled));
+  }
+
+  /** What a second thread needs to work in this core's memory; null where that is not shared. */
+  helperStart(compiled: WebAssembly.Module): HelperStart | null {
+    const { wasmMemory: memory } = this.module;
+    if (!memory) return null;
+    const stack = this.module._malloc(HELPER_STACK) >>> 0;
+    if (stack === 0) throw outOfMemory();
+    return { module: compiled, memory, stack: stack + HELPER_STACK };
+  }
+
+  /** From the next frame on; the frames are the same. */
+  setThreads(handle: number, threads: 1 | 2): void {
+    this.module._shapespline_set_threads(handle, threads);
   }
 
   get heapBytes(): number {
@@ -176,8 +194,8 @@ export class Core {
     return readFloats(this.module, this.answer<{ positions: Range }>(this.module._shapespline_ghost_positions(handle, t)).positions);
   }
 
-  stats(handle: number): SequenceStats {
-    return { ...this.answer<SequenceStats>(this.module._shapespline_stats(handle)), heapBytes: this.heapBytes };
+  stats(handle: number): Omit<SequenceStats, 'threads'> {
+    return { ...this.answer<Omit<SequenceStats, 'threads' | 'heapBytes'>>(this.module._shapespline_stats(handle)), heapBytes: this.heapBytes };
   }
 
   /** One GLB that plays `frames` at their seconds; the last `stills` of them are in the file but never shown. */

@@ -3,6 +3,7 @@ import type { CallOptions, Engine, Keys, Sequence } from './api.ts';
 import { cancelled, disposed, invalidOption } from './errors.ts';
 import { KeysHandle } from './keys.ts';
 import { checkCall, checkImportOptions, checkSequenceOptions } from './options.ts';
+import type { Program } from './protocol.ts';
 import { Remote, type Spawn } from './remote.ts';
 import { SequenceClient } from './sequence.ts';
 import type { ImportOptions, InputFile, SequenceOptions } from './types.ts';
@@ -11,7 +12,13 @@ export interface Platform {
   spawn: Spawn;
   /** The compiled wasm, fetched once. */
   module: Promise<WebAssembly.Module>;
+  /** The same for two threads, fetched when it is first wanted; null where threads cannot share memory, and its result where it
+      cannot be had. Never rejects. */
+  threaded?: (() => Promise<WebAssembly.Module | null>) | null;
 }
+
+/** Vertices. Below, waking a second thread costs about what it saves. */
+const LARGE = 40_000;
 
 export class EngineClient implements Engine {
   private readonly platform: Platform;
@@ -48,14 +55,16 @@ export class EngineClient implements Engine {
     this.checkAlive();
     checkCall(call);
     if (!(keys instanceof KeysHandle)) throw invalidOption('The keys must come from importKeyframes of this engine.');
+    const large = Boolean(this.platform.threaded) && keys.info.report.vertices >= LARGE;
     const parts = {
       keys: keys.data,
       scene: keys.scene,
       options: checkSequenceOptions(options),
       freshWorker: () => this.freshWorker(),
+      sequenceWorker: () => this.freshWorker(large),
       onDispose: (gone: SequenceClient) => void this.sequences.delete(gone),
     };
-    const remote = this.takeWorker();
+    const remote = this.takeWorker(large);
     const sequence = await this.task(remote, call, () => SequenceClient.create(parts, remote, { onProgress: call?.onProgress }));
     this.sequences.add(sequence);
     return sequence;
@@ -69,18 +78,25 @@ export class EngineClient implements Engine {
     this.workers.clear();
   }
 
-  private takeWorker(): Remote {
-    const remote = this.idle?.alive ? this.idle : this.freshWorker();
+  private takeWorker(large = false): Remote {
+    const { idle } = this;
     this.idle = null;
+    if (!large && idle?.alive) return idle;
+    idle?.terminate(disposed('engine'));  // with the memory that reading large files took
+    return this.freshWorker(large);
+  }
+
+  private freshWorker(large = false): Remote {
+    this.checkAlive();
+    for (const worker of this.workers) if (!worker.alive) this.workers.delete(worker);
+    const remote = new Remote(this.platform.spawn, this.program(large));
+    this.workers.add(remote);
     return remote;
   }
 
-  private freshWorker(): Remote {
-    this.checkAlive();
-    for (const worker of this.workers) if (!worker.alive) this.workers.delete(worker);
-    const remote = new Remote(this.platform.spawn, this.platform.module);
-    this.workers.add(remote);
-    return remote;
+  private async program(large: boolean): Promise<Program> {
+    const threaded = large ? await this.platform.threaded?.() : null;
+    return { module: await this.platform.module, threaded: threaded ?? null };
   }
 
   /** Work in one worker, which ends when the work fails or the caller cancels. */
@@ -117,4 +133,10 @@ function checkFiles(files: unknown): void {
   if (!Array.isArray(files) || files.length === 0 || !files.every(good)) {
     throw invalidOption('Give at least one file as { name, bytes: Uint8Array }.');
   }
+}
+
+/** Does the work when it is first asked for, and remembers what came of it. */
+export function onlyOnce<T>(work: () => Promise<T>): () => Promise<T> {
+  let result: Promise<T> | null = null;
+  return () => result ??= work();
 }

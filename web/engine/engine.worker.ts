@@ -15,6 +15,13 @@ async function dracoWasm(): Promise<Uint8Array> {
 const service = new Service({
   post: (message, transfer) => self.postMessage(message, { transfer }),
   create: createWasm,
+  createThreaded: async () => (await import('../../build/wasm/shapespline_threads.mjs')).default,
+  hire: (start, onReady) => {
+    const helper = new Worker(new URL('./helper.worker.ts', import.meta.url), { type: 'module' });
+    helper.onmessage = onReady;
+    helper.onerror = (event) => event.preventDefault();
+    helper.postMessage(start);
+  },
   decode: decoder(dracoWasm),
 });
 if (self.name) holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));

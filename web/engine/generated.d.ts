@@ -4,6 +4,11 @@ declare module '*/build/wasm/shapespline.mjs' {
   export default create;
 }
 
+declare module '*/build/wasm/shapespline_threads.mjs' {
+  const create: import('./wasm-module.ts').CreateWasmModule;
+  export default create;
+}
+
 /** Published without types: the decoder module of Draco, handed on to glTF Transform as it is. */
 declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
   export default function createDecoder(settings: { wasmBinary: Uint8Array }): Promise<object>;

@@ -1,8 +1,9 @@
 /** The engine in Node, over worker threads. */
 import { readFile } from 'node:fs/promises';
+import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
 import type { Engine } from './api.ts';
-import { EngineClient } from './engine.ts';
+import { EngineClient, onlyOnce } from './engine.ts';
 import { engineError, messageOf } from './errors.ts';
 import type { FromWorker } from './protocol.ts';
 import { endedWorker, type Spawn } from './remote.ts';
@@ -12,20 +13,24 @@ export interface EngineUrls {
   workerUrl?: URL;
   /** Default: build/wasm/shapespline.wasm of this repository. */
   wasmUrl?: URL;
+  /** For large meshes on a machine of more than one processor; null: none. Default: build/wasm/shapespline_threads.wasm. */
+  threadsUrl?: URL | null;
 }
 
 // The same relative paths hold from this file and from the bundle that it becomes part of (build/node).
 const WORKER_URL = new URL('../../build/node/node-worker.mjs', import.meta.url);
 const WASM_URL = new URL('../../build/wasm/shapespline.wasm', import.meta.url);
+const THREADS_URL = new URL('../../build/wasm/shapespline_threads.wasm', import.meta.url);
 
 /** The process lives as long as an engine has workers: dispose of it. */
-export function createEngine({ workerUrl = WORKER_URL, wasmUrl = WASM_URL }: EngineUrls = {}): Engine {
-  return new EngineClient({ spawn: spawnFrom(workerUrl), module: compile(wasmUrl) });
+export function createEngine({ workerUrl = WORKER_URL, wasmUrl = WASM_URL, threadsUrl = THREADS_URL }: EngineUrls = {}): Engine {
+  const threaded = threadsUrl && availableParallelism() > 1 ? onlyOnce(() => compile(threadsUrl).catch(() => null)) : null;
+  return new EngineClient({ spawn: spawnFrom(workerUrl), module: compile(wasmUrl), threaded });
 }
 
 /** Works with an engine of its own, which ends with the work. */
-export async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
-  const engine = createEngine();
+export async function withEngine<T>(work: (engine: Engine) => Promise<T>, urls?: EngineUrls): Promise<T> {
+  const engine = createEngine(urls);
   try {
     return await work(engine);
   } finally {

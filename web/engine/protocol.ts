@@ -97,9 +97,14 @@ export type ResultOf<K extends CallName> = Calls[K]['result'];
 export type Request = { [K in CallName]: { type: K; id: number } & RequestOf<K> }[CallName];
 
 /** The first message to a worker: the compiled wasm, so that it is compiled once a page. */
-export interface Start {
+export interface Start extends Program {
   type: 'start';
+}
+
+export interface Program {
   module: WebAssembly.Module;
+  /** The same for a shared memory, where a second thread may help; `module` runs if it cannot be had. */
+  threaded: WebAssembly.Module | null;
 }
 
 export type ToWorker = Start | Request;

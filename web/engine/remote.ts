@@ -1,6 +1,6 @@
 /** One worker seen from outside: calls become promises; its end, however it comes, rejects those that are open. */
 import { crashed, EngineError, isOutOfMemory, messageOf, outOfMemory } from './errors.ts';
-import type { CallName, FromWorker, RequestOf, ResultOf, ToWorker } from './protocol.ts';
+import type { CallName, FromWorker, Program, RequestOf, ResultOf, ToWorker } from './protocol.ts';
 import type { Progress } from './types.ts';
 
 /** What a worker of the browser and one of Node have in common. */
@@ -37,13 +37,13 @@ export class Remote {
   private lastId = 0;
   private ended: EngineError | null = null;
 
-  constructor(spawn: Spawn, module: Promise<WebAssembly.Module>) {
+  constructor(spawn: Spawn, program: Promise<Program>) {
     this.port = spawn({
       message: (message) => this.receive(message),
       failure: (error) => this.terminate(error),
     });
-    this.started = module.then(
-      (compiled) => this.post({ type: 'start', module: compiled }, []),
+    this.started = program.then(
+      ({ module, threaded }) => this.post({ type: 'start', module, threaded }, []),
       (error: EngineError) => this.terminate(error),
     );
   }

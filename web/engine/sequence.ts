@@ -18,6 +18,8 @@ export interface SequenceParts {
   options: SequenceOptions;
   /** Starts a worker that no other sequence uses. */
   freshWorker(): Remote;
+  /** The same, for this sequence. */
+  sequenceWorker(): Remote;
   onDispose(sequence: SequenceClient): void;
 }
 
@@ -214,7 +216,7 @@ export class SequenceClient implements Sequence {
   }
 
   private async revive(): Promise<void> {
-    this.remote = this.parts.freshWorker();
+    this.remote = this.parts.sequenceWorker();
     const { keys } = this.parts;
     this.state = await this.remote.call('create', { keys, encoding: this.encoding, motion: this.motion });
   }

@@ -1,13 +1,19 @@
 /** A worker's inside: one core, at most one sequence, requests answered in the order in which they came. */
 import { Core, type OnProgress } from './core.ts';
 import { crashed, EngineError, engineError, isOutOfMemory, messageOf, outOfMemory, type ErrorData } from './errors.ts';
+import type { HelperStart } from './helper.ts';
 import { importFiles, type Decode } from './import-files.ts';
-import type { CallName, FrameBuffers, FromWorker, MotionSpec, Request, RequestOf, ResultOf, ToWorker } from './protocol.ts';
+import type { CallName, FrameBuffers, FrameData, FromWorker, MotionSpec, Request, RequestOf, ResultOf, Start, ToWorker } from './protocol.ts';
+import { ThreadChoice } from './thread-choice.ts';
 import type { CreateWasmModule } from './wasm-module.ts';
 
 export interface ServiceHost {
   post(message: FromWorker, transfer: ArrayBuffer[]): void;
   create: CreateWasmModule;
+  /** The glue of the threaded module. */
+  createThreaded(): Promise<CreateWasmModule>;
+  /** Starts a second thread; one that never gets ready is never waited for. */
+  hire(start: HelperStart, onReady: () => void): void;
   /** Undoes mesh compression that the core does not know, before it sees the files. */
   decode: Decode;
 }
@@ -20,6 +26,8 @@ export class Service {
   private readonly host: ServiceHost;
   private readonly handlers: Handlers;
   private core: Promise<Core> | null = null;
+  /** Once there is a second thread. */
+  private choice: ThreadChoice | null = null;
   private tail: Promise<void> = Promise.resolve();
   private sequence = 0;
   private motionVersion = -1;
@@ -32,13 +40,25 @@ export class Service {
 
   receive(message: ToWorker): void {
     if (message.type === 'start') {
-      this.core = Core.start(this.host.create, message.module).catch((reason: unknown) => {
+      this.core = this.start(message).catch((reason: unknown) => {
         throw reason instanceof WebAssembly.LinkError ? mismatch(reason) : reason;
       });
       this.core.catch(() => undefined);  // said by the first request
       return;
     }
     this.tail = this.tail.then(() => this.serve(message));
+  }
+
+  private async start({ module, threaded }: Start): Promise<Core> {
+    const core = threaded && await this.startThreaded(threaded).catch(() => null);
+    return core ?? Core.start(this.host.create, module);
+  }
+
+  private async startThreaded(compiled: WebAssembly.Module): Promise<Core> {
+    const core = await Core.start(await this.host.createThreaded(), compiled);
+    const start = core.helperStart(compiled);
+    if (start) this.host.hire(start, () => { this.choice = new ThreadChoice(); });
+    return core;
   }
 
   private async serve(request: Request): Promise<void> {
@@ -71,8 +91,10 @@ export class Service {
       evaluate: (core, { motion, t, buffers, preview }) => {
         const start = performance.now();
         this.follow(core, motion);
-        const frame = core.evaluate(this.sequence, t, buffers, preview);
-        return { ...frame, ms: performance.now() - start };
+        const frame = this.frame(core, t, buffers, preview);
+        const ms = performance.now() - start;
+        if (!preview) this.choice?.took(ms);
+        return { ...frame, ms };
       },
       measure: (core, { motion, t }) => core.measure(this.follow(core, motion), t),
       plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
@@ -80,7 +102,7 @@ export class Service {
       patches: (core) => core.patches(this.sequence),
       ghost: (core) => core.ghost(this.sequence),
       ghostPositions: (core, { motion, t }) => core.ghostPositions(this.follow(core, motion), t),
-      stats: (core) => core.stats(this.sequence),
+      stats: (core) => ({ ...core.stats(this.sequence), threads: this.choice?.threads ?? 1 }),
       glbSize: (core, request) => core.animationSize(request),
       addFrame: (_, { positions, normals }) => {
         this.frames.push({ positions, normals });
@@ -89,6 +111,20 @@ export class Service {
       writeAnimation: (core, request) => core.writeAnimation(this.frames.splice(0), request),
       writePose: (core, request) => core.writePose(request),
     };
+  }
+
+  private frame(core: Core, t: number, buffers: FrameBuffers | null, preview: boolean): Omit<FrameData, 'ms'> {
+    const { choice } = this;
+    if (!choice) return core.evaluate(this.sequence, t, buffers, preview);
+    try {
+      core.setThreads(this.sequence, choice.threads);
+      return core.evaluate(this.sequence, t, buffers, preview);
+    } catch (reason) {
+      if (choice.threads === 1) throw reason;
+      this.choice = null;  // the second thread has broken down: the frame is made again without it
+      core.setThreads(this.sequence, 1);
+      return core.evaluate(this.sequence, t, buffers, preview);
+    }
   }
 
   private refit(core: Core, motion: MotionSpec): ResultOf<'update'> {

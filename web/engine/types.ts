@@ -271,6 +271,8 @@ export interface SequenceStats {
   normalsMs: number;
   /** Bytes of the wasm heap. */
   heapBytes: number;
+  /** That the next frame is made with: 2 where that was found to be faster. */
+  threads: 1 | 2;
 }
 
 /** One shape of the motion. The arrays belong to the receiver until release() gives them back to the pool. */

@@ -12,6 +12,8 @@ export interface WasmHost {
 export interface WasmModule extends WasmHost {
   /** Made anew whenever the memory grows: never kept. */
   readonly HEAPU8: Uint8Array;
+  /** Only where it is shared. */
+  readonly wasmMemory?: WebAssembly.Memory;
   _malloc(bytes: number): Address;
   _free(address: Address): void;
   _shapespline_import(request: Address): Address;
@@ -31,6 +33,8 @@ export interface WasmModule extends WasmHost {
   _shapespline_write_pose(request: Address): Address;
   _shapespline_objects(): Address;
   _shapespline_release(handle: number): void;
+  _shapespline_set_threads(handle: number, threads: number): void;
+  _shapespline_helped(): number;
 }
 
 export interface WasmSettings {

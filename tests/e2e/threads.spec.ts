@@ -1,0 +1,94 @@
+/** Large shapes on a host that isolates its pages: a second thread, and the same frames as everywhere else. */
+import { App, expect, test } from './support.ts';
+
+const SIZE = 205;  // 42,025 vertices: above what threads are tried for
+const PLAIN = `http://localhost:${process.env['SHAPESPLINE_BUILT_PORT'] ?? '5274'}/some/sub/path/`;
+const TIMES = [0.1, 0.35, 0.5, 0.8, 1.2];
+
+/** A square sheet, rolled up by an angle, as an OBJ file. */
+function sheet(name: string, angle: number): { name: string; mimeType: string; buffer: Buffer } {
+  const lines: string[] = [];
+  const at = (i: number): number => i / (SIZE - 1);
+  for (let y = 0; y < SIZE; ++y) {
+    for (let x = 0; x < SIZE; ++x) {
+      const a = angle * at(x), r = 1 / angle;
+      lines.push(`v ${(r * Math.sin(a)).toFixed(6)} ${at(y).toFixed(6)} ${(r * (1 - Math.cos(a))).toFixed(6)}`);
+    }
+  }
+  for (let y = 0; y + 1 < SIZE; ++y) {
+    for (let x = 1; x < SIZE; ++x) {
+      const a = y * SIZE + x, b = a + SIZE;
+      lines.push(`f ${a} ${a + 1} ${b + 1}`, `f ${a} ${b + 1} ${b}`);
+    }
+  }
+  return { name, mimeType: 'text/plain', buffer: Buffer.from(`${lines.join('\n')}\n`) };
+}
+
+interface Shown {
+  isolated: boolean;
+  helper: boolean;
+  threads: number;
+  positions: Float32Array[];
+}
+
+/** Opens two poses of the sheet, makes more frames than are needed to choose, and looks at some. */
+async function show(app: App): Promise<Shown> {
+  await app.by('file-input').setInputFiles([sheet('flat.obj', 0.01), sheet('rolled.obj', 2)]);
+  await expect.poll(async () => (await app.stats()).weldedVertices, { timeout: 60_000 }).toBe(SIZE * SIZE);
+  await app.settled();
+  const frames = await app.page.evaluate(async (times) => {
+    const list: number[][] = [];
+    for (let round = 0; round < 4; ++round) for (const t of times) list[times.indexOf(t)] = Array.from(await window.__shapespline!.evaluate(t));
+    return list;
+  }, TIMES);
+  return {
+    isolated: await app.page.evaluate(() => crossOriginIsolated),
+    helper: app.page.workers().some((worker) => worker.url().includes('helper')),
+    threads: (await app.stats()).threads,
+    positions: frames.map((frame) => Float32Array.from(frame)),
+  };
+}
+
+test('an isolated page has a second thread for a large shape, and the frames of a page without', async ({ app, browser }) => {
+  test.setTimeout(240_000);
+  await app.open();
+  const isolated = await show(app);
+  await app.expectNoProblems();
+  const plainPage = new App(await browser.newPage({ reducedMotion: 'reduce', baseURL: PLAIN }));
+  await plainPage.open();
+  const plain = await show(plainPage);
+  await plainPage.expectNoProblems();
+  await plainPage.page.close();
+  expect(isolated).toMatchObject({ isolated: true, helper: true });
+  expect(plain).toMatchObject({ isolated: false, helper: false, threads: 1 });
+  expect(isolated.positions).toEqual(plain.positions);
+});
+
+test.describe('without what it takes', () => {
+  test.use({ serviceWorkers: 'block' });  // whose requests cannot be stopped here
+
+  test('an isolated page works without the module for two threads', async ({ app }) => {
+    test.setTimeout(240_000);
+    await app.page.route(/shapespline_threads.*\.wasm$/, (route) => route.abort());
+    await app.open();
+    const shown = await show(app);
+    expect(shown).toMatchObject({ isolated: true, helper: false, threads: 1 });
+    expect(shown.positions).toHaveLength(TIMES.length);
+  });
+
+  test('an isolated page works without the second thread itself', async ({ app }) => {
+    test.setTimeout(240_000);
+    await app.page.route(/helper\.worker/, (route) => route.abort());
+    await app.open();
+    const shown = await show(app);
+    expect(shown).toMatchObject({ isolated: true, threads: 1 });
+    expect(shown.positions).toHaveLength(TIMES.length);
+  });
+});
+
+test('a sample of usual size has one thread on an isolated page', async ({ app }) => {
+  await app.open({ sample: 'cactus' });
+  await app.setTime(0.4);
+  expect((await app.stats()).threads).toBe(1);
+  await app.expectNoProblems();
+});

@@ -1,0 +1,107 @@
+/** Frames made by two threads over one memory: the same bits, and nothing depends on the second one. */
+import { existsSync, readdirSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { Worker } from 'node:worker_threads';
+import { afterEach, describe, expect, it } from 'vitest';
+import createWasm from '../../build/wasm/shapespline.mjs';
+import createThreaded from '../../build/wasm/shapespline_threads.mjs';
+import { Core } from '../../web/engine/core.ts';
+import type { CreateWasmModule, WasmModule } from '../../web/engine/wasm-module.ts';
+import { bendData, createBend } from './support/core.ts';
+import { bendKeys, frameAt, testEngine } from './support/engines.ts';
+import { bar } from './support/shapes.ts';
+
+const TIMES = [-0.3, 0, 0.2, 0.5, 0.9, 1.4];
+
+/** Of Linux: a folder for each. */
+const THREADS_OF_PROCESS = '/proc/self/task';
+
+const helpers: Worker[] = [];
+afterEach(async () => {
+  await Promise.all(helpers.splice(0).map((helper) => helper.terminate()));
+});
+
+async function started(create: CreateWasmModule, name: string): Promise<{ core: Core; module: WasmModule; compiled: WebAssembly.Module }> {
+  const compiled = await WebAssembly.compile(await readFile(new URL(`../../build/wasm/${name}.wasm`, import.meta.url)));
+  let module: WasmModule | null = null;
+  const core = await Core.start(async (settings) => (module = await create(settings)), compiled);
+  return { core, module: module as unknown as WasmModule, compiled };
+}
+
+/** A core with a second thread that is ready to help. */
+async function withHelper(): Promise<{ core: Core; module: WasmModule; helper: Worker }> {
+  const { core, module, compiled } = await started(createThreaded, 'shapespline_threads');
+  const helper = new Worker(new URL('../../build/node/node-helper.mjs', import.meta.url), { workerData: core.helperStart(compiled) });
+  helpers.push(helper);
+  await new Promise((resolve, reject) => helper.once('message', resolve).once('error', reject));
+  return { core, module, helper };
+}
+
+describe('two threads', () => {
+  it('give the frames of one thread, bit for bit', async () => {
+    const data = bendData(bar(8, 80));
+    const { core: alone } = await started(createWasm, 'shapespline');
+    const { core: together, module } = await withHelper();
+    const [one, two] = [createBend(alone, data), createBend(together, data)];
+    together.setThreads(two, 2);
+    // A busy machine may leave the helper waiting: then frames are made until it had its share.
+    for (let i = 0; i < 3000 && (i < TIMES.length || module._shapespline_helped() < 20); ++i) {
+      const t = TIMES[i % TIMES.length]!;
+      expect(Buffer.compare(bytes(together.evaluate(two, t, null)), bytes(alone.evaluate(one, t, null)))).toBe(0);
+    }
+    expect(module._shapespline_helped()).toBeGreaterThanOrEqual(20);
+  });
+
+  it('need no second one: without it, or once it has ended, frames are made all the same', async () => {
+    const data = bendData();
+    const { core, module, helper } = await withHelper();
+    const handle = createBend(core, data);
+    const before = bytes(core.evaluate(handle, 0.3, null));
+    core.setThreads(handle, 2);
+    expect(bytes(core.evaluate(handle, 0.3, null)).equals(before)).toBe(true);
+    await helper.terminate();
+    const helped = module._shapespline_helped();
+    for (let i = 0; i < 20; ++i) expect(bytes(core.evaluate(handle, 0.3, null)).equals(before)).toBe(true);
+    expect(module._shapespline_helped()).toBe(helped);
+  });
+});
+
+describe('a large sequence', () => {
+  it('has the same frames while both are tried, with and without the threaded module', async () => {
+    const large = bar(40, 250);  // 43,202 vertices
+    const [one, two] = await Promise.all([testEngine({ threadsUrl: null }), testEngine()].map(async (engine) => {
+      const { keys } = await bendKeys(engine, large);
+      expect(keys.info.report.vertices).toBeGreaterThan(40_000);
+      return engine.createSequence(keys);
+    }));
+    for (let i = 0; i < 20; ++i) {
+      const t = TIMES[i % TIMES.length]!;
+      expect(bytes(await frameAt(two!, t)).equals(bytes(await frameAt(one!, t)))).toBe(true);
+    }
+    expect((await one!.stats()).threads).toBe(1);
+    expect([1, 2]).toContain((await two!.stats()).threads);
+  });
+
+  it.runIf(existsSync(THREADS_OF_PROCESS))('ends with its second thread', async () => {
+    const before = readdirSync(THREADS_OF_PROCESS).length;
+    const engine = testEngine();
+    const { keys } = await bendKeys(engine, bar(40, 250));
+    const sequence = await engine.createSequence(keys);
+    for (let i = 0; i < 16; ++i) await frameAt(sequence, 0.3);
+    expect(readdirSync(THREADS_OF_PROCESS).length).toBeGreaterThanOrEqual(before + 2);
+    engine.dispose();
+    await expect.poll(() => readdirSync(THREADS_OF_PROCESS).length, { timeout: 10_000 }).toBeLessThanOrEqual(before);
+  });
+
+  it('is made by one thread where the threaded module cannot be had', async () => {
+    const engine = testEngine({ threadsUrl: new URL('./no-such-module.wasm', import.meta.url) });
+    const { keys } = await bendKeys(engine, bar(40, 250));
+    const sequence = await engine.createSequence(keys);
+    expect((await frameAt(sequence, 0.3)).positions).toHaveLength(3 * keys.info.report.vertices);
+    expect((await sequence.stats()).threads).toBe(1);
+  });
+});
+
+function bytes({ positions, normals }: { positions: Float32Array; normals: Float32Array }): Buffer {
+  return Buffer.concat([positions, normals].map((array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength)));
+}

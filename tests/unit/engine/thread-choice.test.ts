@@ -1,0 +1,35 @@
+import { expect, test } from 'vitest';
+import { ThreadChoice } from '../../../web/engine/thread-choice.ts';
+
+/** Frames that take so long with one thread and with two; returns what each was made with. */
+function play(choice: ThreadChoice, ms: (threads: 1 | 2, frame: number) => number, frames: number): (1 | 2)[] {
+  return Array.from({ length: frames }, (_, frame) => {
+    const { threads } = choice;
+    choice.took(ms(threads, frame));
+    return threads;
+  });
+}
+
+test('first frames are made in turn with one thread and with two', () => {
+  expect(play(new ThreadChoice(), () => 10, 14)).toEqual(Array.from({ length: 14 }, (_, frame) => (frame % 2 ? 2 : 1)));
+});
+
+test('two threads stay where they are faster, whatever single frames took', () => {
+  const choice = new ThreadChoice();
+  play(choice, (threads, frame) => (frame < 4 || frame === 7 || frame === 11 ? 100 : threads === 2 ? 7 : 10), 14);
+  expect(play(choice, () => 1000, 5)).toEqual([2, 2, 2, 2, 2]);
+});
+
+test('one thread stays where a second gains little or loses', () => {
+  for (const two of [9.8, 10, 30]) {
+    const choice = new ThreadChoice();
+    play(choice, (threads) => (threads === 2 ? two : 10), 14);
+    expect(play(choice, () => 1, 3)).toEqual([1, 1, 1]);
+  }
+});
+
+test('one fast frame does not make a second thread faster', () => {
+  const choice = new ThreadChoice();
+  play(choice, (threads, frame) => (frame === 5 || frame === 9 ? 2 : threads === 2 ? 12 : 10), 14);
+  expect(choice.threads).toBe(1);
+});

@@ -1,0 +1,15 @@
+// Waiting for another thread to change a number, without spinning.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace shapespline {
+
+/// Returns when the number is no longer `value`, or after a tenth of a second, or earlier.
+void waitWhile(std::atomic<std::uint32_t>& number, std::uint32_t value);
+
+/// Wakes the one that waits.
+void wakeOne(std::atomic<std::uint32_t>& number);
+
+}  // namespace shapespline

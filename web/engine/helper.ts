@@ -1,0 +1,42 @@
+/**
+ * The second thread: an instance of the threaded module over the memory of the first one, with a stack of its own. It waits on a
+ * futex inside the module, does the second parts of frames, and never comes back.
+ */
+import type { Address } from './wasm-module.ts';
+
+export interface HelperStart {
+  module: WebAssembly.Module;
+  memory: WebAssembly.Memory;
+  /** Its upper end. */
+  stack: Address;
+}
+
+interface HelperExports {
+  __stack_pointer: WebAssembly.Global;
+  shapespline_help(): void;
+  shapespline_help_lost(): void;
+}
+
+/** Ends only with the thread. `onReady` is called just before it waits for work. */
+export function help({ module, memory, stack }: HelperStart, onReady: () => void): void {
+  const imports: WebAssembly.Imports = {};
+  for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
+    (imports[from] ??= {})[name] = kind === 'memory' ? memory : notHere(name);
+  }
+  // Not seen by the types: that the module exports just these.
+  const helper = new WebAssembly.Instance(module, imports).exports as unknown as HelperExports;
+  helper.__stack_pointer.value = stack;
+  onReady();
+  try {
+    helper.shapespline_help();
+  } catch {
+    helper.shapespline_help_lost();
+  }
+}
+
+// The parts of a frame need nothing of the page.
+function notHere(name: string) {
+  return (): never => {
+    throw new Error(`${name} was called in the second thread`);
+  };
+}
