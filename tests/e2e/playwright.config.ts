@@ -46,7 +46,7 @@ export default defineConfig({
     { ...project('dev', `http://localhost:${devPort}/`), grep: /@server/ },
     { ...project('built', `http://localhost:${builtPort}${subPath}`), testIgnore: /threads\.spec\.ts$/ },
     // A host that sends the two headers with which threads may share memory.
-    { ...project('isolated', `http://localhost:${isolatedPort}/`), testMatch: /(threads|picture)\.spec\.ts$/ },
+    { ...project('isolated', `http://localhost:${isolatedPort}/`), testMatch: /threads\.spec\.ts$/ },
   ],
   webServer: [
     {

@@ -3,6 +3,7 @@ import { App, expect, test } from './support.ts';
 
 const SIZE = 205;  // 42,025 vertices: above what threads are tried for
 const PLAIN = `http://localhost:${process.env['SHAPESPLINE_BUILT_PORT'] ?? '5274'}/some/sub/path/`;
+const HELPER = /helper\.worker-[\w-]+\.js/g;
 const TIMES = [0.1, 0.35, 0.5, 0.8, 1.2];
 
 /** A square sheet, rolled up by an angle, as an OBJ file. */
@@ -78,7 +79,12 @@ test.describe('without what it takes', () => {
 
   test('an isolated page works without the second thread itself', async ({ app }) => {
     test.setTimeout(240_000);
-    await app.page.route(/helper\.worker/, (route) => route.abort());
+    await app.page.route(/engine\.worker.*\.js$/, async (route) => {  // requests of workers themselves cannot be stopped
+      const response = await route.fetch();
+      const text = await response.text();
+      expect(text).toMatch(HELPER);
+      await route.fulfill({ response, body: text.replaceAll(HELPER, 'no-such-file.js') });
+    });
     await app.open();
     const shown = await show(app);
     expect(shown).toMatchObject({ isolated: true, threads: 1 });
