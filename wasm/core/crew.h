@@ -18,7 +18,7 @@ class Crew {
 
   /// Calls part(work, 0) here and part(work, 1) here or there, and returns when both are done. They must write to different
   /// places, allocate nothing and throw nothing. Throws std::runtime_error if the helper broke down in the middle of its part
-  /// or never came back from it; from then on all is done here.
+  /// or never came back from it: what the work writes to cannot be relied on then. Later calls do all of theirs here.
   void run(Part part, const void* work);
 
   /// Does second parts until it is dismissed or given up.

@@ -113,18 +113,10 @@ export class Service {
     };
   }
 
+  // A second thread that breaks down in the middle fails the frame, and with it this worker: nobody could say what it still writes.
   private frame(core: Core, t: number, buffers: FrameBuffers | null, preview: boolean): Omit<FrameData, 'ms'> {
-    const { choice } = this;
-    if (!choice) return core.evaluate(this.sequence, t, buffers, preview);
-    try {
-      core.setThreads(this.sequence, choice.threads);
-      return core.evaluate(this.sequence, t, buffers, preview);
-    } catch (reason) {
-      if (choice.threads === 1) throw reason;
-      this.choice = null;  // the second thread has broken down: the frame is made again without it
-      core.setThreads(this.sequence, 1);
-      return core.evaluate(this.sequence, t, buffers, preview);
-    }
+    if (this.choice) core.setThreads(this.sequence, this.choice.threads);
+    return core.evaluate(this.sequence, t, buffers, preview);
   }
 
   private refit(core: Core, motion: MotionSpec): ResultOf<'update'> {
