@@ -181,6 +181,7 @@ test('sizes are compared when asked for, with a sentence that holds the numbers;
 
 test('a comparison can be cancelled, and so can a ghost that is being made', async ({ app }) => {
   await app.open();
+  await app.openGenerated(80_000);  // a sample's ghost may be there before the page has drawn that it is being made
   const before = await app.positionsAt(0.2);
   await app.by('study-start').click();
   await app.by('study-cancel').click();

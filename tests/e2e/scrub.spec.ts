@@ -2,16 +2,10 @@
  * A shape that is about right while it moves, exact when it rests. By itself the page draws so what is too large for 30 exact
  * frames a second on the machine at hand (tests/unit/pump); here its address asks for it.
  */
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import path from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { changedShare, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
 const FACES = 40_000;
-const generator = fileURLToPath(new URL('../../build/cmake-wasm/shapespline_samples.js', import.meta.url));
 
 interface Sample {
   time: number;
@@ -79,23 +73,11 @@ function distanceAtRest(app: App): Promise<number> {
   });
 }
 
-async function open(app: App): Promise<void> {
-  const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-scrub-'));
-  try {
-    execFileSync(process.execPath, [generator, '--bench', String(FACES), folder], { stdio: 'ignore' });
-    await app.open({ search: '?moving=about' });
-    await app.by('file-input').setInputFiles(path.join(folder, `bench-${FACES}.glb`));
-    await expect.poll(async () => (await app.state()).source.kind).toBe('files');
-    await app.settled();
-  } finally {
-    rmSync(folder, { recursive: true, force: true });
-  }
-}
-
 const shown = (app: App): Promise<{ time: number; about: boolean }> => app.page.evaluate(() => window.__shapespline!.shown);
 
 test('a shape is about right while it is dragged or plays, and exact when it rests', async ({ app }) => {
-  await open(app);
+  await app.open({ search: '?moving=about' });
+  await app.openGenerated(FACES);
   const status = app.by('status-ms');
   for (const t of [0.2, 0.3, 0.25]) await app.setTime(t);
   expect(await shown(app)).toEqual({ time: 0.25, about: false });

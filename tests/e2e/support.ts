@@ -1,5 +1,7 @@
 /** What the end-to-end tests share: the page with its hook, pixels of screenshots, real inputs where they are. */
-import { existsSync, readFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { test as base, expect } from '@playwright/test';
@@ -9,6 +11,7 @@ import type { AppState } from '../../web/model/state.ts';
 import type {} from '../../web/app/hook.ts';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
+const generator = path.join(repository, 'build/cmake-wasm/shapespline_samples.js');
 const dataFolder = process.env['SHAPESPLINE_DATA'] ?? path.join(repository, '..', 'shared', 'data');
 
 /** Path of a real input, or null where the folder is missing. */
@@ -42,6 +45,19 @@ export class App {
     await this.page.evaluate(() => window.__shapespline!.ready);
     await this.settled();
     return this;
+  }
+
+  /** Opens a generated mesh with three keys in place of what is open (wasm/samples/bench_mesh.h). */
+  async openGenerated(faces: number): Promise<void> {
+    const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-generated-'));
+    try {
+      execFileSync(process.execPath, [generator, '--bench', String(faces), folder], { stdio: 'ignore' });
+      await this.by('file-input').setInputFiles(path.join(folder, `bench-${faces}.glb`));
+      await expect.poll(async () => (await this.state()).source.kind).toBe('files');
+      await this.settled();
+    } finally {
+      rmSync(folder, { recursive: true, force: true });
+    }
   }
 
   by(testId: string): Locator {
