@@ -98,7 +98,7 @@ export class App {
   /** The canvas as it is on the screen, without what lies over it. */
   async picture(): Promise<Buffer> {
     await this.settled();
-    await this.page.addStyleTag({ content: '.viewport > :not(.picture), .toast { visibility: hidden !important }' });
+    await this.page.addStyleTag({ content: '.viewport > :not(.picture), .toast { visibility: hidden !important; transition: none !important }' });
     const clip = (await this.by('viewport').boundingBox())!;
     const shot = await this.page.screenshot({ clip });
     await this.page.evaluate(() => document.head.lastElementChild!.remove());
