@@ -16,7 +16,7 @@ namespace shapespline {
 
 namespace {
 
-constexpr int kLeafSize = 48;
+constexpr int kLeafSize = 32;
 // A separator of more than this part of the nodes is none: no mesh, so minimum degree does better.
 constexpr double kUselessSeparator = 0.3;
 
