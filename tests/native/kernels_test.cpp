@@ -88,3 +88,23 @@ TEST_CASE("kernels: normals are those of the scalar build, bit for bit, and unit
   const std::vector<float> up = shapespline::kernelRuns::vertexNormals(flat);
   for (std::size_t i = 0; i < up.size(); ++i) CHECK(up[i] == (i % 3 == 2 ? 1.0f : 0.0f));
 }
+
+TEST_CASE("kernels: a column in which every face rests is not stored, and one in which a face does not, is") {
+  using shapespline::FaceCoordinates;
+  FaceCoordinates<float> coordinates(6, 3, 1.0f);
+  coordinates.store();
+  for (int f = 0; f < 6; ++f) coordinates.set(f, 1, 0, 0.1f * static_cast<float>(f)), coordinates.set(f, 2, 3, 2.0f);
+  coordinates.dropIfAtRest(1);
+  CHECK(coordinates.weights({0.25, 0.5, 0.25}).stored.size() == 3);
+  coordinates.dropIfAtRest(0);
+  const auto weights = coordinates.weights({0.25, 0.5, 0.25});
+  CHECK(weights.stored == std::vector<float>{0.5f, 0.25f});
+  CHECK(weights.atRest == 0.25f);
+  coordinates.reorder({5, 3, 1, 0, 2, 4});
+  for (int f = 0; f < 6; ++f) {
+    CHECK(coordinates.at(f, 0, 0) == 0.0f);
+    CHECK(coordinates.at(f, 0, 5) == 1.0f);
+    CHECK(coordinates.at(f, 1, 0) == 0.1f * static_cast<float>(f));
+    CHECK(coordinates.at(f, 2, 3) == 2.0f);
+  }
+}
