@@ -8,19 +8,19 @@ namespace shapespline {
 
 namespace {
 
-// The faces sorted by the first of their corners to be eliminated: neighbours in this order write to neighbouring places of
-// the right-hand side. Faces that take no part come last.
+// The faces sorted by the last of their corners to be eliminated: neighbours in this order write to neighbouring places of the
+// right-hand side, and find all that lies before theirs at hand. Faces that take no part come last.
 FaceHalves inEliminationOrder(const std::vector<Triangle>& faces, const std::vector<int>& frameOf, const PoissonSystem& system) {
   const int dump = system.dump();
   std::vector<Triangle> corners(faces.size(), {dump, dump, dump});
   std::vector<int> start(static_cast<std::size_t>(system.size()) + 1, 0), order(faces.size());
-  const auto first = [&](std::size_t f) { return *std::min_element(corners[f].begin(), corners[f].end()); };
+  const auto last = [&](std::size_t f) { return *std::max_element(corners[f].begin(), corners[f].end()); };
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (int c = 0; c < 3 && frameOf[f] >= 0; ++c) corners[f][c] = system.slot()[faces[f][c]];
-    ++start[first(f) + 1];
+    ++start[last(f) + 1];
   }
   for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
-  for (std::size_t f = 0; f < faces.size(); ++f) order[start[first(f)]++] = static_cast<int>(f);
+  for (std::size_t f = 0; f < faces.size(); ++f) order[start[last(f)]++] = static_cast<int>(f);
   return halveFaces(order, corners, system.size(), dump);
 }
 

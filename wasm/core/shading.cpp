@@ -101,7 +101,7 @@ Shading::Shading(const std::vector<Triangle>& faces, const std::vector<int>& gro
   std::vector<Triangle> target(faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto& [a, b, c] = faces[f];
-    faceKey[f] = std::min({placeOf[a], placeOf[b], placeOf[c]});
+    faceKey[f] = std::max({placeOf[a], placeOf[b], placeOf[c]});
     target[f] = {renumbered[groupOf[a]], renumbered[groupOf[b]], renumbered[groupOf[c]]};
   }
   const FaceHalves halves = halveFaces(sortedBy(faceKey), target, groups);

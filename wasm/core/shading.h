@@ -27,7 +27,7 @@ class Shading {
   };
   std::vector<Drawn> drawn_;      // the raw vertices in order of place: read in order and written anywhere is twice as fast
                                   // as the other way round
-  std::vector<Triangle> corner_;  // faces of places, themselves in order of place in each half
+  std::vector<Triangle> corner_;  // faces of places, themselves in order of their last place in each half
   std::vector<Triangle> target_;  // their corners' groups, numbered in order of place; empty where those are the places
   std::vector<float> sum_;        // scratch: (x, y, z, pad) of each group
   std::size_t firstHalf_ = 0, bothHalves_ = 0;  // faces
