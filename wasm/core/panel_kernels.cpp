@@ -81,15 +81,23 @@ void solveDiagonal(const Scalar* inverse, Scalar* x) {
   }
 }
 
+// The lanes of four vectors added up.
+template <class V>
+V addedUp(V a, V b, V c, V d) {
+  transpose(a, b, c, d);
+  return (a + b) + (c + d);
+}
+
 // x := inverseᵀ * (x - sum) for W unknowns, sum being what is left to add up over the lanes of W columns' x, y and z.
 template <class V, int W, class Scalar>
 void solveDiagonalTransposed(const Scalar* inverse, const Scalar* sum, Scalar* x) {
-  V b[W];
-  for (int j = 0; j < W; ++j, sum += 12) {
-    V p = V::load(sum), q = V::load(sum + 4), r = V::load(sum + 8), zero = V::zero();
-    transpose(p, q, r, zero);
-    b[j] = V::load(x + 4 * j) - ((p + q) + (r + zero));
-  }
+  const auto number = [sum](int i) {
+    const auto of = [&](int column) { return column < W ? V::load(sum + 12 * column + i) : V::zero(); };
+    return addedUp(of(0), of(1), of(2), of(3));
+  };
+  V b[4] = {number(0), number(4), number(8), V::zero()};
+  transpose(b[0], b[1], b[2], b[3]);
+  for (int j = 0; j < W; ++j) b[j] = V::load(x + 4 * j) - b[j];
   for (int j = 0; j < W; ++j) {
     V result = V::loadSplat(inverse + triangle(j) + j) * b[j];
     for (int i = j + 1; i < W; ++i) result = result + V::loadSplat(inverse + triangle(i) + j) * b[i];
@@ -130,16 +138,29 @@ void forwardPanel(const Scalar* values, int columns, const int* row, int rows, S
   if (rows > 0) addTo(negativeProduct<V>(values, own, end), at(x, row[0]), at(x, row[1]), at(x, row[2]), at(x, row[3]));
 }
 
-// Adds to the columns' sums the products with four rows, from the last column to the first. Returns where they start.
-template <class V, class Scalar>
+// Adds to the columns' sums the products with four rows, from the last column to the first, or starts the sums with them.
+// Returns where the values start.
+template <class V, bool start = false, class Scalar>
 const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Scalar* begin, Scalar* sum) {
+  const auto add = [](Scalar* to, V p) { (start ? p : V::load(to) + p).store(to); };
   while (sum != begin) {
     values = stepBack(values, 4);
     sum = stepBack(sum, 12);
     const V l = V::load(values);
-    (V::load(sum) + l * g.x).store(sum);
-    (V::load(sum + 4) + l * g.y).store(sum + 4);
-    (V::load(sum + 8) + l * g.z).store(sum + 8);
+    add(sum, l * g.x), add(sum + 4, l * g.y), add(sum + 8, l * g.z);
+  }
+  return values;
+}
+
+// The same with eight rows.
+template <class V, bool start = false, class Scalar>
+const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Group<V>& h, const Scalar* begin, Scalar* sum) {
+  const auto add = [](Scalar* to, V p, V q) { ((start ? p : V::load(to) + p) + q).store(to); };
+  while (sum != begin) {
+    values = stepBack(values, 8);
+    sum = stepBack(sum, 12);
+    const V k = V::load(values), l = V::load(values + 4);
+    add(sum, k * g.x, l * h.x), add(sum + 4, k * g.y, l * h.y), add(sum + 8, k * g.z, l * h.z);
   }
   return values;
 }
@@ -147,26 +168,22 @@ const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Scalar*
 template <class V, class Scalar>
 void backwardPanel(const Scalar* values, int columns, const int* row, int rows, Scalar* x, int first) {
   alignas(16) Scalar sums[12 * kMaxColumns];
-  std::fill_n(sums, 12 * columns, Scalar(0));
+  Scalar* const end = sums + 12 * columns;
+  const auto rowsAt = [x](const int* r) { return gather<V>(at(x, r[0]), at(x, r[1]), at(x, r[2]), at(x, r[3])); };
   values += panelEntries(columns, rows);
   row += rows;
-  if (rows % 8 != 0) {
-    row -= 4;
-    const auto g = gather<V>(at(x, row[0]), at(x, row[1]), at(x, row[2]), at(x, row[3]));
-    values = addProducts(values, g, sums, sums + 12 * columns);
+  if (rows == 0) {
+    std::fill(sums, end, Scalar(0));
+  } else if (rows % 8 != 0) {
+    row -= 4, rows -= 4;
+    values = addProducts<V, true>(values, rowsAt(row), sums, end);
+  } else {
+    row -= 8, rows -= 8;
+    values = addProducts<V, true>(values, rowsAt(row), rowsAt(row + 4), sums, end);
   }
-  for (rows -= rows % 8; rows > 0; rows -= 8) {
+  for (; rows > 0; rows -= 8) {
     row -= 8;
-    const auto g = gather<V>(at(x, row[0]), at(x, row[1]), at(x, row[2]), at(x, row[3]));
-    const auto h = gather<V>(at(x, row[4]), at(x, row[5]), at(x, row[6]), at(x, row[7]));
-    for (Scalar* sum = sums + 12 * columns; sum != sums;) {
-      values = stepBack(values, 8);
-      sum = stepBack(sum, 12);
-      const V k = V::load(values), l = V::load(values + 4);
-      ((V::load(sum) + k * g.x) + l * h.x).store(sum);
-      ((V::load(sum + 4) + k * g.y) + l * h.y).store(sum + 4);
-      ((V::load(sum + 8) + k * g.z) + l * h.z).store(sum + 8);
-    }
+    values = addProducts<V>(values, rowsAt(row), rowsAt(row + 4), sums, end);
   }
   const int firstRows = firstBlock(columns);
   for (int c = columns - 4; c >= firstRows; c -= 4) {
