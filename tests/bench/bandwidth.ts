@@ -1,5 +1,7 @@
-/** Bytes a second that one thread of wasm reads from memory, best of a few passes; measured where nothing else runs. */
-const PASSES = 5;
+/** Bytes a second that one thread of wasm reads from memory: the best of a few passes, whenever it is asked. */
+export type ReadBandwidth = () => number;
+
+const PASSES = 3;
 
 interface Exports {
   size(): number;
@@ -7,16 +9,18 @@ interface Exports {
   readAll(): number;
 }
 
-export async function readBandwidth(bytes: BufferSource): Promise<number> {
+export async function bandwidthReader(bytes: BufferSource): Promise<ReadBandwidth> {
   const { instance } = await WebAssembly.instantiate(bytes, {});
   const { size, fill, readAll } = instance.exports as unknown as Exports;
   fill();
   readAll();  // leaves the baseline compiler
-  let best = Infinity;
-  for (let pass = 0; pass < PASSES; ++pass) {
-    const start = performance.now();
-    readAll();
-    best = Math.min(best, performance.now() - start);
-  }
-  return size() / (best / 1000);
+  return () => {
+    let best = Infinity;
+    for (let pass = 0; pass < PASSES; ++pass) {
+      const start = performance.now();
+      readAll();
+      best = Math.min(best, performance.now() - start);
+    }
+    return size() / (best / 1000);
+  };
 }

@@ -1,10 +1,13 @@
 /** Single frames of one sequence: exact ones with their stages, the cheap ones for while a slider moves, and how well they agree. */
 import type { Sequence } from '../../web/engine/api.ts';
 import type { Frame, SequenceStats } from '../../web/engine/types.ts';
+import type { ReadBandwidth } from './bandwidth.ts';
 import { distanceOf, NO_DISTANCE, worse, type Distance } from './distance.ts';
-import { spread, type Spread } from './quantile.ts';
+import { quantile, spread, type Spread } from './quantile.ts';
 
 const FRAMES = 60;
+/** Exact frames come in rounds, each beside the bandwidth of its moment: a machine that others use is not the same for long. */
+const ROUNDS = 5, FRAMES_A_ROUND = 12;
 /** Frames at which exact and cheap shapes are compared. */
 const COMPARED = 14;
 
@@ -16,6 +19,14 @@ export interface ExactFrames {
   place: Spread;
   normals: Spread;
   frame: Spread;
+  rounds: Round[];
+}
+
+/** Medians of its frames in milliseconds; bytes a second. */
+export interface Round {
+  solveMs: number;
+  frameMs: number;
+  bandwidth: number;
 }
 
 export interface CheapFrames {
@@ -42,15 +53,22 @@ async function msOf(answer: Promise<Frame | null>): Promise<number> {
   return frame.ms;
 }
 
-export async function exactFrames(sequence: Sequence): Promise<ExactFrames> {
+export async function exactFrames(sequence: Sequence, readBandwidth: ReadBandwidth): Promise<ExactFrames> {
   const firstMs = await msOf(sequence.evaluate(0));
-  const ms: number[] = [], stats: SequenceStats[] = [];
-  for (let k = 0; k <= FRAMES; ++k) {
-    ms.push(await msOf(sequence.evaluate(timeOf(k, FRAMES))));
-    stats.push(await sequence.stats());
+  const ms: number[] = [], stats: SequenceStats[] = [], rounds: Round[] = [];
+  for (let round = 0; round < ROUNDS; ++round) {
+    const bandwidth = readBandwidth();
+    for (let k = 0; k <= FRAMES_A_ROUND; ++k) {
+      ms.push(await msOf(sequence.evaluate(timeOf(k, FRAMES_A_ROUND))));
+      stats.push(await sequence.stats());
+    }
+    const last = -(FRAMES_A_ROUND + 1);
+    rounds.push({ bandwidth, frameMs: quantile(ms.slice(last)), solveMs: quantile(stats.slice(last).map(({ solveMs }) => solveMs)) });
   }
   const part = (of: 'facesMs' | 'solveMs' | 'placeMs' | 'normalsMs'): Spread => spread(stats.map((one) => one[of]));
-  return { firstMs, spline: part('facesMs'), solve: part('solveMs'), place: part('placeMs'), normals: part('normalsMs'), frame: spread(ms) };
+  return {
+    firstMs, spline: part('facesMs'), solve: part('solveMs'), place: part('placeMs'), normals: part('normalsMs'), frame: spread(ms), rounds,
+  };
 }
 
 export async function cheapFrames(sequence: Sequence): Promise<CheapFrames> {

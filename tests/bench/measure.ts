@@ -1,6 +1,6 @@
 /** One generated mesh through the engine: every stage of building its sequence, then single frames. Browser and Node. */
 import type { Engine, Sequence } from '../../web/engine/api.ts';
-import { readBandwidth } from './bandwidth.ts';
+import { bandwidthReader } from './bandwidth.ts';
 import { buildRepeatedly, Listener, refitGrowth, type Builds, type Silence } from './builds.ts';
 import { distanceOf } from './distance.ts';
 import { cheapFrames, exactFrames, frameOf, type CheapFrames, type ExactFrames } from './frames.ts';
@@ -26,8 +26,6 @@ export interface Run {
   refitGrowth: number;
   heapBytes: number;
   factorBytes: number;
-  /** Bytes a second. */
-  bandwidth: number;
   /** Largest distance to the reference over the bounding box's diagonal. */
   error: number;
 }
@@ -57,8 +55,7 @@ export async function measure(engine: Engine, { name, mesh, reference, reader, p
   listener.hear('end');
   const importMs = performance.now() - start;
   const { sequence, builds } = await buildRepeatedly(engine, keys, processBytes);
-  const bandwidth = await readBandwidth(reader);
-  const exact = await exactFrames(sequence);
+  const exact = await exactFrames(sequence, await bandwidthReader(reader));
   const error = await errorOf(sequence, reference);
   const cheap = await cheapFrames(sequence);
   const growth = await refitGrowth(sequence);
@@ -70,6 +67,6 @@ export async function measure(engine: Engine, { name, mesh, reference, reader, p
     faces, vertices, importMs, importSilence: listener.silence, builds, exact, cheap, led, refitGrowth: growth,
     // The import's memory was the first build's heap.
     heapBytes: Math.max(builds.heapBytes, heapBytes),
-    factorBytes, bandwidth, error,
+    factorBytes, error,
   };
 }

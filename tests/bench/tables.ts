@@ -2,7 +2,7 @@
 import { both, short, table } from './format.ts';
 import type { Run } from './measure.ts';
 import type { NativeRun } from './native.ts';
-import { boundMs } from './targets.ts';
+import { boundMs, ofRounds } from './targets.ts';
 
 export interface Result {
   run: Run;
@@ -30,9 +30,10 @@ export function memoryTable(results: Result[]): string {
 
 export function frameTable(results: Result[]): string {
   const titles = ['faces', 'first frame', 'spline + faces', 'solve', 'place', 'normals', 'frame', 'read GB/s', 'read bound', 'error'];
+  const bandwidth = (run: Run): number => ofRounds(run, (round) => round.bandwidth);
   return table(titles, results.map(({ run, run: { exact } }) => [
     String(run.faces), short(exact.firstMs), both(exact.spline), both(exact.solve), both(exact.place), both(exact.normals), both(exact.frame),
-    short(run.bandwidth / 1e9), short(boundMs(run)), run.error.toExponential(1),
+    short(bandwidth(run) / 1e9), short(boundMs(run, bandwidth(run))), run.error.toExponential(1),
   ]));
 }
 
