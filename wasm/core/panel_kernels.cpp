@@ -33,12 +33,23 @@ struct Group {
   V x = V::zero(), y = V::zero(), z = V::zero();
 };
 
+template <class Scalar>
+Scalar* at(Scalar* x, int i) {
+  return x + 4 * static_cast<std::ptrdiff_t>(i);
+}
+
 template <class V, class Scalar>
 Group<V> gather(const Scalar* a, const Scalar* b, const Scalar* c, const Scalar* d) {
   Group<V> g = {V::load(a), V::load(b), V::load(c)};
   V pad = V::load(d);
   transpose(g.x, g.y, g.z, pad);
   return g;
+}
+
+// Of the four unknowns that `row` names.
+template <class V, class Scalar>
+Group<V> gather(const Scalar* x, const int* row) {
+  return gather<V>(at(x, alone(row[0])), at(x, alone(row[1])), at(x, alone(row[2])), at(x, alone(row[3])));
 }
 
 template <class V, class Scalar>
@@ -51,9 +62,9 @@ void addTo(Group<V> g, Scalar* a, Scalar* b, Scalar* c, Scalar* d) {
   (V::load(d) + pad).store(d);
 }
 
-template <class Scalar>
-Scalar* at(Scalar* x, int i) {
-  return x + 4 * static_cast<std::ptrdiff_t>(i);
+template <class V, class Scalar>
+void addTo(const Group<V>& g, Scalar* x, const int* row) {
+  addTo(g, at(x, alone(row[0])), at(x, alone(row[1])), at(x, alone(row[2])), at(x, alone(row[3])));
 }
 
 // Minus four rows times the unknowns from y to end.
@@ -132,10 +143,10 @@ void forwardPanel(const Scalar* values, int columns, const int* row, int rows, S
       g.y = g.y - k * vy, h.y = h.y - l * vy;
       g.z = g.z - k * vz, h.z = h.z - l * vz;
     }
-    addTo(g, at(x, row[0]), at(x, row[1]), at(x, row[2]), at(x, row[3]));
-    addTo(h, at(x, row[4]), at(x, row[5]), at(x, row[6]), at(x, row[7]));
+    addTo(g, x, row);
+    addTo(h, x, row + 4);
   }
-  if (rows > 0) addTo(negativeProduct<V>(values, own, end), at(x, row[0]), at(x, row[1]), at(x, row[2]), at(x, row[3]));
+  if (rows > 0) addTo(negativeProduct<V>(values, own, end), x, row);
 }
 
 // Adds to the columns' sums the products with four rows, from the last column to the first, or starts the sums with them.
@@ -169,21 +180,20 @@ template <class V, class Scalar>
 void backwardPanel(const Scalar* values, int columns, const int* row, int rows, Scalar* x, int first) {
   alignas(16) Scalar sums[12 * kMaxColumns];
   Scalar* const end = sums + 12 * columns;
-  const auto rowsAt = [x](const int* r) { return gather<V>(at(x, r[0]), at(x, r[1]), at(x, r[2]), at(x, r[3])); };
   values += panelEntries(columns, rows);
   row += rows;
   if (rows == 0) {
     std::fill(sums, end, Scalar(0));
   } else if (rows % 8 != 0) {
     row -= 4, rows -= 4;
-    values = addProducts<V, true>(values, rowsAt(row), sums, end);
+    values = addProducts<V, true>(values, gather<V>(x, row), sums, end);
   } else {
     row -= 8, rows -= 8;
-    values = addProducts<V, true>(values, rowsAt(row), rowsAt(row + 4), sums, end);
+    values = addProducts<V, true>(values, gather<V>(x, row), gather<V>(x, row + 4), sums, end);
   }
   for (; rows > 0; rows -= 8) {
     row -= 8;
-    values = addProducts<V>(values, rowsAt(row), rowsAt(row + 4), sums, end);
+    values = addProducts<V>(values, gather<V>(x, row), gather<V>(x, row + 4), sums, end);
   }
   const int firstRows = firstBlock(columns);
   for (int c = columns - 4; c >= firstRows; c -= 4) {

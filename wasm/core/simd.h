@@ -187,6 +187,14 @@ inline T* stepBack(T* p, int n) {
   return p;
 }
 
+/// i, in a register of its own: four indices loaded and scaled as one vector cost more to take apart than that saves.
+inline int alone(int i) {
+#if SHAPESPLINE_SIMD_WASM
+  __asm__("" : "+r"(i));
+#endif
+  return i;
+}
+
 /// Rows become columns.
 inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
   const Float4 ab = interleaveLow(a, b), cd = interleaveLow(c, d), AB = interleaveHigh(a, b), CD = interleaveHigh(c, d);
