@@ -6,11 +6,13 @@ import { afterEach, describe, expect, it } from 'vitest';
 import createWasm from '../../build/wasm/shapespline.mjs';
 import createThreaded from '../../build/wasm/shapespline_threads.mjs';
 import { Core } from '../../web/engine/core.ts';
+import type { Frame } from '../../web/engine/types.ts';
 import type { CreateWasmModule, WasmModule } from '../../web/engine/wasm-module.ts';
 import { bendData, createBend } from './support/core.ts';
-import { bendKeys, frameAt, testEngine } from './support/engines.ts';
+import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { bar } from './support/shapes.ts';
 
+const faultyWorker = new URL('./support/faulty-worker.mjs', import.meta.url);
 const TIMES = [-0.3, 0, 0.2, 0.5, 0.9, 1.4];
 
 /** Of Linux: a folder for each. */
@@ -91,6 +93,24 @@ describe('a large sequence', () => {
     expect(readdirSync(THREADS_OF_PROCESS).length).toBeGreaterThanOrEqual(before + 2);
     engine.dispose();
     await expect.poll(() => readdirSync(THREADS_OF_PROCESS).length, { timeout: 10_000 }).toBeLessThanOrEqual(before);
+  });
+
+  it('whose second thread breaks down in the middle of a frame fails once, and is then made by one thread to the same bits', async () => {
+    const large = bar(40, 250);
+    const [one, two] = await Promise.all([testEngine({ threadsUrl: null }), testEngine({ workerUrl: faultyWorker })].map(async (engine) =>
+      engine.createSequence((await bendKeys(engine, large)).keys)));
+    const expected = bytes(await frameAt(one!, 0.3));
+    // A second thread that comes late has nothing left to break: then frames are made until it had a part of one.
+    let outcome: unknown = null;
+    for (let i = 0; i < 1000 && !(outcome instanceof Error); ++i) {
+      outcome = await frameAt(two!, 0.3).catch((error: unknown) => error);
+      if (!(outcome instanceof Error)) expect(bytes(outcome as Frame).equals(expected)).toBe(true);
+    }
+    const error = await failureOf(Promise.reject(outcome));
+    expect(error.code).toBe('crashed');
+    expect(error.message).toMatch(/second thread.*starts afresh/);
+    for (let i = 0; i < 20; ++i) expect(bytes(await frameAt(two!, 0.3)).equals(expected)).toBe(true);
+    expect((await two!.stats()).threads).toBe(1);
   });
 
   it('is made by one thread where the threaded module cannot be had', async () => {

@@ -192,6 +192,15 @@ TEST_CASE("crew: a helper that breaks down is told of, and the caller goes on al
   CHECK(done == std::array{1, 1});
 }
 
+TEST_CASE("crew: a helper that breaks down before the caller is done is told of, too: its part is half written") {
+  Crew crew;
+  const Helper helper(crew);
+  CHECK_THROWS_AS(inTwo(&crew, [&](int part) {
+    if (part == 1) throw std::runtime_error("broken");
+    while (!crew.lost()) std::this_thread::yield();
+  }), std::runtime_error);
+}
+
 TEST_CASE("crew: a helper that never comes back is given up, and what it does later changes nothing") {
   std::atomic<bool> began = false, late = false;
   const auto stuck = [&](int part) {  // outlives the helper

@@ -26,7 +26,7 @@ function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method, 
   const frame = (t: number, about: boolean): Frame => {
     frames += 1;
     const ms = about ? cheapMs : exactMs;
-    return { t, positions: new Float32Array(), normals: new Float32Array(), ms, lostDefiniteness: 0, release: () => { released += 1; } };
+    return { t, positions: new Float32Array(), normals: new Float32Array(), ms, threads: 1, lostDefiniteness: 0, release: () => { released += 1; } };
   };
   const asked = (t: number, about: boolean, signal?: AbortSignal): Promise<Frame | null> => new Promise((resolve, reject) => {
     const one: Open = { t, about, resolve, reject };

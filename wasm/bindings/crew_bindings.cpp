@@ -16,6 +16,9 @@ ENTRY void shapespline_help() { crew().serve(); }
 /// Called when the helper has trapped.
 ENTRY void shapespline_help_lost() { crew().breakDown(); }
 
+/// Whether it has, or never came back: frames that it was to help with have failed.
+ENTRY int shapespline_is_help_lost() { return crew().lost() ? 1 : 0; }
+
 /// Frames of this handle are made by one thread or by two from here on, to the same bits.
 ENTRY void shapespline_set_threads(int handle, int threads) {
   objects().get<SequenceObject>(handle).sequence.setCrew(threads > 1 ? &crew() : nullptr);

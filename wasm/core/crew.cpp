@@ -22,15 +22,17 @@ void Crew::run(Part part, const void* work) {
   part_ = part;
   work_ = work;
   std::uint32_t state = idle;
-  if (state_.compare_exchange_strong(state, offered, std::memory_order_release)) wakeOne(state_);
+  const bool offers = state_.compare_exchange_strong(state, offered, std::memory_order_release);
+  if (offers) wakeOne(state_);
   part(work, 0);
   state = offered;
-  if (state_.compare_exchange_strong(state, idle, std::memory_order_acquire) || state == broken || state == dismissed)
-    return part(work, 1);
+  if (!offers || state_.compare_exchange_strong(state, idle, std::memory_order_acquire)) return part(work, 1);
   if (!isDone()) throw std::runtime_error("the second thread has ended");
   state_.store(idle, std::memory_order_relaxed);
   ++helped_;
 }
+
+bool Crew::lost() const { return state_.load(std::memory_order_relaxed) == broken; }
 
 // Waits are counted, not time: a machine may sleep in one of them.
 bool Crew::isDone() {

@@ -21,12 +21,15 @@ class Crew {
   /// or never came back from it: what the work writes to cannot be relied on then. Later calls do all of theirs here.
   void run(Part part, const void* work);
 
-  /// Does second parts until it is dismissed or given up.
+  /// Does second parts until it is dismissed, between two pieces of work, or given up.
   void serve();
   void dismiss();
 
   /// Says for a helper that it will never finish the part it had begun.
   void breakDown();
+
+  /// The helper broke down or was given up.
+  bool lost() const;
 
   /// Parts that the helper has done.
   long long helped() const { return helped_; }

@@ -22,23 +22,28 @@ export interface EngineUrls {
 export function createEngine({ workerUrl, wasmUrl, threadsUrl, onLost }: EngineUrls = {}): Engine {
   const url = new URL(wasmUrl ?? defaultWasmUrl, document.baseURI);
   const possible = threadsUrl !== null && globalThis.crossOriginIsolated && navigator.hardwareConcurrency > 1;
-  const threaded = possible ? onlyOnce(() => compileThreaded(threadsUrl)) : null;
+  const compiled = onlyOnce(() => compileThreaded(threadsUrl));
+  const threaded = possible ? () => Promise.race([compiled(), late()]) : null;
   const engine = new EngineClient({ spawn: spawnFrom(workerUrl, onLost), module: compile(url), threaded });
   engine.warm();
   return engine;
 }
 
-/** Milliseconds that a large mesh may wait for the module for two threads. */
-const PATIENCE = 5000;
+/** Milliseconds that a large mesh may wait for the module for two threads, which is fetched while its files are read. */
+const PATIENCE = 1000;
+
+function late(): Promise<null> {
+  return new Promise((resolve) => void setTimeout(resolve, PATIENCE, null));
+}
 
 // Two threads share memory, which browsers allow where the host isolates the page. Without them everything works the same.
-async function compileThreaded(given: string | URL | undefined): Promise<WebAssembly.Module | null> {
-  const compiled = async (): Promise<WebAssembly.Module> => {
+async function compileThreaded(given: string | URL | null | undefined): Promise<WebAssembly.Module | null> {
+  try {
     const url = given ?? (await import('../../build/wasm/shapespline_threads.wasm?url')).default;
-    return compile(new URL(url, document.baseURI));
-  };
-  const late = new Promise<null>((resolve) => void setTimeout(resolve, PATIENCE, null));
-  return Promise.race([compiled().catch(() => null), late]);
+    return await compile(new URL(url, document.baseURI));
+  } catch {
+    return null;
+  }
 }
 
 let workers = 0;

@@ -90,6 +90,11 @@ export class Core {
     this.module._shapespline_set_threads(handle, threads);
   }
 
+  /** The second thread broke down in the middle of a frame: what it was to write cannot be relied on. */
+  get helpLost(): boolean {
+    return this.module._shapespline_is_help_lost() !== 0;
+  }
+
   get heapBytes(): number {
     return this.module.HEAPU8.length;
   }
@@ -151,7 +156,7 @@ export class Core {
   }
 
   /** Fills `buffers` where they are given and fit. */
-  evaluate(handle: number, t: number, buffers: FrameBuffers | null, preview = false): Omit<FrameData, 'ms'> {
+  evaluate(handle: number, t: number, buffers: FrameBuffers | null, preview = false): Omit<FrameData, 'ms' | 'threads'> {
     interface FrameAnswer { positions: Range; normals: Range; lostDefiniteness: number }
     const frame = this.answer<FrameAnswer>(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0));
     return {

@@ -12,13 +12,15 @@ export interface Platform {
   spawn: Spawn;
   /** The compiled wasm, fetched once. */
   module: Promise<WebAssembly.Module>;
-  /** The same for two threads, fetched when it is first wanted; null where threads cannot share memory, and its result where it
-      cannot be had. Never rejects. */
+  /** The same for two threads, fetched when it is first asked for; null where threads cannot share memory, and its result where it
+      cannot be had soon. Never rejects. */
   threaded?: (() => Promise<WebAssembly.Module | null>) | null;
 }
 
 /** Vertices. Below, waking a second thread costs about what it saves. */
 const LARGE = 40_000;
+/** Bytes of a file's vertex, at least; only what is compressed takes less. */
+const VERTEX_BYTES = 12;
 
 export class EngineClient implements Engine {
   private readonly platform: Platform;
@@ -44,6 +46,7 @@ export class EngineClient implements Engine {
     checkCall(call);
     const checked = checkImportOptions(options);
     checkFiles(files);
+    if (bytesOf(files) >= LARGE * VERTEX_BYTES) void this.platform.threaded?.();  // to be there when the keys are
     const remote = this.takeWorker();
     const imported = await this.task(remote, call, () =>
       remote.call('import', { files, options: checked }, { onProgress: call?.onProgress }));
@@ -61,7 +64,6 @@ export class EngineClient implements Engine {
       scene: keys.scene,
       options: checkSequenceOptions(options),
       freshWorker: () => this.freshWorker(),
-      sequenceWorker: () => this.freshWorker(large),
       onDispose: (gone: SequenceClient) => void this.sequences.delete(gone),
     };
     const remote = this.takeWorker(large);
@@ -133,6 +135,10 @@ function checkFiles(files: unknown): void {
   if (!Array.isArray(files) || files.length === 0 || !files.every(good)) {
     throw invalidOption('Give at least one file as { name, bytes: Uint8Array }.');
   }
+}
+
+function bytesOf(files: InputFile[]): number {
+  return files.reduce((sum, { bytes }) => sum + bytes.length, 0);
 }
 
 /** Does the work when it is first asked for, and remembers what came of it. */

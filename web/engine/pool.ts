@@ -14,13 +14,14 @@ export class FramePool {
   }
 
   frame(t: number, data: FrameData): Frame {
-    let buffers: FrameBuffers | null = { positions: data.positions, normals: data.normals };
+    const { positions, normals, ms, threads, lostDefiniteness } = data;
+    let buffers: FrameBuffers | null = { positions, normals };
     const release = (): void => {
       // A frame whose arrays the receiver transferred elsewhere has nothing to give back.
       const whole = buffers && buffers.positions.length > 0 && buffers.normals.length > 0;
       if (buffers && whole && this.spares.length < MOST_SPARES) this.spares.push(buffers);
       buffers = null;
     };
-    return { t, positions: data.positions, normals: data.normals, ms: data.ms, lostDefiniteness: data.lostDefiniteness, release };
+    return { t, positions, normals, ms, threads, lostDefiniteness, release };
   }
 }

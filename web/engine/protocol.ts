@@ -55,6 +55,7 @@ export interface FrameBuffers {
 
 export interface FrameData extends FrameBuffers {
   ms: number;
+  threads: 1 | 2;
   lostDefiniteness: number;
 }
 

@@ -16,10 +16,8 @@ export interface SequenceParts {
   keys: KeyData;
   scene: SceneData;
   options: SequenceOptions;
-  /** Starts a worker that no other sequence uses. */
+  /** Starts a worker that no other sequence uses, with one thread. */
   freshWorker(): Remote;
-  /** The same, for this sequence. */
-  sequenceWorker(): Remote;
   onDispose(sequence: SequenceClient): void;
 }
 
@@ -208,7 +206,8 @@ export class SequenceClient implements Sequence {
     return this.pool.frame(t, data);
   }
 
-  /** One request; a worker that died before is replaced first, built from the same keys and the present motion. */
+  /** One request; a worker that died before is replaced first, built from the same keys and the present motion. If the second thread
+      was the reason, it would be again: the new worker has one. */
   private async ask<K extends CallName>(type: K, request: RequestOf<K>, call?: RemoteCall): Promise<ResultOf<K>> {
     this.checkAlive();
     if (!this.remote.alive) await this.revive();
@@ -216,7 +215,7 @@ export class SequenceClient implements Sequence {
   }
 
   private async revive(): Promise<void> {
-    this.remote = this.parts.sequenceWorker();
+    this.remote = this.parts.freshWorker();
     const { keys } = this.parts;
     this.state = await this.remote.call('create', { keys, encoding: this.encoding, motion: this.motion });
   }

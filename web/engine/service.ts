@@ -26,8 +26,8 @@ export class Service {
   private readonly host: ServiceHost;
   private readonly handlers: Handlers;
   private core: Promise<Core> | null = null;
-  /** Once there is a second thread. */
-  private choice: ThreadChoice | null = null;
+  /** Once there is a second thread: for exact frames, and for those that are about right, of which it does less. */
+  private choices: Record<'exact' | 'preview', ThreadChoice> | null = null;
   private tail: Promise<void> = Promise.resolve();
   private sequence = 0;
   private motionVersion = -1;
@@ -57,7 +57,7 @@ export class Service {
   private async startThreaded(compiled: WebAssembly.Module): Promise<Core> {
     const core = await Core.start(await this.host.createThreaded(), compiled);
     const start = core.helperStart(compiled);
-    if (start) this.host.hire(start, () => { this.choice = new ThreadChoice(); });
+    if (start) this.host.hire(start, () => { this.choices = { exact: new ThreadChoice(), preview: new ThreadChoice() }; });
     return core;
   }
 
@@ -92,9 +92,7 @@ export class Service {
         const start = performance.now();
         this.follow(core, motion);
         const frame = this.frame(core, t, buffers, preview);
-        const ms = performance.now() - start;
-        if (!preview) this.choice?.took(ms);
-        return { ...frame, ms };
+        return { ...frame, ms: performance.now() - start };
       },
       measure: (core, { motion, t }) => core.measure(this.follow(core, motion), t),
       plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
@@ -102,7 +100,7 @@ export class Service {
       patches: (core) => core.patches(this.sequence),
       ghost: (core) => core.ghost(this.sequence),
       ghostPositions: (core, { motion, t }) => core.ghostPositions(this.follow(core, motion), t),
-      stats: (core) => ({ ...core.stats(this.sequence), threads: this.choice?.threads ?? 1 }),
+      stats: (core) => ({ ...core.stats(this.sequence), threads: this.threads }),
       glbSize: (core, request) => core.animationSize(request),
       addFrame: (_, { positions, normals }) => {
         this.frames.push({ positions, normals });
@@ -113,10 +111,22 @@ export class Service {
     };
   }
 
-  // A second thread that breaks down in the middle fails the frame, and with it this worker: nobody could say what it still writes.
+  private get threads(): 1 | 2 {
+    return this.choices?.exact.chosen ?? 1;
+  }
+
   private frame(core: Core, t: number, buffers: FrameBuffers | null, preview: boolean): Omit<FrameData, 'ms'> {
-    if (this.choice) core.setThreads(this.sequence, this.choice.threads);
-    return core.evaluate(this.sequence, t, buffers, preview);
+    const choice = this.choices?.[preview ? 'preview' : 'exact'];
+    if (choice) core.setThreads(this.sequence, choice.threads);
+    const start = performance.now();
+    try {
+      const frame = core.evaluate(this.sequence, t, buffers, preview);
+      choice?.took(performance.now() - start);
+      return { ...frame, threads: this.threads };
+    } catch (reason) {
+      // It takes this worker with it: nobody could say what it still writes.
+      throw core.helpLost ? crashed('its second thread broke down in the middle of a frame') : reason;
+    }
   }
 
   private refit(core: Core, motion: MotionSpec): ResultOf<'update'> {

@@ -1,28 +1,61 @@
-/** Whether a sequence's frames are faster with two threads than with one: its first frames are made in turn with one and with two. */
+/**
+ * Whether frames are faster with two threads than with one. The first ones are made in turn with one and with two; as machines get
+ * busy and idle again, both are compared anew from time to time, and at once when two turn out slower than one was.
+ */
 
-/** Frames of each kind that are left out, as they run in code that is not yet optimised, and those that count. */
-const WARM_UP = 2, COUNTED = 5;
+/** Frames of each kind that count in a comparison; before the first one, those that run in code that is not yet optimised. */
+const COUNTED = 5, WARM_UP = 2;
 /** A second thread that gains less is left to others. */
 const GAIN = 0.95;
+/** Frames between two comparisons. After each that one thread wins twice as many: then those made by two are lost time. */
+const APART = 200;
 
 export class ThreadChoice {
-  private readonly times: Record<1 | 2, number[]> = { 1: [], 2: [] };
-  private chosen: 1 | 2 | null = null;
+  private times: Record<1 | 2, number[]> = { 1: [], 2: [] };
+  private left = WARM_UP;
+  private winner: 1 | 2 = 1;
+  /** Milliseconds of a frame by one thread, in the last comparison. */
+  private alone = Infinity;
+  private apart = APART;
+  /** Frames until the next comparison. */
+  private until = 0;
+  /** How many in a row took longer than one thread. */
+  private slow = 0;
+
+  /** Of the last comparison; 1 before the first. */
+  get chosen(): 1 | 2 {
+    return this.winner;
+  }
 
   /** For the next frame. */
   get threads(): 1 | 2 {
-    return this.chosen ?? (this.times[2].length < this.times[1].length ? 2 : 1);
+    if (this.until > 0) return this.winner;
+    return this.times[2].length < this.times[1].length ? 2 : 1;
   }
 
   /** How long the frame took that was made with `threads`. */
   took(ms: number): void {
-    if (this.chosen) return;
-    const { times } = this;
-    times[this.threads].push(ms);
-    if (times[2].length === WARM_UP + COUNTED) this.chosen = median(times[2]) < GAIN * median(times[1]) ? 2 : 1;
+    if (this.until > 0) return this.rest(ms);
+    this.times[this.threads].push(ms);
+    if (this.times[2].length === this.left + COUNTED) this.compare();
+  }
+
+  private rest(ms: number): void {
+    this.slow = this.winner === 2 && ms > this.alone ? this.slow + 1 : 0;
+    this.until = this.slow === COUNTED ? 0 : this.until - 1;
+  }
+
+  private compare(): void {
+    const [one, two] = [this.times[1], this.times[2]].map((times) => median(times.slice(this.left))) as [number, number];
+    this.winner = two < GAIN * one ? 2 : 1;
+    this.alone = one;
+    this.apart = this.winner === 2 ? APART : 2 * this.apart;
+    this.until = this.apart;
+    this.times = { 1: [], 2: [] };
+    this.left = this.slow = 0;
   }
 }
 
 function median(times: number[]): number {
-  return times.slice(WARM_UP).sort((a, b) => a - b)[Math.floor(COUNTED / 2)]!;
+  return times.sort((a, b) => a - b)[Math.floor(times.length / 2)]!;
 }

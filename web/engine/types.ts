@@ -271,7 +271,7 @@ export interface SequenceStats {
   normalsMs: number;
   /** Bytes of the wasm heap. */
   heapBytes: number;
-  /** That the next frame is made with: 2 where that was found to be faster. */
+  /** That work on an exact frame: 2 where that was found to be faster. */
   threads: 1 | 2;
 }
 
@@ -284,6 +284,8 @@ export interface Frame {
   normals: Float32Array;
   /** Milliseconds that the worker needed. */
   ms: number;
+  /** As in SequenceStats, which is what was known when the frame was made. */
+  threads: 1 | 2;
   /** Faces whose interpolated stretch is not positive definite. */
   lostDefiniteness: number;
   release(): void;

@@ -35,6 +35,7 @@ export interface WasmModule extends WasmHost {
   _shapespline_release(handle: number): void;
   _shapespline_set_threads(handle: number, threads: number): void;
   _shapespline_helped(): number;
+  _shapespline_is_help_lost(): number;
   /** For the helper's own instance alone (helper.ts). */
   _shapespline_help(): void;
   _shapespline_help_lost(): void;

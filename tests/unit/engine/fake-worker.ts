@@ -54,7 +54,7 @@ export function answerTo(request: Request): FromWorker {
     case 'update':
       return result({ range: [0, 1], warnings: [] });
     case 'evaluate':
-      return result({ ...(request.buffers ?? { positions, normals: positions.slice() }), ms: 0, lostDefiniteness: 0 });
+      return result({ ...(request.buffers ?? { positions, normals: positions.slice() }), ms: 0, threads: 1, lostDefiniteness: 0 });
     default:
       return result(null);
   }

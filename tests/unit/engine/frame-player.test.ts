@@ -15,7 +15,7 @@ function heldSequence(ms = 1) {
   const counts = { out: 0 };
   const evaluateAhead = (t: number): Promise<Frame> => new Promise((resolve, reject) => {
     const none = new Float32Array(0);
-    const frame: Frame = { t, positions: none, normals: none, ms, lostDefiniteness: 0, release: () => void --counts.out };
+    const frame: Frame = { t, positions: none, normals: none, ms, threads: 1, lostDefiniteness: 0, release: () => void --counts.out };
     asked.push({
       t,
       answer: async () => {

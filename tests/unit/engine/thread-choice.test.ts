@@ -25,6 +25,7 @@ test('one thread stays where a second gains little or loses', () => {
     const choice = new ThreadChoice();
     play(choice, (threads) => (threads === 2 ? two : 10), 14);
     expect(play(choice, () => 1, 3)).toEqual([1, 1, 1]);
+    expect(choice.chosen).toBe(1);
   }
 });
 
@@ -32,4 +33,35 @@ test('one fast frame does not make a second thread faster', () => {
   const choice = new ThreadChoice();
   play(choice, (threads, frame) => (frame === 5 || frame === 9 ? 2 : threads === 2 ? 12 : 10), 14);
   expect(choice.threads).toBe(1);
+});
+
+test('two threads that have become slower than one was are compared with it at once', () => {
+  const choice = new ThreadChoice();
+  play(choice, (threads) => (threads === 2 ? 7 : 10), 14 + 20);
+  expect(choice.chosen).toBe(2);
+  play(choice, (threads) => (threads === 2 ? 14 : 10), 5 + 10);
+  expect(play(choice, () => 10, 5)).toEqual([1, 1, 1, 1, 1]);
+});
+
+test('single slow frames change nothing', () => {
+  const choice = new ThreadChoice();
+  play(choice, (threads) => (threads === 2 ? 7 : 10), 14);
+  expect(play(choice, (_, frame) => (frame % 5 === 4 ? 7 : 14), 100)).not.toContain(1);
+});
+
+test('two threads that have become faster than one are found, and one that has become as fast', () => {
+  const choice = new ThreadChoice();
+  play(choice, (threads) => (threads === 2 ? 20 : 10), 14);
+  play(choice, (threads) => (threads === 2 ? 7 : 10), 500);
+  expect(choice.chosen).toBe(2);
+  play(choice, (threads) => (threads === 2 ? 7 : 6), 1000);
+  expect(choice.chosen).toBe(1);
+});
+
+test('what goes on losing is tried less and less', () => {
+  const choice = new ThreadChoice();
+  const threads = play(choice, (number) => (number === 2 ? 20 : 10), 20_000);
+  const lost = (from: number, to: number): number => threads.slice(from, to).filter((number) => number === 2).length / (to - from);
+  expect(lost(14, 2000)).toBeLessThan(0.02);
+  expect(lost(2000, 20_000)).toBeLessThan(0.002);
 });
