@@ -2,6 +2,6 @@ import type { Server } from 'node:http';
 
 export function serve(
   folder: string,
-  options?: { port?: number; prefix?: string; tries?: number },
+  options?: { port?: number; prefix?: string; tries?: number; isolated?: boolean },
 ): Promise<{ url: string; server: Server }>;
 export function freePort(): Promise<number>;

@@ -71,7 +71,7 @@ export function startApp(root: HTMLElement): void {
       await picture.show(shapes, store.get(), context.range(), eased && !context.reducedMotion());
       const { about, frames: [first] } = shapes;
       if (about) context.inform({ aboutMs: first?.ms ?? null });
-      else context.inform({ ms: first?.ms ?? null, aboutMs: null, lost: first?.lostDefiniteness ?? 0 });
+      else context.inform({ ms: first?.ms ?? null, threads: first?.threads ?? null, aboutMs: null, lost: first?.lostDefiniteness ?? 0 });
     },
     drawn: () => picture.viewer.drawn(),
     onError: (error) => { if (!restarts(error)) context.fail(error); },

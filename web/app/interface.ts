@@ -150,9 +150,9 @@ export function createInterface(input: InterfaceInput): Interface {
       defaults: runtime.initial?.motion ?? DEFAULT_MOTION,
     });
     shapePanel.update({
-      encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: runtime.stats, lost: runtime.lost, disabled,
-      canSample: source.kind === 'files', orientation: runtime.orientation, defaults: runtime.initial?.encoding ?? DEFAULT_ENCODING,
-      lriMethod: isInLri(doc.motion.method),
+      encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: runtime.stats, threads: runtime.threads,
+      lost: runtime.lost, canSample: source.kind === 'files', orientation: runtime.orientation, disabled,
+      defaults: runtime.initial?.encoding ?? DEFAULT_ENCODING, lriMethod: isInLri(doc.motion.method),
     });
     ghostPanel.update({
       encoding: doc.encoding, view, faces: info?.report.faces ?? 0, stats: runtime.stats, lriMethod: isInLri(doc.motion.method), disabled,

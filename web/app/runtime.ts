@@ -22,6 +22,8 @@ export interface Runtime {
   range: readonly [number, number];
   /** Of the last exact shape. */
   ms: number | null;
+  /** That work on an exact shape; null before the first. */
+  threads: number | null;
   /** Of the shape on the screen where that is about right only, else null. */
   aboutMs: number | null;
   lost: number;
@@ -36,6 +38,6 @@ export interface Runtime {
 }
 
 export const EMPTY_RUNTIME: Runtime = {
-  samples: [], info: null, orientation: null, initial: null, warnings: [], working: null, problem: null, stats: null, range: [0, 1], ms: null, aboutMs: null, lost: 0,
+  samples: [], info: null, orientation: null, initial: null, warnings: [], working: null, problem: null, stats: null, range: [0, 1], ms: null, threads: null, aboutMs: null, lost: 0,
   thumbnails: new Map(), welcome: false, offline: false, remembered: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

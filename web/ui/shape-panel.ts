@@ -15,6 +15,8 @@ export interface ShapePanelProps {
   reference: number;
   info: KeysInfo | null;
   stats: SequenceStats | null;
+  /** That work on a frame. */
+  threads: number | null;
   /** Faces that are no longer positive definite at the current time. */
   lost: number;
   lriMethod: boolean;
@@ -72,7 +74,7 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
     setAttribute(reset, 'data-idle', !touched);
     sampling.update(props.canSample ? info : null);
     orientation.update(props.orientation);
-    drawFacts(facts, info, stats);
+    drawFacts(facts, info, stats, props.threads);
   });
   return { element, update: draw };
 }
@@ -82,7 +84,7 @@ function lostText(faces: number): string {
   return `${places} turned inside out this far from the keys. Logarithmic stretch never does that.`;
 }
 
-const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStats | null): void => {
+const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStats | null, threads: number | null): void => {
   if (!info) return list.replaceChildren();
   const { report } = info;
   const rows: [string, number, boolean][] = [
@@ -103,5 +105,6 @@ const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStat
     entries.push(['Encoding', `${stats.encodeMs.toFixed(0)} ms`], ['Factorisation', `${(stats.orderMs + stats.factorMs + stats.arrangeMs).toFixed(0)} ms`],
       ['Factor', `${(stats.factorBytes / 1e6).toFixed(1)} MB`]);
   }
+  if (threads) entries.push(['Threads at work', String(threads)]);
   list.replaceChildren(...entries.flatMap(([label, value]) => [h('dt', {}, label), h('dd', {}, value)]));
 };
