@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 
 const SOURCE = fileURLToPath(new URL('./service-worker.js', import.meta.url));
-/** Pages besides the app's own, and maps, are not needed to work offline; nor is the module for two threads, without which one works. */
+/** Pages besides the app's own, and maps, are not needed to work offline. The module for two threads is kept once it was used. */
 const LEFT_OUT = /(^embed\/|\.map$|\.md$|^sw\.js$|^\.|shapespline_threads-[^/]*\.wasm$)/;
 
 export function offline(): Plugin {

@@ -15,7 +15,7 @@ self.addEventListener('activate', (event) => {
 self.addEventListener('fetch', (event) => {
   const url = new URL(event.request.url);
   if (event.request.method !== 'GET' || url.origin !== self.location.origin || !url.href.startsWith(self.registration.scope)) return;
-  event.respondWith(answer(event.request, url));
+  event.respondWith(answer(event, url));
 });
 
 async function fill() {
@@ -28,13 +28,18 @@ async function dropOthers() {
   await Promise.all(names.filter((name) => name.startsWith(OURS) && name !== CACHE).map((name) => caches.delete(name)));
 }
 
-// Files with a hash in their name never change; the others are asked for first, so that a new build is seen at once.
-async function answer(request, url) {
+// Files with a hash in their name never change: those that are not on the list are kept, too, once they were used. The others are
+// asked for first, so that a new build is seen at once.
+async function answer(event, url) {
+  const { request } = event;
   const cache = await caches.open(CACHE);
   const kept = await cache.match(request, { ignoreSearch: true });
-  if (kept && /\/assets\//.test(url.pathname)) return kept;
+  const hashed = /\/assets\//.test(url.pathname);
+  if (kept && hashed) return kept;
   try {
-    return await fetch(request);
+    const response = await fetch(request);
+    if (hashed && response.ok) event.waitUntil(cache.put(request, response.clone()).catch(() => undefined));
+    return response;
   } catch (error) {
     const page = request.mode === 'navigate' ? await cache.match('./') : undefined;
     if (kept ?? page) return kept ?? page;
