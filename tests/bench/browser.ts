@@ -1,10 +1,21 @@
-/** The engine in Chromium: a page of our own, bundled beside the results and served from the repository. */
+/** The engine in Chromium: a page of our own, bundled beside the results and served from the repository, isolated: for two threads,
+    and a finer clock. */
+import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { chromium } from '@playwright/test';
-import { build } from 'esbuild';
+import { build, type Plugin } from 'esbuild';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 import { serve } from '../../wasm/toolchain/serve.mjs';
 import type { Place } from './place.ts';
+
+// The address of a worker within a worker stays as it was written.
+const helperAddress: Plugin = {
+  name: 'helper-address',
+  setup: ({ onLoad }) => onLoad({ filter: /engine\.worker\.ts$/ }, async ({ path: file }) => {
+    const text = await readFile(file, 'utf8');
+    return { contents: text.replace('helper.worker.ts', 'helper.worker.js'), loader: 'ts' };
+  }),
+};
 
 // Page and worker at the depth below the repository at which the path to the wasm module is the engine's own.
 async function bundle(repository: string): Promise<void> {
@@ -12,6 +23,7 @@ async function bundle(repository: string): Promise<void> {
     entryPoints: [
       { in: path.join(repository, 'tests/bench/page.ts'), out: 'page' },
       { in: path.join(repository, 'web/engine/engine.worker.ts'), out: 'worker' },
+      { in: path.join(repository, 'web/engine/helper.worker.ts'), out: 'helper.worker' },
     ],
     outdir: path.join(repository, 'build/bench-page'),
     bundle: true,
@@ -21,14 +33,15 @@ async function bundle(repository: string): Promise<void> {
     format: 'esm',
     // The decoders of compressed meshes are loaded when a file needs them, and the generated ones do not.
     packages: 'external',
-    external: ['../../build/wasm/shapespline.mjs'],
+    external: ['../../build/wasm/*'],
+    plugins: [helperAddress],
     logLevel: 'warning',
   });
 }
 
 export async function browserPlace(repository: string): Promise<Place> {
   await bundle(repository);
-  const { url, server } = await serve(repository, { port: 4273 });
+  const { url, server } = await serve(repository, { port: 4273, isolated: true });
   const args = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
   const browser = await chromium.launch({ executablePath: findBrowser(chromium) ?? undefined, args });
   const page = await browser.newPage();
@@ -44,6 +57,7 @@ export async function browserPlace(repository: string): Promise<Place> {
     measure: (mesh) => call('measureFile', addressOf(mesh)),
     motion: (mesh, motion) => call('motionOf', addressOf(mesh), motion),
     resolutions: (coarse, fine) => call('resolutionsOf', addressOf(coarse), addressOf(fine)),
+    threads: (mesh) => call('threadsOf', addressOf(mesh)),
     close: async () => {
       await browser.close();
       server.close();

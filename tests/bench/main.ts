@@ -15,7 +15,7 @@ import { nodePlace } from './node-place.ts';
 import { TABLE_2 } from './paper.ts';
 import { REFERENCE, type Place } from './place.ts';
 import { report, type Results } from './report.ts';
-import { compareThreads } from './threads.ts';
+import { threadsLine } from './threads.ts';
 
 // Relative to the bundle, build/node/bench.mjs.
 const repository = fileURLToPath(new URL('../../', import.meta.url));
@@ -86,27 +86,36 @@ function save(text: string, browser: boolean): void {
   say(`saved as ${path.relative(repository, file)}`);
 }
 
-async function bench({ sizes, browser, save: keep }: Choices): Promise<void> {
+async function withPlace(browser: boolean, work: (place: Place) => Promise<void>): Promise<void> {
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
   const place = browser ? await browserPlace(repository) : nodePlace(reader);
   try {
-    const { text, verdict } = report(await runAll(place, sizes));
-    console.log(text);
-    if (keep) save(text, browser);
-    say(verdict);
+    await work(place);
   } finally {
     await place.close();
   }
 }
 
+function bench({ sizes, browser, save: keep }: Choices): Promise<void> {
+  return withPlace(browser, async (place) => {
+    const { text, verdict } = report(await runAll(place, sizes));
+    console.log(text);
+    if (keep) save(text, browser);
+    say(verdict);
+  });
+}
+
+function benchThreads({ sizes, browser }: Choices): Promise<void> {
+  return withPlace(browser, async (place) => {
+    for (const faces of sizes) console.log(threadsLine(await place.threads(meshOf(faces))));
+  });
+}
+
 if (process.argv[2] === 'ghost') process.exit(await benchGhost(process.argv.slice(3)));
 const twoThreads = process.argv[2] === 'threads';
 const choices = choicesFrom(process.argv.slice(twoThreads ? 3 : 2));
-if (choices && twoThreads) {
-  mkdirSync(folder, { recursive: true });
-  for (const faces of choices.sizes) console.log(await compareThreads(meshOf(faces)));
-} else if (choices) await bench(choices);
+if (choices) await (twoThreads ? benchThreads : bench)(choices);
 else {
   say(USAGE);
   process.exitCode = 2;

@@ -5,6 +5,7 @@ import { withEngine } from '../../web/engine/node.ts';
 import { measure } from './measure.ts';
 import { REFERENCE, type Place } from './place.ts';
 import { compareResolutions } from './resolutions.ts';
+import { compareThreads } from './threads.ts';
 import { runMotion } from './whole-sequences.ts';
 
 /** The goals are those of one thread; `threads` measures two. */
@@ -21,6 +22,7 @@ export function nodePlace(reader: string): Place {
     }), ONE_THREAD),
     motion: (mesh, motion) => withEngine((engine) => runMotion(engine, path.basename(mesh), bytesOf(mesh), motion), ONE_THREAD),
     resolutions: (coarse, fine) => withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine)), ONE_THREAD),
+    threads: (mesh) => withEngine((one) => withEngine((two) => compareThreads([one, two], bytesOf(mesh))), ONE_THREAD),
     close: () => Promise.resolve(),
   };
 }

@@ -1,11 +1,12 @@
 /** What the benchmark's page runs: the engine in the browser's own worker. Files are addresses. */
 import type { Engine } from '../../web/engine/api.ts';
-import { EngineClient } from '../../web/engine/engine.ts';
+import { EngineClient, onlyOnce } from '../../web/engine/engine.ts';
 import { endedWorker, type Spawn } from '../../web/engine/remote.ts';
 import type { FromWorker } from '../../web/engine/protocol.ts';
 import { measure, type Run } from './measure.ts';
 import { REFERENCE } from './place.ts';
 import { compareResolutions, type Resolutions } from './resolutions.ts';
+import { compareThreads, type ThreadsRun } from './threads.ts';
 import { runMotion, type Motion, type MotionRun } from './whole-sequences.ts';
 
 const spawn: Spawn = (events) => {
@@ -24,8 +25,12 @@ async function fetchBytes(url: string): Promise<ArrayBuffer> {
 const beside = (file: string): string => new URL(file, new URL('../', import.meta.url)).href;
 const meshOf = async (url: string): Promise<Uint8Array> => new Uint8Array(await fetchBytes(url));
 
-async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
-  const engine = new EngineClient({ spawn, module: fetchBytes(beside('wasm/shapespline.wasm')).then((bytes) => WebAssembly.compile(bytes)) });
+const compile = async (name: string): Promise<WebAssembly.Module> => WebAssembly.compile(await fetchBytes(beside(`wasm/${name}.wasm`)));
+
+/** The goals are those of one thread. */
+async function withEngine<T>(work: (engine: Engine) => Promise<T>, threads: 1 | 2 = 1): Promise<T> {
+  const threaded = threads === 2 ? onlyOnce(() => compile('shapespline_threads')) : null;
+  const engine = new EngineClient({ spawn, module: compile('shapespline'), threaded });
   try {
     return await work(engine);
   } finally {
@@ -50,4 +55,8 @@ export function motionOf(mesh: string, motion: Motion): Promise<MotionRun> {
 
 export function resolutionsOf(coarse: string, fine: string): Promise<Resolutions> {
   return withEngine(async (engine) => compareResolutions(engine, await meshOf(coarse), await meshOf(fine)));
+}
+
+export function threadsOf(mesh: string): Promise<ThreadsRun> {
+  return withEngine((one) => withEngine(async (two) => compareThreads([one, two], await meshOf(mesh)), 2));
 }

@@ -1,6 +1,7 @@
 /** Where the engine runs while it is measured: in Node, or in a page. Meshes are files; `mesh` is a path. */
 import type { Run } from './measure.ts';
 import type { Resolutions } from './resolutions.ts';
+import type { ThreadsRun } from './threads.ts';
 import type { Motion, MotionRun } from './whole-sequences.ts';
 
 export interface Place {
@@ -10,6 +11,7 @@ export interface Place {
   measure(mesh: string): Promise<Run>;
   motion(mesh: string, motion: Motion): Promise<MotionRun>;
   resolutions(coarse: string, fine: string): Promise<Resolutions>;
+  threads(mesh: string): Promise<ThreadsRun>;
   close(): Promise<void>;
 }
 
