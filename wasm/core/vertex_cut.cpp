@@ -1,7 +1,9 @@
 #include "core/vertex_cut.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <utility>
 
 namespace shapespline {
 
@@ -9,73 +11,49 @@ namespace {
 
 constexpr int kNone = -1;
 constexpr int kSource = -2;  // the predecessor of a path's first node
-constexpr int kDead = -3;    // the level of a state that is on a path of this round or leads nowhere
 
-// Paths without common nodes through a band. Every node is split in two states, its entrance 2 v and its exit 2 v + 1;
-// the paths use an arc from entrance to exit once, which makes them disjoint.
+// Paths without common nodes through a band, as many as there can be. A node on a path is used: it may be entered once more only to
+// go back to its predecessor, whose path then leaves it on another way. So every node but a used one is left by its own exit, and a
+// search goes from exit to exit.
 class DisjointPaths {
  public:
   DisjointPaths(const Graph& graph, const std::vector<Side>& side) {
-    std::vector<int> local(graph.size(), kNone);
-    for (int v = 0; v < graph.size(); ++v) {
-      if (side[v] != Side::Separator) continue;
-      local[v] = static_cast<int>(node_.size());
-      node_.push_back(v);
-    }
-    const std::size_t count = node_.size();
-    atSource_.assign(count, 0);
-    atSink_.assign(count, 0);
-    for (std::size_t b = 0; b < count; ++b) {
-      for (int u : graph.neighbours(node_[b])) {
-        if (side[u] == Side::Separator) band_.neighbour.push_back(local[u]);
-        else (side[u] == Side::Left ? atSource_ : atSink_)[b] = 1;
-      }
-      band_.start.push_back(static_cast<int>(band_.neighbour.size()));
-    }
-    predecessor_.assign(count, kNone);
-    level_.resize(2 * count);
-    next_.resize(2 * count);
-    while (layer())
-      for (int b = 0; b < size(); ++b)
-        if (atSource_[b] && level_[in(b)] == 0) augment(b);
+    number(graph, side);
+    predecessor_.assign(node_.size(), kNone);
+    successor_.assign(node_.size(), kNone);
+    next_.assign(node_.size(), 0);
+    findPaths();
   }
 
   // Sides of the band's nodes for the smallest separator nearest to Left: entrance within reach, exit not.
   std::vector<Side> nearestToLeft() const {
-    std::vector<Side> result(size());
-    for (int b = 0; b < size(); ++b)
-      result[b] = !reached(in(b)) ? Side::Right : reached(out(b)) ? Side::Left : Side::Separator;
+    std::vector<Side> result(node_.size(), Side::Right);
+    std::vector<int> queue;
+    std::vector<char> reached(node_.size(), 0);  // exits
+    const auto enter = [&](int b) {
+      if (result[b] != Side::Right) return;
+      result[b] = Side::Separator;
+      const int exit = exitBehind(b);
+      if (exit < 0 || reached[exit]) return;
+      reached[exit] = 1;
+      queue.push_back(exit);
+    };
+    for (int b : atSource_) enter(b);
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      const int b = queue[head];
+      for (int u : band_.neighbours(b)) enter(u);
+      if (used(b)) enter(b);
+    }
+    for (int b : queue) result[b] = Side::Left;
     return result;
   }
 
-  // The same nearest to Right, from the states that reach the sink.
+  // The same nearest to Right, from the exits that reach the sink.
   std::vector<Side> nearestToRight() const {
-    std::vector<int> successor(size(), kNone);
-    for (int b = 0; b < size(); ++b)
-      if (predecessor_[b] >= 0) successor[predecessor_[b]] = b;
-    std::vector<char> reaches(2 * static_cast<std::size_t>(size()), 0);
-    std::vector<int> queue;
-    const auto visit = [&](int state) {
-      if (reaches[state]) return;
-      reaches[state] = 1;
-      queue.push_back(state);
-    };
-    for (int b = 0; b < size(); ++b)
-      if (atSink_[b]) visit(out(b));
-    for (std::size_t head = 0; head < queue.size(); ++head) {
-      const int b = queue[head] / 2;
-      if (queue[head] == in(b)) {
-        for (int u : band_.neighbours(b)) visit(out(u));
-        if (used(b)) visit(out(b));
-      } else if (!used(b)) {
-        visit(in(b));
-      } else if (successor[b] != kNone) {
-        visit(in(successor[b]));
-      }
-    }
-    std::vector<Side> result(size());
-    for (int b = 0; b < size(); ++b)
-      result[b] = reaches[in(b)] ? Side::Right : reaches[out(b)] ? Side::Separator : Side::Left;
+    std::vector<Side> result(node_.size(), Side::Left);
+    for (int b : queue_) result[b] = Side::Separator;
+    for (int b : queue_)
+      if (const int entrance = entranceBefore(b); entrance >= 0) result[entrance] = Side::Right;
     return result;
   }
 
@@ -83,92 +61,145 @@ class DisjointPaths {
   int size() const { return static_cast<int>(node_.size()); }
 
  private:
-  static int in(int b) { return 2 * b; }
-  static int out(int b) { return 2 * b + 1; }
   bool used(int b) const { return predecessor_[b] != kNone; }
-  bool reached(int state) const { return level_[state] != kNone; }
 
-  // The state that an entrance leads to: the node's exit, or back along the path through it. kNone at a path's start.
-  int beyond(int b) const {
-    if (!used(b)) return out(b);
-    return predecessor_[b] == kSource ? kNone : out(predecessor_[b]);
-  }
+  // Where one is who has entered a node: at its exit, or at that of its predecessor. Below 0 at a path's start.
+  int exitBehind(int b) const { return used(b) ? predecessor_[b] : b; }
 
-  // Distances of all states from the source; true if the sink is within reach.
-  bool layer() {
-    queue_.clear();
-    for (std::size_t s = 0; s < level_.size(); ++s) level_[s] = kNone, next_[s] = 0;
-    const auto visit = [&](int state, int level) {
-      if (state == kNone || reached(state)) return;
-      level_[state] = level;
-      queue_.push_back(state);
+  // The node that one enters to get to an exit; below 0 where a path has its end.
+  int entranceBefore(int exit) const { return used(exit) ? successor_[exit] : exit; }
+
+  // The band's nodes in the order of their distances from the sink, so that a search stays where it is; then those without a way there.
+  void number(const Graph& graph, const std::vector<Side>& side) {
+    std::vector<int> local(side.size(), kNone), band;
+    const auto add = [&](int v) {
+      if (side[v] != Side::Separator || local[v] != kNone) return;
+      local[v] = size();
+      node_.push_back(v);
     };
-    for (int b = 0; b < size(); ++b)
-      if (atSource_[b]) visit(in(b), 0);
-    bool found = false;
-    for (std::size_t head = 0; head < queue_.size(); ++head) {
-      const int state = queue_[head], b = state / 2, level = level_[state] + 1;
-      if (state == in(b)) {
-        visit(beyond(b), level);
-        continue;
-      }
-      found = found || atSink_[b];
-      for (int u : band_.neighbours(b)) visit(in(u), level);
-      if (used(b)) visit(in(b), level);
+    const auto touches = [&](int v, Side which) {
+      const auto neighbours = graph.neighbours(v);
+      return std::any_of(neighbours.begin(), neighbours.end(), [&](int u) { return side[u] == which; });
+    };
+    for (int v = 0; v < graph.size(); ++v) {
+      if (side[v] != Side::Separator) continue;
+      band.push_back(v);
+      if (touches(v, Side::Right)) add(v);
     }
-    return found;
+    atSink_ = size();
+    for (int b = 0; b < size(); ++b)
+      for (int u : graph.neighbours(node_[b])) add(u);
+    for (int v : band) add(v);
+    distance_.resize(node_.size());
+    for (int b = 0; b < size(); ++b) {
+      bool first = false;
+      for (int u : graph.neighbours(node_[b])) {
+        if (local[u] != kNone) band_.neighbour.push_back(local[u]);
+        else first = first || side[u] == Side::Left;
+      }
+      band_.start.push_back(static_cast<int>(band_.neighbour.size()));
+      if (first) atSource_.push_back(b);
+    }
   }
 
-  // The next arc of a state that leads one level on, or kNone. Arcs of an exit: the neighbours, then its own entrance.
-  int advance(int state) {
-    const int b = state / 2;
-    if (state == in(b)) return next_[state]++ == 0 && onNextLevel(state, beyond(b)) ? beyond(b) : kNone;
-    for (; next_[state] < band_.degree(b); ++next_[state]) {
-      const int to = in(band_.neighbour[band_.start[b] + next_[state]]);
-      if (onNextLevel(state, to)) return ++next_[state], to;
+  // In rounds (Dinic 1970), nearest starts first. Who has no way to the sink never gets one again: new ways begin where a path was laid.
+  void findPaths() {
+    std::vector<int> starts = atSource_;
+    const auto distance = [&](int b) { return exitBehind(b) < 0 ? size() : distance_[exitBehind(b)]; };
+    while (true) {
+      findDistances();
+      std::erase_if(starts, [&](int b) { return distance(b) == size(); });
+      if (starts.empty()) return;
+      std::sort(starts.begin(), starts.end(), [&](int a, int b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });
+      std::fill(next_.begin(), next_.end(), 0);
+      for (int b : starts)
+        if (distance(b) < size()) search(b);
     }
-    if (next_[state]++ == band_.degree(b) && used(b) && onNextLevel(state, in(b))) return in(b);
+  }
+
+  // Of all exits, as paths leave them now; size() where there is no way. Queues those that have one.
+  void findDistances() {
+    std::fill(distance_.begin(), distance_.end(), size());
+    queue_.clear();
+    const auto visit = [&](int b, int distance) {
+      if (distance_[b] < size()) return;
+      distance_[b] = distance;
+      queue_.push_back(b);
+    };
+    for (int b = 0; b < atSink_; ++b) visit(b, 0);
+    for (std::size_t head = 0; head < queue_.size(); ++head) {
+      const int b = entranceBefore(queue_[head]), distance = distance_[queue_[head]] + 1;
+      if (b < 0) continue;
+      for (int u : band_.neighbours(b)) visit(u, distance);
+      if (used(b)) visit(b, distance);
+    }
+  }
+
+  // Depth-first from a node at the source along falling distances. Where that ends the distance is raised, so that others may still come
+  // by on a longer way.
+  void search(int start) {
+    entered_.assign(1, start);
+    path_.assign(1, exitBehind(start));
+    while (!path_.empty()) {
+      const int from = path_.back();
+      if (distance_[from] == 0) return apply();
+      const int through = advance(from);
+      if (through != kNone) {
+        entered_.push_back(through);
+        path_.push_back(exitBehind(through));
+      } else {
+        raise(from);
+        path_.pop_back();
+        entered_.pop_back();
+      }
+    }
+  }
+
+  // The next node to enter from an exit, one nearer to the sink, or kNone: a neighbour, or the exit's own node.
+  int advance(int from) {
+    const int wanted = distance_[from] - 1, degree = band_.degree(from);
+    const int* neighbour = band_.neighbour.data() + band_.start[from];
+    for (int& i = next_[from]; i <= degree; ++i) {
+      if (i == degree && !used(from)) continue;
+      const int through = i < degree ? neighbour[i] : from, exit = exitBehind(through);
+      if (exit >= 0 && distance_[exit] == wanted) return through;
+    }
     return kNone;
   }
 
-  bool onNextLevel(int from, int to) const { return to != kNone && level_[to] == level_[from] + 1; }
-
-  // Depth-first from an entrance at the source along rising levels; every arc is tried once a round.
-  void augment(int start) {
-    path_.assign(1, in(start));
-    while (!path_.empty()) {
-      const int state = path_.back();
-      if (state == out(state / 2) && atSink_[state / 2]) return apply();
-      const int to = advance(state);
-      if (to != kNone) {
-        path_.push_back(to);
-      } else {
-        level_[state] = kDead;
-        path_.pop_back();
-      }
-    }
+  void raise(int from) {
+    int least = size();
+    const auto consider = [&](int through) {
+      const int exit = exitBehind(through);
+      if (exit >= 0) least = std::min(least, distance_[exit] + 1);
+    };
+    for (int u : band_.neighbours(from)) consider(u);
+    if (used(from)) consider(from);
+    distance_[from] = least;
+    next_[from] = 0;
   }
 
-  // Reroutes the paths. A state lies on one path a round, so that the old predecessors are still those of layer().
+  // Reroutes the paths. No node is entered twice on the way, so that the old predecessors are those that it was found with.
   void apply() {
-    int from = kSource;
-    for (std::size_t i = 0; i < path_.size(); ++i) {
-      const int state = path_[i], b = state / 2;
-      level_[state] = kDead;
-      if (state == in(b)) {
-        // Entered from an exit: a new predecessor. Entered from its own exit: its path leaves it.
-        const bool leaves = i > 0 && path_[i - 1] == out(b);
-        predecessor_[b] = leaves ? kNone : from;
-      }
-      if (state == out(b)) from = b;
+    predecessor_[entered_[0]] = kSource;
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      const int from = path_[i - 1];
+      const bool leaves = entered_[i] == from;  // the path through it takes another way
+      predecessor_[entered_[i]] = leaves ? kNone : from;
+      successor_[from] = leaves ? kNone : entered_[i];
     }
+    successor_[path_.back()] = kNone;
   }
 
   std::vector<int> node_;
   Graph band_;
-  std::vector<char> atSource_, atSink_;
-  std::vector<int> predecessor_;  // on the path through the node; kNone if there is none
-  std::vector<int> level_, next_, queue_, path_;
+  std::vector<int> atSource_;
+  int atSink_ = 0;                            // how many nodes are: the first ones
+  std::vector<int> predecessor_, successor_;  // on the path through the node; kNone if there is none
+  std::vector<int> distance_;                 // of exits from the sink, at least
+  std::vector<int> next_;                     // arc of an exit to be tried
+  std::vector<int> queue_;                    // exits that reach the sink
+  std::vector<int> entered_, path_;           // nodes of the path in the making, and the exits behind them
 };
 
 long imbalance(const std::vector<Side>& side, const DisjointPaths& paths, const std::vector<Side>& band) {
