@@ -48,8 +48,8 @@ class Partition {
     const int count = faceCount_ > largeFaceCount ? roundsWhenLarge : rounds;
     for (int round = 0; round < count; ++round) {
       const double share = (1 - shareOfSeeds) / count, begin = shareOfSeeds + share * round;
-      if (round > 0) recentre();
-      grow(partOf(onProgress_, begin, begin + share));
+      if (round > 0) recentre(partOf(onProgress_, begin, begin + 0.3 * share));
+      grow(partOf(onProgress_, round > 0 ? begin + 0.3 * share : begin, begin + 0.95 * share));
     }
     collectPairs();
     patches_.count = static_cast<int>(centres_.size());
@@ -57,25 +57,26 @@ class Partition {
   }
 
  private:
-  // rotationOf(j): the face's rotation in key j.
-  template <class RotationOf>
-  static double cost(const Vec3& centroid, RotationOf rotationOf, const Centre& centre) {
+  static double distanceCost(const Vec3& centroid, const Centre& centre) {
+    return distanceWeight * (centroid - centre.position).squaredNorm() * centre.inverseRadiusSquared;
+  }
+
+  // rotation: the face's, one a key.
+  static double cost(const Vec3& centroid, const Quaternion* rotation, const Centre& centre) {
     double rotationCost = 0;  // |R - G|_F^2 = 8 (1 - (q . g)^2)
     for (std::size_t j = 0; j < centre.rotation.size(); ++j) {
-      const double dot = rotationOf(j).dot(centre.rotation[j]);
+      const double dot = rotation[j].dot(centre.rotation[j]);
       rotationCost += 8 * (1 - dot * dot);
     }
-    return inSteps(rotationCost + distanceWeight * (centroid - centre.position).squaredNorm() * centre.inverseRadiusSquared);
+    return inSteps(rotationCost + distanceCost(centroid, centre));
   }
 
-  double cost(int face, const Centre& centre) const {
-    return cost(in_.centroid[face], [&](std::size_t j) -> const Quaternion& { return in_.rotations[j][face]; }, centre);
-  }
+  const Quaternion* rotationsOf(int face) const { return &in_.rotations[static_cast<std::size_t>(in_.poses) * face]; }
+
+  double cost(int face, const Centre& centre) const { return cost(in_.centroid[face], rotationsOf(face), centre); }
 
   Centre centreAt(int face, double inverseRadiusSquared) const {
-    Centre centre{{}, in_.centroid[face], inverseRadiusSquared, face};
-    for (const auto& key : in_.rotations) centre.rotation.push_back(key[face]);
-    return centre;
+    return {{rotationsOf(face), rotationsOf(face) + in_.poses}, in_.centroid[face], inverseRadiusSquared, face};
   }
 
   void chooseSeeds(int wanted) {
@@ -103,17 +104,13 @@ class Partition {
       candidates[i] = members[static_cast<std::int64_t>(i) * static_cast<std::int64_t>(members.size()) / candidateCount];
 
     // Side by side: every seed asks all of them.
-    const std::size_t keys = in_.rotations.size();
+    const auto keys = static_cast<std::size_t>(in_.poses);
     std::vector<Vec3> centroid;
     std::vector<Quaternion> rotation;
     for (int f : candidates) {
       centroid.push_back(in_.centroid[f]);
-      for (const auto& key : in_.rotations) rotation.push_back(key[f]);
+      rotation.insert(rotation.end(), rotationsOf(f), rotationsOf(f) + keys);
     }
-    const auto costTo = [&](std::size_t i, const Centre& centre) {
-      const Quaternion* own = &rotation[keys * i];
-      return cost(centroid[i], [own](std::size_t j) -> const Quaternion& { return own[j]; }, centre);
-    };
 
     const auto farness = [&](int f) { return inSteps((in_.centroid[f] - middle).squaredNorm() / area); };
     std::vector<double> nearest(candidateCount, std::numeric_limits<double>::infinity());
@@ -126,12 +123,25 @@ class Partition {
       patches_.pieceOf.push_back(piece);
       nearest[next] = -1;
       inBlocks({}, nearest.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          if (nearest[i] >= 0) nearest[i] = std::min(nearest[i], costTo(i, centres_.back()));
+        const Centre& centre = centres_.back();
+        for (std::size_t i = begin; i < end; ++i) {
+          // Most lie too far away to ask how they turn.
+          if (nearest[i] < 0 || distanceCost(centroid[i], centre) * 0x1p20 > nearest[i] + 1) continue;
+          nearest[i] = std::min(nearest[i], cost(centroid[i], &rotation[keys * i], centre));
+        }
       });
       next = static_cast<int>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
       if (nearest[next] < 0) break;  // every candidate is a seed
     }
+  }
+
+  // Calls visit(face, patch) for all faces that are in one.
+  template <class Visit>
+  void eachFace(const FractionReport& onProgress, Visit visit) const {
+    inBlocks(onProgress, patches_.ofFace.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        if (patches_.ofFace[f] >= 0) visit(static_cast<int>(f), patches_.ofFace[f]);
+    });
   }
 
   // Floods all patches from their seeds at once, the cheapest face first, so that patches stay connected.
@@ -148,9 +158,18 @@ class Partition {
     std::priority_queue<Claim> queue;
     const int count = static_cast<int>(centres_.size());
     for (int k = 0; k < count; ++k) patches_.ofFace[centres_[k].seed] = k;
+    // Of each face the claim that comes before all others so far: those need not queue.
+    std::vector<double> cheapest(faceCount_, std::numeric_limits<double>::infinity());
+    std::vector<int> claimant(faceCount_, -1);
     const auto claimNeighbours = [&](int face, int patch) {
-      for (int g : in_.graph.of(face))
-        if (patches_.ofFace[g] < 0) queue.push({cost(g, centres_[patch]), g, patch});
+      for (int g : in_.graph.of(face)) {
+        if (patches_.ofFace[g] >= 0 || claimant[g] == patch) continue;
+        const double c = cost(g, centres_[patch]);
+        if (c > cheapest[g] || (c == cheapest[g] && claimant[g] < patch)) continue;
+        cheapest[g] = c;
+        claimant[g] = patch;
+        queue.push({c, g, patch});
+      }
     };
     for (int k = 0; k < count; ++k) claimNeighbours(centres_[k].seed, k);
     // No more faces can be claimed than there are.
@@ -167,40 +186,34 @@ class Partition {
   }
 
   // Moves each centre to its patch's means and seeds it with the face that suits them best.
-  void recentre() {
+  void recentre(const FractionReport& onProgress) {
     const int count = static_cast<int>(centres_.size());
-    const std::size_t keys = in_.rotations.size();
+    const auto keys = static_cast<std::size_t>(in_.poses);
     std::vector<Vec3> position(count, Vec3::Zero());
     std::vector<double> area(count, 0);
     std::vector<RotationMean> mean(count * keys);
-    for (int f = 0; f < faceCount_; ++f) {
-      const int k = patches_.ofFace[f];
-      if (k < 0) continue;
+    eachFace(partOf(onProgress, 0, 0.5), [&](int f, int k) {
       area[k] += in_.area[f];
       position[k] += in_.area[f] * in_.centroid[f];
-      for (std::size_t j = 0; j < keys; ++j) mean[k * keys + j].add(in_.rotations[j][f], in_.area[f]);
-    }
+      for (std::size_t j = 0; j < keys; ++j) mean[k * keys + j].add(rotationsOf(f)[j], in_.area[f]);
+    });
     for (int k = 0; k < count; ++k) {
       centres_[k].position = position[k] / area[k];
       for (std::size_t j = 0; j < keys; ++j) centres_[k].rotation[j] = mean[k * keys + j].mean();
     }
     std::vector<double> best(count, std::numeric_limits<double>::infinity());
-    for (int f = 0; f < faceCount_; ++f) {
-      const int k = patches_.ofFace[f];
-      if (k < 0) continue;
+    eachFace(partOf(onProgress, 0.5, 1), [&](int f, int k) {
       const double c = cost(f, centres_[k]);
       if (c < best[k]) best[k] = c, centres_[k].seed = f;
-    }
+    });
   }
 
   void collectPairs() {
     std::vector<std::pair<int, int>> links;
-    for (int f = 0; f < faceCount_; ++f) {
-      const int a = patches_.ofFace[f];
-      if (a < 0) continue;
+    eachFace({}, [&](int f, int a) {
       for (int g : in_.graph.of(f))
         if (a < patches_.ofFace[g]) links.emplace_back(a, patches_.ofFace[g]);
-    }
+    });
     std::sort(links.begin(), links.end());
     for (std::size_t i = 0, j; i < links.size(); i = j) {
       for (j = i + 1; j < links.size() && links[j] == links[i]; ++j) {}

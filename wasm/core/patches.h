@@ -16,7 +16,8 @@ struct PatchInput {
   const Pieces& pieces;
   const std::vector<double>& area;   ///< in the reference pose
   const Positions& centroid;         ///< in the reference pose
-  const std::vector<std::vector<Quaternion>>& rotations;  ///< R_f of each pose: rotations[pose][face]
+  const std::vector<Quaternion>& rotations;  ///< R_f of each pose, a face's side by side: rotations[poses * face + pose]
+  int poses;
 };
 
 /// Two patches that share an edge (or, at a pinched place, a vertex).
