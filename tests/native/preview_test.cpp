@@ -7,7 +7,9 @@
 
 #include "core/mesh_report.h"
 #include "core/sequence.h"
+#include "io/import.h"
 #include "samples/bench_mesh.h"
+#include "samples/sample_file.h"
 #include "shapes.h"
 
 using namespace shapespline;
@@ -170,6 +172,25 @@ TEST_CASE("exact: a factor in single precision gives the double solution") {
     REQUIRE(exact.evaluate(1.4, again).ok());
     CHECK(again == b);
   }
+}
+
+TEST_CASE("progress of reading a large file: every loop over its vertices and faces is heard") {
+  const auto glb = sampleGlb({"bench", "bench", "", BoundaryKind::Natural, makeBenchKeyframes(90000, 2, 1)});
+  REQUIRE(glb.ok());
+  const NamedBytes file{"bench.glb", *glb}, other{"other.glb", *glb};
+  const auto heardWhile = [](std::span<const NamedBytes> files, std::string_view reading) {
+    std::vector<double> fractions;
+    REQUIRE(importKeyframes(files, {}, [&](const char* stage, double fraction) {
+      if (stage == reading) fractions.push_back(fraction);
+    }).ok());
+    CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+    return fractions.size();
+  };
+  // 45,000 vertices are three blocks: of numbers and of positions; and so on.
+  CHECK(heardWhile({&file, 1}, "reading the mesh") > 20);
+  CHECK(heardWhile({&file, 1}, "taking the keys") > 12);
+  const NamedBytes both[] = {file, other};
+  CHECK(heardWhile(both, "reading the poses") > 50);
 }
 
 TEST_CASE("progress of a large mesh: monotone, to the end, and in small steps") {

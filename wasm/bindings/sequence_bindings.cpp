@@ -20,6 +20,7 @@ Sequence& sequenceOf(int handle) { return objects().get<SequenceObject>(handle).
 /// {faces, normals, keys: [{name, time, positions}], encoding, motion} -> {handle, range, warnings}.
 ENTRY const char* shapespline_sequence(const char* request) {
   return answer([&]() -> Result<Json> {
+    reportProgress("welding", 0);
     const Json json = Json::parse(request);
     Result<Sequence> sequence = Sequence::create(keyframesFrom(json), encodingFrom(json.at("encoding")),
                                                  motionFrom(json.at("motion")), reportProgress);

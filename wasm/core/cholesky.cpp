@@ -66,13 +66,16 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
   state_ = std::make_unique<State>();
   state_->precision = precision;
   state_->hash = patternHash(matrix);
+  reportFraction(onProgress, 0.02);
   const Graph graph = graphOf(matrix);
   reportFraction(onProgress, 0.05);
   const std::vector<int> order = fillReducingOrder(graph, coordinates, partOf(onProgress, 0.05, 0.75));
   state_->symbolic = analyseFactor(graph, order, partOf(onProgress, 0.75, 0.95));
+  reportFraction(onProgress, 0.95);
   state_->map = mapEntries(matrix, state_->symbolic.position);
   reportFraction(onProgress, 0.97);
   state_->flops = factorisationFlops(state_->symbolic);
+  reportFraction(onProgress, 0.98);
   if (precision == Precision::Single) state_->single.allocate(state_->symbolic);
   else state_->full.allocate(state_->symbolic);
   return {};

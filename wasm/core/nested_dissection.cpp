@@ -46,8 +46,8 @@ class Dissection {
     const int size = piece.graph.size();
     if (size <= kLeafSize) return orderLeaf(piece.original);
     reportWork(size);
-    const std::vector<Side> side = findSeparator(piece.graph, piece.coordinates, [&] { reportWork(0.5 * size); });
-    reportWork(0.5 * size);
+    const std::vector<Side> side = findSeparator(piece.graph, piece.coordinates, [&] { reportWork(0.3 * size); });
+    reportWork(0.4 * size);
     std::array<int, 3> count = {0, 0, 0};
     for (Side s : side) ++count[static_cast<int>(s)];
     if (count[0] == 0 || count[1] == 0 || count[2] > kUselessSeparator * size) return orderByDegree(piece);

@@ -111,12 +111,14 @@ Status PoissonSystem::order(const CotangentLaplacian& laplacian, Precision preci
 
 Status PoissonSystem::factorise(const CotangentLaplacian& laplacian, const FractionReport& onProgress) {
   if (Status status = solver_.beginFactorise(laplacian.matrix); !status) return status;
+  reportFraction(onProgress, 0);
   while (solver_.factoriseSome(flopsPerChunk)) reportFraction(onProgress, solver_.factoriseProgress());
   if (Status status = solver_.factoriseStatus(); !status) return status;
   const auto position = solver_.eliminationPosition();
   slot_.resize(laplacian.unknown.size());
-  for (std::size_t v = 0; v < slot_.size(); ++v)
-    slot_[v] = laplacian.unknown[v] >= 0 ? position[laplacian.unknown[v]] : dump();
+  inBlocks({}, slot_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) slot_[v] = laplacian.unknown[v] >= 0 ? position[laplacian.unknown[v]] : dump();
+  });
   if (precision_ == Precision::Exact) keepMatrix(laplacian.matrix);
   return {};
 }

@@ -10,17 +10,23 @@ namespace {
 
 // The faces sorted by the last of their corners to be eliminated: neighbours in this order write to neighbouring places of the
 // right-hand side, and find all that lies before theirs at hand. Faces that take no part come last.
-FaceHalves inEliminationOrder(const std::vector<Triangle>& faces, const std::vector<int>& frameOf, const PoissonSystem& system) {
+FaceHalves inEliminationOrder(const std::vector<Triangle>& faces, const std::vector<int>& frameOf, const PoissonSystem& system,
+                              const FractionReport& onProgress) {
   const int dump = system.dump();
   std::vector<Triangle> corners(faces.size(), {dump, dump, dump});
   std::vector<int> start(static_cast<std::size_t>(system.size()) + 1, 0), order(faces.size());
   const auto last = [&](std::size_t f) { return *std::max_element(corners[f].begin(), corners[f].end()); };
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (int c = 0; c < 3 && frameOf[f] >= 0; ++c) corners[f][c] = system.slot()[faces[f][c]];
-    ++start[last(f) + 1];
-  }
+  inBlocks(partOf(onProgress, 0, 0.3), faces.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      for (int c = 0; c < 3 && frameOf[f] >= 0; ++c) corners[f][c] = system.slot()[faces[f][c]];
+      ++start[last(f) + 1];
+    }
+  });
   for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
-  for (std::size_t f = 0; f < faces.size(); ++f) order[start[last(f)]++] = static_cast<int>(f);
+  inBlocks(partOf(onProgress, 0.3, 0.6), faces.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) order[start[last(f)]++] = static_cast<int>(f);
+  });
+  reportFraction(onProgress, 0.6);
   return halveFaces(order, corners, system.size(), dump);
 }
 
@@ -55,7 +61,7 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   onProgress("ordering", 1);
   if (Status status = poisson_.factorise(laplacian, part("factorising", 0, 0.8)); !status) return status;
   stats.factorMs += watch.lap();
-  const FaceHalves halves = inEliminationOrder(shape.faces, frameOf_, poisson_);
+  const FaceHalves halves = inEliminationOrder(shape.faces, frameOf_, poisson_, part("factorising", 0.8, 0.83));
   onProgress("factorising", 0.83);
   lri_.face.reorder(halves.order, part("factorising", 0.83, 0.85));
   kernel_.build(shape, frameOf_, in.stretch, halves, poisson_.slot(), poisson_.dump(), part("factorising", 0.85, 0.95));

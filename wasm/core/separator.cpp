@@ -59,8 +59,11 @@ void widenBand(const Graph& graph, std::vector<Side>& side) {
   }
 }
 
-std::vector<Side> separatorAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& direction) {
+using OnStep = std::function<void()>;
+
+std::vector<Side> separatorAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& direction, const OnStep& onStep) {
   std::vector<Side> side = medianBand(coordinates, direction);
+  if (onStep) onStep();
   widenBand(graph, side);
   shrinkSeparator(graph, side);
   return side;
@@ -72,8 +75,8 @@ struct Cut {
   double separator = 0, cost = 0;
 };
 
-Cut cutAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& direction) {
-  Cut cut{separatorAlong(graph, coordinates, direction)};
+Cut cutAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& direction, const OnStep& onStep = {}) {
+  Cut cut{separatorAlong(graph, coordinates, direction, onStep)};
   const auto count = [&](Side s) { return static_cast<double>(std::count(cut.side.begin(), cut.side.end(), s)); };
   cut.separator = count(Side::Separator);
   cut.cost = std::pow(cut.separator, 3) + kDissectionCost * (std::pow(count(Side::Left), 1.5) + std::pow(count(Side::Right), 1.5));
@@ -82,10 +85,10 @@ Cut cutAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& 
 
 }  // namespace
 
-std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordinates, const std::function<void()>& halfway) {
+std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordinates, const OnStep& onStep) {
   const auto [first, second, third] = principalAxes(coordinates);
-  Cut best = cutAlong(graph, coordinates, first);
-  if (halfway) halfway();
+  Cut best = cutAlong(graph, coordinates, first, onStep);
+  if (onStep) onStep();
   const struct {
     Vec3 direction;
     double worthAbove;

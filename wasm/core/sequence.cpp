@@ -144,9 +144,9 @@ void Sequence::State::prepareShading(const FractionReport& onProgress) {
   const std::vector<int> group = shadingGroups(welding, raw.normals, groups);
   std::vector<int> placeOf;
   placeOf.reserve(welding.weldedOfRaw.size());
+  reportFraction(onProgress, 0.1);
   for (int w : welding.weldedOfRaw) placeOf.push_back(shapeMotion->placeOf()[w]);
-  reportFraction(onProgress, 0.5);
-  shading = Shading(raw.faces, group, groups, placeOf);
+  shading = Shading(raw.faces, group, groups, placeOf, partOf(onProgress, 0.2, 1));
 }
 
 void Sequence::State::findClosing() {
@@ -311,15 +311,15 @@ Eigen::VectorXd Sequence::State::poseWeightsAt(double t) const {
 
 Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
                                   const Progress& progress) {
-  if (Status status = validate(keyframes); !status) return status.error();
-  if (Status status = checkEncoding(encoding, keyframes); !status) return status.error();
-  if (keyframes.normals.size() != static_cast<std::size_t>(keyframes.vertexCount())) keyframes.normals.clear();
-
   double reached = 0;
   const auto report = [&, withGhost = encoding.ghostFaces > 0](const char* stage, double fraction) {
     reached = std::max(reached, wholeProgress(stage, fraction, withGhost));
     if (progress) progress(stage, reached);
   };
+  report("welding", 0);
+  if (Status status = validate(keyframes); !status) return status.error();
+  if (Status status = checkEncoding(encoding, keyframes); !status) return status.error();
+  if (keyframes.normals.size() != static_cast<std::size_t>(keyframes.vertexCount())) keyframes.normals.clear();
 
   auto state = std::make_unique<State>();
   State& s = *state;
@@ -337,6 +337,7 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   report("factorising", 0.97);
   s.describeGhost();
   s.findClosing();
+  report("factorising", 0.97);
   s.decideAlignment([&](double fraction) { report("factorising", 0.97 + 0.03 * fraction); });
 
   s.stats.patches = s.shapeMotion->patchMotion().coordinates().patches.count;

@@ -87,31 +87,45 @@ void drawVertices(std::span<const Drawn> drawn, const float* places, const float
 
 }  // namespace
 
-Shading::Shading(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups, const std::vector<int>& placeOf)
+Shading::Shading(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups, const std::vector<int>& placeOf,
+                 const FractionReport& onProgress)
     : sum_(4 * static_cast<std::size_t>(groups)) {
   std::vector<int> renumbered(groups, -1), faceKey(faces.size());
   int next = 0;
   bool seams = false;
-  for (int v : sortedBy(placeOf)) {
-    int& group = renumbered[groupOf[v]];
-    if (group < 0) group = next++;
-    drawn_.push_back({v, placeOf[v], group});
-    seams = seams || group != placeOf[v];
-  }
+  const std::vector<int> drawn = sortedBy(placeOf);
+  drawn_.reserve(drawn.size());
+  inBlocks(partOf(onProgress, 0.1, 0.3), drawn.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const int v = drawn[i];
+      int& group = renumbered[groupOf[v]];
+      if (group < 0) group = next++;
+      drawn_.push_back({v, placeOf[v], group});
+      seams = seams || group != placeOf[v];
+    }
+  });
   std::vector<Triangle> target(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto& [a, b, c] = faces[f];
-    faceKey[f] = std::max({placeOf[a], placeOf[b], placeOf[c]});
-    target[f] = {renumbered[groupOf[a]], renumbered[groupOf[b]], renumbered[groupOf[c]]};
-  }
-  const FaceHalves halves = halveFaces(sortedBy(faceKey), target, groups);
+  inBlocks(partOf(onProgress, 0.3, 0.5), faces.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto& [a, b, c] = faces[f];
+      faceKey[f] = std::max({placeOf[a], placeOf[b], placeOf[c]});
+      target[f] = {renumbered[groupOf[a]], renumbered[groupOf[b]], renumbered[groupOf[c]]};
+    }
+  });
+  reportFraction(onProgress, 0.5);
+  const std::vector<int> sorted = sortedBy(faceKey);
+  reportFraction(onProgress, 0.6);
+  const FaceHalves halves = halveFaces(sorted, target, groups);
   firstHalf_ = static_cast<std::size_t>(halves.first);
   bothHalves_ = firstHalf_ + static_cast<std::size_t>(halves.second);
-  for (int f : halves.order) {
-    const auto& [a, b, c] = faces[f];
-    corner_.push_back({placeOf[a], placeOf[b], placeOf[c]});
-    if (seams) target_.push_back(target[f]);
-  }
+  corner_.reserve(halves.order.size());
+  inBlocks(partOf(onProgress, 0.8, 1), halves.order.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& [a, b, c] = faces[halves.order[i]];
+      corner_.push_back({placeOf[a], placeOf[b], placeOf[c]});
+      if (seams) target_.push_back(target[halves.order[i]]);
+    }
+  });
 }
 
 void Shading::draw(const std::vector<float>& places, std::vector<float>& positions, std::vector<float>& normals, Crew* crew) {

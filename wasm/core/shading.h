@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/crew.h"
+#include "core/progress.h"
 #include "core/types.h"
 
 namespace shapespline {
@@ -15,7 +16,8 @@ class Shading {
   Shading() = default;
 
   /// placeOf: where each raw vertex lies in the shapes that come; neighbours should be near each other there.
-  Shading(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups, const std::vector<int>& placeOf);
+  Shading(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups, const std::vector<int>& placeOf,
+          const FractionReport& onProgress = {});
 
   /// places: (x, y, z, pad) at each place. positions, normals: 3n; normals are unit, (0, 0, 1) where a vertex has no area
   /// around it. Whatever the crew to the same bits.

@@ -122,20 +122,24 @@ struct Reader {
 
   // Hands the bytes of the first `most` elements to `take`, sparse replacements last. Without a buffer view they are zero.
   template <class Take>
-  Status each(const tinygltf::Accessor& a, int components, std::size_t most, Take take) const {
+  Status each(const tinygltf::Accessor& a, int components, std::size_t most, const FractionReport& onProgress, Take take) const {
     const std::uint64_t size = static_cast<std::uint64_t>(componentBytes(a.componentType)) * components;
     if (a.bufferView >= 0) {
       const auto found = elements(a.bufferView, a.byteOffset, a.count, size);
       if (!found) return found.error();
-      for (std::size_t i = 0; i < most; ++i) take(i, found->at(i));
+      inBlocks(partOf(onProgress, 0, a.sparse.isSparse ? 0.5 : 1), most, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) take(i, found->at(i));
+      });
     }
     if (!a.sparse.isSparse) return {};
     const auto indices = sparseIndices(a);
     if (!indices) return indices.error();
     const auto values = elements(a.sparse.values.bufferView, a.sparse.values.byteOffset, indices->size(), size);
     if (!values) return values.error();
-    for (std::size_t i = 0; i < indices->size(); ++i)
-      if ((*indices)[i] < most) take((*indices)[i], values->at(i));
+    inBlocks(partOf(onProgress, 0.5, 1), indices->size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if ((*indices)[i] < most) take((*indices)[i], values->at(i));
+    });
     return {};
   }
 
@@ -154,7 +158,7 @@ std::size_t accessorCount(const GltfDocument& doc, int index) {
 }
 
 Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int components, const std::string& what,
-                                        std::size_t most) {
+                                        std::size_t most, const FractionReport& onProgress) {
   const Reader reader{doc, what};
   const auto found = reader.accessor(index, components);
   if (!found) return found.error();
@@ -163,7 +167,7 @@ Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int 
   const std::size_t count = std::min<std::size_t>(a.count, most);
   std::vector<double> numbers(count * components);
   const int step = componentBytes(a.componentType);
-  Status read = reader.each(a, components, count, [&](std::size_t i, const std::uint8_t* bytes) {
+  Status read = reader.each(a, components, count, onProgress, [&](std::size_t i, const std::uint8_t* bytes) {
     for (int c = 0; c < components; ++c) numbers[i * components + c] = number(bytes + c * step, a.componentType, a.normalized);
   });
   if (!read) return read.error();
@@ -171,7 +175,7 @@ Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int 
 }
 
 Result<std::vector<std::uint32_t>> readWholeNumbers(const GltfDocument& doc, int index, int components,
-                                                    const std::string& what) {
+                                                    const std::string& what, const FractionReport& onProgress) {
   const Reader reader{doc, what};
   const auto found = reader.accessor(index, components);
   if (!found) return found.error();
@@ -183,7 +187,7 @@ Result<std::vector<std::uint32_t>> readWholeNumbers(const GltfDocument& doc, int
   if (Status fits = reader.fits(a, components); !fits) return fits.error();
   std::vector<std::uint32_t> numbers(a.count * components);
   const int step = componentBytes(a.componentType);
-  Status read = reader.each(a, components, a.count, [&](std::size_t i, const std::uint8_t* bytes) {
+  Status read = reader.each(a, components, a.count, onProgress, [&](std::size_t i, const std::uint8_t* bytes) {
     for (int c = 0; c < components; ++c) numbers[i * components + c] = wholeNumber(bytes + c * step, a.componentType);
   });
   if (!read) return read.error();

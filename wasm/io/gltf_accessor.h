@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/status.h"
 #include "io/gltf_document.h"
 
@@ -20,10 +21,10 @@ std::size_t accessorCount(const GltfDocument& doc, int index);
 /// substitutions applied; only the first `most` elements. `what` names it in messages ("POSITION of mesh 0").
 /// Errors: MalformedFile, TooLarge.
 Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int components, const std::string& what,
-                                        std::size_t most = ~std::size_t{0});
+                                        std::size_t most = ~std::size_t{0}, const FractionReport& onProgress = {});
 
 /// The accessor as whole numbers of an unsigned integer type, `components` an element.
 Result<std::vector<std::uint32_t>> readWholeNumbers(const GltfDocument& doc, int index, int components,
-                                                    const std::string& what);
+                                                    const std::string& what, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

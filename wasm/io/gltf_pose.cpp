@@ -11,7 +11,7 @@ namespace {
 
 // Adds weight * target to the values, for one attribute of all targets.
 Status addTargets(const GltfDocument& doc, const GltfPart& part, const char* attribute, const std::vector<double>& weights,
-                  Positions& values) {
+                  Positions& values, const FractionReport& onProgress) {
   const auto& targets = part.primitive->targets;
   for (std::size_t t = 0; t < targets.size() && t < weights.size(); ++t) {
     if (weights[t] == 0) continue;
@@ -21,9 +21,12 @@ Status addTargets(const GltfDocument& doc, const GltfPart& part, const char* att
     if (accessorCount(doc, found->second) != values.size())
       return Error{ErrorCode::MalformedFile,
                    doc.where + ": " + name + " has another number of vertices than its mesh. Export the file again."};
-    const auto offsets = readNumbers(doc, found->second, 3, name);
+    const double count = static_cast<double>(weights.size()), before = static_cast<double>(t);
+    const auto offsets = readNumbers(doc, found->second, 3, name, values.size(), partOf(onProgress, before / count, (before + 0.7) / count));
     if (!offsets) return offsets.error();
-    for (std::size_t v = 0; v < values.size(); ++v) values[v] += weights[t] * Vec3(&(*offsets)[3 * v]);
+    inBlocks(partOf(onProgress, (before + 0.7) / count, (before + 1) / count), values.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) values[v] += weights[t] * Vec3(&(*offsets)[3 * v]);
+    });
   }
   return {};
 }
@@ -89,22 +92,31 @@ SceneState restState(const GltfDocument& doc, const GltfShape& shape) {
   return state;
 }
 
-Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state, Positions* normals) {
+Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state, Positions* normals,
+                                const FractionReport& onProgress) {
   const auto world = worldTransforms(shape.graph, state.local);
   std::vector<Matrices> ofSkins(shape.skins.size());
   Positions out;
   out.reserve(shape.vertexCount);
   if (normals) normals->clear();
-  for (const GltfPart& part : shape.parts) {
+  for (std::size_t p = 0; p < shape.parts.size(); ++p) {
+    const GltfPart& part = shape.parts[p];
+    const auto share = [&, count = static_cast<double>(shape.parts.size()), before = static_cast<double>(p)](double from, double to) {
+      return partOf(onProgress, (before + from) / count, (before + to) / count);
+    };
     const std::vector<double>& weights = state.weights[part.node];
     Positions positions = part.positions;
-    if (Status morphed = addTargets(doc, part, "POSITION", weights, positions); !morphed) return morphed.error();
+    if (Status morphed = addTargets(doc, part, "POSITION", weights, positions, share(0, 0.3)); !morphed) return morphed.error();
     const PartTransforms transforms = partTransforms(part, shape, world, ofSkins);
-    for (std::size_t v = 0; v < positions.size(); ++v) out.push_back(transforms.of(v) * positions[v]);
+    inBlocks(share(0.3, 0.5), positions.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) out.push_back(transforms.of(v) * positions[v]);
+    });
     if (!normals || !shape.hasNormals) continue;
     Positions turned = part.normals;
-    if (Status morphed = addTargets(doc, part, "NORMAL", weights, turned); !morphed) return morphed.error();
-    for (std::size_t v = 0; v < turned.size(); ++v) turned[v] = turnedNormal(transforms.of(v).linear(), turned[v]);
+    if (Status morphed = addTargets(doc, part, "NORMAL", weights, turned, share(0.5, 0.8)); !morphed) return morphed.error();
+    inBlocks(share(0.8, 1), turned.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) turned[v] = turnedNormal(transforms.of(v).linear(), turned[v]);
+    });
     normals->insert(normals->end(), turned.begin(), turned.end());
   }
   return out;

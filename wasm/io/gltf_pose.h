@@ -20,6 +20,6 @@ SceneState restState(const GltfDocument& doc, const GltfShape& shape);
 /// World positions of all vertices; with `normals`, also their unit normals (where the shape has them).
 /// Errors: MalformedFile for morph targets that do not fit the mesh.
 Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state,
-                                Positions* normals = nullptr);
+                                Positions* normals = nullptr, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

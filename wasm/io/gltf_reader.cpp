@@ -57,7 +57,10 @@ struct KeyReader {
 
   // `count`: how many keys there will be.
   Status addKey(const std::string& name, double time, const SceneState& state, std::size_t count) {
-    report("taking the keys", kReading + (1 - kReading) * static_cast<double>(out.keyframes.keys.size()) / static_cast<double>(count));
+    const FractionReport onKey = [&, before = static_cast<double>(out.keyframes.keys.size())](double fraction) {
+      report("taking the keys", kReading + (1 - kReading) * (before + fraction) / static_cast<double>(count));
+    };
+    onKey(0);
     const bool first = out.keyframes.keys.empty();
     const std::uint64_t cost = poseCost(shape, state);
     work += cost;
@@ -65,7 +68,7 @@ struct KeyReader {
     if (work > kMostPoseCost || cost > kMostPoseCost / count)
       return error(ErrorCode::TooLarge, ": its morph targets and skins take too long to compute for " + grouped(std::int64_t(count)) +
                                             " keys. Take fewer keys.");
-    auto positions = posedVertices(doc, shape, state, first ? &out.keyframes.normals : nullptr);
+    auto positions = posedVertices(doc, shape, state, first ? &out.keyframes.normals : nullptr, onKey);
     if (!positions) return positions.error();
     out.keyframes.keys.push_back({name, time, std::move(*positions)});
     return {};
@@ -238,16 +241,17 @@ struct KeyReader {
 
 }  // namespace
 
-Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where) {
+Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
+                              const FractionReport& onProgress) {
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();
-  auto shape = readShape(*doc);
+  auto shape = readShape(*doc, partOf(onProgress, 0.2, 0.6));
   if (!shape) return shape.error();
   PoseFile out;
   const SceneState rest = restState(*doc, *shape);
   if (poseCost(*shape, rest) > kMostPoseCost)
     return Error{ErrorCode::TooLarge, where + ": its morph targets and skins take too long to compute. Export the pose as a plain mesh."};
-  auto positions = posedVertices(*doc, *shape, rest, &out.normals);
+  auto positions = posedVertices(*doc, *shape, rest, &out.normals, partOf(onProgress, 0.6, 1));
   if (!positions) return positions.error();
   out.positions = std::move(*positions);
   out.scene = readLook(*doc, *shape);
@@ -263,8 +267,11 @@ Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> 
   if (progress) progress("reading the file", 0);
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();
-  if (progress) progress("reading the mesh", kReading / 2);
-  auto shape = readShape(*doc);
+  const auto onMesh = [&](double fraction) {
+    if (progress) progress("reading the mesh", kReading / 2 * (1 + fraction));
+  };
+  onMesh(0);
+  auto shape = readShape(*doc, onMesh);
   if (!shape) return shape.error();
   KeyReader reader{*doc, *shape, options, progress, {}, {}};
   if (Status read = reader.read(); !read) return read.error();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/keyframes.h"
+#include "core/progress.h"
 #include "core/sequence.h"
 #include "core/status.h"
 #include "io/import.h"
@@ -23,7 +24,8 @@ struct PoseFile {
 };
 
 /// The scene as the file itself poses it. `where` is how messages call the file.
-Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where);
+Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
+                              const FractionReport& onProgress = {});
 
 /// Several keys of one file. Times are set; nothing is validated beyond what reading needs.
 Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,

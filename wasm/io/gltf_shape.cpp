@@ -1,6 +1,8 @@
 #include "io/gltf_shape.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "core/text.h"
@@ -20,9 +22,11 @@ Error malformed(const GltfDocument& doc, const std::string& what) {
   return {ErrorCode::MalformedFile, doc.where + ": " + what + ". Export the file again."};
 }
 
-Positions toPositions(const std::vector<double>& numbers) {
+Positions toPositions(const std::vector<double>& numbers, const FractionReport& onProgress) {
   Positions out(numbers.size() / 3);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = Vec3(&numbers[3 * i]);
+  inBlocks(onProgress, out.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) out[i] = Vec3(&numbers[3 * i]);
+  });
   return out;
 }
 
@@ -64,6 +68,7 @@ struct ByVertices {
 
 struct ShapeReader {
   const GltfDocument& doc;
+  const FractionReport& onProgress;
   GltfShape shape;
   int skippedPrimitives = 0, leftoverCorners = 0, unskinnedParts = 0;
   std::int64_t cornerCount = 0, primitiveCount = 0, influenceCount = 0;
@@ -129,7 +134,7 @@ struct ShapeReader {
     return {};
   }
 
-  Status readPart(int node, const tinygltf::Primitive& primitive, const std::string& name) {
+  Status readPart(int node, const tinygltf::Primitive& primitive, const std::string& name, const FractionReport& report) {
     GltfPart part;
     part.node = node;
     part.mesh = doc.model.nodes[node].mesh;
@@ -145,15 +150,16 @@ struct ShapeReader {
       return Error{ErrorCode::TooLarge, doc.where + ": POSITION of " + name + " declares " +
                                             grouped(std::int64_t(accessorCount(doc, position))) + " vertices, more than the file has bytes. " +
                                             "Export it again."};
-    auto positions = readNumbers(doc, position, 3, "POSITION of " + name);
+    const std::size_t count = accessorCount(doc, position);
+    auto positions = readNumbers(doc, position, 3, "POSITION of " + name, count, partOf(report, 0, 0.3));
     if (!positions) return positions.error();
-    part.positions = toPositions(*positions);
+    part.positions = toPositions(*positions, partOf(report, 0.3, 0.5));
     if (normal >= 0) {
       if (accessorCount(doc, normal) != part.positions.size())
         return malformed(doc, name + " has another number of normals than of vertices");
-      auto normals = readNumbers(doc, normal, 3, "NORMAL of " + name);
+      auto normals = readNumbers(doc, normal, 3, "NORMAL of " + name, count, partOf(report, 0.5, 0.8));
       if (!normals) return normals.error();
-      part.normals = toPositions(*normals);
+      part.normals = toPositions(*normals, partOf(report, 0.8, 1));
     }
     if (part.skin >= static_cast<int>(shape.skins.size()))
       return malformed(doc, "node " + std::to_string(node) + " has skin " + std::to_string(part.skin) + ", which is not there");
@@ -165,7 +171,8 @@ struct ShapeReader {
     return {};
   }
 
-  Result<std::vector<std::uint32_t>> corners(const GltfPart& part, const tinygltf::Primitive& primitive, const std::string& name) {
+  Result<std::vector<std::uint32_t>> corners(const GltfPart& part, const tinygltf::Primitive& primitive, const std::string& name,
+                                             const FractionReport& report) {
     const std::size_t n = part.positions.size();
     cornerCount += static_cast<std::int64_t>(primitive.indices < 0 ? n : accessorCount(doc, primitive.indices));
     if (cornerCount > 3 * kMostFaces) return tooLarge(kMostFaces, "faces");
@@ -174,7 +181,7 @@ struct ShapeReader {
       for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<std::uint32_t>(i);
       return all;
     }
-    auto indices = readWholeNumbers(doc, primitive.indices, 1, "the indices of " + name);
+    auto indices = readWholeNumbers(doc, primitive.indices, 1, "the indices of " + name, report);
     if (!indices) return indices;
     for (std::size_t i = 0; i < indices->size(); ++i)
       if ((*indices)[i] >= n)
@@ -192,10 +199,12 @@ struct ShapeReader {
   }
 
   // Triangles of a list, strip or fan (glTF 2.0, section 3.7.2.1).
-  void addFaces(const std::vector<std::uint32_t>& v, int mode, int offset, bool turned) {
+  void addFaces(const std::vector<std::uint32_t>& v, int mode, int offset, bool turned, const FractionReport& report) {
     const std::size_t n = v.size();
     if (mode == TINYGLTF_MODE_TRIANGLES) {
-      for (std::size_t i = 0; i + 2 < n; i += 3) addFace(v[i], v[i + 1], v[i + 2], offset, turned);
+      inBlocks(report, n / 3, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) addFace(v[3 * f], v[3 * f + 1], v[3 * f + 2], offset, turned);
+      });
       leftoverCorners += static_cast<int>(n % 3);
       return;
     }
@@ -207,14 +216,17 @@ struct ShapeReader {
     }
   }
 
-  Status readMesh(int node, bool mirrored) {
+  Status readMesh(int node, bool mirrored, const FractionReport& report) {
     const int meshIndex = doc.model.nodes[node].mesh;
     if (meshIndex >= static_cast<int>(doc.model.meshes.size()))
       return malformed(doc, "node " + std::to_string(node) + " shows mesh " + std::to_string(meshIndex) + ", which is not there");
     const tinygltf::Mesh& mesh = doc.model.meshes[meshIndex];
-    std::map<const tinygltf::Primitive*, std::size_t, ByVertices> partOf;
+    std::map<const tinygltf::Primitive*, std::size_t, ByVertices> knownPart;
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const tinygltf::Primitive& primitive = mesh.primitives[p];
+      const auto share = [&, count = static_cast<double>(mesh.primitives.size()), before = static_cast<double>(p)](double from, double to) {
+        return partOf(report, (before + from) / count, (before + to) / count);
+      };
       if (++primitiveCount > kMostParts) return tooLarge(kMostParts, "mesh primitives");
       if (!isTriangles(primitive.mode)) {
         ++skippedPrimitives;
@@ -222,16 +234,17 @@ struct ShapeReader {
       }
       const std::string name = "mesh " + std::to_string(meshIndex) + ", primitive " + std::to_string(p);
       // Primitives that share their vertices (one mesh in several materials) share them here too.
-      const auto [place, isNew] = partOf.try_emplace(&primitive, shape.parts.size());
+      const auto [place, isNew] = knownPart.try_emplace(&primitive, shape.parts.size());
       const std::size_t part = place->second;
       if (isNew)
-        if (Status read = readPart(node, primitive, name); !read) return read;
-      const auto v = corners(shape.parts[part], primitive, name);
+        if (Status read = readPart(node, primitive, name, share(0, 0.6)); !read) return read;
+      const auto v = corners(shape.parts[part], primitive, name, share(0.6, 0.8));
       if (!v) return v.error();
       const int start = static_cast<int>(shape.faces.size());
       if (start + static_cast<std::int64_t>(v->size()) / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1) > kMostFaces)
         return tooLarge(kMostFaces, "faces");
-      addFaces(*v, primitive.mode, shape.parts[part].firstVertex, mirrored && shape.parts[part].skin < 0);
+      addFaces(*v, primitive.mode, shape.parts[part].firstVertex, mirrored && shape.parts[part].skin < 0,
+               share(0.8, 1));
       shape.groups.push_back({start, static_cast<int>(shape.faces.size()) - start, primitive.material});
     }
     return {};
@@ -264,9 +277,14 @@ struct ShapeReader {
     shape.skins = std::move(*skins);
     shape.hasNormals = true;
     const auto world = worldTransforms(shape.graph, shape.graph.rest);
-    for (int node : shape.graph.shown)
-      if (doc.model.nodes[node].mesh >= 0)
-        if (Status mesh = readMesh(node, world[node].linear().determinant() < 0); !mesh) return mesh;
+    std::vector<int> shown;  // nodes with a mesh
+    std::copy_if(shape.graph.shown.begin(), shape.graph.shown.end(), std::back_inserter(shown),
+                 [&](int node) { return doc.model.nodes[node].mesh >= 0; });
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      const double count = static_cast<double>(shown.size()), before = static_cast<double>(i);
+      const bool mirrored = world[shown[i]].linear().determinant() < 0;
+      if (Status mesh = readMesh(shown[i], mirrored, partOf(onProgress, before / count, (before + 1) / count)); !mesh) return mesh;
+    }
     shape.hasNormals = shape.hasNormals && !shape.parts.empty();
     warn("skipped-primitives", skippedPrimitives, "lines and points are left out.");
     warn("leftover-corners", leftoverCorners, "corners that fill no triangle are left out.");
@@ -285,8 +303,8 @@ int targetCount(const tinygltf::Mesh& mesh) {
   return static_cast<int>(most);
 }
 
-Result<GltfShape> readShape(const GltfDocument& doc) {
-  ShapeReader reader{doc, {}};
+Result<GltfShape> readShape(const GltfDocument& doc, const FractionReport& onProgress) {
+  ShapeReader reader{doc, onProgress, {}};
   if (Status read = reader.read(); !read) return read.error();
   return std::move(reader.shape);
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/sequence.h"
 #include "core/status.h"
 #include "core/types.h"
@@ -44,7 +45,7 @@ struct GltfShape {
 /// Reads the default scene: every triangle primitive (lists, strips, fans) of every mesh node, depth first, primitives
 /// in the file's order. Lines and points are skipped with a warning. Faces of mirrored nodes are turned around.
 /// The document must outlive the result. Errors: NoTriangles, MalformedFile, IndexOutOfRange, TooLarge.
-Result<GltfShape> readShape(const GltfDocument& doc);
+Result<GltfShape> readShape(const GltfDocument& doc, const FractionReport& onProgress = {});
 
 /// Number of morph targets of a mesh.
 int targetCount(const tinygltf::Mesh& mesh);

@@ -49,9 +49,10 @@ Result<std::vector<MeshFile>> meshFiles(std::span<const NamedBytes> files) {
   return meshes;
 }
 
-Result<PolygonMesh> readPolygons(const MeshFile& mesh, std::span<const NamedBytes> files, const std::string& where) {
-  if (mesh.kind == FileKind::Obj) return readObj(*mesh.file, files, where);
-  return mesh.kind == FileKind::Ply ? readPly(*mesh.file, where) : readOff(*mesh.file, where);
+Result<PolygonMesh> readPolygons(const MeshFile& mesh, std::span<const NamedBytes> files, const std::string& where,
+                                 const FractionReport& onProgress) {
+  if (mesh.kind == FileKind::Obj) return readObj(*mesh.file, files, where, onProgress);
+  return mesh.kind == FileKind::Ply ? readPly(*mesh.file, where, onProgress) : readOff(*mesh.file, where, onProgress);
 }
 
 // Y up, metres.
@@ -65,17 +66,19 @@ struct PoseReader {
   const ImportOptions& options;
   std::optional<PolygonCuts> cuts;
 
-  Result<PoseFile> read(const MeshFile& mesh, const std::string& where) {
-    if (mesh.kind == FileKind::Gltf) return readGltfPose(*mesh.file, files, where);
-    auto polygons = readPolygons(mesh, files, where);
+  Result<PoseFile> read(const MeshFile& mesh, const std::string& where, const FractionReport& onProgress = {}) {
+    if (mesh.kind == FileKind::Gltf) return readGltfPose(*mesh.file, files, where, onProgress);
+    auto polygons = readPolygons(mesh, files, where, partOf(onProgress, 0, 0.8));
     if (!polygons) return polygons.error();
     orient(polygons->positions, options.zUp, options.unit);
     orient(polygons->normals, options.zUp, 1);
     if (!cuts) cuts = options.like.empty() ? cutPolygons(*polygons) : cutPolygonsLike(*polygons, options.like);
+    reportFraction(onProgress, 0.85);
     PoseFile pose;
     pose.faces = trianglesOf(*polygons, *cuts);
     polygons->scene.seams.faces = drawnTrianglesOf(*polygons, *cuts);
     polygons->scene.groups = triangleGroups(*polygons);
+    reportFraction(onProgress, 0.95);
     pose.positions = std::move(polygons->positions);
     pose.normals = std::move(polygons->normals);
     pose.scene = std::move(polygons->scene);
@@ -114,8 +117,11 @@ Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const 
   for (std::size_t j = 0; j < meshes.size(); ++j) {
     const int key = static_cast<int>(j);
     const std::string where = placeName(*meshes[j].file, key, meshes.size());
-    if (progress) progress("reading the poses", static_cast<double>(j) / static_cast<double>(meshes.size()));
-    auto pose = reader.read(meshes[j], where);
+    const auto onPose = [&](double fraction) {
+      if (progress) progress("reading the poses", (static_cast<double>(j) + fraction) / static_cast<double>(meshes.size()));
+    };
+    onPose(0);
+    auto pose = reader.read(meshes[j], where, onPose);
     Status added = pose ? addPose(std::move(*pose), meshes[j], out, where) : Status(pose.error());
     if (added) continue;
     Error error = added.error();

@@ -93,6 +93,7 @@ struct ObjReader {
   const NamedBytes& file;
   std::span<const NamedBytes> files;
   const std::string& where;
+  const FractionReport& onProgress;
   PolygonMesh mesh;
   std::vector<Vec3> colors, normals;
   std::vector<Coordinate> coordinates;
@@ -209,10 +210,12 @@ struct ObjReader {
   }
 
   Status readLines() {
+    const FractionReport onLine = partOf(onProgress, 0, 0.9);
     LineReader lines(file.bytes);
     std::string joined;
     for (std::string_view text; lines.next(text);) {
       line = lines.lineNumber();
+      reportLine(onLine, lines, file.bytes.size());
       if (text.ends_with('\\')) {  // goes on in the next line
         joined.append(text.substr(0, text.size() - 1)).push_back(' ');
         continue;
@@ -267,7 +270,9 @@ struct ObjReader {
   Result<PolygonMesh> read() {
     if (Status lines = readLines(); !lines) return lines.error();
     if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();
+    reportFraction(onProgress, 0.92);
     keepNormals();
+    reportFraction(onProgress, 0.95);
     keepCoordinates();
     keepColors();
     finishGroups();
@@ -292,8 +297,9 @@ Status checkPolygons(const PolygonMesh& mesh, const std::string& where) {
   return {};
 }
 
-Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where) {
-  return ObjReader{file, files, where, {}, {}, {}, {}, {}, {}, {}, {}, {}}.read();
+Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
+                            const FractionReport& onProgress) {
+  return ObjReader{file, files, where, onProgress, {}, {}, {}, {}, {}, {}, {}, {}, {}}.read();
 }
 
 }  // namespace shapespline

@@ -12,7 +12,9 @@ namespace {
 
 struct OffReader {
   LineReader lines;
+  std::size_t size;
   const std::string& where;
+  const FractionReport& onProgress;
   PolygonMesh mesh;
   bool hasNormals = false;
 
@@ -95,10 +97,12 @@ struct OffReader {
     std::string_view line;
     for (std::int64_t v = 0; v < vertices; ++v) {
       if (!nextLine(line)) return cutOff("vertices", vertices, mesh.positions.size());
+      reportLine(onProgress, lines, size);
       if (Status vertex = readVertex(line); !vertex) return vertex.error();
     }
     for (std::int64_t f = 0; f < faces; ++f) {
       if (!nextLine(line)) return cutOff("faces", faces, static_cast<std::size_t>(f));
+      reportLine(onProgress, lines, size);
       if (Status face = readFace(line); !face) return face.error();
     }
     if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();
@@ -109,8 +113,8 @@ struct OffReader {
 
 }  // namespace
 
-Result<PolygonMesh> readOff(const NamedBytes& file, const std::string& where) {
-  return OffReader{LineReader(file.bytes), where, {}}.read();
+Result<PolygonMesh> readOff(const NamedBytes& file, const std::string& where, const FractionReport& onProgress) {
+  return OffReader{LineReader(file.bytes), file.bytes.size(), where, onProgress, {}}.read();
 }
 
 }  // namespace shapespline

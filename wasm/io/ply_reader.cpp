@@ -84,12 +84,18 @@ int slotOf(const std::string& name) {
 struct PlyReader {
   const std::string& where;
   ValueReader values;
+  const FractionReport& onProgress;
   PolygonMesh mesh;
+  std::size_t size = values.left();  // before anything is read
   int leftOut = 0;
 
   Error cutOff(const PlyElement& element, std::int64_t have) const {
     return {ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " + grouped(element.count) + " of element " +
                                           inQuotes(element.name) + " but ends in number " + grouped(have) + ". Copy or export it again."};
+  }
+
+  void reportRow(std::int64_t row) const {
+    if (row % 16384 == 0) reportFraction(onProgress, 1 - static_cast<double>(values.left()) / static_cast<double>(size));
   }
 
   // Refuses counts that the rest of the file cannot hold, before anything is allocated for them.
@@ -159,6 +165,7 @@ struct PlyReader {
       return Error{ErrorCode::TooLarge, where + " has " + grouped(element.count) + " vertices, more than can be held. Simplify the mesh first."};
     mesh.positions.reserve(element.count);
     for (std::int64_t i = 0; i < element.count; ++i) {
+      reportRow(i);
       double slot[kSlots] = {};
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const PlyProperty& p = element.properties[k];
@@ -183,6 +190,7 @@ struct PlyReader {
 
   Status readFaces(const PlyElement& element) {
     for (std::int64_t i = 0; i < element.count; ++i) {
+      reportRow(i);
       const std::size_t start = mesh.corners.size();
       for (const PlyProperty& p : element.properties) {
         const bool isCorners = p.isList && (p.name == "vertex_indices" || p.name == "vertex_index");
@@ -198,9 +206,11 @@ struct PlyReader {
   }
 
   Status skip(const PlyElement& element) {
-    for (std::int64_t i = 0; i < element.count; ++i)
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      reportRow(i);
       for (const PlyProperty& p : element.properties)
         if (!readProperty(p, [](double) {})) return cutOff(element, i);
+    }
     return {};
   }
 
@@ -220,11 +230,11 @@ struct PlyReader {
 
 }  // namespace
 
-Result<PolygonMesh> readPly(const NamedBytes& file, const std::string& where) {
+Result<PolygonMesh> readPly(const NamedBytes& file, const std::string& where, const FractionReport& onProgress) {
   LineReader lines(file.bytes);
   const auto header = readPlyHeader(lines, where);
   if (!header) return header.error();
-  return PlyReader{where, ValueReader(header->format, lines.rest()), {}}.read(*header);
+  return PlyReader{where, ValueReader(header->format, lines.rest()), onProgress, {}}.read(*header);
 }
 
 }  // namespace shapespline

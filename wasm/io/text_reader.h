@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "core/progress.h"
+
 namespace shapespline {
 
 /// A text, taken from the front line by line. Ends of line may be LF, CRLF or CR; a byte order mark is no part of it.
@@ -25,6 +27,11 @@ class LineReader {
   std::string_view rest_;
   std::int64_t number_ = 0;
 };
+
+/// Reports now and then how much of a text of `size` bytes has been read.
+inline void reportLine(const FractionReport& report, const LineReader& lines, std::size_t size) {
+  if (lines.lineNumber() % 16384 == 0) reportFraction(report, 1 - static_cast<double>(lines.rest().size()) / static_cast<double>(size));
+}
 
 /// Takes the next word (anything between blanks) off the front of `text`; empty where there is none.
 std::string_view takeWord(std::string_view& text);
