@@ -126,7 +126,7 @@ class Partition {
         const Centre& centre = centres_.back();
         for (std::size_t i = begin; i < end; ++i) {
           // Most lie too far away to ask how they turn.
-          if (nearest[i] < 0 || distanceCost(centroid[i], centre) * 0x1p20 > nearest[i] + 1) continue;
+          if (nearest[i] < 0 || inSteps(distanceCost(centroid[i], centre)) > nearest[i]) continue;
           nearest[i] = std::min(nearest[i], cost(centroid[i], &rotation[keys * i], centre));
         }
       });
