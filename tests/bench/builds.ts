@@ -59,14 +59,18 @@ async function build(engine: Engine, keys: Keys, processBytes: () => number): Pr
   return { sequence, built: { stats: await sequence.stats(), buildMs, silence: listener.silence, processBytes: processBytes() } };
 }
 
-/** Returns the last of them alive. */
-export async function buildRepeatedly(engine: Engine, keys: Keys, processBytes: () => number): Promise<{ sequence: Sequence; builds: Builds }> {
+/** `use` is asked to work with each of them. Returns the last of them alive. */
+export async function buildRepeatedly(
+  engine: Engine, keys: Keys, processBytes: () => number, use: (sequence: Sequence) => Promise<void>,
+): Promise<{ sequence: Sequence; builds: Builds }> {
   let { sequence, built } = await build(engine, keys, processBytes);
   const all = [built];
+  await use(sequence);
   while (all.length < BUILDS) {
     sequence.dispose();
     ({ sequence, built } = await build(engine, keys, processBytes));
     all.push(built);
+    await use(sequence);
   }
   const stage = (of: 'weldMs' | 'encodeMs' | 'orderMs' | 'factorMs' | 'arrangeMs'): number => quantile(all.map(({ stats }) => stats[of]));
   const heaps = all.map(({ stats }) => stats.heapBytes);

@@ -5,25 +5,37 @@ import type { ReadBandwidth } from './bandwidth.ts';
 import { distanceOf, NO_DISTANCE, worse, type Distance } from './distance.ts';
 import { quantile, spread, type Spread } from './quantile.ts';
 
-const FRAMES = 60;
-/** Exact frames come in rounds, each beside the bandwidth of its moment: a machine that others use is not the same for long. */
-const ROUNDS = 5, FRAMES_A_ROUND = 12;
+/** Of either kind, from each build. */
+const FRAMES = 12;
+/** Passes before a round's frames, and as many after them. */
+const BANDWIDTH_PASSES = 3;
 /** Frames at which exact and cheap shapes are compared. */
 const COMPARED = 14;
 
+/** Single frames of one build, beside the bandwidth of that moment (bytes a second): a machine that others use is not the same for long. */
+export interface Round {
+  firstMs: number;
+  ms: number[];
+  stats: SequenceStats[];
+  bandwidth: number;
+  cheapFirstMs: number;
+  cheapMs: number[];
+}
+
 /** Milliseconds. */
 export interface ExactFrames {
+  /** Of the first build, when nothing was warm. */
   firstMs: number;
   spline: Spread;
   solve: Spread;
   place: Spread;
   normals: Spread;
   frame: Spread;
-  rounds: Round[];
+  rounds: RoundMedians[];
 }
 
-/** Medians of its frames in milliseconds; bytes a second. */
-export interface Round {
+/** Milliseconds; bytes a second. */
+export interface RoundMedians {
   solveMs: number;
   frameMs: number;
   bandwidth: number;
@@ -53,28 +65,42 @@ async function msOf(answer: Promise<Frame | null>): Promise<number> {
   return frame.ms;
 }
 
-export async function exactFrames(sequence: Sequence, readBandwidth: ReadBandwidth): Promise<ExactFrames> {
+export async function roundOf(sequence: Sequence, readBandwidth: ReadBandwidth): Promise<Round> {
   const firstMs = await msOf(sequence.evaluate(0));
-  const ms: number[] = [], stats: SequenceStats[] = [], rounds: Round[] = [];
-  for (let round = 0; round < ROUNDS; ++round) {
-    const bandwidth = readBandwidth();
-    for (let k = 0; k <= FRAMES_A_ROUND; ++k) {
-      ms.push(await msOf(sequence.evaluate(timeOf(k, FRAMES_A_ROUND))));
-      stats.push(await sequence.stats());
-    }
-    const last = -(FRAMES_A_ROUND + 1);
-    rounds.push({ bandwidth, frameMs: quantile(ms.slice(last)), solveMs: quantile(stats.slice(last).map(({ solveMs }) => solveMs)) });
+  const ms: number[] = [], cheapMs: number[] = [], stats: SequenceStats[] = [], bandwidths: number[] = [];
+  const read = (): void => {
+    for (let pass = 0; pass < BANDWIDTH_PASSES; ++pass) bandwidths.push(readBandwidth());
+  };
+  read();
+  for (let k = 0; k <= FRAMES; ++k) {
+    ms.push(await msOf(sequence.evaluate(timeOf(k, FRAMES))));
+    stats.push(await sequence.stats());
   }
+  read();
+  const cheapFirstMs = await msOf(sequence.preview(0.1));
+  for (let k = 0; k <= FRAMES; ++k) cheapMs.push(await msOf(sequence.preview(timeOf(k, FRAMES))));
+  return { firstMs, ms, stats, bandwidth: quantile(bandwidths), cheapFirstMs, cheapMs };
+}
+
+export function exactFrames(rounds: readonly Round[]): ExactFrames {
+  const stats = rounds.flatMap((round) => round.stats);
   const part = (of: 'facesMs' | 'solveMs' | 'placeMs' | 'normalsMs'): Spread => spread(stats.map((one) => one[of]));
   return {
-    firstMs, spline: part('facesMs'), solve: part('solveMs'), place: part('placeMs'), normals: part('normalsMs'), frame: spread(ms), rounds,
+    firstMs: rounds[0]!.firstMs,
+    spline: part('facesMs'), solve: part('solveMs'), place: part('placeMs'), normals: part('normalsMs'),
+    frame: spread(rounds.flatMap(({ ms }) => ms)),
+    rounds: rounds.map((round) => ({
+      bandwidth: round.bandwidth, frameMs: quantile(round.ms), solveMs: quantile(round.stats.map(({ solveMs }) => solveMs)),
+    })),
   };
 }
 
-export async function cheapFrames(sequence: Sequence): Promise<CheapFrames> {
-  const firstMs = await msOf(sequence.preview(0.1));
-  const ms: number[] = [];
-  for (let k = 0; k <= FRAMES; ++k) ms.push(await msOf(sequence.preview(timeOf(k, FRAMES))));
+export function cheapFrames(rounds: readonly Round[], agreement: Distance): CheapFrames {
+  return { firstMs: rounds[0]!.cheapFirstMs, preview: spread(rounds.flatMap(({ cheapMs }) => cheapMs)), agreement };
+}
+
+/** How far the cheap shapes are from the exact ones. */
+export async function agreementOf(sequence: Sequence): Promise<Distance> {
   let agreement: Distance = NO_DISTANCE;
   for (let k = 0; k <= COMPARED; ++k) {
     const cheap = await frameOf(sequence.preview(timeOf(k, COMPARED)));
@@ -82,5 +108,5 @@ export async function cheapFrames(sequence: Sequence): Promise<CheapFrames> {
     agreement = worse(agreement, distanceOf(cheap.positions, exact.positions));
     for (const frame of [cheap, exact]) frame.release();
   }
-  return { firstMs, preview: spread(ms), agreement };
+  return agreement;
 }

@@ -3,7 +3,7 @@ import type { Engine, Sequence } from '../../web/engine/api.ts';
 import { bandwidthReader } from './bandwidth.ts';
 import { buildRepeatedly, Listener, refitGrowth, type Builds, type Silence } from './builds.ts';
 import { distanceOf } from './distance.ts';
-import { cheapFrames, exactFrames, frameOf, type CheapFrames, type ExactFrames } from './frames.ts';
+import { agreementOf, cheapFrames, exactFrames, frameOf, roundOf, type CheapFrames, type ExactFrames, type Round } from './frames.ts';
 import { ledRun, type LedRun } from './led.ts';
 
 /** Where frames are compared with those of the double precision. */
@@ -54,17 +54,20 @@ export async function measure(engine: Engine, { name, mesh, reference, reader, p
   const keys = await engine.importKeyframes([{ name, bytes: mesh }], {}, { onProgress: listener.onProgress });
   listener.hear('end');
   const importMs = performance.now() - start;
-  const { sequence, builds } = await buildRepeatedly(engine, keys, processBytes);
-  const exact = await exactFrames(sequence, await bandwidthReader(reader));
+  const readBandwidth = await bandwidthReader(reader);
+  const rounds: Round[] = [];
+  const { sequence, builds } = await buildRepeatedly(engine, keys, processBytes, async (built) => {
+    rounds.push(await roundOf(built, readBandwidth));
+  });
   const error = await errorOf(sequence, reference);
-  const cheap = await cheapFrames(sequence);
+  const agreement = await agreementOf(sequence);
   const growth = await refitGrowth(sequence);
   const { heapBytes, factorBytes } = await sequence.stats();
   sequence.dispose();
   const { vertices, faces } = keys.info.report;
   const led = faces > 2 * GHOST_FACES ? { ...(await ledRun(engine, keys, GHOST_FACES, GHOST_SHAPES)), shapes: GHOST_SHAPES } : null;
   return {
-    faces, vertices, importMs, importSilence: listener.silence, builds, exact, cheap, led, refitGrowth: growth,
+    faces, vertices, importMs, importSilence: listener.silence, builds, exact: exactFrames(rounds), cheap: cheapFrames(rounds, agreement), led, refitGrowth: growth,
     // The import's memory was the first build's heap.
     heapBytes: Math.max(builds.heapBytes, heapBytes),
     factorBytes, error,

@@ -1,6 +1,6 @@
 /** What is to be reached, as ratios within one run where machines differ. */
 import { short, table } from './format.ts';
-import type { Round } from './frames.ts';
+import type { RoundMedians } from './frames.ts';
 import type { Run } from './measure.ts';
 import type { NativeRun } from './native.ts';
 import { quantile } from './quantile.ts';
@@ -24,7 +24,7 @@ const SAME_MEMORY = 1.02;
 export const boundMs = (run: Run, bandwidth: number): number => (2000 * run.factorBytes) / bandwidth;
 
 /** Median over the rounds of frames. */
-export const ofRounds = (run: Run, value: (round: Round) => number): number => quantile(run.exact.rounds.map(value));
+export const ofRounds = (run: Run, value: (round: RoundMedians) => number): number => quantile(run.exact.rounds.map(value));
 
 function target(faces: number, what: string, value: number, limit: number, atLeast = false): Target {
   return { faces, what, value, limit, atLeast, met: atLeast ? value >= limit : value <= limit };
