@@ -24,7 +24,7 @@ class PanelFactor : public PanelLayout {
   /// too small for Scalar is the factor's problem, not noticed here.
   void store(const SymbolicFactor& symbolic, int s, const double* front);
 
-  /// Solves L Lᵀ x = b in place, (x, y, z, pad) an unknown in elimination order; the padding keeps its values. `x` has
+  /// Solves L Lᵀ x = b in place, (x, y, z, pad) an unknown in elimination order; the padding is scratch. `x` has
   /// length paddedSize() unknowns, those beyond the matrix's size are scratch.
   void solve(Scalar* x, Crew* crew = nullptr) const;
 

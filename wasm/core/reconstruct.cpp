@@ -30,6 +30,21 @@ FaceHalves inEliminationOrder(const std::vector<Triangle>& faces, const std::vec
   return halveFaces(order, corners, system.size(), dump);
 }
 
+// The sum of `count` places, by runs that are short enough for the precision.
+template <class Real>
+Vec3 sumOf(const Real* places, std::size_t count) {
+  constexpr std::size_t run = 64;
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t begin = 0; begin < count; begin += run) {
+    auto part = Lanes<Real>::zero();
+    for (std::size_t i = begin; i < std::min(count, begin + run); ++i) part = part + Lanes<Real>::load(places + 4 * i);
+    alignas(32) Real number[4];
+    part.store(number);
+    sum += Vec3(number[0], number[1], number[2]);
+  }
+  return sum;
+}
+
 }  // namespace
 
 template <class Real>
@@ -75,8 +90,8 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   int next = poisson_.unknowns();
   for (int& place : placeOf_)
     if (place == poisson_.dump()) place = next++;
-  pieceAt_.resize(placeOf_.size());
-  for (std::size_t v = 0; v < placeOf_.size(); ++v) pieceAt_[placeOf_[v]] = std::max(0, pieceOfVertex_[v]);
+  pieceAt_.assign(shift_.size() > 1 ? placeOf_.size() : 0, 0);
+  for (std::size_t v = 0; v < pieceAt_.size(); ++v) pieceAt_[placeOf_[v]] = std::max(0, pieceOfVertex_[v]);
   stats.arrangeMs += watch.lap();
   return {};
 }
@@ -173,9 +188,7 @@ void Reconstructor<Real>::placeComponents(const PoseWeights& weights) {
 // What every piece has to be moved by, so that the mean of all vertices lies where the coordinates have it.
 template <class Real>
 Vec3 Reconstructor<Real>::settleMean(const PoseWeights& weights) {
-  Vec3 sum = Vec3::Zero();
-  const Real* x = solution_.data();
-  for (const Real* end = x + 4 * static_cast<std::size_t>(poisson_.unknowns()); x != end; x += 4) sum += Vec3(x[0], x[1], x[2]);
+  Vec3 sum = sumOf(solution_.data(), static_cast<std::size_t>(poisson_.unknowns()));
   for (std::size_t p = 0; p < shift_.size(); ++p) sum += verticesOfPiece_[p] * shift_[p];
   for (const LooseVertex& loose : lri_.loose) sum += loosePlace(loose, weights);
   const Vec3 move = blend(lri_.meanPosition, weights) - sum / shape_->vertexCount();
@@ -195,7 +208,10 @@ void Reconstructor<Real>::writePlaces(const PoseWeights& weights, std::vector<Re
   places.resize(4 * placeOf_.size());
   const Vec3 move = settleMean(weights);
   const std::size_t unknowns = static_cast<std::size_t>(poisson_.unknowns());
-  const auto offset = [&](std::size_t i) { return L::load(&offset_[4 * static_cast<std::size_t>(pieceAt_[i])]); };
+  const L only = L::load(offset_.data());
+  const auto offset = [&](std::size_t i) {
+    return pieceAt_.empty() ? only : L::load(&offset_[4 * static_cast<std::size_t>(pieceAt_[i])]);
+  };
   for (std::size_t i = 0; i < unknowns; ++i) (L::load(&solution_[4 * i]) + offset(i)).store(&places[4 * i]);
   for (std::size_t i = unknowns; i < placeOf_.size(); ++i) offset(i).store(&places[4 * i]);  // tied to zero
   for (const LooseVertex& loose : lri_.loose) {

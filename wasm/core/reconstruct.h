@@ -81,7 +81,7 @@ class Reconstructor {
   std::vector<int> frameOf_;
   std::vector<int> pieceOfVertex_;  // -1 for loose vertices
   std::vector<int> placeOf_;
-  std::vector<int> pieceAt_;        // of the vertex at each place; 0 for loose vertices
+  std::vector<int> pieceAt_;        // of the vertex at each place; 0 for loose vertices. Empty where there is one piece only
   std::vector<int> verticesOfPiece_;
   std::vector<int> pieceOfFace_;
   std::optional<Embedding> embedding_;
