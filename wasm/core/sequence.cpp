@@ -86,7 +86,8 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
 
   s.stats.patches = s.shapeMotion->patchMotion().coordinates().patches.count;
   s.stats.weldedVertices = s.welding.count;
-  s.stats.factorBytes = s.shapeMotion->solverStats().factorBytes;
+  const CholeskyStats solver = s.shapeMotion->solverStats();
+  s.stats.factorBytes = solver.factorBytes + solver.indexBytes;
   s.stats.alignedByPatches = s.shapeMotion->patchMotion().alignment().byPatches();
 
   Sequence sequence(std::move(state));

@@ -17,7 +17,7 @@ struct SequenceStats {
   /// Wall time of each stage; the ghost's own systems count as encoding. Arranging lays the faces' numbers out in the order
   /// in which the system is eliminated.
   double weldMs = 0, encodeMs = 0, orderMs = 0, factorMs = 0, arrangeMs = 0;
-  long long factorBytes = 0;
+  long long factorBytes = 0;  ///< of the stored factor, entries and row lists: what one sweep of a solve reads
   int ghostFaces = 0, ghostVertices = 0;  ///< 0 without a ghost
   int joinedComponents = 0;               ///< components too small for a ghost of their own
   double simplifyMs = 0, transferMs = 0;  ///< with a ghost: collapses; correspondence and residuals

@@ -262,6 +262,7 @@ export interface SequenceStats {
   factorMs: number;
   /** Laying the faces' numbers out in the order of elimination. */
   arrangeMs: number;
+  /** Of the stored factor, entries and row lists: a solve reads them twice. */
   factorBytes: number;
   alignedByPatches: boolean;
   /** Of the last frame: spline and right-hand side; solve; placing the vertices; normals. */
