@@ -11,6 +11,7 @@
 #include "core/panel_kernels.cpp"
 #include "core/panel_layout.cpp"
 #include "core/panels.cpp"
+#include "core/progress.cpp"
 #include "core/shading.cpp"
 #include "core/tree_cut.cpp"
 

@@ -1,11 +1,8 @@
 // How far long work has come.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
-
-#include "core/out_of_line.h"
 
 namespace shapespline {
 
@@ -21,17 +18,16 @@ inline void reportFraction(const FractionReport& report, double fraction) {
   if (report) report(fraction);
 }
 
+/// A function of a block [begin, end) of items, and what it works on.
+using BlockWork = void (*)(void* work, std::size_t begin, std::size_t end);
+
+void inBlocks(const FractionReport& report, std::size_t n, BlockWork call, void* work);
+
 /// Calls work(begin, end) for one block of n items after the other, with a report before each. Every block is a call of its
 /// own (out_of_line.h), so that long work does not stay in the browser's baseline compiler.
 template <class Work>
 void inBlocks(const FractionReport& report, std::size_t n, Work work) {
-  constexpr std::size_t size = 16384;
-  void (*call)(Work&, std::size_t, std::size_t) = [](Work& block, std::size_t begin, std::size_t end) { block(begin, end); };
-  call = outOfLine(call);
-  for (std::size_t begin = 0; begin < n; begin += size) {
-    reportItem(report, begin, n);
-    call(work, begin, std::min(n, begin + size));
-  }
+  inBlocks(report, n, [](void* w, std::size_t begin, std::size_t end) { (*static_cast<Work*>(w))(begin, end); }, &work);
 }
 
 /// The part of a report that runs from one fraction of it to another. `report` must outlive the part.
