@@ -24,30 +24,28 @@ class PatchEncoder {
     const int m = shape_.faceCount(), columns = shape_.columns();
     std::vector<double> area(m, 0);
     Positions centroid(m, Vec3::Zero());
-    std::vector<Quaternion> rotations(static_cast<std::size_t>(columns) * m, Quaternion::Identity());
+    FaceRotations rotations(m, columns);
     const auto measure = [&](int f) {
       const FaceFrame frame = referenceFrame(shape_, f);
       area[f] = frame.area;
       centroid[f] = centroidOf(shape_.poses[shape_.reference], shape_.faces[f]);
-      for (int c = 0; c < columns; ++c) rotations[static_cast<std::size_t>(columns) * f + c] = Quaternion(deformationOf(shape_, f, frame, c).rotation);
+      for (int c = 0; c < columns; ++c) rotations.of(f)[c] = Quaternion(deformationOf(shape_, f, frame, c).rotation);
     };
     parts_.eachUsedFace(measure, partOf(onProgress, 0, 0.3));
     const int used = static_cast<int>(std::count(parts_.hasArea.begin(), parts_.hasArea.end(), 1));
     const int wanted = wantedPatches > 0 ? std::min(wantedPatches, used) : defaultPatchCount(used);
-    out_.patches = partitionFaces({parts_.graph, parts_.pieces, area, centroid, rotations, columns}, wanted,
-                                  partOf(onProgress, 0.3, 0.9));
+    out_.patches = partitionFaces({parts_.graph, parts_.pieces, area, centroid, rotations}, wanted, partOf(onProgress, 0.3, 0.9));
     out_.area.assign(out_.patches.count, 0);
     parts_.eachUsedFace([&](int f) { out_.area[out_.patches.ofFace[f]] += area[f]; });
     averageRotations(area, rotations, partOf(onProgress, 0.9, 1));
   }
 
   // G_k: the projection to SO(3) of the area-weighted mean of R_f over the patch.
-  void averageRotations(const std::vector<double>& area, const std::vector<Quaternion>& rotations,
-                        const FractionReport& onProgress) {
+  void averageRotations(const std::vector<double>& area, const FaceRotations& rotations, const FractionReport& onProgress) {
     const int columns = shape_.columns();
     for (int c = 0; c < columns; ++c) {
       std::vector<RotationMean> mean(out_.patches.count);
-      const auto add = [&](int f) { mean[out_.patches.ofFace[f]].add(rotations[static_cast<std::size_t>(columns) * f + c], area[f]); };
+      const auto add = [&](int f) { mean[out_.patches.ofFace[f]].add(rotations.of(f)[c], area[f]); };
       parts_.eachUsedFace(add, partOf(onProgress, static_cast<double>(c) / columns, (c + 1.0) / columns));
       std::vector<Quaternion> rotation(out_.patches.count);
       for (int k = 0; k < out_.patches.count; ++k) rotation[k] = mean[k].mean();

@@ -71,12 +71,11 @@ class Partition {
     return inSteps(rotationCost + distanceCost(centroid, centre));
   }
 
-  const Quaternion* rotationsOf(int face) const { return &in_.rotations[static_cast<std::size_t>(in_.poses) * face]; }
-
-  double cost(int face, const Centre& centre) const { return cost(in_.centroid[face], rotationsOf(face), centre); }
+  double cost(int face, const Centre& centre) const { return cost(in_.centroid[face], in_.rotations.of(face), centre); }
 
   Centre centreAt(int face, double inverseRadiusSquared) const {
-    return {{rotationsOf(face), rotationsOf(face) + in_.poses}, in_.centroid[face], inverseRadiusSquared, face};
+    const Quaternion* rotation = in_.rotations.of(face);
+    return {{rotation, rotation + in_.rotations.poses}, in_.centroid[face], inverseRadiusSquared, face};
   }
 
   void chooseSeeds(int wanted) {
@@ -104,12 +103,11 @@ class Partition {
       candidates[i] = members[static_cast<std::int64_t>(i) * static_cast<std::int64_t>(members.size()) / candidateCount];
 
     // Side by side: every seed asks all of them.
-    const auto keys = static_cast<std::size_t>(in_.poses);
-    std::vector<Vec3> centroid;
-    std::vector<Quaternion> rotation;
-    for (int f : candidates) {
-      centroid.push_back(in_.centroid[f]);
-      rotation.insert(rotation.end(), rotationsOf(f), rotationsOf(f) + keys);
+    Positions centroid;
+    FaceRotations rotations(candidateCount, in_.rotations.poses);
+    for (int i = 0; i < candidateCount; ++i) {
+      centroid.push_back(in_.centroid[candidates[i]]);
+      std::copy_n(in_.rotations.of(candidates[i]), rotations.poses, rotations.of(i));
     }
 
     const auto farness = [&](int f) { return inSteps((in_.centroid[f] - middle).squaredNorm() / area); };
@@ -127,7 +125,7 @@ class Partition {
         for (std::size_t i = begin; i < end; ++i) {
           // Most lie too far away to ask how they turn.
           if (nearest[i] < 0 || inSteps(distanceCost(centroid[i], centre)) > nearest[i]) continue;
-          nearest[i] = std::min(nearest[i], cost(centroid[i], &rotation[keys * i], centre));
+          nearest[i] = std::min(nearest[i], cost(centroid[i], rotations.of(static_cast<int>(i)), centre));
         }
       });
       next = static_cast<int>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
@@ -188,14 +186,14 @@ class Partition {
   // Moves each centre to its patch's means and seeds it with the face that suits them best.
   void recentre(const FractionReport& onProgress) {
     const int count = static_cast<int>(centres_.size());
-    const auto keys = static_cast<std::size_t>(in_.poses);
+    const auto keys = static_cast<std::size_t>(in_.rotations.poses);
     std::vector<Vec3> position(count, Vec3::Zero());
     std::vector<double> area(count, 0);
     std::vector<RotationMean> mean(count * keys);
     eachFace(partOf(onProgress, 0, 0.5), [&](int f, int k) {
       area[k] += in_.area[f];
       position[k] += in_.area[f] * in_.centroid[f];
-      for (std::size_t j = 0; j < keys; ++j) mean[k * keys + j].add(rotationsOf(f)[j], in_.area[f]);
+      for (std::size_t j = 0; j < keys; ++j) mean[k * keys + j].add(in_.rotations.of(f)[j], in_.area[f]);
     });
     for (int k = 0; k < count; ++k) {
       centres_[k].position = position[k] / area[k];

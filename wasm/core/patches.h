@@ -10,14 +10,24 @@
 
 namespace shapespline {
 
+/// R_f of each pose, a face's side by side.
+struct FaceRotations {
+  int poses;
+  std::vector<Quaternion> values;  ///< poses * faces
+
+  FaceRotations(int faces, int poses)
+      : poses(poses), values(static_cast<std::size_t>(poses) * faces, Quaternion::Identity()) {}
+  Quaternion* of(int face) { return values.data() + static_cast<std::size_t>(poses) * face; }
+  const Quaternion* of(int face) const { return values.data() + static_cast<std::size_t>(poses) * face; }
+};
+
 /// Everything the partition looks at. All arrays are indexed by face; faces outside every piece are left out.
 struct PatchInput {
   const FaceGraph& graph;
   const Pieces& pieces;
-  const std::vector<double>& area;   ///< in the reference pose
-  const Positions& centroid;         ///< in the reference pose
-  const std::vector<Quaternion>& rotations;  ///< R_f of each pose, a face's side by side: rotations[poses * face + pose]
-  int poses;
+  const std::vector<double>& area;  ///< in the reference pose
+  const Positions& centroid;        ///< in the reference pose
+  const FaceRotations& rotations;
 };
 
 /// Two patches that share an edge (or, at a pinched place, a vertex).
