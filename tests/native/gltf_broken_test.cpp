@@ -217,6 +217,13 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
   many.sampleCount = 9'000;
   checkTooLarge(weighted, "too long", many);
 
+  GltfMaker curves = targets;  // many channels that say nothing, in every key
+  const int off = curves.scalars(std::vector<float>(40'000, 0));
+  curves.animation("all", 0, "weights", curves.scalars({0, 1}), off);
+  json& channelsOfOne = curves.doc["animations"][0]["channels"];
+  channelsOfOne = std::vector<json>(30, json(channelsOfOne[0]));
+  checkTooLarge(curves, "too long", many);
+
   GltfMaker nodes = targets;  // every node has its own weights
   for (int i = 0; i < 1'000; ++i) nodes.node({{"mesh", 0}});
   checkTooLarge(nodes, "morph weights");

@@ -253,10 +253,14 @@ TEST_CASE("PLY: binary in both orders, other elements and properties, every type
   }
 }
 
-TEST_CASE("OFF: comments, counts on the first line, normals, colours") {
+TEST_CASE("OFF: comments, counts on the first line, normals, colours, lines that are left out") {
   CHECK(twice("a.off", "OFF 3 1 0 # counts\n# a comment\n\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n").keyframes.faceCount() == 1);
   const Import normals = twice("a.off", "NOFF\n3 1 0\n0 0 0 0 0 2\n1 0 0 0 0 2\n0 1 0 0 0 2\n3 0 1 2\n");
   CHECK(normals.keyframes.normals.at(0) == Vec3::UnitZ());
+  const Import line = twice("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n");
+  CHECK(line.keyframes.faceCount() == 1);
+  REQUIRE(line.warnings.size() == 1);
+  CHECK(line.warnings[0].message.find("fewer than three corners") != std::string::npos);
   CHECK(twice("a.off", "COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n").keyframes.vertexCount() == 3);
 }
 
@@ -331,6 +335,7 @@ TEST_CASE("broken OBJ files") {
   checkRefused("bad.obj", v + "f 1 2 4\n", ErrorCode::IndexOutOfRange, "vertex 3 (counted from 0)");
   checkRefused("bad.obj", v + "f 1 2 -4\n", ErrorCode::IndexOutOfRange, "line 4");
   checkRefused("bad.obj", v + "f 1 2 99999999999\n", ErrorCode::IndexOutOfRange, "line 4");
+  checkRefused("bad.obj", v + "f 1 2 -9223372036854775808\n", ErrorCode::IndexOutOfRange, "corner -9,223,372,036,854,775,808,");
   checkRefused("bad.obj", v + "f 1 2 99999999999999999999\n", ErrorCode::MalformedFile, "line 4");
   checkRefused("bad.obj", v + "f 0 1 2\n", ErrorCode::MalformedFile, "line 4");
   checkRefused("bad.obj", v + "f a b c\n", ErrorCode::MalformedFile, "line 4");
@@ -373,6 +378,10 @@ TEST_CASE("broken PLY files") {
   checkRefused("bad.ply", with("face 1", "face 0"), ErrorCode::NoTriangles, "no faces");
   checkRefused("bad.ply", with("element face 1\nproperty list uchar int vertex_indices\n", ""), ErrorCode::NoTriangles, "no faces");
   checkRefused("bad.ply", "element", ErrorCode::NotRecognised, "named .ply");
+  // Of the second vertices none has a normal.
+  checkRefused("bad.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
+               "property float ny\nproperty float nz\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+               "property list uchar int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0\n3 0 1 2\n", ErrorCode::MalformedFile, "twice");
   // Elements without properties take no bytes, however many there are.
   CHECK(twice("a.ply", with("element face 1", "element nothing 60000000\nelement face 1")).keyframes.faceCount() == 2);
   std::string faces;

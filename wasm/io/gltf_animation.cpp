@@ -149,6 +149,12 @@ Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc) {
   return animations;
 }
 
+std::uint64_t animationCost(const GltfAnimation& animation) {
+  std::uint64_t cost = 0;
+  for (const AnimationCurve& curve : animation.curves) cost += curve.width;
+  return cost;
+}
+
 void applyAnimation(const GltfAnimation& animation, double t, SceneState& state) {
   for (const AnimationCurve& curve : animation.curves) {
     NodeTransform& local = state.local[curve.node];

@@ -1,6 +1,7 @@
 // glTF animations: samplers and their values at a time.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct GltfAnimation {
 
 /// All animations with at least one channel that moves a node. Errors: MalformedFile, NotFinite, TooLarge.
 Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc);
+
+/// How many numbers applyAnimation writes. Channels may share theirs, so that a small file could ask for any amount.
+std::uint64_t animationCost(const GltfAnimation& animation);
 
 /// Writes the animation's values at time t into the state.
 void applyAnimation(const GltfAnimation& animation, double t, SceneState& state);

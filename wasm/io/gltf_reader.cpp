@@ -55,18 +55,18 @@ struct KeyReader {
     if (progress) progress(stage, fraction);
   }
 
-  // `count`: how many keys there will be.
-  Status addKey(const std::string& name, double time, const SceneState& state, std::size_t count) {
+  // `count`: how many keys there will be. `animation`: what the state was taken from, or null.
+  Status addKey(const std::string& name, double time, const SceneState& state, std::size_t count, const GltfAnimation* animation) {
     const FractionReport onKey = [&, before = static_cast<double>(out.keyframes.keys.size())](double fraction) {
       report("taking the keys", kReading + (1 - kReading) * (before + fraction) / static_cast<double>(count));
     };
     onKey(0);
     const bool first = out.keyframes.keys.empty();
-    const std::uint64_t cost = poseCost(shape, state);
+    const std::uint64_t cost = poseCost(shape, state) + (animation ? animationCost(*animation) : 0);
     work += cost;
     // The keys to come will take as much as this one, most likely.
     if (work > kMostPoseCost || cost > kMostPoseCost / count)
-      return error(ErrorCode::TooLarge, ": its morph targets and skins take too long to compute for " + grouped(std::int64_t(count)) +
+      return error(ErrorCode::TooLarge, ": its channels, morph targets and skins take too long to compute for " + grouped(std::int64_t(count)) +
                                             " keys. Take fewer keys.");
     auto positions = posedVertices(doc, shape, state, first ? &out.keyframes.normals : nullptr, onKey);
     if (!positions) return positions.error();
@@ -101,7 +101,7 @@ struct KeyReader {
     if (Status size = checkSize(targets + 1); !size) return size;
     const auto times = evenTimes(targets + 1);
     for (int t = -1; t < targets; ++t)
-      if (Status key = addKey(t < 0 ? "base" : targetName(t), times[t + 1], morphState(t), times.size()); !key) return key;
+      if (Status key = addKey(t < 0 ? "base" : targetName(t), times[t + 1], morphState(t), times.size(), nullptr); !key) return key;
     return {};
   }
 
@@ -109,9 +109,10 @@ struct KeyReader {
   Status takeProject(const Project& project) {
     if (Status size = checkSize(project.keys.size()); !size) return size;
     for (const ProjectKey& key : project.keys) {
-      SceneState state = key.frame >= 0 ? morphState(key.frame - 1) : restState(doc, shape);
-      if (key.frame < 0) applyAnimation(animations[0], key.seconds, state);
-      if (Status added = addKey(key.name, key.time, state, project.keys.size()); !added) return added;
+      const GltfAnimation* animation = key.frame >= 0 ? nullptr : &animations[0];
+      SceneState state = animation ? restState(doc, shape) : morphState(key.frame - 1);
+      if (animation) applyAnimation(*animation, key.seconds, state);
+      if (Status added = addKey(key.name, key.time, state, project.keys.size(), animation); !added) return added;
     }
     out.project = doc.project;
     return {};
@@ -177,7 +178,7 @@ struct KeyReader {
     for (double t : *times) {
       SceneState state = restState(doc, shape);
       applyAnimation(animation, t, state);
-      if (Status key = addKey(shortNumber(t) + " s", t, state, times->size()); !key) return key;
+      if (Status key = addKey(shortNumber(t) + " s", t, state, times->size(), &animation); !key) return key;
     }
     return {};
   }

@@ -297,6 +297,10 @@ Status checkPolygons(const PolygonMesh& mesh, const std::string& where) {
   return {};
 }
 
+void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where) {
+  if (leftOut > 0) mesh.warnings.push_back({"skipped-primitives", where + ": faces of fewer than three corners are left out.", leftOut});
+}
+
 Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
                             const FractionReport& onProgress) {
   return ObjReader{file, files, where, onProgress, {}, {}, {}, {}, {}, {}, {}, {}, {}}.read();

@@ -17,6 +17,7 @@ struct OffReader {
   const FractionReport& onProgress;
   PolygonMesh mesh;
   bool hasNormals = false;
+  int leftOut = 0;
 
   Error malformed(const std::string& what) const {
     return {ErrorCode::MalformedFile, where + ", line " + grouped(lines.lineNumber()) + ": " + what + ". Export the file again."};
@@ -87,7 +88,7 @@ struct OffReader {
                      -1, -1, mesh.polygonCount()};
     }
     if (corners >= 3) mesh.ends.push_back(static_cast<int>(mesh.corners.size()));
-    else mesh.corners.resize(start);
+    else mesh.corners.resize(start), ++leftOut;
     return {};
   }
 
@@ -107,6 +108,7 @@ struct OffReader {
     }
     if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();
     mesh.scene.groups = {{0, mesh.polygonCount(), -1}};
+    warnOfLeftOut(mesh, leftOut, where);
     return std::move(mesh);
   }
 };

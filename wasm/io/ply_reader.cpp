@@ -153,6 +153,8 @@ struct PlyReader {
   }
 
   Status readVertices(const PlyElement& element) {
+    if (!mesh.positions.empty())  // others might have other properties
+      return Error{ErrorCode::MalformedFile, where + " declares its vertices twice. Export the file again."};
     bool has[kSlots] = {};
     std::vector<int> slots;
     for (const PlyProperty& p : element.properties) {
@@ -223,7 +225,7 @@ struct PlyReader {
     }
     if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();
     mesh.scene.groups = {{0, mesh.polygonCount(), -1}};
-    if (leftOut > 0) mesh.warnings.push_back({"skipped-primitives", where + ": faces of fewer than three corners are left out.", leftOut});
+    warnOfLeftOut(mesh, leftOut, where);
     return std::move(mesh);
   }
 };

@@ -28,4 +28,7 @@ Result<PolygonMesh> readOff(const NamedBytes& file, const std::string& where, co
 /// Checks that every corner names a vertex and that there is a face; the last step of every reader.
 Status checkPolygons(const PolygonMesh& mesh, const std::string& where);
 
+/// Says so where faces of fewer than three corners were left out.
+void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where);
+
 }  // namespace shapespline

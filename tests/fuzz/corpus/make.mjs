@@ -278,6 +278,8 @@ const ply = {
   'vertices-of-gigabytes': plyText.replace('vertex 4', 'vertex 4294967295'),
   'vertices-too-many': plyText.replace('vertex 4', 'vertex 400000'),
   'elements-of-nothing': plyText.replace('element face', 'element nothing 60000000\nelement face'),
+  'vertices-twice': plyText.replace('element face', 'element vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n'
+    + 'property float ny\nproperty float nz\nelement face').replace('3 0 2 1', '0 0 0 0 0 1\n3 0 2 1'),
   'count-negative': plyText.replace('vertex 4', 'vertex -4'),
   'list-of-gigabytes': plyText.replace('3 0 2 1', '4000000000 0 2 1'),
   'list-negative': plyText.replace('3 0 2 1', '-3 0 2 1').replace('list uchar', 'list int'),
