@@ -19,8 +19,12 @@ const number: Check = (v) => (isNumber(v) ? null : 'must be a finite number');
 const positive: Check = (v) => (isNumber(v) && v > 0 ? null : 'must be a number above 0');
 const boolean: Check = (v) => (typeof v === 'boolean' ? null : 'must be true or false');
 const floats: Check = (v) => (v instanceof Float32Array ? null : 'must be a Float32Array of positions');
-const wholeFrom = (least: number, most = 2 ** 31 - 1): Check => (v) =>
-  isWhole(v) && v >= least && v <= most ? null : `must be a whole number of at least ${least}`;
+/** Of what the core holds in 32 bits. */
+const MOST = 2 ** 31 - 1;
+const wholeFrom = (least: number): Check => (v) => {
+  if (!isWhole(v) || v < least) return `must be a whole number of at least ${least}`;
+  return v <= MOST ? null : `must be at most ${MOST}`;
+};
 const oneOf = (...names: string[]): Check => (v) =>
   names.includes(v as string) ? null : `must be one of ${names.map((n) => `'${n}'`).join(', ')}`;
 const orNull = (check: Check): Check => (v) => (v === null ? null : check(v));
@@ -32,15 +36,15 @@ const turns: Check = (v) => {
   const good = (entry: unknown): boolean => {
     if (typeof entry !== 'object' || entry === null) return false;
     const { key, turns: count, ...rest } = entry as Record<string, unknown>;
-    return isWhole(key) && key >= 1 && isWhole(count) && Object.keys(rest).length === 0;
+    return !wholeFrom(1)(key) && !wholeFrom(-MOST)(count) && Object.keys(rest).length === 0;
   };
   return Array.isArray(v) && v.every(good) ? null : 'must be an array of { key, turns } with whole numbers and key at least 1';
 };
 
 const animation: Check = (v) =>
-  typeof v === 'string' || (isWhole(v) && v >= 0) ? null : "must be an animation's name or index";
+  typeof v === 'string' || !wholeFrom(0)(v) ? null : "must be an animation's name or index";
 const sample: Check = (v) => {
-  if (isWhole(v) && v >= 2) return null;
+  if (!wholeFrom(2)(v)) return null;
   const increasing = Array.isArray(v) && v.length > 0 && v.every((t, i) => isNumber(t) && (i === 0 || t > v[i - 1]));
   return increasing ? null : 'must be increasing times in seconds, or how many (at least 2)';
 };

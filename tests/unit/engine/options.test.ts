@@ -48,6 +48,8 @@ describe('options', () => {
     [{ turns: [{ key: 0, turns: 1 }] }, 'turns'],
     [{ turns: [{ key: 1, turns: 0.5 }] }, 'turns'],
     [{ turns: [{ key: 1, turns: 1, more: 1 }] }, 'turns'],
+    [{ turns: [{ key: 2 ** 32 + 1, turns: 1 }] }, 'turns'],
+    [{ turns: [{ key: 1, turns: -(2 ** 32) }] }, 'turns'],
     [{ inPlace: 1 }, 'inPlace'],
     [{ reference: -1 }, 'reference'],
     [{ reference: 1.5 }, 'reference'],
@@ -73,13 +75,20 @@ describe('options', () => {
 
   it.each<[object, string]>([
     [{ animation: -1 }, 'animation'],
+    [{ animation: 2 ** 32 }, 'animation'],
     [{ sample: 1 }, 'sample'],
+    [{ sample: 2 ** 32 + 2 }, 'sample'],
     [{ sample: [0, 0] }, 'sample'],
     [{ keyTimes: [0, Infinity] }, 'keyTimes'],
     [{ up: 'x' }, 'up'],
     [{ unit: 0 }, 'unit'],
   ])('of an import refuse %j', (options, name) => {
     expect(refusal(() => checkImportOptions(options))).toContain(`'${name}'`);
+  });
+
+  it('that are whole numbers say which of their bounds was missed', () => {
+    expect(refusal(() => checkSequenceOptions({ patches: -1 }))).toContain('at least 0.');
+    expect(refusal(() => checkSequenceOptions({ patches: 2 ** 31 }))).toContain('at most 2147483647.');
   });
 
   it('of an update keep what is not changed, and refuse what needs a new encoding', () => {
