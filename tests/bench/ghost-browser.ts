@@ -12,23 +12,27 @@ import { fileURLToPath } from 'node:url';
 import { chromium, type Page } from '@playwright/test';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 import type {} from '../../web/app/hook.ts';
+import type { Wanted } from './arguments.ts';
 
-const DEFAULT_SIZES = [330_000, 1_300_000];
+const DEFAULT_SIZES = [{ faces: 330_000 }, { faces: 1_300_000 }];
 const MOVES = 40;
 const WAIT_MS = 600_000;
 const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 const generator = fileURLToPath(new URL('../cmake-wasm/shapespline_samples.js', import.meta.url));
 
-export async function benchGhostInBrowser(words: string[]): Promise<number> {
-  const sizes = words[0]?.split(',').map(Number) ?? DEFAULT_SIZES;
-  if (!existsSync(path.join(dist, 'index.html'))) throw new Error('Build the page first: npm run build');
+export async function benchGhostInBrowser({ sizes }: Wanted): Promise<void> {
+  if (!existsSync(path.join(dist, 'index.html'))) {
+    console.error('The page is not built yet: npm run build.');
+    process.exitCode = 1;
+    return;
+  }
   const folder = await mkdtemp(path.join(tmpdir(), 'shapespline-bench-'));
   const port = await freePort();
   const server = spawn(process.execPath, [path.join(dist, '../wasm/toolchain/serve.mjs'), dist, '--port', String(port)], { stdio: ['ignore', 'pipe', 'inherit'] });
   await new Promise((listening) => server.stdout.once('data', listening));
   const args = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...(process.getuid?.() === 0 ? ['--no-sandbox'] : [])];
   try {
-    for (const faces of sizes) {
+    for (const { faces } of sizes ?? DEFAULT_SIZES) {
       execFileSync(process.execPath, [generator, '--bench', String(faces), folder], { stdio: ['ignore', 'ignore', 'inherit'] });
       const browser = await chromium.launchServer({ executablePath: findBrowser(chromium) ?? undefined, args });
       try {
@@ -38,7 +42,6 @@ export async function benchGhostInBrowser(words: string[]): Promise<number> {
         await browser.close();
       }
     }
-    return 0;
   } finally {
     server.kill();
     await rm(folder, { recursive: true, force: true });

@@ -1,7 +1,6 @@
 /**
  * npm run bench -- ghost [FACES[:KEYS],...]: what a ghost mesh costs and saves. Without sizes, error and time over sizes of the
  * ghost as in the paper's Fig. 8 (of the cactus sample and a generated mesh), then one ghost of 2,000 faces for large meshes.
- * `ghost browser` measures in a page (ghost-browser.ts).
  */
 import { execFileSync } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
@@ -11,8 +10,10 @@ import { fileURLToPath } from 'node:url';
 import type { Engine, Keys } from '../../web/engine/api.ts';
 import { msText, studyGhosts, verdictOf, type GhostStudy } from '../../web/engine/ghost-study.ts';
 import { createEngine } from '../../web/engine/node.ts';
+import type { Wanted } from './arguments.ts';
 
-const DEFAULT_MESHES = ['85000:10', '330000:3'];
+const DEFAULT_MESHES = [{ faces: 85_000, keys: 10 }, { faces: 330_000, keys: 3 }];
+const USUAL_KEYS = 3;
 const FRAMES = 24;
 const GHOST_FACES = 2000;
 /** Larger meshes get one ghost instead of all sizes. */
@@ -22,22 +23,14 @@ const generator = fileURLToPath(new URL('../cmake-wasm/shapespline_samples.js', 
 
 type Line = string[];
 
-/** Returns the exit code. */
-export async function benchGhost(words: string[]): Promise<number> {
-  if (words[0] === 'browser') return (await import('./ghost-browser.ts')).benchGhostInBrowser(words.slice(1));
-  const meshes = (words[0]?.split(',') ?? DEFAULT_MESHES).map((word) => word.split(':').map(Number) as [number, number?]);
-  if (meshes.some(([faces, keys = 3]) => !(faces >= 64 && faces <= 4_000_000 && keys >= 2))) {
-    console.error('usage: npm run bench -- ghost [FACES[:KEYS],... | browser [FACES,...]]');
-    return 2;
-  }
-  if (words.length === 0) await bench('cactus', cactus);
+export async function benchGhost({ sizes }: Wanted): Promise<void> {
+  if (!sizes) await bench('cactus', cactus);
   const folder = await mkdtemp(path.join(tmpdir(), 'shapespline-bench-'));
   try {
-    for (const [faces, keys = 3] of meshes) {
-      execFileSync(process.execPath, [generator, '--bench', String(faces), String(keys), folder], { stdio: ['ignore', 'ignore', 'inherit'] });
-      await bench(`generated, ${faces} faces, ${keys} keys`, path.join(folder, `bench-${faces}.glb`));
+    for (const { faces, keys } of sizes ?? DEFAULT_MESHES) {
+      execFileSync(process.execPath, [generator, '--bench', String(faces), String(keys ?? USUAL_KEYS), folder], { stdio: ['ignore', 'ignore', 'inherit'] });
+      await bench(`generated, ${faces} faces, ${keys ?? USUAL_KEYS} keys`, path.join(folder, `bench-${faces}.glb`));
     }
-    return 0;
   } finally {
     await rm(folder, { recursive: true, force: true });
   }

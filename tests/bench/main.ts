@@ -7,8 +7,9 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { parseArgs } from 'node:util';
+import { readArguments, USAGE, type Wanted } from './arguments.ts';
 import { browserPlace } from './browser.ts';
+import { benchGhostInBrowser } from './ghost-browser.ts';
 import { benchGhost } from './ghost.ts';
 import { runNative } from './native.ts';
 import { nodePlace } from './node-place.ts';
@@ -23,29 +24,9 @@ const folder = path.join(repository, 'build/bench');
 const generator = path.join(repository, 'build/cmake-wasm/shapespline_samples.js');
 const reader = path.join(repository, 'build/cmake-wasm/shapespline_bench_read.wasm');
 
-const DEFAULT_SIZES = '10000,32000,80000,332000,1300000';
-const USAGE = 'usage: npm run bench [-- [threads] FACES,FACES,... --browser --save] with 64 to 4000000 faces each';
+const DEFAULT_FACES = [10_000, 32_000, 80_000, 332_000, 1_300_000];
 
-interface Choices {
-  sizes: number[];
-  browser: boolean;
-  save: boolean;
-}
-
-function choicesFrom(args: string[]): Choices | null {
-  try {
-    const { values, positionals } = parseArgs({
-      args,
-      allowPositionals: true,
-      options: { browser: { type: 'boolean', default: false }, save: { type: 'boolean', default: false } },
-    });
-    const sizes = (positionals[0] ?? DEFAULT_SIZES).split(',').map(Number);
-    const good = positionals.length <= 1 && sizes.every((size) => Number.isInteger(size) && size >= 64 && size <= 4_000_000);
-    return good ? { sizes, ...values } : null;
-  } catch {
-    return null;
-  }
-}
+const facesOf = ({ sizes }: Wanted): number[] => sizes?.map(({ faces }) => faces) ?? DEFAULT_FACES;
 
 /** Path of a generated mesh. */
 function meshOf(faces: number, split = false): string {
@@ -97,25 +78,24 @@ async function withPlace(browser: boolean, work: (place: Place) => Promise<void>
   }
 }
 
-function bench({ sizes, browser, save: keep }: Choices): Promise<void> {
-  return withPlace(browser, async (place) => {
-    const { text, verdict } = report(await runAll(place, sizes));
+function bench(wanted: Wanted): Promise<void> {
+  return withPlace(wanted.browser, async (place) => {
+    const { text, verdict } = report(await runAll(place, facesOf(wanted)));
     console.log(text);
-    if (keep) save(text, browser);
+    if (wanted.save) save(text, wanted.browser);
     say(verdict);
   });
 }
 
-function benchThreads({ sizes, browser }: Choices): Promise<void> {
-  return withPlace(browser, async (place) => {
-    for (const faces of sizes) console.log(threadsLine(await place.threads(meshOf(faces))));
+function benchThreads(wanted: Wanted): Promise<void> {
+  return withPlace(wanted.browser, async (place) => {
+    for (const faces of facesOf(wanted)) console.log(threadsLine(await place.threads(meshOf(faces))));
   });
 }
 
-if (process.argv[2] === 'ghost') process.exit(await benchGhost(process.argv.slice(3)));
-const twoThreads = process.argv[2] === 'threads';
-const choices = choicesFrom(process.argv.slice(twoThreads ? 3 : 2));
-if (choices) await (twoThreads ? benchThreads : bench)(choices);
+const benches = { stages: bench, threads: benchThreads, ghost: benchGhost, 'ghost browser': benchGhostInBrowser };
+const wanted = readArguments(process.argv.slice(2));
+if (wanted) await benches[wanted.what](wanted);
 else {
   say(USAGE);
   process.exitCode = 2;

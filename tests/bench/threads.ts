@@ -4,7 +4,7 @@ import { short } from './format.ts';
 import { frameOf } from './frames.ts';
 import { quantile } from './quantile.ts';
 
-/** A first frames' choice between one thread and two is over by then. */
+/** The choice between one thread and two that the first frames make is over by then. */
 const WARM_UP = 15;
 const FRAMES = 61;
 
