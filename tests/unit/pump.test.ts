@@ -159,14 +159,18 @@ describe('the pump', () => {
 describe('while the time moves', () => {
   const slow = { exactMs: 90, cheapMs: 25 };
 
-  it('small shapes are exact, and asked for once', async () => {
-    const { pump, shown, learn, answer, pass } = setUp({ exactMs: 29 });
+  it.each([
+    ['small shapes are exact, and asked for once', { exactMs: 29 }],
+    ['large shapes are exact where the address asks for it, and no cheap one is made', { ...slow, moving: 'exact' as const }],
+  ])('%s', async (_, settings) => {
+    const { pump, shown, learn, answer, pass, wanted } = setUp(settings);
     await learn();
     pump.follow(0.5);
     await pass();
     await answer();
     await pass(1000);
     expect(shown).toEqual(['0.5']);
+    expect(wanted()).toEqual([]);
     expect(pump.busy).toBe(false);
   });
 
@@ -189,17 +193,6 @@ describe('while the time moves', () => {
     await pass();
     await answer();
     expect(shown).toEqual(['0.5']);
-  });
-
-  it('large shapes are exact where the address asks for it, and no cheap one is made', async () => {
-    const { pump, shown, learn, answer, pass, wanted } = setUp({ ...slow, moving: 'exact' });
-    await learn();
-    pump.follow(0.5);
-    await pass();
-    await answer();
-    await pass(1000);
-    expect(shown).toEqual(['0.5']);
-    expect(wanted()).toEqual([]);
   });
 
   it('the address says how shapes are drawn while they move, and nonsense in it changes nothing', () => {
