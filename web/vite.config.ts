@@ -1,4 +1,4 @@
-import { existsSync, readdirSync, rmSync } from 'node:fs';
+import { rmSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { Plugin } from 'vite';
@@ -8,17 +8,11 @@ import { preload } from './offline/preload.ts';
 const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = fileURLToPath(new URL('..', import.meta.url));
 
-// Every HTML file of these folders is a page of its own.
-const pages = ['', 'embed/']
-  .filter((folder) => existsSync(here + folder))
-  .flatMap((folder) => readdirSync(here + folder).map((file) => here + folder + file))
-  .filter((file) => file.endsWith('.html'));
-
-// What is served as it is has a note for those who work on it; visitors need none.
-const withoutNotes: Plugin = {
-  name: 'shapespline-without-notes',
+// Beside what is served as it is lie a note for those who work on it and the picture of the main README; visitors need neither.
+const forReaders: Plugin = {
+  name: 'shapespline-for-readers',
   apply: 'build',
-  closeBundle: () => rmSync(`${repository}dist/README.md`, { force: true }),
+  closeBundle: () => { for (const name of ['README.md', 'picture.png']) rmSync(`${repository}dist/${name}`, { force: true }); },
 };
 
 export default defineConfig({
@@ -27,12 +21,11 @@ export default defineConfig({
   cacheDir: `${repository}build/vite`,
   // Relative URLs: the built page works from any sub-path of any static host.
   base: './',
-  plugins: [preload(), withoutNotes, offline()],
+  plugins: [preload(), forReaders, offline()],
   build: {
     outDir: `${repository}dist`,
     emptyOutDir: true,
     target: 'es2022',
-    rollupOptions: { input: pages },
     // three.js alone is larger than Vite's warning limit.
     chunkSizeWarningLimit: 1200,
   },

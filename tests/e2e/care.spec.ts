@@ -177,6 +177,12 @@ test('works offline after the first visit', async ({ app, context }, info) => {
   await app.page.evaluate(() => navigator.serviceWorker.ready);
   // The worker of a first visit takes the page over once its files are kept.
   await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  const kept = await app.page.evaluate(async () => {
+    const caches = await Promise.all((await window.caches.keys()).map((name) => window.caches.open(name)));
+    return (await Promise.all(caches.map((cache) => cache.keys()))).flat().map(({ url }) => url);
+  });
+  expect(kept.filter((url) => /shapespline-[^/]*\.wasm$/.test(url))).toHaveLength(1);
+  expect(kept.filter((url) => /\/picture\.png$|\.md$/.test(url))).toEqual([]);  // for readers of the repository
   await context.setOffline(true);
   await app.open();
   expect((await app.positions()).length).toBeGreaterThan(0);

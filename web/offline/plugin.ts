@@ -6,8 +6,8 @@ import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 
 const SOURCE = fileURLToPath(new URL('./service-worker.js', import.meta.url));
-/** Pages besides the app's own, and maps, are not needed to work offline. The module for two threads is kept once it was used. */
-const LEFT_OUT = /(^embed\/|\.map$|\.md$|^sw\.js$|^\.|shapespline_threads-[^/]*\.wasm$)/;
+/** Maps are not needed to work offline. The module for two threads is kept once it was used. */
+const LEFT_OUT = /(\.map$|\.md$|^sw\.js$|^\.|shapespline_threads-[^/]*\.wasm$)/;
 
 export function offline(): Plugin {
   let folder = '';
