@@ -38,12 +38,13 @@ Keys are counted from 1, animations from 0. Times are in any unit you like.
   --start-tangent FILE  --end-tangent FILE   hermite: a shape that the motion comes from or goes to
   --period P                             periodic: length of one whole period
   --tension X,X,...                      for each key: 0 as it is, 1 stops there
-  --bias X,X,...                         for each key: from -1, as the key after asks, over 0 to 1, as the key before does
+  --bias X,X,...                         for each key, from -1 to 1: below 0 its slope leans towards that to the key
+                                         after it, above 0 towards that from the key before
   --turns KEY:N,...                      whole turns added on the way to a key
   --stretch linear|log                   how stretch is interpolated; log never turns inside out
   --reference KEY                        key that the others are measured against
-  --patches N                            default: the square root of the number of faces
-  --precision single|double
+  --patches N                            default: about the square root of the number of faces
+  --precision single|double|exact        exact: as accurate as double, in less memory
   --ghost-faces N|off                    let a coarse mesh of N faces lead the shape; default off
   --transfer exact|paper                 with it: through every key (default), or as published
   --placement vertices|optimal           of the coarse mesh; default: on vertices of the shape
