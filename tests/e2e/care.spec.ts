@@ -150,6 +150,17 @@ test.describe('at 360 px', () => {
     expect(await overflow()).toBeLessThanOrEqual(0);
     await app.expectNoProblems();
   });
+
+  test('a message covers no half of a line', async ({ app }) => {
+    await app.open();
+    await app.by('file-input').setInputFiles({ name: 'broken.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('glTF') });
+    await expect(app.by('error')).toBeVisible();
+    const [status, message] = [(await app.by('status').boundingBox())!, (await app.by('error').boundingBox())!];
+    expect(status.y + status.height).toBeLessThanOrEqual(message.y + 1);
+    await app.by('error-close').tap();
+    await app.by('timeline').tap();  // the welcome goes, too
+    await expect(app.by('status-ms')).toBeVisible();
+  });
 });
 
 test('asks no other host for anything, under a policy that forbids inline scripts', async ({ app }) => {

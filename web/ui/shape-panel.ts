@@ -57,7 +57,7 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
     stretch.element, lost, reference.element,
     h('div', { class: 'field row' }, h('span', { class: 'label', title: 'Pieces that the shape is cut into; each turns as one, and the faces turn within them' }, 'Patches'), patches, patchesUsed),
     sampling.element, orientation.element, ghost,
-    h('details', { class: 'details', 'data-testid': 'mesh-report' }, h('summary', {}, 'What was read'), facts));
+    h('details', { class: 'details', 'data-testid': 'mesh-report' }, h('summary', {}, 'What was read and built'), facts));
 
   const draw = memo((props: ShapePanelProps) => {
     const { encoding, keys, info, stats } = props;
