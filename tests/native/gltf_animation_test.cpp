@@ -230,6 +230,7 @@ TEST_CASE("sample times beyond the animation are held there, with a warning") {
   const Import import = sampled(maker, {0.5, 9});
   REQUIRE(!import.warnings.empty());
   CHECK(import.warnings[0].code == "sample-outside-animation");
+  CHECK(sampled(maker, {1.0 / 3, 0.5}).keyframes.keys[0].name == "0.333 s");
   ImportOptions options;
   options.sampleTimes = {0.5, 0.25};
   CHECK(Files().add("m.glb", maker.glb()).import(options).error().code == ErrorCode::TimesNotIncreasing);

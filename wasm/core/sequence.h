@@ -69,7 +69,7 @@ class Sequence {
   /// The same in double precision, n positions: for measures and tests.
   Status evaluate(double t, Positions& positions);
 
-  /// The shape at time t, about: within 0.1 % of the diagonal in the mean and 0.5 % at worst, in less than half the time
+  /// The shape at time t, about: within 0.1 % of the diagonal in the mean and 0.5 % at worst, in about half the time
   /// from 332,000 faces on, for while a slider moves. Meets every key. lostDefiniteness is not counted. The baselines are exact.
   Status preview(double t, Frame& frame);
 

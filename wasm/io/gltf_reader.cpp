@@ -178,7 +178,8 @@ struct KeyReader {
     for (double t : *times) {
       SceneState state = restState(doc, shape);
       applyAnimation(animation, t, state);
-      if (Status key = addKey(shortNumber(t) + " s", t, state, times->size(), &animation); !key) return key;
+      const std::string name = shortNumber(std::round(1000 * t) / 1000) + " s";
+      if (Status key = addKey(name, t, state, times->size(), &animation); !key) return key;
     }
     return {};
   }

@@ -148,8 +148,8 @@ struct ShapeReader {
     // An accessor may leave out its bytes, for zeros; but no mesh has more vertices than its file has bytes.
     if (accessorCount(doc, position) > doc.bufferBytes && doc.model.accessors[position].bufferView < 0)
       return Error{ErrorCode::TooLarge, doc.where + ": POSITION of " + name + " declares " +
-                                            grouped(std::int64_t(accessorCount(doc, position))) + " vertices, more than the file has bytes. " +
-                                            "Export it again."};
+                                            grouped(std::int64_t(accessorCount(doc, position))) + " vertices, but there are no bytes for so many. " +
+                                            "Export the file again."};
     const std::size_t count = accessorCount(doc, position);
     auto positions = readNumbers(doc, position, 3, "POSITION of " + name, count, partOf(report, 0, 0.3));
     if (!positions) return positions.error();
