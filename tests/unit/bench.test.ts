@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
 import { readArguments } from '../bench/arguments.ts';
-import type { Round } from '../bench/frames.ts';
 import type { Run } from '../bench/measure.ts';
 import type { NativeRun } from '../bench/native.ts';
 import { quantile, spread } from '../bench/quantile.ts';
@@ -34,6 +33,8 @@ describe('quantiles', () => {
     expect(spread(Array.from({ length: 100 }, (_, i) => 99 - i))).toEqual({ median: 50, slow: 95 });
   });
 });
+
+type Round = Run['exact']['rounds'][number];
 
 const GB = 1e9;
 
