@@ -150,6 +150,17 @@ TEST_CASE("long work is reported block by block, in order and to its end") {
   CHECK(heard[1] == doctest::Approx(16384.0 / 40000));
 }
 
+TEST_CASE("a part of a part of a report runs where it stands in the whole") {
+  double heard = -1;
+  const auto hear = [&](double fraction) { heard = fraction; };
+  const FractionReport part = partOf(partOf(hear, 0.5, 1), 0.5, 0.75);
+  reportFraction(part, 0);
+  CHECK(heard == 0.75);
+  reportFraction(part, 1);
+  CHECK(heard == 0.875);
+  CHECK(!partOf({}, 0, 0.5));
+}
+
 TEST_CASE("components hang on their nearest neighbour, rooted at the largest") {
   const Shape parts = joined(joined(sphere({0, 3, 0}, 0.2), sphere({0, 0, 0}, 1)), sphere({0, 1.6, 0}, 0.4));
   const std::vector<char> use(parts.faces.size(), 1);

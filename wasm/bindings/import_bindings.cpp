@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kImporting = 0.5;  // share of the progress; the rest is the report on the mesh
 
-void reportChecking(double fraction) { reportProgress("checking the mesh", kImporting + (1 - kImporting) * fraction); }
+constexpr auto reportChecking = [](double fraction) { reportProgress("checking the mesh", kImporting + (1 - kImporting) * fraction); };
 
 Json toJson(const MeshReport& report) {
   return {{"vertices", report.vertices},

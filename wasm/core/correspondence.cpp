@@ -33,7 +33,7 @@ double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
 }
 
 std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeParts& parts, const GhostMesh& ghost,
-                                    const std::function<void(double)>& onProgress) {
+                                    const FractionReport& onProgress) {
   const Positions& p = shape.poses[shape.reference];
   const Positions& g = ghost.poses[shape.reference];
   const VertexFaces ghostFacesAt = facesOfVertices(static_cast<int>(g.size()), ghost.faces);

@@ -1,9 +1,9 @@
 // Which ghost face each face follows (paper section 4.3, Fig. 6).
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/simplify.h"
 #include "core/welded_shape.h"
 
@@ -14,7 +14,7 @@ namespace shapespline {
 /// no area. Distances that differ by rounding are equal: ties fall to the lower ghost face.
 /// onProgress: fraction in [0, 1], called some ten thousand faces apart.
 std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeParts& parts, const GhostMesh& ghost,
-                                    const std::function<void(double)>& onProgress);
+                                    const FractionReport& onProgress);
 
 /// Squared distance from p to the triangle (a, b, c).
 double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);

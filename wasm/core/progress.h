@@ -3,11 +3,46 @@
 
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 
 namespace shapespline {
 
-/// Called with the fraction that is done, in [0, 1]; may be empty.
-using FractionReport = std::function<void(double)>;
+/// Tells a listener which fraction of some work is done, in [0, 1]; may be empty. Refers to the listener, any callable of one
+/// number, which must outlive it: reports are made everywhere and passed down, and an owning one would be code in every place.
+class FractionReport {
+ public:
+  FractionReport() = default;
+
+  template <class Listener>
+    requires(std::is_invocable_v<const Listener&, double> && !std::is_same_v<Listener, FractionReport>)
+  FractionReport(const Listener& listener)
+      : listener_(&listener),
+        tell_([](const void* l, double fraction) { (*static_cast<const Listener*>(l))(fraction); }) {}
+
+  explicit operator bool() const { return tell_ != nullptr; }
+  void operator()(double fraction) const { tell_(listener_, from_ + (to_ - from_) * fraction); }
+
+  /// The part of the report that runs from one fraction of it to another.
+  FractionReport part(double from, double to) const {
+    FractionReport out = *this;
+    out.from_ = from_ + (to_ - from_) * from;
+    out.to_ = from_ + (to_ - from_) * to;
+    return out;
+  }
+
+ private:
+  const void* listener_ = nullptr;
+  void (*tell_)(const void* listener, double fraction) = nullptr;
+  double from_ = 0, to_ = 1;
+};
+
+/// A listener to one stage of work that is reported with its name.
+struct Stage {
+  const std::function<void(const char* stage, double fraction)>& progress;
+  const char* name;
+
+  void operator()(double fraction) const { progress(name, fraction); }
+};
 
 /// Reports item i of n, now and then: often enough for a progress bar, seldom enough to cost nothing.
 inline void reportItem(const FractionReport& report, std::size_t i, std::size_t n) {
@@ -30,10 +65,6 @@ void inBlocks(const FractionReport& report, std::size_t n, Work work) {
   inBlocks(report, n, [](void* w, std::size_t begin, std::size_t end) { (*static_cast<Work*>(w))(begin, end); }, &work);
 }
 
-/// The part of a report that runs from one fraction of it to another. `report` must outlive the part.
-inline FractionReport partOf(const FractionReport& report, double from, double to) {
-  if (!report) return {};
-  return [&report, from, to](double fraction) { report(from + (to - from) * fraction); };
-}
+inline FractionReport partOf(const FractionReport& report, double from, double to) { return report.part(from, to); }
 
 }  // namespace shapespline

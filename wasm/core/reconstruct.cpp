@@ -66,20 +66,18 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
     if (in.parts.hasArea[f])
       for (int v : shape.faces[f]) pieceOfVertex_[v] = in.parts.pieces.ofFace[f];
 
-  const auto part = [&onProgress](const char* stage, double from, double to) {
-    return FractionReport([&onProgress, stage, from, to](double f) { onProgress(stage, from + (to - from) * f); });
-  };
+  const Stage ordering{onProgress, "ordering"}, factorising{onProgress, "factorising"};
   const CotangentLaplacian laplacian = cotangentLaplacian(shape.faces, in.parts.hasArea, in.parts.pieces,
-                                                          shape.poses[shape.reference], part("ordering", 0, 0.1));
-  if (Status status = poisson_.order(laplacian, in.precision, part("ordering", 0.1, 1)); !status) return status;
+                                                          shape.poses[shape.reference], partOf(ordering, 0, 0.1));
+  if (Status status = poisson_.order(laplacian, in.precision, partOf(ordering, 0.1, 1)); !status) return status;
   stats.orderMs += watch.lap();
   onProgress("ordering", 1);
-  if (Status status = poisson_.factorise(laplacian, part("factorising", 0, 0.8)); !status) return status;
+  if (Status status = poisson_.factorise(laplacian, partOf(factorising, 0, 0.8)); !status) return status;
   stats.factorMs += watch.lap();
-  const FaceHalves halves = inEliminationOrder(shape.faces, frameOf_, poisson_, part("factorising", 0.8, 0.83));
+  const FaceHalves halves = inEliminationOrder(shape.faces, frameOf_, poisson_, partOf(factorising, 0.8, 0.83));
   onProgress("factorising", 0.83);
-  lri_.face.reorder(halves.order, part("factorising", 0.83, 0.85));
-  kernel_.build(shape, frameOf_, in.stretch, halves, poisson_.slot(), poisson_.dump(), part("factorising", 0.85, 0.95));
+  lri_.face.reorder(halves.order, partOf(factorising, 0.83, 0.85));
+  kernel_.build(shape, frameOf_, in.stretch, halves, poisson_.slot(), poisson_.dump(), partOf(factorising, 0.85, 0.95));
   solution_.resize(4 * static_cast<std::size_t>(poisson_.size()));
   shift_.resize(in.parts.pieces.count);
   offset_.resize(4 * shift_.size());

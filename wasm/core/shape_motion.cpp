@@ -16,22 +16,20 @@ class TypedMotion final : public ShapeMotion {
   Status build(const EncodingOptions& options, SequenceStats& stats, const StageProgress& progress) {
     Stopwatch watch;
     const bool wantsGhost = options.ghostFaces > 0;
-    const auto stage = [&progress](const char* name, double from, double to) {
-      return FractionReport([&progress, name, from, to](double f) { progress(name, from + (to - from) * f); });
-    };
-    const ShapeParts parts = partsOf(shape_, wantsGhost ? stage("simplifying", 0, 0) : stage("encoding", 0, 0.2));
+    const Stage simplifying{progress, "simplifying"}, encoding{progress, "encoding"};
+    const ShapeParts parts = partsOf(shape_, wantsGhost ? partOf(simplifying, 0, 0) : partOf(encoding, 0, 0.2));
     if (parts.pieces.count == 0)
       return Error{ErrorCode::NoArea, "No triangle has area in every key. Use poses in which the shape is not collapsed."};
     stats.components = parts.pieces.count;
     const auto usedFaces = std::count(parts.hasArea.begin(), parts.hasArea.end(), 1);
     const bool withGhost = wantsGhost && options.ghostFaces < usedFaces;
     Status status = withGhost ? buildGhost(parts, options, stats, progress)
-                              : buildPatches(parts, options, stats, stage("encoding", 0.2, 0.7));
+                              : buildPatches(parts, options, stats, partOf(encoding, 0.2, 0.7));
     if (!status) return status;
     watch.lap();
     const FramePoses frames = withGhost ? ghost_->poses() : patches_.poses();
     auto coordinates = encode<Real>(shape_, parts, frames, options.stretch, withGhost ? options.transfer : Transfer::Exact,
-                                    stage("encoding", withGhost ? 0 : 0.7, 1));
+                                    partOf(encoding, withGhost ? 0 : 0.7, 1));
     ++stats.encodings;
     (withGhost ? stats.transferMs : stats.encodeMs) += watch.lap();
     progress("encoding", 1);

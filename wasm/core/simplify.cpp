@@ -61,7 +61,7 @@ struct Entry {
 class Simplifier {
  public:
   Simplifier(const WeldedShape& shape, const ShapeParts& parts, const SimplifyOptions& options,
-             const std::function<void(double)>& onProgress)
+             const FractionReport& onProgress)
       : shape_(shape),
         options_(options),
         onProgress_(onProgress),
@@ -337,7 +337,7 @@ class Simplifier {
 
   const WeldedShape& shape_;
   const SimplifyOptions& options_;
-  const std::function<void(double)>& onProgress_;
+  const FractionReport& onProgress_;
   int columns_;
   int faceCount_ = 0;
   std::vector<int> pieceOf_;
@@ -360,7 +360,7 @@ class Simplifier {
 }  // namespace
 
 GhostMesh simplify(const WeldedShape& shape, const ShapeParts& parts, const SimplifyOptions& options,
-                   const std::function<void(double)>& onProgress) {
+                   const FractionReport& onProgress) {
   return Simplifier(shape, parts, options, onProgress).run();
 }
 

@@ -1,9 +1,9 @@
 // The ghost mesh: a coarse mesh in all poses at once, by edge collapses (paper section 4.3; Garland and Heckbert 1997).
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/types.h"
 #include "core/welded_shape.h"
 
@@ -32,6 +32,6 @@ struct GhostMesh {
 /// The result may have more faces than asked for where no legal collapse is left. Time: O(m log m) for bounded valence.
 /// onProgress: fraction in [0, 1], called a few thousand steps apart.
 GhostMesh simplify(const WeldedShape& shape, const ShapeParts& parts, const SimplifyOptions& options,
-                   const std::function<void(double)>& onProgress);
+                   const FractionReport& onProgress);
 
 }  // namespace shapespline

@@ -6,8 +6,7 @@ Status GhostMotion::build(const WeldedShape& full, const ShapeParts& parts, cons
                           SequenceStats& stats, const StageProgress& progress) {
   Stopwatch watch;
   transfer_ = options.transfer;
-  mesh_ = simplify(full, parts, {options.ghostFaces, options.optimalPlacement},
-                   [&](double fraction) { progress("simplifying", fraction); });
+  mesh_ = simplify(full, parts, {options.ghostFaces, options.optimalPlacement}, Stage{progress, "simplifying"});
   shape_ = full.withMesh(mesh_.faces, mesh_.poses);
   stats.ghostFaces = shape_.faceCount();
   stats.ghostVertices = shape_.vertexCount();
@@ -16,7 +15,7 @@ Status GhostMotion::build(const WeldedShape& full, const ShapeParts& parts, cons
   if (Status status = buildMotion(options, stats); !status) return status;
   stats.encodeMs += watch.lap();
 
-  faceOf_ = correspondingFaces(full, parts, mesh_, [&](double fraction) { progress("matching", fraction); });
+  faceOf_ = correspondingFaces(full, parts, mesh_, Stage{progress, "matching"});
   for (int c = 0; c < shape_.columns(); ++c) {
     rotation_.emplace_back();
     for (int f = 0; f < shape_.faceCount(); ++f) rotation_.back().push_back(rotationOf(shape_, f, c));

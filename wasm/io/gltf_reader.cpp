@@ -57,7 +57,7 @@ struct KeyReader {
 
   // `count`: how many keys there will be. `animation`: what the state was taken from, or null.
   Status addKey(const std::string& name, double time, const SceneState& state, std::size_t count, const GltfAnimation* animation) {
-    const FractionReport onKey = [&, before = static_cast<double>(out.keyframes.keys.size())](double fraction) {
+    const auto onKey = [&, before = static_cast<double>(out.keyframes.keys.size())](double fraction) {
       report("taking the keys", kReading + (1 - kReading) * (before + fraction) / static_cast<double>(count));
     };
     onKey(0);
