@@ -85,21 +85,22 @@ std::vector<Real> denseSolution(int size) {
   symbolic.first = {0, size};
   symbolic.rowStart = {0, 0};
   symbolic.parent = {-1};
-  const int strips = stripsFor(size);
+  const Pivots pivots(size);
+  const std::size_t rows = 4 * static_cast<std::size_t>(pivots.strips);
   kernels::Noise noise;
-  std::vector<double> front(stripOffset(static_cast<std::size_t>(strips)), 0.0), reference(4 * static_cast<std::size_t>(strips), 1.0), inverse(16 * static_cast<std::size_t>(strips));
-  for (int r = 0; r < 4 * strips; ++r)
+  std::vector<double> front(stripOffset(static_cast<std::size_t>(pivots.strips)), 0.0), reference(rows, 1.0), inverse(4 * rows);
+  for (int r = 0; r < 4 * pivots.strips; ++r)
     for (int c = 0; c <= r; ++c) {
       double& entry = front[stripOffset(static_cast<std::size_t>(r) / 4) + 4 * static_cast<std::size_t>(c) + r % 4];
-      entry = r < size && c < r ? noise.next() : 0;
-      if (c == r) entry = r < size ? size : 1;
+      entry = c >= pivots.padding && c < r ? noise.next() : 0;
+      if (c == r) entry = r < pivots.padding ? 1 : size;
       if (c == r) reference[r] = entry;
     }
   PivotReport report;
-  eliminateStrips(front.data(), strips, 0, strips, reference.data(), inverse.data(), report);
+  eliminateStrips(front.data(), pivots, 0, pivots.strips, reference.data(), inverse.data(), report);
   PanelFactor<Real> factor;
   factor.allocate(symbolic);
-  factor.store(symbolic, 0, front.data());
+  factor.store(symbolic, 0, front.data(), inverse.data());
   std::vector<Real> x(4 * static_cast<std::size_t>(factor.paddedSize()), Real(0));
   for (int i = 0; i < 4 * size; ++i) x[i] = static_cast<Real>(noise.next());
   factor.solve(x.data());

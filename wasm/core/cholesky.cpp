@@ -41,9 +41,10 @@ struct Cholesky::State {
   std::size_t workBytes = 0;
   bool factorised = false;
 
-  void store(int s, const double* front) {
-    if (precision == Precision::Single) single.store(symbolic, s, front);
-    else full.store(symbolic, s, front);
+  void store(const Multifrontal& eliminated) {
+    const int s = eliminated.supernode();
+    if (precision == Precision::Single) single.store(symbolic, s, eliminated.front(), eliminated.inverse());
+    else full.store(symbolic, s, eliminated.front(), eliminated.inverse());
   }
 };
 
@@ -99,7 +100,7 @@ bool Cholesky::factoriseSome(std::int64_t flopBudget) {
   Multifrontal& running = *state_->running;
   double budget = static_cast<double>(flopBudget);
   while (!running.done() && running.eliminate(budget)) {
-    state_->store(running.supernode(), running.front());
+    state_->store(running);
     running.finishFront();
     if (running.failedPosition() != -1) break;
   }

@@ -86,46 +86,48 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
 // Strips that are eliminated together: each strip above is read once for all of them, and they fit a level-2 cache.
 constexpr int kGroup = 8;
 
-// What the pivots need and leave; see eliminateStrips().
-struct Pivots {
-  int strips;
+// What it needs and leaves; see eliminateStrips().
+struct Elimination {
+  Pivots pivots;
   const double* reference;
   double* inverse;
   PivotReport& report;
 };
 
 // The tiles in column j of the strips begin ... end - 1.
-void eliminateColumn(double* front, int j, int begin, int end, const Pivots& pivots) {
-  const double* columns = front + stripOffset(j);
-  const int depth = 4 * std::min(j, pivots.strips);
+void eliminateColumn(double* front, int j, int begin, int end, const Elimination& elimination) {
+  const auto [strips, padding] = elimination.pivots;
+  const double* columns = front + stripOffset(j) + 4 * padding;
+  const int depth = j == 0 ? 0 : 4 * std::min(j, strips) - padding;
   for (int i = std::max(j, begin); i < end; ++i) {
     double* rows = front + stripOffset(i);
     double* tile = rows + 16 * static_cast<std::ptrdiff_t>(j);
-    updateTile(rows, columns, depth, tile);
-    if (j >= pivots.strips) continue;
-    if (i == j) factorTile(tile, 4 * j, pivots.reference + 4 * j, pivots.inverse + 16 * j, pivots.report);
-    else solveTile(tile, pivots.inverse + 16 * j);
+    updateTile(rows + 4 * padding, columns, depth, tile);
+    if (j >= strips) continue;
+    double* inverse = elimination.inverse + 16 * j;
+    if (i == j) factorTile(tile, 4 * j, elimination.reference + 4 * j, inverse, elimination.report);
+    else solveTile(tile, inverse);
   }
 }
 
 }  // namespace
 
-void eliminateStrips(double* front, int pivotStrips, int begin, int end, const double* reference, double* inverse,
+void eliminateStrips(double* front, Pivots pivots, int begin, int end, const double* reference, double* inverse,
                      PivotReport& report) {
-  const Pivots pivots = {pivotStrips, reference, inverse, report};
+  const Elimination elimination = {pivots, reference, inverse, report};
   const auto eliminate = outOfLine(eliminateColumn);
   for (int group = begin; group < end; group += kGroup) {
     const int groupEnd = std::min(end, group + kGroup);
-    for (int j = 0; j < groupEnd; ++j) eliminate(front, j, group, groupEnd, pivots);
+    for (int j = 0; j < groupEnd; ++j) eliminate(front, j, group, groupEnd, elimination);
   }
 }
 
-double eliminationFlops(int pivotStrips, int begin, int end) {
-  // Strip i multiplies its tiles j <= i at depth 4 min(j, pivotStrips): 2 * 16 * depth operations a tile.
+double eliminationFlops(Pivots pivots, int begin, int end) {
+  // Strip i multiplies its tiles j <= i at depth 4 min(j, strips), less the padding: 2 * 16 * depth operations a tile.
   double flops = 0.0;
   for (int i = begin; i < end; ++i) {
-    const double triangle = std::min(i, pivotStrips);
-    flops += 128.0 * (triangle * (triangle + 1) / 2 + static_cast<double>(pivotStrips) * std::max(0, i + 1 - pivotStrips));
+    const double triangle = std::min(i, pivots.strips), rest = std::max(0, i + 1 - pivots.strips);
+    flops += 128.0 * (triangle * (triangle + 1) / 2 + pivots.strips * rest) - 32.0 * pivots.padding * i;
   }
   return flops;
 }

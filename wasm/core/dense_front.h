@@ -2,6 +2,7 @@
 //
 // Strip i holds rows 4i .. 4i + 3 and columns 0 .. 4i + 3, four doubles a column: entry (r, c) is at
 // stripOffset(r / 4) + 4 c + r % 4. A 4 x 4 tile is then contiguous, and strips are what the kernels stream.
+// Pivots fill whole strips: before the first of them stand up to three of padding, rows and columns of the identity.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +21,20 @@ struct PivotReport {
   int failed = -1;  ///< column in the front of the first negative pivot or one that is not finite, or -1
 };
 
-/// Eliminates the first pivotStrips * 4 columns of a front, for the rows of strips begin ... end - 1; strips before
-/// begin must be done. reference[c] is the matrix's diagonal entry for pivot column c, inverse has room for 16
-/// doubles a pivot strip (the inverted diagonal tiles). Rows below the pivots are left with the update matrix.
-void eliminateStrips(double* front, int pivotStrips, int begin, int end, const double* reference, double* inverse,
+/// The pivots of a front: `strips` strips of them, of which the first has `padding` columns that are none.
+struct Pivots {
+  int strips, padding;
+  /// Of a front with so many pivots.
+  explicit constexpr Pivots(int columns) : strips(stripsFor(columns)), padding(4 * strips - columns) {}
+};
+
+/// Eliminates the pivots of a front, for the rows of strips begin ... end - 1; strips before begin must be done.
+/// reference[c] is the matrix's diagonal entry for column c of the front (1 for padding), inverse has room for 16 doubles a
+/// pivot strip: the inverted diagonal tiles, row by row. Rows below the pivots are left with the update matrix.
+void eliminateStrips(double* front, Pivots pivots, int begin, int end, const double* reference, double* inverse,
                      PivotReport& report);
 
 /// Floating-point operations (a multiplication and an addition are two) of that call.
-double eliminationFlops(int pivotStrips, int begin, int end);
+double eliminationFlops(Pivots pivots, int begin, int end);
 
 }  // namespace shapespline

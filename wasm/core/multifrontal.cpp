@@ -13,7 +13,7 @@ namespace {
 // Strips eliminated between two looks at the budget.
 constexpr int kStripsAtOnce = 32;
 
-int pivotStrips(const SymbolicFactor& symbolic, int s) { return stripsFor(symbolic.columns(s)); }
+Pivots pivotsOf(const SymbolicFactor& symbolic, int s) { return Pivots(symbolic.columns(s)); }
 int updateStrips(const SymbolicFactor& symbolic, int s) { return stripsFor(symbolic.rows(s)); }
 
 // The largest size that the stack will have, in doubles.
@@ -22,7 +22,7 @@ std::size_t stackPeak(const SymbolicFactor& symbolic) {
   std::size_t top = 0, peak = 0;
   for (int s = 0; s < symbolic.supernodes(); ++s) {
     const int update = updateStrips(symbolic, s);
-    peak = std::max(peak, top + stripOffset(pivotStrips(symbolic, s) + update));
+    peak = std::max(peak, top + stripOffset(pivotsOf(symbolic, s).strips + update));
     top = top - childUpdates[s] + stripOffset(update);
     if (symbolic.parent[s] != -1) childUpdates[symbolic.parent[s]] += stripOffset(update);
   }
@@ -87,22 +87,23 @@ Multifrontal::Multifrontal(const SymbolicFactor& symbolic, const EntryMap& map, 
 
 void Multifrontal::assembleFront() {
   const int s = supernode_, first = symbolic_.first[s], columns = symbolic_.columns(s), rows = symbolic_.rows(s);
-  const int pivots = 4 * pivotStrips(symbolic_, s);
+  const Pivots pivots = pivotsOf(symbolic_, s);
+  const int pivotRows = 4 * pivots.strips;
   const int* row = symbolic_.rowsOf(s);
   frontBase_ = stackTop_;
   double* front = stack_.data() + frontBase_;
-  std::memset(front, 0, stripOffset(pivots / 4 + updateStrips(symbolic_, s)) * sizeof(double));
+  std::memset(front, 0, stripOffset(pivots.strips + updateStrips(symbolic_, s)) * sizeof(double));
 
-  for (int c = 0; c < columns; ++c) local_[first + c] = c;
-  for (int r = 0; r < rows; ++r) local_[row[r]] = pivots + r;
+  for (int c = 0; c < columns; ++c) local_[first + c] = pivots.padding + c;
+  for (int r = 0; r < rows; ++r) local_[row[r]] = pivotRows + r;
   const auto at = [&](int r, int c) -> double& { return front[stripOffset(r / 4) + 4 * static_cast<std::size_t>(c) + r % 4]; };
-  reference_.assign(pivots, 1.0);
-  inverse_.resize(4 * static_cast<std::size_t>(pivots));
-  for (int c = 0; c < columns; ++c) {
-    for (int i = map_.start[first + c]; i < map_.start[first + c + 1]; ++i) at(local_[map_.row[i]], c) += values_[i];
-    reference_[c] = at(c, c);
+  reference_.assign(pivotRows, 1.0);
+  inverse_.resize(4 * static_cast<std::size_t>(pivotRows));
+  for (int c = 0; c < pivots.padding; ++c) at(c, c) = 1.0;
+  for (int c = 0, to = pivots.padding; c < columns; ++c, ++to) {
+    for (int i = map_.start[first + c]; i < map_.start[first + c + 1]; ++i) at(local_[map_.row[i]], to) += values_[i];
+    reference_[to] = at(to, to);
   }
-  for (int c = columns; c < pivots; ++c) at(c, c) = 1.0;  // padding to whole strips
   for (int child = firstChild_[s]; child != -1; child = sibling_[child]) addChild(child, front);
 }
 
@@ -126,14 +127,15 @@ bool Multifrontal::eliminate(double& flopBudget) {
     assembleFront();
     nextStrip_ = 0;
   }
-  const int pivots = pivotStrips(symbolic_, supernode_), strips = pivots + updateStrips(symbolic_, supernode_);
+  const Pivots pivots = pivotsOf(symbolic_, supernode_);
+  const int strips = pivots.strips + updateStrips(symbolic_, supernode_);
   double* front = stack_.data() + frontBase_;
   while (nextStrip_ < strips && flopBudget > 0.0) {
     const int end = std::min(strips, nextStrip_ + kStripsAtOnce);
     PivotReport report;
     eliminateStrips(front, pivots, nextStrip_, end, reference_.data(), inverse_.data(), report);
     regularised_ += report.regularised;
-    if (report.failed != -1 && failed_ == -1) failed_ = symbolic_.first[supernode_] + report.failed;
+    if (report.failed != -1 && failed_ == -1) failed_ = symbolic_.first[supernode_] + report.failed - pivots.padding;
     const double flops = eliminationFlops(pivots, nextStrip_, end);
     flopBudget -= flops;
     flopsDone_ += flops;
@@ -143,7 +145,7 @@ bool Multifrontal::eliminate(double& flopBudget) {
 }
 
 void Multifrontal::finishFront() {
-  const int s = supernode_, pivots = pivotStrips(symbolic_, s), update = updateStrips(symbolic_, s);
+  const int s = supernode_, pivots = pivotsOf(symbolic_, s).strips, update = updateStrips(symbolic_, s);
   // The children's update matrices lie directly below the front, the first pushed one lowest.
   std::size_t base = frontBase_;
   for (int child = firstChild_[s]; child != -1; child = sibling_[child]) base = updateBase_[child];
@@ -162,8 +164,8 @@ void Multifrontal::finishFront() {
 double factorisationFlops(const SymbolicFactor& symbolic) {
   double flops = 0.0;
   for (int s = 0; s < symbolic.supernodes(); ++s) {
-    const int pivots = pivotStrips(symbolic, s);
-    flops += eliminationFlops(pivots, 0, pivots + updateStrips(symbolic, s));
+    const Pivots pivots = pivotsOf(symbolic, s);
+    flops += eliminationFlops(pivots, 0, pivots.strips + updateStrips(symbolic, s));
   }
   return flops;
 }

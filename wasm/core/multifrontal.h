@@ -32,6 +32,7 @@ class Multifrontal {
   /// front is eliminated: read it with front(), then call finishFront() to go on.
   bool eliminate(double& flopBudget);
   const double* front() const { return stack_.data() + frontBase_; }
+  const double* inverse() const { return inverse_.data(); }  // of its diagonal tiles
   void finishFront();
 
   int regularisedPivots() const { return regularised_; }

@@ -1,9 +1,11 @@
 // How a factor's supernodes are cut into panels, and for two to work on.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include "core/dense_front.h"
 #include "core/symbolic.h"
 
 namespace shapespline {
@@ -44,8 +46,11 @@ class PanelLayout {
   std::size_t addPanels(const SymbolicFactor& symbolic, int s, const std::vector<int>& nameOf, std::size_t values);
 };
 
-/// Panels of a supernode, and the first column of panel i.
+/// Panels of a supernode, and the first column of panel i: each but the first starts with a strip of the front.
 inline int panelCount(int columns) { return (columns + PanelLayout::kWidth - 1) / PanelLayout::kWidth; }
-inline int panelStart(int columns, int count, int i) { return static_cast<int>(static_cast<long long>(columns) * i / count); }
+inline int panelStart(int columns, int count, int i) {
+  const Pivots pivots(columns);
+  return std::max(0, 4 * static_cast<int>(static_cast<long long>(pivots.strips) * i / count) - pivots.padding);
+}
 
 }  // namespace shapespline

@@ -11,50 +11,11 @@ namespace shapespline {
 
 namespace {
 
-// An eliminated front, its rows numbered without the padding between pivots and rows below.
-struct FrontRows {
-  const double* front;
-  int pivots, padding;
-  /// Entry (r, c) is at row(r)[4 * c].
-  const double* row(int r) const {
-    const int local = r < pivots ? r : r + padding;
-    return front + stripOffset(static_cast<std::size_t>(local) / 4) + local % 4;
-  }
-};
-
-// The panel's triangle, columns begin ... end - 1; returns the end of what was written.
+// Columns of a strip of a front, the next of them `stride` numbers on.
 template <class Scalar>
-Scalar* copyTriangle(const FrontRows& rows, int begin, int end, Scalar* out) {
-  for (int r = begin, height = firstBlock(end - begin); r < end; r += height, height = 4) {
-    const double* row[4];
-    for (int k = 0; k < height; ++k) row[k] = rows.row(r + k);
-    for (int c = begin; c < r; ++c)
-      for (int k = 0; k < 4; ++k) *out++ = static_cast<Scalar>(row[k][4 * c]);
-    double inverse[4][4];
-    for (int a = 0; a < height; ++a) {
-      for (int b = 0; b <= a; ++b) {
-        double sum = a == b ? 1.0 : 0.0;
-        for (int p = b; p < a; ++p) sum -= row[a][4 * (r + p)] * inverse[p][b];
-        inverse[a][b] = sum / row[a][4 * (r + a)];
-        *out++ = static_cast<Scalar>(inverse[a][b]);
-      }
-    }
-  }
-  return out;
-}
-
-// The rows r ... last - 1 of the columns begin ... end - 1, filled up to `group` rows with zeros.
-template <class Scalar>
-Scalar* copyRows(const FrontRows& rows, int r, int last, int group, int begin, int end, Scalar* out) {
-  for (int k = 0; k < group; ++k) {
-    if (r + k < last) {
-      const double* row = rows.row(r + k);
-      for (int c = begin; c < end; ++c) out[group * (c - begin) + k] = static_cast<Scalar>(row[4 * c]);
-    } else {
-      for (int c = begin; c < end; ++c) out[group * (c - begin) + k] = Scalar(0);
-    }
-  }
-  return out + group * (end - begin);
+void copyStrip(const double* strip, int columns, int stride, Scalar* out) {
+  for (const double* end = strip + 4 * columns; strip != end; strip += 4, out += stride)
+    for (int k = 0; k < 4; ++k) out[k] = static_cast<Scalar>(strip[k]);
 }
 
 }  // namespace
@@ -66,18 +27,26 @@ void PanelFactor<Scalar>::allocate(const SymbolicFactor& symbolic) {
 }
 
 template <class Scalar>
-void PanelFactor<Scalar>::store(const SymbolicFactor& symbolic, int s, const double* front) {
-  const int columns = symbolic.columns(s), size = columns + symbolic.rows(s), count = panelCount(columns);
-  const FrontRows rows = {front, columns, 4 * stripsFor(columns) - columns};
-  const auto storeTriangle = outOfLine(copyTriangle<Scalar>);
-  const auto storeRows = outOfLine(copyRows<Scalar>);
+void PanelFactor<Scalar>::store(const SymbolicFactor& symbolic, int s, const double* front, const double* inverse) {
+  const int columns = symbolic.columns(s), count = panelCount(columns), padding = Pivots(columns).padding;
+  const auto copy = outOfLine(copyStrip<Scalar>);
   for (int i = 0; i < count; ++i) {
     const Panel& panel = panels_[firstPanel_[s] + i];
-    const int begin = panelStart(columns, count, i), end = begin + panel.columns;
-    Scalar* out = storeTriangle(rows, begin, end, values_.data() + panel.values);
-    for (int r = end, left = panel.rows, group = 0; left > 0; r += group, left -= group) {
-      group = std::min(left, 8);
-      out = storeRows(rows, r, std::min(size, r + group), group, begin, end, out);
+    const int begin = padding + panelStart(columns, count, i), end = begin + panel.columns;
+    const auto strip = [&](int k) { return front + stripOffset(k) + 4 * begin; };
+    Scalar* out = values_.data() + panel.values;
+    for (int k = begin / 4; k < end / 4; ++k) {
+      const int before = std::max(0, 4 * k - begin), firstRow = std::max(0, begin - 4 * k);
+      copy(strip(k), before, 4, out);
+      out += 4 * before;
+      for (int r = firstRow; r < 4; ++r)
+        for (int c = firstRow; c <= r; ++c) *out++ = static_cast<Scalar>(inverse[16 * k + 4 * r + c]);
+    }
+    for (int k = end / 4, left = panel.rows / 4; left > 0; k += 2, left -= 2) {
+      const int stride = left > 1 ? 8 : 4;
+      copy(strip(k), panel.columns, stride, out);
+      if (left > 1) copy(strip(k + 1), panel.columns, stride, out + 4);
+      out += stride * panel.columns;
     }
   }
 }
