@@ -1,10 +1,10 @@
 #include "core/multifrontal.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "core/dense_front.h"
 #include "core/out_of_line.h"
+#include "core/simd.h"
 
 namespace shapespline {
 
@@ -27,6 +27,22 @@ std::size_t stackPeak(const SymbolicFactor& symbolic) {
     if (symbolic.parent[s] != -1) childUpdates[symbolic.parent[s]] += stripOffset(update);
   }
   return peak;
+}
+
+// What memset and memcpy do for whole strips: WebAssembly's C library has them a word at a time or asks JavaScript to do it.
+// stepBack() keeps compilers from calling them all the same.
+void clear(double* begin, std::size_t n) {
+  for (double* p = begin + n; p != begin;) {
+    p = stepBack(p, 4);
+    Double4::zero().store(p);
+  }
+}
+void copy(const double* from, std::size_t n, double* to) {
+  to += n;
+  for (const double* p = from + n; p != from;) {
+    p = stepBack(p, 4), to = stepBack(to, 4);
+    Double4::load(p).store(to);
+  }
 }
 
 // Adds a strip of an update matrix, `rows` rows from row `first` on, to its parent's front: entry (r, c) at
@@ -92,7 +108,7 @@ void Multifrontal::assembleFront() {
   const int* row = symbolic_.rowsOf(s);
   frontBase_ = stackTop_;
   double* front = stack_.data() + frontBase_;
-  std::memset(front, 0, stripOffset(pivots.strips + updateStrips(symbolic_, s)) * sizeof(double));
+  outOfLine(clear)(front, stripOffset(pivots.strips + updateStrips(symbolic_, s)));
 
   for (int c = 0; c < columns; ++c) local_[first + c] = pivots.padding + c;
   for (int r = 0; r < rows; ++r) local_[row[r]] = pivotRows + r;
@@ -151,9 +167,10 @@ void Multifrontal::finishFront() {
   for (int child = firstChild_[s]; child != -1; child = sibling_[child]) base = updateBase_[child];
   double* target = stack_.data() + base;
   const double* front = stack_.data() + frontBase_;
+  const auto move = outOfLine(copy);
   for (int i = 0; i < update; ++i) {
     const double* strip = front + stripOffset(pivots + i) + 16 * static_cast<std::size_t>(pivots);
-    std::memmove(target + stripOffset(i), strip, 16 * static_cast<std::size_t>(i + 1) * sizeof(double));
+    move(strip, 16 * static_cast<std::size_t>(i + 1), target + stripOffset(i));
   }
   updateBase_[s] = base;
   stackTop_ = base + stripOffset(update);
