@@ -1,9 +1,9 @@
 #include "core/cholesky.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "core/graph.h"
 #include "core/multifrontal.h"
@@ -83,12 +83,13 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
 }
 
 Status Cholesky::beginFactorise(const SymmetricMatrix& matrix) {
-  if (Status status = checkSymmetric(matrix); !status) return status;
-  if (matrix.size != state_->symbolic.size() || patternHash(matrix) != state_->hash)
+  const bool sameStructure = matrix.size == state_->symbolic.size() && matrix.value.size() == state_->map.source.size() &&
+                             patternHash(matrix) == state_->hash;
+  if (!sameStructure || !std::all_of(matrix.value.begin(), matrix.value.end(), [](double v) { return std::isfinite(v); })) {
+    if (Status status = checkSymmetric(matrix); !status) return status;
     return Error{ErrorCode::Internal, "The matrix to factorise has not the structure that was analysed."};
-  std::vector<double> values(matrix.value.size());
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = matrix.value[state_->map.source[i]];
-  state_->running.emplace(state_->symbolic, state_->map, std::move(values));
+  }
+  state_->running.emplace(state_->symbolic, state_->map, matrix.value);
   state_->factorised = false;
   state_->failedPosition = -1;
   state_->regularised = 0;

@@ -86,10 +86,10 @@ EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& posit
   return map;
 }
 
-Multifrontal::Multifrontal(const SymbolicFactor& symbolic, const EntryMap& map, std::vector<double> values)
-    : symbolic_(symbolic), map_(map), values_(std::move(values)) {
+Multifrontal::Multifrontal(const SymbolicFactor& symbolic, const EntryMap& map, const std::vector<double>& values)
+    : symbolic_(symbolic), map_(map), values_(values), stackSize_(stackPeak(symbolic)),
+      stack_(std::make_unique_for_overwrite<double[]>(stackSize_)) {
   const int count = symbolic.supernodes();
-  stack_.resize(stackPeak(symbolic));
   firstChild_.assign(count, -1);
   sibling_.assign(count, -1);
   updateBase_.assign(count, 0);
@@ -107,7 +107,7 @@ void Multifrontal::assembleFront() {
   const int pivotRows = 4 * pivots.strips;
   const int* row = symbolic_.rowsOf(s);
   frontBase_ = stackTop_;
-  double* front = stack_.data() + frontBase_;
+  double* front = stack_.get() + frontBase_;
   outOfLine(clear)(front, stripOffset(pivots.strips + updateStrips(symbolic_, s)));
 
   for (int c = 0; c < columns; ++c) local_[first + c] = pivots.padding + c;
@@ -117,7 +117,7 @@ void Multifrontal::assembleFront() {
   inverse_.resize(4 * static_cast<std::size_t>(pivotRows));
   for (int c = 0; c < pivots.padding; ++c) at(c, c) = 1.0;
   for (int c = 0, to = pivots.padding; c < columns; ++c, ++to) {
-    for (int i = map_.start[first + c]; i < map_.start[first + c + 1]; ++i) at(local_[map_.row[i]], to) += values_[i];
+    for (int i = map_.start[first + c]; i < map_.start[first + c + 1]; ++i) at(local_[map_.row[i]], to) += values_[map_.source[i]];
     reference_[to] = at(to, to);
   }
   for (int child = firstChild_[s]; child != -1; child = sibling_[child]) addChild(child, front);
@@ -134,7 +134,7 @@ void Multifrontal::addChild(int child, double* front) {
     column_[r] = 4 * to;
   }
   const auto add = outOfLine(addStrip);
-  const double* update = stack_.data() + updateBase_[child];
+  const double* update = stack_.get() + updateBase_[child];
   for (int r = 0; r < rows; r += 4) add(update + stripOffset(r / 4), r, std::min(4, rows - r), target_.data() + r, column_.data());
 }
 
@@ -145,7 +145,7 @@ bool Multifrontal::eliminate(double& flopBudget) {
   }
   const Pivots pivots = pivotsOf(symbolic_, supernode_);
   const int strips = pivots.strips + updateStrips(symbolic_, supernode_);
-  double* front = stack_.data() + frontBase_;
+  double* front = stack_.get() + frontBase_;
   while (nextStrip_ < strips && flopBudget > 0.0) {
     const int end = std::min(strips, nextStrip_ + kStripsAtOnce);
     PivotReport report;
@@ -165,8 +165,8 @@ void Multifrontal::finishFront() {
   // The children's update matrices lie directly below the front, the first pushed one lowest.
   std::size_t base = frontBase_;
   for (int child = firstChild_[s]; child != -1; child = sibling_[child]) base = updateBase_[child];
-  double* target = stack_.data() + base;
-  const double* front = stack_.data() + frontBase_;
+  double* target = stack_.get() + base;
+  const double* front = stack_.get() + frontBase_;
   const auto move = outOfLine(copy);
   for (int i = 0; i < update; ++i) {
     const double* strip = front + stripOffset(pivots + i) + 16 * static_cast<std::size_t>(pivots);

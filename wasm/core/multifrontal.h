@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/sparse_matrix.h"
@@ -22,8 +23,8 @@ EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& posit
 /// update matrix replaces those of its children.
 class Multifrontal {
  public:
-  /// symbolic must outlive this. values: the matrix's entries in the order of `map`, which must outlive this, too.
-  Multifrontal(const SymbolicFactor& symbolic, const EntryMap& map, std::vector<double> values);
+  /// All must outlive this. values: the matrix's.
+  Multifrontal(const SymbolicFactor& symbolic, const EntryMap& map, const std::vector<double>& values);
 
   int supernode() const { return supernode_; }
   bool done() const { return supernode_ == symbolic_.supernodes(); }
@@ -31,7 +32,7 @@ class Multifrontal {
   /// Works on the current supernode for about flopBudget operations, which it reduces by what it took. True when the
   /// front is eliminated: read it with front(), then call finishFront() to go on.
   bool eliminate(double& flopBudget);
-  const double* front() const { return stack_.data() + frontBase_; }
+  const double* front() const { return stack_.get() + frontBase_; }
   const double* inverse() const { return inverse_.data(); }  // of its diagonal tiles
   void finishFront();
 
@@ -39,7 +40,7 @@ class Multifrontal {
   /// Position of the first pivot that was negative or not finite, or -1.
   int failedPosition() const { return failed_; }
   double flopsDone() const { return flopsDone_; }
-  std::size_t stackDoubles() const { return stack_.size(); }
+  std::size_t stackDoubles() const { return stackSize_; }
 
  private:
   void assembleFront();
@@ -47,8 +48,9 @@ class Multifrontal {
 
   const SymbolicFactor& symbolic_;
   const EntryMap& map_;
-  std::vector<double> values_;
-  std::vector<double> stack_;
+  const std::vector<double>& values_;
+  std::size_t stackSize_;  // doubles
+  std::unique_ptr<double[]> stack_;
   std::vector<int> firstChild_, sibling_;  // last pushed child first
   std::vector<std::size_t> updateBase_;    // of each supernode whose update matrix is on the stack
   std::vector<int> local_;                 // position -> row in the current front
