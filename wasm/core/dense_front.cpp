@@ -54,9 +54,9 @@ void solveTile(double* tile, const double* inverse) {
 // Cholesky of a diagonal tile in place and its inverse; firstColumn is the tile's first column in the front.
 void factorTile(double* tile, int firstColumn, const double* reference, double* inverse, PivotReport& report) {
   const auto at = [&](int r, int c) -> double& { return tile[4 * c + r]; };
+  double inverseRoot[4];
   for (int c = 0; c < 4; ++c) {
     double pivot = at(c, c);
-    for (int p = 0; p < c; ++p) pivot -= at(c, p) * at(c, p);
     const double scale = std::abs(reference[c]);
     if (!(pivot > kSemidefinite * scale)) {
       if (!(pivot >= kIndefinite * scale) && report.failed == -1) report.failed = firstColumn + c;
@@ -65,20 +65,21 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
       pivot = scale > 0.0 ? scale : 1.0;
       ++report.regularised;
     }
+    // From pivot to pivot there is one division to wait for, and no square root.
+    const double reciprocal = 1.0 / pivot;
+    for (int k = c + 1; k < 4; ++k)
+      for (int r = k; r < 4; ++r) at(r, k) -= at(r, c) * (at(k, c) * reciprocal);
     const double root = std::sqrt(pivot);
+    inverseRoot[c] = root * reciprocal;
     at(c, c) = root;
-    for (int r = c + 1; r < 4; ++r) {
-      double sum = at(r, c);
-      for (int p = 0; p < c; ++p) sum -= at(r, p) * at(c, p);
-      at(r, c) = sum / root;
-    }
+    for (int r = c + 1; r < 4; ++r) at(r, c) *= inverseRoot[c];
     for (int r = 0; r < c; ++r) at(r, c) = 0.0;
   }
   for (int c = 0; c < 4; ++c) {
     for (int r = 0; r < 4; ++r) {
       double sum = r == c ? 1.0 : 0.0;
       for (int p = c; p < r; ++p) sum -= at(r, p) * inverse[4 * p + c];
-      inverse[4 * r + c] = r < c ? 0.0 : sum / at(r, r);
+      inverse[4 * r + c] = r < c ? 0.0 : sum * inverseRoot[r];
     }
   }
 }
@@ -86,39 +87,36 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
 // Strips that are eliminated together: each strip above is read once for all of them, and they fit a level-2 cache.
 constexpr int kGroup = 8;
 
-// What it needs and leaves; see eliminateStrips().
-struct Elimination {
-  Pivots pivots;
-  const double* reference;
-  double* inverse;
-  PivotReport& report;
-};
+// Updates the tiles in column j of the strips begin ... end - 1, not above the diagonal, by columns first ... last - 1.
+void updateColumn(double* front, int j, int begin, int end, int first, int last) {
+  const double* columns = front + stripOffset(j) + 4 * first;
+  double* rows = front + stripOffset(begin);
+  for (int i = begin; i < end; ++i, rows += 16 * static_cast<std::ptrdiff_t>(i))
+    updateTile(rows + 4 * first, columns, last - first, rows + 16 * static_cast<std::ptrdiff_t>(j));
+}
 
-// The tiles in column j of the strips begin ... end - 1.
-void eliminateColumn(double* front, int j, int begin, int end, const Elimination& elimination) {
-  const auto [strips, padding] = elimination.pivots;
-  const double* columns = front + stripOffset(j) + 4 * padding;
-  const int depth = j == 0 ? 0 : 4 * std::min(j, strips) - padding;
-  for (int i = std::max(j, begin); i < end; ++i) {
-    double* rows = front + stripOffset(i);
-    double* tile = rows + 16 * static_cast<std::ptrdiff_t>(j);
-    updateTile(rows + 4 * padding, columns, depth, tile);
-    if (j >= strips) continue;
-    double* inverse = elimination.inverse + 16 * j;
-    if (i == j) factorTile(tile, 4 * j, elimination.reference + 4 * j, inverse, elimination.report);
-    else solveTile(tile, inverse);
-  }
+// Turns the updated tiles in pivot column j of the strips begin ... end - 1 into the factor's.
+void solveColumn(double* front, int j, int begin, int end, const double* inverse) {
+  for (int i = begin; i < end; ++i) solveTile(front + stripOffset(i) + 16 * static_cast<std::ptrdiff_t>(j), inverse);
 }
 
 }  // namespace
 
 void eliminateStrips(double* front, Pivots pivots, int begin, int end, const double* reference, double* inverse,
                      PivotReport& report) {
-  const Elimination elimination = {pivots, reference, inverse, report};
-  const auto eliminate = outOfLine(eliminateColumn);
+  const auto update = outOfLine(updateColumn);
+  const auto solve = outOfLine(solveColumn);
+  const auto factor = outOfLine(factorTile);
   for (int group = begin; group < end; group += kGroup) {
     const int groupEnd = std::min(end, group + kGroup);
-    for (int j = 0; j < groupEnd; ++j) eliminate(front, j, group, groupEnd, elimination);
+    for (int j = 0; j < groupEnd; ++j) {
+      if (j > 0) update(front, j, std::max(j, group), groupEnd, pivots.padding, 4 * std::min(j, pivots.strips));
+      if (j >= pivots.strips) continue;
+      double* const inverted = inverse + 16 * j;
+      double* const diagonal = front + stripOffset(j) + 16 * static_cast<std::ptrdiff_t>(j);
+      if (j >= group) factor(diagonal, 4 * j, reference + 4 * j, inverted, report);
+      solve(front, j, std::max(j + 1, group), groupEnd, inverted);
+    }
   }
 }
 
