@@ -48,7 +48,14 @@ void copy(const double* from, std::size_t n, double* to) {
 // Adds a strip of an update matrix, `rows` rows from row `first` on, to its parent's front: entry (r, c) at
 // target[r - first][column[c]].
 void addStrip(const double* strip, int first, int rows, double* const* target, const int* column) {
-  if (rows == 4) {
+  if (rows == 4 && target[1] == target[0] + 1 && target[3] == target[2] + 1) {  // two and two side by side
+    double *a = target[0], *c = target[2];
+    for (int k = 0; k < first; ++k, strip += 4) {
+      const int to = column[k];
+      (Double2::load(a + to) + Double2::load(strip)).store(a + to);
+      (Double2::load(c + to) + Double2::load(strip + 2)).store(c + to);
+    }
+  } else if (rows == 4) {
     double *a = target[0], *b = target[1], *c = target[2], *d = target[3];
     for (int k = 0; k < first; ++k, strip += 4) {
       const int to = column[k];
