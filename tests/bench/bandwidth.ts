@@ -1,4 +1,4 @@
-/** Bytes a second that one thread of wasm reads from memory, in one pass of a few milliseconds. */
+/** Bytes a second that one thread of wasm reads from memory, in one pass over 256 MB: some ten milliseconds. */
 export type ReadBandwidth = () => number;
 
 interface Exports {

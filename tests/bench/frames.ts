@@ -5,7 +5,7 @@ import type { ReadBandwidth } from './bandwidth.ts';
 import { distanceOf, NO_DISTANCE, worse, type Distance } from './distance.ts';
 import { quantile, spread, type Spread } from './quantile.ts';
 
-/** Of either kind, from each build. */
+/** Steps from frame to frame, of either kind, from each build. */
 const FRAMES = 12;
 /** Passes before a round's frames, and as many after them. */
 const BANDWIDTH_PASSES = 3;
