@@ -29,6 +29,17 @@ TEST_CASE("log inverts exp from tiny angles to half a turn") {
   }
 }
 
+TEST_CASE("exp is Eigen's at every angle, by its series or not") {
+  std::mt19937 random(4);
+  for (const double angle : {1e-9, 0.01, 0.5, 1.0, 1.9, 2.0, std::nextafter(2.0, 3.0), 2.1, 3.0, 7.0, 40.0})
+    for (int i = 0; i < 50; ++i) {
+      const Vec3 v = randomVector(random, angle);
+      const Quaternion expected(Eigen::AngleAxisd(angle, v.normalized()));
+      CHECK((expQuaternion(v).coeffs() - expected.coeffs()).norm() < 1e-15 * std::max(1.0, angle));
+    }
+  CHECK(expQuaternion(Vec3::Zero()).coeffs() == Quaternion::Identity().coeffs());
+}
+
 TEST_CASE("representatives differ by whole turns and lie nearest the target") {
   std::mt19937 random(2);
   for (int i = 0; i < 200; ++i) {

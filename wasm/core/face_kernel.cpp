@@ -7,47 +7,20 @@
 
 #include "core/face_frame.h"
 #include "core/lanes.h"
+#include "core/rotation_series.h"
 
 namespace shapespline {
 
 namespace {
 
-// sin(a) / a and (1 - cos(a)) / a^2 as power series in x = a^2, up to x = seriesLimit (a little over half a turn). The
-// first term left out is below the precision's rounding there; larger angles go through the C library. Most faces turn by
-// less than half a radian against their frame: they take few terms.
+// The series' terms up to x = seriesLimit (a little over half a turn). The first term left out is below the precision's rounding
+// there; larger angles go through the C library. Most faces turn by less than half a radian against their frame: they take few
+// terms.
 constexpr double seriesLimit = 10.5, shortLimit = 0.25;
 template <class Real>
 constexpr int seriesTerms = std::is_same_v<Real, float> ? 11 : 17;
 template <class Real>
 constexpr int shortTerms = std::is_same_v<Real, float> ? 4 : 8;
-
-constexpr int mostTerms = 17;
-
-struct Series {
-  double sine[mostTerms], cosine[mostTerms];
-};
-
-constexpr Series makeSeries() {
-  Series s{};
-  double factorial = 1;  // (2k)! (2k + 1) in turn
-  for (int k = 0; k < mostTerms; ++k) {
-    const double sign = k % 2 == 0 ? 1 : -1;
-    if (k > 0) factorial *= (2.0 * k) * (2.0 * k + 1);  // (2k + 1)!
-    s.sine[k] = sign / factorial;
-    s.cosine[k] = sign / (factorial * (2.0 * k + 2));
-  }
-  return s;
-}
-
-constexpr Series series = makeSeries();
-
-// The sum of coefficient[k] x^k for k < terms.
-template <int terms, int k = 0, class Real>
-Lanes<Real> horner(const double (&coefficient)[mostTerms], Lanes<Real> x) {
-  const auto term = Lanes<Real>::splat(static_cast<Real>(coefficient[k]));
-  if constexpr (k + 1 == terms) return term;
-  else return horner<terms, k + 1, Real>(coefficient, x) * x + term;
-}
 
 // The two factors of Rodrigues' formula exp(r) = I + a [r] + b [r]^2.
 template <class Real>
@@ -60,8 +33,8 @@ Rodrigues<Real> rodriguesOfLargeAngles(Lanes<Real> squaredAngle) {
   using L = Lanes<Real>;
   alignas(32) Real x[faceLanes], a[faceLanes], b[faceLanes];
   squaredAngle.store(x);
-  horner<seriesTerms<Real>, 0, Real>(series.sine, squaredAngle).store(a);
-  horner<seriesTerms<Real>, 0, Real>(series.cosine, squaredAngle).store(b);
+  horner<seriesTerms<Real>>(rotationSeries.sine, squaredAngle).store(a);
+  horner<seriesTerms<Real>>(rotationSeries.cosine, squaredAngle).store(b);
   for (int i = 0; i < faceLanes; ++i) {
     if (x[i] <= Real(seriesLimit)) continue;
     const double angle = std::sqrt(static_cast<double>(x[i]));
@@ -75,9 +48,9 @@ template <class Real>
 Rodrigues<Real> rodrigues(Lanes<Real> squaredAngle) {
   using L = Lanes<Real>;
   if (!notPositive(L::splat(Real(shortLimit)) - squaredAngle))
-    return {horner<shortTerms<Real>, 0, Real>(series.sine, squaredAngle), horner<shortTerms<Real>, 0, Real>(series.cosine, squaredAngle)};
+    return {horner<shortTerms<Real>>(rotationSeries.sine, squaredAngle), horner<shortTerms<Real>>(rotationSeries.cosine, squaredAngle)};
   if (!notPositive(L::splat(Real(seriesLimit)) - squaredAngle))
-    return {horner<seriesTerms<Real>, 0, Real>(series.sine, squaredAngle), horner<seriesTerms<Real>, 0, Real>(series.cosine, squaredAngle)};
+    return {horner<seriesTerms<Real>>(rotationSeries.sine, squaredAngle), horner<seriesTerms<Real>>(rotationSeries.cosine, squaredAngle)};
   return rodriguesOfLargeAngles<Real>(squaredAngle);
 }
 

@@ -8,8 +8,8 @@ namespace shapespline {
 
 namespace {
 
-// Steps below this many radians end the iteration; a vertex then moves by less than 1e-9 of the shape's size.
-constexpr double stepTolerance = 1e-11;
+// Radians that may be left when the iteration ends; a vertex then moves by less than 1e-9 of the shape's size.
+constexpr double tolerance = 1e-11;
 // Consistent maps need two or three steps; the limit is met only where branches disagree around a cycle.
 constexpr int maximumSteps = 100;
 
@@ -79,7 +79,7 @@ Status PatchRotationSystem::build(const Patches& patches, const std::vector<doub
   return {};
 }
 
-void PatchRotationSystem::startOnTree(const std::vector<Quaternion>& connection, std::vector<Quaternion>& rotation) const {
+void PatchRotationSystem::startOnTree(std::vector<Quaternion>& rotation) const {
   for (int k : order_) {
     const int p = parentPair_[k];
     if (p < 0) {
@@ -87,40 +87,48 @@ void PatchRotationSystem::startOnTree(const std::vector<Quaternion>& connection,
       continue;
     }
     const Quaternion& parent = rotation[parent_[k]];
-    rotation[k] = pairs_[p].first == parent_[k] ? parent * connection[p] : parent * connection[p].conjugate();
+    rotation[k] = pairs_[p].first == parent_[k] ? parent * connection_[p] : parent * connection_[p].conjugate();
     rotation[k].normalize();
   }
 }
 
-int PatchRotationSystem::solve(const std::vector<Vec3>& pair, std::vector<Quaternion>& rotation) const {
+int PatchRotationSystem::solve(const std::vector<Vec3>& pair, std::vector<Quaternion>& rotation) {
   rotation.resize(order_.size());
-  std::vector<Quaternion> connection(pairs_.size());
-  for (std::size_t p = 0; p < pairs_.size(); ++p) connection[p] = expQuaternion(pair[p]);
-  startOnTree(connection, rotation);
+  connection_.resize(pairs_.size());
+  for (std::size_t p = 0; p < pairs_.size(); ++p) connection_[p] = expQuaternion(pair[p]);
+  startOnTree(rotation);
   if (pairs_.empty()) return 0;
 
-  using Vec4 = Eigen::Vector4d;
-  std::vector<Vec4, Eigen::aligned_allocator<Vec4>> step(laplacian_.paddedSize());
+  double before = 0;
   for (int count = 1; count <= maximumSteps; ++count) {
-    std::fill(step.begin(), step.end(), Vec4::Zero());
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      const auto [i, j, edges] = pairs_[p];
-      // G_j (G_i exp(x_ij))^T = exp(r) in the common frame; its sine part is the gradient of the chordal distance.
-      const Quaternion error = rotation[j] * (rotation[i] * connection[p]).conjugate();
-      const Vec3 pull = weight_[p] * 2 * error.w() * error.vec();
-      step[position_[i]].head<3>() += pull;
-      step[position_[j]].head<3>() -= pull;
-    }
-    laplacian_.solve(step.data()->data());
-    double largest = 0;
-    for (std::size_t k = 0; k < rotation.size(); ++k) {
-      const Vec3 e = step[position_[k]].head<3>();
-      largest = std::max(largest, e.squaredNorm());
-      rotation[k] = (expQuaternion(e) * rotation[k]).normalized();
-    }
-    if (largest < stepTolerance * stepTolerance) return count;
+    const double length = step(rotation);
+    // Steps shrink by much the same factor each time: what is left after this one is smaller than it by that factor.
+    const double left = length < before ? length * (length / before) : length;
+    if (left < tolerance) return count;
+    before = length;
   }
   return maximumSteps;
+}
+
+double PatchRotationSystem::step(std::vector<Quaternion>& rotation) {
+  step_.assign(laplacian_.paddedSize(), Vec4::Zero());
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    const auto [i, j, edges] = pairs_[p];
+    // G_j (G_i exp(x_ij))^T = exp(r) in the common frame; its sine part is the gradient of the chordal distance.
+    const Quaternion error = rotation[j] * (rotation[i] * connection_[p]).conjugate();
+    const Vec3 pull = weight_[p] * 2 * error.w() * error.vec();
+    step_[position_[i]].head<3>() += pull;
+    step_[position_[j]].head<3>() -= pull;
+  }
+  laplacian_.solve(step_.data()->data());
+  double largest = 0;
+  for (std::size_t k = 0; k < rotation.size(); ++k) {
+    const Vec3 e = step_[position_[k]].head<3>();
+    largest = std::max(largest, e.squaredNorm());
+    // exp(e) but for its third order, which the next step sees
+    rotation[k] = (Quaternion(1, e.x() / 2, e.y() / 2, e.z() / 2) * rotation[k]).normalized();
+  }
+  return std::sqrt(largest);
 }
 
 }  // namespace shapespline

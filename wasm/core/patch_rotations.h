@@ -22,7 +22,7 @@ class PatchRotationSystem {
   Status build(const Patches& patches, const std::vector<double>& pairWeight, int root);
 
   /// pair: x_ij, one a pair. rotation: one a patch; resized. Returns the number of steps taken.
-  int solve(const std::vector<Vec3>& pair, std::vector<Quaternion>& rotation) const;
+  int solve(const std::vector<Vec3>& pair, std::vector<Quaternion>& rotation);
 
   /// Patches, each after its parent in the spanning tree.
   const std::vector<int>& order() const { return order_; }
@@ -31,13 +31,18 @@ class PatchRotationSystem {
 
  private:
   void spanTree(const Patches& patches, int root);
-  void startOnTree(const std::vector<Quaternion>& connection, std::vector<Quaternion>& rotation) const;
+  void startOnTree(std::vector<Quaternion>& rotation) const;
+  double step(std::vector<Quaternion>& rotation);  // its largest length, radians
 
   std::vector<PatchPair> pairs_;
   std::vector<double> weight_;
   std::vector<int> order_, parent_, parentPair_;
   Cholesky laplacian_;
   std::vector<int> position_;  // of each patch in the solver's vectors
+  // Scratch: exp(x_ij) of each pair; a step of each patch and what pulls it there.
+  using Vec4 = Eigen::Vector4d;
+  std::vector<Quaternion> connection_;
+  std::vector<Vec4, Eigen::aligned_allocator<Vec4>> step_;
 };
 
 }  // namespace shapespline

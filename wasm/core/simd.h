@@ -22,6 +22,7 @@ namespace shapespline {
 
 /// Four float lanes.
 struct Float4 {
+  using Real = float;
 #if SHAPESPLINE_SIMD_WASM
   v128_t v;
   static Float4 load(const float* p) { return {wasm_v128_load(p)}; }
@@ -161,6 +162,7 @@ struct Double2 {
 
 /// Four double lanes in two registers: the (x, y, z, pad) of the double solve.
 struct Double4 {
+  using Real = double;
   Double2 low, high;
   static Double4 load(const double* p) { return {Double2::load(p), Double2::load(p + 2)}; }
   static Double4 loadSplat(const double* p) {
