@@ -48,10 +48,9 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
   for (std::size_t i = 0; i < surface.xyz.size(); i += 3)
     shape.poses[0].push_back({surface.xyz[i], surface.xyz[i + 1], surface.xyz[i + 2]});
   const int faceCount = shape.faceCount(), vertexCount = shape.vertexCount(), columns = 3;
-  std::vector<int> frameOf(faceCount), order(faceCount), position(vertexCount);
-  for (int f = 0; f < faceCount; ++f) frameOf[f] = f % 7 == 3 ? -1 : f / 3, order[f] = faceCount - 1 - f;
+  std::vector<int> frameOf(faceCount), position(vertexCount);
+  for (int f = 0; f < faceCount; ++f) frameOf[f] = f % 7 == 3 ? -1 : f / 3;
   for (int v = 0; v < vertexCount; ++v) position[v] = vertexCount - 1 - v;
-  const FaceHalves halves = halveFaces(order, shape.faces, vertexCount);
 
   kernels::Noise noise;
   const double one = logarithmic ? 0 : 1;
@@ -65,12 +64,11 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
       coordinates.set(f, c, 5, static_cast<Real>(one + 0.2 * noise.next()));
     }
   coordinates.dropIfAtRest(0);
-  coordinates.reorder(halves.order);
+  FaceKernel<Real> kernel;
+  coordinates.reorder(kernel.build(shape, frameOf, logarithmic ? Stretch::Log : Stretch::Linear, position, vertexCount));
   std::vector<Real> frames(numbersPerFrame * static_cast<std::size_t>(faceCount / 3 + 1), Real(0));
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (i % 4 != 3) frames[i] = static_cast<Real>(noise.next());
-  FaceKernel<Real> kernel;
-  kernel.build(shape, frameOf, logarithmic ? Stretch::Log : Stretch::Linear, halves, position, vertexCount);
   std::vector<Real> result(4 * (static_cast<std::size_t>(vertexCount) + 1), Real(0));
   const int lost = kernel.accumulate(coordinates, frames, coordinates.weights({0.4, 0.9, -0.3}), result.data());
   result.push_back(static_cast<Real>(lost));
@@ -116,7 +114,7 @@ inline std::vector<float> vertexNormals(const kernels::Surface& surface) {
     for (int k = 0; k < 3; ++k) places[4 * static_cast<std::size_t>(placeOf[v]) + k] = static_cast<float>(surface.xyz[3 * static_cast<std::size_t>(v) + k]);
   }
   Shading shading(surface.faces, group, (n + 1) / 2, placeOf);
-  shading.draw(places, positions, normals);
+  shading.draw(places, Vec3::Zero(), positions, normals);
   return normals;
 }
 

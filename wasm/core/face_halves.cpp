@@ -5,30 +5,38 @@
 
 namespace shapespline {
 
-FaceHalves halveFaces(const std::vector<int>& order, const std::vector<Triangle>& corners, int count, int shared) {
-  const std::size_t half = order.size() / 2;
-  std::vector<char> users(count, 0);  // of each corner: a bit for each half
-  if (shared >= 0) users[shared] = 3;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    for (int c : corners[order[i]]) users[c] |= i < half ? 1 : 2;
+FaceHalves halveFaces(const std::vector<Triangle>& corners, int count, int shared, const FractionReport& onProgress) {
+  const auto last = [&](std::size_t f) { return *std::max_element(corners[f].begin(), corners[f].end()); };
+  std::vector<int> start(static_cast<std::size_t>(count) + 1, 0), sorted(corners.size());
+  inBlocks(partOf(onProgress, 0, 0.3), corners.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) ++start[last(f) + 1];
+  });
+  for (int c = 0; c < count; ++c) start[c + 1] += start[c];
+  const auto cut = std::lower_bound(start.begin(), start.end(), static_cast<int>(corners.size() / 2)) - start.begin();
+  inBlocks(partOf(onProgress, 0.3, 0.7), corners.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) sorted[start[last(f)]++] = static_cast<int>(f);
+  });
 
+  std::vector<int> list[3];  // below the cut, above it, the rest
+  inBlocks(partOf(onProgress, 0.7, 1), sorted.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Triangle& t = corners[sorted[i]];
+      const auto [least, most] = std::minmax_element(t.begin(), t.end());
+      const bool rest = std::find(t.begin(), t.end(), shared) != t.end() || (*least < cut && *most >= cut);
+      list[rest ? 2 : *most < cut ? 0 : 1].push_back(sorted[i]);
+    }
+  });
   FaceHalves halves;
-  std::vector<int> second, rest;
-  const auto cutToFours = [&rest](std::vector<int>& list) {
-    const auto end = list.end() - static_cast<std::ptrdiff_t>(list.size() % 4);
-    rest.insert(rest.end(), end, list.end());
-    list.erase(end, list.end());
-    return static_cast<int>(list.size());
-  };
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Triangle& t = corners[order[i]];
-    const bool between = std::any_of(t.begin(), t.end(), [&](int c) { return users[c] == 3; });
-    (between ? rest : i < half ? halves.order : second).push_back(order[i]);
+  for (int i = 0; i < 3; ++i) {
+    if (i < 2) {
+      const auto end = list[i].end() - static_cast<std::ptrdiff_t>(list[i].size() % 4);
+      list[2].insert(list[2].end(), end, list[i].end());
+      list[i].erase(end, list[i].end());
+    }
+    halves.ranges[i].begin = static_cast<int>(halves.order.size());
+    halves.order.insert(halves.order.end(), list[i].begin(), list[i].end());
+    halves.ranges[i].end = static_cast<int>(halves.order.size());
   }
-  halves.first = cutToFours(halves.order);
-  halves.second = cutToFours(second);
-  halves.order.insert(halves.order.end(), second.begin(), second.end());
-  halves.order.insert(halves.order.end(), rest.begin(), rest.end());
   return halves;
 }
 

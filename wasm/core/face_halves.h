@@ -1,20 +1,28 @@
-// Faces cut into two halves that two can add up at their corners at the same time.
+// Faces in an order in which two can add up at their corners at the same time.
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/types.h"
 
 namespace shapespline {
 
-/// order: the faces of the first half, those of the second, which have no corner in common with them, and the rest.
-struct FaceHalves {
-  std::vector<int> order;
-  int first = 0, second = 0;  ///< how many; multiples of four
+/// A range of faces in their order.
+struct FaceRange {
+  int begin = 0, end = 0;
 };
 
-/// order: all faces, neighbours near each other, which keep their order within each half. corners: of each face, in [0, count). Faces
-/// with the corner `shared` (or -1 for none) go to the rest.
-FaceHalves halveFaces(const std::vector<int>& order, const std::vector<Triangle>& corners, int count, int shared = -1);
+/// Faces sorted by the last of their corners: neighbours in this order add to neighbouring places and find all that lies before
+/// theirs at hand.
+struct FaceHalves {
+  std::vector<int> order;
+  /// Two halves without a common corner, each a multiple of four faces, then the rest.
+  std::array<FaceRange, 3> ranges;
+};
+
+/// corners: of each face, in [0, count). Faces with the corner `shared` (or -1 for none) go to the rest.
+FaceHalves halveFaces(const std::vector<Triangle>& corners, int count, int shared = -1, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

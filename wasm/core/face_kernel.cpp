@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include "core/face_frame.h"
 #include "core/lanes.h"
@@ -165,20 +166,32 @@ void scatter(const FaceBlock<Real>& face, int lane, const Real* frames, const Fo
   (L::load(at(2)) - (b0 + b1)).store(at(2));
 }
 
+// Where each face's corners lie; in the dump for faces that take no part.
+std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>& frameOf, const std::vector<int>& position, int dump,
+                                const FractionReport& onProgress) {
+  std::vector<Triangle> corners(shape.faces.size(), {dump, dump, dump});
+  inBlocks(onProgress, corners.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+      for (int c = 0; c < 3 && frameOf[f] >= 0; ++c) corners[f][c] = position[shape.faces[f][c]];
+  });
+  return corners;
+}
+
 }  // namespace
 
 template <class Real>
-void FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
-                             const FaceHalves& halves, const std::vector<int>& position, int dump,
-                             const FractionReport& onProgress) {
+std::vector<int> FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
+                                         const std::vector<int>& position, int dump, const FractionReport& onProgress) {
+  const std::vector<Triangle> corners = cornersOf(shape, frameOf, position, dump, partOf(onProgress, 0, 0.1));
+  FaceHalves halves = halveFaces(corners, dump + 1, dump, partOf(onProgress, 0.1, 0.4));
   const std::vector<int>& order = halves.order;
+  const FractionReport onBlocks = partOf(onProgress, 0.4, 1);
   stretch_ = stretch;
-  firstHalf_ = static_cast<std::size_t>(halves.first) / faceLanes;
-  bothHalves_ = firstHalf_ + static_cast<std::size_t>(halves.second) / faceLanes;
+  ranges_ = halves.ranges;
   blocks_.assign((order.size() + faceLanes - 1) / faceLanes, {});
   const Positions& p = shape.poses[shape.reference];
   for (std::size_t i = 0; i < blocks_.size() * faceLanes; ++i) {
-    reportItem(onProgress, i, order.size());
+    reportItem(onBlocks, i, order.size());
     FaceBlock<Real>& block = blocks_[i / faceLanes];
     const int lane = static_cast<int>(i % faceLanes);
     for (int c = 0; c < 3; ++c) block.corner[c][lane] = dump;
@@ -188,7 +201,7 @@ void FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& f
     for (int k = 0; k < 3; ++k) {
       block.tangent[k][lane] = static_cast<Real>(frame.basis(k, 0));
       block.tangent[3 + k][lane] = static_cast<Real>(frame.basis(k, 1));
-      block.corner[k][lane] = position[t[k]];
+      block.corner[k][lane] = corners[order[i]][k];
     }
     // area times gradient of a corner's hat function = half the opposite edge, turned by a quarter
     const Vec2 a = Vec2::Zero(), b = frame.edges.col(0), c = frame.edges.col(1);
@@ -199,35 +212,36 @@ void FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& f
     block.gradient[2][lane] = static_cast<Real>(g1.y());
     block.frame[lane] = frameOf[order[i]];
   }
+  return std::move(halves.order);
 }
 
 template <class Real>
 int FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
                                  const ColumnWeights<Real>& weights, Real* rhs, Crew* crew) const {
   int lost[2];
-  inTwo(crew, [&](int part) {
-    lost[part] = accumulateBlocks(part == 0 ? 0 : firstHalf_, part == 0 ? firstHalf_ : bothHalves_, coordinates, frames, weights, rhs);
-  });
-  return lost[0] + lost[1] + accumulateBlocks(bothHalves_, blocks_.size(), coordinates, frames, weights, rhs);
+  inTwo(crew, [&](int half) { lost[half] = accumulateRange(ranges_[half], coordinates, frames, weights, rhs); });
+  return lost[0] + lost[1] + accumulateRange(ranges_[2], coordinates, frames, weights, rhs);
 }
 
 template <class Real>
-int FaceKernel<Real>::accumulateBlocks(std::size_t begin, std::size_t end, const FaceCoordinates<Real>& coordinates,
-                                       const std::vector<Real>& frames, const ColumnWeights<Real>& weights, Real* rhs) const {
+int FaceKernel<Real>::accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,
+                                      const std::vector<Real>& frames, const ColumnWeights<Real>& weights, Real* rhs) const {
   int lost = 0;
+  const int end = (range.end + faceLanes - 1) / faceLanes;
   Passing<Real> passing[blocksAtOnce];
-  for (std::size_t first = begin; first < end; first += blocksAtOnce) {
-    const FaceBlock<Real>* const block = &blocks_[first];
-    const int count = static_cast<int>(std::min<std::size_t>(blocksAtOnce, end - first));
-    for (int i = 0; i < count; ++i) blend(coordinates.block(static_cast<int>(first) + i), weights, passing[i]);
+  for (int first = range.begin / faceLanes; first < end; first += blocksAtOnce) {
+    const FaceBlock<Real>* const block = &blocks_[static_cast<std::size_t>(first)];
+    const int count = std::min(blocksAtOnce, end - first);
+    for (int i = 0; i < count; ++i) blend(coordinates.block(first + i), weights, passing[i]);
     for (int i = 0; i < count; ++i) {
       if (stretch_ == Stretch::Log) exponentiate(passing[i]);
       else lost += notPositiveDefinite(passing[i]);
     }
     for (int i = 0; i < count; ++i) findFactors(passing[i]);
     for (int i = 0; i < count; ++i) diverge(block[i], passing[i]);
-    for (int i = 0; i < count; ++i)
-      for (int lane = 0; lane < faceLanes; ++lane) scatter(block[i], lane, frames.data(), passing[i].corner, rhs);
+    // Not face after face: neighbours share corners, and each would wait for the sum that the one before has just stored.
+    for (int lane = 0; lane < faceLanes; ++lane)
+      for (int i = 0; i < count; ++i) scatter(block[i], lane, frames.data(), passing[i].corner, rhs);
   }
   return lost;
 }

@@ -1,6 +1,7 @@
 // Coordinates -> right-hand side of the second system, four faces at a time: spline, exponential, product, divergence.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -32,10 +33,11 @@ class FaceKernel {
  public:
   FaceKernel() = default;
 
-  /// frameOf: frame of each face, or -1 for faces that take no part. halves: the faces as they are gone through, in the order of
-  /// the coordinates. position: where each vertex's right-hand side lies, or `dump` for vertices that have none.
-  void build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch, const FaceHalves& halves,
-             const std::vector<int>& position, int dump, const FractionReport& onProgress = {});
+  /// frameOf: frame of each face, or -1 for faces that take no part. position: where each vertex's right-hand side lies, or
+  /// `dump`, behind all others, for vertices that have none. Returns the order in which the faces are gone through and in
+  /// which their coordinates must lie.
+  std::vector<int> build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
+                         const std::vector<int>& position, int dump, const FractionReport& onProgress = {});
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
   /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: as the coordinates take them.
@@ -48,11 +50,11 @@ class FaceKernel {
                        const ColumnWeights<Real>& weights, int face, const Vec3& difference, Real* rhs) const;
 
  private:
-  [[gnu::noinline]] int accumulateBlocks(std::size_t begin, std::size_t end, const FaceCoordinates<Real>& coordinates,
-                       const std::vector<Real>& frames, const ColumnWeights<Real>& weights, Real* rhs) const;
+  [[gnu::noinline]] int accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,
+                                        const std::vector<Real>& frames, const ColumnWeights<Real>& weights, Real* rhs) const;
 
   std::vector<FaceBlock<Real>> blocks_;
-  std::size_t firstHalf_ = 0, bothHalves_ = 0;  // blocks
+  std::array<FaceRange, 3> ranges_;
   Stretch stretch_ = Stretch::Linear;
 };
 

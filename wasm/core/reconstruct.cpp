@@ -8,28 +8,6 @@ namespace shapespline {
 
 namespace {
 
-// The faces sorted by the last of their corners to be eliminated: neighbours in this order write to neighbouring places of the
-// right-hand side, and find all that lies before theirs at hand. Faces that take no part come last.
-FaceHalves inEliminationOrder(const std::vector<Triangle>& faces, const std::vector<int>& frameOf, const PoissonSystem& system,
-                              const FractionReport& onProgress) {
-  const int dump = system.dump();
-  std::vector<Triangle> corners(faces.size(), {dump, dump, dump});
-  std::vector<int> start(static_cast<std::size_t>(system.size()) + 1, 0), order(faces.size());
-  const auto last = [&](std::size_t f) { return *std::max_element(corners[f].begin(), corners[f].end()); };
-  inBlocks(partOf(onProgress, 0, 0.3), faces.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      for (int c = 0; c < 3 && frameOf[f] >= 0; ++c) corners[f][c] = system.slot()[faces[f][c]];
-      ++start[last(f) + 1];
-    }
-  });
-  for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
-  inBlocks(partOf(onProgress, 0.3, 0.6), faces.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) order[start[last(f)]++] = static_cast<int>(f);
-  });
-  reportFraction(onProgress, 0.6);
-  return halveFaces(order, corners, system.size(), dump);
-}
-
 // The sum of `count` places, by runs that are short enough for the precision.
 template <class Real>
 Vec3 sumOf(const Real* places, std::size_t count) {
@@ -74,13 +52,9 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   onProgress("ordering", 1);
   if (Status status = poisson_.factorise(laplacian, partOf(factorising, 0, 0.8)); !status) return status;
   stats.factorMs += watch.lap();
-  const FaceHalves halves = inEliminationOrder(shape.faces, frameOf_, poisson_, partOf(factorising, 0.8, 0.83));
-  onProgress("factorising", 0.83);
-  lri_.face.reorder(halves.order, partOf(factorising, 0.83, 0.85));
-  kernel_.build(shape, frameOf_, in.stretch, halves, poisson_.slot(), poisson_.dump(), partOf(factorising, 0.85, 0.95));
-  solution_.resize(4 * static_cast<std::size_t>(poisson_.size()));
+  lri_.face.reorder(kernel_.build(shape, frameOf_, in.stretch, poisson_.slot(), poisson_.dump(), partOf(factorising, 0.8, 0.93)),
+                    partOf(factorising, 0.93, 0.95));
   shift_.resize(in.parts.pieces.count);
-  offset_.resize(4 * shift_.size());
   verticesOfPiece_.assign(shift_.size(), 0);
   for (int piece : pieceOfVertex_)
     if (piece >= 0) ++verticesOfPiece_[piece];
@@ -113,7 +87,7 @@ void Reconstructor<Real>::faceRotations(const Weights& weights, std::vector<Quat
 }
 
 template <class Real>
-int Reconstructor<Real>::assemble(const PoseWeights& weights, Crew* crew) {
+int Reconstructor<Real>::assemble(const PoseWeights& weights, Real* x, Crew* crew) {
   const std::size_t count = frames_.rotation.size();
   matrices_.resize(numbersPerFrame * count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -122,124 +96,121 @@ int Reconstructor<Real>::assemble(const PoseWeights& weights, Crew* crew) {
       matrices_[numbersPerFrame * k + i] = i % 4 < 3 ? static_cast<Real>(g(i % 4, i / 4)) : Real(0);
   }
   const ColumnWeights<Real> columnWeights = lri_.face.weights(weights.column);
-  std::fill(solution_.begin(), solution_.end(), Real(0));
-  const int lost = kernel_.accumulate(lri_.face, matrices_, columnWeights, solution_.data(), crew);
+  std::fill_n(x, 4 * static_cast<std::size_t>(poisson_.size()), Real(0));
+  const int lost = kernel_.accumulate(lri_.face, matrices_, columnWeights, x, crew);
   if (weights.closing != 0)
     for (const Winding& winding : lri_.faceWinding)
-      kernel_.accumulateShift(lri_.face, matrices_, columnWeights, winding.index, weights.closing * winding.difference,
-                              solution_.data());
+      kernel_.accumulateShift(lri_.face, matrices_, columnWeights, winding.index, weights.closing * winding.difference, x);
   return lost;
 }
 
 // Refinement starts from the key with the largest weight: a frame depends on its weights alone, never on another frame.
 template <class Real>
-void Reconstructor<Real>::startFromKey(const PoseWeights& weights) {
+void Reconstructor<Real>::startFromKey(const PoseWeights& weights, Real* x) {
   const auto first = weights.column.begin();
   const Positions& key = shape_->poses[std::max_element(first, first + shape_->keys) - first];
-  rightHandSide_.assign(solution_.begin(), solution_.end());
+  rightHandSide_.assign(x, x + 4 * static_cast<std::size_t>(poisson_.size()));
   std::vector<Vec3> tied(shift_.size(), Vec3::Zero());
   for (std::size_t v = 0; v < key.size(); ++v)
     if (pieceOfVertex_[v] >= 0 && poisson_.slot()[v] == poisson_.dump()) tied[pieceOfVertex_[v]] = key[v];
   for (std::size_t v = 0; v < key.size(); ++v) {
     if (poisson_.slot()[v] == poisson_.dump()) continue;
     const Vec3 p = key[v] - tied[pieceOfVertex_[v]];
-    for (int i = 0; i < 3; ++i) solution_[4 * static_cast<std::size_t>(poisson_.slot()[v]) + i] = static_cast<Real>(p[i]);
+    for (int i = 0; i < 3; ++i) x[4 * static_cast<std::size_t>(poisson_.slot()[v]) + i] = static_cast<Real>(p[i]);
   }
-  for (int i = 0; i < 4; ++i) solution_[4 * static_cast<std::size_t>(poisson_.dump()) + i] = 0;
+  for (int i = 0; i < 4; ++i) x[4 * static_cast<std::size_t>(poisson_.dump()) + i] = 0;
 }
 
 template <class Real>
-void Reconstructor<Real>::solve(const PoseWeights& weights, Crew* crew) {
+void Reconstructor<Real>::solve(const PoseWeights& weights, Real* x, Crew* crew) {
   if constexpr (std::is_same_v<Real, double>) {
     if (precision_ == Precision::Exact) {
-      startFromKey(weights);
-      poisson_.refine(rightHandSide_.data(), solution_.data(), extent_, crew);
+      startFromKey(weights, x);
+      poisson_.refine(rightHandSide_.data(), x, extent_, crew);
       return;
     }
   }
-  poisson_.solve(solution_.data(), crew);
+  poisson_.solve(x, crew);
 }
 
 template <class Real>
-Vec3 Reconstructor<Real>::placedVertex(int v) const {
-  const Real* x = solution_.data() + 4 * static_cast<std::size_t>(poisson_.slot()[v]);
-  return Vec3(x[0], x[1], x[2]) + shift_[pieceOfVertex_[v]];
+Vec3 Reconstructor<Real>::placedVertex(int v, const Real* x) const {
+  const Real* p = x + 4 * static_cast<std::size_t>(poisson_.slot()[v]);
+  return Vec3(p[0], p[1], p[2]) + shift_[pieceOfVertex_[v]];
 }
 
 template <class Real>
-Vec3 Reconstructor<Real>::placedCentroid(int face) const {
+Vec3 Reconstructor<Real>::placedCentroid(int face, const Real* x) const {
   const Triangle& t = shape_->faces[face];
-  return (placedVertex(t[0]) + placedVertex(t[1]) + placedVertex(t[2])) / 3;
+  return (placedVertex(t[0], x) + placedVertex(t[1], x) + placedVertex(t[2], x)) / 3;
 }
 
 // Each component keeps its offset in its anchor face's R_f.
 template <class Real>
-void Reconstructor<Real>::placeComponents(const PoseWeights& weights) {
+void Reconstructor<Real>::placeComponents(const PoseWeights& weights, const Real* x) {
   std::fill(shift_.begin(), shift_.end(), Vec3::Zero());
   for (const ComponentPlace& place : lri_.places) {
     const Quaternion anchor = frames_.rotation[place.anchorFrame] * expQuaternion(blend(place.anchorRotation, weights));
-    const Vec3 wanted = placedCentroid(place.anchorFace) + anchor * blend(place.offset, weights);
-    shift_[place.piece] = wanted - placedCentroid(place.contactFace);
+    const Vec3 wanted = placedCentroid(place.anchorFace, x) + anchor * blend(place.offset, weights);
+    shift_[place.piece] = wanted - placedCentroid(place.contactFace, x);
   }
 }
 
-// What every piece has to be moved by, so that the mean of all vertices lies where the coordinates have it.
 template <class Real>
-Vec3 Reconstructor<Real>::settleMean(const PoseWeights& weights) {
-  Vec3 sum = sumOf(solution_.data(), static_cast<std::size_t>(poisson_.unknowns()));
-  for (std::size_t p = 0; p < shift_.size(); ++p) sum += verticesOfPiece_[p] * shift_[p];
-  for (const LooseVertex& loose : lri_.loose) sum += loosePlace(loose, weights);
-  const Vec3 move = blend(lri_.meanPosition, weights) - sum / shape_->vertexCount();
-  for (std::size_t p = 0; p < shift_.size(); ++p)
-    for (int i = 0; i < 3; ++i) offset_[4 * p + i] = static_cast<Real>(shift_[p][i] + move[i]);
-  return move;
-}
-
-template <class Real>
-Vec3 Reconstructor<Real>::loosePlace(const LooseVertex& loose, const PoseWeights& weights) const {
-  return placedCentroid(loose.anchorFace) + faceRotation(loose.anchorFace, loose.anchorFrame, weights) * blend(loose.offset, weights);
-}
-
-template <class Real>
-void Reconstructor<Real>::writePlaces(const PoseWeights& weights, std::vector<Real>& places) {
-  using L = Lanes<Real>;
-  places.resize(4 * placeOf_.size());
-  const Vec3 move = settleMean(weights);
-  const std::size_t unknowns = static_cast<std::size_t>(poisson_.unknowns());
-  const L only = L::load(offset_.data());
-  const auto offset = [&](std::size_t i) {
-    return pieceAt_.empty() ? only : L::load(&offset_[4 * static_cast<std::size_t>(pieceAt_[i])]);
-  };
-  for (std::size_t i = 0; i < unknowns; ++i) (L::load(&solution_[4 * i]) + offset(i)).store(&places[4 * i]);
-  for (std::size_t i = unknowns; i < placeOf_.size(); ++i) offset(i).store(&places[4 * i]);  // tied to zero
+void Reconstructor<Real>::placeLoose(const PoseWeights& weights, const Real* x) {
+  loose_.clear();
   for (const LooseVertex& loose : lri_.loose) {
-    const Vec3 p = loosePlace(loose, weights) + move;
-    for (int k = 0; k < 3; ++k) places[4 * static_cast<std::size_t>(placeOf_[loose.vertex]) + k] = static_cast<Real>(p[k]);
+    const Quaternion anchor = faceRotation(loose.anchorFace, loose.anchorFrame, weights);
+    loose_.push_back(placedCentroid(loose.anchorFace, x) + anchor * blend(loose.offset, weights));
   }
 }
 
+// What everything has to be moved by, so that the mean of all vertices lies where the coordinates have it.
 template <class Real>
-int Reconstructor<Real>::reconstruct(const Weights& weights, std::vector<Real>& places, SequenceStats* stats, Crew* crew) {
+Vec3 Reconstructor<Real>::meanMove(const PoseWeights& weights, const Real* x) const {
+  Vec3 sum = sumOf(x, static_cast<std::size_t>(poisson_.unknowns()));
+  for (std::size_t p = 0; p < shift_.size(); ++p) sum += verticesOfPiece_[p] * shift_[p];
+  for (const Vec3& p : loose_) sum += p;
+  return blend(lri_.meanPosition, weights) - sum / shape_->vertexCount();
+}
+
+// The solver's slots come first among the places; each piece is moved by its shift, and the vertices without a slot follow.
+template <class Real>
+void Reconstructor<Real>::slotsToPlaces(Real* x) const {
+  const std::size_t unknowns = static_cast<std::size_t>(poisson_.unknowns());
+  std::fill(x + 4 * unknowns, x + 4 * placeOf_.size(), Real(0));  // tied to zero
+  for (std::size_t i = 0; i < pieceAt_.size(); ++i)
+    for (int k = 0; k < 3; ++k) x[4 * i + k] += static_cast<Real>(shift_[pieceAt_[i]][k]);
+  for (std::size_t i = 0; i < loose_.size(); ++i)
+    for (int k = 0; k < 3; ++k) x[4 * static_cast<std::size_t>(placeOf_[lri_.loose[i].vertex]) + k] = static_cast<Real>(loose_[i][k]);
+}
+
+template <class Real>
+int Reconstructor<Real>::reconstruct(const Weights& weights, PlacedShape<Real>& shape, SequenceStats* stats, Crew* crew) {
   Stopwatch watch;
   const PoseWeights w = poseWeights(weights, *shape_);
   source_->at(weights, frames_);
-  const int lost = assemble(w, crew);
+  shape.places.resize(4 * std::max(static_cast<std::size_t>(poisson_.size()), placeOf_.size()));
+  Real* const x = shape.places.data();
+  const int lost = assemble(w, x, crew);
   const double facesMs = watch.lap();
-  solve(w, crew);
+  solve(w, x, crew);
   const double solveMs = watch.lap();
-  placeComponents(w);
-  writePlaces(w, places);
+  placeComponents(w, x);
+  placeLoose(w, x);
+  shape.move = meanMove(w, x);
+  slotsToPlaces(x);
   if (stats) stats->facesMs = facesMs, stats->solveMs = solveMs, stats->placeMs = watch.lap();
   return lost;
 }
 
 template <class Real>
 int Reconstructor<Real>::reconstruct(const Weights& weights, Positions& positions) {
-  const int lost = reconstruct(weights, places_);
+  const int lost = reconstruct(weights, placed_);
   positions.resize(placeOf_.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    const Real* p = &places_[4 * static_cast<std::size_t>(placeOf_[v])];
-    positions[v] = {p[0], p[1], p[2]};
+    const Real* p = &placed_.places[4 * static_cast<std::size_t>(placeOf_[v])];
+    positions[v] = Vec3(p[0], p[1], p[2]) + placed_.move;
   }
   return lost;
 }
@@ -267,11 +238,12 @@ Status Reconstructor<Real>::embed(const FramePoses& poses) {
 }
 
 template <class Real>
-Status Reconstructor<Real>::preview(const Weights& weights, const FramePoses& poses, std::vector<float>& places) {
+Status Reconstructor<Real>::preview(const Weights& weights, const FramePoses& poses, PlacedShape<float>& shape) {
   if (!embedding_)
     if (Status status = embed(poses); !status) return status;
   source_->at(weights, frames_);
-  embedding_->at(poseWeights(weights, *shape_), frames_.rotation, places);
+  embedding_->at(poseWeights(weights, *shape_), frames_.rotation, shape.places);
+  shape.move = Vec3::Zero();
   return {};
 }
 

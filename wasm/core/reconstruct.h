@@ -18,6 +18,13 @@ namespace shapespline {
 /// Called with a stage's name and the fraction of that stage that is done.
 using StageProgress = std::function<void(const char* stage, double fraction)>;
 
+/// A shape as it leaves the solver.
+template <class Real>
+struct PlacedShape {
+  std::vector<Real> places;  ///< (x, y, z, pad) of each welded vertex in the order of placeOf(); more may follow
+  Vec3 move = Vec3::Zero();  ///< what all of them are still to be moved by
+};
+
 /// Rebuilds shapes from blended coordinates. Holds the factored system and scratch space; not thread-safe, but every
 /// result depends on its arguments alone.
 template <class Real>
@@ -35,17 +42,16 @@ class Reconstructor {
   /// Orders and factorises the system and lays the faces' numbers out for it; the times of that go to stats.
   Status build(const Input& input, LriCoordinates<Real> coordinates, SequenceStats& stats, const StageProgress& onProgress);
 
-  /// The shape at `weights`, its mean position where the coordinates have it. places: (x, y, z, pad) of each welded vertex,
-  /// in the order of placeOf(). Returns the number of faces whose interpolated S_f is not positive definite. The parts'
-  /// wall times go to stats, if there is one.
-  int reconstruct(const Weights& weights, std::vector<Real>& places, SequenceStats* stats = nullptr, Crew* crew = nullptr);
+  /// The shape at `weights`, its mean position where the coordinates have it. Returns the number of faces whose interpolated
+  /// S_f is not positive definite. The parts' wall times go to stats, if there is one.
+  int reconstruct(const Weights& weights, PlacedShape<Real>& shape, SequenceStats* stats = nullptr, Crew* crew = nullptr);
 
   /// The same as one position a welded vertex.
   int reconstruct(const Weights& weights, Positions& positions);
 
-  /// The shape at `weights`, about (embedding.h), made for it when it is first asked for; places as above. poses: the
-  /// frames that the coordinates are in. Error: that of the embedding's solver.
-  Status preview(const Weights& weights, const FramePoses& poses, std::vector<float>& places);
+  /// The shape at `weights`, about (embedding.h), made for it when it is first asked for. poses: the frames that the
+  /// coordinates are in. Error: that of the embedding's solver.
+  Status preview(const Weights& weights, const FramePoses& poses, PlacedShape<float>& shape);
 
   /// R_f of every face at `weights`; the identity for faces without area.
   void faceRotations(const Weights& weights, std::vector<Quaternion>& rotation);
@@ -60,15 +66,16 @@ class Reconstructor {
  private:
   Quaternion faceRotation(int face, int frame, const PoseWeights& weights) const;
   Status embed(const FramePoses& poses);
-  int assemble(const PoseWeights& weights, Crew* crew);
-  void solve(const PoseWeights& weights, Crew* crew);
-  void startFromKey(const PoseWeights& weights);
-  void placeComponents(const PoseWeights& weights);
-  void writePlaces(const PoseWeights& weights, std::vector<Real>& places);
-  Vec3 settleMean(const PoseWeights& weights);
-  Vec3 loosePlace(const LooseVertex& loose, const PoseWeights& weights) const;
-  Vec3 placedVertex(int v) const;
-  Vec3 placedCentroid(int face) const;
+  // x: (x, y, z, pad) of each slot; the right-hand side and then the solution.
+  int assemble(const PoseWeights& weights, Real* x, Crew* crew);
+  void solve(const PoseWeights& weights, Real* x, Crew* crew);
+  void startFromKey(const PoseWeights& weights, Real* x);
+  void placeComponents(const PoseWeights& weights, const Real* x);
+  void placeLoose(const PoseWeights& weights, const Real* x);
+  Vec3 meanMove(const PoseWeights& weights, const Real* x) const;
+  void slotsToPlaces(Real* x) const;
+  Vec3 placedVertex(int v, const Real* x) const;
+  Vec3 placedCentroid(int face, const Real* x) const;
 
   const WeldedShape* shape_ = nullptr;
   FrameSource* source_ = nullptr;
@@ -87,13 +94,12 @@ class Reconstructor {
   std::optional<Embedding> embedding_;
 
   // scratch, overwritten by every reconstruction
-  std::vector<Real, Eigen::aligned_allocator<Real>> solution_;
-  std::vector<Real, Eigen::aligned_allocator<Real>> rightHandSide_;  // with Precision::Exact
+  std::vector<Real> rightHandSide_;  // with Precision::Exact
   Frames frames_;
   std::vector<Real> matrices_;
-  std::vector<Real> places_;
-  std::vector<Vec3> shift_;   // translation of each piece against the others
-  std::vector<Real> offset_;  // of each piece, with what the mean position asks for: (x, y, z, 0)
+  PlacedShape<Real> placed_;
+  std::vector<Vec3> shift_;  // translation of each piece against the others
+  std::vector<Vec3> loose_;  // where each loose vertex lies
 };
 
 }  // namespace shapespline

@@ -133,7 +133,7 @@ Status Sequence::preview(double t, Frame& frame) {
   if (blendsVertices(s.motion.method)) return evaluate(t, frame);
   frame.lostDefiniteness = 0;
   s.stats.facesMs = s.stats.solveMs = s.stats.placeMs = 0;
-  if (Status status = s.shapeMotion->previewAt(weights, s.places); !status) return status;
+  if (Status status = s.shapeMotion->previewAt(weights, s.placed); !status) return status;
   s.finish(s.globalMotion(t, wrapped, weights), frame);
   return {};
 }

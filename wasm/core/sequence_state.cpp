@@ -170,18 +170,19 @@ int Sequence::State::weldedShape(const Weights& weights, Positions& out) {
   return shapeMotion->at(weights, out);
 }
 
-// Leaves the shape in `places`, (x, y, z, pad) of each welded vertex.
+// Leaves the shape in `placed`.
 int Sequence::State::placedShape(const Weights& weights) {
   if (!blendsVertices(motion.method)) {
     ++stats.solves;
-    return shapeMotion->at(weights, places, stats, crew);
+    return shapeMotion->at(weights, placed, stats, crew);
   }
   stats.facesMs = stats.solveMs = stats.placeMs = 0;
   blendVertices(shape, weights, weldedPositions);
-  places.resize(4 * weldedPositions.size());
+  placed.move = Vec3::Zero();
+  placed.places.resize(4 * weldedPositions.size());
   for (std::size_t v = 0; v < weldedPositions.size(); ++v)
     for (int k = 0; k < 3; ++k)
-      places[4 * static_cast<std::size_t>(shapeMotion->placeOf()[v]) + k] = static_cast<float>(weldedPositions[v][k]);
+      placed.places[4 * static_cast<std::size_t>(shapeMotion->placeOf()[v]) + k] = static_cast<float>(weldedPositions[v][k]);
   return 0;
 }
 
@@ -198,16 +199,19 @@ void Sequence::State::fill(const Weights& weights, const Global& global, Frame& 
   finish(global, frame);
 }
 
-// From the welded vertices in `places` to what is drawn.
+// From `placed` to what is drawn.
 void Sequence::State::finish(const Global& global, Frame& frame) {
   Stopwatch watch;
-  if (global.moves)
+  std::vector<float>& places = placed.places;
+  if (global.moves) {
     for (std::size_t i = 0; i < places.size(); i += 4) {
-      const Vec3 p = global.apply({places[i], places[i + 1], places[i + 2]});
+      const Vec3 p = global.apply(Vec3(places[i], places[i + 1], places[i + 2]) + placed.move);
       for (int k = 0; k < 3; ++k) places[i + k] = static_cast<float>(p[k]);
     }
+    placed.move = Vec3::Zero();
+  }
   stats.placeMs += watch.lap();
-  shading.draw(places, frame.positions, frame.normals, crew);
+  shading.draw(places, placed.move, frame.positions, frame.normals, crew);
   stats.normalsMs = watch.lap();
 }
 

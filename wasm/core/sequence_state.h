@@ -38,7 +38,7 @@ struct Sequence::State {
   std::vector<Warning> warnings;
   Eigen::MatrixXd gram;  // made when it is first asked for
   Crew* crew = nullptr;
-  std::vector<float> places;  // scratch, as the rest
+  PlacedShape<float> placed;  // scratch, as the rest
   Positions weldedPositions, ghostPositions;
 
   Columns columns() const { return {shape.keys}; }

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <span>
 
-#include "core/face_halves.h"
 #include "core/out_of_line.h"
 #include "core/simd.h"
 
@@ -56,21 +55,29 @@ struct Faces {
   const std::vector<Triangle>& target;
 };
 
-void addNormals(const Faces& faces, std::size_t begin, std::size_t end, const float* places, float* sums) {
+void addNormals(const Faces& faces, const FaceRange& range, const float* places, float* sums) {
   const Triangle *corner = faces.corner.data(), *target = faces.target.data();
-  for (std::size_t f = begin; f < end; ++f) {
+  const auto add = [&](int f) {
     const auto& [a, b, c] = corner[f];
     const Float4 normal = areaNormal(Float4::load(at(places, a)), Float4::load(at(places, b)), Float4::load(at(places, c)));
     for (int group : target[f]) {
       float* sum = at(sums, group);
       (Float4::load(sum) + normal).store(sum);
     }
-  }
+  };
+  // Neighbours share corners, and each would wait for the sum that the one before has just stored: faces eight apart follow
+  // each other.
+  int f = range.begin;
+  for (; f + 32 <= range.end; f += 32)
+    for (int i = f; i < f + 8; ++i) add(i), add(i + 8), add(i + 16), add(i + 24);
+  for (; f < range.end; ++f) add(f);
 }
 
 // Groups of four, the last of them filled up with vertices before it.
 template <class Drawn>
-void drawVertices(std::span<const Drawn> drawn, const float* places, const float* sums, float* positions, float* normals) {
+void drawVertices(std::span<const Drawn> drawn, const float* places, const float* move, const float* sums, float* positions,
+                  float* normals) {
+  const Float4 by = Float4::load(move);
   const std::size_t count = drawn.size(), last = count - std::min<std::size_t>(count, 4);
   for (std::size_t i = 0; i < count; i += 4) {
     const Drawn* d = &drawn[std::min(i, last)];
@@ -79,7 +86,7 @@ void drawVertices(std::span<const Drawn> drawn, const float* places, const float
     normalise(normal);
     for (std::size_t k = 0; k < 4; ++k) {
       const auto [vertex, place, group] = d[std::min(k, count - 1)];
-      Float4::load(at(places, place)).storeXyz(positions + 3 * static_cast<std::size_t>(vertex));
+      (Float4::load(at(places, place)) + by).storeXyz(positions + 3 * static_cast<std::size_t>(vertex));
       normal[k].storeXyz(normals + 3 * static_cast<std::size_t>(vertex));
     }
   }
@@ -90,7 +97,7 @@ void drawVertices(std::span<const Drawn> drawn, const float* places, const float
 Shading::Shading(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups, const std::vector<int>& placeOf,
                  const FractionReport& onProgress)
     : sum_(4 * static_cast<std::size_t>(groups)) {
-  std::vector<int> renumbered(groups, -1), faceKey(faces.size());
+  std::vector<int> renumbered(groups, -1);
   int next = 0;
   bool seams = false;
   const std::vector<int> drawn = sortedBy(placeOf);
@@ -108,16 +115,11 @@ Shading::Shading(const std::vector<Triangle>& faces, const std::vector<int>& gro
   inBlocks(partOf(onProgress, 0.3, 0.5), faces.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const auto& [a, b, c] = faces[f];
-      faceKey[f] = std::max({placeOf[a], placeOf[b], placeOf[c]});
       target[f] = {renumbered[groupOf[a]], renumbered[groupOf[b]], renumbered[groupOf[c]]};
     }
   });
-  reportFraction(onProgress, 0.5);
-  const std::vector<int> sorted = sortedBy(faceKey);
-  reportFraction(onProgress, 0.6);
-  const FaceHalves halves = halveFaces(sorted, target, groups);
-  firstHalf_ = static_cast<std::size_t>(halves.first);
-  bothHalves_ = firstHalf_ + static_cast<std::size_t>(halves.second);
+  const FaceHalves halves = halveFaces(target, groups, -1, partOf(onProgress, 0.5, 0.8));
+  ranges_ = halves.ranges;
   corner_.reserve(halves.order.size());
   inBlocks(partOf(onProgress, 0.8, 1), halves.order.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -128,19 +130,21 @@ Shading::Shading(const std::vector<Triangle>& faces, const std::vector<int>& gro
   });
 }
 
-void Shading::draw(const std::vector<float>& places, std::vector<float>& positions, std::vector<float>& normals, Crew* crew) {
+void Shading::draw(const std::vector<float>& places, const Vec3& move, std::vector<float>& positions, std::vector<float>& normals,
+                   Crew* crew) {
   positions.resize(3 * drawn_.size());
   normals.resize(positions.size());
   std::fill(sum_.begin(), sum_.end(), 0.0f);
   const Faces faces = {corner_, target_.empty() ? corner_ : target_};
   const auto add = outOfLine(addNormals);
-  inTwo(crew, [&](int part) { add(faces, part == 0 ? 0 : firstHalf_, part == 0 ? firstHalf_ : bothHalves_, places.data(), sum_.data()); });
-  add(faces, bothHalves_, corner_.size(), places.data(), sum_.data());
+  inTwo(crew, [&](int half) { add(faces, ranges_[half], places.data(), sum_.data()); });
+  add(faces, ranges_[2], places.data(), sum_.data());
   const auto write = outOfLine(drawVertices<Drawn>);
+  const std::array<float, 4> by = {static_cast<float>(move.x()), static_cast<float>(move.y()), static_cast<float>(move.z()), 0};
   inTwo(crew, [&](int part) {
     const std::span<const Drawn> all = drawn_;
     const std::size_t half = all.size() / 2;
-    write(part == 0 ? all.first(half) : all.subspan(half), places.data(), sum_.data(), positions.data(), normals.data());
+    write(part == 0 ? all.first(half) : all.subspan(half), places.data(), by.data(), sum_.data(), positions.data(), normals.data());
   });
 }
 

@@ -1,10 +1,12 @@
 // What is drawn of a shape: positions and vertex normals of the raw vertices, so that the page never computes any.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "core/crew.h"
+#include "core/face_halves.h"
 #include "core/progress.h"
 #include "core/types.h"
 
@@ -19,9 +21,10 @@ class Shading {
   Shading(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups, const std::vector<int>& placeOf,
           const FractionReport& onProgress = {});
 
-  /// places: (x, y, z, pad) at each place. positions, normals: 3n; normals are unit, (0, 0, 1) where a vertex has no area
-  /// around it. Whatever the crew to the same bits.
-  void draw(const std::vector<float>& places, std::vector<float>& positions, std::vector<float>& normals, Crew* crew = nullptr);
+  /// places: (x, y, z, pad) at each place. move: what is added to all of them. positions, normals: 3n; normals are unit,
+  /// (0, 0, 1) where a vertex has no area around it. Whatever the crew to the same bits.
+  void draw(const std::vector<float>& places, const Vec3& move, std::vector<float>& positions, std::vector<float>& normals,
+            Crew* crew = nullptr);
 
  private:
   struct Drawn {
@@ -29,10 +32,10 @@ class Shading {
   };
   std::vector<Drawn> drawn_;      // the raw vertices in order of place: read in order and written anywhere is twice as fast
                                   // as the other way round
-  std::vector<Triangle> corner_;  // faces of places, themselves in order of their last place in each half
+  std::vector<Triangle> corner_;  // faces of places, in the halves' order
   std::vector<Triangle> target_;  // their corners' groups, numbered in order of place; empty where those are the places
   std::vector<float> sum_;        // scratch: (x, y, z, pad) of each group
-  std::size_t firstHalf_ = 0, bothHalves_ = 0;  // faces
+  std::array<FaceRange, 3> ranges_;
 };
 
 }  // namespace shapespline

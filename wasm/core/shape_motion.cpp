@@ -43,18 +43,19 @@ class TypedMotion final : public ShapeMotion {
     return reconstructor_.reconstruct(weights, welded);
   }
 
-  int at(const Weights& weights, std::vector<float>& places, SequenceStats& stats, Crew* crew) override {
+  int at(const Weights& weights, PlacedShape<float>& placed, SequenceStats& stats, Crew* crew) override {
     if constexpr (std::is_same_v<Real, float>) {
-      return reconstructor_.reconstruct(weights, places, &stats, crew);
+      return reconstructor_.reconstruct(weights, placed, &stats, crew);
     } else {
-      const int lost = reconstructor_.reconstruct(weights, places_, &stats, crew);
-      places.assign(places_.begin(), places_.end());
+      const int lost = reconstructor_.reconstruct(weights, placed_, &stats, crew);
+      placed.places.assign(placed_.places.begin(), placed_.places.end());
+      placed.move = placed_.move;
       return lost;
     }
   }
 
-  Status previewAt(const Weights& weights, std::vector<float>& places) override {
-    return reconstructor_.preview(weights, ghost_ ? ghost_->poses() : patches_.poses(), places);
+  Status previewAt(const Weights& weights, PlacedShape<float>& placed) override {
+    return reconstructor_.preview(weights, ghost_ ? ghost_->poses() : patches_.poses(), placed);
   }
 
   PatchMotion& patchMotion() override { return ghost_ ? ghost_->patchMotion() : patches_; }
@@ -102,7 +103,7 @@ class TypedMotion final : public ShapeMotion {
   std::unique_ptr<GhostMotion> ghost_;
   std::vector<int> patchOfFace_;        // with one
   Reconstructor<Real> reconstructor_;
-  std::vector<Real> places_;  // scratch
+  PlacedShape<Real> placed_;  // scratch
 };
 
 template <class Real>

@@ -26,12 +26,12 @@ class ShapeMotion {
 
   /// Both return the number of faces whose interpolated S_f is not positive definite.
   virtual int at(const Weights& weights, Positions& welded) = 0;
-  /// places: (x, y, z, pad) of each welded vertex, in the order of placeOf(). The parts' wall times go to stats.
-  virtual int at(const Weights& weights, std::vector<float>& places, SequenceStats& stats, Crew* crew) = 0;
+  /// placed: what is drawn. The parts' wall times go to stats.
+  virtual int at(const Weights& weights, PlacedShape<float>& placed, SequenceStats& stats, Crew* crew) = 0;
 
   /// The shape as embedded in its frames (embedding.h): cheap and close. The embedding is made when it is first asked for.
   /// Error: that of its solver.
-  virtual Status previewAt(const Weights& weights, std::vector<float>& places) = 0;
+  virtual Status previewAt(const Weights& weights, PlacedShape<float>& placed) = 0;
 
   /// The patches that everything follows.
   virtual PatchMotion& patchMotion() = 0;
