@@ -49,12 +49,13 @@ export async function browserPlace(repository: string): Promise<Place> {
   page.on('pageerror', (error) => process.stderr.write(`${error.message}\n`));
   await page.goto(`${url}tests/bench/page.html`);
   const addressOf = (file: string): string => url + path.relative(repository, file).split(path.sep).join('/');
+  // Functions among the words, such as runEigen, run here when the page calls them.
   const call = <T>(name: string, ...words: unknown[]): Promise<T> => page.evaluate(
     ([program, exported, args]) => import(program).then((bundled) => (bundled as Record<string, (...args: unknown[]) => Promise<unknown>>)[exported]!(...args)),
-    [`${url}build/bench-page/page.js`, name, words] as const) as Promise<T>;
+    [`${url}build/bench-page/page.js`, name, words] as const, { exposeFunctions: true }) as Promise<T>;
   return {
     name: `Chromium ${browser.version()}`,
-    measure: (mesh) => call('measureFile', addressOf(mesh)),
+    measure: (mesh, runEigen) => call('measureFile', addressOf(mesh), runEigen),
     motion: (mesh, motion) => call('motionOf', addressOf(mesh), motion),
     resolutions: (coarse, fine) => call('resolutionsOf', addressOf(coarse), addressOf(fine)),
     threads: (mesh) => call('threadsOf', addressOf(mesh)),

@@ -3,6 +3,7 @@ import type { Sequence } from '../../web/engine/api.ts';
 import type { Frame, SequenceStats } from '../../web/engine/types.ts';
 import type { ReadBandwidth } from './bandwidth.ts';
 import { distanceOf, NO_DISTANCE, worse, type Distance } from './distance.ts';
+import type { EigenRound, RunEigen } from './eigen.ts';
 import { quantile, spread, type Spread } from './quantile.ts';
 
 /** Steps from frame to frame, of either kind, from each build. */
@@ -12,11 +13,13 @@ const BANDWIDTH_PASSES = 3;
 /** Frames at which exact and cheap shapes are compared. */
 const COMPARED = 14;
 
-/** Single frames of one build, beside the bandwidth of that moment (bytes a second): a machine that others use is not the same for long. */
+/** Single frames of one build, beside Eigen and the bandwidth of that moment (bytes a second): a machine that others use is not the
+    same for long. */
 export interface Round {
   firstMs: number;
   ms: number[];
   stats: SequenceStats[];
+  eigen: EigenRound;
   bandwidth: number;
   cheapFirstMs: number;
   cheapMs: number[];
@@ -34,10 +37,12 @@ export interface ExactFrames {
   rounds: RoundMedians[];
 }
 
-/** Milliseconds; bytes a second. */
+/** Milliseconds; bytes a second. The factorisation is that of the round's build. */
 export interface RoundMedians {
+  factorMs: number;
   solveMs: number;
   frameMs: number;
+  eigen: EigenRound;
   bandwidth: number;
 }
 
@@ -65,8 +70,10 @@ async function msOf(answer: Promise<Frame | null>): Promise<number> {
   return frame.ms;
 }
 
-export async function roundOf(sequence: Sequence, readBandwidth: ReadBandwidth): Promise<Round> {
+/** Eigen comes between the build, which ends with the factorisation, and the frames, which solve. */
+export async function roundOf(sequence: Sequence, readBandwidth: ReadBandwidth, runEigen: RunEigen): Promise<Round> {
   const firstMs = await msOf(sequence.evaluate(0));
+  const eigen = await runEigen();
   const ms: number[] = [], cheapMs: number[] = [], stats: SequenceStats[] = [], bandwidths: number[] = [];
   const read = (): void => {
     for (let pass = 0; pass < BANDWIDTH_PASSES; ++pass) bandwidths.push(readBandwidth());
@@ -79,7 +86,7 @@ export async function roundOf(sequence: Sequence, readBandwidth: ReadBandwidth):
   read();
   const cheapFirstMs = await msOf(sequence.preview(0.1));
   for (let k = 0; k <= FRAMES; ++k) cheapMs.push(await msOf(sequence.preview(timeOf(k, FRAMES))));
-  return { firstMs, ms, stats, bandwidth: quantile(bandwidths), cheapFirstMs, cheapMs };
+  return { firstMs, ms, stats, eigen, bandwidth: quantile(bandwidths), cheapFirstMs, cheapMs };
 }
 
 export function exactFrames(rounds: readonly Round[]): ExactFrames {
@@ -90,7 +97,8 @@ export function exactFrames(rounds: readonly Round[]): ExactFrames {
     spline: part('facesMs'), solve: part('solveMs'), place: part('placeMs'), normals: part('normalsMs'),
     frame: spread(rounds.flatMap(({ ms }) => ms)),
     rounds: rounds.map((round) => ({
-      bandwidth: round.bandwidth, frameMs: quantile(round.ms), solveMs: quantile(round.stats.map(({ solveMs }) => solveMs)),
+      factorMs: round.stats[0]!.factorMs, solveMs: quantile(round.stats.map(({ solveMs }) => solveMs)), frameMs: quantile(round.ms),
+      eigen: round.eigen, bandwidth: round.bandwidth,
     })),
   };
 }

@@ -11,7 +11,7 @@ import { readArguments, USAGE, type Wanted } from './arguments.ts';
 import { browserPlace } from './browser.ts';
 import { benchGhostInBrowser } from './ghost-browser.ts';
 import { benchGhost } from './ghost.ts';
-import { runNative } from './native.ts';
+import { withNative } from './native.ts';
 import { nodePlace } from './node-place.ts';
 import { TABLE_2 } from './paper.ts';
 import { REFERENCE, type Place } from './place.ts';
@@ -44,8 +44,7 @@ async function runAll(place: Place, sizes: number[]): Promise<Results> {
   for (const faces of sizes) {
     say(`${faces} faces`);
     const mesh = meshOf(faces);
-    const native = runNative(mesh, mesh + REFERENCE);
-    results.sizes.push({ native, run: await place.measure(mesh) });
+    results.sizes.push(await withNative(mesh, mesh + REFERENCE, async (native, runEigen) => ({ native, run: await place.measure(mesh, runEigen) })));
   }
   for (const row of TABLE_2.filter(({ faces }) => faces <= 1.2 * Math.max(...sizes))) {
     say(`${row.model}, ${row.shapes} shapes`);

@@ -3,6 +3,7 @@ import type { Engine, Sequence } from '../../web/engine/api.ts';
 import { bandwidthReader } from './bandwidth.ts';
 import { buildRepeatedly, Listener, refitGrowth, type Builds, type Silence } from './builds.ts';
 import { distanceOf } from './distance.ts';
+import type { RunEigen } from './eigen.ts';
 import { agreementOf, cheapFrames, exactFrames, frameOf, roundOf, type CheapFrames, type ExactFrames, type Round } from './frames.ts';
 import { ledRun, type LedRun } from './led.ts';
 
@@ -37,6 +38,7 @@ export interface Input {
   reference: Float64Array;
   /** The module that reads memory. */
   reader: BufferSource;
+  runEigen: RunEigen;
   /** Bytes of the whole process, or NaN. */
   processBytes: () => number;
 }
@@ -48,7 +50,7 @@ async function errorOf(sequence: Sequence, reference: Float64Array): Promise<num
   return worst;
 }
 
-export async function measure(engine: Engine, { name, mesh, reference, reader, processBytes }: Input): Promise<Run> {
+export async function measure(engine: Engine, { name, mesh, reference, reader, runEigen, processBytes }: Input): Promise<Run> {
   const start = performance.now();
   const listener = new Listener();
   const keys = await engine.importKeyframes([{ name, bytes: mesh }], {}, { onProgress: listener.onProgress });
@@ -57,7 +59,7 @@ export async function measure(engine: Engine, { name, mesh, reference, reader, p
   const readBandwidth = await bandwidthReader(reader);
   const rounds: Round[] = [];
   const { sequence, builds } = await buildRepeatedly(engine, keys, processBytes, async (built) => {
-    rounds.push(await roundOf(built, readBandwidth));
+    rounds.push(await roundOf(built, readBandwidth, runEigen));
   });
   const error = await errorOf(sequence, reference);
   const agreement = await agreementOf(sequence);

@@ -16,9 +16,9 @@ export function nodePlace(reader: string): Place {
   const bytesOf = (file: string): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(file));
   return {
     name: `Node ${process.version}`,
-    measure: (mesh) => withEngine((engine) => measure(engine, {
+    measure: (mesh, runEigen) => withEngine((engine) => measure(engine, {
       name: path.basename(mesh), mesh: bytesOf(mesh), reference: new Float64Array(bytesOf(mesh + REFERENCE).buffer), reader: bytesOf(reader),
-      processBytes: () => process.memoryUsage().rss,
+      runEigen, processBytes: () => process.memoryUsage().rss,
     }), ONE_THREAD),
     motion: (mesh, motion) => withEngine((engine) => runMotion(engine, path.basename(mesh), bytesOf(mesh), motion), ONE_THREAD),
     resolutions: (coarse, fine) => withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine)), ONE_THREAD),

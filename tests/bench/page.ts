@@ -3,6 +3,7 @@ import type { Engine } from '../../web/engine/api.ts';
 import { EngineClient, onlyOnce } from '../../web/engine/engine.ts';
 import { endedWorker, type Spawn } from '../../web/engine/remote.ts';
 import type { FromWorker } from '../../web/engine/protocol.ts';
+import type { RunEigen } from './eigen.ts';
 import { measure, type Run } from './measure.ts';
 import { REFERENCE } from './place.ts';
 import { compareResolutions, type Resolutions } from './resolutions.ts';
@@ -38,12 +39,13 @@ async function withEngine<T>(work: (engine: Engine) => Promise<T>, threads: 1 | 
   }
 }
 
-export function measureFile(mesh: string): Promise<Run> {
+export function measureFile(mesh: string, runEigen: RunEigen): Promise<Run> {
   return withEngine(async (engine) => measure(engine, {
     name: 'bench.glb',
     mesh: await meshOf(mesh),
     reference: new Float64Array(await fetchBytes(mesh + REFERENCE)),
     reader: await fetchBytes(beside('cmake-wasm/shapespline_bench_read.wasm')),
+    runEigen,
     // No page can tell.
     processBytes: () => NaN,
   }));

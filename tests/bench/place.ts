@@ -1,4 +1,5 @@
 /** Where the engine runs while it is measured: in Node, or in a page. Meshes are files; `mesh` is a path. */
+import type { RunEigen } from './eigen.ts';
 import type { Run } from './measure.ts';
 import type { Resolutions } from './resolutions.ts';
 import type { ThreadsRun } from './threads.ts';
@@ -8,7 +9,7 @@ export interface Place {
   /** Program and version. */
   name: string;
   /** The double reference lies beside the mesh. */
-  measure(mesh: string): Promise<Run>;
+  measure(mesh: string, runEigen: RunEigen): Promise<Run>;
   motion(mesh: string, motion: Motion): Promise<MotionRun>;
   resolutions(coarse: string, fine: string): Promise<Resolutions>;
   threads(mesh: string): Promise<ThreadsRun>;

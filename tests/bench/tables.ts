@@ -1,7 +1,10 @@
 /** What was measured of each size, as tables. */
+import type { EigenRound } from './eigen.ts';
 import { both, short, table } from './format.ts';
+import type { RoundMedians } from './frames.ts';
 import type { Run } from './measure.ts';
 import type { NativeRun } from './native.ts';
+import { quantile } from './quantile.ts';
 import { boundMs, ofRounds } from './targets.ts';
 
 export interface Result {
@@ -44,11 +47,23 @@ export function cheapTable(results: Result[]): string {
   ]));
 }
 
+const ofEigen = (run: Run, value: keyof EigenRound): number => ofRounds(run, ({ eigen }) => eigen[value]);
+
+/** Median of the rounds, and the lowest and highest of them: how steady the machine was. */
+function steady({ exact: { rounds } }: Run, value: (round: RoundMedians) => number): string {
+  const values = rounds.map(value);
+  return `${short(quantile(values))} (${short(Math.min(...values))} to ${short(Math.max(...values))})`;
+}
+
 export function solverTable(results: Result[]): string {
-  const titles = ['unknowns', 'Eigen order', 'factor', 'solve', 'error', 'ours, native: order', 'factor', 'solve', 'error', 'in wasm: factor', 'solve'];
-  return table(titles, results.map(({ run, native: { unknowns, eigen, single } }) => [
-    String(unknowns), short(eigen.orderMs), short(eigen.factorMs), short(eigen.solveMs), eigen.error.toExponential(1),
+  const titles = [
+    'unknowns', 'Eigen order', 'factor', 'solve', 'error', 'ours, native: order', 'factor', 'solve', 'error', 'in wasm: factor', 'solve',
+    'Eigen / in wasm: factor', 'solve',
+  ];
+  return table(titles, results.map(({ run, native: { unknowns, eigenOrderMs, single } }) => [
+    String(unknowns), short(eigenOrderMs), short(ofEigen(run, 'factorMs')), short(ofEigen(run, 'solveMs')), ofEigen(run, 'error').toExponential(1),
     short(single.orderMs), short(single.factorMs), short(single.solveMs), single.error.toExponential(1),
     short(run.builds.factorMs), short(run.exact.solve.median),
+    steady(run, ({ eigen, factorMs }) => eigen.factorMs / factorMs), steady(run, ({ eigen, solveMs }) => eigen.solveMs / solveMs),
   ]));
 }

@@ -2,7 +2,6 @@
 import { short, table } from './format.ts';
 import type { RoundMedians } from './frames.ts';
 import type { Run } from './measure.ts';
-import type { NativeRun } from './native.ts';
 import { quantile } from './quantile.ts';
 import type { Resolutions } from './resolutions.ts';
 
@@ -30,7 +29,7 @@ function target(faces: number, what: string, value: number, limit: number, atLea
   return { faces, what, value, limit, atLeast, met: atLeast ? value >= limit : value <= limit };
 }
 
-export function targetsOf(run: Run, native: NativeRun): Target[] {
+export function targetsOf(run: Run): Target[] {
   const targets: Target[] = [];
   const add = (what: string, value: number, limit: number, atLeast = false): void => {
     targets.push(target(run.faces, what, value, limit, atLeast));
@@ -40,8 +39,8 @@ export function targetsOf(run: Run, native: NativeRun): Target[] {
   if (medium || large) {
     add('solve / read bound', ofRounds(run, ({ solveMs, bandwidth }) => solveMs / boundMs(run, bandwidth)), 1.8);
     add('frame / solve', ofRounds(run, ({ frameMs, solveMs }) => frameMs / solveMs), 2.5);
-    add("Eigen's solve / ours", native.eigen.solveMs / exact.solve.median, large ? 7.5 : 6, true);
-    add("Eigen's factorisation / ours", native.eigen.factorMs / builds.factorMs, large ? 15 : 8, true);
+    add("Eigen's solve / ours", ofRounds(run, ({ eigen, solveMs }) => eigen.solveMs / solveMs), large ? 7.5 : 6, true);
+    add("Eigen's factorisation / ours", ofRounds(run, ({ eigen, factorMs }) => eigen.factorMs / factorMs), large ? 15 : 8, true);
   }
   if (run.faces <= 12_000) add('frame, ms', exact.frame.median, 1);
   else if (run.faces <= 36_000) add('frame, ms', exact.frame.median, 3);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { withProgram } from '../bench/answers.ts';
 import { readArguments } from '../bench/arguments.ts';
 import type { Run } from '../bench/measure.ts';
-import type { NativeRun } from '../bench/native.ts';
 import { quantile, spread } from '../bench/quantile.ts';
 import { boundMs, ofRounds, targetsOf, verdict } from '../bench/targets.ts';
 
@@ -51,18 +51,17 @@ function runWith(rounds: Round[]): Run {
   };
 }
 
-const native: NativeRun = (() => {
-  const solver = { orderMs: 100, factorMs: 100, solveMs: 100, error: 0 };
-  return { unknowns: 650_000, eigen: solver, single: solver, double: solver };
-})();
+/** What Eigen took in one round. */
+const eigen = (factorMs: number, solveMs: number): Round['eigen'] => ({ factorMs, solveMs, error: 0 });
 
-/** As on a machine that others use: half as fast in two of the rounds, and once while the bandwidth was measured. */
+/** As on a machine that others use: half as fast in two of the rounds, once while the bandwidth was measured, and once while Eigen
+    worked. */
 const disturbed: Round[] = [
-  { solveMs: 3, frameMs: 6, bandwidth: 10 * GB },
-  { solveMs: 6, frameMs: 12, bandwidth: 5 * GB },
-  { solveMs: 6, frameMs: 12, bandwidth: 5 * GB },
-  { solveMs: 3, frameMs: 6, bandwidth: 5 * GB },
-  { solveMs: 3, frameMs: 9, bandwidth: 10 * GB },
+  { factorMs: 10, solveMs: 3, frameMs: 6, eigen: eigen(200, 60), bandwidth: 10 * GB },
+  { factorMs: 20, solveMs: 6, frameMs: 12, eigen: eigen(400, 120), bandwidth: 5 * GB },
+  { factorMs: 20, solveMs: 6, frameMs: 12, eigen: eigen(400, 120), bandwidth: 5 * GB },
+  { factorMs: 10, solveMs: 3, frameMs: 6, eigen: eigen(400, 120), bandwidth: 5 * GB },
+  { factorMs: 10, solveMs: 3, frameMs: 9, eigen: eigen(200, 60), bandwidth: 10 * GB },
 ];
 
 describe('the targets', () => {
@@ -70,17 +69,44 @@ describe('the targets', () => {
     const run = runWith(disturbed);
     expect(boundMs(run, 10 * GB)).toBe(2);  // twice the factor's 10 MB
     expect(ofRounds(run, ({ solveMs, bandwidth }) => solveMs / boundMs(run, bandwidth))).toBe(1.5);
-    const reached = Object.fromEntries(targetsOf(run, native).map(({ what, value }) => [what, value]));
+    const reached = Object.fromEntries(targetsOf(run).map(({ what, value }) => [what, value]));
     expect(reached['solve / read bound']).toBe(1.5);
     expect(reached['frame / solve']).toBe(2);
+    expect(reached["Eigen's solve / ours"]).toBe(20);
+    expect(reached["Eigen's factorisation / ours"]).toBe(20);
   });
 
   it('name in one sentence what was missed', () => {
-    const good = targetsOf(runWith(disturbed), native);
+    const good = targetsOf(runWith(disturbed));
     expect(verdict(good)).toBe(`All ${good.length} targets were met.`);
-    const slow = targetsOf(runWith(disturbed.map((round) => ({ ...round, frameMs: 3 * round.solveMs }))), native);
+    const slow = targetsOf(runWith(disturbed.map((round) => ({ ...round, frameMs: 3 * round.solveMs }))));
     expect(verdict(slow)).toBe(`1 of ${slow.length} targets MISSED: frame / solve at 1300000 faces (3.00, at most 2.50).`);
-    const behind = targetsOf(runWith(disturbed), { ...native, eigen: { ...native.eigen, solveMs: 7.4 } });
+    const behind = targetsOf(runWith(disturbed.map((round) => ({ ...round, eigen: eigen(20 * round.factorMs, 7.4 * round.solveMs) }))));
     expect(verdict(behind)).toContain("MISSED: Eigen's solve / ours at 1300000 faces (7.40, at least 7.50).");
+  });
+});
+
+describe('a program that answers', () => {
+  /** It numbers its answers and ends itself instead of giving the third one. */
+  const NUMBERS = `
+    let k = 0;
+    console.log('{"asked":false}');
+    process.stdin.on('data', () => ++k < 3 ? console.log(JSON.stringify({ k })) : process.exit());`;
+
+  it('says something unasked and then one thing for each question', async () => {
+    const said = await withProgram(process.execPath, ['-e', NUMBERS], async ({ next, ask }) => [await next(), await ask(), await ask()]);
+    expect(said).toEqual([{ asked: false }, { k: 1 }, { k: 2 }]);
+  });
+
+  it('fails instead of keeping one waiting where it has ended, also before it was asked', async () => {
+    const asked: unknown[] = [];
+    await expect(withProgram(process.execPath, ['-e', NUMBERS], async ({ ask }) => {
+      for (let i = 0; i < 5; ++i) asked.push(await ask());
+    })).rejects.toThrow('ended without an answer');
+    expect(asked).toEqual([{ asked: false }, { k: 1 }, { k: 2 }]);
+    await expect(withProgram(process.execPath, ['-e', ''], async ({ next, ask }) => {
+      await next().catch(() => undefined);
+      return ask();
+    })).rejects.toThrow('ended without an answer');
   });
 });

@@ -1,0 +1,32 @@
+/** A program that stays and answers each empty line with a line of JSON, one at a time. */
+import { spawn } from 'node:child_process';
+import { createInterface } from 'node:readline';
+
+export interface Answers {
+  /** What it says unasked. */
+  next(): Promise<unknown>;
+  ask(): Promise<unknown>;
+}
+
+/** The program ends with the work. An answer that never comes because it has ended before is an error. */
+export async function withProgram<T>(program: string, args: string[], work: (answers: Answers) => Promise<T>): Promise<T> {
+  const child = spawn(program, args, { stdio: ['pipe', 'pipe', 'inherit'] });
+  child.stdin.on('error', () => undefined);  // one that has ended is noticed by its answer
+  const ended = new Promise((end) => child.once('close', end));
+  const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
+  const next = async (): Promise<unknown> => {
+    const line = await lines.next();
+    if (line.done) throw new Error(`${program} ended without an answer`);
+    return JSON.parse(line.value);
+  };
+  const ask = (): Promise<unknown> => {
+    child.stdin.write('\n');
+    return next();
+  };
+  try {
+    return await work({ next, ask });
+  } finally {
+    child.stdin.end();
+    await ended;
+  }
+}
