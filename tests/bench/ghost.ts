@@ -7,10 +7,10 @@ import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import type { Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
 import type { Engine, Keys } from '../../web/engine/api.ts';
 import { msText, studyGhosts, verdictOf, type GhostStudy } from '../../web/engine/ghost-study.ts';
 import { createEngine } from '../../web/engine/node.ts';
-import type { Wanted } from './arguments.ts';
 
 const DEFAULT_MESHES = [{ faces: 85_000, keys: 10 }, { faces: 330_000, keys: 3 }];
 const USUAL_KEYS = 3;

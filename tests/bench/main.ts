@@ -7,7 +7,7 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { readArguments, USAGE, type Wanted } from './arguments.ts';
+import { benchArguments, type Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
 import { browserPlace } from './browser.ts';
 import { benchGhostInBrowser } from './ghost-browser.ts';
 import { benchGhost } from './ghost.ts';
@@ -93,9 +93,5 @@ function benchThreads(wanted: Wanted): Promise<void> {
 }
 
 const benches = { stages: bench, threads: benchThreads, ghost: benchGhost, 'ghost browser': benchGhostInBrowser };
-const wanted = readArguments(process.argv.slice(2));
-if (wanted) await benches[wanted.what](wanted);
-else {
-  say(USAGE);
-  process.exitCode = 2;
-}
+const wanted = benchArguments(process.argv.slice(2));
+await benches[wanted.what](wanted);

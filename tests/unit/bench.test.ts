@@ -1,26 +1,45 @@
+import { spawnSync } from 'node:child_process';
+import { cpSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
+import { benchArguments } from '../../wasm/toolchain/bench-arguments.mjs';
 import { withProgram } from '../bench/answers.ts';
-import { readArguments } from '../bench/arguments.ts';
 import type { Run } from '../bench/measure.ts';
 import { quantile, spread } from '../bench/quantile.ts';
 import { boundMs, ofRounds, targetsOf, verdict } from '../bench/targets.ts';
 
 describe('the words behind npm run bench --', () => {
   it('say what is measured, on which sizes, and where', () => {
-    expect(readArguments([])).toEqual({ what: 'stages', sizes: null, browser: false, save: false });
-    expect(readArguments(['64,4000000', '--save', '--browser'])).toEqual({
+    expect(benchArguments([])).toEqual({ what: 'stages', sizes: null, browser: false, save: false });
+    expect(benchArguments(['64,4000000', '--save', '--browser'])).toEqual({
       what: 'stages', sizes: [{ faces: 64, keys: null }, { faces: 4_000_000, keys: null }], browser: true, save: true,
     });
-    expect(readArguments(['threads', '--browser'])).toMatchObject({ what: 'threads', sizes: null, browser: true });
-    expect(readArguments(['ghost', '85000:10,1000'])).toMatchObject({ what: 'ghost', sizes: [{ faces: 85_000, keys: 10 }, { faces: 1000, keys: null }] });
-    expect(readArguments(['ghost', 'browser', '1000'])).toMatchObject({ what: 'ghost browser', sizes: [{ faces: 1000, keys: null }] });
+    expect(benchArguments(['threads', '--browser'])).toMatchObject({ what: 'threads', sizes: null, browser: true });
+    expect(benchArguments(['ghost', '85000:10,1000'])).toMatchObject({ what: 'ghost', sizes: [{ faces: 85_000, keys: 10 }, { faces: 1000, keys: null }] });
+    expect(benchArguments(['ghost', 'browser', '1000'])).toMatchObject({ what: 'ghost browser', sizes: [{ faces: 1000, keys: null }] });
   });
 
   it.each([
     'nonsense', '63', '4000001', '1e3', '1000.5', '1000,', '1000 2000', '1000:3', '--fast', 'threads --save', 'threads 1000:3',
     'ghost 1000:1', 'ghost 1000:101', 'ghost --browser', 'ghost browser 1000:3', 'ghost browser nonsense',
   ])('are refused where they make no sense: %s', (words) => {
-    expect(readArguments(words.split(' '))).toBeNull();
+    expect(() => benchArguments(words.split(' '))).toThrow('usage: npm run bench');
+  });
+
+  it('are read before anything is looked for or made', () => {
+    const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-bare-'));
+    try {
+      cpSync(fileURLToPath(new URL('../../wasm/toolchain', import.meta.url)), path.join(folder, 'wasm/toolchain'), { recursive: true });
+      const env = { ...process.env, SHAPESPLINE_NO_INSTALL: '1' };
+      const { status, stderr } = spawnSync(process.execPath, [path.join(folder, 'wasm/toolchain/run.mjs'), 'bench', 'nonsense'], { encoding: 'utf8', env });
+      expect(stderr).toMatch(/^usage: npm run bench/);
+      expect(status).toBe(1);
+      expect(readdirSync(folder)).toEqual(['wasm']);
+    } finally {
+      rmSync(folder, { recursive: true, force: true });
+    }
   });
 });
 

@@ -1,5 +1,6 @@
 // The npm scripts.
 import { pathToFileURL } from 'node:url';
+import { benchArguments } from './bench-arguments.mjs';
 import { benchBundle, benchPrograms, nodeBundle, page, wasmModule } from './build.mjs';
 import { run } from './exec.mjs';
 import { fuzz } from './fuzz.mjs';
@@ -41,8 +42,9 @@ async function cli(args) {
 }
 
 async function bench(args) {
-  const browser = args.includes('--browser') ? forBrowser : [];
-  await prepare([...forWasm, ...forNative, ...browser], [wasmModule, benchPrograms, benchBundle]);
+  const { browser, what } = benchArguments(args);
+  const inBrowser = browser || what === 'ghost browser';
+  await prepare([...forWasm, ...forNative, ...(inBrowser ? forBrowser : [])], [wasmModule, benchPrograms, benchBundle]);
   await runBundle(inRoot('build/node/bench.mjs'), args);
 }
 

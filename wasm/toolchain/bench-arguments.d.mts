@@ -1,0 +1,16 @@
+export interface Size {
+  faces: number;
+  /** null where none were given. */
+  keys: number | null;
+}
+
+export interface Wanted {
+  what: 'stages' | 'threads' | 'ghost' | 'ghost browser';
+  /** null: the usual ones. */
+  sizes: Size[] | null;
+  browser: boolean;
+  save: boolean;
+}
+
+/** Throws the usage where the words make no sense. */
+export function benchArguments(words: readonly string[]): Wanted;

@@ -1,0 +1,39 @@
+// The words behind `npm run bench --`, which are read before anything is built.
+import { parseArgs } from 'node:util';
+import { Explained } from './log.mjs';
+
+const USAGE = [
+  'usage: npm run bench [-- FACES,FACES,... --browser --save]',
+  '       npm run bench -- threads [FACES,... --browser]',
+  '       npm run bench -- ghost [FACES[:KEYS],...]',
+  '       npm run bench -- ghost browser [FACES,...]',
+  'with 64 to 4000000 faces and 2 to 100 keys',
+].join('\n');
+
+/** What is measured, on which sizes (null: the usual ones), and where. */
+export function benchArguments(words) {
+  const what = words[0] === 'threads' ? 'threads' : words[0] !== 'ghost' ? 'stages' : words[1] === 'browser' ? 'ghost browser' : 'ghost';
+  const { values: { browser = false, save = false }, positionals: [list, ...more] } = parsed(words.slice({ stages: 0, threads: 1, ghost: 1, 'ghost browser': 2 }[what]));
+  const sizes = list?.split(',').map(sizeOf) ?? null;
+  const good = more.length === 0 && (sizes?.every((size) => isGood(size, what === 'ghost')) ?? true)
+    && !(save && what !== 'stages') && !(browser && what.startsWith('ghost'));
+  if (!good) throw new Explained(USAGE);
+  return { what, sizes, browser, save };
+}
+
+function parsed(args) {
+  try {
+    return parseArgs({ args, allowPositionals: true, options: { browser: { type: 'boolean' }, save: { type: 'boolean' } } });
+  } catch {
+    throw new Explained(USAGE);
+  }
+}
+
+function sizeOf(text) {
+  const [, faces, keys] = /^(\d+)(?::(\d+))?$/.exec(text) ?? [];
+  return { faces: Number(faces), keys: keys === undefined ? null : Number(keys) };
+}
+
+function isGood({ faces, keys }, mayHaveKeys) {
+  return faces >= 64 && faces <= 4_000_000 && (keys === null || (mayHaveKeys && keys >= 2 && keys <= 100));
+}
