@@ -24,10 +24,10 @@ const args = [
   // Any name but localhost is not trusted without https.
   '--host-resolver-rules=MAP insecure.test localhost',
 ];
-// Every window of Chromium loads a page for its own address bar, almost a second of work in each test. Only the last such list
-// counts: the rest is Playwright's own.
+// Every window of Chromium loads two pages for its own address bar, almost a second of work in each test. Only the last such list
+// counts and Playwright has no way to add to its own: the rest is that.
 args.push(`--disable-features=${[
-  'WebUIOmniboxAimPopup',
+  'WebUIOmniboxAimPopup', 'WebUIOmniboxPopup',
   'AimEnabled', 'AvoidCorsURLLoaderRestartOnRedirect', 'AvoidUnnecessaryBeforeUnloadCheckSync', 'DestroyProfileOnBrowserClose',
   'HttpsFirstBalancedModeAutoEnable', 'HttpsUpgrades', 'LensOverlay', 'MediaRouter', 'NetworkTimeServiceQuerying', 'OptimizationHints',
   'PaintHolding', 'PreconnectToSearch', 'ThirdPartyStoragePartitioning',
