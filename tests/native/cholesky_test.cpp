@@ -95,10 +95,13 @@ SymmetricMatrix randomDefinite(int size, int entriesPerRow, Random& random) {
   return assembleSymmetric(size, triplets);
 }
 
-std::vector<double> fullSolveBits(const SymmetricMatrix& matrix, std::int64_t chunk) {
+// The matrix is gone when the first chunk begins.
+std::vector<double> fullSolveBits(SymmetricMatrix matrix, std::int64_t chunk) {
+  const int size = matrix.size;
   Cholesky cholesky;
   REQUIRE(cholesky.analyse(matrix, {}, Precision::Double).ok());
   REQUIRE(cholesky.beginFactorise(matrix).ok());
+  matrix = {};
   double last = cholesky.factoriseProgress();
   CHECK(last == 0.0);
   bool monotone = true;
@@ -111,9 +114,9 @@ std::vector<double> fullSolveBits(const SymmetricMatrix& matrix, std::int64_t ch
   REQUIRE(cholesky.factoriseStatus().ok());
   std::vector<double> x(4 * static_cast<std::size_t>(cholesky.paddedSize()), 0.0);
   Random random(3);
-  for (int i = 0; i < 4 * matrix.size; ++i) x[i] = random.signedUnit();
+  for (int i = 0; i < 4 * size; ++i) x[i] = random.signedUnit();
   cholesky.solve(x.data());
-  x.resize(4 * static_cast<std::size_t>(matrix.size));
+  x.resize(4 * static_cast<std::size_t>(size));
   return x;
 }
 

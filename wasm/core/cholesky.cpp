@@ -29,7 +29,7 @@ std::uint64_t patternHash(const SymmetricMatrix& matrix) {
 struct Cholesky::State {
   Precision precision = Precision::Double;
   SymbolicFactor symbolic;
-  EntryMap map;
+  Assembly assembly;
   std::uint64_t hash = 0;
   double flops = 0.0;
   PanelFactor<float> single;
@@ -73,7 +73,7 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
   const std::vector<int> order = fillReducingOrder(graph, coordinates, partOf(onProgress, 0.05, 0.75));
   state_->symbolic = analyseFactor(graph, order, partOf(onProgress, 0.75, 0.95));
   reportFraction(onProgress, 0.95);
-  state_->map = mapEntries(matrix, state_->symbolic.position);
+  state_->assembly = planAssembly(matrix, state_->symbolic);
   reportFraction(onProgress, 0.97);
   state_->flops = factorisationFlops(state_->symbolic);
   reportFraction(onProgress, 0.98);
@@ -83,13 +83,13 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
 }
 
 Status Cholesky::beginFactorise(const SymmetricMatrix& matrix) {
-  const bool sameStructure = matrix.size == state_->symbolic.size() && matrix.value.size() == state_->map.source.size() &&
+  const bool sameStructure = matrix.size == state_->symbolic.size() && matrix.value.size() == state_->assembly.slot.size() &&
                              patternHash(matrix) == state_->hash;
   if (!sameStructure || !std::all_of(matrix.value.begin(), matrix.value.end(), [](double v) { return std::isfinite(v); })) {
     if (Status status = checkSymmetric(matrix); !status) return status;
     return Error{ErrorCode::Internal, "The matrix to factorise has not the structure that was analysed."};
   }
-  state_->running.emplace(state_->symbolic, state_->map, matrix.value);
+  state_->running.emplace(state_->symbolic, state_->assembly, matrix.value);
   state_->factorised = false;
   state_->failedPosition = -1;
   state_->regularised = 0;

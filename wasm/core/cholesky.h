@@ -41,8 +41,7 @@ class Cholesky {
   Status analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision,
                  const FractionReport& onProgress = {});
 
-  /// Starts a factorisation of a matrix with the analysed pattern, which must stay as it is until that is done. Error if the pattern
-  /// differs or a value is not finite.
+  /// Starts a factorisation of a matrix with the analysed pattern. Error if the pattern differs or a value is not finite.
   Status beginFactorise(const SymmetricMatrix& matrix);
 
   /// Goes on with it for about flopBudget operations; true if there is more to do. The chunks do not change the result.

@@ -12,6 +12,11 @@ namespace shapespline {
 /// Where strip i starts, in doubles; also the size of a front of i strips.
 constexpr std::size_t stripOffset(std::size_t i) { return 8 * i * (i + 1); }
 
+/// Where entry (row, column) of a front is, row >= column.
+constexpr std::size_t placeInFront(int row, int column) {
+  return stripOffset(static_cast<std::size_t>(row) / 4) + 4 * static_cast<std::size_t>(column) + row % 4;
+}
+
 /// Strips that n rows take.
 constexpr int stripsFor(int n) { return (n + 3) / 4; }
 

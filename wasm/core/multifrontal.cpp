@@ -45,62 +45,49 @@ void copy(const double* from, std::size_t n, double* to) {
   }
 }
 
-// Adds a strip of an update matrix, `rows` rows from row `first` on, to its parent's front: entry (r, c) at
-// target[r - first][column[c]].
-void addStrip(const double* strip, int first, int rows, double* const* target, const int* column) {
+// Values move to their slots, and those of one supernode to their places. To read them at random costs five times as much.
+void sortValues(std::span<const double> values, const int* slot, double* sorted) {
+  for (std::size_t i = 0; i < values.size(); ++i) sorted[slot[i]] = values[i];
+}
+void placeValues(const double* value, const std::size_t* place, int count, double* front) {
+  for (int i = 0; i < count; ++i) front[place[i]] = value[i];
+}
+
+// Adds a strip of an update matrix, `rows` rows from row `first` on, to its parent's front, where row and column k are to[k].
+void addStrip(const double* strip, int first, int rows, const int* to, double* front) {
+  double* target[4];
+  for (int r = 0; r < rows; ++r) target[r] = front + placeInFront(to[first + r], 0);
   if (rows == 4 && target[1] == target[0] + 1 && target[3] == target[2] + 1) {  // two and two side by side
     double *a = target[0], *c = target[2];
     for (int k = 0; k < first; ++k, strip += 4) {
-      const int to = column[k];
-      (Double2::load(a + to) + Double2::load(strip)).store(a + to);
-      (Double2::load(c + to) + Double2::load(strip + 2)).store(c + to);
+      const int column = 4 * to[k];
+      (Double2::load(a + column) + Double2::load(strip)).store(a + column);
+      (Double2::load(c + column) + Double2::load(strip + 2)).store(c + column);
     }
   } else if (rows == 4) {
     double *a = target[0], *b = target[1], *c = target[2], *d = target[3];
     for (int k = 0; k < first; ++k, strip += 4) {
-      const int to = column[k];
-      a[to] += strip[0], b[to] += strip[1], c[to] += strip[2], d[to] += strip[3];
+      const int column = 4 * to[k];
+      a[column] += strip[0], b[column] += strip[1], c[column] += strip[2], d[column] += strip[3];
     }
   } else {
     for (int k = 0; k < first; ++k, strip += 4)
-      for (int r = 0; r < rows; ++r) target[r][column[k]] += strip[r];
+      for (int r = 0; r < rows; ++r) target[r][4 * to[k]] += strip[r];
   }
   for (int k = 0; k < rows; ++k, strip += 4)
-    for (int r = k; r < rows; ++r) target[r][column[first + k]] += strip[r];
+    for (int r = k; r < rows; ++r) target[r][4 * to[first + k]] += strip[r];
 }
 
 }  // namespace
 
-EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position) {
-  EntryMap map;
-  map.start.assign(static_cast<std::size_t>(matrix.size) + 1, 0);
-  const auto forEachEntry = [&](auto visit) {
-    for (int column = 0; column < matrix.size; ++column)
-      for (int i = matrix.columnStart[column]; i < matrix.columnStart[column + 1]; ++i) {
-        const int p = position[column], q = position[matrix.row[i]];
-        visit(std::min(p, q), std::max(p, q), i);
-      }
-  };
-  forEachEntry([&](int p, int, int) { ++map.start[p + 1]; });
-  for (int p = 0; p < matrix.size; ++p) map.start[p + 1] += map.start[p];
-  map.row.resize(matrix.row.size());
-  map.source.resize(matrix.row.size());
-  std::vector<int> next(map.start.begin(), map.start.end() - 1);
-  forEachEntry([&](int p, int q, int i) {
-    map.row[next[p]] = q;
-    map.source[next[p]++] = i;
-  });
-  return map;
-}
-
-Multifrontal::Multifrontal(const SymbolicFactor& symbolic, const EntryMap& map, const std::vector<double>& values)
-    : symbolic_(symbolic), map_(map), values_(values), stackSize_(stackPeak(symbolic)),
-      stack_(std::make_unique_for_overwrite<double[]>(stackSize_)) {
+Multifrontal::Multifrontal(const SymbolicFactor& symbolic, const Assembly& assembly, std::span<const double> values)
+    : symbolic_(symbolic), assembly_(assembly), values_(std::make_unique_for_overwrite<double[]>(values.size())),
+      stackSize_(stackPeak(symbolic)), stack_(std::make_unique_for_overwrite<double[]>(stackSize_)) {
+  outOfLine(sortValues)(values, assembly.slot.data(), values_.get());
   const int count = symbolic.supernodes();
   firstChild_.assign(count, -1);
   sibling_.assign(count, -1);
   updateBase_.assign(count, 0);
-  local_.assign(symbolic.size(), -1);
   for (int s = 0; s < count; ++s) {
     if (symbolic.parent[s] == -1) continue;
     sibling_[s] = firstChild_[symbolic.parent[s]];
@@ -109,40 +96,26 @@ Multifrontal::Multifrontal(const SymbolicFactor& symbolic, const EntryMap& map, 
 }
 
 void Multifrontal::assembleFront() {
-  const int s = supernode_, first = symbolic_.first[s], columns = symbolic_.columns(s), rows = symbolic_.rows(s);
+  const int s = supernode_, first = assembly_.start[s];
   const Pivots pivots = pivotsOf(symbolic_, s);
   const int pivotRows = 4 * pivots.strips;
-  const int* row = symbolic_.rowsOf(s);
   frontBase_ = stackTop_;
   double* front = stack_.get() + frontBase_;
   outOfLine(clear)(front, stripOffset(pivots.strips + updateStrips(symbolic_, s)));
-
-  for (int c = 0; c < columns; ++c) local_[first + c] = pivots.padding + c;
-  for (int r = 0; r < rows; ++r) local_[row[r]] = pivotRows + r;
-  const auto at = [&](int r, int c) -> double& { return front[stripOffset(r / 4) + 4 * static_cast<std::size_t>(c) + r % 4]; };
-  reference_.assign(pivotRows, 1.0);
+  for (int c = 0; c < pivots.padding; ++c) front[placeInFront(c, c)] = 1.0;
+  outOfLine(placeValues)(values_.get() + first, assembly_.place.data() + first, assembly_.start[s + 1] - first, front);
+  reference_.resize(pivotRows);
   inverse_.resize(4 * static_cast<std::size_t>(pivotRows));
-  for (int c = 0; c < pivots.padding; ++c) at(c, c) = 1.0;
-  for (int c = 0, to = pivots.padding; c < columns; ++c, ++to) {
-    for (int i = map_.start[first + c]; i < map_.start[first + c + 1]; ++i) at(local_[map_.row[i]], to) += values_[map_.source[i]];
-    reference_[to] = at(to, to);
-  }
+  for (int c = 0; c < pivotRows; ++c) reference_[c] = front[placeInFront(c, c)];
   for (int child = firstChild_[s]; child != -1; child = sibling_[child]) addChild(child, front);
 }
 
 void Multifrontal::addChild(int child, double* front) {
   const int rows = symbolic_.rows(child);
-  const int* row = symbolic_.rowsOf(child);
-  target_.resize(4 * static_cast<std::size_t>(updateStrips(symbolic_, child)));
-  column_.resize(rows);
-  for (int r = 0; r < rows; ++r) {
-    const int to = local_[row[r]];
-    target_[r] = front + stripOffset(to / 4) + to % 4;
-    column_[r] = 4 * to;
-  }
+  const int* to = assembly_.parentRow.data() + symbolic_.rowStart[child];
   const auto add = outOfLine(addStrip);
   const double* update = stack_.get() + updateBase_[child];
-  for (int r = 0; r < rows; r += 4) add(update + stripOffset(r / 4), r, std::min(4, rows - r), target_.data() + r, column_.data());
+  for (int r = 0; r < rows; r += 4) add(update + stripOffset(r / 4), r, std::min(4, rows - r), to, front);
 }
 
 bool Multifrontal::eliminate(double& flopBudget) {

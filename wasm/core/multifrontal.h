@@ -4,27 +4,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "core/sparse_matrix.h"
+#include "core/assembly.h"
 #include "core/symbolic.h"
 
 namespace shapespline {
-
-/// Where the entries of a matrix go: those that column p of the factor starts from are entry i in
-/// [start[p], start[p + 1]): matrix.value[source[i]] at row position row[i] >= p.
-struct EntryMap {
-  std::vector<int> start, row, source;
-};
-
-EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position);
 
 /// One running factorisation. Fronts and update matrices share one stack; a finished front is handed out before its
 /// update matrix replaces those of its children.
 class Multifrontal {
  public:
-  /// All must outlive this. values: the matrix's.
-  Multifrontal(const SymbolicFactor& symbolic, const EntryMap& map, const std::vector<double>& values);
+  /// The structure must outlive this. values: the matrix's, which are copied in the order in which fronts take them.
+  Multifrontal(const SymbolicFactor& symbolic, const Assembly& assembly, std::span<const double> values);
 
   int supernode() const { return supernode_; }
   bool done() const { return supernode_ == symbolic_.supernodes(); }
@@ -47,15 +40,12 @@ class Multifrontal {
   void addChild(int child, double* front);
 
   const SymbolicFactor& symbolic_;
-  const EntryMap& map_;
-  const std::vector<double>& values_;
+  const Assembly& assembly_;
+  std::unique_ptr<double[]> values_;  // by their slots
   std::size_t stackSize_;  // doubles
   std::unique_ptr<double[]> stack_;
   std::vector<int> firstChild_, sibling_;  // last pushed child first
   std::vector<std::size_t> updateBase_;    // of each supernode whose update matrix is on the stack
-  std::vector<int> local_;                 // position -> row in the current front
-  std::vector<double*> target_;            // of a child's rows in the current front
-  std::vector<int> column_;                // of its columns, in doubles
   std::vector<double> reference_, inverse_;
   std::size_t stackTop_ = 0, frontBase_ = 0;
   int supernode_ = 0;

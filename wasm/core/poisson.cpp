@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "core/multifrontal.h"
+#include "core/assembly.h"
 #include "core/simd.h"
 
 namespace shapespline {

@@ -1,0 +1,62 @@
+#include "core/assembly.h"
+
+#include <algorithm>
+
+#include "core/dense_front.h"
+
+namespace shapespline {
+
+EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position) {
+  EntryMap map;
+  map.start.assign(static_cast<std::size_t>(matrix.size) + 1, 0);
+  const auto forEachEntry = [&](auto visit) {
+    for (int column = 0; column < matrix.size; ++column)
+      for (int i = matrix.columnStart[column]; i < matrix.columnStart[column + 1]; ++i) {
+        const int p = position[column], q = position[matrix.row[i]];
+        visit(std::min(p, q), std::max(p, q), i);
+      }
+  };
+  forEachEntry([&](int p, int, int) { ++map.start[p + 1]; });
+  for (int p = 0; p < matrix.size; ++p) map.start[p + 1] += map.start[p];
+  map.row.resize(matrix.row.size());
+  map.source.resize(matrix.row.size());
+  std::vector<int> next(map.start.begin(), map.start.end() - 1);
+  forEachEntry([&](int p, int q, int i) {
+    map.row[next[p]] = q;
+    map.source[next[p]++] = i;
+  });
+  return map;
+}
+
+Assembly planAssembly(const SymmetricMatrix& matrix, const SymbolicFactor& symbolic) {
+  const EntryMap map = mapEntries(matrix, symbolic.position);
+  Assembly assembly;
+  assembly.slot.resize(map.source.size());
+  assembly.place.resize(map.source.size());
+  for (std::size_t i = 0; i < map.source.size(); ++i) assembly.slot[map.source[i]] = static_cast<int>(i);
+  for (int first : symbolic.first) assembly.start.push_back(map.start[first]);
+
+  // Parents come after their children, and tell them where their rows are.
+  assembly.parentRow.resize(symbolic.row.size());
+  const int count = symbolic.supernodes();
+  std::vector<int> firstChild(count, -1), sibling(count, -1);
+  std::vector<int> local(symbolic.size());  // position -> row in the current front
+  for (int s = 0; s < count; ++s) {
+    const int first = symbolic.first[s], end = symbolic.first[s + 1];
+    const Pivots pivots(end - first);
+    for (int p = first; p < end; ++p) local[p] = pivots.padding + p - first;
+    for (int r = 0; r < symbolic.rows(s); ++r) local[symbolic.rowsOf(s)[r]] = 4 * pivots.strips + r;
+    for (int p = first; p < end; ++p)
+      for (int i = map.start[p]; i < map.start[p + 1]; ++i) assembly.place[i] = placeInFront(local[map.row[i]], local[p]);
+    for (int child = firstChild[s]; child != -1; child = sibling[child])
+      for (std::size_t i = symbolic.rowStart[child]; i < symbolic.rowStart[child + 1]; ++i)
+        assembly.parentRow[i] = local[symbolic.row[i]];
+    if (const int parent = symbolic.parent[s]; parent != -1) {
+      sibling[s] = firstChild[parent];
+      firstChild[parent] = s;
+    }
+  }
+  return assembly;
+}
+
+}  // namespace shapespline

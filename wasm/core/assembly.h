@@ -1,0 +1,30 @@
+// Where the numbers that fronts are assembled from go: found once for all matrices of one structure.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/sparse_matrix.h"
+#include "core/symbolic.h"
+
+namespace shapespline {
+
+/// Where the entries of a matrix go: those that column p of the factor starts from are entry i in
+/// [start[p], start[p + 1]): matrix.value[source[i]] at row position row[i] >= p.
+struct EntryMap {
+  std::vector<int> start, row, source;
+};
+
+EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position);
+
+/// What a front is the sum of: entries of the matrix, and its children's update matrices. Neither needs the numbers of unknowns.
+struct Assembly {
+  std::vector<int> slot;           ///< of each of the matrix's values, which in order of their slots are sorted by supernode
+  std::vector<int> start;          ///< slots of supernode s: start[s] ... start[s + 1] - 1
+  std::vector<std::size_t> place;  ///< of each slot's value in the front (see dense_front.h)
+  std::vector<int> parentRow;      ///< row i of symbolic.row is this row of its parent's front
+};
+
+Assembly planAssembly(const SymmetricMatrix& matrix, const SymbolicFactor& symbolic);
+
+}  // namespace shapespline
