@@ -75,6 +75,34 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
   return result;
 }
 
+/// A front of a definite matrix with so many pivots and rows below them, eliminated.
+struct EliminatedFront {
+  std::vector<double> columns, inverse, update;
+
+  EliminatedFront(int pivotCount, int rows, kernels::Noise& noise) {
+    const Pivots pivots(pivotCount);
+    const int pivotRows = 4 * pivots.strips, strips = pivots.strips + stripsFor(rows);
+    columns.assign(pivots.stripAt(strips), 0.0);
+    inverse.resize(4 * static_cast<std::size_t>(pivotRows));
+    update.resize(stripOffset(stripsFor(rows)));
+    std::vector<double> reference(pivotRows, 1.0);
+    for (int r = 0; r < pivotRows + rows; ++r)
+      for (int c = 0; c <= std::min(r, pivotRows - 1); ++c) {
+        double& entry = columns[pivots.stripAt(r / 4) + 4 * static_cast<std::size_t>(c) + r % 4];
+        entry = c >= pivots.padding && c < r ? noise.next() : 0;
+        if (c == r) entry = r < pivots.padding ? 1 : pivotCount;
+        if (c == r) reference[r] = entry;
+      }
+    PivotReport report;
+    eliminateStrips(columns.data(), update.data(), pivots, 0, strips, reference.data(), inverse.data(), report);
+  }
+};
+
+inline std::vector<double> denseUpdate(int pivotCount, int rows) {
+  kernels::Noise noise;
+  return EliminatedFront(pivotCount, rows, noise).update;
+}
+
 /// Solution of a dense definite system of `size` unknowns, through the dense elimination and the panels.
 template <class Real>
 std::vector<Real> denseSolution(int size) {
@@ -83,22 +111,11 @@ std::vector<Real> denseSolution(int size) {
   symbolic.first = {0, size};
   symbolic.rowStart = {0, 0};
   symbolic.parent = {-1};
-  const Pivots pivots(size);
-  const std::size_t rows = 4 * static_cast<std::size_t>(pivots.strips);
   kernels::Noise noise;
-  std::vector<double> front(stripOffset(static_cast<std::size_t>(pivots.strips)), 0.0), reference(rows, 1.0), inverse(4 * rows);
-  for (int r = 0; r < 4 * pivots.strips; ++r)
-    for (int c = 0; c <= r; ++c) {
-      double& entry = front[stripOffset(static_cast<std::size_t>(r) / 4) + 4 * static_cast<std::size_t>(c) + r % 4];
-      entry = c >= pivots.padding && c < r ? noise.next() : 0;
-      if (c == r) entry = r < pivots.padding ? 1 : size;
-      if (c == r) reference[r] = entry;
-    }
-  PivotReport report;
-  eliminateStrips(front.data(), pivots, 0, pivots.strips, reference.data(), inverse.data(), report);
+  const EliminatedFront front(size, 0, noise);
   PanelFactor<Real> factor;
   factor.allocate(symbolic);
-  factor.store(symbolic, 0, front.data(), inverse.data());
+  factor.store(symbolic, 0, front.columns.data(), front.inverse.data());
   std::vector<Real> x(4 * static_cast<std::size_t>(factor.paddedSize()), Real(0));
   for (int i = 0; i < 4 * size; ++i) x[i] = static_cast<Real>(noise.next());
   factor.solve(x.data());

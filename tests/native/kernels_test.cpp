@@ -72,6 +72,15 @@ TEST_CASE("kernels: solutions are those of the scalar build, bit for bit") {
   checkSolutions<double>();
 }
 
+TEST_CASE("kernels: update matrices are those of the scalar build, bit for bit") {
+  for (const int pivots : {1, 4, 6, 33})
+    for (const int rows : {1, 4, 7, 50}) {
+      CAPTURE(pivots);
+      CAPTURE(rows);
+      CHECK(shapespline::kernelRuns::denseUpdate(pivots, rows) == kernels::scalarUpdate(pivots, rows));
+    }
+}
+
 TEST_CASE("kernels: normals are those of the scalar build, bit for bit, and unit vectors") {
   const std::vector<float> normals = shapespline::kernelRuns::vertexNormals(sheet());
   CHECK(normals == kernels::scalarNormals(sheet()));

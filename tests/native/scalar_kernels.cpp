@@ -31,6 +31,7 @@ std::vector<double> scalarRightHandSide(const Surface& surface, double, double l
 }
 std::vector<float> scalarSolution(int size, float) { return shapespline::kernelRuns::denseSolution<float>(size); }
 std::vector<double> scalarSolution(int size, double) { return shapespline::kernelRuns::denseSolution<double>(size); }
+std::vector<double> scalarUpdate(int pivotCount, int rows) { return shapespline::kernelRuns::denseUpdate(pivotCount, rows); }
 std::vector<float> scalarNormals(const Surface& surface) { return shapespline::kernelRuns::vertexNormals(surface); }
 
 }  // namespace kernels

@@ -9,6 +9,7 @@ std::vector<float> scalarRightHandSide(const Surface& surface, float, double lar
 std::vector<double> scalarRightHandSide(const Surface& surface, double, double largestTurn, bool logarithmic);
 std::vector<float> scalarSolution(int size, float);
 std::vector<double> scalarSolution(int size, double);
+std::vector<double> scalarUpdate(int pivotCount, int rows);
 std::vector<float> scalarNormals(const Surface& surface);
 
 }  // namespace kernels

@@ -47,7 +47,10 @@ Assembly planAssembly(const SymmetricMatrix& matrix, const SymbolicFactor& symbo
     for (int p = first; p < end; ++p) local[p] = pivots.padding + p - first;
     for (int r = 0; r < symbolic.rows(s); ++r) local[symbolic.rowsOf(s)[r]] = 4 * pivots.strips + r;
     for (int p = first; p < end; ++p)
-      for (int i = map.start[p]; i < map.start[p + 1]; ++i) assembly.place[i] = placeInFront(local[map.row[i]], local[p]);
+      for (int i = map.start[p]; i < map.start[p + 1]; ++i) {
+        const int row = local[map.row[i]];
+        assembly.place[i] = pivots.stripAt(row / 4) + 4 * static_cast<std::size_t>(local[p]) + row % 4;
+      }
     for (int child = firstChild[s]; child != -1; child = sibling[child])
       for (std::size_t i = symbolic.rowStart[child]; i < symbolic.rowStart[child + 1]; ++i)
         assembly.parentRow[i] = local[symbolic.row[i]];

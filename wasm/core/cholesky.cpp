@@ -43,8 +43,8 @@ struct Cholesky::State {
 
   void store(const Multifrontal& eliminated) {
     const int s = eliminated.supernode();
-    if (precision == Precision::Single) single.store(symbolic, s, eliminated.front(), eliminated.inverse());
-    else full.store(symbolic, s, eliminated.front(), eliminated.inverse());
+    if (precision == Precision::Single) single.store(symbolic, s, eliminated.columns(), eliminated.inverse());
+    else full.store(symbolic, s, eliminated.columns(), eliminated.inverse());
   }
 };
 

@@ -15,40 +15,55 @@ namespace {
 constexpr double kSemidefinite = 1e-13;
 constexpr double kIndefinite = -1e-8;
 
-// tile -= rows * columnsᵀ over the first `depth` columns of two strips.
-void updateTile(const double* rows, const double* columns, int depth, double* tile) {
-  Double2 t00 = Double2::load(tile), t10 = Double2::load(tile + 2);
-  Double2 t01 = Double2::load(tile + 4), t11 = Double2::load(tile + 6);
-  Double2 t02 = Double2::load(tile + 8), t12 = Double2::load(tile + 10);
-  Double2 t03 = Double2::load(tile + 12), t13 = Double2::load(tile + 14);
-  for (const double* end = rows + 4 * static_cast<std::ptrdiff_t>(depth); rows != end; rows += 4, columns += 4) {
-    const Double2 a0 = Double2::load(rows), a1 = Double2::load(rows + 2);
-    Double2 b = Double2::loadSplat(columns);
-    t00 = t00 - a0 * b, t10 = t10 - a1 * b;
-    b = Double2::loadSplat(columns + 1);
-    t01 = t01 - a0 * b, t11 = t11 - a1 * b;
-    b = Double2::loadSplat(columns + 2);
-    t02 = t02 - a0 * b, t12 = t12 - a1 * b;
-    b = Double2::loadSplat(columns + 3);
-    t03 = t03 - a0 * b, t13 = t13 - a1 * b;
+// A 4 x 4 tile in registers: of each column rows 0, 1 and rows 2, 3.
+struct Tile {
+  Double2 a0, b0, a1, b1, a2, b2, a3, b3;
+
+  static Tile zero() {
+    const Double2 z = Double2::zero();
+    return {z, z, z, z, z, z, z, z};
   }
-  t00.store(tile), t10.store(tile + 2);
-  t01.store(tile + 4), t11.store(tile + 6);
-  t02.store(tile + 8), t12.store(tile + 10);
-  t03.store(tile + 12), t13.store(tile + 14);
+  static Tile load(const double* p) {
+    const auto at = [&](int i) { return Double2::load(p + 2 * i); };
+    return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+  }
+  void store(double* p) const {
+    a0.store(p), b0.store(p + 2), a1.store(p + 4), b1.store(p + 6);
+    a2.store(p + 8), b2.store(p + 10), a3.store(p + 12), b3.store(p + 14);
+  }
+};
+
+// The tile less rows * columnsᵀ over the first `depth` columns of two strips.
+inline Tile less(Tile t, const double* rows, const double* columns, int depth) {
+  for (const double* end = rows + 4 * static_cast<std::ptrdiff_t>(depth); rows != end; rows += 4, columns += 4) {
+    const Double2 a = Double2::load(rows), b = Double2::load(rows + 2);
+    Double2 c = Double2::loadSplat(columns);
+    t.a0 = t.a0 - a * c, t.b0 = t.b0 - b * c;
+    c = Double2::loadSplat(columns + 1);
+    t.a1 = t.a1 - a * c, t.b1 = t.b1 - b * c;
+    c = Double2::loadSplat(columns + 2);
+    t.a2 = t.a2 - a * c, t.b2 = t.b2 - b * c;
+    c = Double2::loadSplat(columns + 3);
+    t.a3 = t.a3 - a * c, t.b3 = t.b3 - b * c;
+  }
+  return t;
 }
 
-// tile := tile * inverseᵀ with a lower triangular 4 x 4 inverse, row-major.
-void solveTile(double* tile, const double* inverse) {
-  for (int half = 0; half < 2; ++half, tile += 2) {
-    const Double2 c0 = Double2::load(tile), c1 = Double2::load(tile + 4);
-    const Double2 c2 = Double2::load(tile + 8), c3 = Double2::load(tile + 12);
-    const auto entry = [&](int i, int j) { return Double2::loadSplat(inverse + 4 * i + j); };
-    (c0 * entry(0, 0)).store(tile);
-    (c0 * entry(1, 0) + c1 * entry(1, 1)).store(tile + 4);
-    (c0 * entry(2, 0) + c1 * entry(2, 1) + c2 * entry(2, 2)).store(tile + 8);
-    (c0 * entry(3, 0) + c1 * entry(3, 1) + c2 * entry(3, 2) + c3 * entry(3, 3)).store(tile + 12);
-  }
+// The tile times inverseᵀ with a lower triangular 4 x 4 inverse, row-major.
+inline Tile solved(Tile t, const double* inverse) {
+  const auto entry = [&](int i, int j) { return Double2::loadSplat(inverse + 4 * i + j); };
+  Double2 e = entry(3, 0);
+  Double2 a = t.a0 * e, b = t.b0 * e;
+  e = entry(3, 1), a = a + t.a1 * e, b = b + t.b1 * e;
+  e = entry(3, 2), a = a + t.a2 * e, b = b + t.b2 * e;
+  e = entry(3, 3), t.a3 = a + t.a3 * e, t.b3 = b + t.b3 * e;
+  e = entry(2, 0), a = t.a0 * e, b = t.b0 * e;
+  e = entry(2, 1), a = a + t.a1 * e, b = b + t.b1 * e;
+  e = entry(2, 2), t.a2 = a + t.a2 * e, t.b2 = b + t.b2 * e;
+  e = entry(1, 0), a = t.a0 * e, b = t.b0 * e;
+  e = entry(1, 1), t.a1 = a + t.a1 * e, t.b1 = b + t.b1 * e;
+  e = entry(0, 0), t.a0 = t.a0 * e, t.b0 = t.b0 * e;
+  return t;
 }
 
 // Cholesky of a diagonal tile in place and its inverse; firstColumn is the tile's first column in the front.
@@ -87,36 +102,55 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
 // Strips that are eliminated together: each strip above is read once for all of them, and they fit a level-2 cache.
 constexpr int kGroup = 8;
 
-// Updates the tiles in column j of the strips begin ... end - 1, not above the diagonal, by columns first ... last - 1.
-void updateColumn(double* front, int j, int begin, int end, int first, int last) {
-  const double* columns = front + stripOffset(j) + 4 * first;
-  double* rows = front + stripOffset(begin);
-  for (int i = begin; i < end; ++i, rows += 16 * static_cast<std::ptrdiff_t>(i))
-    updateTile(rows + 4 * first, columns, last - first, rows + 16 * static_cast<std::ptrdiff_t>(j));
+// In strips begin ... end - 1 the tile that follows `depth` columns from `rows` on: updated by those and solved. above: the same
+// columns of the strip in which the tile is the diagonal one.
+void solveColumn(double* rows, int begin, int end, Pivots pivots, const double* above, int depth, const double* inverse) {
+  for (int i = begin; i < end; ++i) {
+    double* const tile = rows + 4 * static_cast<std::ptrdiff_t>(depth);
+    solved(less(Tile::load(tile), rows, above, depth), inverse).store(tile);
+    rows += pivots.stripSize(i);
+  }
 }
 
-// Turns the updated tiles in pivot column j of the strips begin ... end - 1 into the factor's.
-void solveColumn(double* front, int j, int begin, int end, const double* inverse) {
-  for (int i = begin; i < end; ++i) solveTile(front + stripOffset(i) + 16 * static_cast<std::ptrdiff_t>(j), inverse);
+// The diagonal tile that follows `depth` columns, updated by those.
+void updateDiagonal(double* rows, int depth) {
+  double* const tile = rows + 4 * static_cast<std::ptrdiff_t>(depth);
+  less(Tile::load(tile), rows, rows, depth).store(tile);
+}
+
+// Strips begin ... end - 1 of the update matrix; below: its rows of the pivots' columns.
+void makeUpdate(const double* below, double* update, Pivots pivots, int begin, int end) {
+  const std::ptrdiff_t stride = 16 * static_cast<std::ptrdiff_t>(pivots.strips);
+  const int depth = 4 * pivots.strips - pivots.padding;
+  below += 4 * pivots.padding;
+  for (int j = 0; j < end; ++j)
+    for (int i = std::max(j, begin); i < end; ++i)
+      less(Tile::zero(), below + stride * i, below + stride * j, depth)
+          .store(update + stripOffset(i) + 16 * static_cast<std::ptrdiff_t>(j));
 }
 
 }  // namespace
 
-void eliminateStrips(double* front, Pivots pivots, int begin, int end, const double* reference, double* inverse,
+void eliminateStrips(double* columns, double* update, Pivots pivots, int begin, int end, const double* reference, double* inverse,
                      PivotReport& report) {
-  const auto update = outOfLine(updateColumn);
   const auto solve = outOfLine(solveColumn);
+  const auto diagonal = outOfLine(updateDiagonal);
   const auto factor = outOfLine(factorTile);
+  const auto make = outOfLine(makeUpdate);
   for (int group = begin; group < end; group += kGroup) {
     const int groupEnd = std::min(end, group + kGroup);
-    for (int j = 0; j < groupEnd; ++j) {
-      if (j > 0) update(front, j, std::max(j, group), groupEnd, pivots.padding, 4 * std::min(j, pivots.strips));
-      if (j >= pivots.strips) continue;
+    for (int j = 0; j < std::min(groupEnd, pivots.strips); ++j) {
+      const int skipped = j > 0 ? pivots.padding : 0, depth = 4 * j - skipped, next = std::max(j + 1, group);
       double* const inverted = inverse + 16 * j;
-      double* const diagonal = front + stripOffset(j) + 16 * static_cast<std::ptrdiff_t>(j);
-      if (j >= group) factor(diagonal, 4 * j, reference + 4 * j, inverted, report);
-      solve(front, j, std::max(j + 1, group), groupEnd, inverted);
+      double* const above = columns + pivots.stripAt(j) + 4 * skipped;
+      if (j >= group) {
+        diagonal(above, depth);
+        factor(above + 4 * static_cast<std::ptrdiff_t>(depth), 4 * j, reference + 4 * j, inverted, report);
+      }
+      solve(columns + pivots.stripAt(next) + 4 * skipped, next, groupEnd, pivots, above, depth, inverted);
     }
+    if (groupEnd > pivots.strips)
+      make(columns + pivots.stripAt(pivots.strips), update, pivots, std::max(0, group - pivots.strips), groupEnd - pivots.strips);
   }
 }
 

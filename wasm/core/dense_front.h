@@ -1,21 +1,19 @@
 // The dense part of the factorisation: one front, a lower triangle in strips of four rows.
 //
-// Strip i holds rows 4i .. 4i + 3 and columns 0 .. 4i + 3, four doubles a column: entry (r, c) is at
-// stripOffset(r / 4) + 4 c + r % 4. A 4 x 4 tile is then contiguous, and strips are what the kernels stream.
+// It lies in two places, so that its update matrix is made where it stays and the rest in a place that is at hand:
+//  - its columns: those of the pivots. Strip i holds rows 4i .. 4i + 3, of columns 0 .. 4i + 3 as far as these are pivots';
+//  - its update matrix: what is below and right of the pivots, in strips that are numbered and begin at zero again.
+// A strip has four doubles a column, so that a 4 x 4 tile is contiguous, and strips are what the kernels stream.
 // Pivots fill whole strips: before the first of them stand up to three of padding, rows and columns of the identity.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 namespace shapespline {
 
-/// Where strip i starts, in doubles; also the size of a front of i strips.
+/// Where strip i of a triangle starts, in doubles; also the size of a triangle of i strips.
 constexpr std::size_t stripOffset(std::size_t i) { return 8 * i * (i + 1); }
-
-/// Where entry (row, column) of a front is, row >= column.
-constexpr std::size_t placeInFront(int row, int column) {
-  return stripOffset(static_cast<std::size_t>(row) / 4) + 4 * static_cast<std::size_t>(column) + row % 4;
-}
 
 /// Strips that n rows take.
 constexpr int stripsFor(int n) { return (n + 3) / 4; }
@@ -31,12 +29,20 @@ struct Pivots {
   int strips, padding;
   /// Of a front with so many pivots.
   explicit constexpr Pivots(int columns) : strips(stripsFor(columns)), padding(4 * strips - columns) {}
+
+  /// Where strip i of the pivots' columns starts, in doubles; also the size of these columns in i strips.
+  constexpr std::size_t stripAt(int i) const {
+    const int inTriangle = std::min(i, strips);
+    return stripOffset(inTriangle) + stripSize(strips) * (i - inTriangle);
+  }
+  constexpr std::size_t stripSize(int i) const { return 16 * static_cast<std::size_t>(std::min(i + 1, strips)); }
 };
 
 /// Eliminates the pivots of a front, for the rows of strips begin ... end - 1; strips before begin must be done.
 /// reference[c] is the matrix's diagonal entry for column c of the front (1 for padding), inverse has room for 16 doubles a
-/// pivot strip: the inverted diagonal tiles, row by row. Rows below the pivots are left with the update matrix.
-void eliminateStrips(double* front, Pivots pivots, int begin, int end, const double* reference, double* inverse,
+/// pivot strip: the inverted diagonal tiles, row by row. The update matrix is written, not read: what the front starts from there
+/// is to be added afterwards.
+void eliminateStrips(double* columns, double* update, Pivots pivots, int begin, int end, const double* reference, double* inverse,
                      PivotReport& report);
 
 /// Floating-point operations (a multiplication and an addition are two) of that call.

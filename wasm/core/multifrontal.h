@@ -12,8 +12,8 @@
 
 namespace shapespline {
 
-/// One running factorisation. Fronts and update matrices share one stack; a finished front is handed out before its
-/// update matrix replaces those of its children.
+/// One running factorisation. Update matrices lie on two stacks that grow towards each other, a front's on the one and its children's
+/// on the other: each is made where it stays. Between them are the columns of the current front.
 class Multifrontal {
  public:
   /// The structure must outlive this. values: the matrix's, which are copied in the order in which fronts take them.
@@ -23,9 +23,9 @@ class Multifrontal {
   bool done() const { return supernode_ == symbolic_.supernodes(); }
 
   /// Works on the current supernode for about flopBudget operations, which it reduces by what it took. True when the
-  /// front is eliminated: read it with front(), then call finishFront() to go on.
+  /// front is eliminated: read it with columns(), then call finishFront() to go on.
   bool eliminate(double& flopBudget);
-  const double* front() const { return stack_.get() + frontBase_; }
+  const double* columns() const { return stack_.get() + low_; }
   const double* inverse() const { return inverse_.data(); }  // of its diagonal tiles
   void finishFront();
 
@@ -37,7 +37,8 @@ class Multifrontal {
 
  private:
   void assembleFront();
-  void addChild(int child, double* front);
+  enum class Part { Columns, Update };
+  void addChildren(Part part);
 
   const SymbolicFactor& symbolic_;
   const Assembly& assembly_;
@@ -45,9 +46,10 @@ class Multifrontal {
   std::size_t stackSize_;  // doubles
   std::unique_ptr<double[]> stack_;
   std::vector<int> firstChild_, sibling_;  // last pushed child first
-  std::vector<std::size_t> updateBase_;    // of each supernode whose update matrix is on the stack
+  std::vector<char> isHigh_;               // supernodes whose update matrix goes to the high stack
+  std::vector<std::size_t> updateBase_;    // of each supernode whose update matrix is on a stack
   std::vector<double> reference_, inverse_;
-  std::size_t stackTop_ = 0, frontBase_ = 0;
+  std::size_t low_ = 0, high_;  // where the low stack ends and the high one begins
   int supernode_ = 0;
   int nextStrip_ = -1;  // of the current front, -1 before it is assembled
   int regularised_ = 0;

@@ -27,13 +27,14 @@ void PanelFactor<Scalar>::allocate(const SymbolicFactor& symbolic) {
 }
 
 template <class Scalar>
-void PanelFactor<Scalar>::store(const SymbolicFactor& symbolic, int s, const double* front, const double* inverse) {
-  const int columns = symbolic.columns(s), count = panelCount(columns), padding = Pivots(columns).padding;
+void PanelFactor<Scalar>::store(const SymbolicFactor& symbolic, int s, const double* columns, const double* inverse) {
+  const int width = symbolic.columns(s), count = panelCount(width);
+  const Pivots pivots(width);
   const auto copy = outOfLine(copyStrip<Scalar>);
   for (int i = 0; i < count; ++i) {
     const Panel& panel = panels_[firstPanel_[s] + i];
-    const int begin = padding + panelStart(columns, count, i), end = begin + panel.columns;
-    const auto strip = [&](int k) { return front + stripOffset(k) + 4 * begin; };
+    const int begin = pivots.padding + panelStart(width, count, i), end = begin + panel.columns;
+    const auto strip = [&](int k) { return columns + pivots.stripAt(k) + 4 * begin; };
     Scalar* out = values_.data() + panel.values;
     for (int k = begin / 4; k < end / 4; ++k) {
       const int before = std::max(0, 4 * k - begin), firstRow = std::max(0, begin - 4 * k);

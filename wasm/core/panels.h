@@ -20,9 +20,9 @@ class PanelFactor : public PanelLayout {
   /// Makes room for the factor.
   void allocate(const SymbolicFactor& symbolic);
 
-  /// Takes over supernode s from its eliminated front and its inverted diagonal tiles (see dense_front.h). The first column of
+  /// Takes over supernode s from the columns of its eliminated front and its inverted diagonal tiles (see dense_front.h). The first column of
   /// which a pivot is too small for Scalar is the factor's problem, not noticed here.
-  void store(const SymbolicFactor& symbolic, int s, const double* front, const double* inverse);
+  void store(const SymbolicFactor& symbolic, int s, const double* columns, const double* inverse);
 
   /// Solves L Lᵀ x = b in place, (x, y, z, pad) an unknown in elimination order; the padding is scratch. `x` has
   /// length paddedSize() unknowns, those beyond the matrix's size are scratch.
