@@ -263,6 +263,11 @@ TEST_CASE("cholesky: a floating component is regularised and reported, and diffe
 
   const SymmetricMatrix zero = assembleSymmetric(3, {});
   CHECK(factorised(zero, {}, Precision::Single).stats().regularisedPivots == 3);
+  // One over the smallest numbers is no number.
+  const SymmetricMatrix tiny = assembleSymmetric(3, std::vector<Triplet>{{0, 0, 1e-310}, {1, 1, 1e-310}, {2, 2, 1}, {1, 0, -1e-310}});
+  const Cholesky tied = factorised(tiny, {}, Precision::Double);
+  CHECK(tied.stats().regularisedPivots == 2);
+  CHECK(solve<double>(tied, Eigen::MatrixX3d::Ones(3, 3)).allFinite());
 }
 
 TEST_CASE("cholesky: an indefinite matrix is an error that names the unknown") {

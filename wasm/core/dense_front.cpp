@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/out_of_line.h"
 #include "core/simd.h"
@@ -14,6 +15,8 @@ namespace {
 // the matrix is indefinite. Schur complements of a positive semi-definite matrix never exceed its diagonal.
 constexpr double kSemidefinite = 1e-13;
 constexpr double kIndefinite = -1e-8;
+// Not relative: one over a smaller number may be none.
+constexpr double kSmallest = std::numeric_limits<double>::min();
 
 // A 4 x 4 tile in registers: of each column rows 0, 1 and rows 2, 3.
 struct Tile {
@@ -73,11 +76,11 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
   for (int c = 0; c < 4; ++c) {
     double pivot = at(c, c);
     const double scale = std::abs(reference[c]);
-    if (!(pivot > kSemidefinite * scale)) {
+    if (!(pivot > std::max(kSemidefinite * scale, kSmallest))) {
       if (!(pivot >= kIndefinite * scale) && report.failed == -1) report.failed = firstColumn + c;
       // As if this unknown were tied to zero with the strength of its own diagonal entry: any weaker tie would let
       // rounding errors of the right-hand side through.
-      pivot = scale > 0.0 ? scale : 1.0;
+      pivot = scale > kSmallest ? scale : 1.0;
       ++report.regularised;
     }
     // From pivot to pivot there is one division to wait for, and no square root.
