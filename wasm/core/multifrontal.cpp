@@ -53,31 +53,43 @@ void placeValues(const double* value, const std::size_t* place, int count, doubl
   for (int i = 0; i < count; ++i) columns[place[i]] = value[i];
 }
 
-// Adds columns begin ... end - 1 of a strip of an update matrix, `rows` rows from row `first` on, to a part of its parent's front:
-// entry (r, c) to part[target[r - first] + 4 * to[c]].
-void addStrip(const double* strip, int first, int rows, int begin, int end, double* part, const std::ptrdiff_t* target, const int* to) {
+// Adds columns begin ... end - 1 of strip i of an update matrix to a part of its parent's front: entry (4 i + r, c) to
+// part[target[r] + 4 * to[c]]. Rows that only fill up the strip are zero and may go anywhere.
+void addStrip(const double* strip, int i, int begin, int end, double* part, const std::ptrdiff_t* target, const int* to) {
+  double *a = part + target[0], *b = part + target[1], *c = part + target[2], *d = part + target[3];
   strip += 4 * begin;
   int k = begin;
-  const int square = std::min(first, end);
-  if (rows == 4 && target[1] == target[0] + 1 && target[3] == target[2] + 1) {  // two and two side by side
-    double *a = part + target[0], *c = part + target[2];
+  const int square = std::min(4 * i, end);
+  if (b == a + 1 && d == c + 1) {  // two and two side by side
     for (; k < square; ++k, strip += 4) {
       const int column = 4 * to[k];
       (Double2::load(a + column) + Double2::load(strip)).store(a + column);
       (Double2::load(c + column) + Double2::load(strip + 2)).store(c + column);
     }
-  } else if (rows == 4) {
-    double *a = part + target[0], *b = part + target[1], *c = part + target[2], *d = part + target[3];
+  } else {
     for (; k < square; ++k, strip += 4) {
       const int column = 4 * to[k];
       a[column] += strip[0], b[column] += strip[1], c[column] += strip[2], d[column] += strip[3];
     }
-  } else {
-    for (; k < square; ++k, strip += 4)
-      for (int r = 0; r < rows; ++r) part[target[r] + 4 * to[k]] += strip[r];
   }
   for (; k < end; ++k, strip += 4)
-    for (int r = k - first; r < rows; ++r) part[target[r] + 4 * to[k]] += strip[r];
+    for (int r = k - 4 * i; r < 4; ++r) part[target[r] + 4 * to[k]] += strip[r];
+}
+
+// Adds the columns of an update matrix that are its parent's pivots, or the others, to that part of its front.
+void addUpdate(const double* update, const int* to, int rows, Pivots pivots, bool isUpdate, double* part) {
+  const int pivotRows = 4 * pivots.strips;
+  const int split = static_cast<int>(std::lower_bound(to, to + rows, pivotRows) - to);
+  for (int i = isUpdate ? split / 4 : 0; 4 * i < rows; ++i) {
+    const int end = std::min(rows, 4 * i + 4);
+    std::ptrdiff_t target[4];
+    for (int r = 0; r < 4; ++r) {
+      const int row = to[std::min(4 * i + r, rows - 1)], strip = row / 4;
+      const std::size_t at = isUpdate ? stripOffset(std::max(0, strip - pivots.strips)) : pivots.stripAt(strip);
+      target[r] = static_cast<std::ptrdiff_t>(at) + row % 4 - (isUpdate ? 4 * pivotRows : 0);
+    }
+    addStrip(update + stripOffset(i), i, isUpdate ? split : 0, isUpdate ? end : std::min(split, end), part, target, to);
+  }
 }
 
 }  // namespace
@@ -119,27 +131,13 @@ void Multifrontal::assembleFront() {
 }
 
 void Multifrontal::addChildren(Part part) {
-  const Pivots pivots = pivotsOf(symbolic_, supernode_);
+  const int s = supernode_;
   const bool isUpdate = part == Part::Update;
-  const int firstColumn = isUpdate ? 4 * pivots.strips : 0;
-  double* const target = stack_.get() + (isUpdate ? updateBase_[supernode_] : low_);
-  const auto add = outOfLine(addStrip);
-  for (int child = firstChild_[supernode_]; child != -1; child = sibling_[child]) {
-    const int rows = symbolic_.rows(child);
-    const int* to = assembly_.parentRow.data() + symbolic_.rowStart[child];
-    const double* update = stack_.get() + updateBase_[child];
-    const int split = static_cast<int>(std::lower_bound(to, to + rows, 4 * pivots.strips) - to);  // those before are pivots
-    for (int r = isUpdate ? split / 4 * 4 : 0; r < rows; r += 4) {
-      const int end = std::min(rows, r + 4);
-      std::ptrdiff_t rowAt[4];
-      for (int k = r; k < end; ++k) {
-        const int strip = to[k] / 4;
-        const std::size_t at = isUpdate ? stripOffset(std::max(0, strip - pivots.strips)) : pivots.stripAt(strip);
-        rowAt[k - r] = static_cast<std::ptrdiff_t>(at) + to[k] % 4 - 4 * firstColumn;
-      }
-      add(update + stripOffset(r / 4), r, end - r, isUpdate ? split : 0, isUpdate ? end : std::min(split, end), target, rowAt, to);
-    }
-  }
+  double* const target = stack_.get() + (isUpdate ? updateBase_[s] : low_);
+  const auto add = outOfLine(addUpdate);
+  for (int child = firstChild_[s]; child != -1; child = sibling_[child])
+    add(stack_.get() + updateBase_[child], assembly_.parentRow.data() + symbolic_.rowStart[child], symbolic_.rows(child),
+        pivotsOf(symbolic_, s), isUpdate, target);
 }
 
 bool Multifrontal::eliminate(double& flopBudget) {
