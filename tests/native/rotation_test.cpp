@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "core/patch_rotations.h"
 #include "core/rotation_path.h"
 
 using namespace shapespline;
@@ -98,4 +99,36 @@ TEST_CASE("a rotation path passes through its keys and is the geodesic between t
 TEST_CASE("half turns go on in the same sense") {
   const RotationPath path({expQuaternion(Vec3(0, 0, 0)), expQuaternion(Vec3(0, 0, pi)), expQuaternion(Vec3(0, 0, 2 * pi))});
   CHECK((path.increment(1) - path.increment(2)).norm() < 1e-9);
+}
+
+TEST_CASE("patch rotations: connections that agree are met, and of others the pulls cancel out") {
+  std::mt19937 random(5);
+  Patches patches;  // a closed band of triangles, with many cycles
+  patches.count = 60;
+  patches.pieceOf.assign(patches.count, 0);
+  for (int i = 0; i < patches.count; ++i)
+    for (const int j : {(i + 1) % patches.count, (i + 2) % patches.count}) patches.pairs.push_back({std::min(i, j), std::max(i, j), 1});
+  const std::vector<double> weight(patches.pairs.size(), 0.7);
+  PatchRotationSystem system;
+  REQUIRE(system.build(patches, weight, 0).ok());
+  std::vector<Quaternion> wanted, found;
+  for (int i = 0; i < patches.count; ++i) wanted.push_back(expQuaternion(randomVector(random, 1)));
+  for (const double disagreement : {0.0, 0.05, 0.3}) {
+    std::vector<Vec3> pair;
+    for (const auto& [i, j, edges] : patches.pairs)
+      pair.push_back(logRotation(Quaternion(wanted[i].conjugate() * wanted[j])) + randomVector(random, disagreement));
+    CHECK(system.solve(pair, found) < 20);
+    std::vector<Vec3> pull(patches.count, Vec3::Zero());
+    double largestError = 0, largestPull = 0;
+    for (std::size_t p = 0; p < pair.size(); ++p) {
+      const auto& [i, j, edges] = patches.pairs[p];
+      const Quaternion error = found[j] * (found[i] * expQuaternion(pair[p])).conjugate();
+      largestError = std::max(largestError, error.vec().norm());
+      pull[i] += weight[p] * 2 * error.w() * error.vec();
+      pull[j] -= weight[p] * 2 * error.w() * error.vec();
+    }
+    for (const Vec3& sum : pull) largestPull = std::max(largestPull, sum.norm());
+    if (disagreement == 0) CHECK(largestError < 1e-10);
+    CHECK(largestPull < 1e-10);
+  }
 }
