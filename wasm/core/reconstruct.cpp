@@ -55,6 +55,7 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   lri_.face.reorder(kernel_.build(shape, frameOf_, in.stretch, poisson_.slot(), poisson_.dump(), partOf(factorising, 0.8, 0.93)),
                     partOf(factorising, 0.93, 0.95));
   shift_.resize(in.parts.pieces.count);
+  shiftLanes_.resize(4 * shift_.size());
   verticesOfPiece_.assign(shift_.size(), 0);
   for (int piece : pieceOfVertex_)
     if (piece >= 0) ++verticesOfPiece_[piece];
@@ -176,11 +177,14 @@ Vec3 Reconstructor<Real>::meanMove(const PoseWeights& weights, const Real* x) co
 
 // The solver's slots come first among the places; each piece is moved by its shift, and the vertices without a slot follow.
 template <class Real>
-void Reconstructor<Real>::slotsToPlaces(Real* x) const {
+void Reconstructor<Real>::slotsToPlaces(Real* x) {
+  using L = Lanes<Real>;
   const std::size_t unknowns = static_cast<std::size_t>(poisson_.unknowns());
   std::fill(x + 4 * unknowns, x + 4 * placeOf_.size(), Real(0));  // tied to zero
+  for (std::size_t p = 0; p < shift_.size(); ++p)
+    for (int k = 0; k < 3; ++k) shiftLanes_[4 * p + k] = static_cast<Real>(shift_[p][k]);
   for (std::size_t i = 0; i < pieceAt_.size(); ++i)
-    for (int k = 0; k < 3; ++k) x[4 * i + k] += static_cast<Real>(shift_[pieceAt_[i]][k]);
+    (L::load(x + 4 * i) + L::load(&shiftLanes_[4 * static_cast<std::size_t>(pieceAt_[i])])).store(x + 4 * i);
   for (std::size_t i = 0; i < loose_.size(); ++i)
     for (int k = 0; k < 3; ++k) x[4 * static_cast<std::size_t>(placeOf_[lri_.loose[i].vertex]) + k] = static_cast<Real>(loose_[i][k]);
 }

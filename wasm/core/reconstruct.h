@@ -73,7 +73,7 @@ class Reconstructor {
   void placeComponents(const PoseWeights& weights, const Real* x);
   void placeLoose(const PoseWeights& weights, const Real* x);
   Vec3 meanMove(const PoseWeights& weights, const Real* x) const;
-  void slotsToPlaces(Real* x) const;
+  void slotsToPlaces(Real* x);
   Vec3 placedVertex(int v, const Real* x) const;
   Vec3 placedCentroid(int face, const Real* x) const;
 
@@ -98,8 +98,9 @@ class Reconstructor {
   Frames frames_;
   std::vector<Real> matrices_;
   PlacedShape<Real> placed_;
-  std::vector<Vec3> shift_;  // translation of each piece against the others
-  std::vector<Vec3> loose_;  // where each loose vertex lies
+  std::vector<Vec3> shift_;       // translation of each piece against the others
+  std::vector<Real> shiftLanes_;  // the same as (x, y, z, 0)
+  std::vector<Vec3> loose_;       // where each loose vertex lies
 };
 
 }  // namespace shapespline
