@@ -146,7 +146,7 @@ MotionOptions motionFrom(const Json& json) {
   if (!json.at("period").is_null()) motion.period = json.at("period").get<double>();
   motion.tension = json.at("tension").get<std::vector<double>>();
   motion.bias = json.at("bias").get<std::vector<double>>();
-  for (const Json& entry : json.at("turns")) motion.turns.push_back({entry.at("key"), entry.at("turns")});
+  for (const Json& entry : json.at("turns")) motion.turns.push_back({entry.at("key"), entry.at("turns"), entry.value("component", -1)});
   motion.inPlace = json.at("inPlace");
   return motion;
 }
@@ -204,7 +204,9 @@ Scene sceneFrom(const Json& json) {
 
 Json toJson(const std::vector<Warning>& warnings) {
   Json json = Json::array();
-  for (const Warning& w : warnings) json.push_back({{"code", w.code}, {"message", w.message}, {"count", w.count}});
+  for (const Warning& w : warnings) {
+    json.push_back({{"code", w.code}, {"message", w.message}, {"count", w.count}, {"key", w.key}, {"face", w.face}, {"patches", w.patches}});
+  }
   return json;
 }
 

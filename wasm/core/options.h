@@ -31,10 +31,11 @@ enum class Transfer {
   Paper,  ///< the reference's details follow the ghost; other keys are met up to their own details
 };
 
-/// Whole turns added to the mean rotation on its way to a key.
+/// Whole turns added on the way to a key, to the whole shape or to one component against the one that carries it.
 struct AddedTurns {
-  int key = 1;    ///< 0-based, at least 1: the turns happen between key - 1 and key
-  int turns = 0;  ///< whole turns about the axis of that increment; negative turns go the other way
+  int key = 1;         ///< 0-based, at least 1: the turns happen between key - 1 and key
+  int turns = 0;       ///< whole turns about the axis of that increment; negative turns go the other way
+  int component = -1;  ///< 0-based, components counted by their first face in the file; -1: the whole shape
 };
 
 /// Choices that refit the spline only: changing them never encodes or factorises again.
