@@ -228,7 +228,6 @@ Json toJson(const SequenceStats& stats) {
           {"factorMs", stats.factorMs},
           {"arrangeMs", stats.arrangeMs},
           {"factorBytes", stats.factorBytes},
-          {"alignedByPatches", stats.alignedByPatches},
           {"facesMs", stats.facesMs},
           {"solveMs", stats.solveMs},
           {"placeMs", stats.placeMs},

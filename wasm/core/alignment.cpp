@@ -2,138 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace shapespline {
 
 namespace {
 
-// Condition below which the mean rotation is not trusted: a twist by 270 degrees has 0.30, by 360 degrees 0, and the mean's
-// derivative grows with the inverse. (The norm of the mean matrix would not do: of a twist by 360 degrees it is 0.58 of a
-// rotation's, because the axis stays.)
-constexpr double trustedCondition = 0.25;
-
-// Index k of the representative angle + 2 pi k nearest `target`, where v is the principal rotation vector.
-Vec3 shifted(const Vec3& v, int turns, const Vec3& axisHint) {
-  const Vec3 axis = v.norm() > 1e-8 ? Vec3(v) : axisHint;
-  // "One turn more" must mean the same sense for all patches: along the hint.
-  const int sense = axis.dot(axisHint) < 0 ? -1 : 1;
-  return addTurns(v, sense * turns, axisHint);
-}
+constexpr int steps = 3;
 
 }  // namespace
 
-Alignment::Alignment(const Input& in) : area_(in.patchArea), keys_(in.shape.keys) {
-  std::vector<Quaternion> mean;
-  for (int c = 0; c < in.shape.columns(); ++c) {
-    RotationMean sum;
-    for (int k = 0; k < in.patches.count; ++k) sum.add(in.rotation[c][k], area_[k]);
-    mean.push_back(sum.mean());
-    smallestCondition_ = std::min(smallestCondition_, sum.condition());
+Alignment::Alignment(const std::vector<std::vector<Quaternion>>& halfway, const std::vector<double>& area) {
+  // The medoid: least sum over j of area (1 - cos) = greatest sum of area (q_i . q_j)^2, a quadratic form in q_i.
+  std::vector<double> agreement(area.size(), 0);
+  for (const auto& x : halfway) {
+    Eigen::Matrix4d form = Eigen::Matrix4d::Zero();
+    for (std::size_t k = 0; k < area.size(); ++k) form.noalias() += area[k] * x[k].coeffs() * x[k].coeffs().transpose();
+    for (std::size_t k = 0; k < area.size(); ++k) agreement[k] += x[k].coeffs().dot(form * x[k].coeffs());
   }
-  meanWithoutTurns_ = RotationPath({mean.begin(), mean.begin() + keys_});
-  const int start = in.shape.startTangent, end = in.shape.endTangent;
-  meanWithoutTurns_.setTangents(start >= 0 ? &mean[start] : nullptr, end >= 0 ? &mean[end] : nullptr);
-  mean_ = meanWithoutTurns_;
-  buildPatchPaths(in);
+  double total = 0;
+  for (double a : area) total += a;
+  // On a grid, so that rounding decides no tie.
+  for (double& a : agreement) a = std::nearbyint(a / total * 0x1p20);
+  medoid_ = static_cast<int>(std::max_element(agreement.begin(), agreement.end()) - agreement.begin());
+  double sum = 0;
+  for (std::size_t k = 0; k < area.size(); ++k) {
+    double least = 1;  // (1 + cos) / 2 of the largest angle to the medoid
+    for (const auto& x : halfway) least = std::min(least, std::pow(x[k].dot(x[medoid_]), 2));
+    weight_.push_back(area[k] * std::pow(least, 4));
+    sum += weight_.back();
+  }
+  for (double& w : weight_) w /= sum;
 }
 
-void Alignment::buildPatchPaths(const Input& in) {
-  const int count = in.patches.count;
-  patchWithoutTurns_.resize(count);
-  for (int k = 0; k < count; ++k) {
-    std::vector<Quaternion> keys;
-    for (int j = 0; j < keys_; ++j) keys.push_back(in.rotation[j][k]);
-    patchWithoutTurns_[k] = RotationPath(std::move(keys));
-    const int start = in.shape.startTangent, end = in.shape.endTangent;
-    patchWithoutTurns_[k].setTangents(start >= 0 ? &in.rotation[start][k] : nullptr,
-                                      end >= 0 ? &in.rotation[end][k] : nullptr);
-  }
-  for (int i = 1; i <= keys_; ++i) {
-    // Neighbours turn nearly alike: each patch takes the representative nearest its parent's, the parent's turn being
-    // seen from the child's frame.
-    for (int k : in.treeOrder) {
-      const int parent = in.treeParent[k];
-      if (parent < 0) continue;
-      const Quaternion toChild = in.rotation[i - 1][k].conjugate() * in.rotation[i - 1][parent];
-      const Vec3 target = toChild * patchWithoutTurns_[parent].increment(i);
-      patchWithoutTurns_[k].setIncrement(i, nearestRepresentative(patchWithoutTurns_[k].increment(i), target));
+Quaternion Alignment::at(const std::vector<Quaternion>& path, const std::vector<Quaternion>& rotation) const {
+  Quaternion turn = path[medoid_] * rotation[medoid_].conjugate();
+  for (int i = 0; i < steps; ++i) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      const Quaternion d = path[k] * (turn * rotation[k]).conjugate();
+      sum += weight_[k] * 2 * d.w() * d.w() * d.w() * d.vec();
     }
-    // Which patch was the root must not matter: among common shifts by whole turns the smallest motion is taken.
-    Vec3 axis = Vec3::Zero();
-    double bestCost = 0;
-    int bestTurns = 0;
-    for (int k = 0; k < count; ++k)
-      axis += area_[k] * (in.rotation[i - 1][k] * patchWithoutTurns_[k].increment(i));
-    for (int k = 0; k < count; ++k) bestCost += area_[k] * patchWithoutTurns_[k].increment(i).squaredNorm();
-    if (axis.norm() == 0) continue;
-    const auto moved = [&](int k, int turns) {
-      const Vec3 hint = in.rotation[i - 1][k].conjugate() * axis;
-      return shifted(patchWithoutTurns_[k].increment(i), turns, hint);
-    };
-    for (int turns : {-1, 1, -2, 2, -3, 3}) {
-      double cost = 0;
-      for (int k = 0; k < count; ++k) cost += area_[k] * moved(k, turns).squaredNorm();
-      if (cost < bestCost * (1 - 1e-9)) bestCost = cost, bestTurns = turns;
-    }
-    if (bestTurns != 0)
-      for (int k = 0; k < count; ++k) patchWithoutTurns_[k].setIncrement(i, moved(k, bestTurns));
+    turn = (expQuaternion(sum) * turn).normalized();
   }
-  patch_ = patchWithoutTurns_;
-}
-
-void Alignment::decide(const std::vector<std::vector<Quaternion>>& sampled) {
-  for (const auto& rotation : sampled) {
-    RotationMean sum;
-    for (std::size_t k = 0; k < rotation.size(); ++k) sum.add(rotation[k], area_[k]);
-    smallestCondition_ = std::min(smallestCondition_, sum.condition());
-  }
-  byPatches_ = smallestCondition_ < trustedCondition;
-}
-
-void Alignment::setTurns(const std::vector<AddedTurns>& turns) {
-  mean_ = meanWithoutTurns_;
-  patch_ = patchWithoutTurns_;
-  for (const AddedTurns& t : turns) {
-    const Vec3 increment = mean_.increment(t.key);
-    const Vec3 axis = increment.norm() > 1e-8 ? increment.normalized() : Vec3(Vec3::UnitY());
-    mean_.setIncrement(t.key, addTurns(increment, t.turns, axis));
-    for (RotationPath& path : patch_) {
-      const Vec3 hint = path.key(t.key - 1).conjugate() * (mean_.key(t.key - 1) * axis);
-      path.setIncrement(t.key, shifted(path.increment(t.key), t.turns, hint));
-    }
-  }
-}
-
-Quaternion Alignment::meanOf(const std::vector<Quaternion>& rotation) const {
-  RotationMean sum;
-  for (std::size_t k = 0; k < rotation.size(); ++k) sum.add(rotation[k], area_[k]);
-  return sum.mean();
-}
-
-Quaternion Alignment::at(const Weights& weights, const std::vector<Quaternion>& rotation) const {
-  if (!byPatches_) return mean_.at(weights) * meanOf(rotation).conjugate();
-  RotationMean turn;
-  for (std::size_t k = 0; k < rotation.size(); ++k) turn.add(patch_[k].at(weights) * rotation[k].conjugate(), area_[k]);
-  return turn.mean();
-}
-
-double Alignment::largestIncrement() const {
-  double largest = 0;
-  for (int i = 1; i < keys_; ++i) {
-    if (!byPatches_) {
-      largest = std::max(largest, mean_.increment(i).norm());
-      continue;
-    }
-    double smallest = std::numeric_limits<double>::infinity();  // the shape turns as a whole where every patch does
-    for (const RotationPath& path : patch_) smallest = std::min(smallest, path.increment(i).norm());
-    largest = std::max(largest, smallest);
-  }
-  return largest;
-}
-
-Quaternion Alignment::periodRotation() const {
-  return mean_.key(keys_ - 1) * mean_.key(0).conjugate();
+  return turn;
 }
 
 }  // namespace shapespline

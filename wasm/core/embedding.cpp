@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 
-#include "core/patch_coordinates.h"
 #include "core/simd.h"
 
 namespace shapespline {
@@ -21,6 +21,9 @@ Quaternion midway(const Quaternion& a, const Quaternion& b) {
   const Eigen::Vector4d sum = a.coeffs() + sign * b.coeffs();
   return Quaternion(sum).normalized();
 }
+
+// Cells that turn far against each other say little about where they lie.
+double linkWeight(double angle) { return 1e-5 + std::pow((1 + std::cos(std::min(angle, std::numbers::pi))) / 2, 6); }
 
 }  // namespace
 
@@ -131,12 +134,14 @@ Vec3 Embedding::way(const Link& link, const Quaternion& middle, const PoseWeight
   return middle * offset;
 }
 
-Embedding::Hanger Embedding::hanger(const Input& input, int face, int from, int to) const {
-  Hanger result{from, to, input.frameOf[face], {}, {}};
+Embedding::Hanger Embedding::hanger(const Input& input, int face, int from, int to, const std::vector<Vec3>& pivot) const {
+  Hanger result{from, to, input.frameOf[face], {}, {}, {}};
   for (int c = 0; c < columns_; ++c) {
     result.turn.push_back(input.turn(face, c));
     const Quaternion rotation = input.frames[c][result.frame] * expQuaternion(result.turn.back());
-    result.offset.push_back(rotation.conjugate() * (keyCentre_[c][to] - keyCentre_[c][from]));
+    const Vec3& point = pivot.empty() ? keyCentre_[c][to] : pivot[c];
+    result.offset.push_back(rotation.conjugate() * (point - keyCentre_[c][from]));
+    result.reach.push_back(keyRotation_[c][to].conjugate() * (point - keyCentre_[c][to]));
   }
   return result;
 }
@@ -170,9 +175,9 @@ Status Embedding::buildLinks(const Input& input) {
     return k;
   };
   for (const auto& [a, b] : neighbours(input, cellOf)) {
-    double angle = 0;  // cells that turn far against each other say little
+    double angle = 0;
     for (int c = 0; c < columns_; ++c) angle = std::max(angle, keyRotation_[c][a].angularDistance(keyRotation_[c][b]));
-    const double weight = pairWeight(angle);
+    const double weight = linkWeight(angle);
     links_.push_back(link(a, b, weight, input.logarithmic));
     entries.insert(entries.end(), {{a, a, weight}, {b, b, weight}, {b, a, -weight}});
     const int x = find(a), y = find(b);
@@ -180,10 +185,10 @@ Status Embedding::buildLinks(const Input& input) {
   }
   for (int k = 0; k < count; ++k)
     if (find(k) == k) entries.push_back({k, k, 1.0});  // tied to zero
-  for (const auto& [anchor, contact] : input.anchors)
-    hangers_.push_back(hanger(input, anchor, cellOf[input.shape.faces[anchor][0]], cellOf[input.shape.faces[contact][0]]));
+  for (const auto& [anchor, contact, pivot] : input.anchors)
+    hangers_.push_back(hanger(input, anchor, cellOf[input.shape.faces[anchor][0]], cellOf[input.shape.faces[contact][0]], pivot));
   for (int k = 0; k < count; ++k)
-    if (anchorOf_[k] >= 0) hangers_.push_back(hanger(input, anchorOf_[k], cellOf[input.shape.faces[anchorOf_[k]][0]], k));
+    if (anchorOf_[k] >= 0) hangers_.push_back(hanger(input, anchorOf_[k], cellOf[input.shape.faces[anchorOf_[k]][0]], k, {}));
   const SymmetricMatrix matrix = assembleSymmetric(count, entries);
   if (Status status = laplacian_.analyse(matrix, {}, Precision::Double); !status) return status;
   solution_.resize(4 * static_cast<std::size_t>(laplacian_.paddedSize()));
@@ -206,7 +211,7 @@ void Embedding::settle(const PoseWeights& weights, const std::vector<Quaternion>
   for (std::size_t k = 0; k < cells_.size(); ++k) centre_[k] = at(static_cast<int>(k));
   for (const Hanger& h : hangers_) {
     const Quaternion rotation = frames[h.frame] * expQuaternion(blend(h.turn, weights));
-    const Vec3 shift = centre_[h.from] + rotation * blend(h.offset, weights) - centre_[h.to];
+    const Vec3 shift = centre_[h.from] + rotation * blend(h.offset, weights) - centre_[h.to] - rotation_[h.to] * blend(h.reach, weights);
     const int piece = cells_[h.to].piece;
     if (piece < 0) centre_[h.to] += shift;
     for (std::size_t k = 0; k < cells_.size() && piece >= 0; ++k)

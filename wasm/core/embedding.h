@@ -12,6 +12,12 @@
 
 namespace shapespline {
 
+/// Where a component is attached to another: the link's faces, and in every column the point that holds it there (lri.h).
+struct EmbeddedPlace {
+  int anchorFace, contactFace;
+  std::vector<Vec3> pivot;
+};
+
 /// Vertices embedded in cells, parts of what follows one frame. A cell turns with its frame and, within it, as its faces do on
 /// average; its centre follows from where the keys have neighbouring centres, seen from the frame halfway between
 /// theirs (least squares over the graph of cells); a vertex from where the keys have it in its cell. All of that is splined with
@@ -28,7 +34,7 @@ class Embedding {
     std::span<const int> pieceOf;       ///< component of each face
     const std::vector<std::vector<Quaternion>>& frames;  ///< frames[column][frame]
     std::function<Vec3(int face, int column)> turn;      ///< log(G^T R_f)
-    std::vector<std::pair<int, int>> anchors;            ///< faces that hold components together, parents before children
+    std::vector<EmbeddedPlace> anchors;                  ///< parents before children
     bool logarithmic;                                    ///< lengths are splined by their logarithms, as log S_f is
   };
 
@@ -53,17 +59,18 @@ class Embedding {
     std::vector<Vec3> offset;       // one a column; directions only where there are
     std::vector<double> logLength;  // one a column, or none
   };
-  // The same in a face's own frame: a component, or anchored vertices, at an anchor face.
+  // A component, or anchored vertices, at an anchor face: a point that lies at `offset` from one cell, seen from the face, and at
+  // `reach` from the other, seen from that.
   struct Hanger {
     int from, to, frame;
-    std::vector<Vec3> turn, offset;  // one a column
+    std::vector<Vec3> turn, offset, reach;  // one per column
   };
 
   void divide(const Input& input, std::span<int> vertices, int limit);
   void addCell(const Input& input, std::span<int> vertices, int anchor);
   void encodeVertices(const Input& input);
   Link link(int from, int to, double weight, bool logarithmic) const;
-  Hanger hanger(const Input& input, int face, int from, int to) const;
+  Hanger hanger(const Input& input, int face, int from, int to, const std::vector<Vec3>& pivot) const;
   std::vector<std::pair<int, int>> neighbours(const Input& input, const std::vector<int>& cellOf) const;
   Status buildLinks(const Input& input);
   static Vec3 way(const Link& link, const Quaternion& middle, const PoseWeights& weights);

@@ -246,25 +246,6 @@ int FaceKernel<Real>::accumulateRange(const FaceRange& range, const FaceCoordina
   return lost;
 }
 
-template <class Real>
-void FaceKernel<Real>::accumulateShift(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                                       const ColumnWeights<Real>& weights, int face, const Vec3& difference, Real* rhs) const {
-  const int slot = coordinates.slot(face), lane = slot % faceLanes;
-  const FaceBlock<Real>& block = blocks_[slot / faceLanes];
-  Passing<Real> passing;
-  const auto contribute = [&](Real sign) {
-    findFactors(passing);
-    diverge(block, passing);
-    for (auto& row : passing.corner) row[lane] *= sign;
-    scatter(block, lane, frames.data(), passing.corner, rhs);
-  };
-  blend(coordinates.block(slot / faceLanes), weights, passing);
-  if (stretch_ == Stretch::Log) exponentiate(passing);
-  contribute(Real(-1));
-  for (int k = 0; k < 3; ++k) passing.number[k][lane] += static_cast<Real>(difference[k]);
-  contribute(Real(1));
-}
-
 template class FaceKernel<float>;
 template class FaceKernel<double>;
 

@@ -45,9 +45,6 @@ class FaceKernel {
   int accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
                  const ColumnWeights<Real>& weights, Real* rhs, Crew* crew = nullptr) const;
 
-  /// Adds to rhs what changes when face f's rotation vector is shifted by `difference`.
-  void accumulateShift(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                       const ColumnWeights<Real>& weights, int face, const Vec3& difference, Real* rhs) const;
 
  private:
   [[gnu::noinline]] int accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,

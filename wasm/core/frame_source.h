@@ -26,8 +26,8 @@ class FrameSource {
  public:
   virtual ~FrameSource() = default;
 
-  /// The frames at `weights`, where the keys have them: equal to the encoded ones at a key's weights.
-  virtual void at(const Weights& weights, Frames& frames) = 0;
+  /// The frames at `point`, where the keys have them: equal to the encoded ones at a key.
+  virtual void at(const CurvePoint& point, Frames& frames) = 0;
 };
 
 }  // namespace shapespline

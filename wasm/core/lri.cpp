@@ -13,6 +13,8 @@ namespace {
 constexpr double tameAngle = std::numbers::pi / 2;
 // In the reference frames do not turn; what they seem to is rounding.
 constexpr double roundedTurn = 1e-9;
+// Turns of a few degrees say little about the point that they leave where it is.
+constexpr double stillness = 1e-3;
 
 Vec3 meanOf(const Positions& pose) {
   Vec3 sum = Vec3::Zero();
@@ -98,8 +100,6 @@ class Encoder {
     drain();
     for (int f : wild)
       if (open[f]) next.emplace(f, -1), drain();
-    for (int f : wild)
-      addWinding(out_.faceWinding, f, out_.face.rotation(f, 0), out_.face.rotation(f, shape_.keys - 1));
   }
 
   void unwrapFace(int f, int neighbour) {
@@ -121,16 +121,36 @@ class Encoder {
       const ComponentLink& link = parts_.tree.link[piece];
       if (link.parent < 0) continue;
       const int a = link.anchorFace, b = link.contactFace;
-      ComponentPlace place{piece, a, b, frames_.ofFace[a], {}, {}};
+      ComponentPlace place{piece, a, b, frames_.ofFace[a], frames_.ofFace[b], Vec3::Zero(), {}};
+      std::vector<Mat3> turn;  // of b against a
       for (int c = 0; c < shape_.columns(); ++c) {
-        const Quaternion anchor = rotationOf(shape_, a, c);
-        appendNearest(place.anchorRotation, shape_, logRotation(Quaternion(frameOf(a, c).conjugate() * anchor)));
+        const Quaternion anchor = turnOf(a, c);
         const Positions& p = shape_.poses[c];
+        turn.push_back((anchor.conjugate() * turnOf(b, c)).toRotationMatrix());
         place.offset.push_back(anchor.conjugate() * (centroidOf(p, shape_.faces[b]) - centroidOf(p, shape_.faces[a])));
       }
+      place.pivot = stillPoint(turn, place.offset);
+      for (int c = 0; c < shape_.columns(); ++c) place.offset[c] += turn[c] * place.pivot;
       out_.places.push_back(std::move(place));
     }
   }
+
+  // The x for which turn x + offset varies least, near 0 where the turns leave it open.
+  static Vec3 stillPoint(const std::vector<Mat3>& turn, const std::vector<Vec3>& offset) {
+    const double columns = static_cast<double>(turn.size());
+    Mat3 meanTurn = Mat3::Zero(), normal = Mat3::Zero();
+    Vec3 meanOffset = Vec3::Zero(), right = Vec3::Zero();
+    for (std::size_t c = 0; c < turn.size(); ++c) meanTurn += turn[c] / columns, meanOffset += offset[c] / columns;
+    for (std::size_t c = 0; c < turn.size(); ++c) {
+      const Mat3 a = turn[c] - meanTurn;
+      normal += a.transpose() * a / columns;
+      right -= a.transpose() * (offset[c] - meanOffset) / columns;
+    }
+    return (normal + stillness * Mat3::Identity()).ldlt().solve(right);
+  }
+
+  // R_f, or that of its frame where faces rest in their frames.
+  Quaternion turnOf(int f, int column) const { return rests_ ? frameOf(f, column) : rotationOf(shape_, f, column); }
 
   void encodeLoose() {
     std::vector<int> faceAt(shape_.vertexCount(), -1);  // a face with area
@@ -150,8 +170,7 @@ class Encoder {
       LooseVertex loose{v, f, frames_.ofFace[f], {}};
       for (int c = 0; c < shape_.columns(); ++c) {
         const Positions& p = shape_.poses[c];
-        const Quaternion rotation = rests_ ? frameOf(f, c) : rotationOf(shape_, f, c);
-        loose.offset.push_back(rotation.conjugate() * (p[v] - centroidOf(p, shape_.faces[f])));
+        loose.offset.push_back(turnOf(f, c).conjugate() * (p[v] - centroidOf(p, shape_.faces[f])));
       }
       out_.loose.push_back(std::move(loose));
     }

@@ -6,7 +6,6 @@
 
 #include "core/face_coordinates.h"
 #include "core/frame_source.h"
-#include "core/log_branches.h"
 #include "core/options.h"
 #include "core/types.h"
 #include "core/welded_shape.h"
@@ -17,16 +16,17 @@ namespace shapespline {
 struct LooseVertex {
   int vertex;
   int anchorFace, anchorFrame;
-  std::vector<Vec3> offset;  ///< one a column: R_f^T (vertex - centroid of f)
+  std::vector<Vec3> offset;  ///< one per column: R_f^T (vertex - centroid of f)
 };
 
-/// How a component keeps its place at its anchor face.
+/// How a component b keeps its place at its anchor face a: by the point that moves least against both in all poses, such as the
+/// axle of a wheel or the joint of a hoof. A point elsewhere would be splined along chords while the component turns.
 struct ComponentPlace {
   int piece;
-  int anchorFace, contactFace;       ///< the link's two faces
-  int anchorFrame;
-  std::vector<Vec3> anchorRotation;  ///< one a column: log(G^T R_a) of the anchor face a in its frame G
-  std::vector<Vec3> offset;          ///< one a column: R_a^T (centroid of the contact face - centroid of a)
+  int anchorFace, contactFace;    ///< the link's two faces
+  int anchorFrame, contactFrame;
+  Vec3 pivot;                     ///< R_b^T (that point - centroid of b), the same in every column
+  std::vector<Vec3> offset;       ///< one per column: R_a^T (that point - centroid of a)
 };
 
 /// Coordinates of every pose in given frames G. Logarithms take the representative nearest the pose before, so that a
@@ -34,7 +34,6 @@ struct ComponentPlace {
 template <class Real>
 struct LriCoordinates {
   FaceCoordinates<Real> face;         ///< log(G^T R_f) and S_f; no column is stored where faces rest in their frames
-  std::vector<Winding> faceWinding;   ///< for a periodic curve with a closing interval
   std::vector<ComponentPlace> places; ///< parents before children; the root has none
   std::vector<LooseVertex> loose;
   std::vector<Vec3> meanPosition;     ///< one a column: of all welded vertices

@@ -61,7 +61,7 @@ Eigen::MatrixXd gramMatrix(const PatchCoordinates& k, const LriCoordinates<Real>
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns, columns);
   Eigen::MatrixXd entry(columns, numbersPerFace);
   double totalArea = 0;
-  for (double a : k.area) totalArea += a;
+  for (double a : k.graph.area()) totalArea += a;
   const Positions& reference = shape.poses[shape.reference];
   for (int f = 0; f < shape.faceCount(); ++f) {
     if (k.patches.ofFace[f] < 0) continue;

@@ -56,7 +56,6 @@ struct MotionOptions {
 struct EncodingOptions {
   int reference = 0;                     ///< 0-based key that deformation gradients are measured from
   int patches = 0;                       ///< wanted number of patches (of the ghost, with one), 0 = the default formula (patches.h)
-  int rootPatch = 0;                     ///< where the first system starts; moves no vertex
   Stretch stretch = Stretch::Linear;
   int ghostFaces = 0;                    ///< 0 = off, else at least 4: the splines run on a ghost mesh of about so many faces
   Transfer transfer = Transfer::Exact;   ///< with a ghost

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/turn_branches.h"
 
 namespace shapespline {
 
@@ -12,10 +13,11 @@ class PatchEncoder {
  public:
   PatchEncoder(const WeldedShape& shape, const ShapeParts& parts) : shape_(shape), parts_(parts) {}
 
-  PatchCoordinates run(int wantedPatches, const FractionReport& onProgress) {
+  Result<PatchCoordinates> run(int wantedPatches, const FractionReport& onProgress) {
     partition(wantedPatches, onProgress);
     encodePairs();
-    encodeTurns();
+    buildGraph();
+    if (Status status = encodeConnections(); !status) return status.error();
     return std::move(out_);
   }
 
@@ -35,8 +37,8 @@ class PatchEncoder {
     const int used = static_cast<int>(std::count(parts_.hasArea.begin(), parts_.hasArea.end(), 1));
     const int wanted = wantedPatches > 0 ? std::min(wantedPatches, used) : defaultPatchCount(used);
     out_.patches = partitionFaces({parts_.graph, parts_.pieces, area, centroid, rotations}, wanted, partOf(onProgress, 0.3, 0.9));
-    out_.area.assign(out_.patches.count, 0);
-    parts_.eachUsedFace([&](int f) { out_.area[out_.patches.ofFace[f]] += area[f]; });
+    area_.assign(out_.patches.count, 0);
+    parts_.eachUsedFace([&](int f) { area_[out_.patches.ofFace[f]] += area[f]; });
     averageRotations(area, rotations, partOf(onProgress, 0.9, 1));
   }
 
@@ -53,58 +55,110 @@ class PatchEncoder {
     }
   }
 
+  // The logarithms of the metric (metrics.h): the representatives nearest the pose before.
   void encodePairs() {
-    const auto& pairs = out_.patches.pairs;
-    const int columns = shape_.columns();
-    out_.pair.assign(columns, std::vector<Vec3>(pairs.size()));
-    out_.pairWeight.resize(pairs.size());
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      double largest = 0;
-      for (int c = 0; c < columns; ++c) {
+    for (int c = 0; c < shape_.columns(); ++c) {
+      std::vector<Vec3> column;
+      for (const PatchPair& p : out_.patches.pairs) {
         const auto& g = out_.rotation[c];
-        Vec3 x = logRotation(Quaternion(g[pairs[p].first].conjugate() * g[pairs[p].second]));
-        if (c > 0) {
-          const Vec3& before = out_.pair[shape_.before(c)][p];
-          x = nearestRepresentative(x, before);
-          if (c < shape_.keys) out_.largestPairTurn = std::max(out_.largestPairTurn, (x - before).norm());
-        }
-        out_.pair[c][p] = x;
-        largest = std::max(largest, x.norm());
+        const Vec3 x = logRotation(Quaternion(g[p.first].conjugate() * g[p.second]));
+        column.push_back(c > 0 ? nearestRepresentative(x, out_.pair[shape_.before(c)][column.size()]) : x);
       }
-      out_.pairWeight[p] = pairWeight(largest);
-      addWinding(out_.pairWinding, static_cast<int>(p), out_.pair[0][p], out_.pair[shape_.keys - 1][p]);
+      out_.pair.push_back(std::move(column));
     }
   }
 
-  void encodeTurns() {
-    for (int piece : parts_.tree.order) {
+  void buildGraph() {
+    std::vector<PatchLink> links;
+    for (const PatchPair& p : out_.patches.pairs) links.push_back({p.first, p.second, p.sharedEdges});
+    for (const int piece : parts_.tree.order) {
       const ComponentLink& link = parts_.tree.link[piece];
       if (link.parent < 0) continue;
-      ComponentTurn turn{piece, out_.patches.ofFace[link.anchorFace], out_.patches.ofFace[link.contactFace], {}, {}};
-      for (int c = 0; c < shape_.columns(); ++c) {
-        const Quaternion anchor = rotationOf(shape_, link.anchorFace, c);
-        appendNearest(turn.anchorRotation, shape_, logRotation(Quaternion(out_.rotation[c][turn.anchorPatch].conjugate() * anchor)));
-        appendNearest(turn.rotation, shape_, logRotation(Quaternion(anchor.conjugate() * out_.rotation[c][turn.contactPatch])));
-      }
-      out_.turns.push_back(std::move(turn));
+      links.push_back({out_.patches.ofFace[link.anchorFace], out_.patches.ofFace[link.contactFace], 0});
+      out_.bridgedPiece.push_back(piece);
     }
+    out_.graph = PatchGraph(std::move(links), std::move(area_));
+    // The cumulative form is not symmetric in the two patches: links lead away from the middle of the shape, not up the numbers.
+    std::vector<double> squares(out_.graph.links().size(), 0), sixths = squares, cost;
+    for (int s = 0; s <= KeySteps{shape_.keys}.closing(); ++s)
+      for (std::size_t l = 0; l < squares.size(); ++l) {
+        const auto [from, to] = posesOf(shape_, s);
+        const double angle = connection(from, l).angularDistance(connection(to, l));
+        squares[l] += angle * angle;
+        sixths[l] += std::pow(angle / 2, 6);
+      }
+    for (std::size_t l = 0; l < squares.size(); ++l) cost.push_back(0.1 + std::sqrt(squares[l]) + 3 * sixths[l]);
+    out_.graph.orient(out_.graph.centreTree(cost));
+  }
+
+  Quaternion connection(int column, std::size_t link) const {
+    const auto [from, to, edges] = out_.graph.links()[link];
+    return (out_.rotation[column][from].conjugate() * out_.rotation[column][to]).normalized();
+  }
+
+  Status encodeConnections() {
+    const std::size_t count = out_.graph.links().size();
+    for (int c = 0; c < shape_.columns(); ++c) {
+      std::vector<Quaternion> column;
+      for (std::size_t l = 0; l < count; ++l) column.push_back(connection(c, l));
+      out_.connection.key.push_back(std::move(column));
+    }
+    const KeySteps steps{shape_.keys};
+    out_.connection.increment.resize(steps.count());
+    out_.residual.resize(steps.count());
+    for (int s = 0; s < steps.count(); ++s) {
+      const auto [from, to] = posesOf(shape_, s);
+      if (from < 0 || s == steps.turnedClosing()) continue;
+      auto chosen = chooseTurnBranches(out_.graph, out_.connection.key[from], out_.connection.key[to]);
+      if (!chosen) return chosen.error();
+      out_.connection.increment[s] = std::move(chosen->increment);
+      out_.residual[s] = std::move(chosen->residual);
+    }
+    continueHalfTurns();
+    if (shape_.closing) closeOnLastKey();
+    return {};
+  }
+
+  // A component that turns by half a turn goes on the way it came.
+  void continueHalfTurns() {
+    auto& increment = out_.connection.increment;
+    for (std::size_t l = out_.patches.pairs.size(); l < out_.graph.links().size(); ++l)
+      for (int s = 1; s <= KeySteps{shape_.keys}.closing(); ++s)
+        increment[s][l] = continuedHalfTurn(increment[s][l], increment[s - 1][l]);
+  }
+
+  // The last step to a last key that is the first one again: the same way as to the last key, but for what the two differ by.
+  void closeOnLastKey() {
+    const KeySteps steps{shape_.keys};
+    const auto [from, to] = posesOf(shape_, steps.turnedClosing());
+    const auto& key = out_.connection.key;
+    const std::vector<Vec3>& alike = out_.connection.increment[shape_.keys - 2];
+    std::vector<Vec3> closing;
+    for (std::size_t l = 0; l < alike.size(); ++l)
+      closing.push_back(nearestRepresentative(logRotation(Quaternion(key[from][l].conjugate() * key[to][l])), alike[l]));
+    out_.connection.increment[steps.turnedClosing()] = std::move(closing);
   }
 
   const WeldedShape& shape_;
   const ShapeParts& parts_;
+  std::vector<double> area_;  // of each patch in the reference pose
   PatchCoordinates out_;
 };
 
 }  // namespace
 
-PatchCoordinates encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches,
-                               const FractionReport& onProgress) {
-  return PatchEncoder(shape, parts).run(wantedPatches, onProgress);
+StepPoses posesOf(const WeldedShape& shape, int step) {
+  const KeySteps steps{shape.keys};
+  if (step == steps.closing()) return {shape.keys - 1, 0};
+  if (step == steps.turnedClosing()) return shape.closing ? StepPoses{shape.keys - 2, 0} : StepPoses{-1, -1};
+  if (step == steps.startTangent()) return shape.startTangent >= 0 ? StepPoses{0, shape.startTangent} : StepPoses{-1, -1};
+  if (step == steps.endTangent()) return shape.endTangent >= 0 ? StepPoses{shape.keys - 1, shape.endTangent} : StepPoses{-1, -1};
+  return {step, step + 1};
 }
 
-double pairWeight(double angle) {
-  const double half = (1 + std::cos(std::min(angle, std::numbers::pi))) / 2;
-  return 1e-5 + std::pow(half, 6);
+Result<PatchCoordinates> encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches,
+                                       const FractionReport& onProgress) {
+  return PatchEncoder(shape, parts).run(wantedPatches, onProgress);
 }
 
 }  // namespace shapespline

@@ -1,47 +1,222 @@
 #include "core/patch_motion.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+
 namespace shapespline {
 
-Status PatchMotion::build(const WeldedShape& shape, PatchCoordinates coordinates, int rootPatch) {
+namespace {
+
+constexpr double twoPi = 2 * std::numbers::pi;
+// Steps of a frame. One leaves the cross-sections of a bar twisted by two turns 1.9 % off halfway, two leave 1 %.
+constexpr int frameSteps = 2;
+// Rotation vectors shorter than this have no axis of their own.
+constexpr double noAxis = 1e-6;
+
+double agreement(double angle) {
+  const double half = std::cos(std::min(angle, std::numbers::pi) / 2);
+  return half * half;
+}
+
+// The axis about which a set of points has the largest moment of inertia: that of a wheel.
+Vec3 wheelAxis(const Positions& positions, const std::vector<Triangle>& faces, const std::vector<char>& ofPart) {
+  Vec3 mean = Vec3::Zero();
+  Mat3 second = Mat3::Zero();
+  double count = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (int v : faces[f])
+      if (ofPart[f]) mean += positions[v], second += positions[v] * positions[v].transpose(), count += 1;
+  const Mat3 covariance = second / count - mean / count * (mean / count).transpose();
+  return Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors().col(0);  // the flat direction
+}
+
+}  // namespace
+
+Status PatchMotion::build(const WeldedShape& shape, PatchCoordinates coordinates) {
   shape_ = &shape;
   patches_ = std::move(coordinates);
-  const Patches& patches = patches_.patches;
-  if (Status status = system_.build(patches, patches_.pairWeight, rootPatch); !status) return status;
-  alignment_ = Alignment({patches, patches_.area, patches_.rotation, shape, system_.order(), system_.parent()});
-  for (int k = 0; k < patches.count; ++k) {
-    const auto piece = static_cast<std::size_t>(patches.pieceOf[k]);
-    if (patchesOf_.size() <= piece) patchesOf_.resize(piece + 1);
-    patchesOf_[piece].push_back(k);
+  own_.key = patches_.rotation;
+  own_.increment.resize(KeySteps{shape.keys}.count());
+  const std::vector<int> open = stepsOf(false), loop = stepsOf(true);
+  if (Status status = buildSystem(open_, open); !status) return status;
+  if (Status status = buildSystem(loop_, loop); !status) return status;
+  for (const int s : open) findOwnIncrements(open_, s);
+  const KeySteps steps{shape.keys};
+  findOwnIncrements(loop_, steps.closing());
+  if (shape.closing) {
+    const auto [from, to] = posesOf(shape, steps.turnedClosing());
+    for (std::size_t k = 0; k < own_.key[0].size(); ++k) {
+      const Quaternion turned = shape.closing->rotation * own_.key[to][k];
+      own_.increment[steps.turnedClosing()].push_back(nearestRepresentative(
+          logRotation(Quaternion(own_.key[from][k].conjugate() * turned)), own_.increment[shape.keys - 2][k]));
+    }
   }
+  buildAlignment(open_, open);
+  buildAlignment(loop_, loop);
+  const std::size_t pairs = patches_.patches.pairs.size();
+  for (const auto& increment : patches_.connection.increment) {
+    bridgeIncrement_.emplace_back();
+    if (!increment.empty()) bridgeIncrement_.back().assign(increment.begin() + static_cast<std::ptrdiff_t>(pairs), increment.end());
+  }
+  for (int s = 0; s < steps.closing(); ++s) {
+    const Vec3 turn = worldTurn(s);
+    axis_.push_back(turn.norm() > noAxis ? Vec3(turn.normalized()) : Vec3(Vec3::UnitY()));
+  }
+  setTurns({});
   return {};
 }
 
-// Each component keeps its rotation in its anchor face's R_f.
-void PatchMotion::hangComponents(const PoseWeights& weights, std::vector<Quaternion>& rotation) const {
-  for (const ComponentTurn& turn : patches_.turns) {
-    const Quaternion anchor = rotation[turn.anchorPatch] * expQuaternion(blend(turn.anchorRotation, weights));
-    const Quaternion wanted = anchor * expQuaternion(blend(turn.rotation, weights));
-    const Quaternion by = wanted * rotation[turn.contactPatch].conjugate();
-    for (int k : patchesOf_[turn.piece]) rotation[k] = (by * rotation[k]).normalized();
+std::vector<int> PatchMotion::stepsOf(bool loop) const {
+  const KeySteps steps{shape_->keys};
+  std::vector<int> result;
+  for (int s = 0; s < steps.closing(); ++s) result.push_back(s);
+  if (loop) result.push_back(steps.closing());
+  for (const int s : {steps.startTangent(), steps.endTangent()})
+    if (!loop && posesOf(*shape_, s).from >= 0) result.push_back(s);
+  return result;
+}
+
+// Links that turn far, or whose maps disagree with the others, count less; smooth shapes hardly change: ((1 + cos a) / 2)^6 is 1 - O(a^2).
+Status PatchMotion::buildSystem(Solver& solver, const std::vector<int>& steps) {
+  const std::size_t count = patches_.graph.links().size();
+  std::vector<double> weight, cost;
+  for (std::size_t l = 0; l < count; ++l) {
+    double largest = 0, squares = 0, residual = 0;
+    for (const int s : steps) {
+      const double angle = patches_.connection.increment[s][l].norm();
+      largest = std::max(largest, angle);
+      squares += angle * angle;
+      residual = std::max(residual, patches_.residual[s][l]);
+    }
+    weight.push_back(1e-4 + std::pow(agreement(largest), 6) + 0.03 * std::pow(agreement(residual), 4));
+    cost.push_back(0.1 + std::sqrt(squares) + 4 * residual);
+  }
+  return solver.system.build(patches_.graph, patches_.graph.centreTree(cost), std::move(weight));
+}
+
+// The rotations at a share of one step, the root on its own path.
+void PatchMotion::partWay(Solver& solver, int step, double share, std::vector<Quaternion>& rotation) {
+  const int from = posesOf(*shape_, step).from, root = solver.system.tree().root();
+  connection_ = patches_.connection.key[from];
+  for (std::size_t l = 0; l < connection_.size(); ++l)
+    connection_[l] = connection_[l] * expQuaternion(share * patches_.connection.increment[step][l]);
+  solver.system.solve(connection_, frameSteps, rotation);
+  const Quaternion wanted = own_.key[from][root] * expQuaternion(share * own_.increment[step][root]);
+  const Quaternion turn = wanted * rotation[root].conjugate();
+  for (Quaternion& q : rotation) q = (turn * q).normalized();
+}
+
+// How often a patch turned in a step shows in how its neighbours take it along: of its increments that differ by whole turns the
+// one is taken whose path comes nearest to the shape's own on the way. (Nearest to a neighbour's would lose turns near 360 degrees.)
+void PatchMotion::findOwnIncrements(Solver& solver, int step) {
+  const auto [from, to] = posesOf(*shape_, step);
+  std::vector<Vec3>& increment = own_.increment[step];
+  for (std::size_t k = 0; k < own_.key[from].size(); ++k)
+    increment.push_back(logRotation(Quaternion(own_.key[from][k].conjugate() * own_.key[to][k])));
+  const int root = solver.system.tree().root();
+  if (step > 0 && step <= KeySteps{shape_->keys}.closing())
+    increment[root] = continuedHalfTurn(increment[root], own_.increment[step - 1][root]);
+  constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
+  std::array<std::vector<Quaternion>, 3> rotation;
+  for (int i = 0; i < 3; ++i) partWay(solver, step, shares[i], rotation[i]);
+  for (std::size_t k = 0; k < increment.size(); ++k) {
+    if (static_cast<int>(k) == root || increment[k].norm() < noAxis) continue;
+    const Vec3 principal = increment[k], turn = principal.normalized() * twoPi;
+    double least = std::numeric_limits<double>::infinity();
+    for (const int n : {0, -1, 1, -2, 2}) {
+      const Vec3 candidate = principal + n * turn;
+      double distance = 0;
+      for (int i = 0; i < 3; ++i)
+        distance += std::pow(rotation[i][k].angularDistance(own_.key[from][k] * expQuaternion(shares[i] * candidate)), 2);
+      if (distance < least * (1 - 1e-9) - 1e-12) least = distance, increment[k] = candidate;
+    }
   }
 }
 
-void PatchMotion::unaligned(const Weights& weights, std::vector<Quaternion>& rotation) {
-  const PoseWeights w = poseWeights(weights, *shape_);
-  const std::size_t pairs = patches_.patches.pairs.size();
-  pair_.assign(pairs, Vec3::Zero());
-  for (int c = 0; c < shape_->columns(); ++c)
-    for (std::size_t p = 0; p < pairs; ++p) pair_[p] += w.column[c] * patches_.pair[c][p];
-  for (const Winding& winding : patches_.pairWinding) pair_[winding.index] += w.closing * winding.difference;
-  system_.solve(pair_, rotation);
-  hangComponents(w, rotation);
+void PatchMotion::buildAlignment(Solver& solver, const std::vector<int>& steps) {
+  std::vector<std::vector<Quaternion>> halfway;
+  for (const int s : steps) {
+    std::vector<Quaternion> x;
+    partWay(solver, s, 0.5, x);
+    const int from = posesOf(*shape_, s).from;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = own_.key[from][k] * expQuaternion(own_.increment[s][k] / 2) * x[k].conjugate();
+    halfway.push_back(std::move(x));
+  }
+  solver.alignment = Alignment(halfway, patches_.graph.area());
 }
 
-void PatchMotion::at(const Weights& weights, Frames& frames) {
-  unaligned(weights, frames.rotation);
-  frames.gradient.clear();
-  const Quaternion turn = alignment_.at(weights, frames.rotation);
+Vec3 PatchMotion::worldTurn(int step) const {
+  const int from = posesOf(*shape_, step).from;
+  const std::vector<double>& area = patches_.graph.area();
+  Vec3 sum = Vec3::Zero();
+  double total = 0;
+  for (std::size_t k = 0; k < area.size(); ++k) {
+    sum += area[k] * (own_.key[from][k] * own_.increment[step][k]);
+    total += area[k];
+  }
+  return sum / total;
+}
+
+// In the reference pose of the attached component: that of its increment, of the largest of its other increments, or its axle.
+Vec3 PatchMotion::turnAxis(int step, std::size_t bridge) const {
+  Vec3 axis = bridgeIncrement_[step][bridge];
+  for (int s = 0; s < KeySteps{shape_->keys}.closing() && axis.norm() < noAxis; ++s)
+    if (bridgeIncrement_[s][bridge].norm() > noAxis) axis = bridgeIncrement_[s][bridge];
+  if (axis.norm() > noAxis) return axis.normalized();
+  const std::vector<int>& ofFace = patches_.patches.ofFace;
+  std::vector<char> ofPart;
+  for (const int patch : ofFace) ofPart.push_back(patch >= 0 && patches_.patches.pieceOf[patch] == patches_.bridgedPiece[bridge]);
+  return wheelAxis(shape_->poses[shape_->reference], shape_->faces, ofPart);
+}
+
+void PatchMotion::setTurns(const std::vector<AddedTurns>& turns) {
+  const KeySteps steps{shape_->keys};
+  const std::size_t pairs = patches_.patches.pairs.size();
+  auto& increment = patches_.connection.increment;
+  for (std::size_t s = 0; s < increment.size(); ++s) std::copy(bridgeIncrement_[s].begin(), bridgeIncrement_[s].end(), increment[s].end() - static_cast<std::ptrdiff_t>(bridgeIncrement_[s].size()));
+  turns_.assign(steps.count(), 0);
+  const auto add = [&](int step, const AddedTurns& t) {
+    const auto piece = std::find(patches_.bridgedPiece.begin(), patches_.bridgedPiece.end(), t.component);
+    if (piece == patches_.bridgedPiece.end()) {  // the whole, or the component that carries all others
+      turns_[step] += t.turns;
+      return;
+    }
+    const auto bridge = static_cast<std::size_t>(piece - patches_.bridgedPiece.begin());
+    increment[step][pairs + bridge] += t.turns * twoPi * turnAxis(t.key - 1, bridge);
+  };
+  for (const AddedTurns& t : turns) {
+    add(t.key - 1, t);
+    if (shape_->closing && t.key == shape_->keys - 1) add(steps.turnedClosing(), t);
+  }
+}
+
+// A whole turn of everything about an axis of its own, taken with the step's share: the identity at every key.
+Quaternion PatchMotion::addedTurn(const CurvePoint& point) const {
+  Quaternion turn = Quaternion::Identity();
+  for (const StepShare& s : point.steps) {
+    if (turns_[s.step] == 0) continue;
+    Vec3 axis = axis_[s.step == KeySteps{shape_->keys}.turnedClosing() ? shape_->keys - 2 : s.step];
+    if (shape_->closing) axis = shape_->closing->power(s.period).rotation * axis;
+    turn = turn * expQuaternion(twoPi * turns_[s.step] * s.share * axis);
+  }
+  return turn;
+}
+
+void PatchMotion::at(const CurvePoint& point, Frames& frames) {
+  Solver& solver = point.closes ? loop_ : open_;
+  patches_.connection.at(point, connection_);
+  solver.system.solve(connection_, frameSteps, frames.rotation);
+  own_.at(point, path_);
+  Quaternion turn = solver.alignment.at(path_, frames.rotation);
+  if (shape_->closing && point.basePeriod != 0) turn = shape_->closing->power(point.basePeriod).rotation * turn;
+  turn = addedTurn(point) * turn;
   for (Quaternion& g : frames.rotation) g = (turn * g).normalized();
+  frames.gradient.clear();
 }
 
 }  // namespace shapespline

@@ -1,41 +1,60 @@
-// The patches of a shape as frames: their rotations from the connection maps (the first system of paper section 4.2),
-// components hung on their anchors, the whole turned to where the keys have it.
+// The patches of a shape as frames: their rotations from the connection maps (the first system of paper section 4.2), the whole turned
+// to where the keys have it.
 #pragma once
 
 #include <vector>
 
 #include "core/alignment.h"
 #include "core/frame_source.h"
+#include "core/options.h"
 #include "core/patch_coordinates.h"
 #include "core/patch_rotations.h"
-#include "core/pose_weights.h"
 
 namespace shapespline {
 
 class PatchMotion final : public FrameSource {
  public:
+  PatchMotion() = default;
+  PatchMotion(const PatchMotion&) = delete;  // its systems hold on to its graph
+  PatchMotion& operator=(const PatchMotion&) = delete;
+
   /// Factorises the first system. The shape must outlive this object.
-  Status build(const WeldedShape& shape, PatchCoordinates coordinates, int rootPatch);
+  Status build(const WeldedShape& shape, PatchCoordinates coordinates);
 
-  void at(const Weights& weights, Frames& frames) override;
+  void at(const CurvePoint& point, Frames& frames) override;
 
-  /// Patch rotations at `weights`, up to one common rotation. Components hang on their anchors.
-  void unaligned(const Weights& weights, std::vector<Quaternion>& rotation);
+  /// Adds whole turns on the way to keys; replaces those set before. A turn's component is a component of the shape here.
+  void setTurns(const std::vector<AddedTurns>& turns);
 
   const PatchCoordinates& coordinates() const { return patches_; }
   FramePoses poses() const { return {patches_.patches.ofFace, patches_.rotation}; }
-  Alignment& alignment() { return alignment_; }
-  const Alignment& alignment() const { return alignment_; }
+
+  /// How far the whole turns in a step between two keys, radians: the mean over the patches.
+  double wholeTurn(int step) const { return worldTurn(step).norm(); }
 
  private:
-  void hangComponents(const PoseWeights& weights, std::vector<Quaternion>& rotation) const;
+  // One for the steps of an open curve, one for those of a loop with its closing interval.
+  struct Solver {
+    PatchRotationSystem system;
+    Alignment alignment;
+  };
+  std::vector<int> stepsOf(bool loop) const;
+  Status buildSystem(Solver& solver, const std::vector<int>& steps);
+  void buildAlignment(Solver& solver, const std::vector<int>& steps);
+  void partWay(Solver& solver, int step, double share, std::vector<Quaternion>& rotation);
+  void findOwnIncrements(Solver& solver, int step);
+  Vec3 worldTurn(int step) const;
+  Vec3 turnAxis(int step, std::size_t bridge) const;
+  Quaternion addedTurn(const CurvePoint& point) const;
 
   const WeldedShape* shape_ = nullptr;
   PatchCoordinates patches_;
-  PatchRotationSystem system_;
-  Alignment alignment_;
-  std::vector<std::vector<int>> patchesOf_;  // patches of each piece
-  std::vector<Vec3> pair_;                   // scratch
+  RotationPaths own_;                // the rotation of each patch by itself
+  Solver open_, loop_;
+  std::vector<std::vector<Vec3>> bridgeIncrement_;  // [step][bridge], without added turns
+  std::vector<double> turns_;        // added to the whole in each step
+  std::vector<Vec3> axis_;           // of each step, world, at the key where it begins
+  std::vector<Quaternion> connection_, path_;       // scratch
 };
 
 }  // namespace shapespline

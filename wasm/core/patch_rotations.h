@@ -1,48 +1,48 @@
-// The first system: patch rotations from their connection maps (paper section 4.2).
+// The first system: patch rotations from their connection maps (paper section 4.2), smooth in them.
 #pragma once
 
 #include <vector>
 
 #include "core/cholesky.h"
-#include "core/patches.h"
+#include "core/patch_graph.h"
 #include "core/rotation.h"
 
 namespace shapespline {
 
-/// Minimises sum w_ij |G_j - G_i exp(x_ij)|_F^2 over SO(3) for every patch, free up to one rotation a piece.
+/// Rotations G_k with G_to near G_from C for every link, up to one common rotation.
 ///
-/// Starts on the spanning tree of largest weights and goes on by Gauss-Newton steps G <- exp(e) G. With the step in the
-/// common frame the normal matrix is the weighted Laplacian of the patch graph: constant, so that it is factored once
-/// and a step is one back-substitution. (With steps in each patch's own frame it holds the maps x_ij and is not.)
+/// Where the maps C disagree around cycles of links, sum w |G_to - G_from C|_F^2 over SO(3) has several minima, and the one that an
+/// iteration settles in changes with C suddenly. So there is no iteration: the rotations along a fixed tree, then a fixed number of
+/// steps of iteratively reweighted least squares from there, each a product of analytic functions and one back-substitution with a
+/// constant matrix. The result is an analytic function of the maps wherever they are. Exact where they agree.
+///
+/// Steps are taken in the common frame (G <- exp(e) G): the normal matrix is the weighted Laplacian of the graph, constant, and a
+/// bridge of the graph keeps its map exactly.
 class PatchRotationSystem {
  public:
   PatchRotationSystem() = default;
 
-  /// root: patch at which each piece starts, counted within the piece and taken modulo its size.
-  Status build(const Patches& patches, const std::vector<double>& pairWeight, int root);
+  /// graph: must outlive the system. weight: of each link, positive. Error: that of the solver.
+  Status build(const PatchGraph& graph, PatchTree tree, std::vector<double> weight);
 
-  /// pair: x_ij, one a pair. rotation: one a patch; resized. Returns the number of steps taken.
-  int solve(const std::vector<Vec3>& pair, std::vector<Quaternion>& rotation);
+  /// connection: C of each link. rotation: one a patch; resized. The tree's root stays near the identity.
+  void solve(const std::vector<Quaternion>& connection, int steps, std::vector<Quaternion>& rotation);
 
-  /// Patches, each after its parent in the spanning tree.
-  const std::vector<int>& order() const { return order_; }
-  /// Parent of each patch in the tree; -1 for the root of a piece.
-  const std::vector<int>& parent() const { return parent_; }
+  const PatchTree& tree() const { return tree_; }
 
  private:
-  void spanTree(const Patches& patches, int root);
-  void startOnTree(std::vector<Quaternion>& rotation) const;
-  double step(std::vector<Quaternion>& rotation);  // its largest length, radians
+  void startOnTree(const std::vector<Quaternion>& connection, std::vector<Quaternion>& rotation) const;
+  void step(const std::vector<Quaternion>& connection, std::vector<Quaternion>& rotation);
 
-  std::vector<PatchPair> pairs_;
+  const PatchGraph* graph_ = nullptr;
+  PatchTree tree_;
   std::vector<double> weight_;
-  std::vector<int> order_, parent_, parentPair_;
+  std::vector<double> area_;   // of each patch, over the whole
   Cholesky laplacian_;
   std::vector<int> position_;  // of each patch in the solver's vectors
-  // Scratch: exp(x_ij) of each pair; a step of each patch and what pulls it there.
+  // Scratch: what pulls each patch, then how it turns.
   using Vec4 = Eigen::Vector4d;
-  std::vector<Quaternion> connection_;
-  std::vector<Vec4, Eigen::aligned_allocator<Vec4>> step_;
+  std::vector<Vec4, Eigen::aligned_allocator<Vec4>> turn_;
 };
 
 }  // namespace shapespline

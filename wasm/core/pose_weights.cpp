@@ -2,15 +2,15 @@
 
 namespace shapespline {
 
-PoseWeights poseWeights(const Weights& w, const WeldedShape& shape) {
+PoseWeights poseWeights(const CurvePoint& point, const WeldedShape& shape) {
   const Columns columns{shape.keys};
+  const Weights& w = point.weights;
   PoseWeights result;
   result.column.assign(w.data(), w.data() + shape.keys);
   result.column.resize(shape.columns(), 0);
   if (shape.startTangent >= 0) result.column[shape.startTangent] = w[columns.startTangent()];
   if (shape.endTangent >= 0) result.column[shape.endTangent] = w[columns.endTangent()];
-  result.closing = w[columns.closing()];
-  result.column[0] += result.closing;
+  result.beyond = point.beyond;
   return result;
 }
 

@@ -11,13 +11,12 @@ namespace shapespline {
 
 /// Weights over the poses that were encoded.
 struct PoseWeights {
-  std::vector<double> column;  ///< one a column of the coordinates; the closing weight is counted in the first key's
-  double closing = 0;          ///< that weight, for the numbers that wind
+  std::vector<double> column;  ///< one per column of the coordinates
+  int beyond = -1;             ///< end key that the curve goes on from beyond the keys, or -1 within them
 };
 
-PoseWeights poseWeights(const Weights& weights, const WeldedShape& shape);
+PoseWeights poseWeights(const CurvePoint& point, const WeldedShape& shape);
 
-/// Weighted sum of one vector a column.
 Vec3 blend(const std::vector<Vec3>& columns, const PoseWeights& weights);
 
 }  // namespace shapespline

@@ -73,15 +73,13 @@ template <class Real>
 Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const PoseWeights& weights) const {
   Vec3 r = Vec3::Zero();
   for (int c = 0; c < lri_.face.columns(); ++c) r += weights.column[c] * lri_.face.rotation(face, c);
-  for (const Winding& winding : lri_.faceWinding)
-    if (winding.index == face) r += weights.closing * winding.difference;
   return frames_.rotation[frame] * expQuaternion(r);
 }
 
 template <class Real>
-void Reconstructor<Real>::faceRotations(const Weights& weights, std::vector<Quaternion>& rotation) {
-  const PoseWeights w = poseWeights(weights, *shape_);
-  source_->at(weights, frames_);
+void Reconstructor<Real>::faceRotations(const CurvePoint& point, std::vector<Quaternion>& rotation) {
+  const PoseWeights w = poseWeights(point, *shape_);
+  source_->at(point, frames_);
   rotation.resize(shape_->faceCount());
   for (int f = 0; f < shape_->faceCount(); ++f)
     rotation[f] = frameOf_[f] >= 0 ? faceRotation(f, frameOf_[f], w) : Quaternion::Identity();
@@ -98,11 +96,7 @@ int Reconstructor<Real>::assemble(const PoseWeights& weights, Real* x, Crew* cre
   }
   const ColumnWeights<Real> columnWeights = lri_.face.weights(weights.column);
   std::fill_n(x, 4 * static_cast<std::size_t>(poisson_.size()), Real(0));
-  const int lost = kernel_.accumulate(lri_.face, matrices_, columnWeights, x, crew);
-  if (weights.closing != 0)
-    for (const Winding& winding : lri_.faceWinding)
-      kernel_.accumulateShift(lri_.face, matrices_, columnWeights, winding.index, weights.closing * winding.difference, x);
-  return lost;
+  return kernel_.accumulate(lri_.face, matrices_, columnWeights, x, crew);
 }
 
 // Refinement starts from the key with the largest weight: a frame depends on its weights alone, never on another frame.
@@ -151,9 +145,10 @@ template <class Real>
 void Reconstructor<Real>::placeComponents(const PoseWeights& weights, const Real* x) {
   std::fill(shift_.begin(), shift_.end(), Vec3::Zero());
   for (const ComponentPlace& place : lri_.places) {
-    const Quaternion anchor = frames_.rotation[place.anchorFrame] * expQuaternion(blend(place.anchorRotation, weights));
+    const Quaternion anchor = faceRotation(place.anchorFace, place.anchorFrame, weights);
+    const Quaternion contact = faceRotation(place.contactFace, place.contactFrame, weights);
     const Vec3 wanted = placedCentroid(place.anchorFace, x) + anchor * blend(place.offset, weights);
-    shift_[place.piece] = wanted - placedCentroid(place.contactFace, x);
+    shift_[place.piece] = wanted - (placedCentroid(place.contactFace, x) + contact * place.pivot);
   }
 }
 
@@ -190,10 +185,10 @@ void Reconstructor<Real>::slotsToPlaces(Real* x) {
 }
 
 template <class Real>
-int Reconstructor<Real>::reconstruct(const Weights& weights, PlacedShape<Real>& shape, SequenceStats* stats, Crew* crew) {
+int Reconstructor<Real>::reconstruct(const CurvePoint& point, PlacedShape<Real>& shape, SequenceStats* stats, Crew* crew) {
   Stopwatch watch;
-  const PoseWeights w = poseWeights(weights, *shape_);
-  source_->at(weights, frames_);
+  const PoseWeights w = poseWeights(point, *shape_);
+  source_->at(point, frames_);
   shape.places.resize(4 * std::max(static_cast<std::size_t>(poisson_.size()), placeOf_.size()));
   Real* const x = shape.places.data();
   const int lost = assemble(w, x, crew);
@@ -209,8 +204,8 @@ int Reconstructor<Real>::reconstruct(const Weights& weights, PlacedShape<Real>& 
 }
 
 template <class Real>
-int Reconstructor<Real>::reconstruct(const Weights& weights, Positions& positions) {
-  const int lost = reconstruct(weights, placed_);
+int Reconstructor<Real>::reconstruct(const CurvePoint& point, Positions& positions) {
+  const int lost = reconstruct(point, placed_);
   positions.resize(placeOf_.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const Real* p = &placed_.places[4 * static_cast<std::size_t>(placeOf_[v])];
@@ -232,8 +227,14 @@ Status Reconstructor<Real>::embed(const FramePoses& poses) {
     loose.push_back(l.vertex);
   }
   const auto turn = [&](int f, int c) { return lri_.face.rotation(f, c); };
-  std::vector<std::pair<int, int>> anchors;
-  for (const ComponentPlace& place : lri_.places) anchors.emplace_back(place.anchorFace, place.contactFace);
+  std::vector<EmbeddedPlace> anchors;
+  for (const ComponentPlace& place : lri_.places) {
+    anchors.push_back({place.anchorFace, place.contactFace, {}});
+    for (int c = 0; c < shape_->columns(); ++c) {
+      const Quaternion anchor = poses.rotation[c][place.anchorFrame] * expQuaternion(turn(place.anchorFace, c));
+      anchors.back().pivot.push_back(centroidOf(shape_->poses[c], shape_->faces[place.anchorFace]) + anchor * place.offset[c]);
+    }
+  }
   Embedding embedding;
   const Status status = embedding.build(
       {*shape_, placeOf_, faceOfVertex, loose, frameOf_, pieceOfFace_, poses.rotation, turn, std::move(anchors), stretch_ == Stretch::Log});
@@ -242,11 +243,11 @@ Status Reconstructor<Real>::embed(const FramePoses& poses) {
 }
 
 template <class Real>
-Status Reconstructor<Real>::preview(const Weights& weights, const FramePoses& poses, PlacedShape<float>& shape) {
+Status Reconstructor<Real>::preview(const CurvePoint& point, const FramePoses& poses, PlacedShape<float>& shape) {
   if (!embedding_)
     if (Status status = embed(poses); !status) return status;
-  source_->at(weights, frames_);
-  embedding_->at(poseWeights(weights, *shape_), frames_.rotation, shape.places);
+  source_->at(point, frames_);
+  embedding_->at(poseWeights(point, *shape_), frames_.rotation, shape.places);
   shape.move = Vec3::Zero();
   return {};
 }

@@ -42,19 +42,19 @@ class Reconstructor {
   /// Orders and factorises the system and lays the faces' numbers out for it; the times of that go to stats.
   Status build(const Input& input, LriCoordinates<Real> coordinates, SequenceStats& stats, const StageProgress& onProgress);
 
-  /// The shape at `weights`, its mean position where the coordinates have it. Returns the number of faces whose interpolated
+  /// The shape at `point`, its mean position where the coordinates have it. Returns the number of faces whose interpolated
   /// S_f is not positive definite. The parts' wall times go to stats, if there is one.
-  int reconstruct(const Weights& weights, PlacedShape<Real>& shape, SequenceStats* stats = nullptr, Crew* crew = nullptr);
+  int reconstruct(const CurvePoint& point, PlacedShape<Real>& shape, SequenceStats* stats = nullptr, Crew* crew = nullptr);
 
   /// The same as one position a welded vertex.
-  int reconstruct(const Weights& weights, Positions& positions);
+  int reconstruct(const CurvePoint& point, Positions& positions);
 
-  /// The shape at `weights`, about (embedding.h), made for it when it is first asked for. poses: the frames that the
+  /// The shape at `point`, about (embedding.h), made for it when it is first asked for. poses: the frames that the
   /// coordinates are in. Error: that of the embedding's solver.
-  Status preview(const Weights& weights, const FramePoses& poses, PlacedShape<float>& shape);
+  Status preview(const CurvePoint& point, const FramePoses& poses, PlacedShape<float>& shape);
 
-  /// R_f of every face at `weights`; the identity for faces without area.
-  void faceRotations(const Weights& weights, std::vector<Quaternion>& rotation);
+  /// R_f of every face at `point`; the identity for faces without area.
+  void faceRotations(const CurvePoint& point, std::vector<Quaternion>& rotation);
 
   const LriCoordinates<Real>& coordinates() const { return lri_; }
   CholeskyStats solverStats() const { return poisson_.stats(); }

@@ -16,6 +16,9 @@ constexpr double twoPi = 2 * std::numbers::pi;
 // Below this angle the axis of a rotation vector is rounding noise (about the square root of double's epsilon).
 constexpr double axisEpsilon = 1e-8;
 
+// Within this of half a turn the sign of the principal logarithm is decided by rounding.
+constexpr double halfTurnMargin = 1e-3;
+
 // Up to one radian nine terms of the series of half an angle leave out less than a rounding, and cost a third of the C library's
 // sine and cosine.
 constexpr double seriesLimit = 1;
@@ -71,19 +74,16 @@ Vec3 addTurns(const Vec3& v, int turns, const Vec3& fallbackAxis) {
   return v + axis * (turns * twoPi);
 }
 
+Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before) {
+  return increment.norm() > std::numbers::pi - halfTurnMargin ? nearestRepresentative(increment, before) : increment;
+}
+
 void RotationMean::add(const Quaternion& q, double weight) {
   outer_.noalias() += weight * q.coeffs() * q.coeffs().transpose();
-  weight_ += weight;
 }
 
 Quaternion RotationMean::mean() const {
-  return weight_ > 0 ? leadingEigenvector(outer_) : Quaternion::Identity();
-}
-
-double RotationMean::condition() const {
-  if (weight_ <= 0) return 1;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(outer_, Eigen::EigenvaluesOnly);
-  return (solver.eigenvalues()[3] - solver.eigenvalues()[2]) / weight_;
+  return outer_.trace() > 0 ? leadingEigenvector(outer_) : Quaternion::Identity();
 }
 
 Mat3 projectToRotation(const Mat3& m) {

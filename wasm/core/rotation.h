@@ -24,6 +24,10 @@ Vec3 nearestRepresentative(const Vec3& rotationVector, const Vec3& target);
 /// The same rotation vector with `turns` whole turns added about its own axis; about `fallbackAxis` where it is zero.
 Vec3 addTurns(const Vec3& rotationVector, int turns, const Vec3& fallbackAxis);
 
+/// An increment of (almost) half a turn goes the way of the one before it: rounding decides the sign of its logarithm. Others
+/// stay as they are.
+Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before);
+
 /// Accumulates weighted rotations; its mean minimises sum w |R - G|_F^2 over SO(3), that is, the projection of the mean
 /// matrix. Kept as sum w q q^T, whose leading eigenvector is that mean (Davenport's q-method).
 class RotationMean {
@@ -31,13 +35,8 @@ class RotationMean {
   void add(const Quaternion& rotation, double weight);
   Quaternion mean() const;
 
-  /// How well the mean is defined, in [0, 1]: the gap between the two largest eigenvalues over their sum's bound. 1 when all
-  /// rotations agree; for a uniform twist by an angle a it is |sin(a / 2) / (a / 2)|, 0 where two means are equally good.
-  double condition() const;
-
  private:
   Eigen::Matrix4d outer_ = Eigen::Matrix4d::Zero();  // coefficients in the order x, y, z, w
-  double weight_ = 0;
 };
 
 /// Nearest rotation to a 3x3 matrix in the Frobenius norm, det = +1.

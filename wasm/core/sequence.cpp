@@ -23,7 +23,6 @@ Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
   if (o.ghostFaces < 0 || (o.ghostFaces > 0 && o.ghostFaces < leastGhostFaces))
     return invalid("A ghost mesh needs at least " + std::to_string(leastGhostFaces) + " faces, but " + grouped(o.ghostFaces) +
                    " are asked for. Use 0 to work without one.");
-  if (o.rootPatch < 0) return invalid("The root patch must not be negative.");
   for (const auto* tangent : {&o.startTangent, &o.endTangent}) {
     if (!*tangent) continue;
     if (static_cast<int>((*tangent)->size()) != k.vertexCount())
@@ -71,6 +70,7 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   Stopwatch watch;
   report("welding", 0);
   s.weldKeys(encoding, [&](double fraction) { report("welding", fraction); });
+  s.findClosing();
   s.stats.weldMs = watch.lap();
   report("welding", 1);
   auto shapeMotion = ShapeMotion::create(s.shape, encoding, s.stats, report);
@@ -80,15 +80,11 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   s.prepareShading([&](double fraction) { report("factorising", 0.95 + 0.02 * fraction); });
   report("factorising", 0.97);
   s.describeGhost();
-  s.findClosing();
-  report("factorising", 0.97);
-  s.decideAlignment([&](double fraction) { report("factorising", 0.97 + 0.03 * fraction); });
 
   s.stats.patches = s.shapeMotion->patchMotion().coordinates().patches.count;
   s.stats.weldedVertices = s.welding.count;
   const CholeskyStats solver = s.shapeMotion->solverStats();
   s.stats.factorBytes = solver.factorBytes + solver.indexBytes;
-  s.stats.alignedByPatches = s.shapeMotion->patchMotion().alignment().byPatches();
 
   Sequence sequence(std::move(state));
   if (Status status = sequence.update(motion, timesOf(s.raw)); !status) return status.error();
@@ -112,7 +108,7 @@ Status Sequence::update(const MotionOptions& motion, const std::vector<double>& 
   s.curve = std::move(*curve);
   s.motion = motion;
   for (int j = 0; j < s.shape.keys; ++j) s.raw.keys[j].time = keyTimes[j];
-  s.shapeMotion->patchMotion().alignment().setTurns(motion.turns);
+  s.shapeMotion->patchMotion().setTurns(motion.turns);
   s.collectWarnings();
   return {};
 }
@@ -120,8 +116,8 @@ Status Sequence::update(const MotionOptions& motion, const std::vector<double>& 
 Status Sequence::evaluate(double t, Frame& frame) {
   if (Status status = checkTime(t); !status) return status;
   const WrappedTime wrapped = state_->curve->wrap(t);
-  const Weights weights = state_->curve->weights(wrapped.time);
-  state_->fill(weights, state_->globalMotion(t, wrapped, weights), frame);
+  const CurvePoint point = state_->curve->at(wrapped.time);
+  state_->fill(point, state_->globalMotion(t, wrapped, point), frame);
   return {};
 }
 
@@ -129,20 +125,20 @@ Status Sequence::preview(double t, Frame& frame) {
   if (Status status = checkTime(t); !status) return status;
   State& s = *state_;
   const WrappedTime wrapped = s.curve->wrap(t);
-  const Weights weights = s.curve->weights(wrapped.time);
+  const CurvePoint point = s.curve->at(wrapped.time);
   if (blendsVertices(s.motion.method)) return evaluate(t, frame);
   frame.lostDefiniteness = 0;
   s.stats.facesMs = s.stats.solveMs = s.stats.placeMs = 0;
-  if (Status status = s.shapeMotion->previewAt(weights, s.placed); !status) return status;
-  s.finish(s.globalMotion(t, wrapped, weights), frame);
+  if (Status status = s.shapeMotion->previewAt(point, s.placed); !status) return status;
+  s.finish(s.globalMotion(t, wrapped, point), frame);
   return {};
 }
 
 Status Sequence::evaluate(double t, Positions& positions) {
   if (Status status = checkTime(t); !status) return status;
   const WrappedTime wrapped = state_->curve->wrap(t);
-  const Weights weights = state_->curve->weights(wrapped.time);
-  state_->fill(weights, state_->globalMotion(t, wrapped, weights), positions);
+  const CurvePoint point = state_->curve->at(wrapped.time);
+  state_->fill(point, state_->globalMotion(t, wrapped, point), positions);
   return {};
 }
 
@@ -155,7 +151,7 @@ Status Sequence::evaluateBlend(const std::vector<double>& blend, Frame& frame) {
   weights.head(columns.keys) = Eigen::Map<const Eigen::VectorXd>(blend.data(), columns.keys);
   if (!weights.allFinite() || std::abs(weights.sum() - 1) > 1e-6)
     return Error{ErrorCode::InvalidOption, "The weights must be finite and sum to 1."};
-  state_->fill(weights, {}, frame);
+  state_->fill(blendedPoint(weights, columns), {}, frame);
   return {};
 }
 
@@ -165,13 +161,13 @@ Status Sequence::evaluateGhost(double t, std::vector<float>& positions) {
   GhostMotion* ghost = s.shapeMotion->ghost();
   if (!ghost) return Error{ErrorCode::InvalidOption, "This sequence has no ghost mesh. Create it with ghost faces."};
   const WrappedTime wrapped = s.curve->wrap(t);
-  const Weights weights = s.curve->weights(wrapped.time);
-  const State::Global global = s.globalMotion(t, wrapped, weights);
-  if (blendsVertices(s.motion.method)) blendVertices(ghost->shape(), weights, s.ghostPositions);
-  else ghost->positions(weights, s.ghostPositions);
+  const CurvePoint point = s.curve->at(wrapped.time);
+  const RigidMotion global = s.globalMotion(t, wrapped, point);
+  if (blendsVertices(s.motion.method)) blendVertices(ghost->shape(), point, s.ghostPositions);
+  else ghost->positions(point, s.ghostPositions);
   positions.clear();
   for (const Vec3& p : s.ghostPositions)
-    for (const double x : global.apply(p)) positions.push_back(static_cast<float>(x));
+    for (const double x : global(p)) positions.push_back(static_cast<float>(x));
   return {};
 }
 

@@ -14,10 +14,14 @@ namespace {
 constexpr double samePose = 1e-4;
 // Above this the keys leave open which way and how often a part turned between them.
 constexpr double ambiguousTurn = 150 * std::numbers::pi / 180;
-// Times at which the mean rotation's condition is sampled, as an upper bound.
-constexpr int conditionSamples = 240;
-// The slider reaches this far beyond the ends, as a share of the key range.
-constexpr double margin = 0.4;
+
+Vec3 meanPosition(const Positions& positions) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& p : positions) sum += p;
+  return sum / static_cast<double>(positions.size());
+}
+
+bool moves(const RigidMotion& motion) { return motion.rotation.w() != 1 || motion.translation != Vec3::Zero(); }
 
 bool isLinear(Method method) { return method == Method::Geodesic || method == Method::Linear; }
 
@@ -31,8 +35,8 @@ std::vector<double> timesOf(const Keyframes& keyframes) {
 
 bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
 
-void blendVertices(const WeldedShape& shape, const Weights& weights, Positions& out) {
-  const PoseWeights w = poseWeights(weights, shape);
+void blendVertices(const WeldedShape& shape, const CurvePoint& point, Positions& out) {
+  const PoseWeights w = poseWeights(point, shape);
   out.assign(shape.vertexCount(), Vec3::Zero());
   for (int c = 0; c < shape.columns(); ++c)
     for (std::size_t v = 0; v < out.size(); ++v) out[v] += w.column[c] * shape.poses[c][v];
@@ -62,30 +66,11 @@ void Sequence::State::prepareShading(const FractionReport& onProgress) {
 }
 
 void Sequence::State::findClosing() {
-  const RigidFit fit = fitRigid(shape.poses.front(), shape.poses[shape.keys - 1]);
+  const Positions &first = shape.poses.front(), &last = shape.poses[shape.keys - 1];
+  const RigidFit fit = fitRigid(first, last);
   if (fit.largestDistance > samePose * diagonal) return;
-  closing = Closing::LastKey;
-  closingRotation = Quaternion(fit.rotation);
-}
-
-// Whether the mean rotation can be trusted is asked once, at the keys and at fixed times between and beyond them: asked for
-// every frame, the shape would jump while the time is dragged.
-void Sequence::State::decideAlignment(const FractionReport& onProgress) {
-  const std::vector<double> times = timesOf(raw);
-  const double span = times.back() - times.front();
-  const int samples = std::min(conditionSamples, 8 * shape.keys);
-  std::vector<std::vector<Quaternion>> sampled;
-  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Periodic}) {
-    const auto curveFit = Curve::fit(times, {.boundary = boundary, .closing = closing});
-    if (!curveFit) continue;
-    for (int i = 0; i <= samples; ++i) {
-      const double t = times.front() + span * (-margin + (1 + 2 * margin) * i / samples);
-      reportFraction(onProgress, static_cast<double>(sampled.size()) / (2 * samples + 2));
-      sampled.emplace_back();
-      shapeMotion->patchMotion().unaligned(curveFit->weights(curveFit->wrap(t).time), sampled.back());
-    }
-  }
-  shapeMotion->patchMotion().alignment().decide(sampled);
+  const Quaternion rotation(fit.rotation);
+  shape.closing = {rotation, meanPosition(last) - rotation * meanPosition(first)};
 }
 
 CurveOptions Sequence::State::curveOptions(const MotionOptions& o) const {
@@ -95,7 +80,7 @@ CurveOptions Sequence::State::curveOptions(const MotionOptions& o) const {
           .endSpeed = o.endSpeed,
           .startShape = shape.startTangent >= 0,
           .endShape = shape.endTangent >= 0,
-          .closing = closing,
+          .closing = shape.closing ? Closing::LastKey : Closing::Extra,
           .period = o.period,
           .tension = o.tension,
           .bias = o.bias};
@@ -103,17 +88,6 @@ CurveOptions Sequence::State::curveOptions(const MotionOptions& o) const {
 
 void Sequence::State::collectWarnings() {
   warnings.clear();
-  if (shapeMotion->patchMotion().alignment().largestIncrement() > ambiguousTurn)
-    warnings.push_back({"ambiguous-turn",
-                        "Between two keys the whole shape turns by more than 150 degrees. The keys alone do not say which "
-                        "way and how often: add whole turns to a key, or a key in between."});
-  if (shapeMotion->patchMotion().coordinates().largestPairTurn > ambiguousTurn)
-    warnings.push_back({"ambiguous-part-turn",
-                        "Between two keys neighbouring parts turn by more than 150 degrees against each other. Add a key in "
-                        "between if they go the wrong way."});
-  if (motion.boundary == BoundaryKind::Periodic && closing == Closing::Extra && shapeMotion->hasWinding())
-    warnings.push_back({"winding", "Some parts turn on by a whole turn in each period. Their motion is continuous where "
-                                   "the loop closes, but its speed may jump there."});
   if (wantedGhostFaces > 0 && stats.ghostFaces == 0)
     warnings.push_back({"ghost-off", "The shape has no more faces than the ghost mesh was to have: it moves without one."});
   if (stats.ghostFaces > wantedGhostFaces)
@@ -136,48 +110,40 @@ void Sequence::State::describeGhost() {
   ghost.ghostFaceOf = motion->correspondence();
 }
 
-Vec3 Sequence::State::meanPosition(const Weights& weights) const {
-  const PoseWeights w = poseWeights(weights, shape);
-  Vec3 sum = Vec3::Zero();
-  for (int c = 0; c < shape.columns(); ++c) sum += w.column[c] * shapeMotion->meanPosition()[c];
-  return sum;
-}
-
-Sequence::State::Global Sequence::State::globalMotion(double t, const WrappedTime& wrapped, const Weights& weights) const {
-  Global global;
+// What the shape is moved by after its reconstruction. Every period of a loop that ends elsewhere is one more of the rigid motion that
+// takes the first key to the last; so are the keys of other periods that the curve feels.
+RigidMotion Sequence::State::globalMotion(double t, const WrappedTime& wrapped, const CurvePoint& point) const {
+  RigidMotion global;
   const auto& mean = shapeMotion->meanPosition();
-  const Vec3 travel = mean[shape.keys - 1] - mean[0];
-  const bool closesOnLast = closing == Closing::LastKey && curve->end() <= raw.keys.back().time;
-  if (wrapped.periods != 0 && closesOnLast) {
-    // One more period is one more of the rigid motion that takes the first key to the last.
-    const Eigen::AngleAxisd once(closingRotation);
-    global.rotation = Eigen::AngleAxisd(once.angle() * wrapped.periods, once.axis()).toRotationMatrix();
-    global.pivot = meanPosition(weights);
-    global.translation = wrapped.periods * travel;
-    global.moves = true;
+  if (curve->closesOnLastKey()) {
+    for (const KeyWeight& k : point.unrolled)
+      if (k.period != 0) global.translation += k.weight * (shape.closing->power(k.period)(mean[k.key]) - mean[k.key]);
+    double exponent = wrapped.periods;
+    if (motion.inPlace) exponent -= (t - curve->start()) / (curve->end() - curve->start());
+    const RigidMotion further = shape.closing->power(exponent);
+    return {further.rotation, further(global.translation)};
   }
-  if (motion.inPlace && (!curve->periodic() || closesOnLast)) {
+  if (motion.inPlace && !curve->periodic()) {
     const double span = raw.keys.back().time - raw.keys.front().time;
-    global.translation -= (t - raw.keys.front().time) / span * travel;
-    global.moves = true;
+    global.translation -= (t - raw.keys.front().time) / span * (mean[shape.keys - 1] - mean[0]);
   }
   return global;
 }
 
-int Sequence::State::weldedShape(const Weights& weights, Positions& out) {
-  if (blendsVertices(motion.method)) return blendVertices(shape, weights, out), 0;
+int Sequence::State::weldedShape(const CurvePoint& point, Positions& out) {
+  if (blendsVertices(motion.method)) return blendVertices(shape, point, out), 0;
   ++stats.solves;
-  return shapeMotion->at(weights, out);
+  return shapeMotion->at(point, out);
 }
 
 // Leaves the shape in `placed`.
-int Sequence::State::placedShape(const Weights& weights) {
+int Sequence::State::placedShape(const CurvePoint& point) {
   if (!blendsVertices(motion.method)) {
     ++stats.solves;
-    return shapeMotion->at(weights, placed, stats, crew);
+    return shapeMotion->at(point, placed, stats, crew);
   }
   stats.facesMs = stats.solveMs = stats.placeMs = 0;
-  blendVertices(shape, weights, weldedPositions);
+  blendVertices(shape, point, weldedPositions);
   placed.move = Vec3::Zero();
   placed.places.resize(4 * weldedPositions.size());
   for (std::size_t v = 0; v < weldedPositions.size(); ++v)
@@ -186,26 +152,26 @@ int Sequence::State::placedShape(const Weights& weights) {
   return 0;
 }
 
-void Sequence::State::fill(const Weights& weights, const Global& global, Positions& positions) {
-  weldedShape(weights, weldedPositions);
-  if (global.moves)
-    for (Vec3& p : weldedPositions) p = global.apply(p);
+void Sequence::State::fill(const CurvePoint& point, const RigidMotion& global, Positions& positions) {
+  weldedShape(point, weldedPositions);
+  if (moves(global))
+    for (Vec3& p : weldedPositions) p = global(p);
   positions.resize(welding.weldedOfRaw.size());
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = weldedPositions[welding.weldedOfRaw[v]];
 }
 
-void Sequence::State::fill(const Weights& weights, const Global& global, Frame& frame) {
-  frame.lostDefiniteness = placedShape(weights);
+void Sequence::State::fill(const CurvePoint& point, const RigidMotion& global, Frame& frame) {
+  frame.lostDefiniteness = placedShape(point);
   finish(global, frame);
 }
 
 // From `placed` to what is drawn.
-void Sequence::State::finish(const Global& global, Frame& frame) {
+void Sequence::State::finish(const RigidMotion& global, Frame& frame) {
   Stopwatch watch;
   std::vector<float>& places = placed.places;
-  if (global.moves) {
+  if (moves(global)) {
     for (std::size_t i = 0; i < places.size(); i += 4) {
-      const Vec3 p = global.apply(Vec3(places[i], places[i + 1], places[i + 2]) + placed.move);
+      const Vec3 p = global(Vec3(places[i], places[i + 1], places[i + 2]) + placed.move);
       for (int k = 0; k < 3; ++k) places[i + k] = static_cast<float>(p[k]);
     }
     placed.move = Vec3::Zero();
@@ -221,7 +187,7 @@ const Eigen::MatrixXd& Sequence::State::gramMatrix() {
 }
 
 Eigen::VectorXd Sequence::State::poseWeightsAt(double t) const {
-  const PoseWeights w = poseWeights(curve->weights(curve->wrap(t).time), shape);
+  const PoseWeights w = poseWeights(curve->at(curve->wrap(t).time), shape);
   return Eigen::Map<const Eigen::VectorXd>(w.column.data(), static_cast<Eigen::Index>(w.column.size()));
 }
 

@@ -19,7 +19,7 @@ std::vector<double> timesOf(const Keyframes& keyframes);
 
 /// Whether the method moves every vertex on its own: the baselines.
 bool blendsVertices(Method method);
-void blendVertices(const WeldedShape& shape, const Weights& weights, Positions& out);
+void blendVertices(const WeldedShape& shape, const CurvePoint& point, Positions& out);
 
 struct Sequence::State {
   Keyframes raw;
@@ -30,8 +30,6 @@ struct Sequence::State {
   WeldedShape shape;
   Shading shading;
   double diagonal = 0;
-  Closing closing = Closing::Extra;
-  Quaternion closingRotation = Quaternion::Identity();  // of the rigid motion from the first key to the last
   std::unique_ptr<ShapeMotion> shapeMotion;
   std::optional<Curve> curve;
   SequenceStats stats;
@@ -46,24 +44,15 @@ struct Sequence::State {
   void weldKeys(const EncodingOptions& encoding, const FractionReport& onProgress);
   void prepareShading(const FractionReport& onProgress);
   void findClosing();
-  void decideAlignment(const FractionReport& onProgress);
   CurveOptions curveOptions(const MotionOptions& options) const;
   void describeGhost();
   void collectWarnings();
-  // How far and how the whole shape is moved after its reconstruction at a wrapped time.
-  struct Global {
-    Mat3 rotation = Mat3::Identity();
-    Vec3 pivot = Vec3::Zero(), translation = Vec3::Zero();
-    bool moves = false;
-    Vec3 apply(const Vec3& p) const { return rotation * (p - pivot) + pivot + translation; }
-  };
-  Global globalMotion(double t, const WrappedTime& wrapped, const Weights& weights) const;
-  Vec3 meanPosition(const Weights& weights) const;
-  int weldedShape(const Weights& weights, Positions& out);
-  int placedShape(const Weights& weights);
-  void fill(const Weights& weights, const Global& global, Frame& frame);
-  void finish(const Global& global, Frame& frame);
-  void fill(const Weights& weights, const Global& global, Positions& positions);
+  RigidMotion globalMotion(double t, const WrappedTime& wrapped, const CurvePoint& point) const;
+  int weldedShape(const CurvePoint& point, Positions& out);
+  int placedShape(const CurvePoint& point);
+  void fill(const CurvePoint& point, const RigidMotion& global, Frame& frame);
+  void finish(const RigidMotion& global, Frame& frame);
+  void fill(const CurvePoint& point, const RigidMotion& global, Positions& positions);
   const Eigen::MatrixXd& gramMatrix();
   Eigen::VectorXd poseWeightsAt(double t) const;
 };

@@ -21,7 +21,6 @@ struct SequenceStats {
   int ghostFaces = 0, ghostVertices = 0;  ///< 0 without a ghost
   int joinedComponents = 0;               ///< components too small for a ghost of their own
   double simplifyMs = 0, transferMs = 0;  ///< with a ghost: collapses; correspondence and residuals
-  bool alignedByPatches = false;  ///< the mean rotation was badly conditioned (alignment.h)
   /// Wall time of the last frame's parts: spline, frames and right-hand side; the full-resolution solve; placing the
   /// vertices; normals and what is drawn, in the order of the raw vertices.
   double facesMs = 0, solveMs = 0, placeMs = 0, normalsMs = 0;

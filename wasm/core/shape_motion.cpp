@@ -39,23 +39,23 @@ class TypedMotion final : public ShapeMotion {
     return status;
   }
 
-  int at(const Weights& weights, Positions& welded) override {
-    return reconstructor_.reconstruct(weights, welded);
+  int at(const CurvePoint& point, Positions& welded) override {
+    return reconstructor_.reconstruct(point, welded);
   }
 
-  int at(const Weights& weights, PlacedShape<float>& placed, SequenceStats& stats, Crew* crew) override {
+  int at(const CurvePoint& point, PlacedShape<float>& placed, SequenceStats& stats, Crew* crew) override {
     if constexpr (std::is_same_v<Real, float>) {
-      return reconstructor_.reconstruct(weights, placed, &stats, crew);
+      return reconstructor_.reconstruct(point, placed, &stats, crew);
     } else {
-      const int lost = reconstructor_.reconstruct(weights, placed_, &stats, crew);
+      const int lost = reconstructor_.reconstruct(point, placed_, &stats, crew);
       placed.places.assign(placed_.places.begin(), placed_.places.end());
       placed.move = placed_.move;
       return lost;
     }
   }
 
-  Status previewAt(const Weights& weights, PlacedShape<float>& placed) override {
-    return reconstructor_.preview(weights, ghost_ ? ghost_->poses() : patches_.poses(), placed);
+  Status previewAt(const CurvePoint& point, PlacedShape<float>& placed) override {
+    return reconstructor_.preview(point, ghost_ ? ghost_->poses() : patches_.poses(), placed);
   }
 
   PatchMotion& patchMotion() override { return ghost_ ? ghost_->patchMotion() : patches_; }
@@ -70,10 +70,6 @@ class TypedMotion final : public ShapeMotion {
   }
   const std::vector<Vec3>& meanPosition() const override { return reconstructor_.coordinates().meanPosition; }
   const std::vector<int>& placeOf() const override { return reconstructor_.placeOf(); }
-  bool hasWinding() const override {
-    const bool ghostWinds = ghost_ && !ghost_->coordinates().faceWinding.empty();
-    return ghostWinds || !patchMotion().coordinates().pairWinding.empty() || !reconstructor_.coordinates().faceWinding.empty();
-  }
   CholeskyStats solverStats() const override { return reconstructor_.solverStats(); }
 
  private:
@@ -84,7 +80,9 @@ class TypedMotion final : public ShapeMotion {
 
   Status buildPatches(const ShapeParts& parts, const EncodingOptions& options, SequenceStats& stats, const FractionReport& onProgress) {
     Stopwatch watch;
-    const Status status = patches_.build(shape_, encodePatches(shape_, parts, options.patches, onProgress), options.rootPatch);
+    auto patches = encodePatches(shape_, parts, options.patches, onProgress);
+    if (!patches) return patches.error();
+    const Status status = patches_.build(shape_, std::move(*patches));
     ++stats.factorisations;
     stats.encodeMs += watch.lap();
     return status;

@@ -25,13 +25,13 @@ class ShapeMotion {
   virtual ~ShapeMotion() = default;
 
   /// Both return the number of faces whose interpolated S_f is not positive definite.
-  virtual int at(const Weights& weights, Positions& welded) = 0;
+  virtual int at(const CurvePoint& point, Positions& welded) = 0;
   /// placed: what is drawn. The parts' wall times go to stats.
-  virtual int at(const Weights& weights, PlacedShape<float>& placed, SequenceStats& stats, Crew* crew) = 0;
+  virtual int at(const CurvePoint& point, PlacedShape<float>& placed, SequenceStats& stats, Crew* crew) = 0;
 
   /// The shape as embedded in its frames (embedding.h): cheap and close. The embedding is made when it is first asked for.
   /// Error: that of its solver.
-  virtual Status previewAt(const Weights& weights, PlacedShape<float>& placed) = 0;
+  virtual Status previewAt(const CurvePoint& point, PlacedShape<float>& placed) = 0;
 
   /// The patches that everything follows.
   virtual PatchMotion& patchMotion() = 0;
@@ -46,7 +46,6 @@ class ShapeMotion {
   virtual const std::vector<Vec3>& meanPosition() const = 0;  ///< one a column
   /// Of each welded vertex, a permutation that brings neighbours together (reconstruct.h).
   virtual const std::vector<int>& placeOf() const = 0;
-  virtual bool hasWinding() const = 0;
   virtual CholeskyStats solverStats() const = 0;
 };
 

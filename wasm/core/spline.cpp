@@ -28,33 +28,23 @@ MatrixXd solveTridiagonal(const VectorXd& lower, VectorXd diagonal, const Vector
   return rhs;
 }
 
-// The same with corners lower[0] (at row 0, last column) and upper[n - 1] (at the last row, column 0), by Sherman and
-// Morrison's formula. n >= 3.
-MatrixXd solveCyclic(const VectorXd& lower, VectorXd diagonal, const VectorXd& upper, const MatrixXd& rhs) {
-  const Eigen::Index n = diagonal.size();
-  const double alpha = upper[n - 1], beta = lower[0], gamma = -diagonal[0];
-  diagonal[0] -= gamma;
-  diagonal[n - 1] -= alpha * beta / gamma;
-  VectorXd u = VectorXd::Zero(n);
-  u[0] = gamma, u[n - 1] = alpha;
-  const MatrixXd y = solveTridiagonal(lower, diagonal, upper, rhs);
-  const VectorXd z = solveTridiagonal(lower, diagonal, upper, u);
-  const RowVectorXd vy = y.row(0) + (beta / gamma) * y.row(n - 1);
-  const double vz = z[0] + (beta / gamma) * z[n - 1];
-  return y - z * (vy / (1 + vz));
-}
+// Keys to either side of a period whose influence on it can be felt: a cubic spline's falls by 0.27 from key to key where they are even,
+// and at least by half.
+constexpr int knotsBeyond = 40;
 
 struct Spans {
   VectorXd h;        // knots - 1
   MatrixXd secant;   // difference quotients, (knots - 1) x columns
 };
 
-Spans spansOf(const std::vector<double>& knots, const MatrixXd& value) {
-  const auto n = static_cast<Eigen::Index>(knots.size());
-  Spans spans{VectorXd(n - 1), MatrixXd(n - 1, value.cols())};
+// columns: the knots and the two tangents.
+Spans spansOf(const VectorXd& times) {
+  const Eigen::Index n = times.size();
+  Spans spans{VectorXd(n - 1), MatrixXd::Zero(n - 1, n + 2)};
   for (Eigen::Index i = 0; i + 1 < n; ++i) {
-    spans.h[i] = knots[i + 1] - knots[i];
-    spans.secant.row(i) = (value.row(i + 1) - value.row(i)) / spans.h[i];
+    spans.h[i] = times[i + 1] - times[i];
+    spans.secant(i, i + 1) = 1 / spans.h[i];
+    spans.secant(i, i) = -1 / spans.h[i];
   }
   return spans;
 }
@@ -83,32 +73,6 @@ MatrixXd openSlopes(const Spans& s, const CurveOptions& options, const RowVector
   return solveTridiagonal(lower, diagonal, upper, rhs);
 }
 
-// Slopes of the periodic spline: first and second derivative agree where the curve closes.
-MatrixXd periodicSlopes(const Spans& s) {
-  const Eigen::Index n = s.h.size();  // as many unknown slopes as intervals
-  MatrixXd slopes(n + 1, s.secant.cols());
-  VectorXd lower(n), diagonal(n), upper(n);
-  MatrixXd rhs(n, s.secant.cols());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index before = (i + n - 1) % n;
-    lower[i] = 1 / s.h[before];
-    upper[i] = 1 / s.h[i];
-    diagonal[i] = 2 * (lower[i] + upper[i]);
-    rhs.row(i) = 3 * (s.secant.row(before) * lower[i] + s.secant.row(i) * upper[i]);
-  }
-  if (n == 1) {
-    slopes.row(0) = s.secant.row(0);
-  } else if (n == 2) {  // both neighbours are the same knot: the matrix is [d, o; o, d]
-    const double d = diagonal[0], o = lower[0] + upper[0], determinant = d * d - o * o;
-    slopes.row(0) = (d * rhs.row(0) - o * rhs.row(1)) / determinant;
-    slopes.row(1) = (d * rhs.row(1) - o * rhs.row(0)) / determinant;
-  } else {
-    slopes.topRows(n) = solveCyclic(lower, diagonal, upper, rhs);
-  }
-  slopes.row(n) = slopes.row(0);
-  return slopes;
-}
-
 Status checkOptions(const CurveOptions& o, int keyCount) {
   if (!std::isfinite(o.startSpeed) || !std::isfinite(o.endSpeed))
     return Error{ErrorCode::InvalidOption, "A Hermite speed is not a finite number. Use 0 to ease, 1 for the default."};
@@ -129,11 +93,9 @@ Status checkOptions(const CurveOptions& o, int keyCount) {
 // positive bias and after it for a negative one, as in Kochanek and Bartels (1984), whose splines start from the mean of
 // the two; then the whole is scaled. All of it is linear in the columns, so that the weights stay affine. 0 leaves the
 // slope as it is, bit for bit; anything else costs the continuity of the second derivative there, never of the first.
-void shapeSlope(MatrixXd& slope, const Spans& s, Eigen::Index knot, double bias, double tension, bool closed) {
-  const Eigen::Index spans = s.h.size();
+void shapeSlope(MatrixXd& slope, const Spans& s, Eigen::Index knot, double bias, double tension) {
   if (bias != 0) {
-    const Eigen::Index before = knot > 0 ? knot - 1 : (closed ? spans - 1 : 0);
-    const Eigen::Index after = knot < spans ? knot : (closed ? 0 : spans - 1);
+    const Eigen::Index before = std::max<Eigen::Index>(knot - 1, 0), after = std::min(knot, s.h.size() - 1);
     slope.row(knot) = (1 - std::abs(bias)) * slope.row(knot) + std::abs(bias) * s.secant.row(bias > 0 ? before : after);
   }
   if (tension != 0) slope.row(knot) *= 1 - tension;
@@ -155,69 +117,81 @@ Result<Curve> Curve::fit(const std::vector<double>& times, const CurveOptions& o
   curve.columns_ = Columns{keys};
   curve.linear_ = options.linear;
   curve.periodic_ = options.boundary == BoundaryKind::Periodic;
-  curve.knots_ = times;
-  Closing closing = options.closing;
+  const double span = times.back() - times.front();
+  double period = 0;
   if (curve.periodic_) {
-    const double span = times.back() - times.front();
-    const double period = options.period.value_or(defaultPeriod(times, closing));
+    period = options.period.value_or(defaultPeriod(times, options.closing));
     const bool spansKeys = std::abs(period - span) <= 1e-9 * span;
-    if (closing == Closing::LastKey && !spansKeys) closing = Closing::Extra;
-    if (closing == Closing::Extra) {
-      if (!(period > span) || spansKeys || !std::isfinite(period))
-        return Error{ErrorCode::InvalidOption, "The period " + shortNumber(period) +
-                                                   " is not longer than the time from the first key to the last, " +
-                                                   shortNumber(span) + ". Choose a longer period or move the keys."};
-      curve.knots_.push_back(times.front() + period);
-    }
+    curve.closes_ = options.closing == Closing::Extra || !spansKeys;
+    if (curve.closes_ && (!(period > span) || spansKeys || !std::isfinite(period)))
+      return Error{ErrorCode::InvalidOption, "The period " + shortNumber(period) +
+                                                 " is not longer than the time from the first key to the last, " +
+                                                 shortNumber(span) + ". Choose a longer period or move the keys."};
+    if (!curve.closes_) period = span;
   }
+  curve.start_ = times.front();
+  curve.end_ = curve.closes_ ? times.front() + period : times.back();
+  curve.placeKnots(times, period);
 
-  const auto knotCount = static_cast<Eigen::Index>(curve.knots_.size());
-  curve.value_ = MatrixXd::Zero(knotCount, curve.columns_.count());
-  for (int j = 0; j < keys; ++j) curve.value_(j, j) = 1;
-  if (knotCount > keys) curve.value_(keys, curve.columns_.closing()) = 1;
-
-  const Spans spans = spansOf(curve.knots_, curve.value_);
+  const auto count = static_cast<Eigen::Index>(curve.knots_.size());
+  VectorXd knotTimes(count);
+  for (Eigen::Index i = 0; i < count; ++i) knotTimes[i] = curve.knots_[i].time;
+  const Spans spans = spansOf(knotTimes);
   if (options.linear) return curve;
-  if (curve.periodic_) {
-    curve.slope_ = periodicSlopes(spans);
-  } else {
-    RowVectorXd start = spans.secant.row(0), end = spans.secant.row(keys - 2);
-    if (options.startShape) {
-      start.setZero();
-      start[curve.columns_.startTangent()] = 1 / spans.h[0];
-      start[0] = -1 / spans.h[0];
-    }
-    if (options.endShape) {
-      end.setZero();
-      end[keys - 1] = 1 / spans.h[keys - 2];
-      end[curve.columns_.endTangent()] = -1 / spans.h[keys - 2];
-    }
-    curve.slope_ = openSlopes(spans, options, options.startSpeed * start, options.endSpeed * end);
+  RowVectorXd start = spans.secant.row(0), end = spans.secant.row(count - 2);
+  if (!curve.periodic_ && options.startShape) {
+    start.setZero();
+    start[count] = 1 / spans.h[0];
+    start[0] = -1 / spans.h[0];
   }
-  // The last knot of a closed curve is its first again.
-  const auto at = [&](const std::vector<double>& values, Eigen::Index i) {
-    return values.empty() ? 0 : values[curve.periodic_ && i + 1 == knotCount ? 0 : i];
-  };
-  for (Eigen::Index i = 0; i < knotCount; ++i)
-    shapeSlope(curve.slope_, spans, i, at(options.bias, i), at(options.tension, i), curve.periodic_);
+  if (!curve.periodic_ && options.endShape) {
+    end.setZero();
+    end[count - 1] = 1 / spans.h[count - 2];
+    end[count + 1] = -1 / spans.h[count - 2];
+  }
+  curve.slope_ = openSlopes(spans, options, options.startSpeed * start, options.endSpeed * end);
+  const auto at = [&](const std::vector<double>& values, Eigen::Index i) { return values.empty() ? 0 : values[curve.knots_[i].key]; };
+  for (Eigen::Index i = 0; i < count; ++i) shapeSlope(curve.slope_, spans, i, at(options.bias, i), at(options.tension, i));
   return curve;
 }
 
-Weights Curve::weights(double t, int derivative) const {
-  const Eigen::Index last = static_cast<Eigen::Index>(knots_.size()) - 1;
-  const auto upper = std::upper_bound(knots_.begin(), knots_.end(), t) - knots_.begin();
+void Curve::placeKnots(const std::vector<double>& times, double period) {
+  const int keys = columns_.keys;
+  const KeySteps steps{keys};
+  if (!periodic_) {
+    for (int j = 0; j < keys; ++j) knots_.push_back({times[j], j, 0, j});
+    return;
+  }
+  const int perPeriod = closes_ ? keys : keys - 1;  // the last key is the first one again
+  const int periods = (knotsBeyond + perPeriod - 1) / perPeriod;
+  for (int p = -periods; p <= periods; ++p)
+    for (int j = 0; j < perPeriod; ++j) {
+      const bool last = j + 1 == perPeriod;
+      knots_.push_back({times[j] + p * period, j, p, !last ? j : closes_ ? steps.closing() : steps.turnedClosing()});
+    }
+  knots_.push_back({times[0] + (periods + 1) * period, 0, periods + 1, -1});
+}
+
+Weights Curve::atKnots(double t, int derivative) const {
+  const auto last = static_cast<Eigen::Index>(knots_.size()) - 1;
+  const auto upper = std::upper_bound(knots_.begin(), knots_.end(), t, [](double time, const Knot& k) { return time < k.time; }) - knots_.begin();
   const Eigen::Index i = std::clamp<Eigen::Index>(upper - 1, 0, last - 1);
-  const double h = knots_[i + 1] - knots_[i];
-  const double u = (t - knots_[i]) / h;
+  const double h = knots_[i + 1].time - knots_[i].time;
+  const double u = (t - knots_[i].time) / h;
+  Weights result = Weights::Zero(last + 3);
   if (linear_) {
-    const RowVectorXd secant = (value_.row(i + 1) - value_.row(i)) / h;
-    if (derivative == 0) return ((1 - u) * value_.row(i) + u * value_.row(i + 1)).transpose();
-    return derivative == 1 ? Weights(secant.transpose()) : Weights(Weights::Zero(columns_.count()));
+    if (derivative == 0) result[i] = 1 - u, result[i + 1] = u;
+    if (derivative == 1) result[i] = -1 / h, result[i + 1] = 1 / h;
+    return result;
   }
   if (u < 0 || u > 1) {  // beyond the ends (paper section 3.2): f(t) = f(t_e) + f'(t_e) (t - t_e)
     const Eigen::Index e = u < 0 ? 0 : last;
-    if (derivative == 0) return (value_.row(e) + (t - knots_[e]) * slope_.row(e)).transpose();
-    return derivative == 1 ? Weights(slope_.row(e).transpose()) : Weights(Weights::Zero(columns_.count()));
+    if (derivative == 0) {
+      result = (t - knots_[e].time) * slope_.row(e).transpose();
+      result[e] += 1;
+    }
+    if (derivative == 1) result = slope_.row(e).transpose();
+    return result;
   }
   double v0, v1, s0, s1;  // cubic Hermite basis and its derivatives
   if (derivative == 0) {
@@ -231,7 +205,78 @@ Weights Curve::weights(double t, int derivative) const {
     v1 = (6 - 12 * u) / (h * h), v0 = -v1;
     s0 = (6 * u - 4) / h, s1 = (6 * u - 2) / h;
   }
-  return (v0 * value_.row(i) + v1 * value_.row(i + 1) + s0 * slope_.row(i) + s1 * slope_.row(i + 1)).transpose();
+  result = (s0 * slope_.row(i) + s1 * slope_.row(i + 1)).transpose();
+  result[i] += v0;
+  result[i + 1] += v1;
+  return result;
+}
+
+Weights Curve::addUp(const Weights& atKnots) const {
+  const auto count = static_cast<Eigen::Index>(knots_.size());
+  Weights result = Weights::Zero(columns_.count());
+  for (Eigen::Index i = 0; i < count; ++i) result[knots_[i].key] += atKnots[i];
+  result.tail<2>() = atKnots.tail<2>();
+  return result;
+}
+
+Weights Curve::weights(double t, int derivative) const { return addUp(atKnots(t, derivative)); }
+
+namespace {
+
+// Increments whose share is this small turn nothing that can be seen; what is left of a step that is done is as small.
+constexpr double negligibleShare = 1e-12;
+
+// Leaves out what is done and what has not begun. The tangents stand beside the keys that they belong to.
+void gatherSteps(CurvePoint& point, const std::vector<StepShare>& steps, double startWeight, double endWeight, KeySteps numbers) {
+  std::size_t first = 0;
+  while (startWeight == 0 && first < steps.size() && std::abs(steps[first].share - 1) < negligibleShare) ++first;
+  if (startWeight != 0) point.steps.push_back({numbers.startTangent(), startWeight, 0});
+  for (std::size_t i = first; i < steps.size(); ++i)
+    if (std::abs(steps[i].share) >= negligibleShare) point.steps.push_back(steps[i]);
+  if (endWeight != 0) point.steps.push_back({numbers.endTangent(), endWeight, 0});
+  point.base = static_cast<int>(first);
+}
+
+}  // namespace
+
+CurvePoint blendedPoint(const Weights& weights, Columns columns) {
+  CurvePoint point;
+  point.weights = weights;
+  const double startWeight = weights[columns.startTangent()], endWeight = weights[columns.endTangent()];
+  // An end tangent is the end key plus a difference, so that its weight counts for that key too.
+  std::vector<StepShare> steps(columns.keys - 1);
+  double share = endWeight;
+  for (int j = columns.keys - 1; j > 0; --j) {
+    share += weights[j];
+    steps[j - 1] = {j - 1, share, 0};
+  }
+  gatherSteps(point, steps, startWeight, endWeight, {columns.keys});
+  return point;
+}
+
+CurvePoint Curve::at(double t) const {
+  const Weights atEach = atKnots(t, 0);
+  if (!periodic_) {
+    CurvePoint point = blendedPoint(atEach, columns_);
+    point.beyond = t < start_ ? 0 : t > end_ ? columns_.keys - 1 : -1;
+    return point;
+  }
+  CurvePoint point;
+  point.weights = addUp(atEach);
+  point.closes = closes_;
+  std::vector<StepShare> steps(knots_.size() - 1);
+  double share = 0;
+  for (std::size_t i = knots_.size() - 1; i > 0; --i) {
+    share += atEach[static_cast<Eigen::Index>(i)];
+    steps[i - 1] = {knots_[i - 1].step, share, knots_[i - 1].period};
+  }
+  gatherSteps(point, steps, 0, 0, {columns_.keys});
+  const Knot& base = knots_[point.base];
+  point.base = base.key;
+  point.basePeriod = base.period;
+  for (std::size_t i = 0; i < knots_.size(); ++i)
+    if (const double w = atEach[static_cast<Eigen::Index>(i)]; w != 0) point.unrolled.push_back({knots_[i].key, knots_[i].period, w});
+  return point;
 }
 
 WrappedTime Curve::wrap(double t) const {

@@ -29,16 +29,53 @@ struct CurveOptions {
   std::vector<double> bias = {};
 };
 
-/// The columns that a weight vector of J keys ranges over: keys 0 to J - 1, then these.
+/// The columns that a weight vector of J keys ranges over: keys 0 to J - 1, then the shapes that stand for end tangents.
 struct Columns {
   int keys;
   int startTangent() const { return keys; }
   int endTangent() const { return keys + 1; }
-  int closing() const { return keys + 2; }  ///< key 1 as the curve meets it again after one period
-  int count() const { return keys + 3; }
+  int count() const { return keys + 2; }
 };
 
 using Weights = Eigen::VectorXd;  ///< Columns::count() entries; they sum to 1 (a derivative's to 0)
+
+/// The ways from one pose to the next, each with an increment of every rotation that moves through the keys. Step s leads from
+/// key s to key s + 1; the others have numbers behind those.
+struct KeySteps {
+  int keys;
+  int closing() const { return keys - 1; }           ///< from the last key to the first, where a loop closes over an interval of its own
+  int turnedClosing() const { return keys; }         ///< from the last key but one to the first as the last key has it, moved rigidly
+  int startTangent() const { return keys + 1; }      ///< from the first key to the shape that gives the start tangent
+  int endTangent() const { return keys + 2; }        ///< from the last key to the shape that gives the end tangent
+  int count() const { return keys + 3; }
+};
+
+/// What of a step has been taken: its cumulative weight (Kim, Kim and Shin 1995), 0 before and 1 after it but for the spline's overshoot.
+struct StepShare {
+  int step;
+  double share;
+  int period;  ///< of a periodic curve: how many periods after the first one the step lies
+};
+
+/// A key of a periodic curve, as often as the curve comes to it.
+struct KeyWeight {
+  int key, period;
+  double weight;
+};
+
+/// A point of the curve, for all that is linear in the keys and for all that turns.
+struct CurvePoint {
+  Weights weights;
+  int base = 0;        ///< key at which products of increments start: every step before it is done
+  int basePeriod = 0;  ///< of a periodic curve: the period of that key
+  std::vector<StepShare> steps;       ///< from there on, in the order of time; steps not begun are left out
+  std::vector<KeyWeight> unrolled;    ///< of a periodic curve: `weights` before they were added up over the periods; else empty
+  bool closes = false;                ///< whether the closing step is among those that the curve takes
+  int beyond = -1;                    ///< end key that the curve goes on from beyond the keys, or -1 within them
+};
+
+/// The point whose weights are given: a blend of keys that need not lie on any curve.
+CurvePoint blendedPoint(const Weights& weights, Columns columns);
 
 /// A time taken back into one period.
 struct WrappedTime {
@@ -46,7 +83,8 @@ struct WrappedTime {
   int periods = 0;  ///< whole periods that were taken off
 };
 
-/// A fitted curve: knots and the slope at each as a combination of the columns. Immutable.
+/// A fitted curve: knots and the slope at each as a combination of the columns. A periodic curve is a natural spline over
+/// so many periods to either side that its ends are not felt; so every period is the next one's copy, whatever turns. Immutable.
 class Curve {
  public:
   /// times: J >= 2, strictly increasing. Errors: InvalidOption (period too short, tensions or biases of another count,
@@ -54,22 +92,38 @@ class Curve {
   static Result<Curve> fit(const std::vector<double>& times, const CurveOptions& options);
 
   /// Weights of the value (derivative 0) or of its first or second derivative at time t. Outside the knots: linear from
-  /// the end derivative. A periodic curve is only defined on its knots: wrap() first.
+  /// the end derivative. A periodic curve is only defined on one period: wrap() first.
   Weights weights(double t, int derivative = 0) const;
+
+  /// The curve at time t, likewise.
+  CurvePoint at(double t) const;
 
   WrappedTime wrap(double t) const;
 
-  /// First and last knot: the key range, for a periodic curve one whole period.
-  double start() const { return knots_.front(); }
-  double end() const { return knots_.back(); }
+  /// First and last time: the key range, for a periodic curve one whole period.
+  double start() const { return start_; }
+  double end() const { return end_; }
   bool periodic() const { return periodic_; }
+  /// Whether a period ends on the last key, which is the first one again, moved rigidly.
+  bool closesOnLastKey() const { return periodic_ && !closes_; }
 
  private:
+  // The keys in the order in which the curve comes to them.
+  struct Knot {
+    double time;
+    int key, period;
+    int step;  // that leads on from it
+  };
+
+  void placeKnots(const std::vector<double>& times, double period);
+  Weights atKnots(double t, int derivative) const;  // over the knots, then the tangents
+  Weights addUp(const Weights& atKnots) const;
+
   Columns columns_{0};
-  std::vector<double> knots_;
-  Eigen::MatrixXd value_;  // knots x columns
-  Eigen::MatrixXd slope_;  // knots x columns
-  bool linear_ = false, periodic_ = false;
+  double start_ = 0, end_ = 0;
+  std::vector<Knot> knots_;
+  Eigen::MatrixXd slope_;  // knots x (knots, start tangent, end tangent)
+  bool linear_ = false, periodic_ = false, closes_ = false;
 };
 
 /// The period that a periodic curve gets where none is asked for: t_J - t_1 where the last key closes it, otherwise one

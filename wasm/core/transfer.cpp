@@ -26,7 +26,9 @@ Status GhostMotion::build(const WeldedShape& full, const ShapeParts& parts, cons
 
 Status GhostMotion::buildMotion(const EncodingOptions& options, SequenceStats& stats) {
   const ShapeParts parts = partsOf(shape_);
-  Status status = patches_.build(shape_, encodePatches(shape_, parts, options.patches), options.rootPatch);
+  auto patches = encodePatches(shape_, parts, options.patches);
+  if (!patches) return patches.error();
+  Status status = patches_.build(shape_, std::move(*patches));
   if (!status) return status;
   auto coordinates = encode<double>(shape_, parts, patches_.poses(), options.stretch, Transfer::Exact);
   ++stats.encodings;
@@ -37,11 +39,11 @@ Status GhostMotion::buildMotion(const EncodingOptions& options, SequenceStats& s
   return status;
 }
 
-void GhostMotion::at(const Weights& weights, Frames& frames) {
-  reconstructor_.faceRotations(weights, frames.rotation);
+void GhostMotion::at(const CurvePoint& point, Frames& frames) {
+  reconstructor_.faceRotations(point, frames.rotation);
   frames.gradient.clear();
   if (transfer_ == Transfer::Exact) return;
-  reconstructor_.reconstruct(weights, positions_);
+  reconstructor_.reconstruct(point, positions_);
   for (int f = 0; f < shape_.faceCount(); ++f) frames.gradient.push_back(gradient(f, frames.rotation[f].toRotationMatrix()));
 }
 
@@ -59,8 +61,8 @@ Mat3 GhostMotion::gradient(int face, const Mat3& rotation) const {
   return deformed * frame.basis.transpose();
 }
 
-int GhostMotion::positions(const Weights& weights, Positions& positions) {
-  return reconstructor_.reconstruct(weights, positions);
+int GhostMotion::positions(const CurvePoint& point, Positions& positions) {
+  return reconstructor_.reconstruct(point, positions);
 }
 
 }  // namespace shapespline

@@ -29,10 +29,10 @@ class GhostMotion final : public FrameSource {
   Status build(const WeldedShape& shape, const ShapeParts& parts, const EncodingOptions& options, SequenceStats& stats,
                const StageProgress& progress);
 
-  void at(const Weights& weights, Frames& frames) override;
+  void at(const CurvePoint& point, Frames& frames) override;
 
-  /// The ghost's vertices at `weights`; returns its number of faces whose S_f is not positive definite.
-  int positions(const Weights& weights, Positions& positions);
+  /// The ghost's vertices at `point`; returns its number of faces whose S_f is not positive definite.
+  int positions(const CurvePoint& point, Positions& positions);
 
   /// The ghost's frames in the poses that were encoded.
   FramePoses poses() const { return {faceOf_, rotation_}; }

@@ -1,12 +1,14 @@
 // The welded mesh as the method sees it: its poses, and which of its faces take part.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/component_tree.h"
 #include "core/face_frame.h"
 #include "core/mesh.h"
+#include "core/rigid_motion.h"
 #include "core/types.h"
 
 namespace shapespline {
@@ -19,6 +21,7 @@ struct WeldedShape {
   int startTangent = -1;         ///< pose index, or -1
   int endTangent = -1;
   int reference = 0;
+  std::optional<RigidMotion> closing;  ///< the motion that takes the first key to the last, where it takes all of it there
 
   int vertexCount() const { return static_cast<int>(poses.front().size()); }
   int faceCount() const { return static_cast<int>(faces.size()); }
@@ -31,7 +34,7 @@ struct WeldedShape {
   }
   /// Another mesh with as many poses, which play the same roles.
   WeldedShape withMesh(std::vector<Triangle> otherFaces, std::vector<Positions> otherPoses) const {
-    return {std::move(otherFaces), std::move(otherPoses), keys, startTangent, endTangent, reference};
+    return {std::move(otherFaces), std::move(otherPoses), keys, startTangent, endTangent, reference, closing};
   }
 };
 

@@ -1,0 +1,100 @@
+#include "core/patch_graph.h"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace shapespline {
+
+namespace {
+
+// Patches that may be the middle.
+constexpr int candidates = 64;
+
+double onGrid(double cost) { return std::nearbyint(cost * 0x1p20); }
+
+}  // namespace
+
+PatchGraph::PatchGraph(std::vector<PatchLink> links, std::vector<double> area) : links_(std::move(links)), area_(std::move(area)) {
+  start_.assign(area_.size() + 1, 0);
+  long long edges = 0, neighbours = 0;
+  for (const PatchLink& link : links_) {
+    ++start_[link.from + 1], ++start_[link.to + 1];
+    if (link.sharedEdges > 0) edges += link.sharedEdges, ++neighbours;
+  }
+  if (neighbours > 0) meanSharedEdges_ = static_cast<double>(edges) / static_cast<double>(neighbours);
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  ends_.resize(start_.back());
+  std::vector<int> next(start_.begin(), start_.end() - 1);
+  for (int l = 0; l < static_cast<int>(links_.size()); ++l) {
+    ends_[next[links_[l].from]++] = {l, links_[l].to};
+    ends_[next[links_[l].to]++] = {l, links_[l].from};
+  }
+}
+
+void PatchGraph::orient(const PatchTree& tree) {
+  std::vector<int> rank(area_.size());
+  for (std::size_t i = 0; i < tree.order.size(); ++i) rank[tree.order[i]] = static_cast<int>(i);
+  for (PatchLink& link : links_)
+    if (link.sharedEdges > 0 && rank[link.from] > rank[link.to]) std::swap(link.from, link.to);
+}
+
+// Dijkstra's algorithm along paths, Prim's otherwise: they differ in what a patch is reached at.
+PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool alongPaths, std::vector<double>& distance) const {
+  const int count = patchCount();
+  PatchTree tree{{}, std::vector<int>(count, -1), std::vector<int>(count, -1)};
+  distance.assign(count, std::numeric_limits<double>::infinity());
+  std::vector<char> reached(count, 0);
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto reachFrom = [&](int begin) {
+    distance[begin] = 0;
+    queue.push({0, begin});
+    while (!queue.empty()) {
+      const int patch = queue.top().second;
+      queue.pop();
+      if (reached[patch]) continue;
+      reached[patch] = 1;
+      tree.order.push_back(patch);
+      for (const End& end : at(patch)) {
+        const double there = (alongPaths ? distance[patch] : 0) + cost[end.link];
+        if (reached[end.patch] || there >= distance[end.patch]) continue;
+        distance[end.patch] = there;
+        tree.parent[end.patch] = patch;
+        tree.link[end.patch] = end.link;
+        queue.push({there, end.patch});
+      }
+    }
+  };
+  reachFrom(root);
+  for (int patch = 0; patch < count; ++patch)
+    if (!reached[patch]) reachFrom(patch);
+  return tree;
+}
+
+PatchTree PatchGraph::centreTree(const std::vector<double>& cost) const {
+  std::vector<double> grid, distance;
+  for (double c : cost) grid.push_back(std::max(1.0, onGrid(c)));
+  const int count = patchCount(), tried = std::min(count, candidates);
+  double total = 0, least = std::numeric_limits<double>::infinity();
+  for (double a : area_) total += a;
+  PatchTree best;
+  for (int i = 0; i < tried; ++i) {
+    PatchTree tree = grow(grid, static_cast<int>(static_cast<long long>(i) * count / tried), true, distance);
+    double sum = 0;
+    for (int k = 0; k < count; ++k) sum += area_[k] / total * distance[k];
+    sum = std::nearbyint(sum);
+    if (sum < least) least = sum, best = std::move(tree);
+  }
+  return best;
+}
+
+PatchTree PatchGraph::spanningTree(const std::vector<double>& weight, int root) const {
+  std::vector<double> cost, distance;
+  for (double w : weight) cost.push_back(-onGrid(w));
+  return grow(cost, root, false, distance);
+}
+
+}  // namespace shapespline
