@@ -218,9 +218,3 @@ TEST_CASE("a triangle that is flat in one key only keeps its keys") {
     CHECK(largestDistance(p, key.positions) < 1e-9 * diagonalOf(k));
   }
 }
-
-TEST_CASE("weights of patch pairs fall with their turn") {
-  CHECK(pairWeight(0) == doctest::Approx(1 + 1e-5));
-  CHECK(pairWeight(pi) == doctest::Approx(1e-5));
-  CHECK(pairWeight(9) == pairWeight(pi));
-}

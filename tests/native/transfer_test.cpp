@@ -366,14 +366,6 @@ TEST_CASE("ghost: the second derivative is continuous across keys") {
   }
 }
 
-TEST_CASE("ghost: another root patch moves nothing") {
-  const Keyframes k = bentBar({0, 120, -60});
-  EncodingOptions other = ghostly();
-  other.rootPatch = 17;
-  Sequence a = make(k), b = make(k, other);
-  for (double t : slider) CHECK(largestDistance(at(a, t), at(b, t)) < 1e-6 * diagonalOf(k));
-}
-
 namespace {
 
 // A bar with a ball beside its side at z = 5 that moves rigidly with the bar's surface there.

@@ -16,8 +16,7 @@ class PatchEncoder {
   Result<PatchCoordinates> run(int wantedPatches, const FractionReport& onProgress) {
     partition(wantedPatches, onProgress);
     encodePairs();
-    buildGraph();
-    if (Status status = encodeConnections(); !status) return status.error();
+    if (Status status = encodeConnections(shape_, collectLinks(), std::move(area_), out_); !status) return status.error();
     return std::move(out_);
   }
 
@@ -68,7 +67,7 @@ class PatchEncoder {
     }
   }
 
-  void buildGraph() {
+  std::vector<PatchLink> collectLinks() {
     std::vector<PatchLink> links;
     for (const PatchPair& p : out_.patches.pairs) links.push_back({p.first, p.second, p.sharedEdges});
     for (const int piece : parts_.tree.order) {
@@ -77,38 +76,32 @@ class PatchEncoder {
       links.push_back({out_.patches.ofFace[link.anchorFace], out_.patches.ofFace[link.contactFace], 0});
       out_.bridgedPiece.push_back(piece);
     }
-    out_.graph = PatchGraph(std::move(links), std::move(area_));
-    // The cumulative form is not symmetric in the two patches: links lead away from the middle of the shape, not up the numbers.
-    std::vector<double> squares(out_.graph.links().size(), 0), sixths = squares, cost;
-    for (int s = 0; s <= KeySteps{shape_.keys}.closing(); ++s)
-      for (std::size_t l = 0; l < squares.size(); ++l) {
-        const auto [from, to] = posesOf(shape_, s);
-        const double angle = connection(from, l).angularDistance(connection(to, l));
-        squares[l] += angle * angle;
-        sixths[l] += std::pow(angle / 2, 6);
-      }
-    for (std::size_t l = 0; l < squares.size(); ++l) cost.push_back(0.1 + std::sqrt(squares[l]) + 3 * sixths[l]);
-    out_.graph.orient(out_.graph.centreTree(cost));
+    return links;
   }
 
-  Quaternion connection(int column, std::size_t link) const {
-    const auto [from, to, edges] = out_.graph.links()[link];
-    return (out_.rotation[column][from].conjugate() * out_.rotation[column][to]).normalized();
-  }
+  const WeldedShape& shape_;
+  const ShapeParts& parts_;
+  std::vector<double> area_;  // of each patch in the reference pose
+  PatchCoordinates out_;
+};
 
-  Status encodeConnections() {
-    const std::size_t count = out_.graph.links().size();
+class ConnectionEncoder {
+ public:
+  ConnectionEncoder(const WeldedShape& shape, PatchCoordinates& out) : shape_(shape), steps_{shape.keys}, out_(out) {}
+
+  Status run(std::vector<PatchLink> links, std::vector<double> area) {
+    out_.graph = PatchGraph(std::move(links), std::move(area));
+    orient();
     for (int c = 0; c < shape_.columns(); ++c) {
       std::vector<Quaternion> column;
-      for (std::size_t l = 0; l < count; ++l) column.push_back(connection(c, l));
+      for (const PatchLink& link : out_.graph.links()) column.push_back(connection(c, link));
       out_.connection.key.push_back(std::move(column));
     }
-    const KeySteps steps{shape_.keys};
-    out_.connection.increment.resize(steps.count());
-    out_.residual.resize(steps.count());
-    for (int s = 0; s < steps.count(); ++s) {
+    out_.connection.increment.resize(steps_.count());
+    out_.residual.resize(steps_.count());
+    for (int s = 0; s < steps_.count(); ++s) {
       const auto [from, to] = posesOf(shape_, s);
-      if (from < 0 || s == steps.turnedClosing()) continue;
+      if (from < 0 || s == steps_.turnedClosing()) continue;
       auto chosen = chooseTurnBranches(out_.graph, out_.connection.key[from], out_.connection.key[to]);
       if (!chosen) return chosen.error();
       out_.connection.increment[s] = std::move(chosen->increment);
@@ -119,30 +112,49 @@ class PatchEncoder {
     return {};
   }
 
+ private:
+  Quaternion connection(int column, const PatchLink& link) const {
+    return (out_.rotation[column][link.from].conjugate() * out_.rotation[column][link.to]).normalized();
+  }
+
+  // The cumulative form is not symmetric in the two patches: links lead away from the middle of the shape, not up the numbers.
+  void orient() {
+    std::vector<double> cost;
+    for (const PatchLink& link : out_.graph.links()) {
+      double squares = 0, sixths = 0;
+      for (int s = 0; s <= steps_.closing(); ++s) {
+        const auto [from, to] = posesOf(shape_, s);
+        const double angle = connection(from, link).angularDistance(connection(to, link));
+        squares += angle * angle;
+        sixths += std::pow(angle / 2, 6);
+      }
+      cost.push_back(0.1 + std::sqrt(squares) + 3 * sixths);
+    }
+    out_.graph.orient(out_.graph.centreTree(cost));
+  }
+
   // A component that turns by half a turn goes on the way it came.
   void continueHalfTurns() {
     auto& increment = out_.connection.increment;
-    for (std::size_t l = out_.patches.pairs.size(); l < out_.graph.links().size(); ++l)
-      for (int s = 1; s <= KeySteps{shape_.keys}.closing(); ++s)
+    for (std::size_t l = 0; l < out_.graph.links().size(); ++l)
+      for (int s = 1; s <= steps_.closing() && out_.graph.links()[l].sharedEdges == 0; ++s)
         increment[s][l] = continuedHalfTurn(increment[s][l], increment[s - 1][l]);
   }
 
   // The last step to a last key that is the first one again: the same way as to the last key, but for what the two differ by.
   void closeOnLastKey() {
-    const KeySteps steps{shape_.keys};
-    const auto [from, to] = posesOf(shape_, steps.turnedClosing());
+    const auto [from, to] = posesOf(shape_, steps_.turnedClosing());
     const auto& key = out_.connection.key;
     const std::vector<Vec3>& alike = out_.connection.increment[shape_.keys - 2];
     std::vector<Vec3> closing;
     for (std::size_t l = 0; l < alike.size(); ++l)
       closing.push_back(nearestRepresentative(logRotation(Quaternion(key[from][l].conjugate() * key[to][l])), alike[l]));
-    out_.connection.increment[steps.turnedClosing()] = std::move(closing);
+    out_.connection.increment[steps_.turnedClosing()] = std::move(closing);
   }
 
   const WeldedShape& shape_;
-  const ShapeParts& parts_;
-  std::vector<double> area_;  // of each patch in the reference pose
-  PatchCoordinates out_;
+  KeySteps steps_;
+  PatchCoordinates& out_;
 };
 
 }  // namespace
@@ -154,6 +166,10 @@ StepPoses posesOf(const WeldedShape& shape, int step) {
   if (step == steps.startTangent()) return shape.startTangent >= 0 ? StepPoses{0, shape.startTangent} : StepPoses{-1, -1};
   if (step == steps.endTangent()) return shape.endTangent >= 0 ? StepPoses{shape.keys - 1, shape.endTangent} : StepPoses{-1, -1};
   return {step, step + 1};
+}
+
+Status encodeConnections(const WeldedShape& shape, std::vector<PatchLink> links, std::vector<double> area, PatchCoordinates& patches) {
+  return ConnectionEncoder(shape, patches).run(std::move(links), std::move(area));
 }
 
 Result<PatchCoordinates> encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches,

@@ -25,6 +25,9 @@ struct PatchCoordinates {
 Result<PatchCoordinates> encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches,
                                        const FractionReport& onProgress = {});
 
+/// The part that follows from `rotation` alone: graph, connections and residuals. links: either way round; area: of each patch.
+Status encodeConnections(const WeldedShape& shape, std::vector<PatchLink> links, std::vector<double> area, PatchCoordinates& patches);
+
 /// The poses at either end of a step: columns of the shape, -1 where there is no such step.
 struct StepPoses {
   int from, to;
