@@ -44,10 +44,12 @@ class Encoder {
   void encodeFaces(const FractionReport& onProgress) {
     const int columns = shape_.columns();
     out_.face.store();
-    std::vector<int> wild;
+    std::vector<int> wild, turning;
+    double area = 0;
     const auto encodeFace = [&](int f) {
       const FaceFrame frame = referenceFrame(shape_, f);
       double largest = 0;
+      area += frame.area;
       for (int c = 0; c < columns; ++c) {
         if (c == shape_.reference) {
           const Vec3 r = logRotation(frameOf(f, c).conjugate());
@@ -64,9 +66,11 @@ class Encoder {
         out_.face.set(f, c, 5, static_cast<Real>(s(1, 1)));
       }
       if (largest > tameAngle) wild.push_back(f);
+      if (largest > ambiguousTurn / 2) turning.push_back(f);
     };
     parts_.eachUsedFace(encodeFace, partOf(onProgress, 0, 0.9));
     unwrapWildFaces(wild);
+    findAmbiguousFaces(turning, area);
     reportFraction(onProgress, 0.95);
     out_.face.dropIfAtRest(shape_.reference);
   }
@@ -113,6 +117,21 @@ class Encoder {
       if (neighbour >= 0) target += out_.face.rotation(neighbour, c);
       if (hasBefore && neighbour >= 0) target /= 2;
       out_.face.setRotation(f, c, nearestRepresentative(r, target));
+    }
+  }
+
+  void findAmbiguousFaces(const std::vector<int>& turning, double area) {
+    out_.ambiguous.resize(shape_.keys - 1);
+    for (int j = 0; j + 1 < shape_.keys; ++j) {
+      AmbiguousFaces& found = out_.ambiguous[j];
+      double furthest = ambiguousTurn;
+      for (const int f : turning) {
+        const double angle = (out_.face.rotation(f, j + 1) - out_.face.rotation(f, j)).norm();
+        if (angle <= ambiguousTurn) continue;
+        ++found.count;
+        found.area += referenceFrame(shape_, f).area / area;
+        if (angle > furthest) furthest = angle, found.worst = f;
+      }
     }
   }
 

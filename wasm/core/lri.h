@@ -29,6 +29,13 @@ struct ComponentPlace {
   std::vector<Vec3> offset;       ///< one per column: R_a^T (that point - centroid of a)
 };
 
+/// Faces that turn so far within their frames from one key to the next that the keys do not say which way.
+struct AmbiguousFaces {
+  int count = 0;
+  int worst = -1;   ///< the one that turns furthest
+  double area = 0;  ///< over that of the shape, in the reference pose
+};
+
 /// Coordinates of every pose in given frames G. Logarithms take the representative nearest the pose before, so that a
 /// part may turn far.
 template <class Real>
@@ -36,7 +43,8 @@ struct LriCoordinates {
   FaceCoordinates<Real> face;         ///< log(G^T R_f) and S_f; no column is stored where faces rest in their frames
   std::vector<ComponentPlace> places; ///< parents before children; the root has none
   std::vector<LooseVertex> loose;
-  std::vector<Vec3> meanPosition;     ///< one a column: of all welded vertices
+  std::vector<Vec3> meanPosition;     ///< one per column: of all welded vertices
+  std::vector<AmbiguousFaces> ambiguous;  ///< one per interval between keys
 };
 
 /// Encodes all poses in the given frames. With Transfer::Paper faces rest in their frames as they do in the reference.

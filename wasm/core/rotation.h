@@ -1,6 +1,8 @@
 // SO(3): exponential and logarithm, representatives of a logarithm, means. Rotation vectors are axis times angle, radians.
 #pragma once
 
+#include <numbers>
+
 #include <Eigen/Geometry>
 
 #include "core/types.h"
@@ -27,6 +29,9 @@ Vec3 addTurns(const Vec3& rotationVector, int turns, const Vec3& fallbackAxis);
 /// An increment of (almost) half a turn goes the way of the one before it: rounding decides the sign of its logarithm. Others
 /// stay as they are.
 Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before);
+
+/// Above this the keys leave open which way and how often something turned between them, radians.
+inline constexpr double ambiguousTurn = 150 * std::numbers::pi / 180;
 
 /// Accumulates weighted rotations; its mean minimises sum w |R - G|_F^2 over SO(3), that is, the projection of the mean
 /// matrix. Kept as sum w q q^T, whose leading eigenvector is that mean (Davenport's q-method).

@@ -11,21 +11,12 @@
 #include "core/options.h"
 #include "core/sequence_stats.h"
 #include "core/status.h"
+#include "core/warning.h"
 
 namespace shapespline {
 
 /// Called with a stage's name and the fraction of the whole work done, in [0, 1] and never falling.
 using Progress = std::function<void(const char* stage, double fraction)>;
-
-/// Something the user should know that is no error.
-struct Warning {
-  std::string code;          ///< stable, such as "non-manifold-edges"
-  std::string message;       ///< one sentence
-  int count = 0;             ///< how many places, 0 where that has no meaning
-  int key = -1;              ///< 0-based key that it is about, or that ends the interval it is about; -1 where it is about none
-  int face = -1;             ///< a face of the input at the (worst) place, or -1
-  std::vector<int> patches = {};  ///< patches that hold the places, as in Sequence::patchOfFace(); for the page to colour
-};
 
 /// One shape of the sequence, in the input's own vertices.
 struct Frame {

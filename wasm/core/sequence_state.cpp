@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/metrics.h"
+#include "core/turn_warnings.h"
 
 namespace shapespline {
 
@@ -12,8 +12,6 @@ namespace {
 
 // Poses closer than this, over the diagonal, are the same up to rounding and a modeller's noise.
 constexpr double samePose = 1e-4;
-// Above this the keys leave open which way and how often a part turned between them.
-constexpr double ambiguousTurn = 150 * std::numbers::pi / 180;
 
 Vec3 meanPosition(const Positions& positions) {
   Vec3 sum = Vec3::Zero();
@@ -87,7 +85,10 @@ CurveOptions Sequence::State::curveOptions(const MotionOptions& o) const {
 }
 
 void Sequence::State::collectWarnings() {
-  warnings.clear();
+  const bool closes = motion.boundary == BoundaryKind::Periodic && !curve->closesOnLastKey();
+  warnings = blendsVertices(motion.method) ? std::vector<Warning>()
+                                           : turnWarnings(shape, shapeMotion->patchMotion(), shapeMotion->ambiguousFaces(),
+                                                          shapeMotion->patchOfFace(), motion.turns, closes);
   if (wantedGhostFaces > 0 && stats.ghostFaces == 0)
     warnings.push_back({"ghost-off", "The shape has no more faces than the ghost mesh was to have: it moves without one."});
   if (stats.ghostFaces > wantedGhostFaces)

@@ -70,6 +70,7 @@ class TypedMotion final : public ShapeMotion {
   }
   const std::vector<Vec3>& meanPosition() const override { return reconstructor_.coordinates().meanPosition; }
   const std::vector<int>& placeOf() const override { return reconstructor_.placeOf(); }
+  const std::vector<AmbiguousFaces>& ambiguousFaces() const override { return reconstructor_.coordinates().ambiguous; }
   CholeskyStats solverStats() const override { return reconstructor_.solverStats(); }
 
  private:

@@ -46,6 +46,7 @@ class ShapeMotion {
   virtual const std::vector<Vec3>& meanPosition() const = 0;  ///< one a column
   /// Of each welded vertex, a permutation that brings neighbours together (reconstruct.h).
   virtual const std::vector<int>& placeOf() const = 0;
+  virtual const std::vector<AmbiguousFaces>& ambiguousFaces() const = 0;  ///< one per interval between keys
   virtual CholeskyStats solverStats() const = 0;
 };
 

@@ -1,0 +1,134 @@
+#include "core/turn_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace shapespline {
+
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+// A component has no neighbours that say which way it turned: 240 degrees look like 120.
+constexpr double ambiguousComponentTurn = 115 / degrees;
+// Patches that disagree by more with what surrounds them halfway turned in a way that their neighbours did not.
+constexpr double ambiguousResidual = 60 / degrees;
+// Patches smaller than this share of the mean, and fewer or smaller faces than these shares of the shape, are noise: nobody sees them turn.
+constexpr double smallPatch = 0.3;
+constexpr double fewFaces = 0.001;
+
+std::string angleText(double radians) { return std::to_string(std::lround(radians * degrees)) + " degrees"; }
+
+class TurnWarnings {
+ public:
+  TurnWarnings(const WeldedShape& shape, const PatchMotion& motion, const std::vector<int>& patchOfFace)
+      : shape_(shape), patches_(motion.coordinates()), motion_(motion), patchOfFace_(patchOfFace) {
+    double total = 0;
+    for (double a : patches_.graph.area()) total += a;
+    leastArea_ = smallPatch * total / patches_.graph.patchCount();
+  }
+
+  void addStep(int step, const AmbiguousFaces* faces) {
+    step_ = step;
+    addWhole();
+    addComponents();
+    addPatches();
+    if (faces) addFaces(*faces);
+  }
+
+  std::vector<Warning> take() { return std::move(warnings_); }
+
+ private:
+  std::string interval() const {
+    const int next = (step_ + 1) % shape_.keys;
+    return "Between key " + std::to_string(step_ + 1) + " and key " + std::to_string(next + 1) + " ";
+  }
+
+  void add(const char* code, const std::string& message, int count, int face, std::vector<int> patches) {
+    warnings_.push_back({code, interval() + message, count, (step_ + 1) % shape_.keys, face, std::move(patches)});
+  }
+
+  int faceOf(int patch) const {
+    return static_cast<int>(std::find(patchOfFace_.begin(), patchOfFace_.end(), patch) - patchOfFace_.begin());
+  }
+
+  void addWhole() {
+    const double angle = motion_.wholeTurn(step_);
+    if (angle <= ambiguousTurn) return;
+    add("ambiguous-turn", "the whole shape turns by " + angleText(angle) + ". The keys alone do not say which way and how often: add whole "
+                          "turns to the key, or a key in between.", 0, -1, {});
+  }
+
+  void addComponents() {
+    const std::size_t first = patches_.patches.pairs.size();
+    std::vector<int> found;
+    int face = -1, count = 0;
+    double furthest = ambiguousComponentTurn;
+    for (std::size_t b = 0; b < patches_.bridgedPiece.size(); ++b) {
+      const double angle = patches_.connection.increment[step_][first + b].norm();
+      if (angle <= ambiguousComponentTurn) continue;
+      for (int k = 0; k < patches_.patches.count; ++k)
+        if (patches_.patches.pieceOf[k] == patches_.bridgedPiece[b]) found.push_back(k);
+      ++count;
+      if (angle > furthest) furthest = angle, face = faceOf(patches_.graph.links()[first + b].to);
+    }
+    if (count == 0) return;
+    const bool one = count == 1;
+    add("ambiguous-part-turn",
+        (one ? "a component turns by " : std::to_string(count) + " components turn by up to ") + angleText(furthest) + " against what carries " +
+            (one ? "it" : "them") + ". The keys alone do not say which way and how often: add whole turns to the component, or a key in between.",
+        count, face, std::move(found));
+  }
+
+  void addPatches() {
+    std::vector<int> found;
+    int face = -1, count = 0;
+    double furthest = 0, angleThere = 0;
+    for (std::size_t l = 0; l < patches_.patches.pairs.size(); ++l) {
+      const auto [i, j, edges] = patches_.graph.links()[l];
+      const double angle = patches_.connection.increment[step_][l].norm(), residual = patches_.residual[step_][l];
+      const bool ambiguous = angle > ambiguousTurn || residual > ambiguousResidual;
+      if (!ambiguous || std::min(patches_.graph.area()[i], patches_.graph.area()[j]) < leastArea_) continue;
+      ++count;
+      found.insert(found.end(), {i, j});
+      const double badness = angle / ambiguousTurn + residual / ambiguousResidual;
+      if (badness > furthest) furthest = badness, angleThere = angle, face = faceOf(j);
+    }
+    if (count == 0) return;
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    add("ambiguous-patch-turn", "neighbouring regions turn by " + angleText(angleThere) + " against each other, and the keys do not say which "
+                                "way. Add a key in between if they go the wrong way.", count, face, std::move(found));
+  }
+
+  void addFaces(const AmbiguousFaces& faces) {
+    const double least = fewFaces * static_cast<double>(shape_.faceCount());
+    if (faces.worst < 0 || faces.count < least || faces.area < fewFaces) return;
+    add("ambiguous-face-turn", std::to_string(faces.count) + " faces turn by more than 150 degrees against those around them, and the keys do "
+                               "not say which way. Add a key in between if they go the wrong way.", faces.count, faces.worst, {patchOfFace_[faces.worst]});
+  }
+
+  const WeldedShape& shape_;
+  const PatchCoordinates& patches_;
+  const PatchMotion& motion_;
+  const std::vector<int>& patchOfFace_;
+  double leastArea_;
+  int step_ = 0;
+  std::vector<Warning> warnings_;
+};
+
+}  // namespace
+
+std::vector<Warning> turnWarnings(const WeldedShape& shape, const PatchMotion& patches, const std::vector<AmbiguousFaces>& faces,
+                                  const std::vector<int>& patchOfFace, const std::vector<AddedTurns>& turns, bool closes) {
+  TurnWarnings warnings(shape, patches, patchOfFace);
+  for (int s = 0; s + 1 < shape.keys; ++s) {
+    const bool decided = std::any_of(turns.begin(), turns.end(), [&](const AddedTurns& t) { return t.key == s + 1; });
+    if (!decided) warnings.addStep(s, s < static_cast<int>(faces.size()) ? &faces[s] : nullptr);
+  }
+  if (closes) warnings.addStep(KeySteps{shape.keys}.closing(), nullptr);
+  return warnings.take();
+}
+
+}  // namespace shapespline

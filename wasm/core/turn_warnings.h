@@ -1,0 +1,18 @@
+// What the keys leave open about turns, and where.
+#pragma once
+
+#include <vector>
+
+#include "core/lri.h"
+#include "core/options.h"
+#include "core/patch_motion.h"
+#include "core/warning.h"
+
+namespace shapespline {
+
+/// One warning per interval and kind: the whole, a component, neighbouring patches, faces. None where whole turns were added to the key:
+/// the user has seen it. closes: whether the interval from the last key to the first counts, too. Warning::face is a face of the welded mesh.
+std::vector<Warning> turnWarnings(const WeldedShape& shape, const PatchMotion& patches, const std::vector<AmbiguousFaces>& faces,
+                                  const std::vector<int>& patchOfFace, const std::vector<AddedTurns>& turns, bool closes);
+
+}  // namespace shapespline
