@@ -80,7 +80,8 @@ std::vector<int> PatchMotion::stepsOf(bool loop) const {
   return result;
 }
 
-// Links that turn far, or whose maps disagree with the others, count less; smooth shapes hardly change: ((1 + cos a) / 2)^6 is 1 - O(a^2).
+// Links count by the length of what they share. Those that turn far, or whose maps disagree with the others, count less; smooth shapes
+// hardly change: ((1 + cos a) / 2)^6 is 1 - O(a^2).
 Status PatchMotion::buildSystem(Solver& solver, const std::vector<int>& steps) {
   const std::size_t count = patches_.graph.links().size();
   std::vector<double> weight, cost;
@@ -92,7 +93,8 @@ Status PatchMotion::buildSystem(Solver& solver, const std::vector<int>& steps) {
       squares += angle * angle;
       residual = std::max(residual, patches_.residual[s][l]);
     }
-    weight.push_back(1e-4 + std::pow(agreement(largest), 6) + 0.03 * std::pow(agreement(residual), 4));
+    const double shared = patches_.graph.links()[l].sharedEdges / patches_.graph.meanSharedEdges();
+    weight.push_back(1e-4 + std::pow(agreement(largest), 6) * (0.05 + shared) + 0.03 * std::pow(agreement(residual), 4));
     cost.push_back(0.1 + std::sqrt(squares) + 4 * residual);
   }
   return solver.system.build(patches_.graph, patches_.graph.centreTree(cost), std::move(weight));

@@ -36,12 +36,16 @@ Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
   return {};
 }
 
-Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount) {
-  for (const AddedTurns& t : turns)
+Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int components) {
+  for (const AddedTurns& t : turns) {
     if (t.key < 1 || t.key >= keyCount || std::abs(t.turns) > 1000)
       return Error{ErrorCode::InvalidOption, "Whole turns can be added to keys 2 to " + std::to_string(keyCount) +
                                                  ", up to 1000 each; got " + std::to_string(t.turns) + " for key " +
                                                  std::to_string(t.key + 1) + "."};
+    if (t.component < -1 || t.component >= components)
+      return Error{ErrorCode::InvalidOption, "Whole turns are added to component " + std::to_string(t.component + 1) + ", but the shape has " +
+                                                 grouped(components) + "."};
+  }
   return {};
 }
 
@@ -80,6 +84,7 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   s.prepareShading([&](double fraction) { report("factorising", 0.95 + 0.02 * fraction); });
   report("factorising", 0.97);
   s.describeGhost();
+  s.numberComponents();
 
   s.stats.patches = s.shapeMotion->patchMotion().coordinates().patches.count;
   s.stats.weldedVertices = s.welding.count;
@@ -102,13 +107,13 @@ void Sequence::setCrew(Crew* crew) { state_->crew = crew; }
 Status Sequence::update(const MotionOptions& motion, const std::vector<double>& keyTimes) {
   State& s = *state_;
   if (Status status = validateTimes(keyTimes, s.shape.keys); !status) return status;
-  if (Status status = checkTurns(motion.turns, s.shape.keys); !status) return status;
+  if (Status status = checkTurns(motion.turns, s.shape.keys, static_cast<int>(s.componentInFileOrder.size())); !status) return status;
   Result<Curve> curve = Curve::fit(keyTimes, s.curveOptions(motion));
   if (!curve) return curve.error();
   s.curve = std::move(*curve);
   s.motion = motion;
   for (int j = 0; j < s.shape.keys; ++j) s.raw.keys[j].time = keyTimes[j];
-  s.shapeMotion->patchMotion().setTurns(motion.turns);
+  s.shapeMotion->patchMotion().setTurns(s.turnsOfPieces());
   s.collectWarnings();
   return {};
 }

@@ -101,6 +101,23 @@ void Sequence::State::collectWarnings() {
     warnings.push_back({"regularised", "The mesh has places so thin that the solver had to hold them in place.", pivots});
 }
 
+void Sequence::State::numberComponents() {
+  const std::vector<int> ofFace = shapeMotion->componentOfFace();
+  std::vector<char> seen(ofFace.size(), 0);
+  for (const int piece : ofFace) {
+    if (piece < 0 || seen[piece]) continue;
+    seen[piece] = 1;
+    componentInFileOrder.push_back(piece);
+  }
+}
+
+std::vector<AddedTurns> Sequence::State::turnsOfPieces() const {
+  std::vector<AddedTurns> turns = motion.turns;
+  for (AddedTurns& t : turns)
+    if (t.component >= 0) t.component = componentInFileOrder[t.component];
+  return turns;
+}
+
 void Sequence::State::describeGhost() {
   const GhostMotion* motion = shapeMotion->ghost();
   if (!motion) return;

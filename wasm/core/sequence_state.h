@@ -34,6 +34,7 @@ struct Sequence::State {
   std::optional<Curve> curve;
   SequenceStats stats;
   std::vector<Warning> warnings;
+  std::vector<int> componentInFileOrder;  // the patches' pieces by their first faces in the input
   Eigen::MatrixXd gram;  // made when it is first asked for
   Crew* crew = nullptr;
   PlacedShape<float> placed;  // scratch, as the rest
@@ -46,6 +47,8 @@ struct Sequence::State {
   void findClosing();
   CurveOptions curveOptions(const MotionOptions& options) const;
   void describeGhost();
+  void numberComponents();
+  std::vector<AddedTurns> turnsOfPieces() const;
   void collectWarnings();
   RigidMotion globalMotion(double t, const WrappedTime& wrapped, const CurvePoint& point) const;
   int weldedShape(const CurvePoint& point, Positions& out);

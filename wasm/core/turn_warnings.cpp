@@ -17,6 +17,7 @@ constexpr double ambiguousResidual = 60 / degrees;
 // Patches smaller than this share of the mean, and fewer or smaller faces than these shares of the shape, are noise: nobody sees them turn.
 constexpr double smallPatch = 0.3;
 constexpr double fewFaces = 0.001;
+constexpr int fewestFaces = 4;
 
 std::string angleText(double radians) { return std::to_string(std::lround(radians * degrees)) + " degrees"; }
 
@@ -103,7 +104,7 @@ class TurnWarnings {
   }
 
   void addFaces(const AmbiguousFaces& faces) {
-    const double least = fewFaces * static_cast<double>(shape_.faceCount());
+    const double least = std::max<double>(fewestFaces, fewFaces * shape_.faceCount());
     if (faces.worst < 0 || faces.count < least || faces.area < fewFaces) return;
     add("ambiguous-face-turn", std::to_string(faces.count) + " faces turn by more than 150 degrees against those around them, and the keys do "
                                "not say which way. Add a key in between if they go the wrong way.", faces.count, faces.worst, {patchOfFace_[faces.worst]});
