@@ -203,7 +203,7 @@ Quaternion PatchMotion::addedTurn(const CurvePoint& point) const {
   for (const StepShare& s : point.steps) {
     if (turns_[s.step] == 0) continue;
     Vec3 axis = axis_[s.step == KeySteps{shape_->keys}.turnedClosing() ? shape_->keys - 2 : s.step];
-    if (shape_->closing) axis = shape_->closing->power(s.period).rotation * axis;
+    if (shape_->closing && !point.closes) axis = shape_->closing->power(s.period).rotation * axis;
     turn = turn * expQuaternion(twoPi * turns_[s.step] * s.share * axis);
   }
   return turn;
@@ -215,7 +215,7 @@ void PatchMotion::at(const CurvePoint& point, Frames& frames) {
   solver.system.solve(connection_, frameSteps, frames.rotation);
   own_.at(point, path_);
   Quaternion turn = solver.alignment.at(path_, frames.rotation);
-  if (shape_->closing && point.basePeriod != 0) turn = shape_->closing->power(point.basePeriod).rotation * turn;
+  if (shape_->closing && !point.closes) turn = shape_->closing->power(point.basePeriod).rotation * turn;
   turn = addedTurn(point) * turn;
   for (Quaternion& g : frames.rotation) g = (turn * g).normalized();
   frames.gradient.clear();
