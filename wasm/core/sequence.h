@@ -60,7 +60,7 @@ class Sequence {
   /// Frames are made by two from here on, to the same bits, or by one with null. The crew must outlive the sequence.
   void setCrew(Crew* crew);
 
-  /// The same in double precision, n positions: for measures and tests.
+  /// The same as n positions without rounding them to float: for measures and tests. As exact as the encoding's precision.
   Status evaluate(double t, Positions& positions);
 
   /// The shape at time t, about: within 0.1 % of the diagonal in the mean and 0.5 % at worst, in about half the time
