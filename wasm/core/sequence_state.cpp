@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/canonical_order.h"
 #include "core/metrics.h"
 
 namespace shapespline {
@@ -45,10 +46,25 @@ void Sequence::State::weldKeys(const EncodingOptions& encoding, const FractionRe
   shape.reference = encoding.reference;
   if (encoding.startTangent) shape.startTangent = static_cast<int>(poses.size()), poses.push_back(&*encoding.startTangent);
   if (encoding.endTangent) shape.endTangent = static_cast<int>(poses.size()), poses.push_back(&*encoding.endTangent);
-  diagonal = boundingDiagonal(poses);
-  welding = weld(poses, weldTolerance * diagonal, partOf(onProgress, 0, 0.8));
+  for (const Positions* pose : poses) diagonal = std::max(diagonal, boundingDiagonal({&pose, 1}));
+  welding = weld(poses, weldTolerances(poses), partOf(onProgress, 0, 0.5));
   shape.faces = weldFaces(raw.faces, welding);
   for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, welding));
+  orderShape(partOf(onProgress, 0.55, 1));
+}
+
+void Sequence::State::orderShape(const FractionReport& onProgress) {
+  const MeshOrder order = canonicalOrder(shape.faces, shape.poses, onProgress);
+  shape.faces = order.apply(shape.faces);
+  for (Positions& pose : shape.poses) pose = order.apply(pose);
+  welding = order.apply(welding);
+  rawOfFace = order.oldFaces();
+}
+
+std::vector<int> Sequence::State::ofRawFaces(const std::vector<int>& ofFaces) const {
+  std::vector<int> result(ofFaces.size());
+  for (std::size_t f = 0; f < ofFaces.size(); ++f) result[rawOfFace[f]] = ofFaces[f];
+  return result;
 }
 
 void Sequence::State::prepareShading(const FractionReport& onProgress) {
@@ -133,7 +149,7 @@ void Sequence::State::describeGhost() {
   ghost.faces = mesh.faces;
   for (int v : mesh.vertexOf) ghost.vertexOf.push_back(welding.rawOfWelded[v]);
   for (int w : welding.weldedOfRaw) ghost.ghostVertexOf.push_back(mesh.ghostOf[w]);
-  ghost.ghostFaceOf = motion->correspondence();
+  ghost.ghostFaceOf = ofRawFaces(motion->correspondence());
 }
 
 Vec3 Sequence::State::meanPosition(const Weights& weights) const {

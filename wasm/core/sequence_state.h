@@ -27,9 +27,11 @@ struct Sequence::State {
   int wantedGhostFaces = 0;
   Ghost ghost;
   Welding welding;
-  WeldedShape shape;
+  WeldedShape shape;               // in canonical order
+  std::vector<int> rawOfFace;      // of each of its faces
+  std::vector<int> patchOfRawFace;
   Shading shading;
-  double diagonal = 0;
+  double diagonal = 0;  // the largest of one pose
   Closing closing = Closing::Extra;
   Quaternion closingRotation = Quaternion::Identity();  // of the rigid motion from the first key to the last
   std::unique_ptr<ShapeMotion> shapeMotion;
@@ -44,6 +46,8 @@ struct Sequence::State {
   Columns columns() const { return {shape.keys}; }
 
   void weldKeys(const EncodingOptions& encoding, const FractionReport& onProgress);
+  void orderShape(const FractionReport& onProgress);
+  std::vector<int> ofRawFaces(const std::vector<int>& ofFaces) const;
   void prepareShading(const FractionReport& onProgress);
   void findClosing();
   void decideAlignment(const FractionReport& onProgress);
