@@ -81,6 +81,7 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   report("factorising", 0.97);
   s.describeGhost();
   s.findClosing();
+  s.findMirroredKeys();
   report("factorising", 0.97);
   s.decideAlignment([&](double fraction) { report("factorising", 0.97 + 0.03 * fraction); });
 

@@ -6,6 +6,7 @@
 
 #include "core/canonical_order.h"
 #include "core/metrics.h"
+#include "core/mirrored.h"
 
 namespace shapespline {
 
@@ -117,8 +118,16 @@ CurveOptions Sequence::State::curveOptions(const MotionOptions& o) const {
           .bias = o.bias};
 }
 
+void Sequence::State::findMirroredKeys() {
+  for (int key : mirroredKeys(shape))
+    shapeWarnings.push_back({"mirrored-key",
+                             "Key " + std::to_string(key + 1) + " is a mirror image of the surface in the other keys: its faces look "
+                             "inwards, and no motion leads there. Mirror it back (a negative scale does that), or leave it out.",
+                             0, key, -1, {}});
+}
+
 void Sequence::State::collectWarnings() {
-  warnings.clear();
+  warnings = shapeWarnings;
   if (shapeMotion->patchMotion().alignment().largestIncrement() > ambiguousTurn)
     warnings.push_back({"ambiguous-turn",
                         "Between two keys the whole shape turns by more than 150 degrees. The keys alone do not say which "

@@ -37,6 +37,7 @@ struct Sequence::State {
   std::unique_ptr<ShapeMotion> shapeMotion;
   std::optional<Curve> curve;
   SequenceStats stats;
+  std::vector<Warning> shapeWarnings;  // what the keys say, whatever the motion
   std::vector<Warning> warnings;
   Eigen::MatrixXd gram;  // made when it is first asked for
   Crew* crew = nullptr;
@@ -50,6 +51,7 @@ struct Sequence::State {
   std::vector<int> ofRawFaces(const std::vector<int>& ofFaces) const;
   void prepareShading(const FractionReport& onProgress);
   void findClosing();
+  void findMirroredKeys();
   void decideAlignment(const FractionReport& onProgress);
   CurveOptions curveOptions(const MotionOptions& options) const;
   void describeGhost();
