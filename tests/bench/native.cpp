@@ -12,6 +12,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "core/canonical_order.h"
 #include "core/cholesky.h"
 #include "core/poisson.h"
 #include "core/sequence.h"
@@ -54,11 +55,14 @@ double medianMs(Work work) {
 CotangentLaplacian laplacianOf(const Keyframes& keyframes) {
   std::vector<const Positions*> poses;
   for (const Key& key : keyframes.keys) poses.push_back(&key.positions);
-  const Welding welding = weld(poses, weldTolerance * boundingDiagonal(poses));
+  const Welding welding = weld(poses, weldTolerances(poses));
   WeldedShape shape;
   shape.keys = keyframes.keyCount();
   shape.faces = weldFaces(keyframes.faces, welding);
   for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, welding));
+  const MeshOrder order = canonicalOrder(shape.faces, shape.poses);
+  shape.faces = order.apply(shape.faces);
+  for (Positions& pose : shape.poses) pose = order.apply(pose);
   const ShapeParts parts = partsOf(shape);
   return cotangentLaplacian(shape.faces, parts.hasArea, parts.pieces, shape.poses[0]);
 }

@@ -83,7 +83,7 @@ TEST_CASE("vertices weld where they coincide in every key, and only there") {
   Positions a = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1e-9}, {1, 0, 0}};
   Positions b = {{5, 0, 0}, {6, 0, 0}, {5, 0, 0}, {7, 0, 0}};  // the last two part in the second key
   const Positions* poses[] = {&a, &b};
-  const Welding w = weld(poses, 1e-6);
+  const Welding w = weld(poses, std::vector<double>(std::size(poses), 1e-6));
   CHECK(w.count == 3);
   CHECK(w.weldedOfRaw[2] == w.weldedOfRaw[0]);
   CHECK(w.weldedOfRaw[3] != w.weldedOfRaw[1]);
@@ -95,7 +95,7 @@ TEST_CASE("welding finds partners across cell borders") {
   const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i) p.push_back(p[i] + Vec3(9e-7, -9e-7, 9e-7) / std::sqrt(3.0));
   const Positions* poses[] = {&p};
-  CHECK(weld(poses, 1e-6).count == static_cast<int>(n));
+  CHECK(weld(poses, std::vector<double>(std::size(poses), 1e-6)).count == static_cast<int>(n));
 }
 
 TEST_CASE("seams shade together where the file's normals agree within a degree") {

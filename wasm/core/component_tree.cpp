@@ -1,10 +1,10 @@
 #include "core/component_tree.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
-#include "core/kd_tree.h"
+#include "core/coarse.h"
+#include "core/contact.h"
 
 namespace shapespline {
 
@@ -13,13 +13,6 @@ namespace {
 // Queries for the nearest other component: enough to find the place of contact, bounded for meshes of many pieces.
 constexpr int maximumQueries = 40000;
 constexpr int minimumQueriesPerComponent = 4;
-// Distances are measured in every pose, but searched from this many only.
-constexpr int searchedPoses = 4;
-
-struct Contact {
-  double distance = std::numeric_limits<double>::infinity();
-  int from = -1, to = -1;  // vertices
-};
 
 // Vertices of each component that are used as starting points of the search.
 std::vector<std::vector<int>> sampleVertices(const std::vector<int>& componentOfVertex, int components) {
@@ -27,21 +20,8 @@ std::vector<std::vector<int>> sampleVertices(const std::vector<int>& componentOf
   for (int v = 0; v < static_cast<int>(componentOfVertex.size()); ++v)
     if (componentOfVertex[v] >= 0) samples[componentOfVertex[v]].push_back(v);
   const int limit = std::max(minimumQueriesPerComponent, maximumQueries / std::max(1, components));
-  for (std::vector<int>& list : samples) {
-    const int size = static_cast<int>(list.size());
-    if (size <= limit) continue;
-    std::vector<int> kept(limit);
-    for (int i = 0; i < limit; ++i) kept[i] = list[static_cast<std::int64_t>(i) * size / limit];
-    list = std::move(kept);
-  }
+  for (std::vector<int>& list : samples) list = spreadSample(list, limit);
   return samples;
-}
-
-std::vector<int> evenlyChosen(int count, int wanted) {
-  std::vector<int> chosen;
-  const int take = std::min(count, wanted);
-  for (int i = 0; i < take; ++i) chosen.push_back(take == 1 ? 0 : i * (count - 1) / (take - 1));
-  return chosen;
 }
 
 struct Edge {
@@ -56,17 +36,7 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
   for (int v = 0; v < static_cast<int>(componentOfVertex.size()); ++v)
     if (componentOfVertex[v] >= 0) used.push_back(v);
   const auto samples = sampleVertices(componentOfVertex, components);
-  std::vector<KdTree> trees;
-  std::vector<const Positions*> searched;
-  for (int pose : evenlyChosen(static_cast<int>(poses.size()), searchedPoses)) {
-    trees.emplace_back(*poses[pose], used);
-    searched.push_back(poses[pose]);
-  }
-  const auto distance = [&](int u, int v) {
-    double largest = 0;
-    for (const Positions* p : poses) largest = std::max(largest, ((*p)[u] - (*p)[v]).squaredNorm());
-    return largest;
-  };
+  const ContactSearch search(poses, used);
 
   std::vector<int> group(components);
   std::iota(group.begin(), group.end(), 0);
@@ -74,15 +44,10 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
   while (static_cast<int>(edges.size()) + 1 < components) {
     std::vector<Contact> nearest(components);
     for (int c = 0; c < components; ++c)
-      for (int u : samples[c])
-        for (std::size_t k = 0; k < trees.size(); ++k) {
-          const int v = trees[k].nearest((*searched[k])[u],
-                                         [&](int other) { return group[componentOfVertex[other]] != group[c]; });
-          if (v < 0) continue;
-          const double d = distance(u, v);
-          Contact& best = nearest[group[c]];
-          if (d < best.distance) best = {d, u, v};
-        }
+      for (int u : samples[c]) {
+        const Contact contact = search.nearest(u, [&](int other) { return group[componentOfVertex[other]] != group[c]; });
+        if (contact.distance < nearest[group[c]].distance) nearest[group[c]] = contact;
+      }
     bool joined = false;
     for (int g = 0; g < components; ++g) {
       if (nearest[g].from < 0) continue;
@@ -121,7 +86,8 @@ ComponentTree linkComponents(const std::vector<Triangle>& faces, const Pieces& p
       if (faceOfVertex[v] < 0) componentOfVertex[v] = c, faceOfVertex[v] = f;
   }
 
-  const int root = static_cast<int>(std::max_element(area.begin(), area.end()) - area.begin());
+  const auto smaller = [](double a, double b) { return coarse(a) < coarse(b); };  // rounding decides nothing
+  const int root = static_cast<int>(std::max_element(area.begin(), area.end(), smaller) - area.begin());
   std::vector<std::vector<Edge>> at(pieces.count);
   for (const Edge& e : spanningEdges(componentOfVertex, pieces.count, poses)) {
     at[e.a].push_back(e);

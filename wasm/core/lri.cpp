@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <queue>
+
+#include "core/contact.h"
 
 namespace shapespline {
 
@@ -15,6 +18,8 @@ constexpr double tameAngle = std::numbers::pi / 2;
 constexpr double roundedTurn = 1e-9;
 // Turns of a few degrees say little about the point that they leave where it is.
 constexpr double stillness = 1e-3;
+// Vertices of a part without area from which the nearest face is looked for.
+constexpr int queriesPerGroup = 1000;
 
 Vec3 meanOf(const Positions& pose) {
   Vec3 sum = Vec3::Zero();
@@ -178,14 +183,13 @@ class Encoder {
         if (faceAt[v] < 0) faceAt[v] = f;
     });
     if (std::none_of(faceAt.begin(), faceAt.end(), [](int f) { return f < 0; })) return;
+    const VertexFaces facesAt = facesOfVertices(shape_.vertexCount(), shape_.faces);
     std::vector<int> anchor = faceAt;
-    spreadOverFacesWithoutArea(anchor);
-    int rootFace = -1;
-    for (int f = 0; f < shape_.faceCount() && rootFace < 0; ++f)
-      if (parts_.pieces.ofFace[f] == parts_.tree.root()) rootFace = f;
+    spreadOverFacesWithoutArea(facesAt, anchor);
+    anchorGroups(facesAt, faceAt, anchor);
     for (int v = 0; v < shape_.vertexCount(); ++v) {
       if (faceAt[v] >= 0) continue;
-      const int f = anchor[v] >= 0 ? anchor[v] : rootFace;
+      const int f = anchor[v];
       LooseVertex loose{v, f, frames_.ofFace[f], {}};
       for (int c = 0; c < shape_.columns(); ++c) {
         const Positions& p = shape_.poses[c];
@@ -196,8 +200,7 @@ class Encoder {
   }
 
   // Vertices held only by faces without area take the anchor of the nearest vertex that such faces join them to.
-  void spreadOverFacesWithoutArea(std::vector<int>& anchor) const {
-    const VertexFaces facesAt = facesOfVertices(shape_.vertexCount(), shape_.faces);
+  void spreadOverFacesWithoutArea(const VertexFaces& facesAt, std::vector<int>& anchor) const {
     std::queue<int> settled;
     for (int v = 0; v < shape_.vertexCount(); ++v)
       if (anchor[v] >= 0) settled.push(v);
@@ -210,6 +213,37 @@ class Encoder {
           if (anchor[u] < 0) anchor[u] = anchor[v], settled.push(u);
       }
     }
+  }
+
+  // What no face with area reaches, such as a part that is one point in some pose, follows as a whole the face nearest to it.
+  void anchorGroups(const VertexFaces& facesAt, const std::vector<int>& faceAt, std::vector<int>& anchor) const {
+    std::vector<const Positions*> poses;
+    for (const Positions& pose : shape_.poses) poses.push_back(&pose);
+    std::vector<int> held;
+    for (int v = 0; v < shape_.vertexCount(); ++v)
+      if (faceAt[v] >= 0) held.push_back(v);
+    std::optional<ContactSearch> search;
+    std::vector<char> met(anchor.size(), 0);
+    for (int first = 0; first < shape_.vertexCount(); ++first) {
+      if (anchor[first] >= 0) continue;
+      if (!search) search.emplace(poses, held);
+      const std::vector<int> group = looseGroup(facesAt, first, met);
+      Contact nearest;
+      for (int v : spreadSample(group, queriesPerGroup))
+        if (const Contact contact = search->nearest(v, [](int) { return true; }); contact.distance < nearest.distance) nearest = contact;
+      for (int v : group) anchor[v] = faceAt[nearest.to];
+    }
+  }
+
+  // The vertices that faces join to the first one; none of them may be met before.
+  std::vector<int> looseGroup(const VertexFaces& facesAt, int first, std::vector<char>& met) const {
+    std::vector<int> group = {first};
+    met[first] = 1;
+    for (std::size_t i = 0; i < group.size(); ++i)
+      for (int f : facesAt.of(group[i]))
+        for (int v : shape_.faces[f])
+          if (!met[v]) met[v] = 1, group.push_back(v);
+    return group;
   }
 
   const WeldedShape& shape_;

@@ -47,14 +47,15 @@ void sortRows(Rows<Item>& rows, const FractionReport& onProgress) {
   });
 }
 
-// One side of a face, but for its lower vertex: the higher one, then the face, then whether the face runs from high to low.
+// One side 3 f + c of a face, but for its lower vertex: the higher one, then the side, then whether it runs from high to low.
 class Side {
  public:
   Side() = default;
-  Side(int high, int face, bool reversed)
-      : bits_(static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint64_t>(face) << 1 | static_cast<std::uint64_t>(reversed)) {}
-  int high() const { return static_cast<int>(bits_ >> 32); }
-  int face() const { return static_cast<int>(bits_ >> 1 & 0x7fffffff); }
+  Side(int high, int index, bool reversed)
+      : bits_(static_cast<std::uint64_t>(high) << 33 | static_cast<std::uint64_t>(index) << 1 | static_cast<std::uint64_t>(reversed)) {}
+  int high() const { return static_cast<int>(bits_ >> 33); }
+  int index() const { return static_cast<int>(bits_ >> 1 & 0xffffffff); }
+  int face() const { return index() / 3; }
   bool reversed() const { return bits_ & 1; }
   bool operator<(Side other) const { return bits_ < other.bits_; }
 
@@ -69,7 +70,7 @@ Rows<Side> collectSides(int vertexCount, const std::vector<Triangle>& faces, Use
     if (!use(static_cast<int>(f))) return;
     for (int c = 0; c < 3; ++c) {
       const int a = faces[f][c], b = faces[f][(c + 1) % 3];
-      if (a != b) add(std::min(a, b), Side(std::max(a, b), static_cast<int>(f), a > b));
+      if (a != b) add(std::min(a, b), Side(std::max(a, b), 3 * static_cast<int>(f) + c, a > b));
     }
   };
   Rows<Side> sides = bucketed<Side>(vertexCount, faces.size(), sidesOf, partOf(onProgress, 0, 0.6));
@@ -210,6 +211,16 @@ FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const s
     }
   });
   return graphOf(faceCount, links, partOf(onProgress, 0.8, 1));
+}
+
+std::vector<int> nextAlongEdge(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress) {
+  Rows<Side> sides = collectSides(vertexCount, faces, [](int) { return true; }, partOf(onProgress, 0, 0.8));
+  std::vector<int> next(3 * faces.size());
+  std::iota(next.begin(), next.end(), 0);
+  eachEdge(sides, partOf(onProgress, 0.8, 1), [&](std::span<const Side> edge) {
+    for (std::size_t i = 0; i < edge.size(); ++i) next[edge[i].index()] = edge[(i + 1) % edge.size()].index();
+  });
+  return next;
 }
 
 Pieces connectedPieces(const FaceGraph& graph, const std::vector<char>& use, const FractionReport& onProgress) {

@@ -54,6 +54,10 @@ int countPieces(int vertexCount, const std::vector<Triangle>& faces, const std::
 FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
                     const FractionReport& onProgress = {});
 
+/// Of each side 3 f + c, which runs from corner c of face f to the next, the next side along the same edge in ascending order,
+/// the first after the last: a side alone, and one without length, is its own.
+std::vector<int> nextAlongEdge(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress = {});
+
 /// Connected pieces of a face graph.
 struct Pieces {
   std::vector<int> ofFace;  ///< piece of each face; -1 where the face is not used

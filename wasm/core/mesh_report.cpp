@@ -33,7 +33,7 @@ MeshReport reportOf(const Keyframes& keyframes, const FractionReport& onProgress
   report.faces = keyframes.faceCount();
   report.diagonal = boundingDiagonal(poses);
   report.unreferencedVertices = countUnreferenced(report.vertices, keyframes.faces);
-  const Welding welding = weld(poses, weldTolerance * report.diagonal, partOf(onProgress, 0.05, 0.3));
+  const Welding welding = weld(poses, weldTolerances(poses), partOf(onProgress, 0.05, 0.3));
   report.weldedVertices = welding.count;
   const std::vector<Triangle> faces = weldFaces(keyframes.faces, welding);
   report.counts = countMesh(welding.count, faces, partOf(onProgress, 0.3, 0.8));

@@ -85,7 +85,9 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   report("factorising", 0.97);
   s.describeGhost();
   s.numberComponents();
+  s.findMirroredKeys();
 
+  s.patchOfRawFace = s.ofRawFaces(s.shapeMotion->patchOfFace());
   s.stats.patches = s.shapeMotion->patchMotion().coordinates().patches.count;
   s.stats.weldedVertices = s.welding.count;
   const CholeskyStats solver = s.shapeMotion->solverStats();
@@ -183,7 +185,7 @@ const MotionOptions& Sequence::motion() const { return state_->motion; }
 SequenceStats Sequence::stats() const { return state_->stats; }
 const std::vector<Warning>& Sequence::warnings() const { return state_->warnings; }
 std::pair<double, double> Sequence::range() const { return {state_->curve->start(), state_->curve->end()}; }
-const std::vector<int>& Sequence::patchOfFace() const { return state_->shapeMotion->patchOfFace(); }
+const std::vector<int>& Sequence::patchOfFace() const { return state_->patchOfRawFace; }
 
 ShapePlane Sequence::shapePlane(const std::vector<double>& times) {
   State& s = *state_;

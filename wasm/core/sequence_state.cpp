@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/canonical_order.h"
 #include "core/metrics.h"
+#include "core/mirrored.h"
 #include "core/turn_warnings.h"
 
 namespace shapespline {
@@ -47,10 +49,25 @@ void Sequence::State::weldKeys(const EncodingOptions& encoding, const FractionRe
   shape.reference = encoding.reference;
   if (encoding.startTangent) shape.startTangent = static_cast<int>(poses.size()), poses.push_back(&*encoding.startTangent);
   if (encoding.endTangent) shape.endTangent = static_cast<int>(poses.size()), poses.push_back(&*encoding.endTangent);
-  diagonal = boundingDiagonal(poses);
-  welding = weld(poses, weldTolerance * diagonal, partOf(onProgress, 0, 0.8));
+  for (const Positions* pose : poses) diagonal = std::max(diagonal, boundingDiagonal({&pose, 1}));
+  welding = weld(poses, weldTolerances(poses), partOf(onProgress, 0, 0.5));
   shape.faces = weldFaces(raw.faces, welding);
   for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, welding));
+  orderShape(partOf(onProgress, 0.55, 1));
+}
+
+void Sequence::State::orderShape(const FractionReport& onProgress) {
+  const MeshOrder order = canonicalOrder(shape.faces, shape.poses, onProgress);
+  shape.faces = order.apply(shape.faces);
+  for (Positions& pose : shape.poses) pose = order.apply(pose);
+  welding = order.apply(welding);
+  rawOfFace = order.oldFaces();
+}
+
+std::vector<int> Sequence::State::ofRawFaces(const std::vector<int>& ofFaces) const {
+  std::vector<int> result(ofFaces.size());
+  for (std::size_t f = 0; f < ofFaces.size(); ++f) result[rawOfFace[f]] = ofFaces[f];
+  return result;
 }
 
 void Sequence::State::prepareShading(const FractionReport& onProgress) {
@@ -84,11 +101,22 @@ CurveOptions Sequence::State::curveOptions(const MotionOptions& o) const {
           .bias = o.bias};
 }
 
+void Sequence::State::findMirroredKeys() {
+  for (int key : mirroredKeys(shape))
+    shapeWarnings.push_back({"mirrored-key",
+                             "Key " + std::to_string(key + 1) + " is a mirror image of the surface in the other keys: its faces look "
+                             "inwards, and no motion leads there. Mirror it back (a negative scale does that), or leave it out.",
+                             0, key, -1, {}});
+}
+
 void Sequence::State::collectWarnings() {
   const bool closes = motion.boundary == BoundaryKind::Periodic && !curve->closesOnLastKey();
-  warnings = blendsVertices(motion.method) ? std::vector<Warning>()
-                                           : turnWarnings(shape, shapeMotion->patchMotion(), shapeMotion->ambiguousFaces(),
-                                                          shapeMotion->patchOfFace(), motion.turns, closes);
+  warnings = shapeWarnings;
+  if (!blendsVertices(motion.method))
+    for (Warning& w : turnWarnings(shape, shapeMotion->patchMotion(), shapeMotion->ambiguousFaces(), shapeMotion->patchOfFace(), motion.turns, closes)) {
+      if (w.face >= 0) w.face = rawOfFace[w.face];
+      warnings.push_back(std::move(w));
+    }
   if (wantedGhostFaces > 0 && stats.ghostFaces == 0)
     warnings.push_back({"ghost-off", "The shape has no more faces than the ghost mesh was to have: it moves without one."});
   if (stats.ghostFaces > wantedGhostFaces)
@@ -102,7 +130,7 @@ void Sequence::State::collectWarnings() {
 }
 
 void Sequence::State::numberComponents() {
-  const std::vector<int> ofFace = shapeMotion->componentOfFace();
+  const std::vector<int> ofFace = ofRawFaces(shapeMotion->componentOfFace());
   std::vector<char> seen(ofFace.size(), 0);
   for (const int piece : ofFace) {
     if (piece < 0 || seen[piece]) continue;
@@ -125,7 +153,7 @@ void Sequence::State::describeGhost() {
   ghost.faces = mesh.faces;
   for (int v : mesh.vertexOf) ghost.vertexOf.push_back(welding.rawOfWelded[v]);
   for (int w : welding.weldedOfRaw) ghost.ghostVertexOf.push_back(mesh.ghostOf[w]);
-  ghost.ghostFaceOf = motion->correspondence();
+  ghost.ghostFaceOf = ofRawFaces(motion->correspondence());
 }
 
 // What the shape is moved by after its reconstruction. Every period of a loop that ends elsewhere is one more of the rigid motion that

@@ -27,12 +27,15 @@ struct Sequence::State {
   int wantedGhostFaces = 0;
   Ghost ghost;
   Welding welding;
-  WeldedShape shape;
+  WeldedShape shape;               // in canonical order
+  std::vector<int> rawOfFace;      // of each of its faces
+  std::vector<int> patchOfRawFace;
   Shading shading;
-  double diagonal = 0;
+  double diagonal = 0;  // the largest of one pose
   std::unique_ptr<ShapeMotion> shapeMotion;
   std::optional<Curve> curve;
   SequenceStats stats;
+  std::vector<Warning> shapeWarnings;  // what the keys say, whatever the motion
   std::vector<Warning> warnings;
   std::vector<int> componentInFileOrder;  // the patches' pieces by their first faces in the input
   Eigen::MatrixXd gram;  // made when it is first asked for
@@ -43,8 +46,11 @@ struct Sequence::State {
   Columns columns() const { return {shape.keys}; }
 
   void weldKeys(const EncodingOptions& encoding, const FractionReport& onProgress);
+  void orderShape(const FractionReport& onProgress);
+  std::vector<int> ofRawFaces(const std::vector<int>& ofFaces) const;
   void prepareShading(const FractionReport& onProgress);
   void findClosing();
+  void findMirroredKeys();
   CurveOptions curveOptions(const MotionOptions& options) const;
   void describeGhost();
   void numberComponents();

@@ -6,11 +6,17 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/mesh.h"
+
 namespace shapespline {
 
 namespace {
 
-// Vertices of one pose hashed by cubes much wider than the tolerance, so that almost every look-up visits one cube.
+constexpr double shareOfDiagonal = 1e-6;
+// Between two roundings of one number, and a bit.
+constexpr double float32Roundings = 4 * 0x1p-24;
+
+// Points hashed by cubes much wider than the tolerance, so that almost every look-up visits one cube.
 class Grid {
  public:
   Grid(const Positions& positions, double tolerance)
@@ -62,21 +68,54 @@ class Grid {
   std::vector<int> head_, next_;
 };
 
+// Where all poses together put each vertex, in units of their tolerances: copies lie within 1 of each other, and parts that are
+// one point in some pose are spread out by the others. Weights that differ let no two poses cancel each other.
+Positions placesInAllPoses(std::span<const Positions* const> poses, std::span<const double> tolerance) {
+  Positions places(poses[0]->size(), Vec3::Zero());
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    if (!(tolerance[k] > 0 && std::isfinite(tolerance[k]))) continue;
+    const double share = std::fmod((static_cast<double>(k) + 1) * std::numbers::phi, 1.0);
+    const double scale = (1 + share) / (2 * static_cast<double>(poses.size()) * tolerance[k]);
+    for (std::size_t v = 0; v < places.size(); ++v) places[v] += scale * ((*poses[k])[v] - (*poses[k])[0]);
+  }
+  return places;
+}
+
+bool isFloat32(const Positions& pose) {
+  return std::all_of(pose.begin(), pose.end(), [](const Vec3& p) { return p.cast<float>().cast<double>() == p; });
+}
+
+double toleranceOf(const Positions& pose) {
+  const Positions* one = &pose;
+  const double size = shareOfDiagonal * boundingDiagonal({&one, 1});
+  double farthest = 0;
+  for (const Vec3& p : pose) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+  const double rounding = float32Roundings * farthest;
+  return rounding > size && isFloat32(pose) ? rounding : size;
+}
+
 }  // namespace
 
-Welding weld(std::span<const Positions* const> poses, double tolerance, const FractionReport& onProgress) {
+std::vector<double> weldTolerances(std::span<const Positions* const> poses) {
+  std::vector<double> tolerance;
+  for (const Positions* pose : poses) tolerance.push_back(toleranceOf(*pose));
+  return tolerance;
+}
+
+Welding weld(std::span<const Positions* const> poses, std::span<const double> tolerance, const FractionReport& onProgress) {
   Welding welding;
   const int n = static_cast<int>(poses[0]->size());
   welding.weldedOfRaw.resize(n);
-  Grid grid(*poses[0], std::max(tolerance, 1e-300));
+  const Positions places = placesInAllPoses(poses, tolerance);
+  Grid grid(places, 1);
   const auto coincide = [&](int a, int b) {
-    return std::all_of(poses.begin(), poses.end(), [&](const Positions* p) {
-      return ((*p)[a] - (*p)[b]).squaredNorm() <= tolerance * tolerance;
-    });
+    for (std::size_t k = 0; k < poses.size(); ++k)
+      if (!(((*poses[k])[a] - (*poses[k])[b]).squaredNorm() <= tolerance[k] * tolerance[k])) return false;
+    return true;
   };
   inBlocks(onProgress, static_cast<std::size_t>(n), [&](std::size_t begin, std::size_t end) {
     for (int v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
-      const int twin = grid.find((*poses[0])[v], [&](int candidate) { return coincide(candidate, v); });
+      const int twin = grid.find(places[v], [&](int candidate) { return coincide(candidate, v); });
       if (twin >= 0) {
         welding.weldedOfRaw[v] = welding.weldedOfRaw[twin];
         continue;
@@ -97,8 +136,15 @@ std::vector<Triangle> weldFaces(const std::vector<Triangle>& faces, const Weldin
 }
 
 Positions weldPositions(const Positions& raw, const Welding& welding) {
-  Positions welded(welding.count);
-  for (int w = 0; w < welding.count; ++w) welded[w] = raw[welding.rawOfWelded[w]];
+  Positions welded(welding.count), away(welding.count, Vec3::Zero());
+  std::vector<int> copies(welding.count, 0);
+  for (std::size_t v = 0; v < raw.size(); ++v) {
+    const int w = welding.weldedOfRaw[v];
+    ++copies[w];
+    away[w] += raw[v] - raw[welding.rawOfWelded[w]];
+  }
+  // Copies that agree bit for bit stay what they are.
+  for (int w = 0; w < welding.count; ++w) welded[w] = raw[welding.rawOfWelded[w]] + away[w] / copies[w];
   return welded;
 }
 

@@ -17,14 +17,16 @@ struct Welding {
   int count = 0;
 };
 
-/// Joins vertices that coincide in every pose within `tolerance` (a length).
-Welding weld(std::span<const Positions* const> poses, double tolerance, const FractionReport& onProgress = {});
+/// Joins vertices that coincide in every pose within that pose's tolerance, a length.
+Welding weld(std::span<const Positions* const> poses, std::span<const double> tolerance, const FractionReport& onProgress = {});
 
-/// Default tolerance: 1e-6 of the bounding diagonal over all poses. Exporters write float32, whose rounding is 6e-8 of
-/// the size; anything much larger would join real detail.
-inline constexpr double weldTolerance = 1e-6;
+/// The tolerance of each pose: 1e-6 of its own bounding diagonal, wherever the others lie; anything much larger would join real
+/// detail. Exporters write float32, whose rounding is 6e-8 of the size; where a pose that holds nothing but such numbers lies far
+/// from the origin, it is what those are rounded by there.
+std::vector<double> weldTolerances(std::span<const Positions* const> poses);
 
 std::vector<Triangle> weldFaces(const std::vector<Triangle>& faces, const Welding& welding);
+/// The mean of each welded vertex's copies.
 Positions weldPositions(const Positions& raw, const Welding& welding);
 
 /// Groups raw vertices for shading: copies of one welded vertex share a normal where the input's normals agree within a

@@ -1,0 +1,292 @@
+#include "core/canonical_order.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/mesh.h"
+
+namespace shapespline {
+
+namespace {
+
+// Squared lengths are compared in steps of about 1e-7 of the pose's squared radius: far above rounding, far below any detail. The
+// factor moves the steps away from round numbers, of which regular meshes are full.
+constexpr double stepsPerUnit = 0x1p24 * 0.7390851332151607;
+
+// Walks from sides that no length tells apart are compared for so many faces: what differs only beyond them counts as symmetric.
+constexpr std::size_t comparedFaces = 4096;
+// Of how many such walks a mesh of no faces may compare, while starts are looked for; larger ones may compare more.
+constexpr std::size_t comparedWalks = 64;
+
+int inSteps(double squaredLength) {
+  return squaredLength < 64 ? static_cast<int>(squaredLength * stepsPerUnit) : 1 << 30;  // sound poses have none above 4
+}
+
+// From face to face, breadth first. A side 3 f + c runs from corner c of face f to the next.
+class Walk {
+ public:
+  explicit Walk(const std::vector<int>& nextAlongEdge) : next_(nextAlongEdge), seen_(nextAlongEdge.size() / 3, 0) {}
+
+  bool hasSeen(int face) const { return seen_[face] != 0; }
+  /// Over which side each face was entered.
+  const std::vector<int>& entries() const { return queue_; }
+
+  void begin(int side) { meet(side); }
+
+  // All faces are new again.
+  void forget() {
+    for (int side : queue_) seen_[side / 3] = 0;
+    queue_.clear();
+    served_ = 0;
+  }
+
+  // The side over which the next face was entered; -1 where there is none.
+  int step() {
+    if (served_ == queue_.size()) return -1;
+    const int entry = queue_[served_++];
+    for (int i = 0, side = entry; i < 3; ++i, side = sideAfter(side))
+      for (int other = next_[side]; other != side; other = next_[other]) meet(other);
+    return entry;
+  }
+
+  static int sideAfter(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
+
+ private:
+  void meet(int side) {
+    if (seen_[side / 3]) return;
+    seen_[side / 3] = 1;
+    queue_.push_back(side);
+  }
+
+  const std::vector<int>& next_;
+  std::vector<char> seen_;
+  std::vector<int> queue_;
+  std::size_t served_ = 0;
+};
+
+class Orderer {
+ public:
+  Orderer(const std::vector<Triangle>& faces, const std::vector<Positions>& poses) : faces_(faces), poses_(poses) {}
+
+  MeshOrder run(const FractionReport& onProgress) {
+    measure();
+    reportFraction(onProgress, 0.05);
+    next_ = nextAlongEdge(static_cast<int>(poses_.front().size()), faces_, partOf(onProgress, 0.05, 0.5));
+    sortNonManifoldEdges();
+    MeshOrder order;
+    order.corner = walkAll(findFirst(partOf(onProgress, 0.5, 0.6)), partOf(onProgress, 0.6, 0.9));
+    order.vertex = verticesMet(order.corner, partOf(onProgress, 0.9, 1));
+    return order;
+  }
+
+ private:
+  // How far out each vertex lies: the mean over the poses of its squared distance from the centroid, over that of the farthest.
+  void measure() {
+    std::vector<double> sum(poses_.front().size(), 0);
+    for (const Positions& pose : poses_) {
+      Vec3 mean = Vec3::Zero();
+      for (const Vec3& p : pose) mean += (p - pose.front()) / static_cast<double>(pose.size());
+      centroid_.push_back(pose.front() + mean);
+      double radius = 0;
+      for (const Vec3& p : pose) radius = std::max(radius, (p - centroid_.back()).norm());
+      scale_.push_back(radius > 0 ? 1 / radius : 0);
+      for (std::size_t v = 0; v < pose.size(); ++v) sum[v] += squared(pose[v] - centroid_.back(), scale_.size() - 1);
+    }
+    for (double s : sum) farness_.push_back(inSteps(s / static_cast<double>(poses_.size())));
+  }
+
+  double squared(const Vec3& difference, std::size_t pose) const { return (scale_[pose] * difference).squaredNorm(); }
+
+  // The corners of a side's face, from the side's first one on.
+  Triangle cornersFrom(int side) const {
+    const Triangle& t = faces_[side / 3];
+    const int c = side % 3;
+    return {t[c], t[(c + 1) % 3], t[(c + 2) % 3]};
+  }
+
+  // Squared lengths in a pose: of the corners from the centroid, and of the face's sides.
+  std::array<double, 6> lengths(const Triangle& t, std::size_t pose) const {
+    const Positions& p = poses_[pose];
+    std::array<double, 6> result;
+    for (int i = 0; i < 3; ++i) {
+      result[i] = squared(p[t[i]] - centroid_[pose], pose);
+      result[3 + i] = squared(p[t[(i + 1) % 3]] - p[t[i]], pose);
+    }
+    return result;
+  }
+
+  // Below zero where side a comes before side b by what a rigid motion keeps of their faces, above zero where after it. First by
+  // what does not depend on the order of the poses.
+  int compare(int a, int b) const {
+    const Triangle s = cornersFrom(a), t = cornersFrom(b);
+    for (int i = 0; i < 3; ++i)
+      if (farness_[s[i]] != farness_[t[i]]) return farness_[s[i]] > farness_[t[i]] ? -1 : 1;
+    std::array<double, 6> sumA{}, sumB{};
+    int byPose = 0;
+    for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
+      const std::array<double, 6> x = lengths(s, pose), y = lengths(t, pose);
+      for (int i = 0; i < 6; ++i) {
+        sumA[i] += x[i], sumB[i] += y[i];
+        if (byPose == 0) byPose = inSteps(y[i]) - inSteps(x[i]);
+      }
+    }
+    const double share = 1 / static_cast<double>(poses_.size());
+    for (int i = 3; i < 6; ++i)
+      if (const int difference = inSteps(share * sumB[i]) - inSteps(share * sumA[i]); difference != 0) return difference;
+    return byPose;
+  }
+
+  // The same for the walks that begin at the sides.
+  int compareWalks(int a, int b) {
+    while (walks_.size() < 2) walks_.emplace_back(next_);
+    walks_[0].forget(), walks_[1].forget();
+    walks_[0].begin(a), walks_[1].begin(b);
+    for (std::size_t i = 0; i < comparedFaces; ++i, ++compared_) {
+      const int x = walks_[0].step(), y = walks_[1].step();
+      if (x < 0 && y < 0) return 0;
+      if (x < 0 || y < 0) return x < 0 ? 1 : -1;
+      if (const int order = compare(x, y); order != 0) return order;
+      if (walks_[0].entries().size() != walks_[1].entries().size()) 
+        return walks_[0].entries().size() > walks_[1].entries().size() ? -1 : 1;
+    }
+    return 0;
+  }
+
+  bool comesFirst(int a, int b, bool mayWalk) {
+    int order = compare(a, b);
+    if (order == 0 && mayWalk) order = compareWalks(a, b);
+    return order != 0 ? order < 0 : a < b;
+  }
+
+  // Where three sides or more run along an edge, they follow each other by their lengths.
+  void sortNonManifoldEdges() {
+    std::vector<int> sides;
+    for (int last = 0; last < static_cast<int>(next_.size()); ++last) {
+      if (next_[last] >= last) continue;  // the sides of an edge come in ascending order: each edge is met at its last one
+      sides = {last};
+      for (int side = next_[last]; side != last; side = next_[side]) sides.push_back(side);
+      if (sides.size() < 3) continue;
+      std::sort(sides.begin(), sides.end(), [&](int a, int b) { return comesFirst(a, b, false); });
+      for (std::size_t i = 0; i < sides.size(); ++i) next_[sides[i]] = sides[(i + 1) % sides.size()];
+    }
+  }
+
+  bool mayWalk() const { return compared_ < faces_.size() + comparedWalks * comparedFaces; }
+
+  // Whichever of a face's sides comes before the first so far.
+  void takeFirst(int face, int& first) {
+    for (int side = 3 * face; side < 3 * face + 3; ++side)
+      if (side != first && comesFirst(side, first, mayWalk())) first = side;
+  }
+
+  int findFirst(const FractionReport& onProgress) {
+    int first = 0;
+    inBlocks(onProgress, faces_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) takeFirst(static_cast<int>(f), first);
+    });
+    return first;
+  }
+
+  // The first side of each component that the walk has not seen, the first of all last.
+  std::vector<int> findOthers(Walk walk) {
+    std::vector<int> firsts;
+    for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
+      if (walk.hasSeen(f)) continue;
+      walk.begin(3 * f);
+      firsts.push_back(3 * f);
+      for (int side; (side = walk.step()) >= 0;) takeFirst(side / 3, firsts.back());
+    }
+    std::sort(firsts.begin(), firsts.end(), [&](int a, int b) { return comesFirst(b, a, true); });
+    return firsts;
+  }
+
+  // Of each face in order the side over which it is entered.
+  std::vector<int> walkAll(int first, const FractionReport& onProgress) {
+    Walk walk(next_);
+    std::vector<int> starts;
+    inBlocks(onProgress, faces_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        if (walk.step() >= 0) continue;
+        if (i == 0) starts = {first};
+        else if (starts.empty()) starts = findOthers(walk);
+        walk.begin(starts.back());
+        starts.pop_back();
+        walk.step();
+      }
+    });
+    return walk.entries();
+  }
+
+  std::vector<int> verticesMet(const std::vector<int>& sides, const FractionReport& onProgress) const {
+    std::vector<int> vertices;
+    vertices.reserve(farness_.size());
+    std::vector<char> met(farness_.size(), 0);
+    const auto meet = [&](int v) {
+      if (!met[v]) met[v] = 1, vertices.push_back(v);
+    };
+    inBlocks(onProgress, sides.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        for (int v : cornersFrom(sides[i])) meet(v);
+    });
+    for (int v = 0; v < static_cast<int>(met.size()); ++v) meet(v);
+    return vertices;
+  }
+
+  const std::vector<Triangle>& faces_;
+  const std::vector<Positions>& poses_;
+  std::vector<Vec3> centroid_;  // of each pose
+  std::vector<double> scale_;   // one over each pose's radius; 0 for a pose that is one point
+  std::vector<int> farness_;    // of each vertex, in steps
+  std::vector<int> next_;       // of each side the next one along its edge, cyclically
+  std::vector<Walk> walks_;     // two, where they are needed
+  std::size_t compared_ = 0;    // faces, so far
+};
+
+std::vector<int> inverseOf(const std::vector<int>& permutation) {
+  std::vector<int> inverse(permutation.size());
+  for (std::size_t i = 0; i < permutation.size(); ++i) inverse[permutation[i]] = static_cast<int>(i);
+  return inverse;
+}
+
+}  // namespace
+
+std::vector<Triangle> MeshOrder::apply(const std::vector<Triangle>& faces) const {
+  const std::vector<int> number = inverseOf(vertex);
+  std::vector<Triangle> result;
+  result.reserve(faces.size());
+  for (int first : corner) {
+    const Triangle& t = faces[first / 3];
+    const int c = first % 3;
+    result.push_back({number[t[c]], number[t[(c + 1) % 3]], number[t[(c + 2) % 3]]});
+  }
+  return result;
+}
+
+Positions MeshOrder::apply(const Positions& positions) const {
+  Positions result;
+  result.reserve(positions.size());
+  for (int v : vertex) result.push_back(positions[v]);
+  return result;
+}
+
+Welding MeshOrder::apply(const Welding& welding) const {
+  const std::vector<int> number = inverseOf(vertex);
+  Welding result;
+  result.count = welding.count;
+  for (int w : welding.weldedOfRaw) result.weldedOfRaw.push_back(number[w]);
+  for (int w : vertex) result.rawOfWelded.push_back(welding.rawOfWelded[w]);
+  return result;
+}
+
+std::vector<int> MeshOrder::oldFaces() const {
+  std::vector<int> faces;
+  faces.reserve(corner.size());
+  for (int first : corner) faces.push_back(first / 3);
+  return faces;
+}
+
+MeshOrder canonicalOrder(const std::vector<Triangle>& faces, const std::vector<Positions>& poses, const FractionReport& onProgress) {
+  return Orderer(faces, poses).run(onProgress);
+}
+
+}  // namespace shapespline

@@ -1,0 +1,48 @@
+// Where parts of a shape are nearest to each other, in all its poses at once.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/kd_tree.h"
+#include "core/types.h"
+
+namespace shapespline {
+
+/// Two vertices, and the square of the largest of their distances over the poses.
+struct Contact {
+  double distance = std::numeric_limits<double>::infinity();
+  int from = -1, to = -1;
+};
+
+/// Finds contacts with some of the vertices. The poses must outlive it.
+class ContactSearch {
+ public:
+  ContactSearch(std::span<const Positions* const> poses, const std::vector<int>& vertices);
+
+  /// Of the vertices nearest to `from` in some poses, among those for which accept(vertex) holds, the one of least distance;
+  /// `to` is -1 where there is none.
+  template <class Accept>
+  Contact nearest(int from, Accept accept) const {
+    Contact best;
+    for (std::size_t k = 0; k < trees_.size(); ++k) {
+      const int to = trees_[k].nearest((*searched_[k])[from], accept);
+      if (to < 0) continue;
+      if (const double d = distance(from, to); d < best.distance) best = {d, from, to};
+    }
+    return best;
+  }
+
+ private:
+  double distance(int a, int b) const;
+
+  std::span<const Positions* const> poses_;
+  std::vector<const Positions*> searched_;
+  std::vector<KdTree> trees_;
+};
+
+/// At most `limit` of the items, evenly spread.
+std::vector<int> spreadSample(const std::vector<int>& items, int limit);
+
+}  // namespace shapespline

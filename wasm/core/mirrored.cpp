@@ -1,0 +1,95 @@
+#include "core/mirrored.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace shapespline {
+
+namespace {
+
+// So many vertices tell enough.
+constexpr int askedVertices = 50000;
+// Curvature of all domes together (a sphere has 4 pi) below which they tell nothing.
+constexpr double leastCurvature = 1;
+// Vertices on the boundary, squared, over all vertices: from a disc on (4 pi, and a bit less for how vertices lie) the shape is a sheet.
+constexpr double sheetBoundary = 11;
+// Poses of animals and people agree to 0.77 and more, a ball whose spikes grow to 0.04; their mirror images to the opposite.
+constexpr double mirroredAgreement = -0.5;
+
+// What the faces around a vertex say about the surface there.
+struct Surroundings {
+  double angle = 0;
+  Vec3 towards = Vec3::Zero(), normal = Vec3::Zero();  // sums over the neighbours and the faces
+  int faces = 0;
+  std::int64_t open = 0;  // the next neighbours less those before: 0 around a closed fan of faces that run alike
+
+  void add(const Positions& p, int v, int next, int before) {
+    const Vec3 a = p[next] - p[v], b = p[before] - p[v], cross = a.cross(b);
+    angle += std::atan2(cross.norm(), a.dot(b));
+    towards += a + b;
+    normal += cross;
+    ++faces;
+    open += next - before;
+  }
+
+  bool isOnBoundary() const { return open != 0; }
+
+  // Integral of the Gaussian curvature, negative where the dome opens to the side that the faces look to; 0 where there is no dome.
+  double bulge() const {
+    const double defect = 2 * std::numbers::pi - angle;
+    if (faces == 0 || isOnBoundary() || !(defect > 0)) return 0;
+    return towards.dot(normal) < 0 ? defect : -defect;
+  }
+};
+
+// Of every stride-th vertex; nothing of a sheet.
+std::vector<double> bulges(const WeldedShape& shape, int key, int stride) {
+  std::vector<Surroundings> around(shape.vertexCount() / stride + 1);
+  for (const Triangle& t : shape.faces)
+    for (int c = 0; c < 3; ++c)
+      if (t[c] % stride == 0) around[t[c] / stride].add(shape.poses[key], t[c], t[(c + 1) % 3], t[(c + 2) % 3]);
+  std::vector<double> result;
+  double used = 0, boundary = 0;
+  for (const Surroundings& s : around) {
+    used += s.faces > 0;
+    boundary += s.isOnBoundary();
+    result.push_back(s.bulge());
+  }
+  if (stride * boundary * boundary > sheetBoundary * used) std::fill(result.begin(), result.end(), 0);
+  return result;
+}
+
+int strideOf(const WeldedShape& shape) { return 1 + shape.vertexCount() / askedVertices; }
+
+double agreement(const std::vector<double>& a, const std::vector<double>& b, int stride) {
+  double sum = 0, common = 0, mean = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double both = std::min(std::abs(a[i]), std::abs(b[i]));
+    sum += a[i] * b[i] > 0 ? both : -both;
+    common += both;
+    mean += (std::abs(a[i]) + std::abs(b[i])) / 2;
+  }
+  return stride * common >= leastCurvature ? sum / mean : 1;
+}
+
+}  // namespace
+
+double bulgeAgreement(const WeldedShape& shape, int key, int otherKey) {
+  const int stride = strideOf(shape);
+  return agreement(bulges(shape, key, stride), bulges(shape, otherKey, stride), stride);
+}
+
+std::vector<int> mirroredKeys(const WeldedShape& shape) {
+  const int stride = strideOf(shape);
+  const std::vector<double> reference = bulges(shape, shape.reference, stride);
+  std::vector<int> sides[2];
+  for (int key = 0; key < shape.keys; ++key) {
+    const bool isOther = key != shape.reference && agreement(reference, bulges(shape, key, stride), stride) < mirroredAgreement;
+    sides[isOther].push_back(key);
+  }
+  return sides[sides[1].size() <= sides[0].size()];
+}
+
+}  // namespace shapespline
