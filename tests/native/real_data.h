@@ -1,0 +1,55 @@
+// Files that nobody here wrote, where they are at hand: in the folder that SHAPESPLINE_DATA names, or in shared/data beside the
+// repository.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "files.h"
+
+namespace shapespline::test {
+
+inline std::filesystem::path dataFolder() {
+  if (const char* named = std::getenv("SHAPESPLINE_DATA")) return named;
+  return std::filesystem::path(SHAPESPLINE_SOURCE_DIR).parent_path() / "shared" / "data";
+}
+
+/// Whether the folder, and the files of it that are named, are there. Where not, it says so, and the running case is counted as
+/// skipped (main.cpp): it should return.
+inline bool hasData(const std::vector<std::string>& paths = {}) {
+  const auto skip = [](const std::filesystem::path& missing) {
+    MESSAGE("SKIPPED: " << missing.string() << " is not there");
+    return false;
+  };
+  if (!std::filesystem::exists(dataFolder())) return skip(dataFolder());
+  for (const std::string& path : paths)
+    if (!std::filesystem::exists(dataFolder() / path)) return skip(dataFolder() / path);
+  return true;
+}
+
+inline Bytes contentOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  REQUIRE_MESSAGE(stream.good(), file.string());
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Files of the folder, named without their folders.
+inline Files realFiles(const std::vector<std::string>& paths) {
+  Files files;
+  for (const std::string& path : paths) files.add(std::filesystem::path(path).filename().string(), contentOf(dataFolder() / path));
+  return files;
+}
+
+inline Keyframes realKeyframes(const std::vector<std::string>& paths, const ImportOptions& options = {}) {
+  auto import = realFiles(paths).import(options);
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  return std::move(import->keyframes);
+}
+
+}  // namespace shapespline::test
