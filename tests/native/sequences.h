@@ -1,0 +1,25 @@
+// Sequences and their shapes, in tests that go on only where there is one.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <utility>
+
+#include "core/sequence.h"
+
+namespace shapespline::test {
+
+inline Sequence sequenceOf(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion = {}) {
+  auto sequence = Sequence::create(std::move(keyframes), encoding, motion);
+  REQUIRE_MESSAGE(sequence.ok(), (sequence.ok() ? "" : sequence.error().message));
+  return std::move(*sequence);
+}
+
+inline Positions shapeAt(Sequence& sequence, double t) {
+  Positions positions;
+  const Status status = sequence.evaluate(t, positions);
+  REQUIRE_MESSAGE(status.ok(), (status.ok() ? "" : status.error().message));
+  return positions;
+}
+
+}  // namespace shapespline::test
