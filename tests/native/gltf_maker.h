@@ -9,14 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/types.h"
-#include "io/import.h"
+#include "files.h"
 
 namespace shapespline::test {
 
 using nlohmann::json;
-using Bytes = std::vector<std::uint8_t>;
-
-inline Bytes bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
 
 inline std::string base64(const Bytes& bytes) {
   static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -176,24 +173,6 @@ inline GltfMaker morphFile(const std::vector<double>& bends) {
   maker.node({{"mesh", maker.mesh({{"POSITION", positions}}, indices, targets)}});
   return maker;
 }
-
-/// Files that own their bytes.
-struct Files {
-  std::vector<std::string> names;
-  std::vector<Bytes> bytes;
-
-  Files& add(std::string name, Bytes content) {
-    names.push_back(std::move(name));
-    bytes.push_back(std::move(content));
-    return *this;
-  }
-
-  Result<Import> import(const ImportOptions& options = {}) const {
-    std::vector<NamedBytes> files;
-    for (std::size_t i = 0; i < names.size(); ++i) files.push_back({names[i], bytes[i]});
-    return importKeyframes(files, options);
-  }
-};
 
 inline double distance(const Positions& a, const Positions& b) {
   if (a.size() != b.size()) return 1e300;

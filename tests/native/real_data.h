@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "gltf_maker.h"
+#include "files.h"
 
 namespace shapespline::test {
 

@@ -1,46 +1,18 @@
 // Files that nobody here wrote, where they are at hand: counts, and that every malformed one is refused or imported.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "../fuzz/one_input.h"
 #include "gltf_maker.h"
+#include "real_data.h"
 
 namespace fs = std::filesystem;
 using namespace shapespline;
 using namespace shapespline::test;
 
 namespace {
-
-fs::path dataFolder() {
-  if (const char* named = std::getenv("SHAPESPLINE_DATA")) return named;
-  return fs::path(SHAPESPLINE_SOURCE_DIR).parent_path() / "shared" / "data";
-}
-
-// False, with a line for the test runner, where the real files are not at hand.
-bool hasData() {
-  if (fs::exists(dataFolder())) return true;
-  std::puts("SKIPPED a test over real files: their folder is not there");
-  return false;
-}
-
-Bytes contentOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  REQUIRE_MESSAGE(stream.good(), file.string());
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-Files filesOf(std::initializer_list<const char*> paths) {
-  Files files;
-  for (const char* path : paths) files.add(fs::path(path).filename().string(), contentOf(dataFolder() / path));
-  return files;
-}
 
 Import imported(const Files& files, const ImportOptions& options = {}) {
   auto result = files.import(options);
@@ -59,22 +31,22 @@ void checkCounts(const Import& import, int keys, int vertices, int faces) {
 
 TEST_CASE("real poses and morph targets") {
   if (!hasData()) return;
-  const Import poses = imported(filesOf({"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"}));
+  const Import poses = imported(realFiles({"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"}));
   checkCounts(poses, 3, 5261, 10518);
-  const Import morph = imported(filesOf({"cactus/cactus-morph.glb"}));
+  const Import morph = imported(realFiles({"cactus/cactus-morph.glb"}));
   checkCounts(morph, 3, 5261, 10518);
   CHECK(morph.keyframes.faces == poses.keyframes.faces);
   for (int j = 0; j < 3; ++j) CHECK(distance(morph.keyframes.keys[j].positions, poses.keyframes.keys[j].positions) < 1e-6);
 
-  const Import horse = imported(filesOf({"morph/Horse.glb"}));
+  const Import horse = imported(realFiles({"morph/Horse.glb"}));
   checkCounts(horse, 16, 796, 984);
   CHECK(horse.keyframes.keys.back().time == doctest::Approx(1.5));
   CHECK(horse.scene.colors.size() == 4 * 796);
 
-  checkCounts(imported(filesOf({"morph/AnimatedMorphSphere.gltf", "morph/AnimatedMorphSphere.bin"})), 8, 1876, 960);
-  CHECK(filesOf({"morph/AnimatedMorphSphere.gltf"}).import().error().code == ErrorCode::MissingResource);
+  checkCounts(imported(realFiles({"morph/AnimatedMorphSphere.gltf", "morph/AnimatedMorphSphere.bin"})), 8, 1876, 960);
+  CHECK(realFiles({"morph/AnimatedMorphSphere.gltf"}).import().error().code == ErrorCode::MissingResource);
 
-  const Import stress = imported(filesOf({"morph/MorphStressTest.gltf"}));
+  const Import stress = imported(realFiles({"morph/MorphStressTest.gltf"}));
   checkCounts(stress, 8, 1528, 2412);
   CHECK(stress.animations.size() == 3);
   CHECK(stress.scene.groups.size() == 2);
@@ -82,7 +54,7 @@ TEST_CASE("real poses and morph targets") {
 
 TEST_CASE("real skins and their animations") {
   if (!hasData()) return;
-  const Import man = imported(filesOf({"skin/CesiumMan.glb"}));
+  const Import man = imported(realFiles({"skin/CesiumMan.glb"}));
   checkCounts(man, 8, 3273, 4672);
   CHECK(man.keyframes.normals.size() == 3273);
   CHECK(man.scene.images.size() == 1);
@@ -92,13 +64,13 @@ TEST_CASE("real skins and their animations") {
   ImportOptions options;
   options.animation = std::string("Run");
   options.sampleTimes = {0, 0.25, 0.5};
-  const Import fox = imported(filesOf({"skin/Fox.glb"}), options);
+  const Import fox = imported(realFiles({"skin/Fox.glb"}), options);
   checkCounts(fox, 3, 1728, 576);
   CHECK(fox.animation == 2);
   CHECK(fox.animations.size() == 3);
   CHECK(fox.animations[0].name == "Survey");
 
-  const Import soldier = imported(filesOf({"skin/Soldier.glb"}), options);
+  const Import soldier = imported(realFiles({"skin/Soldier.glb"}), options);
   checkCounts(soldier, 3, 7434, 11376);
   CHECK(soldier.scene.groups.size() == 2);
   CHECK(soldier.scene.images.size() == 2);
@@ -106,15 +78,15 @@ TEST_CASE("real skins and their animations") {
 
 TEST_CASE("real OBJ poses") {
   if (!hasData()) return;
-  checkCounts(imported(filesOf({"obj/wolf/wolf-1.obj", "obj/wolf/wolf-4.obj", "obj/wolf/wolf-8.obj", "obj/wolf/wolf-12.obj",
+  checkCounts(imported(realFiles({"obj/wolf/wolf-1.obj", "obj/wolf/wolf-4.obj", "obj/wolf/wolf-8.obj", "obj/wolf/wolf-12.obj",
                                 "obj/wolf/wolf-16.obj", "obj/wolf/wolf-20.obj"})), 6, 5075, 10018);
-  checkCounts(imported(filesOf({"obj/lowpoly-cat/cat_000001.obj", "obj/lowpoly-cat/cat_000007.obj", "obj/lowpoly-cat/cat_000013.obj",
+  checkCounts(imported(realFiles({"obj/lowpoly-cat/cat_000001.obj", "obj/lowpoly-cat/cat_000007.obj", "obj/lowpoly-cat/cat_000013.obj",
                                 "obj/lowpoly-cat/cat_000019.obj", "obj/lowpoly-cat/cat_000025.obj", "obj/lowpoly-cat/cat_000031.obj"})), 6, 398, 794);
 }
 
 TEST_CASE("keys of two meshes are told apart with both counts") {
   if (!hasData()) return;
-  const auto mixed = filesOf({"cactus/cactus-1.glb", "obj/wolf/wolf-1.obj"}).import();
+  const auto mixed = realFiles({"cactus/cactus-1.glb", "obj/wolf/wolf-1.obj"}).import();
   REQUIRE(!mixed.ok());
   CHECK(mixed.error().code == ErrorCode::VertexCountMismatch);
   CHECK(mixed.error().message.find("5,075") != std::string::npos);
@@ -147,6 +119,6 @@ TEST_CASE("malformed real files") {
   }
   CHECK(files > 100);
   CHECK(refused > 90);
-  CHECK(filesOf({"malformed/wild/html-page/Soldier.glb"}).import().error().message.find("web page") != std::string::npos);
-  CHECK(filesOf({"malformed/wild/truncated/facecap.glb"}).import().error().code == ErrorCode::TruncatedFile);
+  CHECK(realFiles({"malformed/wild/html-page/Soldier.glb"}).import().error().message.find("web page") != std::string::npos);
+  CHECK(realFiles({"malformed/wild/truncated/facecap.glb"}).import().error().code == ErrorCode::TruncatedFile);
 }

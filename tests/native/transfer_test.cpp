@@ -1,13 +1,8 @@
 // The shape that follows a ghost mesh: what holds without a ghost holds with one, and the two agree.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "core/correspondence.h"
-#include "io/import.h"
+#include "real_data.h"
 #include "shapes.h"
 
 using namespace shapespline;
@@ -75,24 +70,6 @@ double worstKey(Sequence& s) {
   double worst = 0;
   for (const Key& key : s.keyframes().keys) worst = std::max(worst, largestDistance(at(s, key.time), key.positions));
   return worst / diagonalOf(s.keyframes());
-}
-
-std::filesystem::path dataFolder() {
-  if (const char* folder = std::getenv("SHAPESPLINE_DATA")) return folder;
-  return std::filesystem::path(SHAPESPLINE_SOURCE_DIR) / ".." / "shared" / "data";
-}
-
-Keyframes cactus() {
-  std::vector<std::vector<std::uint8_t>> bytes;
-  std::vector<NamedBytes> files;
-  for (int i = 1; i <= 3; ++i) {
-    std::ifstream file(dataFolder() / "cactus" / ("cactus-" + std::to_string(i) + ".glb"), std::ios::binary);
-    bytes.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-  }
-  for (int i = 0; i < 3; ++i) files.push_back({"cactus-" + std::to_string(i + 1) + ".glb", bytes[i]});
-  auto import = importKeyframes(files, {});
-  REQUIRE_MESSAGE(import.ok(), (import ? "" : import.error().message));
-  return std::move(import->keyframes);
 }
 
 }  // namespace
@@ -196,11 +173,9 @@ TEST_CASE("ghost: stays close to the shape without a ghost") {
 }
 
 TEST_CASE("ghost: of the cactus with 2,000 faces: KG 1 exact, 5 as published; keys in exact") {
-  if (!std::filesystem::exists(dataFolder() / "cactus" / "cactus-3.glb")) {
-    MESSAGE("SKIPPED: no cactus in the data folder");
-    return;
-  }
-  const Keyframes k = cactus();
+  const std::vector<std::string> poses = {"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"};
+  if (!hasData(poses)) return;
+  const Keyframes k = realKeyframes(poses);
   for (const bool optimal : {false, true}) {
     EncodingOptions options = ghostly(2000);
     options.optimalPlacement = optimal;

@@ -1,0 +1,95 @@
+// How near the motion comes to the truth: skinned animations of real characters sampled densely, every n-th sample a key, the others
+// what should be there.
+#include <doctest/doctest.h>
+
+#include "real_data.h"
+#include "sequences.h"
+#include "shapes.h"
+#include "sweep.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+constexpr double framesPerSecond = 60;
+constexpr int mostFrames = 121;
+
+// KG error (Karni & Gotsman, centroids) over all samples, in percent, as it was reached with default options.
+struct Reached {
+  std::string file;
+  std::string animation;  // empty: the only one
+  double every10th, every5th;
+};
+
+const std::vector<Reached> table = {
+    {"skin/CesiumMan.glb", "", 1.06669, 0.147583},         {"skin/Fox.glb", "Survey", 0.224642, 0.0501555},
+    {"skin/Fox.glb", "Walk", 5.71016, 1.73448},            {"skin/Fox.glb", "Run", 4.20504, 1.27974},
+    {"skin/Soldier.glb", "Idle", 0.0445967, 0.00632447},   {"skin/Soldier.glb", "Run", 8.50625, 1.92981},
+    {"skin/Soldier.glb", "Walk", 2.5511, 0.558199},
+};
+// What is reached may be missed by this share.
+constexpr double allowance = 0.01;
+
+// As many whole tens of frames as the animation lasts, or two seconds of it.
+Keyframes densely(const Files& file, const std::string& animation) {
+  ImportOptions options;
+  if (!animation.empty()) options.animation = animation;
+  const auto first = file.import(options);
+  REQUIRE_MESSAGE(first.ok(), (first.ok() ? "" : first.error().message));
+  const AnimationInfo& info = first->animations[first->animation];
+  const int tens = static_cast<int>((info.end - info.start) * framesPerSecond / 10 + 1e-6);
+  const int frames = std::min(mostFrames, 10 * tens + 1);
+  REQUIRE(frames > 10);
+  for (int i = 0; i < frames; ++i) options.sampleTimes.push_back(info.start + i / framesPerSecond);
+  auto import = file.import(options);
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  return std::move(import->keyframes);
+}
+
+Keyframes everyNth(const Keyframes& dense, int n) {
+  Keyframes k = dense;
+  k.keys.clear();
+  for (int i = 0; i < dense.keyCount(); i += n) k.keys.push_back(dense.keys[i]);
+  return k;
+}
+
+double errorOf(Sequence& sequence, const Keyframes& truth) {
+  std::vector<Positions> exact, ours;
+  for (const Key& key : truth.keys) exact.push_back(key.positions), ours.push_back(shapeAt(sequence, key.time));
+  return kgError(exact, ours, KgCentre::FrameCentroid);
+}
+
+double errorOf(Sequence& sequence, const Keyframes& truth, Method method) {
+  std::vector<double> times;
+  for (const Key& key : sequence.keyframes().keys) times.push_back(key.time);
+  MotionOptions motion;
+  motion.method = method;
+  REQUIRE(sequence.update(motion, times).ok());
+  return errorOf(sequence, truth);
+}
+
+void check(const Reached& reached) {
+  if (!hasData({reached.file})) return;
+  const Keyframes dense = densely(realFiles({reached.file}), reached.animation);
+  for (const auto& [every, limit] : {std::pair{10, reached.every10th}, std::pair{5, reached.every5th}}) {
+    Sequence sequence = sequenceOf(everyNth(dense, every), {});
+    const double error = errorOf(sequence, dense);
+    MESSAGE("KG | " << reached.file << " | " << reached.animation << " | " << dense.keyCount() << " frames, every " << every << "th a key | " << error
+                    << " | reached before: " << limit);
+    if (sweepsArePrinted())
+      MESSAGE("KG of others | geodesic " << errorOf(sequence, dense, Method::Geodesic) << ", cubic blend of vertices "
+                                         << errorOf(sequence, dense, Method::CubicVertex) << ", linear blend " << errorOf(sequence, dense, Method::Linear));
+    CHECK(error <= (1 + allowance) * limit);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("accuracy: a man, skin") { check(table[0]); }
+TEST_CASE("accuracy: a fox, Survey") { check(table[1]); }
+TEST_CASE("accuracy: a fox, Walk") { check(table[2]); }
+TEST_CASE("accuracy: a fox, Run") { check(table[3]); }
+TEST_CASE("accuracy: a soldier, Idle") { check(table[4]); }
+TEST_CASE("accuracy: a soldier, Run") { check(table[5]); }
+TEST_CASE("accuracy: a soldier, Walk") { check(table[6]); }

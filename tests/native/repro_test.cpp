@@ -1,0 +1,153 @@
+// Defects that inputs of tests/repro showed.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "../repro/repro_shapes.h"
+#include "sequences.h"
+
+using namespace shapespline;
+using namespace shapespline::repro;
+
+namespace {
+
+// How a wheel turns against its car.
+struct Turning {
+  double total = 0;                    // degrees from the first key to the last, forwards positive
+  double slowest = 0, fastest = 0;     // degrees a second; of unlike signs where the sense changes
+  double offAxis = 0;                  // largest tilt of the turn's axis, degrees
+};
+
+Turning turningOf(Sequence& sequence, const Car& car, int wheel) {
+  const Keyframes& k = sequence.keyframes();
+  const double start = k.keys.front().time, end = k.keys.back().time;
+  const int samples = 24 * (k.keyCount() - 1);
+  const Positions& rest = k.keys.front().positions;
+  const auto relative = [&](double t) -> Mat3 {
+    const Positions p = shapeAt(sequence, t);
+    return fitRigid(car.body(rest), car.body(p)).rotation.transpose() * fitRigid(car.wheel(rest, wheel), car.wheel(p, wheel)).rotation;
+  };
+  Turning found{0, INFINITY, -INFINITY, 0};
+  Mat3 before = relative(start);
+  for (int i = 1; i <= samples; ++i) {
+    const Mat3 now = relative(start + (end - start) * i / samples);
+    const Vec3 step = logRotation(Mat3(now * before.transpose())) * (180 / pi);
+    const double speed = step.y() * samples / (end - start);
+    found.total += step.y();
+    found.slowest = std::min(found.slowest, speed), found.fastest = std::max(found.fastest, speed);
+    found.offAxis = std::max(found.offAxis, std::acos(std::min(1.0, now(1, 1))) * (180 / pi));
+    before = now;
+  }
+  return found;
+}
+
+void checkRolls(Sequence& sequence, const Car& car, int wheel, double total) {
+  CAPTURE(wheel);
+  const Turning turning = turningOf(sequence, car, wheel);
+  CHECK(turning.total == doctest::Approx(total).epsilon(0.1 / total));
+  CHECK(turning.slowest > 0);
+  CHECK(turning.slowest > 0.9 * turning.fastest);
+  CHECK(turning.offAxis < 0.1);
+}
+
+const Warning* warningOf(const Sequence& sequence, const std::string& code) {
+  for (const Warning& warning : sequence.warnings())
+    if (warning.code == code) return &warning;
+  return nullptr;
+}
+
+// The largest distance of the hat from the bar.
+double largestGap(const Keyframes& hat) {
+  Sequence sequence = sequenceOf(hat, doublePrecision());
+  const int under = vertexUnderHat(hat);
+  double largest = 0;
+  for (int i = 0; i <= 40; ++i) {
+    const Positions p = shapeAt(sequence, i / 20.0);
+    largest = std::max(largest, (p.back() - p[under]).norm());
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("repro: a wheel turns on") {
+  const Car car = oneWheeled();
+  for (const double step : {90.0, 100.0, 120.0, 170.0}) {
+    CAPTURE(step);
+    Sequence sequence = sequenceOf(car.keys(drive(step, 5)), doublePrecision());
+    checkRolls(sequence, car, 0, 4 * step);
+  }
+}
+
+TEST_CASE("repro: a car's wheels turn on") {
+  const Car car = fourWheeled();
+  Sequence sequence = sequenceOf(car.keys(drive(90, 5)), doublePrecision());
+  CHECK(sequence.stats().components == 5);
+  for (int wheel = 0; wheel < car.wheels(); ++wheel) checkRolls(sequence, car, wheel, 360);
+}
+
+TEST_CASE("repro: a wheel turns on in a loop, too") {
+  const Car car = oneWheeled();
+  MotionOptions motion;
+  motion.boundary = BoundaryKind::Periodic;
+  Sequence sequence = sequenceOf(car.keys({{0, 0, 0}, {0, 0, 90}, {0, 0, 180}, {0, 0, 270}, {0, 0, 360}}), doublePrecision(), motion);
+  checkRolls(sequence, car, 0, 360);
+}
+
+TEST_CASE("repro: parts that turn far between two keys draw a warning that says where") {
+  const Car car = oneWheeled();
+  for (const double degrees : {155.0, 175.0, 185.0}) {
+    CAPTURE(degrees);
+    Sequence sequence = sequenceOf(car.keys({{0, 0, 0}, {1, 10, 20}, {2, 20, 20 + degrees}}), doublePrecision());
+    const Warning* warning = warningOf(sequence, "ambiguous-part-turn");
+    REQUIRE(warning != nullptr);
+    CHECK(warning->key == 2);
+    REQUIRE(warning->face >= 0);
+    CHECK(car.wheelOfFace(warning->face) == 0);
+    CHECK(!warning->patches.empty());
+  }
+  Sequence calm = sequenceOf(car.keys({{0, 0, 0}, {1, 10, 20}, {2, 20, 160}}), doublePrecision());
+  CHECK(warningOf(calm, "ambiguous-part-turn") == nullptr);
+}
+
+TEST_CASE("repro: whole turns can be added to a part") {
+  const Car car = oneWheeled();
+  const std::vector<double> times = {0, 1};
+  Sequence sequence = sequenceOf(car.keys(drive(90, 2)), doublePrecision());
+  MotionOptions motion;
+  motion.turns = {{1, 1, 1}};
+  REQUIRE(sequence.update(motion, times).ok());
+  checkRolls(sequence, car, 0, 450);
+  const Positions& rest = sequence.keyframes().keys[0].positions;
+  const Mat3 body = fitRigid(car.body(rest), car.body(shapeAt(sequence, 0.5))).rotation;
+  CHECK(logRotation(body).norm() == doctest::Approx(radians(5.5)).epsilon(1e-3));  // the body turns as before
+
+  // By 240 degrees forwards is what the keys show as 120 backwards: one turn less about that axis.
+  Sequence far = sequenceOf(car.keys(drive(240, 2)), doublePrecision());
+  motion.turns = {{1, -1, 1}};
+  REQUIRE(far.update(motion, times).ok());
+  checkRolls(far, car, 0, 240);
+}
+
+TEST_CASE("repro: a hat that vanishes in one key stays where it sits") {
+  for (const int small : {0, 1, 2}) {
+    CAPTURE(small);
+    // As one that nearly vanishes: 0.02 in the keys, 0.07 between them.
+    CHECK(largestGap(shrinkingHat(small, 0)) < largestGap(shrinkingHat(small, 0.01)) + 0.01);
+  }
+}
+
+TEST_CASE("repro: a mirrored key is named") {
+  Sequence sequence = sequenceOf(mirroredKey(), doublePrecision());
+  const Warning* warning = warningOf(sequence, "mirrored-key");
+  REQUIRE(warning != nullptr);
+  CHECK(warning->key == 1);
+  Sequence plain = sequenceOf(keyframes(box(1, 1.4, 6, 3, 4, 12), {bend(0), bend(0.7), bend(1.4)}), doublePrecision());
+  CHECK(warningOf(plain, "mirrored-key") == nullptr);
+}
+
+TEST_CASE("repro: a key far away welds nothing more") {
+  const auto welded = [](double lengths) { return sequenceOf(farKey(lengths), doublePrecision()).stats().weldedVertices; };
+  CHECK(farKey(0).vertexCount() == welded(0));
+  CHECK(welded(3900) == welded(0));
+}

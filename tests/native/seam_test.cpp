@@ -1,0 +1,155 @@
+// Periodic motions are one motion without a beginning: smooth where they close, the same whichever key is first, and one more period is
+// one more of the rigid motion that takes the first key to the last.
+#include <doctest/doctest.h>
+
+#include "one_sided.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+MotionOptions periodic(std::optional<double> period = {}) {
+  MotionOptions motion;
+  motion.boundary = BoundaryKind::Periodic;
+  motion.period = period;
+  return motion;
+}
+
+// A box in four places, turned about three axes on the way. With a period of 4 it turns back over the closing interval; by itself, as
+// rigid as it is, it goes on from the last place as it did from the first.
+Keyframes turnedBox(const std::vector<double>& times = {0, 1, 2, 3}) {
+  return keyframes(box(1, 2, 3, 3, 5, 8),
+                   {turn(Vec3::UnitX(), 0), turn(Vec3::UnitX(), radians(80), {2, 0, 0}), turn(Vec3::UnitY(), radians(85), {2, 1, 1}),
+                    turn(Vec3::UnitZ(), radians(75), {0, 1, 0})},
+                   times);
+}
+
+Map boxGoesOn() { return turn(Vec3::UnitZ(), radians(75), {0, 1, 0}); }
+
+// The same with a bar that bends meanwhile, and must turn back.
+Keyframes turnedBar(const std::vector<double>& times = {0, 1, 2, 3}) {
+  const auto pose = [](double bending, const Map& place) -> Map {
+    const Map bent = bend(radians(bending));
+    return [=](const Vec3& p) -> Vec3 { return place(bent(p)); };
+  };
+  return keyframes(box(1, 1, 10, 3, 3, 20),
+                   {pose(0, turn(Vec3::UnitX(), 0)), pose(60, turn(Vec3::UnitX(), radians(80))), pose(-30, turn(Vec3::UnitY(), radians(85))),
+                    pose(90, turn(Vec3::UnitZ(), radians(75)))},
+                   times);
+}
+
+// Once around the z axis by `degrees` in a period, at a distance of 10 from it, bending on the way as long as `bending` says.
+Map alongCircle(double degrees) { return turn(Vec3::UnitZ(), radians(degrees)); }
+
+Keyframes circleWalk(double degrees, const std::vector<double>& bending) {
+  std::vector<Map> maps;
+  const int steps = static_cast<int>(bending.size()) - 1;
+  for (int j = 0; j <= steps; ++j) {
+    const Map bent = bend(radians(bending[j])), place = alongCircle(degrees * j / steps);
+    maps.push_back([=](const Vec3& p) -> Vec3 { return place(bent(p) + Vec3(10, 0, 0)); });
+  }
+  return keyframes(box(1, 1, 3, 3, 3, 8), maps, [&] {
+    std::vector<double> times;
+    for (int j = 0; j <= steps; ++j) times.push_back(j);
+    return times;
+  }());
+}
+
+struct Walk {
+  std::string name;
+  double degrees;  // a period
+  Keyframes keyframes;
+};
+
+std::vector<Walk> walks() {
+  return {{"a circle in four quarters", 360, circleWalk(360, {0, 40, 0, -40, 0})},
+          {"a sixth of a circle", 60, circleWalk(60, {0, 40, -40, 0})},
+          {"a third of a circle, rigid", 120, circleWalk(120, {0, 0, 0, 0})}};
+}
+
+void checkSeam(const std::string& what, const Keyframes& k, const MotionOptions& motion) {
+  CAPTURE(what);
+  Sequence sequence = sequenceOf(k, doublePrecision(), motion);
+  const PatchTurns patches(sequence);
+  for (const double seam : {sequence.range().first, sequence.range().second}) {
+    CAPTURE(seam);
+    const Jumps jumps = jumpsAt(sequence, patches, seam);
+    CHECK(jumps.angularVelocity <= 1e-3);
+    CHECK(jumps.velocity <= 1e-3);
+    CHECK(jumps.angularAcceleration <= 1e-2);
+    CHECK(jumps.acceleration <= 1e-2);
+  }
+}
+
+// The loop with key `first` made the first: the keys before it come again after the last, `again` later and in the pose that `next` gives
+// them. Where the last key is the first one again it goes, and the new first one comes again.
+Keyframes startedAt(const Keyframes& k, int first, double period, const Map& next, bool lastIsFirst) {
+  Keyframes out;
+  out.faces = k.faces;
+  const int distinct = k.keyCount() - (lastIsFirst ? 1 : 0), count = k.keyCount();
+  for (int i = 0; i < count; ++i) {
+    Key key = k.keys[(first + i) % distinct];
+    if (first + i >= distinct) key.time += period, key.positions = mapped(key.positions, next);
+    out.keys.push_back(key);
+  }
+  return out;
+}
+
+void checkSameLoop(const std::string& what, const Keyframes& k, const MotionOptions& motion, const Map& next, bool lastIsFirst) {
+  CAPTURE(what);
+  Sequence sequence = sequenceOf(k, doublePrecision(), motion);
+  const auto [start, end] = sequence.range();
+  const int distinct = k.keyCount() - (lastIsFirst ? 1 : 0);
+  for (int first = 1; first < distinct; ++first) {
+    CAPTURE(first);
+    EncodingOptions encoding = doublePrecision();
+    encoding.reference = distinct - first;  // the first key of before
+    MotionOptions same = motion;
+    if (!lastIsFirst) same.period = end - start;
+    Sequence other = sequenceOf(startedAt(k, first, end - start, next, lastIsFirst), encoding, same);
+    double largest = 0;
+    for (int i = 0; i <= 24; ++i) {
+      const double t = start + (end - start) * (i + 0.3) / 12;
+      largest = std::max(largest, largestDistance(shapeAt(sequence, t), shapeAt(other, t)));
+    }
+    CHECK(largest < 1e-6 * diagonalOf(k));
+  }
+}
+
+const Map unmoved = [](const Vec3& p) -> Vec3 { return p; };
+
+}  // namespace
+
+TEST_CASE("seam: velocities and accelerations do not jump where a loop closes") {
+  checkSeam("a box about three axes", turnedBox(), periodic(4));
+  checkSeam("a box about three axes that goes on", turnedBox(), periodic());
+  checkSeam("a bar about three axes", turnedBar(), periodic());
+  checkSeam("a bar about three axes, uneven times", turnedBar({0, 0.7, 2, 2.5}), periodic(4.2));
+  checkSeam("a bar that bends", keyframes(bar(), {bend(0), bend(1), bend(-0.5)}, {0, 1, 2}), periodic());
+  for (const Walk& walk : walks()) checkSeam(walk.name, walk.keyframes, periodic());
+}
+
+TEST_CASE("seam: another key made the first gives the same loop") {
+  checkSameLoop("a box about three axes", turnedBox(), periodic(4), unmoved, false);
+  checkSameLoop("a box about three axes that goes on", turnedBox(), periodic(), boxGoesOn(), true);
+  checkSameLoop("a bar about three axes", turnedBar(), periodic(), unmoved, false);
+  checkSameLoop("a bar about three axes, uneven times", turnedBar({0, 0.7, 2, 2.5}), periodic(4.2), unmoved, false);
+  for (const Walk& walk : walks()) checkSameLoop(walk.name, walk.keyframes, periodic(), alongCircle(walk.degrees), true);
+}
+
+TEST_CASE("seam: one more period of a walk is one more of its rigid motion") {
+  for (const Walk& walk : walks()) {
+    CAPTURE(walk.name);
+    Sequence sequence = sequenceOf(walk.keyframes, doublePrecision(), periodic());
+    const double period = sequence.range().second - sequence.range().first;
+    for (const int periods : {1, 2, 5, -3})
+      for (const double t : {0.0, 0.4, 1.5, period - 0.1}) {
+        CAPTURE(periods);
+        CAPTURE(t);
+        const Positions expected = mapped(shapeAt(sequence, t), alongCircle(periods * walk.degrees));
+        const double off = largestDistance(expected, shapeAt(sequence, t + periods * period)) / diagonalOf(walk.keyframes);
+        CHECK(off < 1e-6);
+      }
+  }
+}
