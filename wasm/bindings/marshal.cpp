@@ -229,10 +229,12 @@ Json toJson(const SequenceStats& stats) {
           {"arrangeMs", stats.arrangeMs},
           {"factorBytes", stats.factorBytes},
           {"alignedByPatches", stats.alignedByPatches},
+          {"framesMs", stats.framesMs},
           {"facesMs", stats.facesMs},
           {"solveMs", stats.solveMs},
           {"placeMs", stats.placeMs},
-          {"normalsMs", stats.normalsMs}};
+          {"normalsMs", stats.normalsMs},
+          {"ghostMs", stats.ghostMs}};
 }
 
 Json toJson(const std::vector<AnimationInfo>& animations) {

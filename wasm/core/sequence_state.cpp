@@ -176,7 +176,7 @@ int Sequence::State::placedShape(const Weights& weights) {
     ++stats.solves;
     return shapeMotion->at(weights, placed, stats, crew);
   }
-  stats.facesMs = stats.solveMs = stats.placeMs = 0;
+  stats.framesMs = stats.facesMs = stats.solveMs = stats.placeMs = 0;
   blendVertices(shape, weights, weldedPositions);
   placed.move = Vec3::Zero();
   placed.places.resize(4 * weldedPositions.size());
