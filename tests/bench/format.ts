@@ -9,8 +9,14 @@ export function short(value: number): string {
   return value >= 100 ? value.toFixed(0) : value >= 10 ? value.toFixed(1) : value.toFixed(2);
 }
 
-/** Median / 95th percentile. */
-export const both = ({ median, slow }: Spread): string => `${short(median)} / ${short(slow)}`;
+/** Milliseconds that every clock here can tell apart: an isolated page's has steps of 5 microseconds. */
+export const CLOCK_MS = 0.01;
+
+/** Milliseconds that were measured. */
+export const msText = (ms: number): string => (ms < CLOCK_MS ? `< ${CLOCK_MS}` : short(ms));
+
+/** Median / 95th percentile, in milliseconds. */
+export const both = ({ median, slow }: Spread): string => `${msText(median)} / ${msText(slow)}`;
 
 /** Its columns are as wide as their longest cell. */
 export function table(titles: string[], rows: string[][]): string {

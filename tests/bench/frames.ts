@@ -1,8 +1,7 @@
-/** Single frames of one sequence: exact ones with their stages, the cheap ones for while a slider moves, and how well they agree. */
+/** Single frames of one sequence: exact ones with their stages, and the cheap ones for while a slider moves. */
 import type { Sequence } from '../../web/engine/api.ts';
 import type { Frame, SequenceStats } from '../../web/engine/types.ts';
 import type { ReadBandwidth } from './bandwidth.ts';
-import { distanceOf, NO_DISTANCE, worse, type Distance } from './distance.ts';
 import type { EigenRound, RunEigen } from './eigen.ts';
 import { quantile, spread, type Spread } from './quantile.ts';
 
@@ -10,8 +9,6 @@ import { quantile, spread, type Spread } from './quantile.ts';
 const FRAMES = 12;
 /** Passes before a round's frames, and as many after them. */
 const BANDWIDTH_PASSES = 3;
-/** Frames at which exact and cheap shapes are compared. */
-const COMPARED = 14;
 
 /** Single frames of one build, beside Eigen and the bandwidth of that moment (bytes a second): a machine that others use is not the
     same for long. */
@@ -29,10 +26,13 @@ export interface Round {
 export interface ExactFrames {
   /** Of the first build, when nothing was warm. */
   firstMs: number;
-  spline: Spread;
+  frames: Spread;
+  faces: Spread;
   solve: Spread;
   place: Spread;
   normals: Spread;
+  /** All stages, without the copy out of the wasm heap. */
+  stages: Spread;
   frame: Spread;
   rounds: RoundMedians[];
 }
@@ -50,12 +50,16 @@ export interface CheapFrames {
   /** The first one makes what all need. */
   firstMs: number;
   preview: Spread;
-  /** The largest mean and the largest distance over the compared frames. */
-  agreement: Distance;
 }
 
-/** From well before the first key to well after the last. */
-const timeOf = (k: number, count: number): number => -0.2 + (1.4 * k) / count;
+/** What the last exact frame took from its frames (of patches or of a ghost's faces) to what is drawn. */
+export const fromFramesMs = ({ facesMs, solveMs, placeMs, normalsMs }: SequenceStats): number => facesMs + solveMs + placeMs + normalsMs;
+
+/** All its stages. */
+export const stagesMs = (stats: SequenceStats): number => stats.framesMs + fromFramesMs(stats);
+
+/** The k-th of `count` steps from well before the first key to well after the last. */
+export const timeOf = (k: number, count: number): number => -0.2 + (1.4 * k) / count;
 
 /** One answer, which nobody overtakes. */
 export async function frameOf(answer: Promise<Frame | null>): Promise<Frame> {
@@ -64,7 +68,7 @@ export async function frameOf(answer: Promise<Frame | null>): Promise<Frame> {
   return frame;
 }
 
-async function msOf(answer: Promise<Frame | null>): Promise<number> {
+export async function msOf(answer: Promise<Frame | null>): Promise<number> {
   const frame = await frameOf(answer);
   frame.release();
   return frame.ms;
@@ -91,10 +95,11 @@ export async function roundOf(sequence: Sequence, readBandwidth: ReadBandwidth, 
 
 export function exactFrames(rounds: readonly Round[]): ExactFrames {
   const stats = rounds.flatMap((round) => round.stats);
-  const part = (of: 'facesMs' | 'solveMs' | 'placeMs' | 'normalsMs'): Spread => spread(stats.map((one) => one[of]));
+  const part = (of: 'framesMs' | 'facesMs' | 'solveMs' | 'placeMs' | 'normalsMs'): Spread => spread(stats.map((one) => one[of]));
   return {
     firstMs: rounds[0]!.firstMs,
-    spline: part('facesMs'), solve: part('solveMs'), place: part('placeMs'), normals: part('normalsMs'),
+    frames: part('framesMs'), faces: part('facesMs'), solve: part('solveMs'), place: part('placeMs'), normals: part('normalsMs'),
+    stages: spread(stats.map(stagesMs)),
     frame: spread(rounds.flatMap(({ ms }) => ms)),
     rounds: rounds.map((round) => ({
       factorMs: round.stats[0]!.factorMs, solveMs: quantile(round.stats.map(({ solveMs }) => solveMs)), frameMs: quantile(round.ms),
@@ -103,18 +108,6 @@ export function exactFrames(rounds: readonly Round[]): ExactFrames {
   };
 }
 
-export function cheapFrames(rounds: readonly Round[], agreement: Distance): CheapFrames {
-  return { firstMs: rounds[0]!.cheapFirstMs, preview: spread(rounds.flatMap(({ cheapMs }) => cheapMs)), agreement };
-}
-
-/** How far the cheap shapes are from the exact ones. */
-export async function agreementOf(sequence: Sequence): Promise<Distance> {
-  let agreement: Distance = NO_DISTANCE;
-  for (let k = 0; k <= COMPARED; ++k) {
-    const cheap = await frameOf(sequence.preview(timeOf(k, COMPARED)));
-    const exact = await frameOf(sequence.evaluate(timeOf(k, COMPARED)));
-    agreement = worse(agreement, distanceOf(cheap.positions, exact.positions));
-    for (const frame of [cheap, exact]) frame.release();
-  }
-  return agreement;
+export function cheapFrames(rounds: readonly Round[]): CheapFrames {
+  return { firstMs: rounds[0]!.cheapFirstMs, preview: spread(rounds.flatMap(({ cheapMs }) => cheapMs)) };
 }

@@ -1,18 +1,25 @@
-/** A sequence led by a ghost mesh, in the paper's two parts: the ghost's own shapes, and what carries them over to the mesh. */
+/** A sequence led by a ghost mesh, in the paper's two parts, each by the core's own clock. */
 import type { Engine, Keys, Sequence } from '../../web/engine/api.ts';
-import { frameOf } from './frames.ts';
+import type { Frame, SequenceStats } from '../../web/engine/types.ts';
+import { fromFramesMs, msOf, stagesMs } from './frames.ts';
 import { quantile } from './quantile.ts';
 
 const REPEATS = 5;
 
-/** Milliseconds for all shapes, medians of five. */
+export interface Led {
+  sequence: Sequence;
+  buildMs: number;
+}
+
+/** Milliseconds for all shapes, medians of five passes. */
 export interface LedRun {
   ghostFaces: number;
   buildMs: number;
-  /** Interpolation and reconstruction on the ghost alone: the answer to the caller, less what a question takes that needs no work. */
-  ghostMs: number;
-  /** Whole frames, from the spline to the mesh. */
-  wholeMs: number;
+  /** t_ir: interpolation and reconstruction of the ghost's own shape, its vertices included, as in the paper; a frame needs no more than
+      the rotations of its faces. */
+  irMs: number;
+  /** t_ts: from there to the shape: the stages of a frame after those rotations. */
+  tsMs: number;
 }
 
 /** Evenly over the range. */
@@ -21,7 +28,7 @@ export function evenTimes([first, last]: readonly [number, number], count: numbe
 }
 
 /** Milliseconds for all times: the median of five passes. */
-export async function passes(times: readonly number[], ask: (t: number) => Promise<number>): Promise<number> {
+async function passes(times: readonly number[], ask: (t: number) => Promise<number>): Promise<number> {
   const totals: number[] = [];
   for (let pass = 0; pass < REPEATS; ++pass) {
     let total = 0;
@@ -31,29 +38,30 @@ export async function passes(times: readonly number[], ask: (t: number) => Promi
   return quantile(totals);
 }
 
-export async function frameMs(sequence: Sequence, t: number): Promise<number> {
-  const frame = await frameOf(sequence.evaluate(t));
-  frame.release();
-  return frame.ms;
+/** All stages of so many exact frames: t_o without a ghost, in milliseconds. */
+export function stagesOf(sequence: Sequence, shapes: number): Promise<number> {
+  return passes(evenTimes(sequence.range, shapes), async (t) => stagesMs(await statsOf(sequence, sequence.evaluate(t))));
 }
 
-async function waited(question: () => Promise<unknown>): Promise<number> {
-  const asked = performance.now();
-  await question();
-  return performance.now() - asked;
+/** What is known when the answer is there. */
+async function statsOf(sequence: Sequence, answer: Promise<Frame | null>): Promise<SequenceStats> {
+  await msOf(answer);
+  return sequence.stats();
 }
 
-export async function ledRun(engine: Engine, keys: Keys, ghostFaces: number, shapes: number): Promise<LedRun> {
+/** To be disposed of by the caller. */
+export async function createLed(engine: Engine, keys: Keys, ghostFaces: number): Promise<Led> {
   const start = performance.now();
   const sequence = await engine.createSequence(keys, { ghostFaces });
-  const buildMs = performance.now() - start;
-  try {
-    const times = evenTimes(sequence.range, shapes);
-    const wholeMs = await passes(times, (t) => frameMs(sequence, t));
-    const answerMs = await passes(times, (t) => waited(() => sequence.ghostPositions(t)));
-    const messagesMs = await passes(times, () => waited(() => sequence.stats()));
-    return { ghostFaces: (await sequence.stats()).ghostFaces, buildMs, ghostMs: Math.max(answerMs - messagesMs, 0), wholeMs };
-  } finally {
-    sequence.dispose();
-  }
+  return { sequence, buildMs: performance.now() - start };
+}
+
+export async function ledRun({ sequence, buildMs }: Led, shapes: number): Promise<LedRun> {
+  const times = evenTimes(sequence.range, shapes);
+  const tsMs = await passes(times, async (t) => fromFramesMs(await statsOf(sequence, sequence.evaluate(t))));
+  const irMs = await passes(times, async (t) => {
+    await sequence.ghostPositions(t);
+    return (await sequence.stats()).ghostMs;
+  });
+  return { ghostFaces: (await sequence.stats()).ghostFaces, buildMs, irMs, tsMs };
 }

@@ -11,11 +11,13 @@ import { benchArguments, type Wanted } from '../../wasm/toolchain/bench-argument
 import { browserPlace } from './browser.ts';
 import { benchGhostInBrowser } from './ghost-browser.ts';
 import { benchGhost } from './ghost.ts';
+import { FEW_KEYS, MANY_KEYS } from './key-counts.ts';
 import { withNative } from './native.ts';
 import { nodePlace } from './node-place.ts';
 import { TABLE_2 } from './paper.ts';
-import { REFERENCE, type Place } from './place.ts';
+import type { Place } from './place.ts';
 import { report, type Results } from './report.ts';
+import type { Family } from './tables.ts';
 import { threadsLine } from './threads.ts';
 
 // Relative to the bundle, build/node/bench.mjs.
@@ -25,27 +27,41 @@ const generator = path.join(repository, 'build/cmake-wasm/shapespline_samples.js
 const reader = path.join(repository, 'build/cmake-wasm/shapespline_bench_read.wasm');
 
 const DEFAULT_FACES = [10_000, 32_000, 80_000, 332_000, 1_300_000];
+/** Larger meshes are not made in parts, or with many keys. */
+const LARGEST_PARTS = 400_000, LARGEST_MANY_KEYS = 100_000;
 
 const facesOf = ({ sizes }: Wanted): number[] => sizes?.map(({ faces }) => faces) ?? DEFAULT_FACES;
 
-/** Path of a generated mesh. */
-function meshOf(faces: number, split = false): string {
-  execFileSync(process.execPath, [generator, split ? '--bench-split' : '--bench', String(faces), folder], { stdio: ['ignore', 'ignore', 'inherit'] });
-  return path.join(folder, `bench-${faces}${split ? '-split' : ''}.glb`);
+/** Path of a generated mesh; `kind` is one of the generator's. */
+function meshOf(faces: number, { kind = '', keys = FEW_KEYS }: { kind?: '' | '-split' | '-parts'; keys?: number } = {}): string {
+  const into = path.join(folder, `keys-${keys}`);
+  const words = [generator, `--bench${kind}`, String(faces), String(keys), into];
+  execFileSync(process.execPath, words, { stdio: ['ignore', 'ignore', 'inherit'] });
+  return path.join(into, `bench-${faces}${kind}.glb`);
 }
 
 function say(what: string): void {
   process.stderr.write(`${what}\n`);
 }
 
+function machine(): string {
+  const { model = 'unknown processor', speed = 0 } = cpus()[0] ?? {};
+  const clock = speed > 0 && !/Hz/.test(model) ? ` at ${(speed / 1000).toFixed(2)} GHz` : '';
+  return `${cpus().length} x ${model.trim()}${clock}`;
+}
+
+/** The smallest and the largest. */
+const endsOf = (sizes: number[]): number[] => [...new Set(sizes.length > 0 ? [Math.min(...sizes), Math.max(...sizes)] : [])];
+
 async function runAll(place: Place, sizes: number[]): Promise<Results> {
-  const where = `${place.name}, ${cpus().length} x ${cpus()[0]?.model ?? 'unknown processor'}`;
-  const results: Results = { where, sizes: [], motions: [], resolutions: [] };
-  for (const faces of sizes) {
-    say(`${faces} faces`);
-    const mesh = meshOf(faces);
-    results.sizes.push(await withNative(mesh, mesh + REFERENCE, async (native, runEigen) => ({ native, run: await place.measure(mesh, runEigen) })));
-  }
+  const results: Results = { where: `${place.name}, ${machine()}`, sizes: [], motions: [], resolutions: [], keys: [] };
+  const measure = async (family: Family, faces: number): Promise<void> => {
+    say(`${faces} faces${family === 'parts' ? ' in parts' : ''}`);
+    const mesh = meshOf(faces, { kind: family === 'parts' ? '-parts' : '' });
+    results.sizes.push(await withNative(mesh, async (native, runEigen) => ({ family, native, run: await place.measure(mesh, runEigen) })));
+  };
+  for (const faces of sizes) await measure('smooth', faces);
+  for (const faces of sizes.filter((one) => one <= LARGEST_PARTS)) await measure('parts', faces);
   for (const row of TABLE_2.filter(({ faces }) => faces <= 1.2 * Math.max(...sizes))) {
     say(`${row.model}, ${row.shapes} shapes`);
     results.motions.push({ row, run: await place.motion(meshOf(row.faces), row) });
@@ -53,7 +69,13 @@ async function runAll(place: Place, sizes: number[]): Promise<Results> {
   // Where the list has a size of about four times the faces.
   for (const faces of sizes.filter((one) => sizes.some((other) => Math.abs(other - 4 * one) < 0.05 * other))) {
     say(`${faces} faces and each of them split into four`);
-    results.resolutions.push(await place.resolutions(meshOf(faces), meshOf(faces, true)));
+    results.resolutions.push(await place.resolutions(meshOf(faces), meshOf(faces, { kind: '-split' })));
+  }
+  for (const faces of endsOf(sizes.filter((one) => one <= LARGEST_MANY_KEYS))) {
+    for (const keys of MANY_KEYS) {
+      say(`${faces} faces, ${keys} keys`);
+      results.keys.push(await place.keys(meshOf(faces), meshOf(faces, { keys })));
+    }
   }
   return results;
 }

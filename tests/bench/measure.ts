@@ -1,14 +1,12 @@
 /** One generated mesh through the engine: every stage of building its sequence, then single frames. Browser and Node. */
-import type { Engine, Sequence } from '../../web/engine/api.ts';
+import type { Engine } from '../../web/engine/api.ts';
 import { bandwidthReader } from './bandwidth.ts';
 import { buildRepeatedly, Listener, refitGrowth, type Builds, type Silence } from './builds.ts';
-import { distanceOf } from './distance.ts';
 import type { RunEigen } from './eigen.ts';
-import { agreementOf, cheapFrames, exactFrames, frameOf, roundOf, type CheapFrames, type ExactFrames, type Round } from './frames.ts';
-import { ledRun, type LedRun } from './led.ts';
+import { errorsOf, type Errors, type Reference } from './errors.ts';
+import { cheapFrames, exactFrames, roundOf, type CheapFrames, type ExactFrames, type Round } from './frames.ts';
+import { createLed, ledRun, type LedRun } from './led.ts';
 
-/** Where frames are compared with those of the double precision. */
-export const REFERENCE_TIME = 0.3;
 /** The paper's ghost, and shapes to take its time from. */
 const GHOST_FACES = 2000, GHOST_SHAPES = 12;
 
@@ -27,27 +25,18 @@ export interface Run {
   refitGrowth: number;
   heapBytes: number;
   factorBytes: number;
-  /** Largest distance to the reference over the bounding box's diagonal. */
-  error: number;
+  errors: Errors;
 }
 
 export interface Input {
   name: string;
   mesh: Uint8Array;
-  /** The shape at REFERENCE_TIME: 3 numbers a vertex. */
-  reference: Float64Array;
+  reference: Reference;
   /** The module that reads memory. */
   reader: BufferSource;
   runEigen: RunEigen;
   /** Bytes of the whole process, or NaN. */
   processBytes: () => number;
-}
-
-async function errorOf(sequence: Sequence, reference: Float64Array): Promise<number> {
-  const frame = await frameOf(sequence.evaluate(REFERENCE_TIME));
-  const { worst } = distanceOf(frame.positions, reference);
-  frame.release();
-  return worst;
 }
 
 export async function measure(engine: Engine, { name, mesh, reference, reader, runEigen, processBytes }: Input): Promise<Run> {
@@ -61,17 +50,19 @@ export async function measure(engine: Engine, { name, mesh, reference, reader, r
   const { sequence, builds } = await buildRepeatedly(engine, keys, processBytes, async (built) => {
     rounds.push(await roundOf(built, readBandwidth, runEigen));
   });
-  const error = await errorOf(sequence, reference);
-  const agreement = await agreementOf(sequence);
+  const { vertices, faces } = keys.info.report;
+  const led = faces > 2 * GHOST_FACES ? await createLed(engine, keys, GHOST_FACES) : null;
+  const errors = await errorsOf(sequence, led?.sequence ?? null, reference);
   const growth = await refitGrowth(sequence);
   const { heapBytes, factorBytes } = await sequence.stats();
   sequence.dispose();
-  const { vertices, faces } = keys.info.report;
-  const led = faces > 2 * GHOST_FACES ? { ...(await ledRun(engine, keys, GHOST_FACES, GHOST_SHAPES)), shapes: GHOST_SHAPES } : null;
+  const ledTimes = led && { ...await ledRun(led, GHOST_SHAPES), shapes: GHOST_SHAPES };
+  led?.sequence.dispose();
   return {
-    faces, vertices, importMs, importSilence: listener.silence, builds, exact: exactFrames(rounds), cheap: cheapFrames(rounds, agreement), led, refitGrowth: growth,
+    faces, vertices, importMs, importSilence: listener.silence, builds, exact: exactFrames(rounds), cheap: cheapFrames(rounds),
+    led: ledTimes, refitGrowth: growth,
     // The import's memory was the first build's heap.
     heapBytes: Math.max(builds.heapBytes, heapBytes),
-    factorBytes, error,
+    factorBytes, errors,
   };
 }

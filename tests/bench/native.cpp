@@ -1,11 +1,12 @@
-// shapespline_bench_native FILE.glb REFERENCE T: the file's second system, native, as lines of JSON on stdout. The shape at time T,
-// computed in double, is written to REFERENCE: 3 doubles a vertex. The first line has our own solver in both precisions; then each
-// line on stdin is answered with a factorisation and a solve by Eigen, until stdin ends.
+// shapespline_bench_native FILE.glb REFERENCE T...: the file's second system, native, as lines of JSON on stdout. The shape at the k-th
+// time, computed in double, is written to REFERENCE followed by k, from 0 on: 3 doubles a vertex. The first line has our own solver in
+// both precisions; then each line on stdin is answered with a factorisation and a solve by Eigen, until stdin ends.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -145,23 +146,29 @@ bool answerByEigen(EigenSolver& eigen, const KnownSystem& system) {
   return std::fflush(stdout) == 0;
 }
 
-bool writeReference(Keyframes keyframes, const char* name, double t) {
-  EncodingOptions encoding;
-  encoding.precision = Precision::Double;
-  auto sequence = Sequence::create(std::move(keyframes), encoding, {});
-  Positions positions;
-  if (!sequence || !sequence->evaluate(t, positions)) return false;
-  std::FILE* file = std::fopen(name, "wb");
+bool writeShape(const Positions& positions, const std::string& name) {
+  std::FILE* file = std::fopen(name.c_str(), "wb");
   if (!file) return false;
   const bool written = std::fwrite(positions.data(), sizeof(Vec3), positions.size(), file) == positions.size();
   return std::fclose(file) == 0 && written;
 }
 
+bool writeReferences(Keyframes keyframes, const std::string& name, std::span<const double> times) {
+  EncodingOptions encoding;
+  encoding.precision = Precision::Double;
+  auto sequence = Sequence::create(std::move(keyframes), encoding, {});
+  if (!sequence) return false;
+  Positions positions;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    if (!sequence->evaluate(times[k], positions) || !writeShape(positions, name + std::to_string(k))) return false;
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::fprintf(stderr, "usage: shapespline_bench_native FILE.glb REFERENCE T\n");
+  if (argc < 4) {
+    std::fprintf(stderr, "usage: shapespline_bench_native FILE.glb REFERENCE T...\n");
     return 2;
   }
   const auto failed = [&](const char* why) {
@@ -180,7 +187,9 @@ int main(int argc, char** argv) {
   std::printf("{\"unknowns\":%d,\"eigenOrderMs\":%.3f", laplacian.matrix.size, watch.lap());
   if (!benchOwn(laplacian, system)) return failed("the system cannot be factorised");
   std::printf("}\n");
-  if (!writeReference(std::move(import->keyframes), argv[2], std::atof(argv[3]))) return failed("the reference cannot be written");
+  std::vector<double> times;
+  for (int i = 3; i < argc; ++i) times.push_back(std::atof(argv[i]));
+  if (!writeReferences(std::move(import->keyframes), argv[2], times)) return failed("the reference cannot be written");
   std::fflush(stdout);
   for (int c; (c = std::getchar()) != EOF;)
     if (c == '\n' && !answerByEigen(eigen, system)) return failed("Eigen cannot factorise the system");

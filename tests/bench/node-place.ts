@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { withEngine } from '../../web/engine/node.ts';
+import { compareKeys } from './key-counts.ts';
 import { measure } from './measure.ts';
 import { REFERENCE, type Place } from './place.ts';
 import { compareResolutions } from './resolutions.ts';
@@ -17,11 +18,13 @@ export function nodePlace(reader: string): Place {
   return {
     name: `Node ${process.version}`,
     measure: (mesh, runEigen) => withEngine((engine) => measure(engine, {
-      name: path.basename(mesh), mesh: bytesOf(mesh), reference: new Float64Array(bytesOf(mesh + REFERENCE).buffer), reader: bytesOf(reader),
-      runEigen, processBytes: () => process.memoryUsage().rss,
+      name: path.basename(mesh), mesh: bytesOf(mesh),
+      reference: (k) => Promise.resolve(new Float64Array(bytesOf(mesh + REFERENCE + k).buffer)),
+      reader: bytesOf(reader), runEigen, processBytes: () => process.memoryUsage().rss,
     }), ONE_THREAD),
     motion: (mesh, motion) => withEngine((engine) => runMotion(engine, path.basename(mesh), bytesOf(mesh), motion), ONE_THREAD),
     resolutions: (coarse, fine) => withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine)), ONE_THREAD),
+    keys: (few, many) => withEngine((engine) => compareKeys(engine, bytesOf(few), bytesOf(many)), ONE_THREAD),
     threads: (mesh) => withEngine((one) => withEngine((two) => compareThreads([one, two], bytesOf(mesh))), ONE_THREAD),
     close: () => Promise.resolve(),
   };

@@ -4,6 +4,7 @@ import { EngineClient, onlyOnce } from '../../web/engine/engine.ts';
 import { endedWorker, type Spawn } from '../../web/engine/remote.ts';
 import type { FromWorker } from '../../web/engine/protocol.ts';
 import type { RunEigen } from './eigen.ts';
+import { compareKeys, type KeysRun } from './key-counts.ts';
 import { measure, type Run } from './measure.ts';
 import { REFERENCE } from './place.ts';
 import { compareResolutions, type Resolutions } from './resolutions.ts';
@@ -43,7 +44,7 @@ export function measureFile(mesh: string, runEigen: RunEigen): Promise<Run> {
   return withEngine(async (engine) => measure(engine, {
     name: 'bench.glb',
     mesh: await meshOf(mesh),
-    reference: new Float64Array(await fetchBytes(mesh + REFERENCE)),
+    reference: async (k) => new Float64Array(await fetchBytes(mesh + REFERENCE + k)),
     reader: await fetchBytes(beside('cmake-wasm/shapespline_bench_read.wasm')),
     runEigen,
     // No page can tell.
@@ -57,6 +58,10 @@ export function motionOf(mesh: string, motion: Motion): Promise<MotionRun> {
 
 export function resolutionsOf(coarse: string, fine: string): Promise<Resolutions> {
   return withEngine(async (engine) => compareResolutions(engine, await meshOf(coarse), await meshOf(fine)));
+}
+
+export function keysOf(few: string, many: string): Promise<KeysRun> {
+  return withEngine(async (engine) => compareKeys(engine, await meshOf(few), await meshOf(many)));
 }
 
 export function threadsOf(mesh: string): Promise<ThreadsRun> {

@@ -1,5 +1,6 @@
 /** Where the engine runs while it is measured: in Node, or in a page. Meshes are files; `mesh` is a path. */
 import type { RunEigen } from './eigen.ts';
+import type { KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
 import type { Resolutions } from './resolutions.ts';
 import type { ThreadsRun } from './threads.ts';
@@ -8,13 +9,14 @@ import type { Motion, MotionRun } from './whole-sequences.ts';
 export interface Place {
   /** Program and version. */
   name: string;
-  /** The double reference lies beside the mesh. */
+  /** The double references lie beside the mesh. */
   measure(mesh: string, runEigen: RunEigen): Promise<Run>;
   motion(mesh: string, motion: Motion): Promise<MotionRun>;
   resolutions(coarse: string, fine: string): Promise<Resolutions>;
+  keys(few: string, many: string): Promise<KeysRun>;
   threads(mesh: string): Promise<ThreadsRun>;
   close(): Promise<void>;
 }
 
-/** Added to the mesh's path. */
+/** Added to the mesh's path, before the number of the time in the sweep. */
 export const REFERENCE = '.reference';

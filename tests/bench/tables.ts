@@ -1,13 +1,17 @@
 /** What was measured of each size, as tables. */
 import type { EigenRound } from './eigen.ts';
-import { both, short, table } from './format.ts';
-import type { RoundMedians } from './frames.ts';
+import { both, msText, short, table } from './format.ts';
+import type { KeysCost, KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
 import type { NativeRun } from './native.ts';
-import { quantile } from './quantile.ts';
-import { boundMs, ofRounds } from './targets.ts';
+import { boundMs, eigenOverFactor, eigenOverSolve, frameOverSolve, ofRounds, solveOverBound, steady } from './ratios.ts';
+import type { Swept, SweptParts } from './sweep.ts';
+
+/** One closed smooth body, or several parts with open boundaries. */
+export type Family = 'smooth' | 'parts';
 
 export interface Result {
+  family: Family;
   run: Run;
   native: NativeRun;
 }
@@ -15,55 +19,95 @@ export interface Result {
 const MB = 2 ** 20;
 const percent = (share: number): string => short(100 * share);
 
+export const meshName = ({ family, run }: Result): string => `${run.faces} faces${family === 'parts' ? ' in parts' : ''}`;
+
 export function buildTable(results: Result[]): string {
-  const titles = ['faces', 'vertices', 'import', 'weld', 'encode', 'order', 'factor', 'arrange', 'whole', 'silent'];
-  return table(titles, results.map(({ run: { builds, ...run } }) => [
-    String(run.faces), String(run.vertices), ...[run.importMs, builds.weldMs, builds.encodeMs, builds.orderMs, builds.factorMs, builds.arrangeMs, builds.buildMs].map(short),
-    [builds.silence, run.importSilence].map(({ ms, stage }) => `${short(ms)} (${stage})`).join(', import '),
-  ]));
+  const titles = ['mesh', 'vertices', 'import', 'weld', 'encode', 'order', 'factor', 'arrange', 'whole', 'silent'];
+  return table(titles, results.map((result) => {
+    const { run, run: { builds } } = result;
+    return [
+      meshName(result), String(run.vertices),
+      ...[run.importMs, builds.weldMs, builds.encodeMs, builds.orderMs, builds.factorMs, builds.arrangeMs, builds.buildMs].map(msText),
+      [builds.silence, run.importSilence].map(({ ms, stage }) => `${msText(ms)} (${stage})`).join(', import '),
+    ];
+  }));
 }
 
 export function memoryTable(results: Result[]): string {
-  const titles = ['faces', 'heap MB', 'fifth build / second', 'after ten refits / one', 'process grew by MB', 'factor MB'];
-  return table(titles, results.map(({ run: { builds, ...run } }) => [
-    String(run.faces), (run.heapBytes / MB).toFixed(0), short(builds.heapGrowth), short(run.refitGrowth),
-    Number.isFinite(builds.processGrowth) ? String(Math.round(builds.processGrowth / MB) + 0) : '-', (run.factorBytes / 1e6).toFixed(1),
-  ]));
+  const titles = ['mesh', 'heap MB', 'fifth build / second', 'after ten refits / one', 'process grew by MB', 'factor MB'];
+  return table(titles, results.map((result) => {
+    const { run, run: { builds } } = result;
+    return [
+      meshName(result), (run.heapBytes / MB).toFixed(0), short(builds.heapGrowth), short(run.refitGrowth),
+      Number.isFinite(builds.processGrowth) ? String(Math.round(builds.processGrowth / MB) + 0) : '-', (run.factorBytes / 1e6).toFixed(1),
+    ];
+  }));
 }
 
 export function frameTable(results: Result[]): string {
-  const titles = ['faces', 'first frame', 'spline + faces', 'solve', 'place', 'normals', 'frame', 'read GB/s', 'read bound', 'error'];
-  const bandwidth = (run: Run): number => ofRounds(run, (round) => round.bandwidth);
-  return table(titles, results.map(({ run, run: { exact } }) => [
-    String(run.faces), short(exact.firstMs), both(exact.spline), both(exact.solve), both(exact.place), both(exact.normals), both(exact.frame),
-    short(bandwidth(run) / 1e9), short(boundMs(run, bandwidth(run))), run.error.toExponential(1),
-  ]));
+  const titles = [
+    'mesh', 'first frame', 'patches', 'faces', 'solve', 'place', 'normals', 'frame', 'frame / solve',
+    'read GB/s', 'read bound', 'solve / read bound',
+  ];
+  return table(titles, results.map((result) => {
+    const { run, run: { exact } } = result;
+    const bandwidth = ofRounds(run, (_, round) => round.bandwidth);
+    return [
+      meshName(result), msText(exact.firstMs),
+      ...[exact.frames, exact.faces, exact.solve, exact.place, exact.normals, exact.frame].map(both),
+      steady(run, frameOverSolve), short(bandwidth / 1e9), msText(boundMs(run, bandwidth)), steady(run, solveOverBound),
+    ];
+  }));
 }
 
 export function cheapTable(results: Result[]): string {
-  const titles = ['faces', 'first', 'preview', 'exact', 'off in the mean %', 'at worst %'];
-  return table(titles, results.map(({ run: { cheap, exact, ...run } }) => [
-    String(run.faces), short(cheap.firstMs), both(cheap.preview), both(exact.frame), percent(cheap.agreement.mean), percent(cheap.agreement.worst),
-  ]));
+  return table(['mesh', 'first', 'preview', 'exact'], results.map((result) => {
+    const { cheap, exact } = result.run;
+    return [meshName(result), msText(cheap.firstMs), both(cheap.preview), both(exact.frame)];
+  }));
 }
 
-const ofEigen = (run: Run, value: keyof EigenRound): number => ofRounds(run, ({ eigen }) => eigen[value]);
+const sweptCells = ({ mean, largestMean, worst, at }: Swept): string[] => [...[mean, largestMean, worst].map(percent), at.toFixed(2)];
 
-/** Median of the rounds, and the lowest and highest of them: how steady the machine was. */
-function steady({ exact: { rounds } }: Run, value: (round: RoundMedians) => number): string {
-  const values = rounds.map(value);
-  return `${short(quantile(values))} (${short(Math.min(...values))} to ${short(Math.max(...values))})`;
+/** In % of the diagonal. */
+export function errorTable(results: Result[]): string {
+  const four = ['of one shape', 'worst', 'at t'];
+  const titles = ['mesh', 'the exact frame and', 'between the keys: mean', ...four, 'in the margins: mean', ...four];
+  return table(titles, results.flatMap((result) => {
+    const { double, preview, ghost } = result.run.errors;
+    const row = (what: string, { inside, margins }: SweptParts): string[] =>
+      [meshName(result), what, ...sweptCells(inside), ...sweptCells(margins)];
+    return [row('double', double), row('preview', preview), ...(ghost ? [row('led by a ghost', ghost)] : [])];
+  }));
 }
+
+const ofEigen = (run: Run, value: keyof EigenRound): number => ofRounds(run, (_, { eigen }) => eigen[value]);
 
 export function solverTable(results: Result[]): string {
   const titles = [
-    'unknowns', 'Eigen order', 'factor', 'solve', 'error', 'ours, native: order', 'factor', 'solve', 'error', 'in wasm: factor', 'solve',
-    'Eigen / in wasm: factor', 'solve',
+    'mesh', 'unknowns', 'Eigen order', 'factor', 'solve', 'error', 'ours, native: order', 'factor', 'solve', 'error',
+    'in wasm: factor', 'solve', 'Eigen / in wasm: factor', 'solve',
   ];
-  return table(titles, results.map(({ run, native: { unknowns, eigenOrderMs, single } }) => [
-    String(unknowns), short(eigenOrderMs), short(ofEigen(run, 'factorMs')), short(ofEigen(run, 'solveMs')), ofEigen(run, 'error').toExponential(1),
-    short(single.orderMs), short(single.factorMs), short(single.solveMs), single.error.toExponential(1),
-    short(run.builds.factorMs), short(run.exact.solve.median),
-    steady(run, ({ eigen, factorMs }) => eigen.factorMs / factorMs), steady(run, ({ eigen, solveMs }) => eigen.solveMs / solveMs),
+  return table(titles, results.map((result) => {
+    const { run, native: { unknowns, eigenOrderMs, single } } = result;
+    return [
+      meshName(result), String(unknowns),
+      ...[eigenOrderMs, ofEigen(run, 'factorMs'), ofEigen(run, 'solveMs')].map(msText), ofEigen(run, 'error').toExponential(1),
+      ...[single.orderMs, single.factorMs, single.solveMs].map(msText), single.error.toExponential(1),
+      msText(run.builds.factorMs), msText(run.exact.solve.median), steady(run, eigenOverFactor), steady(run, eigenOverSolve),
+    ];
+  }));
+}
+
+/** Each mesh with few keys, and with more and more of them. */
+export function keysTable(runs: KeysRun[]): string {
+  const titles = ['mesh', 'keys', 'build', 'patches', 'faces', 'frame', 'frame / with few', 'keys / few', 'heap MB'];
+  const row = (faces: number, cost: KeysCost, ratio: number, keys: number): string[] => [
+    `${faces} faces`, String(cost.keys), msText(cost.buildMs), ...[cost.frames, cost.faces, cost.frame].map(both),
+    short(ratio), short(keys), (cost.heapBytes / MB).toFixed(0),
+  ];
+  return table(titles, runs.flatMap(({ faces, few, many, ratio }, k) => [
+    ...(faces === runs[k - 1]?.faces ? [] : [row(faces, few, 1, 1)]),
+    row(faces, many, ratio, many.keys / few.keys),
   ]));
 }

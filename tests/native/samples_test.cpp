@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include "core/mesh_report.h"
 #include "core/metrics.h"
 #include "io/import.h"
 #include "samples/bench_mesh.h"
+#include "samples/bench_parts.h"
 #include "samples/edit_mesh.h"
 #include "samples/polygonise.h"
 #include "samples/random.h"
@@ -269,6 +273,64 @@ TEST_CASE("bench meshes: the same arguments give the same mesh, another seed ano
   CHECK(a.keyCount() == 4);
   for (int j = 0; j < 4; ++j) CHECK(a.keys[j].positions == b.keys[j].positions);
   CHECK(a.faces != c.faces);
+}
+
+TEST_CASE("bench meshes of parts: the wanted number of faces in several open parts, slivers among them, in every key") {
+  for (int faces : {2400, 9999}) {
+    CAPTURE(faces);
+    const Keyframes mesh = makeBenchParts(faces, 3, 5);
+    REQUIRE(validate(mesh).ok());
+    CHECK(mesh.faceCount() == faces + faces % 2);
+    const MeshReport report = reportOf(mesh);
+    CHECK(report.components == 21);
+    CHECK(report.weldedVertices == report.vertices);
+    CHECK(report.unreferencedVertices == 0);
+    CHECK(report.degenerateFaces == 0);
+    CHECK(report.counts.boundaryEdges > faces / 50);
+    CHECK(report.counts.nonManifoldEdges + report.counts.inconsistentEdges + report.counts.duplicateFaces == 0);
+    for (const Key& key : mesh.keys) {
+      CHECK(smallestAngle(mesh.faces, key.positions) > 0.02);
+      CHECK(smallestAngle(mesh.faces, key.positions) < 1.5);
+    }
+  }
+}
+
+TEST_CASE("bench meshes of parts: the parts turn on their own, the same arguments give the same mesh") {
+  const Keyframes a = makeBenchParts(2400, 4, 9), b = makeBenchParts(2400, 4, 9);
+  CHECK(a.faces == b.faces);
+  CHECK(a.keyCount() == 4);
+  for (int j = 0; j < 4; ++j) CHECK(a.keys[j].positions == b.keys[j].positions);
+  CHECK(a.faces != makeBenchParts(2400, 4, 10).faces);
+
+  // The balls against the body beside them: up to 60 degrees of their own, and some ten by which the body bends there.
+  const std::vector<char> all(a.faces.size(), 1);
+  const std::vector<int> pieceOf = connectedPieces(dualGraph(a.vertexCount(), a.faces, all), all).ofFace;
+  std::vector<std::set<int>> piece(*std::max_element(pieceOf.begin(), pieceOf.end()) + 1);
+  for (std::size_t f = 0; f < a.faces.size(); ++f) piece[pieceOf[f]].insert(a.faces[f].begin(), a.faces[f].end());
+  const auto body = *std::max_element(piece.begin(), piece.end(), [](const auto& p, const auto& q) { return p.size() < q.size(); });
+  std::vector<Triangle> bodyFaces;
+  std::copy_if(a.faces.begin(), a.faces.end(), std::back_inserter(bodyFaces),
+               [&](const Triangle& face) { return body.count(face[0]) > 0; });
+  CHECK(countMesh(a.vertexCount(), bodyFaces).boundaryEdges > 20);
+  const auto rotationNear = [&](const std::set<int>& vertices, const Vec3& centre) {
+    Positions before, after;
+    for (int v : vertices)
+      if ((a.keys[0].positions[v] - centre).norm() < 0.8) before.push_back(a.keys[0].positions[v]), after.push_back(a.keys[1].positions[v]);
+    return fitRigid(before, after).rotation;
+  };
+  int balls = 0;
+  double most = 0;
+  for (const auto& part : piece) {
+    Eigen::AlignedBox3d box;
+    for (int v : part) box.extend(a.keys[0].positions[v]);
+    if (box.sizes().maxCoeff() > 0.41) continue;
+    ++balls;
+    const Mat3 own = rotationNear(body, box.center()).transpose() * rotationNear(part, box.center());
+    most = std::max(most, Eigen::AngleAxisd(own).angle() * 180 / M_PI);
+  }
+  CHECK(balls == 5);
+  CHECK(most > 30);
+  CHECK(most < 80);
 }
 
 TEST_CASE("bench meshes: a subdivided mesh is the same shape with four times the faces") {

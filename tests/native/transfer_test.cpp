@@ -457,6 +457,22 @@ TEST_CASE("ghost: evaluate is a pure function of its arguments, and counts its w
   }
 }
 
+TEST_CASE("ghost: a frame and the ghost's own shape have clocks of their own") {
+  Sequence s = make(bentBar({0, 70}));
+  Frame frame;
+  REQUIRE(s.evaluate(0.4, frame).ok());
+  const SequenceStats exact = s.stats();
+  CHECK(exact.framesMs > 0);
+  CHECK(exact.facesMs > 0);
+  CHECK(exact.ghostMs == 0);  // nobody asked for its shape
+  std::vector<float> ghost;
+  REQUIRE(s.evaluateGhost(0.4, ghost).ok());
+  CHECK(s.stats().ghostMs > 0);
+  CHECK(s.stats().framesMs == exact.framesMs);
+  REQUIRE(s.preview(0.4, frame).ok());
+  CHECK(s.stats().framesMs == 0);  // the parts are those of an exact frame
+}
+
 TEST_CASE("ghost: wrong and pointless options") {
   const Keyframes k = keyframes(box(1, 1, 2, 2, 2, 4), {bend(0, 2), bend(1, 2)});
   for (int faces : {-1, 1, 3}) {

@@ -6,9 +6,18 @@ import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { benchArguments } from '../../wasm/toolchain/bench-arguments.mjs';
 import { withProgram } from '../bench/answers.ts';
+import { msText } from '../bench/format.ts';
+import { stagesMs, fromFramesMs } from '../bench/frames.ts';
+import { ratioOf, type KeysRun } from '../bench/key-counts.ts';
 import type { Run } from '../bench/measure.ts';
+import { table1, timesFaster } from '../bench/paper.ts';
 import { quantile, spread } from '../bench/quantile.ts';
-import { boundMs, ofRounds, targetsOf, verdict } from '../bench/targets.ts';
+import { boundMs, frameOverSolve, ofRounds, solveOverBound } from '../bench/ratios.ts';
+import { report } from '../bench/report.ts';
+import { isInside, SWEEP, sweptParts, type Swept } from '../bench/sweep.ts';
+import { errorTable, frameTable, keysTable, type Result } from '../bench/tables.ts';
+import { keysTarget, targetsOf, verdict } from '../bench/targets.ts';
+import type { SequenceStats } from '../../web/engine/types.ts';
 
 describe('the words behind npm run bench --', () => {
   it('say what is measured, on which sizes, and where', () => {
@@ -57,17 +66,31 @@ type Round = Run['exact']['rounds'][number];
 
 const GB = 1e9;
 
-/** A large mesh that meets every target, but for what its rounds say. */
-function runWith(rounds: Round[]): Run {
-  const even = { median: 1, slow: 1 }, silence = { ms: 0, stage: '' };
+const nowhere: Swept = { mean: 0, largestMean: 0, worst: 0, at: 0 };
+
+/** A large mesh that meets every target, but for what its rounds and errors say. */
+function runWith(rounds: Round[], errors: Partial<Run['errors']> = {}): Run {
+  const even = { median: 1, slow: 1 }, silence = { ms: 0, stage: '' }, off = { inside: nowhere, margins: nowhere };
   return {
-    faces: 1_300_000, vertices: 650_000, importMs: 1, importSilence: silence, led: null, refitGrowth: 1, heapBytes: 1, factorBytes: 0.01 * GB, error: 0,
+    faces: 1_300_000, vertices: 650_000, importMs: 1, importSilence: silence, led: null, refitGrowth: 1, heapBytes: 1,
+    factorBytes: 0.01 * GB, errors: { double: off, preview: off, ghost: null, ...errors },
     builds: {
       weldMs: 1, encodeMs: 1, orderMs: 1, factorMs: 1, arrangeMs: 1, buildMs: 1, silence, heapBytes: 1, heapGrowth: 1, processGrowth: 0,
     },
-    exact: { firstMs: 1, spline: even, solve: even, place: even, normals: even, frame: even, rounds },
-    cheap: { firstMs: 1, preview: even, agreement: { mean: 0, worst: 0 } },
+    exact: { firstMs: 1, frames: even, faces: even, solve: even, place: even, normals: even, stages: even, frame: even, rounds },
+    cheap: { firstMs: 1, preview: even },
   };
+}
+
+const resultOf = (run: Run, family: Result['family'] = 'smooth'): Result => {
+  const solver = { orderMs: 1, factorMs: 1, solveMs: 1, error: 0 };
+  return { family, run, native: { unknowns: 1, eigenOrderMs: 1, single: solver, double: solver } };
+};
+
+/** Cells of a Markdown table's rows, by title; of two columns with one title the last. */
+function cellsOf(text: string): Record<string, string>[] {
+  const [titles, , ...rows] = text.split('\n').map((line) => line.split('|').slice(1, -1).map((cell) => cell.trim()));
+  return rows.map((row) => Object.fromEntries(row.map((cell, k) => [titles![k]!, cell])));
 }
 
 /** What Eigen took in one round. */
@@ -83,25 +106,154 @@ const disturbed: Round[] = [
   { factorMs: 10, solveMs: 3, frameMs: 9, eigen: eigen(200, 60), bandwidth: 10 * GB },
 ];
 
+const MESH = '1300000 faces';
+const reachedBy = (run: Run): Record<string, number> => Object.fromEntries(targetsOf(MESH, run).map(({ what, value }) => [what, value]));
+
 describe('the targets', () => {
   it('compare what was measured in the same round', () => {
     const run = runWith(disturbed);
     expect(boundMs(run, 10 * GB)).toBe(2);  // twice the factor's 10 MB
-    expect(ofRounds(run, ({ solveMs, bandwidth }) => solveMs / boundMs(run, bandwidth))).toBe(1.5);
-    const reached = Object.fromEntries(targetsOf(run).map(({ what, value }) => [what, value]));
+    expect(ofRounds(run, solveOverBound)).toBe(1.5);
+    const reached = reachedBy(run);
     expect(reached['solve / read bound']).toBe(1.5);
     expect(reached['frame / solve']).toBe(2);
     expect(reached["Eigen's solve / ours"]).toBe(20);
     expect(reached["Eigen's factorisation / ours"]).toBe(20);
   });
 
+  it('are the ratios that the table of frames shows', () => {
+    const run = runWith(disturbed);
+    // The medians of frames and solves over all rounds are others: 9 and 3.
+    const exact = { ...run.exact, frame: { median: 9, slow: 9 }, solve: { median: 3, slow: 3 } };
+    const [row] = cellsOf(frameTable([resultOf({ ...run, exact })]));
+    expect(row!['frame / solve']).toBe('2.00 (2.00 to 3.00)');
+    expect(Number.parseFloat(row!['frame / solve']!)).toBe(ofRounds(run, frameOverSolve));
+    expect(Number.parseFloat(row!['solve / read bound']!)).toBe(reachedBy(run)['solve / read bound']);
+  });
+
+  it('hold the errors of the whole sweep, the margins to limits of their own', () => {
+    const run = runWith(disturbed, {
+      double: { inside: { ...nowhere, worst: 2e-6 }, margins: { ...nowhere, worst: 8e-6 } },
+      preview: {
+        inside: { mean: 1e-4, largestMean: 9e-4, worst: 4e-3, at: 0.3 }, margins: { mean: 1e-3, largestMean: 8e-3, worst: 4e-2, at: 1.4 },
+      },
+    });
+    const missed = targetsOf(MESH, run).filter(({ met }) => !met);
+    expect(missed).toEqual([]);
+    const reached = reachedBy(run);
+    expect(reached['error, 1e-5 of the diagonal']).toBeCloseTo(0.8);
+    expect(reached['preview in the mean, % of the diagonal']).toBeCloseTo(0.09);
+    expect(reached['preview in the margins at worst, %']).toBeCloseTo(4);
+    const worse = runWith(disturbed, { preview: { inside: { ...nowhere, largestMean: 0.0011 }, margins: { ...nowhere, worst: 0.051 } } });
+    expect(targetsOf(MESH, worse).filter(({ met }) => !met).map(({ what }) => what)).toEqual([
+      'preview in the mean, % of the diagonal', 'preview in the margins at worst, %',
+    ]);
+  });
+
   it('name in one sentence what was missed', () => {
-    const good = targetsOf(runWith(disturbed));
+    const good = targetsOf(MESH, runWith(disturbed));
     expect(verdict(good)).toBe(`All ${good.length} targets were met.`);
-    const slow = targetsOf(runWith(disturbed.map((round) => ({ ...round, frameMs: 3 * round.solveMs }))));
+    const slow = targetsOf(MESH, runWith(disturbed.map((round) => ({ ...round, frameMs: 3 * round.solveMs }))));
     expect(verdict(slow)).toBe(`1 of ${slow.length} targets MISSED: frame / solve at 1300000 faces (3.00, at most 2.50).`);
-    const behind = targetsOf(runWith(disturbed.map((round) => ({ ...round, eigen: eigen(20 * round.factorMs, 7.4 * round.solveMs) }))));
+    const behind = targetsOf(MESH, runWith(disturbed.map((round) => ({ ...round, eigen: eigen(20 * round.factorMs, 7.4 * round.solveMs) }))));
     expect(verdict(behind)).toContain("MISSED: Eigen's solve / ours at 1300000 faces (7.40, at least 7.50).");
+  });
+});
+
+describe('errors', () => {
+  it('are measured between the keys and in both margins, as far as the slider goes, and at no key', () => {
+    expect(Math.min(...SWEEP)).toBe(-0.4);
+    expect(Math.max(...SWEEP)).toBe(1.4);
+    expect([...SWEEP].sort((a, b) => a - b)).toEqual(SWEEP);
+    expect(SWEEP.filter(isInside).length).toBeGreaterThan(10);
+    for (const key of [0, 0.5, 1]) expect(Math.min(...SWEEP.map((t) => Math.abs(t - key)))).toBeGreaterThan(0.01);
+  });
+
+  it('have their mean, their largest mean and their worst, with its time', () => {
+    const { inside, margins } = sweptParts([
+      { t: -0.2, mean: 5, worst: 9 }, { t: 0.25, mean: 1, worst: 8 }, { t: 0.5, mean: 3, worst: 4 }, { t: 1.4, mean: 1, worst: 2 },
+    ]);
+    expect(inside).toEqual({ mean: 2, largestMean: 3, worst: 8, at: 0.25 });
+    expect(margins).toEqual({ mean: 3, largestMean: 5, worst: 9, at: -0.2 });
+  });
+
+  it('stand in the table for each way, in percent', () => {
+    const off = { mean: 0.01, largestMean: 0.02, worst: 0.03, at: 0.25 };
+    const rows = cellsOf(errorTable([resultOf(runWith(disturbed, { ghost: { inside: nowhere, margins: off } }), 'parts')]));
+    expect(rows.map((row) => row['the exact frame and'])).toEqual(['double', 'preview', 'led by a ghost']);
+    expect(rows[2]).toMatchObject({
+      mesh: '1300000 faces in parts', 'in the margins: mean': '1.00', 'of one shape': '2.00', worst: '3.00', 'at t': '0.25',
+    });
+  });
+});
+
+describe('times', () => {
+  it('below what clocks can tell are said to be below it', () => {
+    expect([0, 0.0099, 0.01, 12.34, Number.NaN].map(msText)).toEqual(['< 0.01', '< 0.01', '0.010', '12.3', '-']);
+    expect(timesFaster(20, 4)).toBe('5.00');
+    expect(timesFaster(20, 0)).toBe('> 2000');
+  });
+
+  it('of a led shape are those of the stages after its frames', () => {
+    const stats = { framesMs: 1, facesMs: 2, solveMs: 4, placeMs: 8, normalsMs: 16, ghostMs: 32 } as SequenceStats;
+    expect(stagesMs(stats)).toBe(31);
+    expect(fromFramesMs(stats)).toBe(30);
+  });
+
+  it("stand beside the paper's, of one shape, in milliseconds", () => {
+    const run = runWith(disturbed);
+    const led = { ghostFaces: 2000, buildMs: 1, irMs: 24, tsMs: 48, shapes: 12 };
+    const rows = cellsOf(table1([{ ...run, led }])!);
+    expect(rows.map((row) => row['Armadillo (1.3M)'])).toEqual([
+      '39.0', '2.00', '2862', '4.00', '2901', '6.00', '484', '37200', '1.00', '37200',
+    ]);
+  });
+});
+
+const keysRun = (keys: number, ratio: number): KeysRun => {
+  const even = { median: 1, slow: 1 };
+  const cost = { keys: 3, buildMs: 1, frame: even, frames: even, faces: even, heapBytes: 2 ** 20 };
+  return { faces: 10_000, few: cost, many: { ...cost, keys }, ratio };
+};
+
+describe('more keys', () => {
+  it('are compared with few round by round', () => {
+    // A machine that slows down, and was disturbed in the second round.
+    expect(ratioOf([[1, 2, 1], [2, 2, 4], [4, 4, 4]], [[3, 3, 3], [10, 10, 10], [12, 12, 12]])).toBe(3);
+  });
+
+  it('may not cost as many times more as there are', () => {
+    expect(keysTarget(keysRun(8, 2.6))).toMatchObject({ what: 'frame with 8 keys / with 3', limit: 8 / 3, met: true });
+    expect(keysTarget(keysRun(8, 2.7)).met).toBe(false);
+  });
+
+  it('have one row for few and one for each of the others', () => {
+    const rows = cellsOf(keysTable([keysRun(8, 1.5), keysRun(25, 3), { ...keysRun(8, 2), faces: 80_000 }]));
+    expect(rows.map((row) => [row['keys'], row['frame / with few'], row['keys / few']])).toEqual([
+      ['3', '1.00', '1.00'], ['8', '1.50', '2.67'], ['25', '3.00', '8.33'], ['3', '1.00', '1.00'], ['8', '2.00', '2.67'],
+    ]);
+  });
+});
+
+describe('the report', () => {
+  it('names both machines beside each comparison with the paper, and takes that from the smooth mesh', () => {
+    const where = 'Node v20, 2 x Some Processor';
+    const smooth = { ...runWith(disturbed), faces: 10_000 };
+    const parts = { ...smooth, exact: { ...smooth.exact, stages: { median: 77, slow: 77 } } };
+    const times = { ir: 1, ts: 1, o: 1 };
+    const row = { model: 'Cactus', faces: 10_000, shapes: 20, fraction: 0.05, other: times, paper: times };
+    const motion = { row, run: { led: { ghostFaces: 500, buildMs: 1, irMs: 1, tsMs: 1 }, buildMs: 1, wholeMs: 1 } };
+    const { text, verdict: sentence } = report({
+      where, sizes: [resultOf(parts, 'parts'), resultOf(smooth)], motions: [motion], resolutions: [], keys: [keysRun(8, 9)],
+    });
+    const [table1Text, table2Text] = ['Table 1', 'Table 2'].map((title) => text.split(`paper's ${title}`)[1]!.split('##')[0]!);
+    for (const section of [table1Text, table2Text]) {
+      expect(section).toContain(where);
+      expect(section).toContain('Intel Core i7-3770 at 3.40 GHz');
+    }
+    expect(table1Text).not.toContain('77.0');
+    expect(text).toContain('10000 faces in parts');
+    expect(sentence).toContain('frame with 8 keys / with 3 at 10000 faces (9.00, at most 2.67)');
   });
 });
 

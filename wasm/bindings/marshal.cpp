@@ -228,10 +228,12 @@ Json toJson(const SequenceStats& stats) {
           {"factorMs", stats.factorMs},
           {"arrangeMs", stats.arrangeMs},
           {"factorBytes", stats.factorBytes},
+          {"framesMs", stats.framesMs},
           {"facesMs", stats.facesMs},
           {"solveMs", stats.solveMs},
           {"placeMs", stats.placeMs},
-          {"normalsMs", stats.normalsMs}};
+          {"normalsMs", stats.normalsMs},
+          {"ghostMs", stats.ghostMs}};
 }
 
 Json toJson(const std::vector<AnimationInfo>& animations) {

@@ -189,6 +189,7 @@ int Reconstructor<Real>::reconstruct(const CurvePoint& point, PlacedShape<Real>&
   Stopwatch watch;
   const PoseWeights w = poseWeights(point, *shape_);
   source_->at(point, frames_);
+  const double framesMs = watch.lap();
   shape.places.resize(4 * std::max(static_cast<std::size_t>(poisson_.size()), placeOf_.size()));
   Real* const x = shape.places.data();
   const int lost = assemble(w, x, crew);
@@ -199,7 +200,7 @@ int Reconstructor<Real>::reconstruct(const CurvePoint& point, PlacedShape<Real>&
   placeLoose(w, x);
   shape.move = meanMove(w, x);
   slotsToPlaces(x);
-  if (stats) stats->facesMs = facesMs, stats->solveMs = solveMs, stats->placeMs = watch.lap();
+  if (stats) stats->framesMs = framesMs, stats->facesMs = facesMs, stats->solveMs = solveMs, stats->placeMs = watch.lap();
   return lost;
 }
 

@@ -135,7 +135,7 @@ Status Sequence::preview(double t, Frame& frame) {
   const CurvePoint point = s.curve->at(wrapped.time);
   if (blendsVertices(s.motion.method)) return evaluate(t, frame);
   frame.lostDefiniteness = 0;
-  s.stats.facesMs = s.stats.solveMs = s.stats.placeMs = 0;
+  s.stats.framesMs = s.stats.facesMs = s.stats.solveMs = s.stats.placeMs = 0;
   if (Status status = s.shapeMotion->previewAt(point, s.placed); !status) return status;
   s.finish(s.globalMotion(t, wrapped, point), frame);
   return {};
@@ -167,11 +167,13 @@ Status Sequence::evaluateGhost(double t, std::vector<float>& positions) {
   State& s = *state_;
   GhostMotion* ghost = s.shapeMotion->ghost();
   if (!ghost) return Error{ErrorCode::InvalidOption, "This sequence has no ghost mesh. Create it with ghost faces."};
+  Stopwatch watch;
   const WrappedTime wrapped = s.curve->wrap(t);
   const CurvePoint point = s.curve->at(wrapped.time);
   const RigidMotion global = s.globalMotion(t, wrapped, point);
   if (blendsVertices(s.motion.method)) blendVertices(ghost->shape(), point, s.ghostPositions);
   else ghost->positions(point, s.ghostPositions);
+  s.stats.ghostMs = watch.lap();
   positions.clear();
   for (const Vec3& p : s.ghostPositions)
     for (const double x : global(p)) positions.push_back(static_cast<float>(x));

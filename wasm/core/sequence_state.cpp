@@ -188,7 +188,7 @@ int Sequence::State::placedShape(const CurvePoint& point) {
     ++stats.solves;
     return shapeMotion->at(point, placed, stats, crew);
   }
-  stats.facesMs = stats.solveMs = stats.placeMs = 0;
+  stats.framesMs = stats.facesMs = stats.solveMs = stats.placeMs = 0;
   blendVertices(shape, point, weldedPositions);
   placed.move = Vec3::Zero();
   placed.places.resize(4 * weldedPositions.size());

@@ -21,9 +21,11 @@ struct SequenceStats {
   int ghostFaces = 0, ghostVertices = 0;  ///< 0 without a ghost
   int joinedComponents = 0;               ///< components too small for a ghost of their own
   double simplifyMs = 0, transferMs = 0;  ///< with a ghost: collapses; correspondence and residuals
-  /// Wall time of the last frame's parts: spline, frames and right-hand side; the full-resolution solve; placing the
-  /// vertices; normals and what is drawn, in the order of the raw vertices.
-  double facesMs = 0, solveMs = 0, placeMs = 0, normalsMs = 0;
+  /// Wall time of the last frame's parts: the frames that faces stand in (of patches or of a ghost's faces); splined faces and
+  /// right-hand side; the full-resolution solve; placing the vertices; normals and what is drawn, in the order of the raw
+  /// vertices.
+  double framesMs = 0, facesMs = 0, solveMs = 0, placeMs = 0, normalsMs = 0;
+  double ghostMs = 0;  ///< wall time of the ghost's own last shape, from the spline to its vertices
 };
 
 class Stopwatch {

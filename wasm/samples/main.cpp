@@ -1,6 +1,8 @@
 // shapespline_samples OUTDIR: writes the built-in samples and their list.
 // shapespline_samples --bench FACES [KEYS] OUTDIR: writes bench-FACES.glb instead, keys (three) of a generated mesh.
 // shapespline_samples --bench-split FACES [KEYS] OUTDIR: that mesh with every face split into four, bench-FACES-split.glb.
+// shapespline_samples --bench-parts FACES [KEYS] OUTDIR: a mesh of several parts with open boundaries, bench-FACES-parts.glb.
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -8,6 +10,7 @@
 #include <string>
 
 #include "samples/bench_mesh.h"
+#include "samples/bench_parts.h"
 #include "samples/sample_file.h"
 
 namespace {
@@ -41,23 +44,43 @@ int writeSamples(const std::filesystem::path& folder) {
   return writeFile(folder / "samples.json", list.data(), list.size()) ? 0 : 1;
 }
 
-int writeBenchMesh(int faces, int keys, bool split, const std::filesystem::path& folder) {
+// Which generated mesh a word asks for.
+struct BenchKind {
+  const char* word;
+  const char* suffix;
+  shapespline::Keyframes (*make)(int faces, int keys, std::uint32_t seed);
+};
+
+shapespline::Keyframes makeSplit(int faces, int keys, std::uint32_t seed) {
+  return shapespline::subdivided(shapespline::makeBenchKeyframes(faces, keys, seed));
+}
+
+constexpr BenchKind benchKinds[] = {
+    {"--bench", "", shapespline::makeBenchKeyframes},
+    {"--bench-split", "-split", makeSplit},
+    {"--bench-parts", "-parts", shapespline::makeBenchParts},
+};
+
+const BenchKind* benchKindOf(const std::string& word) {
+  for (const BenchKind& kind : benchKinds)
+    if (word == kind.word) return &kind;
+  return nullptr;
+}
+
+int writeBenchMesh(const BenchKind& kind, int faces, int keys, const std::filesystem::path& folder) {
   constexpr std::uint32_t seed = 1;
-  const std::string id = "bench-" + std::to_string(faces) + (split ? "-split" : "");
-  auto keyframes = shapespline::makeBenchKeyframes(faces, keys, seed);
-  if (split) keyframes = shapespline::subdivided(keyframes);
-  return writeSample(folder, {id, id, "", shapespline::BoundaryKind::Natural, std::move(keyframes)}) ? 0 : 1;
+  const std::string id = "bench-" + std::to_string(faces) + kind.suffix;
+  return writeSample(folder, {id, id, "", shapespline::BoundaryKind::Natural, kind.make(faces, keys, seed)}) ? 0 : 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool split = argc > 2 && std::string(argv[1]) == "--bench-split";
-  const bool bench = (argc == 4 || argc == 5) && (split || std::string(argv[1]) == "--bench");
+  const BenchKind* const bench = argc == 4 || argc == 5 ? benchKindOf(argv[1]) : nullptr;
   const int faces = bench ? std::atoi(argv[2]) : 0;
   const int keys = argc == 5 ? std::atoi(argv[3]) : 3;
   if (argc != 2 && !(bench && faces >= 64 && faces <= 4000000 && keys >= 2 && keys <= 100)) {
-    std::fprintf(stderr, "usage: shapespline_samples [--bench FACES [KEYS] | --bench-split FACES [KEYS]] OUTDIR\n");
+    std::fprintf(stderr, "usage: shapespline_samples [--bench|--bench-split|--bench-parts FACES [KEYS]] OUTDIR\n");
     return 2;
   }
   const std::filesystem::path folder = argv[argc - 1];
@@ -67,5 +90,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s cannot be made: %s\n", folder.string().c_str(), error.message().c_str());
     return 1;
   }
-  return bench ? writeBenchMesh(faces, keys, split, folder) : writeSamples(folder);
+  return bench ? writeBenchMesh(*bench, faces, keys, folder) : writeSamples(folder);
 }

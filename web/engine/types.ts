@@ -265,11 +265,14 @@ export interface SequenceStats {
   /** Of the stored factor, entries and row lists: a solve reads them twice. */
   factorBytes: number;
   alignedByPatches: boolean;
-  /** Of the last frame: spline and right-hand side; solve; placing the vertices; normals. */
+  /** Of the last exact frame: the frames that faces stand in; splined faces and right-hand side; solve; placing the vertices; normals. */
+  framesMs: number;
   facesMs: number;
   solveMs: number;
   placeMs: number;
   normalsMs: number;
+  /** Of the ghost's own last shape, from the spline to its vertices. */
+  ghostMs: number;
   /** Bytes of the wasm heap. */
   heapBytes: number;
   /** That work on an exact frame: 2 where that was found to be faster. */

@@ -1,0 +1,37 @@
+/** The same sweep of times by several ways: how far each is from the exact frame of the default precision. */
+import type { Sequence } from '../../web/engine/api.ts';
+import type { Frame } from '../../web/engine/types.ts';
+import { distanceOf } from './distance.ts';
+import { frameOf } from './frames.ts';
+import { SWEEP, sweptParts, type DistanceAt, type SweptParts } from './sweep.ts';
+
+export interface Errors {
+  /** From the shape computed in double. */
+  double: SweptParts;
+  /** Of the preview. */
+  preview: SweptParts;
+  /** Of the shape that a ghost leads; null without one. */
+  ghost: SweptParts | null;
+}
+
+/** The shape at the k-th time of the sweep in double: 3 numbers a vertex. */
+export type Reference = (k: number) => Promise<Float64Array>;
+
+async function withFrame<T>(answer: Promise<Frame | null>, use: (positions: Float32Array) => T): Promise<T> {
+  const frame = await frameOf(answer);
+  const result = use(frame.positions);
+  frame.release();
+  return result;
+}
+
+export async function errorsOf(sequence: Sequence, led: Sequence | null, reference: Reference): Promise<Errors> {
+  const double: DistanceAt[] = [], preview: DistanceAt[] = [], ghost: DistanceAt[] = [];
+  for (const [k, t] of SWEEP.entries()) {
+    const exact = await frameOf(sequence.evaluate(t));
+    double.push({ t, ...distanceOf(exact.positions, await reference(k)) });
+    preview.push({ t, ...await withFrame(sequence.preview(t), (positions) => distanceOf(positions, exact.positions)) });
+    if (led) ghost.push({ t, ...await withFrame(led.evaluate(t), (positions) => distanceOf(positions, exact.positions)) });
+    exact.release();
+  }
+  return { double: sweptParts(double), preview: sweptParts(preview), ghost: led ? sweptParts(ghost) : null };
+}

@@ -1,0 +1,86 @@
+/** What a frame costs with few keys and with many: the same mesh, in turn, so that both meet the same machine. */
+import type { Engine, Sequence } from '../../web/engine/api.ts';
+import type { SequenceStats } from '../../web/engine/types.ts';
+import { msOf, timeOf } from './frames.ts';
+import { quantile, spread, type Spread } from './quantile.ts';
+
+/** What the others are compared with, and those. */
+export const FEW_KEYS = 3;
+export const MANY_KEYS = [8, 25, 100] as const;
+
+const ROUNDS = 5;
+/** Steps from frame to frame in a round. */
+const FRAMES = 12;
+
+/** Milliseconds; bytes. */
+export interface KeysCost {
+  keys: number;
+  buildMs: number;
+  frame: Spread;
+  /** Patch rotations; the splined faces and their right-hand side: the stages that know of keys. */
+  frames: Spread;
+  faces: Spread;
+  heapBytes: number;
+}
+
+export interface KeysRun {
+  faces: number;
+  few: KeysCost;
+  many: KeysCost;
+  /** Of a frame with many keys to one with few: the median of the rounds' ratios. */
+  ratio: number;
+}
+
+interface Measured {
+  dispose(): void;
+  sequence: Sequence;
+  keys: number;
+  faces: number;
+  buildMs: number;
+  /** By round. */
+  ms: number[][];
+  stats: SequenceStats[];
+}
+
+async function build(engine: Engine, mesh: Uint8Array): Promise<Measured> {
+  const keys = await engine.importKeyframes([{ name: 'bench.glb', bytes: mesh }]);
+  const start = performance.now();
+  const sequence = await engine.createSequence(keys);
+  const buildMs = performance.now() - start;
+  const dispose = (): void => {
+    sequence.dispose();
+    keys.dispose();
+  };
+  return { dispose, sequence, keys: keys.info.times.length, faces: keys.info.report.faces, buildMs, ms: [], stats: [] };
+}
+
+/** The first frame after the other sequence's is not counted. */
+async function round({ sequence, ms, stats }: Measured): Promise<void> {
+  await msOf(sequence.evaluate(0.5));
+  const own: number[] = [];
+  for (let k = 0; k <= FRAMES; ++k) {
+    own.push(await msOf(sequence.evaluate(timeOf(k, FRAMES))));
+    stats.push(await sequence.stats());
+  }
+  ms.push(own);
+}
+
+function costOf({ keys, buildMs, ms, stats }: Measured): KeysCost {
+  const part = (of: 'framesMs' | 'facesMs'): Spread => spread(stats.map((one) => one[of]));
+  return { keys, buildMs, frame: spread(ms.flat()), frames: part('framesMs'), faces: part('facesMs'), heapBytes: stats.at(-1)!.heapBytes };
+}
+
+/** Median over the rounds of how much longer a frame takes: each of them has both. */
+export function ratioOf(few: readonly number[][], many: readonly number[][]): number {
+  return quantile(few.map((ms, k) => quantile(many[k]!) / quantile(ms)));
+}
+
+export async function compareKeys(engine: Engine, fewKeys: Uint8Array, manyKeys: Uint8Array): Promise<KeysRun> {
+  const few = await build(engine, fewKeys), many = await build(engine, manyKeys);
+  for (let k = 0; k < ROUNDS; ++k) {
+    await round(few);
+    await round(many);
+  }
+  for (const { dispose } of [few, many]) dispose();
+  return { faces: few.faces, few: costOf(few), many: costOf(many), ratio: ratioOf(few.ms, many.ms) };
+}

@@ -1,0 +1,50 @@
+/** How far shapes are apart over a sweep of times: between the keys, and in the margins that the slider reaches. */
+import type { Distance } from './distance.ts';
+
+/** As far as the slider goes beyond the first and last key, as a share of the range. */
+const MARGIN = 0.4;
+/** Even, so that no time is the middle key's. */
+const INSIDE = 12;
+/** In each margin, the slider's end among them. */
+const BESIDE = 4;
+
+/** Generated meshes have their keys evenly from 0 to 1. */
+export const SWEEP: readonly number[] = [
+  ...Array.from({ length: BESIDE }, (_, k) => -MARGIN + (MARGIN * k) / BESIDE),
+  ...Array.from({ length: INSIDE }, (_, k) => (k + 0.5) / INSIDE),
+  ...Array.from({ length: BESIDE }, (_, k) => 1 + (MARGIN * (k + 1)) / BESIDE),
+];
+
+/** At one time of the sweep. */
+export interface DistanceAt extends Distance {
+  t: number;
+}
+
+/** Over several times; shares of the diagonal. */
+export interface Swept {
+  /** Over all vertices at all times. */
+  mean: number;
+  /** Of the shape whose own mean is largest. */
+  largestMean: number;
+  worst: number;
+  /** The time of the worst. */
+  at: number;
+}
+
+export interface SweptParts {
+  inside: Swept;
+  margins: Swept;
+}
+
+export const isInside = (t: number): boolean => t >= 0 && t <= 1;
+
+function over(distances: readonly DistanceAt[]): Swept {
+  const means = distances.map(({ mean }) => mean);
+  const worst = distances.reduce((a, b) => (b.worst > a.worst ? b : a));
+  return { mean: means.reduce((a, b) => a + b) / means.length, largestMean: Math.max(...means), worst: worst.worst, at: worst.t };
+}
+
+/** Of distances on both sides of the first and last key. */
+export function sweptParts(distances: readonly DistanceAt[]): SweptParts {
+  return { inside: over(distances.filter(({ t }) => isInside(t))), margins: over(distances.filter(({ t }) => !isInside(t))) };
+}
