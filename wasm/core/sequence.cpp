@@ -138,6 +138,19 @@ Status Sequence::preview(double t, Frame& frame) {
   return {};
 }
 
+Result<PreviewError> Sequence::previewError(double t) {
+  if (Status status = checkTime(t); !status) return status.error();
+  State& s = *state_;
+  if (blendsVertices(s.motion.method)) return PreviewError{};
+  const Weights weights = s.curve->weights(s.curve->wrap(t).time);
+  PlacedShape<float> exact, about;
+  SequenceStats unused;  // those of the last frame stay
+  ++s.stats.solves;
+  s.shapeMotion->at(weights, exact, unused, nullptr);
+  if (Status status = s.shapeMotion->previewAt(weights, about); !status) return status.error();
+  return s.distance(exact, about);
+}
+
 Status Sequence::evaluate(double t, Positions& positions) {
   if (Status status = checkTime(t); !status) return status;
   const WrappedTime wrapped = state_->curve->wrap(t);
@@ -183,6 +196,7 @@ SequenceStats Sequence::stats() const { return state_->stats; }
 const std::vector<Warning>& Sequence::warnings() const { return state_->warnings; }
 std::pair<double, double> Sequence::range() const { return {state_->curve->start(), state_->curve->end()}; }
 const std::vector<int>& Sequence::patchOfFace() const { return state_->shapeMotion->patchOfFace(); }
+const std::vector<int>& Sequence::componentOfFace() const { return state_->shapeMotion->componentOfFace(); }
 
 ShapePlane Sequence::shapePlane(const std::vector<double>& times) {
   State& s = *state_;

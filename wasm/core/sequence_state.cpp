@@ -215,6 +215,24 @@ void Sequence::State::finish(const Global& global, Frame& frame) {
   stats.normalsMs = watch.lap();
 }
 
+// Over the raw vertices, which are what is seen.
+PreviewError Sequence::State::distance(const PlacedShape<float>& exact, const PlacedShape<float>& about) const {
+  const auto at = [](const PlacedShape<float>& shape, int place) -> Vec3 {
+    const float* p = &shape.places[4 * static_cast<std::size_t>(place)];
+    return Vec3(p[0], p[1], p[2]) + shape.move;
+  };
+  PreviewError error;
+  for (int w : welding.weldedOfRaw) {
+    const int place = shapeMotion->placeOf()[w];
+    const double distance = (at(exact, place) - at(about, place)).norm();
+    error.mean += distance / static_cast<double>(welding.weldedOfRaw.size());
+    error.largest = std::max(error.largest, distance);
+  }
+  const Positions* reference = &shape.poses[shape.reference];
+  const double size = boundingDiagonal({&reference, 1});
+  return {error.mean / size, error.largest / size};
+}
+
 const Eigen::MatrixXd& Sequence::State::gramMatrix() {
   if (gram.size() == 0) gram = shapeMotion->gram(diagonal);
   return gram;

@@ -64,6 +64,7 @@ struct Sequence::State {
   void fill(const Weights& weights, const Global& global, Frame& frame);
   void finish(const Global& global, Frame& frame);
   void fill(const Weights& weights, const Global& global, Positions& positions);
+  PreviewError distance(const PlacedShape<float>& exact, const PlacedShape<float>& about) const;
   const Eigen::MatrixXd& gramMatrix();
   Eigen::VectorXd poseWeightsAt(double t) const;
 };

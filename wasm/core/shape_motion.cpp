@@ -64,6 +64,7 @@ class TypedMotion final : public ShapeMotion {
   const std::vector<int>& patchOfFace() const override {
     return ghost_ ? patchOfFace_ : patches_.coordinates().patches.ofFace;
   }
+  const std::vector<int>& componentOfFace() const override { return reconstructor_.pieceOfFace(); }
   Eigen::MatrixXd gram(double diagonal) const override {
     if (ghost_) return gramMatrix(ghost_->patchMotion().coordinates(), ghost_->coordinates(), ghost_->shape(), diagonal);
     return gramMatrix(patches_.coordinates(), reconstructor_.coordinates(), shape_, diagonal);
