@@ -61,7 +61,7 @@ export function createOpening(context: Context): Opening {
     const view = left ? { ...DEFAULT_VIEW, ...left.state.view } : openingView(store.get().view, info, link);
     picture.setImport(info, workspace.pool!, view.camera);
     context.inform({
-      info, initial, orientation: orientationOf(source, options), warnings: info.warnings, thumbnails: new Map(), stats: null, lost: 0, ms: null, threads: null,
+      info, initial, orientation: orientationOf(source, options), warnings: info.warnings, thumbnails: new Map(), stats: null, shownWarning: null, lost: 0, lostFace: -1, ms: null, threads: null,
       range: workspace.lanes[0]?.sequence.range ?? [0, 1], welcome: context.runtime().welcome && source.kind === 'sample',
     });
     if (source.kind === 'files') context.say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
