@@ -96,6 +96,38 @@ TEST_CASE("preview: stays close to the exact shape, with and without a ghost and
   checkPreview(log, diagonal, "log stretch, ease");
 }
 
+TEST_CASE("preview: what it is off is measured, as a share of the reference pose's diagonal") {
+  Keyframes bars = keyframes(bar(), {twist(0), twist(radians(150)), twist(radians(270))});
+  for (Vec3& p : bars.keys[2].positions) p += Vec3(500, 0, 0);  // far off, which makes no pose larger
+  EncodingOptions encoding;
+  encoding.reference = 1;
+  Sequence sequence = made(bars, encoding);
+  const Positions* reference = &bars.keys[1].positions;
+  const double diagonal = boundingDiagonal({&reference, 1});
+  Frame exact, cheap;
+  for (const double t : {-0.3, 0.2, 0.3, 0.8, 1.3}) {
+    REQUIRE(sequence.evaluate(t, exact).ok());
+    REQUIRE(sequence.preview(t, cheap).ok());
+    const Distances seen = distances(exact, cheap, exact.positions.size() / 3, diagonal);
+    const auto measured = sequence.previewError(t);
+    REQUIRE(measured.ok());
+    CHECK(seen.largest > 1e-4);
+    CHECK(measured->mean == doctest::Approx(seen.mean).epsilon(0.01));
+    CHECK(measured->largest == doctest::Approx(seen.largest).epsilon(0.01));
+  }
+  const auto atKey = sequence.previewError(0.5);
+  REQUIRE(atKey.ok());
+  CHECK(atKey->largest < 1e-5);  // float32
+  CHECK_FALSE(sequence.previewError(std::nan("")).ok());
+
+  MotionOptions linear;
+  linear.method = Method::Linear;
+  REQUIRE(sequence.update(linear, {0, 0.5, 1}).ok());
+  const auto baseline = sequence.previewError(0.3);
+  REQUIRE(baseline.ok());
+  CHECK(baseline->largest == 0);
+}
+
 TEST_CASE("preview: meets every key, and is a pure function") {
   const Keyframes capsule = makeBenchKeyframes(4000, 3, 2);
   const double diagonal = diagonalOf(capsule);

@@ -93,6 +93,67 @@ TEST_CASE("keys of two meshes are told apart with both counts") {
   CHECK(mixed.error().message.find("5,261") != std::string::npos);
 }
 
+namespace {
+
+struct Furthest {
+  double mean = 0, largest = 0;
+  void take(const PreviewError& error) {
+    mean = std::max(mean, error.mean);
+    largest = std::max(largest, error.largest);
+  }
+};
+
+// What previews are off between the keys and up to 0.4 of their range beyond them, in % of the reference pose's diagonal.
+void printPreviewErrors(const char* name, const Keyframes& keyframes, const EncodingOptions& encoding, const MotionOptions& motion) {
+  auto sequence = Sequence::create(keyframes, encoding, motion);
+  REQUIRE_MESSAGE(sequence.ok(), name);
+  const auto [first, last] = sequence->range();
+  constexpr int samples = 200;
+  Furthest inside, margins;
+  for (int i = 0; i <= samples; ++i) {
+    const double t = first + (last - first) * (-0.4 + 1.8 * i / samples);
+    const auto error = sequence->previewError(t);
+    REQUIRE(error.ok());
+    (t < first || t > last ? margins : inside).take(*error);
+  }
+  std::printf("| %s | %d | %.3f / %.3f | %.3f / %.3f |\n", name, keyframes.faceCount(), 100 * inside.mean, 100 * inside.largest, 100 * margins.mean, 100 * margins.largest);
+}
+
+}  // namespace
+
+// A table for who works on the preview, not a test: --no-skip --test-case='*what previews are off*' prints it.
+TEST_CASE("real shapes: what previews are off" * doctest::skip()) {
+  if (!hasData()) return;
+  ImportOptions run;
+  run.animation = std::string("Run");
+  run.sampleTimes = {0, 0.25, 0.5};
+  const std::pair<const char*, Import> sets[] = {
+      {"cactus", imported(realFiles({"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"}))},
+      {"horse", imported(realFiles({"morph/Horse.glb"}))},
+      {"sphere", imported(realFiles({"morph/AnimatedMorphSphere.gltf", "morph/AnimatedMorphSphere.bin"}))},
+      {"man", imported(realFiles({"skin/CesiumMan.glb"}))},
+      {"fox", imported(realFiles({"skin/Fox.glb"}), run)},
+      {"soldier", imported(realFiles({"skin/Soldier.glb"}), run)},
+      {"wolf", imported(realFiles({"obj/wolf/wolf-1.obj", "obj/wolf/wolf-4.obj", "obj/wolf/wolf-8.obj", "obj/wolf/wolf-12.obj", "obj/wolf/wolf-16.obj", "obj/wolf/wolf-20.obj"}))},
+      {"saddle", imported(realFiles({"turns/saddle/monkey_saddle_1.ply", "turns/saddle/monkey_saddle_2.ply"}))},
+      {"rolled plate", imported(realFiles({"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"}))},
+      {"cat", imported(realFiles({"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"}))},
+      {"lion", imported(realFiles({"turns/lion/1.obj", "turns/lion/3.obj", "turns/lion/5.obj", "turns/lion/7.obj", "turns/lion/9.obj"}))},
+  };
+  EncodingOptions logarithmic, ghost;
+  logarithmic.stretch = Stretch::Log;
+  ghost.ghostFaces = 2000;
+  MotionOptions periodic;
+  periodic.boundary = BoundaryKind::Periodic;
+  for (const auto& [name, import] : sets) {
+    const Keyframes& k = import.keyframes;
+    printPreviewErrors(name, k, {}, {});
+    printPreviewErrors("  log stretch", k, logarithmic, {});
+    printPreviewErrors("  ghost of 2,000 faces", k, ghost, {});
+    printPreviewErrors("  periodic", k, {}, periodic);
+  }
+}
+
 TEST_CASE("malformed real files") {
   if (!hasData()) return;
   int files = 0, refused = 0;

@@ -1,11 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setShaping } from '../../web/model/edits.ts';
+import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setPartTurns, setShaping } from '../../web/model/edits.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, referenceKey } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
 
 const doc: Doc = {
   keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 0.4 }, { pose: 2, name: 'c', time: 1 }],
   motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [0, 0.5, 0], bias: [0, 0, -1], turns: [0, 1, 0],
+  partTurns: [[], [{ component: 4, turns: 2 }], []],
 };
 const poses = (d: Doc): number[] => d.keys.map((key) => key.pose);
 const times = (d: Doc): number[] => d.keys.map((key) => key.time);
@@ -16,6 +17,7 @@ describe('edits of keys', () => {
     expect(poses(next)).toEqual([1, 2, 0]);
     expect(times(next)).toEqual([0, 0.4, 1]);
     expect([next.tension, next.bias, next.turns]).toEqual([[0.5, 0, 0], [0, -1, 0], [1, 0, 0]]);
+    expect(next.partTurns).toEqual([[{ component: 4, turns: 2 }], [], []]);
   });
 
   it('give a key another time, in order of time', () => {
@@ -34,6 +36,15 @@ describe('edits of keys', () => {
     const next = addKey(doc, { pose: 3, name: 'd', time: 0.6 });
     expect(poses(next)).toEqual([0, 1, 3, 2]);
     expect([next.tension, next.bias]).toEqual([[0, 0.5, 0, 0], [0, 0, 0, -1]]);
+    expect(next.partTurns).toEqual([[], [{ component: 4, turns: 2 }], [], []]);
+  });
+
+  it('give parts whole turns of their own, and take them away', () => {
+    const next = setPartTurns(setPartTurns(doc, 1, 0, -1), 2, 7, 1);
+    expect(next.partTurns).toEqual([[], [{ component: 0, turns: -1 }, { component: 4, turns: 2 }], [{ component: 7, turns: 1 }]]);
+    expect(setPartTurns(next, 1, 4, 0).partTurns[1]).toEqual([{ component: 0, turns: -1 }]);
+    expect(setPartTurns(next, 1, 4, 2)).toBe(next);
+    expect(setPartTurns({ ...doc, partTurns: [] }, 1, 3, 0).partTurns).toEqual([]);
   });
 
   it('never leave fewer than two keys', () => {

@@ -11,7 +11,7 @@ import type { Doc } from '../../web/model/state.ts';
 
 const doc: Doc = {
   keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 1 }],
-  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [],
+  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [], partTurns: [],
 };
 
 /** An engine that notes what it is asked and answers when it is told to. */

@@ -5,7 +5,7 @@ import type { AppState, Doc } from '../../web/model/state.ts';
 
 const initial: Doc = {
   keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 0.5 }, { pose: 2, name: 'c', time: 1 }],
-  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [],
+  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [], partTurns: [],
 };
 const state: AppState = {
   ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, time: 1.25,
@@ -14,6 +14,7 @@ const state: AppState = {
     motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0, endSpeed: 2.5 },
     encoding: { ...DEFAULT_ENCODING, stretch: 'log', patches: 40, referencePose: 1, ghostFaces: 1500, transfer: 'paper', placement: 'optimal' },
     tension: [0, 0.25, 0], bias: [-0.5, 0, 1], turns: [0, -2, 0],
+    partTurns: [[], [{ component: 0, turns: 1 }, { component: 11, turns: -3 }], []],
   },
   view: {
     ...DEFAULT_VIEW, wireframe: true, floor: false, ghostWire: true, ghostDifference: true, compare: ['linear', 'cubic-vertex'],
@@ -29,6 +30,18 @@ describe('permalinks', () => {
     expect(applyPermalink(initial, link)).toEqual(state.doc);
     expect({ ...DEFAULT_VIEW, ...link.view }).toEqual(state.view);
     expect([link.time, link.speed, link.loop, link.between, link.fps]).toEqual([1.25, 0.5, 'loop', [-0.125, 0.75], 12.5]);
+  });
+
+  it('of before parts had turns open as they were', () => {
+    const link = readPermalink('sample=cactus&keys=2%40-0.25%2C0%40.5%2C1%401&tension=0%2C0.25%2C0&turns=0%2C-2%2C0&boundary=hermite&startSpeed=0&t=1.25&speed=0.5')!;
+    expect(applyPermalink(initial, link)).toEqual({
+      ...initial, keys: state.doc.keys, motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0 }, tension: [0, 0.25, 0], turns: [0, -2, 0],
+    });
+  });
+
+  it('leave out turns of parts and keys that the sample has not', () => {
+    const link = readPermalink('sample=x&partTurns=1:2:1,3:0:1,1:0:2,0:0:0,1:x:1,1:0.5:1,1:-1:1,1:1:1e9,1:1,2:1:-1')!;
+    expect(applyPermalink(initial, link, 2).partTurns).toEqual([[], [{ component: 0, turns: 2 }], [{ component: 1, turns: -1 }]]);
   });
 
   it('write down what was set back to a default that the sample did not start with', () => {

@@ -3,7 +3,7 @@ import type { Lane } from '../../web/app/lanes.ts';
 import { Pace, readMoving, type Moving } from '../../web/app/pace.ts';
 import { Pump } from '../../web/app/pump.ts';
 import type { AheadOptions } from '../../web/engine/api.ts';
-import type { Frame, Method } from '../../web/engine/types.ts';
+import type { Frame, Method, PreviewError } from '../../web/engine/types.ts';
 
 beforeEach(() => { vi.useFakeTimers(); });
 afterEach(() => { vi.useRealTimers(); });
@@ -16,10 +16,11 @@ interface Open {
 }
 
 /** Milliseconds of an exact frame and of a cheap one. */
-function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method, moving = 'measured' as Moving } = {}) {
+function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method, moving = 'measured' as Moving, off = (_t: number): PreviewError => ({ mean: 0, largest: 0 }) } = {}) {
   const open: Open[] = [];
   const shown: string[] = [];
   const errors: unknown[] = [];
+  const measured: number[] = [];
   const screen = { easing: false, slow: false, drawn: [] as (() => void)[] };
   let released = 0;
   let frames = 0;
@@ -39,6 +40,11 @@ function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method, 
   const lane = (): Lane => ({
     method,
     sequence: {
+      keyTimes: [0, 0.5, 1], range: [0, 1], options: { boundary: 'natural' },
+      previewError: async (t: number) => {
+        measured.push(t);
+        return off(t);
+      },
       evaluate: (t: number) => asked(t, false),
       preview: (t: number) => asked(t, true),
       evaluateAhead: (t: number, { preview = false, signal }: AheadOptions) => asked(t, preview, signal),
@@ -70,14 +76,21 @@ function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method, 
     }
     shown.length = 0;
   };
+  /** And, in a moment of rest, what cheap ones take and are off. */
+  const ready = async (): Promise<void> => {
+    await learn();
+    await pass(400);
+    while (open.length > 0) await answer();
+    shown.length = 0;
+  };
   const draw = async (): Promise<void> => {
     for (const resolve of screen.drawn.splice(0)) resolve();
     await pass();
   };
   return {
-    pump, open, shown, errors, screen, pass, answer, learn, draw,
+    pump, open, shown, errors, measured, screen, pass, answer, learn, ready, draw,
     wanted: () => open.map(({ t, about }) => `${about ? 'about ' : ''}${t}`),
-    balance: () => frames - released, exchange: () => { lanes = [lane()]; },
+    balance: () => frames - released, exchange: () => { lanes = [lane()]; }, refit: () => { lanes = [...lanes]; },
   };
 }
 
@@ -200,8 +213,8 @@ describe('while the time moves', () => {
   });
 
   it('large shapes are about right, the newest one at a time', async () => {
-    const { pump, shown, learn, answer, pass, wanted, balance } = setUp(slow);
-    await learn();
+    const { pump, shown, ready, answer, pass, wanted, balance } = setUp(slow);
+    await ready();
     pump.follow(0.1);
     await pass();
     for (const t of [0.2, 0.3, 0.4]) pump.follow(t);
@@ -216,8 +229,8 @@ describe('while the time moves', () => {
   });
 
   it('the exact shape is eased in when no newer moment has come for a while', async () => {
-    const { pump, shown, learn, answer, pass, wanted, draw } = setUp(slow);
-    await learn();
+    const { pump, shown, ready, answer, pass, wanted, draw } = setUp(slow);
+    await ready();
     pump.follow(0.4);
     const idle = vi.fn();
     void pump.idle().then(idle);
@@ -238,8 +251,8 @@ describe('while the time moves', () => {
   });
 
   it('on a slow screen not before there was a chance to hear of a newer moment', async () => {
-    const { pump, screen, learn, answer, pass, wanted, draw } = setUp(slow);
-    await learn();
+    const { pump, screen, ready, answer, pass, wanted, draw } = setUp(slow);
+    await ready();
     screen.slow = true;
     pump.follow(0.4);
     await pass();
@@ -253,8 +266,8 @@ describe('while the time moves', () => {
   });
 
   it('and at once when the pointer is lifted', async () => {
-    const { pump, learn, answer, pass, wanted } = setUp(slow);
-    await learn();
+    const { pump, ready, answer, pass, wanted } = setUp(slow);
+    await ready();
     pump.follow(0.4);
     await pass();
     await answer();
@@ -264,8 +277,8 @@ describe('while the time moves', () => {
   });
 
   it('a request is answered exactly, in the middle of a drag too', async () => {
-    const { pump, shown, learn, answer, pass, wanted } = setUp(slow);
-    await learn();
+    const { pump, shown, ready, answer, pass, wanted } = setUp(slow);
+    await ready();
     pump.follow(0.4);
     await pass();
     const done = vi.fn();
@@ -280,8 +293,8 @@ describe('while the time moves', () => {
   });
 
   it('a drag that goes on while the exact shape is computed or eased is followed at once', async () => {
-    const { pump, shown, learn, answer, pass, wanted, draw, balance } = setUp(slow);
-    await learn();
+    const { pump, shown, ready, answer, pass, wanted, draw, balance } = setUp(slow);
+    await ready();
     pump.follow(0.4);
     await pass();
     await answer();
@@ -308,8 +321,8 @@ describe('while the time moves', () => {
   });
 
   it('all lanes are about right together', async () => {
-    const { pump, shown, learn, answer, pass, wanted } = setUp({ ...slow, count: 2 });
-    await learn();
+    const { pump, shown, ready, answer, pass, wanted } = setUp({ ...slow, count: 2 });
+    await ready();
     pump.follow(0.4);
     await pass();
     expect(wanted()).toEqual(['about 0.4', 'about 0.4']);
@@ -354,16 +367,110 @@ describe('while the time moves', () => {
     await answer();
     pump.follow(0.5);
     await pass();
+    await answer();
+    await pass(500);
     expect(wanted()).toEqual(['about 0.5']);
   });
 
   it('other sequences are measured anew', async () => {
-    const { pump, learn, pass, wanted, exchange } = setUp(slow);
-    await learn();
+    const { pump, ready, pass, wanted, exchange } = setUp(slow);
+    await ready();
     exchange();
     pump.follow(0.4);
     await pass();
     expect(wanted()).toEqual(['0.4']);
+  });
+});
+
+describe('a cheap shape that is not close', () => {
+  const slow = { exactMs: 90, cheapMs: 25 };
+  /** Close up to the second key. */
+  const off = (t: number): PreviewError => ({ mean: 0.0005, largest: t > 0.5 && t <= 1 ? 0.006 : 0.004 });
+
+  it('is not drawn where it was measured to be off', async () => {
+    const { pump, ready, answer, pass, wanted } = setUp({ ...slow, off });
+    await ready();
+    for (const [t, words] of [[0.3, 'about 0.3'], [0.7, '0.7'], [1.2, 'about 1.2']] as const) {
+      pump.follow(t);
+      await pass();
+      expect(wanted()).toEqual([words]);
+      await answer();
+      pump.settle();
+      await pass();
+      while (wanted().length > 0) await answer();
+    }
+  });
+
+  it('is not drawn before that is known, and not measured while anything is asked for', async () => {
+    const { pump, measured, learn, answer, pass, wanted, refit } = setUp(slow);
+    await learn();
+    await pass(400);
+    await answer();
+    pump.follow(0.3);
+    await pass();
+    await answer();
+    expect(measured).toEqual([]);
+    expect(wanted()).toEqual(['0.3']);
+    await answer();
+    await pass(400);
+    expect(measured.slice(0, 3)).toEqual([0.25, 0.125, 0.375]);
+    pump.follow(0.3);
+    await pass();
+    expect(wanted()).toEqual(['about 0.3']);
+    await answer();
+    // Another motion of the same sequence.
+    refit();
+    pump.follow(0.2);
+    await pass();
+    expect(wanted()).toEqual(['0.2']);
+  });
+
+  it('decides for all lanes', async () => {
+    let calls = 0;
+    const { pump, ready, pass, wanted } = setUp({ ...slow, count: 2, off: () => ({ mean: 0, largest: calls++ % 2 === 0 ? 0 : 1 }) });
+    await ready();
+    pump.follow(0.3);
+    await pass();
+    expect(wanted()).toEqual(['0.3', '0.3']);
+  });
+
+  it('is drawn where the address asks for it, and nothing is measured then', async () => {
+    const { pump, measured, ready, pass, wanted } = setUp({ ...slow, moving: 'about', off });
+    await ready();
+    pump.follow(0.7);
+    await pass();
+    expect(wanted()).toEqual(['about 0.7']);
+    expect(measured).toEqual([]);
+  });
+
+  it('of a small shape is drawn where the address asks for what is close', async () => {
+    const { pump, ready, answer, pass, wanted } = setUp({ moving: 'close', off });
+    await ready();
+    pump.follow(0.7);
+    await pass();
+    expect(wanted()).toEqual(['0.7']);
+    await answer();
+    pump.follow(0.3);
+    await pass();
+    expect(wanted()).toEqual(['about 0.3']);
+  });
+
+  it('is found out while the motion plays, which never rests', async () => {
+    const { pump, open, measured, ready, refit, answer, pass, wanted } = setUp({ ...slow, off });
+    await ready();
+    refit();
+    measured.length = 0;
+    const time = { tick: 0, timeOf: (tick: number) => 0.3 + tick / 1000, tickSeconds: () => 1 / 60 };
+    pump.play(time);
+    await pass();
+    expect(wanted()[0]).toBe('0.3');
+    expect(measured).toEqual([0.25, 0.125, 0.375]);
+    while (open.length > 0) await answer();
+    time.tick = 20;
+    pump.advance();
+    await pass();
+    expect(wanted()[0]).toMatch(/^about /);
+    pump.pause();
   });
 });
 
@@ -406,8 +513,8 @@ describe('while the motion plays', () => {
   });
 
   it('large shapes are about right, and exact when it pauses', async () => {
-    const { pump, shown, learn, answer, pass, wanted } = setUp({ exactMs: 90, cheapMs: 25 });
-    await learn();
+    const { pump, shown, ready, answer, pass, wanted } = setUp({ exactMs: 90, cheapMs: 25 });
+    await ready();
     const time = clock();
     pump.play(time);
     await pass();

@@ -23,7 +23,7 @@ describe('Hermite speeds', () => {
 describe('the key that tells the direction at an end', () => {
   const doc = (change: Partial<Doc['encoding']>): Doc => ({
     keys: [4, 2, 7].map((pose, index) => ({ pose, name: '', time: index })), motion: { ...DEFAULT_MOTION, boundary: 'hermite' },
-    encoding: { ...DEFAULT_ENCODING, ...change }, tension: [], bias: [], turns: [],
+    encoding: { ...DEFAULT_ENCODING, ...change }, tension: [], bias: [], turns: [], partTurns: [],
   });
 
   it('is the neighbour, or the one whose shape is taken as end tangent', () => {

@@ -55,6 +55,15 @@ ENTRY const char* shapespline_evaluate(int handle, double t, int preview) {
   });
 }
 
+/// {mean, largest}: what the preview at t is off, as a share of the reference pose's diagonal.
+ENTRY const char* shapespline_preview_error(int handle, double t) {
+  return answer([&]() -> Result<Json> {
+    const auto error = sequenceOf(handle).previewError(t);
+    if (!error) return error.error();
+    return Json{{"mean", error->mean}, {"largest", error->largest}};
+  });
+}
+
 /// {volume, area} of the shape at t, in double precision, on the input's own faces.
 ENTRY const char* shapespline_measure(int handle, double t) {
   return answer([&]() -> Result<Json> {
@@ -87,6 +96,14 @@ ENTRY const char* shapespline_patches(int handle) {
   return answer([&]() -> Result<Json> {
     const std::vector<int>& patches = sequenceOf(handle).patchOfFace();
     return Json{{"patches", range(patches.data(), patches.size())}};
+  });
+}
+
+/// {components}: an int32 a face, belonging to the handle.
+ENTRY const char* shapespline_components(int handle) {
+  return answer([&]() -> Result<Json> {
+    const std::vector<int>& components = sequenceOf(handle).componentOfFace();
+    return Json{{"components", range(components.data(), components.size())}};
   });
 }
 

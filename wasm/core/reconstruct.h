@@ -59,6 +59,9 @@ class Reconstructor {
   const LriCoordinates<Real>& coordinates() const { return lri_; }
   CholeskyStats solverStats() const { return poisson_.stats(); }
 
+  /// Component of each face, -1 without area.
+  const std::vector<int>& pieceOfFace() const { return pieceOfFace_; }
+
   /// Of each welded vertex, a permutation: as they are eliminated, then those that are not. Neighbours of the mesh are near
   /// each other in this order, so that passes over it stay in the processor's caches.
   const std::vector<int>& placeOf() const { return placeOf_; }

@@ -109,13 +109,13 @@ void Sequence::setCrew(Crew* crew) { state_->crew = crew; }
 Status Sequence::update(const MotionOptions& motion, const std::vector<double>& keyTimes) {
   State& s = *state_;
   if (Status status = validateTimes(keyTimes, s.shape.keys); !status) return status;
-  if (Status status = checkTurns(motion.turns, s.shape.keys, static_cast<int>(s.componentInFileOrder.size())); !status) return status;
+  if (Status status = checkTurns(motion.turns, s.shape.keys, static_cast<int>(s.firstFaceOf.size())); !status) return status;
   Result<Curve> curve = Curve::fit(keyTimes, s.curveOptions(motion));
   if (!curve) return curve.error();
   s.curve = std::move(*curve);
   s.motion = motion;
   for (int j = 0; j < s.shape.keys; ++j) s.raw.keys[j].time = keyTimes[j];
-  s.shapeMotion->patchMotion().setTurns(s.turnsOfPieces());
+  s.shapeMotion->patchMotion().setTurns(s.turnsOfPatchPieces());
   s.collectWarnings();
   return {};
 }
@@ -139,6 +139,19 @@ Status Sequence::preview(double t, Frame& frame) {
   if (Status status = s.shapeMotion->previewAt(point, s.placed); !status) return status;
   s.finish(s.globalMotion(t, wrapped, point), frame);
   return {};
+}
+
+Result<PreviewError> Sequence::previewError(double t) {
+  if (Status status = checkTime(t); !status) return status.error();
+  State& s = *state_;
+  if (blendsVertices(s.motion.method)) return PreviewError{};
+  const CurvePoint point = s.curve->at(s.curve->wrap(t).time);
+  PlacedShape<float> exact, about;
+  SequenceStats unused;  // those of the last frame stay
+  ++s.stats.solves;
+  s.shapeMotion->at(point, exact, unused, nullptr);
+  if (Status status = s.shapeMotion->previewAt(point, about); !status) return status.error();
+  return s.distance(exact, about);
 }
 
 Status Sequence::evaluate(double t, Positions& positions) {
@@ -188,6 +201,7 @@ SequenceStats Sequence::stats() const { return state_->stats; }
 const std::vector<Warning>& Sequence::warnings() const { return state_->warnings; }
 std::pair<double, double> Sequence::range() const { return {state_->curve->start(), state_->curve->end()}; }
 const std::vector<int>& Sequence::patchOfFace() const { return state_->patchOfRawFace; }
+const std::vector<int>& Sequence::componentOfFace() const { return state_->componentOfRawFace; }
 
 ShapePlane Sequence::shapePlane(const std::vector<double>& times) {
   State& s = *state_;

@@ -25,6 +25,11 @@ struct Frame {
   int lostDefiniteness = 0;      ///< faces whose interpolated S_f is not positive definite
 };
 
+/// How far the preview's vertices are from the shape's, as a share of the reference pose's diagonal.
+struct PreviewError {
+  double mean = 0, largest = 0;
+};
+
 /// The coarse mesh that leads the motion (paper section 4.3, Fig. 6), and how the input belongs to it.
 struct Ghost {
   std::vector<Triangle> faces;       ///< of ghost vertices; none without a ghost
@@ -63,9 +68,12 @@ class Sequence {
   /// The same as n positions without rounding them to float: for measures and tests. As exact as the encoding's precision.
   Status evaluate(double t, Positions& positions);
 
-  /// The shape at time t, about: within 0.1 % of the diagonal in the mean and 0.5 % at worst, in about half the time
-  /// from 332,000 faces on, for while a slider moves. Meets every key. lostDefiniteness is not counted. The baselines are exact.
+  /// The shape at time t, about, in about half the time from 332,000 faces on, for while a slider moves. Meets every key; how far
+  /// it is off between and beyond them depends on the motion: ask previewError. lostDefiniteness is not counted. The baselines are exact.
   Status preview(double t, Frame& frame);
+
+  /// What preview(t) is off. Costs one evaluation and one preview, in one thread.
+  Result<PreviewError> previewError(double t);
 
   /// The shape at an affine combination of the keys: one weight a key, sum 1. evaluate(t) is this at the curve's weights.
   Status evaluateBlend(const std::vector<double>& weights, Frame& frame);
@@ -84,6 +92,9 @@ class Sequence {
 
   /// Patch index of each raw face, in [0, stats().patches); -1 for faces without area.
   const std::vector<int>& patchOfFace() const;
+
+  /// Component of each raw face, in [0, stats().components), numbered by their first faces; -1 for faces without area.
+  const std::vector<int>& componentOfFace() const;
 
   ShapePlane shapePlane(const std::vector<double>& times);
 

@@ -130,19 +130,25 @@ void Sequence::State::collectWarnings() {
 }
 
 void Sequence::State::numberComponents() {
-  const std::vector<int> ofFace = ofRawFaces(shapeMotion->componentOfFace());
-  std::vector<char> seen(ofFace.size(), 0);
-  for (const int piece : ofFace) {
-    if (piece < 0 || seen[piece]) continue;
-    seen[piece] = 1;
-    componentInFileOrder.push_back(piece);
+  const std::vector<int>& pieceOfFace = shapeMotion->componentOfFace();
+  std::vector<int> faceOfRaw(rawOfFace.size()), number(rawOfFace.size(), -1);
+  for (std::size_t f = 0; f < rawOfFace.size(); ++f) faceOfRaw[rawOfFace[f]] = static_cast<int>(f);
+  for (const int face : faceOfRaw) {
+    const int piece = pieceOfFace[face];
+    if (piece >= 0 && number[piece] < 0) {
+      number[piece] = static_cast<int>(firstFaceOf.size());
+      firstFaceOf.push_back(face);
+    }
+    componentOfRawFace.push_back(piece < 0 ? -1 : number[piece]);
   }
 }
 
-std::vector<AddedTurns> Sequence::State::turnsOfPieces() const {
+// With a ghost the patches are its own, and so are the pieces that they are in.
+std::vector<AddedTurns> Sequence::State::turnsOfPatchPieces() const {
   std::vector<AddedTurns> turns = motion.turns;
   for (AddedTurns& t : turns)
-    if (t.component >= 0) t.component = componentInFileOrder[t.component];
+    if (t.component >= 0)
+      t.component = shapeMotion->patchMotion().coordinates().patches.pieceOf[shapeMotion->patchOfFace()[firstFaceOf[t.component]]];
   return turns;
 }
 
@@ -225,6 +231,24 @@ void Sequence::State::finish(const RigidMotion& global, Frame& frame) {
   stats.placeMs += watch.lap();
   shading.draw(places, placed.move, frame.positions, frame.normals, crew);
   stats.normalsMs = watch.lap();
+}
+
+// Over the raw vertices, which are what is seen.
+PreviewError Sequence::State::distance(const PlacedShape<float>& exact, const PlacedShape<float>& about) const {
+  const auto at = [](const PlacedShape<float>& shape, int place) -> Vec3 {
+    const float* p = &shape.places[4 * static_cast<std::size_t>(place)];
+    return Vec3(p[0], p[1], p[2]) + shape.move;
+  };
+  PreviewError error;
+  for (int w : welding.weldedOfRaw) {
+    const int place = shapeMotion->placeOf()[w];
+    const double distance = (at(exact, place) - at(about, place)).norm();
+    error.mean += distance / static_cast<double>(welding.weldedOfRaw.size());
+    error.largest = std::max(error.largest, distance);
+  }
+  const Positions* reference = &shape.poses[shape.reference];
+  const double size = boundingDiagonal({&reference, 1});
+  return {error.mean / size, error.largest / size};
 }
 
 const Eigen::MatrixXd& Sequence::State::gramMatrix() {

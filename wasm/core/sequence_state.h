@@ -37,7 +37,8 @@ struct Sequence::State {
   SequenceStats stats;
   std::vector<Warning> shapeWarnings;  // what the keys say, whatever the motion
   std::vector<Warning> warnings;
-  std::vector<int> componentInFileOrder;  // the patches' pieces by their first faces in the input
+  std::vector<int> componentOfRawFace;  // numbered by their first faces in the input; -1 where it has no area
+  std::vector<int> firstFaceOf;         // of each component, in the welded mesh
   Eigen::MatrixXd gram;  // made when it is first asked for
   Crew* crew = nullptr;
   PlacedShape<float> placed;  // scratch, as the rest
@@ -54,7 +55,7 @@ struct Sequence::State {
   CurveOptions curveOptions(const MotionOptions& options) const;
   void describeGhost();
   void numberComponents();
-  std::vector<AddedTurns> turnsOfPieces() const;
+  std::vector<AddedTurns> turnsOfPatchPieces() const;
   void collectWarnings();
   RigidMotion globalMotion(double t, const WrappedTime& wrapped, const CurvePoint& point) const;
   int weldedShape(const CurvePoint& point, Positions& out);
@@ -62,6 +63,7 @@ struct Sequence::State {
   void fill(const CurvePoint& point, const RigidMotion& global, Frame& frame);
   void finish(const RigidMotion& global, Frame& frame);
   void fill(const CurvePoint& point, const RigidMotion& global, Positions& positions);
+  PreviewError distance(const PlacedShape<float>& exact, const PlacedShape<float>& about) const;
   const Eigen::MatrixXd& gramMatrix();
   Eigen::VectorXd poseWeightsAt(double t) const;
 };

@@ -64,12 +64,7 @@ class TypedMotion final : public ShapeMotion {
   const std::vector<int>& patchOfFace() const override {
     return ghost_ ? patchOfFace_ : patches_.coordinates().patches.ofFace;
   }
-  std::vector<int> componentOfFace() const override {
-    const std::vector<int>& pieceOfPatch = patchMotion().coordinates().patches.pieceOf;
-    std::vector<int> result;
-    for (const int patch : patchOfFace()) result.push_back(patch >= 0 ? pieceOfPatch[patch] : -1);
-    return result;
-  }
+  const std::vector<int>& componentOfFace() const override { return reconstructor_.pieceOfFace(); }
   Eigen::MatrixXd gram(double diagonal) const override {
     if (ghost_) return gramMatrix(ghost_->patchMotion().coordinates(), ghost_->coordinates(), ghost_->shape(), diagonal);
     return gramMatrix(patches_.coordinates(), reconstructor_.coordinates(), shape_, diagonal);

@@ -42,8 +42,8 @@ class ShapeMotion {
 
   /// Patch of each face; -1 where it has no area.
   virtual const std::vector<int>& patchOfFace() const = 0;
-  /// Component of each face, as patches' pieces are numbered; -1 where it has no area. Of components that share one of the ghost's: that.
-  virtual std::vector<int> componentOfFace() const = 0;
+  /// Component of each face, numbered by their first faces; -1 where it has no area.
+  virtual const std::vector<int>& componentOfFace() const = 0;
   virtual Eigen::MatrixXd gram(double diagonal) const = 0;
   virtual const std::vector<Vec3>& meanPosition() const = 0;  ///< one a column
   /// Of each welded vertex, a permutation that brings neighbours together (reconstruct.h).

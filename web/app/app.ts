@@ -16,6 +16,7 @@ import type { InsightInput } from './insight.ts';
 import { createInterface } from './interface.ts';
 import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
 import { isCancelled } from './lanes.ts';
+import { createMarking } from './marking.ts';
 import { createMemory } from './memory.ts';
 import { createOpening } from './opening.ts';
 import { readPermalink, writePermalink } from './permalink.ts';
@@ -71,7 +72,7 @@ export function startApp(root: HTMLElement): void {
       await picture.show(shapes, store.get(), context.range(), eased && !context.reducedMotion());
       const { about, frames: [first] } = shapes;
       if (about) context.inform({ aboutMs: first?.ms ?? null });
-      else context.inform({ ms: first?.ms ?? null, threads: first?.threads ?? null, aboutMs: null, lost: first?.lostDefiniteness ?? 0 });
+      else context.inform({ ms: first?.ms ?? null, threads: first?.threads ?? null, aboutMs: null, lost: first?.lostDefiniteness ?? 0, lostFace: first?.lostFace ?? -1 });
     },
     drawn: () => picture.viewer.drawn(),
     onError: (error) => { if (!restarts(error)) context.fail(error); },
@@ -100,6 +101,7 @@ export function startApp(root: HTMLElement): void {
 
   const thumbnails = createThumbnails(context);
   const commands = createCommands(context);
+  const marking = createMarking(context, commands.seek);
   const opening = createOpening(context);
   const memory = createMemory(context);
   const insight = createInsightPanel(insightInput, {
@@ -119,7 +121,7 @@ export function startApp(root: HTMLElement): void {
     escape: () => (runtime.working ? cancel() : context.inform({ problem: null })),
   });
   const ui = createInterface({
-    shell, root, commands, opening, insight, ghostStudy, shortcuts: shortcutLines(shortcuts),
+    shell, root, commands, opening, insight, ghostStudy, marking, lostFace: () => runtime.lostFace, shortcuts: shortcutLines(shortcuts),
     onUndo: store.undo, onRedo: store.redo, onTheme: theme.next, onCancel: cancel,
     onLink: () => void copyLink(),
     onRemember: () => void memory.toggle().catch(context.fail),
@@ -166,6 +168,7 @@ export function startApp(root: HTMLElement): void {
     const main = workspace.lanes[0]?.sequence;
     if (!main) return;
     context.inform({ range: main.range, warnings: distinct([...(runtime.info?.warnings ?? []), ...main.warnings]) });
+    marking.follow();
     main.stats().then((stats) => context.inform({ stats }), context.fail);
     pump.follow(store.get().time);
     insight.invalidate();
@@ -335,6 +338,8 @@ function showsOtherMotions(view: Pick<View, 'compare' | 'ghostDifference'>, befo
   return view.compare !== before.compare || view.ghostDifference !== before.ghostDifference;
 }
 
+/** The import and the sequence may say the same; the same of two places is said twice. */
 function distinct(warnings: readonly Warning[]): Warning[] {
-  return warnings.filter(({ message }, index) => warnings.findIndex((other) => other.message === message) === index);
+  const words = warnings.map((warning) => JSON.stringify(warning));
+  return warnings.filter((_, index) => words.indexOf(words[index]!) === index);
 }

@@ -1,6 +1,6 @@
 /** What the controls do to the document, the time and the view. */
 import type { Method } from '../engine/types.ts';
-import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setShaping } from '../model/edits.ts';
+import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setPartTurns, setShaping } from '../model/edits.ts';
 import type { End } from '../model/speeds.ts';
 import { SPEED_NAME } from '../model/speeds.ts';
 import type { Encoding, LoopMode, Motion, Play, Shaping, View } from '../model/state.ts';
@@ -51,6 +51,8 @@ export function createCommands(context: Context) {
     renameKey: (key: number, name: string): void => store.edit('rename a key', (doc) => renameKey(doc, key, name)),
     retimeKey: (key: number, time: number): void => store.edit('time of a key', (doc) => retimeKey(doc, key, time), `time ${key}`),
     shaping: (key: number, name: Shaping, value: number): void => store.edit(name, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
+    partTurns: (key: number, component: number, turns: number): void =>
+      store.edit(`turns of part ${component + 1}`, (doc) => setPartTurns(doc, key, component, turns), `turns ${component} ${key}`),
     reference: (key: number): void => store.edit('reference', (doc) => setEncoding(doc, { referencePose: doc.keys[key]?.pose ?? null })),
 
     /** Takes the shape on the screen as a key at its own time. */

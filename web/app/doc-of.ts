@@ -1,6 +1,6 @@
 /** The document that an import starts with: its keys, and the options that a saved project brought along. */
 import type { KeysInfo, SequenceOptions } from '../engine/types.ts';
-import type { Doc } from '../model/state.ts';
+import type { Doc, PartTurns } from '../model/state.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION } from '../model/state.ts';
 import type { PosePool } from './workspace.ts';
 
@@ -28,11 +28,19 @@ export function docOf(info: KeysInfo, pool: PosePool): Doc {
     tension: project.tension ?? [],
     bias: project.bias ?? [],
     turns: turnsOf(project, info.times.length),
+    partTurns: partTurns(project, info.times.length),
   };
 }
 
 function turnsOf({ turns = [] }: Partial<SequenceOptions>, keys: number): number[] {
-  return turns.length === 0 ? [] : Array.from({ length: keys }, (_, index) => turns.find(({ key }) => key === index)?.turns ?? 0);
+  const ofWhole = turns.filter(({ component }) => component === undefined);
+  return ofWhole.length === 0 ? [] : Array.from({ length: keys }, (_, index) => ofWhole.find(({ key }) => key === index)?.turns ?? 0);
+}
+
+function partTurns({ turns = [] }: Partial<SequenceOptions>, keys: number): PartTurns[][] {
+  const ofKey = (index: number): PartTurns[] =>
+    turns.flatMap(({ key, component, turns: count }) => (key === index && component !== undefined ? [{ component, turns: count }] : []));
+  return turns.every(({ component }) => component === undefined) ? [] : Array.from({ length: keys }, (_, index) => ofKey(index));
 }
 
 function tangentPose(project: Partial<SequenceOptions>, end: 'startTangent' | 'endTangent', pool: PosePool): number | null {

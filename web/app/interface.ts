@@ -1,11 +1,12 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
-import type { AppState } from '../model/state.ts';
+import type { Warning } from '../engine/types.ts';
+import type { AppState, PartTurns } from '../model/state.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, SHAPINGS, isInLri, referenceKey } from '../model/state.ts';
 import { playRange } from '../model/frames.ts';
 import { phaseOf } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
 import { viridisGradient } from '../plots/viridis.ts';
-import { shapingOf } from '../model/edits.ts';
+import { partTurnsOf, shapingOf } from '../model/edits.ts';
 import { createClockMenu } from '../ui/clock-menu.ts';
 import { createColourBar } from '../ui/colour-bar.ts';
 import type { ColourBarProps } from '../ui/colour-bar.ts';
@@ -26,6 +27,8 @@ import { createStatusLine } from '../ui/status-line.ts';
 import type { Theme } from '../ui/theme.ts';
 import { createTimeline } from '../ui/timeline.ts';
 import { createTransport } from '../ui/transport.ts';
+import { createWarnings } from '../ui/warnings.ts';
+import type { WarningItem } from '../ui/warnings.ts';
 import { createPhaseLabel, createTileLabels, createViewBar } from '../ui/view-bar.ts';
 import type { TileLabel } from '../ui/view-bar.ts';
 import { addReason } from './commands.ts';
@@ -33,6 +36,8 @@ import type { Commands } from './commands.ts';
 import type { GhostStudyView } from './ghost-study.ts';
 import type { InsightPanel } from './insight.ts';
 import type { Opening } from './opening.ts';
+import { warningItems } from './marking.ts';
+import type { Marking } from './marking.ts';
 import { hasTexture } from './opening.ts';
 import { PLAYING_TOLERANCE } from './picture.ts';
 import { videoType } from './record.ts';
@@ -46,6 +51,9 @@ export interface InterfaceInput {
   opening: Opening;
   insight: InsightPanel;
   ghostStudy: GhostStudyView;
+  marking: Marking;
+  /** Of the shape on the screen: a face that has turned inside out. */
+  lostFace(): number;
   shortcuts: readonly ShortcutLine[];
   onUndo(): void;
   onRedo(): void;
@@ -99,16 +107,17 @@ export function createInterface(input: InterfaceInput): Interface {
   const transport = createTransport(timeline.element, clockMenu.element, { onTogglePlay: commands.togglePlay, onLoop: commands.loop, onSpeed: commands.speed, onSeek: commands.seek });
   const keyStrip = createKeyStrip({
     onSeek: commands.seek, onMove: commands.moveKey, onRemove: commands.removeKey, onRetime: commands.retimeKey, onRename: commands.renameKey,
-    onShaping: commands.shaping, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
+    onShaping: commands.shaping, onPartTurns: commands.partTurns, onPart: input.marking.part, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
   });
   const motionPanel = createMotionPanel({ onMotion: commands.motion, onSpeed: commands.endSpeed, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
   const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void opening.resample(animation, times), onOrient: (orientation) => void opening.reorient(orientation) });
   const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
-  const phaseLabel = createPhaseLabel(() => commands.encoding({ stretch: 'log' }));
+  const phaseLabel = createPhaseLabel(() => input.marking.around(input.lostFace()));
   const tileLabels = createTileLabels();
   const colourBar = createColourBar(viridisGradient('to top'));
-  const status = createStatusLine();
+  const warnings = createWarnings(input.marking.warning);
+  const status = createStatusLine(warnings.toggle);
   const progress = createProgress(input.onCancel);
   const problem = createProblem(input.onCloseProblem);
   const welcome = createWelcome(picker.open);
@@ -119,7 +128,7 @@ export function createInterface(input: InterfaceInput): Interface {
   const openExport = (): void => { input.onExportOpen(); exporting.open(); };
 
   shell.mount(input.root, {
-    header: header.element, transport: transport.element, keyStrip: keyStrip.element, status: status.element,
+    header: header.element, transport: transport.element, keyStrip: keyStrip.element, warnings: warnings.element, status: status.element,
     overlays: [tileLabels.element, colourBar.element, welcome.element, phaseLabel.element, viewBar.element],
     messages: [problem.element, progress.element],
     panels: [motionPanel.element, shapePanel.element, insight.element],
@@ -142,7 +151,7 @@ export function createInterface(input: InterfaceInput): Interface {
     clockMenu.update({ range, time, fps, between, window: view.window, disabled });
     transport.update({ play, time, range, periodic, disabled });
     keyStrip.update({
-      keys: keyItems(state, runtime), time, range, disabled, canRemove: doc.keys.length > 2,
+      keys: keyItems(state, runtime), time, range, disabled, canRemove: doc.keys.length > 2, components: runtime.stats?.components ?? 1,
       addReason: addReason(doc.keys.map((key) => key.time), time, range),
     });
     motionPanel.update({
@@ -151,7 +160,7 @@ export function createInterface(input: InterfaceInput): Interface {
     });
     shapePanel.update({
       encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: runtime.stats, threads: runtime.threads,
-      lost: runtime.lost, canSample: source.kind === 'files', orientation: runtime.orientation, disabled,
+      canSample: source.kind === 'files', orientation: runtime.orientation, disabled,
       defaults: runtime.initial?.encoding ?? DEFAULT_ENCODING, lriMethod: isInLri(doc.motion.method),
     });
     ghostPanel.update({
@@ -159,13 +168,14 @@ export function createInterface(input: InterfaceInput): Interface {
     });
     ghostStudy.update();
     viewBar.update({ view, hasTexture: hasTexture(info), disabled });
-    phaseLabel.update(disabled ? null : phase, doc.encoding.stretch === 'log' ? 0 : runtime.lost);
+    phaseLabel.update(disabled ? null : phase, { share: runtime.lost / Math.max(info?.report.faces ?? 0, 1), hasPlace: runtime.lostFace >= 0 });
     tileLabels.update(labels);
     colourBar.update(heat);
     status.update({
       keys: doc.keys.length, vertices: info?.report.vertices ?? 0, faces: info?.report.faces ?? 0,
-      ms: runtime.aboutMs ?? runtime.ms, about: runtime.aboutMs !== null, warnings: runtime.warnings, offline: runtime.offline,
+      ms: runtime.aboutMs ?? runtime.ms, about: runtime.aboutMs !== null, warnings: runtime.warnings.length, offline: runtime.offline,
     });
+    warnings.update({ items: itemsOf(runtime.warnings, doc.keys.length), shown: runtime.shownWarning });
     progress.update(runtime.working);
     problem.update(runtime.problem);
     welcome.update(runtime.welcome, heat !== null || labels.length > 0 || runtime.problem !== null || runtime.working !== null);
@@ -191,11 +201,21 @@ const keyItems = (() => {
   };
 })();
 
-function makeItems(doc: AppState['doc'], thumbnails: Runtime['thumbnails']): { pose: number; name: string; time: number; tension: number; bias: number; turns: number; isReference: boolean; thumbnail: string | null }[] {
+/** The same list as long as the warnings and the number of keys are. */
+const itemsOf = (() => {
+  let last: { warnings: unknown; keys: number; items: WarningItem[] } | null = null;
+  return (warnings: readonly Warning[], keys: number): WarningItem[] => {
+    if (last?.warnings !== warnings || last.keys !== keys) last = { warnings, keys, items: warningItems(warnings, keys) };
+    return last.items;
+  };
+})();
+
+function makeItems(doc: AppState['doc'], thumbnails: Runtime['thumbnails']): { pose: number; name: string; time: number; tension: number; bias: number; turns: number; partTurns: readonly PartTurns[]; isReference: boolean; thumbnail: string | null }[] {
   const [tension, bias, turns] = SHAPINGS.map((name) => shapingOf(doc, name)) as [number[], number[], number[]];
+  const parts = partTurnsOf(doc);
   const reference = referenceKey(doc);
   return doc.keys.map((key, index) => ({
-    pose: key.pose, name: key.name, time: key.time, tension: tension[index]!, bias: bias[index]!, turns: turns[index]!,
+    pose: key.pose, name: key.name, time: key.time, tension: tension[index]!, bias: bias[index]!, turns: turns[index]!, partTurns: parts[index]!,
     isReference: index === reference, thumbnail: thumbnails.get(key.pose) ?? null,
   }));
 }

@@ -2,7 +2,7 @@
 import type { ImportOptions, KeysInfo } from '../engine/types.ts';
 import { addKey, setMotion } from '../model/edits.ts';
 import type { Doc, Play, Source, View } from '../model/state.ts';
-import { DEFAULT_VIEW, SPEEDS, comfortableSpeed } from '../model/state.ts';
+import { DEFAULT_VIEW, EMPTY_STATE, SPEEDS, comfortableSpeed } from '../model/state.ts';
 import { length } from '../model/time-scale.ts';
 import type { PickedFile } from '../ui/dropped-files.ts';
 import type { Orientation } from '../ui/orientation.ts';
@@ -54,14 +54,14 @@ export function createOpening(context: Context): Opening {
     const opened = await workspace.open(input, options, (doc, pool) => {
       initial = adjust(doc);
       if (left) return restored(left, pool);
-      return link ? applyPermalink(initial, link) : initial;
+      return link ? applyPermalink(initial, link, pool.keys.info.report.components) : initial;
     });
     if (!opened) return false;
     const { info, doc } = opened;
     const view = left ? { ...DEFAULT_VIEW, ...left.state.view } : openingView(store.get().view, info, link);
     picture.setImport(info, workspace.pool!, view.camera);
     context.inform({
-      info, initial, orientation: orientationOf(source, options), warnings: info.warnings, thumbnails: new Map(), stats: null, lost: 0, ms: null, threads: null,
+      info, initial, orientation: orientationOf(source, options), warnings: info.warnings, thumbnails: new Map(), stats: null, shownWarning: null, lost: 0, lostFace: -1, ms: null, threads: null,
       range: workspace.lanes[0]?.sequence.range ?? [0, 1], welcome: context.runtime().welcome && source.kind === 'sample',
     });
     if (source.kind === 'files') context.say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
@@ -139,10 +139,13 @@ export function createOpening(context: Context): Opening {
   };
 }
 
-/** The poses that are not of the files come back first: the document's keys name them by their place. */
+/**
+ * The poses that are not of the files come back first: the document's keys name them by their place. What the document of an
+ * earlier version did not have starts as it is by default.
+ */
 function restored({ poses, state }: Remembered, pool: PosePool): Doc {
   for (const { name, positions } of poses.slice(pool.count - pool.imported)) pool.add(name, positions);
-  return state.doc;
+  return { ...EMPTY_STATE.doc, ...state.doc };
 }
 
 /** After the last key, as far from it as the keys are from each other on average. */

@@ -3,6 +3,7 @@
  * comes from anywhere: whatever it holds that does not fit is left out.
  */
 import type { AppState, CameraPose, Colouring, Doc, Encoding, LoopMode, Motion, Shaping, View } from '../model/state.ts';
+import { partTurnsOf, setPartTurns } from '../model/edits.ts';
 import { MAX_FPS } from '../model/frames.ts';
 import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, DEFAULT_VIEW, MAX_TURNS, SHAPINGS, METHODS } from '../model/state.ts';
 
@@ -13,6 +14,8 @@ export interface Permalink {
   tension: number[];
   bias: number[];
   turns: number[];
+  /** [key, component, turns] each. */
+  partTurns: [number, number, number][];
   motion: Partial<Motion>;
   encoding: Partial<Encoding>;
   view: Partial<View>;
@@ -26,6 +29,7 @@ export interface Permalink {
 
 const FLAGS = ['wireframe', 'floor', 'onion', 'film', 'ghostWire', 'ghostBeside', 'ghostDifference'] as const;
 const MAX_KEYS = 256;
+const MAX_PART_TURNS = 1024;
 
 /** The fragment without its '#', or null where the user's own files are open: they stay on this machine. */
 export function writePermalink(state: AppState, initial: Doc): string | null {
@@ -38,6 +42,7 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   const keys = doc.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(',');
   put('keys', keys, initial.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(','));
   for (const name of SHAPINGS) if (doc[name].some((value) => value !== 0)) params.set(name, doc[name].map(shortest).join(','));
+  put('partTurns', partTurnsOf(doc).flatMap((list, key) => list.map(({ component, turns }) => `${key}:${component}:${turns}`)).join(','), '');
   for (const name of Object.keys(DEFAULT_MOTION) as (keyof Motion)[]) put(name, doc.motion[name], initial.motion[name]);
   for (const name of Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]) put(name, doc.encoding[name], initial.encoding[name]);
   put('colour', view.colouring, DEFAULT_VIEW.colouring);
@@ -64,6 +69,7 @@ export function readPermalink(fragment: string): Permalink | null {
     tension: numbers(params.get('tension')) ?? [],
     bias: numbers(params.get('bias'))?.filter((value) => Math.abs(value) <= 1) ?? [],
     turns: numbers(params.get('turns'))?.filter((value) => Number.isInteger(value) && Math.abs(value) <= MAX_TURNS) ?? [],
+    partTurns: readPartTurns(params.get('partTurns')),
     motion: defined({
       method: oneOf(params.get('method'), METHODS),
       boundary: oneOf(params.get('boundary'), BOUNDARIES),
@@ -91,8 +97,8 @@ export function readPermalink(fragment: string): Permalink | null {
   };
 }
 
-/** Applies a link to the document that its sample starts with; poses that the sample has not are left out. */
-export function applyPermalink(doc: Doc, link: Permalink): Doc {
+/** Applies a link to the document that its sample starts with; poses and components that the sample has not are left out. */
+export function applyPermalink(doc: Doc, link: Permalink, components = Infinity): Doc {
   const poses = doc.keys.length;
   const known = (pose: number | null | undefined): boolean => pose === null || pose === undefined || pose < poses;
   const names = doc.keys.map((key) => key.name);
@@ -101,7 +107,12 @@ export function applyPermalink(doc: Doc, link: Permalink): Doc {
   const encoding = { ...doc.encoding, ...link.encoding };
   for (const name of ['referencePose', 'startTangentPose', 'endTangentPose'] as const) if (!known(encoding[name])) encoding[name] = null;
   const shaping = (name: Shaping): number[] => (link[name].length === keys.length ? link[name] : doc[name]);
-  return { keys, tension: shaping('tension'), bias: shaping('bias'), turns: shaping('turns'), encoding, motion: { ...doc.motion, ...link.motion } };
+  const start: Doc = {
+    keys, tension: shaping('tension'), bias: shaping('bias'), turns: shaping('turns'), partTurns: doc.partTurns, encoding,
+    motion: { ...doc.motion, ...link.motion },
+  };
+  return link.partTurns.filter(([key, component]) => key < keys.length && component < components)
+    .reduce((next, [key, component, turns]) => setPartTurns(next, key, component, turns), start);
 }
 
 function readView(params: URLSearchParams): Partial<View> {
@@ -140,6 +151,15 @@ function readKeys(text: string | null): [number, number][] | null {
   const good = keys.length <= MAX_KEYS && keys.every(([pose, time], i) =>
     Number.isInteger(pose) && pose >= 0 && Number.isFinite(time) && (i === 0 || time > keys[i - 1]![1]));
   return good ? keys : null;
+}
+
+/** Those of the entries that can be meant. */
+function readPartTurns(text: string | null): [number, number, number][] {
+  const entries = (text ?? '').split(',').slice(0, MAX_PART_TURNS).map((entry) => entry.split(':').map(Number));
+  return entries.filter((entry): entry is [number, number, number] => {
+    const [key, component, turns] = entry;
+    return entry.length === 3 && entry.every(Number.isInteger) && key! >= 0 && component! >= 0 && Math.abs(turns!) <= MAX_TURNS;
+  });
 }
 
 function numbers(text: string | null): number[] | undefined {

@@ -1,6 +1,7 @@
 /**
  * Asks for shapes and puts them on the screen: one at a time, always the newest moment, all views together. What moves is
- * drawn about right where exact shapes are slow, and exactly as soon as it rests; what plays is computed ahead.
+ * drawn about right where exact shapes are slow and the cheap ones known to be close, and exactly as soon as it rests; what plays
+ * is computed ahead.
  */
 import type { AheadOptions } from '../engine/api.ts';
 import { Pace } from './pace.ts';
@@ -43,6 +44,7 @@ export class Pump {
   private waiting: Waiting[] = [];
   private calls: (() => void)[] = [];
   private preparing: ReturnType<typeof setTimeout> | undefined;
+  private measuring = false;
 
   constructor(private readonly target: PumpTarget, private readonly pace = new Pace()) {}
 
@@ -141,7 +143,7 @@ export class Pump {
   private async serve(): Promise<void> {
     const { ticket, wanted } = this;
     const rest = this.restsAt - performance.now();
-    const about = rest > 0 && this.pace.about(this.target.lanes());
+    const about = rest > 0 && this.pace.about(this.target.lanes(), this.wanted);
     if (about && this.about === ticket) return this.sleep(rest);
     try {
       const drawn = await this.frame(wanted, ticket, about);
@@ -231,24 +233,44 @@ export class Pump {
 
   private async ahead(t: number, { signal }: AheadOptions): Promise<Shapes> {
     const lanes = this.target.lanes();
-    const preview = this.pace.about(lanes);
+    const preview = this.pace.about(lanes, t);
+    // What plays never rests: where nothing is known it goes on exactly and waits a little for that to change.
+    void this.measure(t, () => this.playback !== null && this.pace.doubts(lanes, t));
     const shapes = await gather(lanes, t, preview, (sequence) => sequence.evaluateAhead(t, { preview, signal }));
     if (!shapes) throw new Error('A frame that was fetched ahead was overtaken.');
     this.pace.note(shapes);
     return shapes;
   }
 
-  /** Finds out what cheap shapes take, and makes what they need; a failure is left to whoever asks for one. */
   private async prepare(): Promise<void> {
-    const lanes = this.target.lanes();
-    if (!this.pace.untried(lanes)) return;
     const t = this.wanted;
+    if (this.pace.untried(this.target.lanes())) await this.tryCheap(t);
+    await this.measure(t, () => !this.running);
+  }
+
+  /** Finds out what cheap shapes take, and makes what they need; a failure is left to whoever asks for one. */
+  private async tryCheap(t: number): Promise<void> {
+    const lanes = this.target.lanes();
     for (let times = 0; times < 2 && !this.running && lanes === this.target.lanes(); times += 1) {
       const shapes = await gather(lanes, t, true, (sequence) => sequence.evaluateAhead(t, { preview: true })).catch(() => null);
       if (!shapes) return;
       this.pace.note(shapes);
       shapes.release();
     }
+  }
+
+  /** Finds out where cheap shapes are close, nearest to t first and as long as `wanted`; a failure is left to whoever asks for a shape. */
+  private async measure(t: number, wanted: () => boolean): Promise<void> {
+    if (this.measuring) return;
+    this.measuring = true;
+    const lanes = this.target.lanes();
+    while (wanted() && lanes === this.target.lanes()) {
+      const sample = this.pace.unmeasured(lanes, t);
+      const errors = sample && await Promise.all(lanes.map(({ sequence }) => sequence.previewError(sample.t))).catch(() => null);
+      if (!sample || !errors) break;
+      this.pace.measured(lanes, sample, errors);
+    }
+    this.measuring = false;
   }
 
   private sleep(ms: number): Promise<void> {

@@ -15,6 +15,8 @@ export interface Runtime {
   /** The document that the open files started with: links are written against it. */
   initial: Doc | null;
   warnings: readonly Warning[];
+  /** Index of the warning whose place is marked on the shape, or null. */
+  shownWarning: number | null;
   working: Working | null;
   problem: Problem | null;
   stats: SequenceStats | null;
@@ -26,7 +28,9 @@ export interface Runtime {
   threads: number | null;
   /** Of the shape on the screen where that is about right only, else null. */
   aboutMs: number | null;
+  /** Faces of that shape that have turned inside out, and one of them; -1 where none is known. */
   lost: number;
+  lostFace: number;
   /** By pose. */
   thumbnails: ReadonlyMap<number, string>;
   welcome: boolean;
@@ -38,6 +42,6 @@ export interface Runtime {
 }
 
 export const EMPTY_RUNTIME: Runtime = {
-  samples: [], info: null, orientation: null, initial: null, warnings: [], working: null, problem: null, stats: null, range: [0, 1], ms: null, threads: null, aboutMs: null, lost: 0,
+  samples: [], info: null, orientation: null, initial: null, warnings: [], shownWarning: null, working: null, problem: null, stats: null, range: [0, 1], ms: null, threads: null, aboutMs: null, lost: 0, lostFace: -1,
   thumbnails: new Map(), welcome: false, offline: false, remembered: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

@@ -12,6 +12,7 @@ export interface ShellParts {
   panels: HTMLElement[];
   keyStrip: HTMLElement;
   transport: HTMLElement;
+  warnings: HTMLElement;
   status: HTMLElement;
   /** Dialogs, drop zone, file inputs, toast. */
   floating: HTMLElement[];
@@ -64,7 +65,7 @@ export function createShell(): Shell {
       const app = h('div', { class: 'app' }, parts.header,
         h('main', { class: 'viewport', 'aria-label': 'Viewport' }, picture, ...parts.overlays, h('div', { class: 'overlay-top' }, ...parts.messages)),
         createSide(parts.panels),
-        h('div', { class: 'deck' }, parts.keyStrip, parts.transport), parts.status);
+        h('div', { class: 'deck' }, parts.keyStrip, parts.transport, parts.warnings), parts.status);
       app.append(createTabs(app));
       root.replaceChildren(app, ...parts.floating);
     },

@@ -1,6 +1,7 @@
 /** What the document asks of the engine, as plain data: which keys, encoded how, moved how. */
 import { ENCODING_DEFAULTS } from '../engine/types.ts';
-import type { EncodingOptions, Method, MotionOptions } from '../engine/types.ts';
+import type { AddedTurns, EncodingOptions, Method, MotionOptions } from '../engine/types.ts';
+import { partTurnsOf, shapingOf } from '../model/edits.ts';
 import type { Doc } from '../model/state.ts';
 import { ignoresHermite, isInLri, referenceKey } from '../model/state.ts';
 
@@ -39,7 +40,7 @@ export function specOf(doc: Doc, compare: readonly Method[], difference = false)
     encoding: { reference: referenceKey(doc), patches, stretch, ghostFaces, transfer, placement },
     startTangentPose: hermite ? encoding.startTangentPose : null,
     endTangentPose: hermite ? encoding.endTangentPose : null,
-    motion: { ...rest, tension: orNone(doc.tension), bias: orNone(doc.bias), turns: addedTurns(doc.turns), inPlace: false },
+    motion: { ...rest, tension: orNone(doc.tension), bias: orNone(doc.bias), turns: addedTurns(doc), inPlace: false },
     variants: [
       { method, ghost },
       ...(ghost && difference && isInLri(method) ? [{ method, ghost: false }] : []),
@@ -59,8 +60,12 @@ export function laneKey(spec: Spec, variant: Variant): string {
   return JSON.stringify([order, encodingFor(spec, variant), startTangentPose, endTangentPose]);
 }
 
-function addedTurns(turns: number[]): { key: number; turns: number }[] {
-  return turns.flatMap((count, key) => (key > 0 && count !== 0 ? [{ key, turns: count }] : []));
+function addedTurns(doc: Doc): AddedTurns[] {
+  const parts = partTurnsOf(doc);
+  return shapingOf(doc, 'turns').flatMap((turns, key) => {
+    if (key === 0) return [];
+    return [...(turns === 0 ? [] : [{ key, turns }]), ...parts[key]!.map((part) => ({ key, ...part }))];
+  });
 }
 
 function orNone(values: number[]): number[] {

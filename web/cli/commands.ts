@@ -5,6 +5,7 @@ import { kgBetween } from '../engine/ghost-study.ts';
 import { withEngine } from '../engine/node.ts';
 import { readPose } from '../engine/pose.ts';
 import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/types.ts';
+import { keysInWords } from '../engine/warning-keys.ts';
 import { UsageError, type Arguments } from './arguments.ts';
 import { readInputs } from './input.ts';
 import { writeOutputs, type Output } from './output.ts';
@@ -52,7 +53,8 @@ export async function inspect(args: Arguments): Promise<string> {
 
 export interface Completed {
   summary: string;
-  warnings: Warning[];
+  /** Sentences that say where, counted from 1. */
+  warnings: string[];
 }
 
 /** From here on the size is said before the work. */
@@ -101,8 +103,13 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     }
     await writeOutputs(outputs);
     const count = plan.times.length;
-    return { summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}, ${bytes} bytes\n`, warnings };
+    return { summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}, ${bytes} bytes\n`, warnings: warnings.map((warning) => inWords(warning, keys.info.times.length)) };
   });
+}
+
+function inWords(warning: Warning, keys: number): string {
+  const where = keysInWords(warning, keys);
+  return where ? `${where}: ${warning.message}` : warning.message;
 }
 
 async function readTangents(engine: Engine, args: Arguments, keys: Keys, options: ImportOptions): Promise<Partial<SequenceOptions>> {

@@ -16,7 +16,7 @@ async function run([command, ...words]: string[]): Promise<string> {
   if (args.flags.has('help')) return HELP;
   if (command === 'inspect') return inspect(args);
   const { summary, warnings } = await complete(args, (text) => process.stderr.write(`${text}\n`));
-  for (const { message } of warnings) process.stderr.write(`warning: ${oneLine(message)}\n`);
+  for (const warning of warnings) process.stderr.write(`warning: ${oneLine(warning)}\n`);
   return summary;
 }
 

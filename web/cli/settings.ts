@@ -24,7 +24,7 @@ its own folder.
 OUT ending in .glb is one file with an animation, in .obj or .ply one shape (with one --at time), and
 a folder (ending in /) gets 0000.obj, 0001.obj, ... one for each requested time.
 
-Keys are counted from 1, animations from 0. Times are in any unit you like.
+Keys are counted from 1, animations from 0, and everything in a report from 0. Times are in any unit you like.
 
   --report R.json                        options, timings, counts, warnings, volume and area
   --key-times T,T,...                    default: evenly over [0,1], or the animation's own times
@@ -40,7 +40,8 @@ Keys are counted from 1, animations from 0. Times are in any unit you like.
   --tension X,X,...                      for each key: 0 as it is, 1 stops there
   --bias X,X,...                         for each key, from -1 to 1: below 0 its slope leans towards that to the key
                                          after it, above 0 towards that from the key before
-  --turns KEY:N,...                      whole turns added on the way to a key
+  --turns KEY:N[@COMPONENT],...          whole turns added on the way to a key: of the whole, or of one of
+                                         its separate parts, counted from 1 as their faces come in the file
   --stretch linear|log                   how stretch is interpolated; log never turns inside out
   --reference KEY                        key that the others are measured against
   --patches N                            default: about the square root of the number of faces

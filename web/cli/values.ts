@@ -1,4 +1,5 @@
 /** Text of an option -> its value. Each refuses what it cannot read with a UsageError that names the option. */
+import type { AddedTurns } from '../engine/types.ts';
 import { UsageError } from './arguments.ts';
 
 type Read<T> = (text: string, option: string) => T;
@@ -54,14 +55,15 @@ export const oneOf = <T extends string>(...names: T[]): Read<T> => (text, option
 /** KEY, counted from 1 -> index from 0. */
 export const key: Read<number> = (text, option) => wholeFrom(1)(text, option) - 1;
 
-/** KEY:N,KEY:N,... -> whole turns on the way to a key. */
-export const turns: Read<{ key: number; turns: number }[]> = (text, option) =>
+/** KEY:N or KEY:N@COMPONENT, ... -> whole turns on the way to a key. */
+export const turns: Read<AddedTurns[]> = (text, option) =>
   text.split(',').map((part) => {
-    const [place, count, ...rest] = part.split(':');
-    if (!place || !count || rest.length > 0) throw new UsageError(`${option}: '${part}' is not KEY:N`);
+    const [, place, count, component] = /^([^:@]+):([^:@]+)(?:@([^:@]+))?$/.exec(part) ?? [];
+    if (!place || !count) throw new UsageError(`${option}: '${part}' is not KEY:N or KEY:N@COMPONENT`);
     const index = key(place, option);
     if (index === 0) throw new UsageError(`${option}: no turns lead to key 1, count from key 2`);
-    return { key: index, turns: whole(count, option) };
+    const added = { key: index, turns: whole(count, option) };
+    return component ? { ...added, component: wholeFrom(1)(component, option) - 1 } : added;
   });
 
 /** A number is an index, counted from 0 as glTF does; anything else a name. */

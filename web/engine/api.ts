@@ -1,7 +1,7 @@
 /** The engine as its users see it. Implemented by client.ts (browser worker) and node.ts (Node worker thread). */
 import type {
   EncodingOptions, ErrorPlace, ExportedFile, ExportOptions, ExportPlan, Frame, Ghost, ImportOptions, InputFile, KeysInfo, Measures,
-  MotionOptions, Progress, SequenceOptions, SequenceStats, ShapePlane, Warning,
+  MotionOptions, PreviewError, Progress, SequenceOptions, SequenceStats, ShapePlane, Warning,
 } from './types.ts';
 
 export interface CallOptions {
@@ -48,10 +48,12 @@ export interface Sequence {
   /** Latest wins: a request that a newer one overtakes resolves to null. */
   evaluate(t: number): Promise<Frame | null>;
   /**
-   * The shape at t, about: within 0.1 % of the diagonal in the mean, several times faster on large meshes. For while a slider
-   * moves; the first one takes a moment longer. Takes its place among evaluate's requests: latest wins.
+   * The shape at t, about, in about half the time on large meshes. For while a slider moves; the first one takes a moment longer.
+   * How far it is off depends on the motion: `previewError` measures it. Takes its place among evaluate's requests: latest wins.
    */
   preview(t: number): Promise<Frame | null>;
+  /** What the preview at t is off; costs one exact frame and one preview, and yields to evaluate. */
+  previewError(t: number): Promise<PreviewError>;
   /** A frame for later: it yields to evaluate and is never overtaken. FramePlayer uses it. */
   evaluateAhead(t: number, options?: AheadOptions): Promise<Frame>;
   /** Every one of them, in order; used by exports and measures. */
@@ -64,6 +66,8 @@ export interface Sequence {
   bendingEnergy(times: number[]): Promise<number[]>;
   /** Patch index of each face, -1 for faces without area. */
   patches(): Promise<Int32Array>;
+  /** Component of each face, numbered by their first faces; -1 for faces without area. */
+  components(): Promise<Int32Array>;
   /** The ghost mesh, or null without one. */
   ghost(): Promise<Ghost | null>;
   /** 3 x ghost vertices at t; code 'invalid-option' without a ghost mesh. */

@@ -4,8 +4,8 @@ import type { HelperStart } from './helper.ts';
 import { Loan, readBytes, readFloats, readInts, readText, writeFloats, type Range } from './heap.ts';
 import type { FrameBuffers, FrameData, ImportedData, KeyData, MotionSpec, RequestOf, SceneData } from './protocol.ts';
 import type {
-  AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, SequenceStats, ShapePlane,
-  TextureImage, Warning,
+  AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, PreviewError, SequenceStats,
+  ShapePlane, TextureImage, Warning,
 } from './types.ts';
 import type { Address, CreateWasmModule, WasmModule } from './wasm-module.ts';
 
@@ -157,13 +157,18 @@ export class Core {
 
   /** Fills `buffers` where they are given and fit. */
   evaluate(handle: number, t: number, buffers: FrameBuffers | null, preview = false): Omit<FrameData, 'ms' | 'threads'> {
-    interface FrameAnswer { positions: Range; normals: Range; lostDefiniteness: number }
+    interface FrameAnswer { positions: Range; normals: Range; lostDefiniteness: number; lostFace?: number }
     const frame = this.answer<FrameAnswer>(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0));
     return {
       positions: readFloats(this.module, frame.positions, buffers?.positions),
       normals: readFloats(this.module, frame.normals, buffers?.normals),
       lostDefiniteness: frame.lostDefiniteness,
+      lostFace: frame.lostFace,
     };
+  }
+
+  previewError(handle: number, t: number): PreviewError {
+    return this.answer(this.module._shapespline_preview_error(handle, t));
   }
 
   measure(handle: number, t: number): { volume: number; area: number } {
@@ -181,6 +186,11 @@ export class Core {
   patches(handle: number): Int32Array {
     const { patches } = this.answer<{ patches: Range }>(this.module._shapespline_patches(handle));
     return readInts(this.module, patches);
+  }
+
+  components(handle: number): Int32Array {
+    const { components } = this.answer<{ components: Range }>(this.module._shapespline_components(handle));
+    return readInts(this.module, components);
   }
 
   ghost(handle: number): Ghost | null {

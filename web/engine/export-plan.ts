@@ -1,5 +1,6 @@
 /** Which times an export holds, and where they lie on the exported animation's own time line. */
 import { EngineError, invalidOption } from './errors.ts';
+import { NO_PLACE } from './types.ts';
 import type { ExportOptions, Warning } from './types.ts';
 
 /** Morph targets that WebGL2 players are sure to hold: 256 layers of an array texture. */
@@ -77,5 +78,5 @@ export function exportWarnings(options: ExportOptions, frames: Frames): Warning[
   if (options.format !== 'glb' || targets <= SAFE_TARGETS) return [];
   const message = `The animation has ${targets} morph targets; some players take no more than ${SAFE_TARGETS}. `
     + 'Fewer frames make it safe.';
-  return [{ code: 'many-targets', message, count: targets }];
+  return [{ ...NO_PLACE, code: 'many-targets', message, count: targets }];
 }

@@ -2,6 +2,7 @@
  * Images as far as they must be known before a browser decodes them: their size, from their first bytes. A small file may
  * declare any size, and a decoder takes 4 bytes for every pixel that is declared.
  */
+import { NO_PLACE } from './types.ts';
 import type { Material, TextureImage, Warning } from './types.ts';
 
 export interface Size {
@@ -90,5 +91,5 @@ function warning(code: string, count: number): Warning {
   const what = code === 'large-texture'
     ? `textures of more than ${Math.round(MOST_PIXELS / 1e6)} million pixels, or more than ${Math.round(MOST_PIXELS_KEPT / 1e6)} million together,`
     : 'textures that are cut off, or in a format that browsers do not read,';
-  return { code, count, message: `The shape is drawn without some of its textures: ${what} are not shown. The exported file keeps them.` };
+  return { ...NO_PLACE, code, count, message: `The shape is drawn without some of its textures: ${what} are not shown. The exported file keeps them.` };
 }

@@ -3,6 +3,7 @@ import type { Core, OnProgress } from './core.ts';
 import { drawnImages } from './images.ts';
 import { readOptions } from './project.ts';
 import type { ImportedData } from './protocol.ts';
+import { NO_PLACE } from './types.ts';
 import type { ImportOptions, InputFile, Warning } from './types.ts';
 
 /** Undoes compression, one file after the other; those that have none are returned as they are. `report` hears how far it is. */
@@ -18,6 +19,7 @@ const UNREADABLE: Warning = {
   code: 'project-options-ignored',
   message: 'The file holds options of this program that cannot be read; its keys are used with the default options.',
   count: 0,
+  ...NO_PLACE,
 };
 
 /** Shares of the progress: decoding, where there is anything to decode, and reading. The rest is the way out of the core. */

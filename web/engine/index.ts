@@ -5,3 +5,4 @@ export { EngineError } from './errors.ts';
 export { FramePlayer, type FrameSource, type PlayerOptions } from './frame-player.ts';
 export { readPose } from './pose.ts';
 export * from './types.ts';
+export { keysInWords, keysOf } from './warning-keys.ts';

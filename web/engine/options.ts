@@ -35,10 +35,11 @@ const range: Check = (v) =>
 const turns: Check = (v) => {
   const good = (entry: unknown): boolean => {
     if (typeof entry !== 'object' || entry === null) return false;
-    const { key, turns: count, ...rest } = entry as Record<string, unknown>;
-    return !wholeFrom(1)(key) && !wholeFrom(-MOST)(count) && Object.keys(rest).length === 0;
+    const { key, turns: count, component = 0, ...rest } = entry as Record<string, unknown>;
+    return !wholeFrom(1)(key) && !wholeFrom(-MOST)(count) && !wholeFrom(0)(component) && Object.keys(rest).length === 0;
   };
-  return Array.isArray(v) && v.every(good) ? null : 'must be an array of { key, turns } with whole numbers and key at least 1';
+  return Array.isArray(v) && v.every(good) ? null
+    : 'must be an array of { key, turns, component? } with whole numbers, key at least 1 and component at least 0';
 };
 
 const animation: Check = (v) =>

@@ -5,7 +5,7 @@
 import type { ErrorData } from './errors.ts';
 import type {
   AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, MotionOptions,
-  Seams, SequenceOptions, SequenceStats, ShapePlane, TextureImage, Warning,
+  PreviewError, Seams, SequenceOptions, SequenceStats, ShapePlane, TextureImage, Warning,
 } from './types.ts';
 
 /** Everything that a sequence is made from, apart from its options. Never changed once made. */
@@ -57,6 +57,7 @@ export interface FrameData extends FrameBuffers {
   ms: number;
   threads: 1 | 2;
   lostDefiniteness: number;
+  lostFace?: number;
 }
 
 /** Request and result of every call. */
@@ -69,10 +70,12 @@ export interface Calls {
   /** Refits; on an error the motion before stays. */
   update: { request: { motion: MotionSpec }; result: { range: [number, number]; warnings: Warning[] } };
   evaluate: { request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null; preview: boolean }; result: FrameData };
+  previewError: { request: { motion: MotionSpec; t: number }; result: PreviewError };
   measure: { request: { motion: MotionSpec; t: number }; result: { volume: number; area: number } };
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
   bending: { request: { motion: MotionSpec; times: number[] }; result: number[] };
   patches: { request: object; result: Int32Array };
+  components: { request: object; result: Int32Array };
   /** null without a ghost mesh. */
   ghost: { request: object; result: Ghost | null };
   ghostPositions: { request: { motion: MotionSpec; t: number }; result: Float32Array };

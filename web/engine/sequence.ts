@@ -8,8 +8,8 @@ import type { CallName, KeyData, MotionSpec, RequestOf, ResultOf, SceneData } fr
 import type { Remote, RemoteCall } from './remote.ts';
 import { Scheduler, urgency, type Task, type Urgency } from './scheduler.ts';
 import type {
-  EncodingOptions, ExportedFile, ExportOptions, ExportPlan, Frame, Ghost, Measures, MotionOptions, SequenceOptions, SequenceStats,
-  ShapePlane, Warning,
+  EncodingOptions, ExportedFile, ExportOptions, ExportPlan, Frame, Ghost, Measures, MotionOptions, PreviewError, SequenceOptions,
+  SequenceStats, ShapePlane, Warning,
 } from './types.ts';
 
 export interface SequenceParts {
@@ -102,6 +102,11 @@ export class SequenceClient implements Sequence {
     return this.scheduler.run(urgency.ahead, () => this.frame(t, this.motion, preview), signal);
   }
 
+  async previewError(t: number): Promise<PreviewError> {
+    const checked = checkTime(t);
+    return this.scheduled(urgency.ahead, 'previewError', () => ({ motion: this.motion, t: checked }));
+  }
+
   async evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]> {
     checkCall(call);
     checkTimes(times);
@@ -153,6 +158,10 @@ export class SequenceClient implements Sequence {
 
   async patches(): Promise<Int32Array> {
     return this.scheduled(urgency.shown, 'patches', () => ({}));
+  }
+
+  async components(): Promise<Int32Array> {
+    return this.scheduled(urgency.shown, 'components', () => ({}));
   }
 
   async ghost(): Promise<Ghost | null> {

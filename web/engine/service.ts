@@ -94,10 +94,12 @@ export class Service {
         const frame = this.frame(core, t, buffers, preview);
         return { ...frame, ms: performance.now() - start };
       },
+      previewError: (core, { motion, t }) => core.previewError(this.follow(core, motion), t),
       measure: (core, { motion, t }) => core.measure(this.follow(core, motion), t),
       plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
       bending: (core, { motion, times }) => core.bending(this.follow(core, motion), times),
       patches: (core) => core.patches(this.sequence),
+      components: (core) => core.components(this.sequence),
       ghost: (core) => core.ghost(this.sequence),
       ghostPositions: (core, { motion, t }) => core.ghostPositions(this.follow(core, motion), t),
       stats: (core) => ({ ...core.stats(this.sequence), threads: this.threads }),

@@ -38,6 +38,16 @@ export interface ImportOptions {
 
 export const IMPORT_DEFAULTS: Readonly<ImportOptions> = { up: 'y', unit: 1 };
 
+/** Whole turns on the way to a key, of the whole shape or of one component against the one that carries it. */
+export interface AddedTurns {
+  /** 0-based, at least 1. */
+  key: number;
+  /** Negative ones go the other way. */
+  turns: number;
+  /** 0-based, counted by the components' first faces in the file; absent: the whole shape. */
+  component?: number;
+}
+
 /** Choices that refit the spline only: changing them never encodes or factorises again. */
 export interface MotionOptions {
   method: Method;
@@ -52,8 +62,8 @@ export interface MotionOptions {
   tension: number[];
   /** Empty, or one value a key in [-1, 1]: above 0 the slope goes over to the difference from the key before, below 0 to the key after. */
   bias: number[];
-  /** Whole turns added to the mean rotation on its way to a key (0-based, at least 1). */
-  turns: { key: number; turns: number }[];
+  /** Whole turns added on the way to a key. */
+  turns: AddedTurns[];
   /** Take out the translation that accumulates along the sequence. */
   inPlace: boolean;
 }
@@ -109,7 +119,16 @@ export interface Warning {
   message: string;
   /** How many places; 0 where that has no meaning. */
   count: number;
+  /** The key that it is about, or that ends the interval that it is about; -1 where there is none. */
+  key: number;
+  /** A face at the (worst) place; -1 where there is none. */
+  face: number;
+  /** The patches that hold the places, numbered as `Sequence.patches` has them. */
+  patches: number[];
 }
+
+/** Of a warning that is about no place. */
+export const NO_PLACE: Readonly<Pick<Warning, 'key' | 'face' | 'patches'>> = { key: -1, face: -1, patches: [] };
 
 /** Where and what of a failure, for programs; the sentence for people is the error's message. */
 export interface ErrorPlace {
@@ -264,7 +283,6 @@ export interface SequenceStats {
   arrangeMs: number;
   /** Of the stored factor, entries and row lists: a solve reads them twice. */
   factorBytes: number;
-  alignedByPatches: boolean;
   /** Of the last exact frame: the frames that faces stand in; splined faces and right-hand side; solve; placing the vertices; normals. */
   framesMs: number;
   facesMs: number;
@@ -292,7 +310,15 @@ export interface Frame {
   threads: 1 | 2;
   /** Faces whose interpolated stretch is not positive definite. */
   lostDefiniteness: number;
+  /** One of them; absent where none is known. */
+  lostFace?: number;
   release(): void;
+}
+
+/** How far the vertices of a preview are from those of the shape, as a share of the reference pose's diagonal. */
+export interface PreviewError {
+  mean: number;
+  largest: number;
 }
 
 /** Volume and area of the shape at each time. */

@@ -21,10 +21,12 @@ export interface WasmModule extends WasmHost {
   _shapespline_sequence(request: Address): Address;
   _shapespline_update(handle: number, request: Address): Address;
   _shapespline_evaluate(handle: number, t: number, preview: number): Address;
+  _shapespline_preview_error(handle: number, t: number): Address;
   _shapespline_measure(handle: number, t: number): Address;
   _shapespline_plane(handle: number, request: Address): Address;
   _shapespline_bending(handle: number, request: Address): Address;
   _shapespline_patches(handle: number): Address;
+  _shapespline_components(handle: number): Address;
   _shapespline_ghost(handle: number): Address;
   _shapespline_ghost_positions(handle: number, t: number): Address;
   _shapespline_stats(handle: number): Address;

@@ -43,6 +43,15 @@ export interface Doc {
   bias: number[];
   /** Whole turns that are added on the way to a key; the first key has no way to it. */
   turns: number[];
+  /** The same of separate parts, against those that carry them: a list for each key; empty = none. */
+  partTurns: (readonly PartTurns[])[];
+}
+
+/** At least one whole turn of one of the shape's components. */
+export interface PartTurns {
+  /** 0-based, counted by the components' first faces in the file. */
+  component: number;
+  turns: number;
 }
 
 /** What makes the motion about a key another than the smooth spline's own. */
@@ -140,7 +149,7 @@ export const DEFAULT_VIEW: Readonly<View> = {
 
 export const EMPTY_STATE: AppState = {
   source: { kind: 'none' },
-  doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [] },
+  doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [], partTurns: [] },
   time: 0,
   play: { playing: false, speed: 0.25, loop: 'bounce', between: null, fps: null },
   view: { ...DEFAULT_VIEW },

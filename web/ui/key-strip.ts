@@ -1,9 +1,10 @@
 /** The keys as thumbnails: go to one, put it elsewhere in the order, give it another time or name, remove it, add one. */
-import { button, numberField, slider } from './controls.ts';
+import type { Choice } from './controls.ts';
+import { button, numberField, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
 import { MAX_TURNS } from '../model/state.ts';
-import type { Shaping } from '../model/state.ts';
+import type { PartTurns, Shaping } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
 
@@ -14,6 +15,7 @@ export interface KeyItem {
   tension: number;
   bias: number;
   turns: number;
+  partTurns: readonly PartTurns[];
   isReference: boolean;
   /** Picture of the key, or null while there is none. */
   thumbnail: string | null;
@@ -25,6 +27,8 @@ export interface KeyStripProps {
   range: Range;
   disabled: boolean;
   canRemove: boolean;
+  /** Separate parts of the shape. */
+  components: number;
   /** Why the current shape cannot become a key, or null when it can. */
   addReason: string | null;
 }
@@ -36,6 +40,9 @@ export interface KeyStripEvents {
   onRetime(key: number, time: number): void;
   onRename(key: number, name: string): void;
   onShaping(key: number, name: Shaping, value: number): void;
+  onPartTurns(key: number, component: number, turns: number): void;
+  /** The part that whole turns are given to, null for the whole shape or when the editor closes. */
+  onPart(component: number | null): void;
   onReference(key: number): void;
   onAddCurrent(): void;
   onAddFile(): void;
@@ -141,6 +148,18 @@ function createCard(events: KeyStripEvents, onEdit: (index: number, from: HTMLEl
   };
 }
 
+/** More of them cannot be told apart in a list. */
+const MOST_PARTS = 400;
+
+/** Those that turn already say so. */
+function partChoices(parts: number, turnsOf: (component: number) => number): Choice<string>[] {
+  const label = (component: number): string => {
+    const turns = turnsOf(component);
+    return `Part ${component + 1}${turns === 0 ? '' : `: ${turns > 0 ? '+' : ''}${turns}`}`;
+  };
+  return [{ value: '', label: 'Whole shape' }, ...Array.from({ length: parts }, (_, component) => ({ value: String(component), label: label(component) }))];
+}
+
 interface Editor {
   element: HTMLElement;
   /** `from`: what was pressed, where the focus goes back to. */
@@ -169,12 +188,18 @@ function createEditor(events: KeyStripEvents): Editor {
     hint: 'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the motion from the key before on',
     onInput: (value) => events.onShaping(index, 'bias', value),
   });
+  let part: number | null = null;
   const turns = numberField({
     label: 'Whole turns added on the way to this key; negative ones go the other way', testId: 'key-turns', min: -MAX_TURNS, max: MAX_TURNS, step: 1,
-    onInput: (value) => events.onShaping(index, 'turns', Math.round(value)),
+    onInput: (value) => {
+      if (part === null) events.onShaping(index, 'turns', Math.round(value));
+      else events.onPartTurns(index, part, Math.round(value));
+    },
   });
+  const turningPart = select<string>('Made by', 'key-turns-part', [], (value) => choosePart(value === '' ? null : Number(value)));
   const turnsRow = h('div', { class: 'field row' },
     h('span', { class: 'label', title: 'Keys do not say how often the shape turned between them' }, 'Whole turns before it'), turns);
+  turningPart.element.classList.add('row');
   const bend = h('p', { class: 'reason', 'data-testid': 'key-bend', hidden: true },
     'With tension or bias the motion still has one slope at this key, but its acceleration jumps there: it is C1, no longer C2.');
   const earlier = button({ label: 'Earlier in the order', testId: 'key-earlier', icon: 'left', text: 'Earlier', kind: 'plain', onClick: () => move(-1) });
@@ -192,7 +217,7 @@ function createEditor(events: KeyStripEvents): Editor {
     h('header', {}, title, button({ label: 'Close', testId: 'key-editor-close', icon: 'close', shortcut: 'Esc', onClick: () => close() })),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Name'), name),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Time'), time),
-    tension.element, bias.element, bend, turnsRow,
+    tension.element, bias.element, bend, turnsRow, turningPart.element,
     h('div', { class: 'button-row' }, earlier, later), h('div', { class: 'button-row' }, reference, remove), reason);
   element.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape') return;
@@ -203,7 +228,15 @@ function createEditor(events: KeyStripEvents): Editor {
   const close = (): void => {
     if (element.hidden) return;
     element.hidden = true;
+    choosePart(null);
     opener?.focus();
+  };
+
+  const choosePart = (component: number | null): void => {
+    if (part === component) return;
+    part = component;
+    events.onPart(part);
+    draw();
   };
 
   const move = (by: 1 | -1): void => {
@@ -221,7 +254,12 @@ function createEditor(events: KeyStripEvents): Editor {
     setField(time, formatTime(item.time, props.range));
     tension.update(item.tension);
     bias.update(item.bias);
-    setField(turns, String(item.turns));
+    const parts = index > 0 && props.components > 1 ? Math.min(props.components, MOST_PARTS) : 0;
+    if (part !== null && part >= parts) choosePart(null);
+    const ofPart = (component: number): number => item.partTurns.find((one) => one.component === component)?.turns ?? 0;
+    setField(turns, String(part === null ? item.turns : ofPart(part)));
+    setHidden(turningPart.element, parts === 0);
+    turningPart.update(String(part ?? ''), parts === 0 ? [] : partChoices(parts, ofPart));
     setHidden(turnsRow, index === 0);
     setHidden(bend, item.tension === 0 && item.bias === 0);
     earlier.disabled = index === 0;

@@ -4,7 +4,7 @@ import type { Encoding, KeyRef } from '../model/state.ts';
 import { DEFAULT_ENCODING } from '../model/state.ts';
 import type { Choice } from './controls.ts';
 import { button, keyLabel, numberField, segments, select } from './controls.ts';
-import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
+import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import { createOrientation } from './orientation.ts';
 import type { Orientation } from './orientation.ts';
 import { createSampling } from './sampling.ts';
@@ -17,8 +17,6 @@ export interface ShapePanelProps {
   stats: SequenceStats | null;
   /** That work on a frame. */
   threads: number | null;
-  /** Faces that are no longer positive definite at the current time. */
-  lost: number;
   lriMethod: boolean;
   /** The keys may be taken from the file's animation anew. */
   canSample: boolean;
@@ -38,7 +36,7 @@ export interface ShapePanelEvents {
 
 const STRETCHES: readonly Choice<Stretch>[] = [
   { value: 'linear', label: 'Linear', hint: 'As in the paper: stretches are blended as they are' },
-  { value: 'log', label: 'Logarithmic', hint: 'Never turns a triangle inside out, however far outside the keys' },
+  { value: 'log', label: 'Logarithmic', hint: 'By what they multiply: never turns a triangle inside out' },
 ];
 
 /** `ghost`: the section on the ghost mesh. */
@@ -48,13 +46,12 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
   const patches = numberField({ label: 'Patches; 0 lets the app choose', testId: 'patches', min: 0, max: 5000, step: 1, onInput: (value) => events.onEncoding({ patches: Math.round(value) }) });
   const patchesUsed = h('span', { class: 'muted', 'data-testid': 'patches-used' });
   const reset = button({ label: 'Set the shape options back to what they were when opened', testId: 'shape-reset', icon: 'reset', onClick: () => events.onReset() });
-  const lost = h('p', { class: 'notice-inline', 'data-testid': 'lost-hint', hidden: true });
   const facts = h('dl', { class: 'facts' });
   const sampling = createSampling(events.onSample);
   const orientation = createOrientation(events.onOrient);
   const element = h('section', { class: 'panel', 'aria-labelledby': 'shape-title', 'data-testid': 'panel-shape' },
     h('header', {}, h('h2', { id: 'shape-title' }, 'Shape'), reset),
-    stretch.element, lost, reference.element,
+    stretch.element, reference.element,
     h('div', { class: 'field row' }, h('span', { class: 'label', title: 'Pieces that the shape is cut into; each turns as one, and the faces turn within them' }, 'Patches'), patches, patchesUsed),
     sampling.element, orientation.element, ghost,
     h('details', { class: 'details', 'data-testid': 'mesh-report' }, h('summary', {}, 'What was read and built'), facts));
@@ -64,8 +61,6 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
     stretch.update(encoding.stretch, props.lriMethod ? {} : {
       log: 'This method blends positions and has no stretches.', linear: '',
     });
-    setHidden(lost, props.lost === 0);
-    setText(lost, lostText(props.lost));
     reference.update(String(keys[props.reference]?.pose ?? ''), keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) })));
     setField(patches, String(encoding.patches));
     setText(patchesUsed, stats ? `${stats.patches} used` : '');
@@ -77,11 +72,6 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
     drawFacts(facts, info, stats, props.threads);
   });
   return { element, update: draw };
-}
-
-function lostText(faces: number): string {
-  const places = faces === 1 ? 'One triangle has' : `${faces.toLocaleString('en')} triangles have`;
-  return `${places} turned inside out this far from the keys. Logarithmic stretch never does that.`;
 }
 
 const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStats | null, threads: number | null): void => {

@@ -1,5 +1,4 @@
 /** One quiet line: what is loaded, how fast it is, and how many warnings there are; the count opens the list. */
-import type { Warning } from '../engine/types.ts';
 import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
 
@@ -11,11 +10,12 @@ export interface StatusProps {
   ms: number | null;
   /** That frame is about right, as long as something moves. */
   about: boolean;
-  warnings: readonly Warning[];
+  warnings: number;
   offline: boolean;
 }
 
-export function createStatusLine(): { element: HTMLElement; update(props: StatusProps): void } {
+/** onWarnings hears which button was pressed. */
+export function createStatusLine(onWarnings: (from: HTMLElement) => void): { element: HTMLElement; update(props: StatusProps): void } {
   const keys = h('span', { 'data-testid': 'status-keys' });
   const vertices = h('span', { 'data-testid': 'status-vertices' });
   const faces = h('span', { 'data-testid': 'status-faces' });
@@ -24,18 +24,12 @@ export function createStatusLine(): { element: HTMLElement; update(props: Status
     title: 'Time to compute the shape on the screen. Where that is long, a moving shape is drawn about right, and exactly when it rests',
   });
   const offline = h('span', { hidden: true }, 'offline');
-  const list = h('ul', { class: 'warning-list' });
-  const popover = h('dialog', { class: 'dialog', 'data-testid': 'warnings', 'aria-label': 'Warnings' },
-    h('header', {}, h('h2', {}, 'What to know about these shapes'),
-      h('button', { type: 'button', class: 'button quiet square', 'aria-label': 'Close', onclick: () => popover.close() }, icon('close'))),
-    list);
-  popover.addEventListener('click', (event) => { if (event.target === popover) popover.close(); });
   const count = h('span', {});
-  const warnings = h('button', {
+  const warnings: HTMLButtonElement = h('button', {
     type: 'button', class: 'button quiet warning-count', 'data-testid': 'warning-count', hidden: true, title: 'Show the warnings',
-    onclick: () => popover.showModal(),
+    onclick: () => onWarnings(warnings),
   }, icon('warning'), count);
-  const element = h('footer', { class: 'status-line', 'data-testid': 'status' }, keys, vertices, faces, ms, warnings, offline, popover);
+  const element = h('footer', { class: 'status-line', 'data-testid': 'status' }, keys, vertices, faces, ms, warnings, offline);
 
   const drawCounts = memo((props: Omit<StatusProps, 'ms' | 'about'>) => {
     setText(keys, plural(props.keys, 'key', 'keys'));
@@ -43,10 +37,8 @@ export function createStatusLine(): { element: HTMLElement; update(props: Status
     setText(faces, plural(props.faces, 'face', 'faces'));
     setAttribute(element, 'data-empty', props.keys === 0);
     setHidden(offline, !props.offline);
-    setHidden(warnings, props.warnings.length === 0);
-    setText(count, plural(props.warnings.length, 'warning', 'warnings'));
-    list.replaceChildren(...props.warnings.map((warning) =>
-      h('li', { 'data-code': warning.code }, icon('warning'), h('span', {}, warning.message))));
+    setHidden(warnings, props.warnings === 0);
+    setText(count, plural(props.warnings, 'warning', 'warnings'));
   });
 
   return {

@@ -57,24 +57,41 @@ export function createViewBar(events: ViewBarEvents): { element: HTMLElement; to
   return { element, toggleLook, update: draw };
 }
 
+/** What of the shape has turned inside out. */
+export interface LostFaces {
+  /** Of all faces, in [0, 1]. */
+  share: number;
+  /** One of them is known and can be shown. */
+  hasPlace: boolean;
+}
+
+/** Fewer than this share of the faces cannot be seen. */
+const SEEN_SHARE = 0.001;
+
 /** Where the moment lies, large enough to read from afar; the colour's meaning in words; a way out where the shape breaks. */
-export function createPhaseLabel(onUseLog: () => void): { element: HTMLElement; update(phase: Phase | null, lostFaces: number): void } {
+export function createPhaseLabel(onShowLost: () => void): { element: HTMLElement; update(phase: Phase | null, lost: LostFaces): void } {
   const text = h('span', { 'data-testid': 'phase' });
-  const lost = h('span', {});
-  const hint = h('div', { class: 'lost', 'data-testid': 'lost', hidden: true }, lost,
-    button({ label: 'Use logarithmic stretch', testId: 'use-log', text: 'Use logarithmic stretch', kind: 'plain', onClick: onUseLog }));
+  const lostText = h('span', {});
+  const show = button({ label: 'Show where', testId: 'lost-show', text: 'Show where', kind: 'plain', onClick: onShowLost });
+  const hint = h('div', { class: 'lost', 'data-testid': 'lost', hidden: true }, lostText, show);
   const element = h('div', { class: 'phase-corner', hidden: true }, hint, h('div', { class: 'phase' }, h('span', { class: 'dot' }), text));
   return {
     element,
-    update(phase, lostFaces) {
+    update(phase, lost) {
       setHidden(element, phase === null);
       if (!phase) return;
       setAttribute(element, 'data-phase', phase.kind);
       setText(text, phase.text);
-      setHidden(hint, lostFaces === 0);
-      setText(lost, lostFaces === 1 ? 'One triangle has turned inside out.' : `${lostFaces.toLocaleString('en')} triangles have turned inside out.`);
+      setHidden(hint, !(lost.share >= SEEN_SHARE));
+      setText(lostText, lostWords(lost.share, phase));
+      setHidden(show, !lost.hasPlace);
     },
   };
+}
+
+function lostWords(share: number, { kind }: Phase): string {
+  const percent = `${Number((100 * share).toPrecision(share < 0.1 ? 1 : 2))}\u00a0% of the triangles have turned inside out`;
+  return kind === 'beyond' ? `${percent} this far from the keys.` : `${percent}. A key in between helps.`;
 }
 
 export interface TileLabel {

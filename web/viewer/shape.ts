@@ -5,6 +5,7 @@ import {
 import type { Material as ThreeMaterial, Texture } from 'three';
 import type { Material } from '../engine/types.ts';
 import { Easing } from './easing.ts';
+import { Mark } from './mark.ts';
 import type { Look, Topology } from './types.ts';
 
 /** What several shapes of one import share: the index and the decoded images. */
@@ -34,6 +35,7 @@ export class Shape {
   private texturedBy: SharedTopology['textures'] | null = null;
   private patchColours: Float32Array | null = null;
   private heatColours: Float32Array | null = null;
+  private mark: Mark | null = null;
   private readonly mesh: Mesh;
   private readonly wire: Mesh;
 
@@ -77,6 +79,7 @@ export class Shape {
     this.geometry.setAttribute('normal', this.normal);
     this.geometry.setAttribute('fromPosition', position);
     this.geometry.setAttribute('fromNormal', normal);
+    this.mark?.follow(this.geometry);
     this.setFrame(positions, normals);
     this.easing.share = 0;
   }
@@ -94,6 +97,13 @@ export class Shape {
   /** The same for amounts, which come before every other colouring. */
   setHeatColours(colours: Float32Array | null): void {
     this.heatColours = colours;
+  }
+
+  /** Marks faces, 3 drawn vertices each, over every colouring; null takes the mark away. */
+  setMark(index: Uint32Array | null): void {
+    this.mark?.dispose();
+    this.mark = index && new Mark(index, this.geometry, this.easing);
+    if (this.mark) this.object.add(this.mark.object);
   }
 
   setLook(look: Look): void {
@@ -121,6 +131,7 @@ export class Shape {
   }
 
   dispose(): void {
+    this.setMark(null);
     this.object.removeFromParent();
     this.geometry.setIndex(null);
     this.geometry.dispose();

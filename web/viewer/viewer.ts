@@ -161,6 +161,15 @@ export class Viewer {
     this.invalidate();
   }
 
+  /** Marks faces of the first view's shape; null takes the mark away. */
+  setMark(faces: readonly number[] | null): void {
+    const corners = this.topology?.index.array;
+    if (!corners) return;
+    const index = faces && Uint32Array.from({ length: 3 * faces.length }, (_, i) => corners[3 * faces[Math.floor(i / 3)]! + (i % 3)]!);
+    this.shapes[0]?.setMark(index);
+    this.invalidate();
+  }
+
   /** The ghost mesh of the first view's shape, as it is at the moment that is drawn; null takes it away. */
   setGhost(ghost: GhostPicture | null): void {
     const shape = this.shapes[0];

@@ -34,6 +34,7 @@ describe('the values of options', () => {
     expect(sequenceOptions(args)).toEqual({
       reference: 1, turns: [{ key: 1, turns: 1 }, { key: 2, turns: -2 }], boundary: 'hermite', startSpeed: 0, period: 1.5, inPlace: true,
     });
+    expect(sequenceOptions(parse('--turns', '2:1@3,3:-2'))).toEqual({ turns: [{ key: 1, turns: 1, component: 2 }, { key: 2, turns: -2 }] });
     expect(importOptions(parse('--key-times=0,.4,1e0', '--animation', '0', '--sample', '0,0.2'))).toEqual({
       keyTimes: [0, 0.4, 1], animation: 0, sample: [0, 0.2],
     });
@@ -43,7 +44,7 @@ describe('the values of options', () => {
   });
 
   it.each([
-    ['--reference=0'], ['--turns=1:1'], ['--turns=2'], ['--turns=2:1:3'], ['--period=0'], ['--start-speed=fast'], ['--start-speed=0x10'],
+    ['--reference=0'], ['--turns=1:1'], ['--turns=2'], ['--turns=2:1:3'], ['--turns=2:1@0'], ['--turns=2:1@'], ['--turns=2@1'], ['--turns=2:1@1@1'], ['--turns=2:1@a'], ['--period=0'], ['--start-speed=fast'], ['--start-speed=0x10'],
     ['--stretch=both'], ['--patches=2.5'], ['--ghost-faces=3'], ['--ghost-faces=x'], ['--placement=free'], ['--transfer=none'], ['--tension=1,,2'],
   ])('of a sequence refuse %s', (word) => {
     expect(() => sequenceOptions(parse(word))).toThrow(UsageError);

@@ -1,0 +1,23 @@
+/** Which keys a warning is about, as numbers and in words. */
+import type { Warning } from './types.ts';
+
+/** What is open between two keys; everything else is about one key. */
+const INTERVAL = /^ambiguous-/;
+
+/**
+ * The keys that bound what the warning is about, 0-based: twice the same one where it is about that key, null where it is about
+ * none. A closed motion goes from its last of `count` keys to the first.
+ */
+export function keysOf({ code, key }: Warning, count: number): [number, number] | null {
+  if (key < 0) return null;
+  if (!INTERVAL.test(code)) return [key, key];
+  return key === 0 || key >= count ? [count - 1, 0] : [key - 1, key];
+}
+
+/** The same in words, counted from 1; empty where the sentence names them, or there are none. */
+export function keysInWords(warning: Warning, count: number): string {
+  const keys = keysOf(warning, count);
+  if (!keys || /\bkeys? \d/i.test(warning.message)) return '';
+  const [from, to] = keys;
+  return from === to ? `Key ${to + 1}` : `Key ${from + 1} to key ${to + 1}`;
+}

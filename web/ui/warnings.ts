@@ -1,0 +1,76 @@
+/** The warnings in sentences, each with a button that shows its place. Not modal: the shape is seen, and can be turned, beside them. */
+import { button } from './controls.ts';
+import { h, memo, setAttribute, setHidden } from './dom.ts';
+import { icon } from './icons.ts';
+
+export interface WarningItem {
+  code: string;
+  message: string;
+  /** Which keys it is about, where the message does not say it; else empty. */
+  where: string;
+  /** There is a place or a moment to be shown. */
+  shows: boolean;
+}
+
+export interface WarningsProps {
+  items: readonly WarningItem[];
+  /** The one whose place is marked on the shape now. */
+  shown: number | null;
+}
+
+export interface WarningsList {
+  element: HTMLElement;
+  /** `from`: what was pressed, where the focus goes back to. */
+  toggle(from: HTMLElement): void;
+  update(props: WarningsProps): void;
+}
+
+/** onShow hears null when nothing is to be marked any more. */
+export function createWarnings(onShow: (index: number | null) => void): WarningsList {
+  let opener: HTMLElement | null = null;
+  const list = h('ul', { class: 'warning-list' });
+  const closer = button({ label: 'Close', testId: 'warnings-close', icon: 'close', shortcut: 'Esc', onClick: () => close() });
+  const element = h('div', { class: 'card warnings', role: 'dialog', 'data-testid': 'warnings', 'aria-label': 'Warnings', hidden: true },
+    h('header', {}, h('h2', {}, 'Warnings'), closer), list);
+  element.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.stopPropagation();
+    close();
+  });
+
+  const close = (): void => {
+    if (element.hidden) return;
+    element.hidden = true;
+    onShow(null);
+    opener?.focus();
+  };
+
+  const drawItems = memo(({ items }: Pick<WarningsProps, 'items'>) => {
+    list.replaceChildren(...items.map((item, index) => h('li', { 'data-code': item.code }, icon('warning'),
+      h('p', {}, item.where && h('strong', {}, `${item.where}. `), item.message), item.shows && showButton(index, item.where))));
+    if (items.length === 0) close();
+  });
+
+  const showButton = (index: number, where: string): HTMLButtonElement => {
+    const show = button({
+      label: where ? `Show it: ${where}` : 'Show it', testId: `warning-${index}-show`, text: 'Show', kind: 'plain',
+      onClick: () => onShow(show.getAttribute('aria-pressed') === 'true' ? null : index),
+    });
+    setAttribute(show, 'aria-pressed', 'false');
+    return show;
+  };
+
+  return {
+    element,
+    toggle(from) {
+      if (!element.hidden) return close();
+      opener = from;
+      setHidden(element, false);
+      closer.focus();
+    },
+    update({ items, shown }) {
+      drawItems({ items });
+      for (const show of list.querySelectorAll('button')) setAttribute(show, 'aria-pressed', String(show.dataset['testid'] === `warning-${shown}-show`));
+    },
+  };
+}

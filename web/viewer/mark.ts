@@ -1,0 +1,41 @@
+/** Some faces of a shape in a colour that nothing else has, and faintly where the rest of the shape hides them. */
+import { BufferAttribute, BufferGeometry, DoubleSide, GreaterDepth, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial } from 'three';
+import type { Easing } from './easing.ts';
+
+/** As --mark of the page; it stands out from blue, green, yellow and grey, on light and dark ground, and from the first in lightness. */
+const COLOUR = 0xd6217e;
+
+export class Mark {
+  readonly object = new Group();
+  private readonly geometry = new BufferGeometry();
+  private readonly seen = new MeshStandardMaterial({ color: COLOUR, emissive: COLOUR, emissiveIntensity: 0.3, roughness: 0.62, side: DoubleSide });
+  private readonly hidden = new MeshBasicMaterial({
+    color: COLOUR, side: DoubleSide, transparent: true, opacity: 0.3, depthFunc: GreaterDepth, depthWrite: false,
+  });
+
+  /** index: 3 drawn vertices a face. */
+  constructor(index: Uint32Array, shape: BufferGeometry, easing: Easing) {
+    this.geometry.setIndex(new BufferAttribute(index, 1));
+    this.follow(shape);
+    for (const material of [this.seen, this.hidden]) {
+      easing.install(material);
+      const mesh = new Mesh(this.geometry, material);
+      mesh.frustumCulled = false;
+      this.object.add(mesh);
+    }
+  }
+
+  /** The shape has other buffers now: the mark is drawn from the same. */
+  follow(shape: BufferGeometry): void {
+    for (const name of ['position', 'normal', 'fromPosition', 'fromNormal']) {
+      const attribute = shape.getAttribute(name);
+      if (attribute) this.geometry.setAttribute(name, attribute);
+    }
+  }
+
+  dispose(): void {
+    this.object.removeFromParent();
+    this.geometry.dispose();
+    for (const material of [this.seen, this.hidden]) material.dispose();
+  }
+}
