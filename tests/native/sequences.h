@@ -22,4 +22,10 @@ inline Positions shapeAt(Sequence& sequence, double t) {
   return positions;
 }
 
+inline std::vector<Quaternion> patchesAt(Sequence& sequence, double t) {
+  std::vector<Quaternion> rotations;
+  REQUIRE(sequence.patchRotations(t, rotations).ok());
+  return rotations;
+}
+
 }  // namespace shapespline::test

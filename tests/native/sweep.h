@@ -76,22 +76,23 @@ class PatchTurns {
   std::vector<std::vector<int>> vertices_;
 };
 
-/// A step of a motion: two times and the shapes there.
+/// A step of a motion: two times and what there is at them, shapes or rotations of patches.
+template <class State>
 struct Step {
   double from, to;
-  Positions before, after;
+  State before, after;
 };
 
 /// Cuts a step into `fold` parts and goes on with the one of largest measure, `zooms` times.
-template <class Measure>
-Step zoomed(Sequence& sequence, Step step, const Density& density, const Measure& measure) {
+template <class State, class At, class Measure>
+Step<State> zoomed(Step<State> step, const Density& density, const At& at, const Measure& measure) {
   for (int zoom = 0; zoom < density.zooms; ++zoom) {
-    Step largest, part{step.from, step.from, step.before, step.before};
+    Step<State> largest, part{step.from, step.from, step.before, step.before};
     double most = -1;
     for (int i = 1; i <= density.fold; ++i) {
       part.from = part.to, part.before = std::move(part.after);
       part.to = i == density.fold ? step.to : step.from + (step.to - step.from) * i / density.fold;
-      part.after = i == density.fold ? step.after : shapeAt(sequence, part.to);
+      part.after = i == density.fold ? step.after : at(part.to);
       if (const double size = measure(part.before, part.after); size > most) most = size, largest = part;
     }
     step = std::move(largest);
@@ -158,30 +159,37 @@ inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) 
   const int perRange = density.samples * intervals;
   const int margin = perRange * 2 / 5;
   const double diagonal = boundingDiagonal(std::vector<const Positions*>{&k.keys[0].positions});
-  const PatchTurns patches(sequence);
   const auto vertexStep = [&](const Positions& a, const Positions& b) { return 100 * largestDistance(a, b) / diagonal; };
-  const auto patchTurn = [&](const Positions& a, const Positions& b) { return patches.largest(a, b); };
+  const auto patchTurn = [](const std::vector<Quaternion>& a, const std::vector<Quaternion>& b) {
+    double most = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, a[k].angularDistance(b[k]) * (180 / pi));
+    return most;
+  };
   const auto timeOf = [&](int sample) { return start + range * sample / perRange; };
 
   Sweep found;
   found.spacing = 1.0 / perRange;
-  Step farthest, mostTurned;
+  Step<Positions> farthest;
+  Step<std::vector<Quaternion>> mostTurned;
   std::vector<double> turns;
   Positions before = shapeAt(sequence, timeOf(-margin)), beforeThat;
+  std::vector<Quaternion> patchesBefore = patchesAt(sequence, timeOf(-margin));
   double largestBend = 0, bendAt = start;
   for (int i = 1 - margin; i <= perRange + margin; ++i) {
     Positions now = shapeAt(sequence, timeOf(i));
-    const double step = vertexStep(before, now), turn = patchTurn(before, now);
+    std::vector<Quaternion> patchesNow = patchesAt(sequence, timeOf(i));
+    const double step = vertexStep(before, now), turn = patchTurn(patchesBefore, patchesNow);
     if (step > found.step) found.step = step, found.stepAt = (i - 0.5) / perRange, farthest = {timeOf(i - 1), timeOf(i), before, now};
-    if (turn > found.turn) found.turn = turn, found.turnAt = (i - 0.5) / perRange, mostTurned = {timeOf(i - 1), timeOf(i), before, now};
+    if (turn > found.turn) found.turn = turn, found.turnAt = (i - 0.5) / perRange, mostTurned = {timeOf(i - 1), timeOf(i), patchesBefore, patchesNow};
     if (!beforeThat.empty())
       if (const double d = secondDifference(beforeThat, before, now); d > largestBend) largestBend = d, bendAt = timeOf(i - 1);
     turns.push_back(turn);
-    beforeThat = std::move(before), before = std::move(now);
+    beforeThat = std::move(before), before = std::move(now), patchesBefore = std::move(patchesNow);
   }
   if (found.step > 0) {
-    const Step far = zoomed(sequence, std::move(farthest), density, vertexStep), turned = zoomed(sequence, std::move(mostTurned), density, patchTurn);
-    found.zoomedStep = std::max(vertexStep(far.before, far.after), vertexStep(turned.before, turned.after));
+    const auto far = zoomed(std::move(farthest), density, [&](double t) { return shapeAt(sequence, t); }, vertexStep);
+    const auto turned = zoomed(std::move(mostTurned), density, [&](double t) { return patchesAt(sequence, t); }, patchTurn);
+    found.zoomedStep = std::max(vertexStep(far.before, far.after), vertexStep(shapeAt(sequence, turned.from), shapeAt(sequence, turned.to)));
     found.zoomedSpacing = (far.to - far.from) / range;
   }
   found.growth = accelerationGrowth(sequence, bendAt, range / perRange, 1e-9 * diagonal);

@@ -203,6 +203,19 @@ std::pair<double, double> Sequence::range() const { return {state_->curve->start
 const std::vector<int>& Sequence::patchOfFace() const { return state_->patchOfRawFace; }
 const std::vector<int>& Sequence::componentOfFace() const { return state_->componentOfRawFace; }
 
+Status Sequence::patchRotations(double t, std::vector<Quaternion>& rotations) {
+  if (Status status = checkTime(t); !status) return status;
+  State& s = *state_;
+  const WrappedTime wrapped = s.curve->wrap(t);
+  const CurvePoint point = s.curve->at(wrapped.time);
+  Frames frames;
+  s.shapeMotion->patchMotion().at(point, frames);
+  const Quaternion turn = s.globalMotion(t, wrapped, point).rotation;
+  rotations.clear();
+  for (const Quaternion& g : frames.rotation) rotations.push_back(turn * g);
+  return {};
+}
+
 ShapePlane Sequence::shapePlane(const std::vector<double>& times) {
   State& s = *state_;
   const PrincipalPlane plane(s.gramMatrix(), s.shape.keys);

@@ -9,6 +9,7 @@
 #include "core/crew.h"
 #include "core/keyframes.h"
 #include "core/options.h"
+#include "core/rotation.h"
 #include "core/sequence_stats.h"
 #include "core/status.h"
 #include "core/warning.h"
@@ -95,6 +96,9 @@ class Sequence {
 
   /// Component of each raw face, in [0, stats().components), numbered by their first faces; -1 for faces without area.
   const std::vector<int>& componentOfFace() const;
+
+  /// The rotations G_k of the patches (of the ghost, with one) at time t, as the first system gives them and the whole is turned.
+  Status patchRotations(double t, std::vector<Quaternion>& rotations);
 
   ShapePlane shapePlane(const std::vector<double>& times);
 
