@@ -1,6 +1,20 @@
 #include "core/transfer.h"
 
+#include <algorithm>
+
 namespace shapespline {
+
+namespace {
+
+// A patch of fewer faces of the ghost says little about how it turns.
+constexpr int facesPerPatch = 16;
+
+// As many patches as the shape would have, where the ghost has the faces for them: coarser ones turn further against each other.
+int ghostPatchCount(int shapeFaces, int ghostFaces) {
+  return std::max(defaultPatchCount(ghostFaces), std::min(defaultPatchCount(shapeFaces), ghostFaces / facesPerPatch));
+}
+
+}  // namespace
 
 Status GhostMotion::build(const WeldedShape& full, const ShapeParts& parts, const EncodingOptions& options,
                           SequenceStats& stats, const StageProgress& progress) {
@@ -12,7 +26,8 @@ Status GhostMotion::build(const WeldedShape& full, const ShapeParts& parts, cons
   stats.ghostVertices = shape_.vertexCount();
   stats.joinedComponents = mesh_.joinedPieces;
   stats.simplifyMs = watch.lap();
-  if (Status status = buildMotion(options, stats); !status) return status;
+  const int patches = options.patches > 0 ? options.patches : ghostPatchCount(full.faceCount(), shape_.faceCount());
+  if (Status status = buildMotion(options, patches, stats); !status) return status;
   stats.encodeMs += watch.lap();
 
   faceOf_ = correspondingFaces(full, parts, mesh_, Stage{progress, "matching"});
@@ -24,9 +39,9 @@ Status GhostMotion::build(const WeldedShape& full, const ShapeParts& parts, cons
   return {};
 }
 
-Status GhostMotion::buildMotion(const EncodingOptions& options, SequenceStats& stats) {
+Status GhostMotion::buildMotion(const EncodingOptions& options, int wantedPatches, SequenceStats& stats) {
   const ShapeParts parts = partsOf(shape_);
-  auto patches = encodePatches(shape_, parts, options.patches);
+  auto patches = encodePatches(shape_, parts, wantedPatches);
   if (!patches) return patches.error();
   Status status = patches_.build(shape_, std::move(*patches));
   if (!status) return status;

@@ -45,7 +45,7 @@ class GhostMotion final : public FrameSource {
   const LriCoordinates<double>& coordinates() const { return reconstructor_.coordinates(); }
 
  private:
-  Status buildMotion(const EncodingOptions& options, SequenceStats& stats);
+  Status buildMotion(const EncodingOptions& options, int wantedPatches, SequenceStats& stats);
   Mat3 gradient(int face, const Mat3& rotation) const;
 
   Transfer transfer_ = Transfer::Exact;
