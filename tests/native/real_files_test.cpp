@@ -163,7 +163,6 @@ TEST_CASE("real shapes: what previews are off") {
       {"fox", imported(filesOf({"skin/Fox.glb"}), run)},
       {"soldier", imported(filesOf({"skin/Soldier.glb"}), run)},
       {"wolf", imported(filesOf({"obj/wolf/wolf-1.obj", "obj/wolf/wolf-4.obj", "obj/wolf/wolf-8.obj", "obj/wolf/wolf-12.obj", "obj/wolf/wolf-16.obj", "obj/wolf/wolf-20.obj"}))},
-      {"bent bar", imported(filesOf({"blender/baked_flat_0.glb", "blender/baked_flat_1.glb", "blender/baked_flat_2.glb"}))},
       {"saddle", imported(filesOf({"turns/saddle/monkey_saddle_1.ply", "turns/saddle/monkey_saddle_2.ply"}))},
       {"rolled plate", imported(filesOf({"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"}))},
       {"cat", imported(filesOf({"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"}))},
