@@ -111,7 +111,7 @@ TEST_CASE("preview: what it is off is measured, as a share of the reference pose
     const Distances seen = distances(exact, cheap, exact.positions.size() / 3, diagonal);
     const auto measured = sequence.previewError(t);
     REQUIRE(measured.ok());
-    CHECK(seen.largest > 1e-4);
+    CHECK(seen.largest > 1e-5);
     CHECK(measured->mean == doctest::Approx(seen.mean).epsilon(0.01));
     CHECK(measured->largest == doctest::Approx(seen.largest).epsilon(0.01));
   }

@@ -1,0 +1,195 @@
+/** Warnings that can be read and show their place; whole turns of parts. What the engine would say is put into its answers here. */
+import type { Locator, Page } from '@playwright/test';
+import type { Warning } from '../../web/engine/types.ts';
+import { expect, test } from './support.ts';
+import type { App } from './support.ts';
+
+const LONG = 'Between these keys neighbouring parts turn by more than 150 degrees against each other. Add a key in between if they go the wrong way.';
+const WARNINGS: Warning[] = [
+  { code: 'ambiguous-part-turn', message: LONG, count: 2, key: 1, face: 40, patches: [0, 1, 2, 3] },
+  { code: 'mirrored-pose', message: 'Key 3 is mirrored.', count: 0, key: 2, face: -1, patches: [] },
+  { code: 'winding', message: 'Some parts turn on by a whole turn in each period.', count: 0, key: -1, face: -1, patches: [] },
+];
+
+/** Adds to what the workers answer, before the page hears it. */
+async function answering(page: Page, change: { warnings?: Warning[]; lost?: number; lostFace?: number }): Promise<void> {
+  await page.addInitScript(({ warnings, lost, lostFace }) => {
+    const Original = window.Worker;
+    window.Worker = class extends Original {
+      constructor(url: string | URL, options?: WorkerOptions) {
+        super(url, options);
+        this.addEventListener('message', ({ data }: MessageEvent<{ value?: Record<string, unknown> }>) => {
+          const { value } = data;
+          if (!value) return;
+          if (warnings && 'range' in value) value['warnings'] = structuredClone(warnings);
+          if (lost !== undefined && 'lostDefiniteness' in value) Object.assign(value, { lostDefiniteness: lost, lostFace });
+        });
+      }
+    };
+  }, change);
+}
+
+/** How much of the picture has the colour of a mark. */
+async function markedShare(app: App): Promise<number> {
+  const shot = await app.picture();
+  return app.page.evaluate(async (text) => {
+    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    let marked = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i]! - data[i + 1]! > 60 && data[i + 2]! - data[i + 1]! > 25) marked += 1;
+    return marked / (data.length / 4);
+  }, shot.toString('base64'));
+}
+
+/** More than the swatch of a button. */
+const SEEN = 0.002;
+
+async function expectWithin(inner: Locator, outer: Locator): Promise<void> {
+  const [a, b] = [(await inner.boundingBox())!, (await outer.boundingBox())!];
+  expect(a.x).toBeGreaterThanOrEqual(b.x);
+  expect(a.x + a.width).toBeLessThanOrEqual(b.x + b.width + 0.5);
+}
+
+for (const [width, height] of [[1280, 800], [360, 740]] as const) {
+  test(`warnings can be read at ${width} px`, async ({ app }) => {
+    await app.page.setViewportSize({ width, height });
+    await answering(app.page, { warnings: WARNINGS });
+    await app.open();
+    await expect(app.by('warning-count')).toHaveText('3 warnings');
+    await app.by('warning-count').click();
+    const panel = app.by('warnings');
+    await expect(panel.getByRole('heading')).toBeInViewport();
+    const sentence = panel.getByText(LONG);
+    await expect(sentence).toBeInViewport();
+    await expect(sentence).toHaveText(`Key 1 to key 2. ${LONG}`);
+    await expect(panel.getByText('Key 3 is mirrored.')).toHaveText('Key 3 is mirrored.');
+    await expectWithin(sentence, panel);
+    expect(await panel.evaluate((element) => element.scrollWidth <= element.clientWidth)).toBe(true);
+    await app.expectNoProblems();
+  });
+}
+
+test('a warning shows its place in colour and goes to its moment, until something else is wanted', async ({ app }) => {
+  await answering(app.page, { warnings: WARNINGS });
+  await app.open();
+  const { keys } = (await app.state()).doc;
+  await app.by('warning-count').click();
+  expect(await markedShare(app)).toBeLessThan(SEEN);
+
+  const show = app.by('warning-0-show');
+  await show.click();
+  await expect(show).toHaveAttribute('aria-pressed', 'true');
+  await app.settled();
+  expect((await app.state()).time).toBeCloseTo((keys[0]!.time + keys[1]!.time) / 2, 9);
+  await expect.poll(() => markedShare(app)).toBeGreaterThan(SEEN);
+  await app.setTime(0.9);
+  expect(await markedShare(app)).toBeGreaterThan(SEEN);
+
+  // One without a place of its own takes the colour away.
+  await app.by('warning-1-show').click();
+  await expect(show).toHaveAttribute('aria-pressed', 'false');
+  await app.settled();
+  expect((await app.state()).time).toBe(keys[2]!.time);
+  expect(await markedShare(app)).toBeLessThan(SEEN);
+  await expect(app.by('warning-2-show')).toHaveCount(0);
+
+  await show.click();
+  await expect.poll(() => markedShare(app)).toBeGreaterThan(SEEN);
+  await app.by('boundary-hermite').check();
+  await app.settled();
+  await expect(app.by('warning-0-show')).toHaveAttribute('aria-pressed', 'false');
+  expect(await markedShare(app)).toBeLessThan(SEEN);
+
+  await app.by('warning-0-show').click();
+  await expect.poll(() => markedShare(app)).toBeGreaterThan(SEEN);
+  await app.by('warnings').press('Escape');
+  await expect(app.by('warnings')).toBeHidden();
+  await expect(app.by('warning-count')).toBeFocused();
+  expect(await markedShare(app)).toBeLessThan(SEEN);
+  await app.expectNoProblems();
+});
+
+test('faces that have turned inside out are spoken of where they can be seen, once, and shown', async ({ app }) => {
+  await answering(app.page, { lost: 200, lostFace: 40 });
+  await app.open();
+  await app.setTime(0.25);
+  await expect(app.by('lost')).toContainText(/^\d+\s% of the triangles have turned inside out\. A key in between helps\./);
+  await expect(app.page.getByText('inside out')).toHaveCount(1);
+  await app.by('lost-show').click();
+  await expect.poll(() => markedShare(app)).toBeGreaterThan(SEEN);
+  await app.setTime(1.2);
+  await expect(app.by('lost')).toContainText('this far from the keys');
+  await app.expectNoProblems();
+});
+
+test('and not for one in ten thousand', async ({ app }) => {
+  await answering(app.page, { lost: 1, lostFace: 40 });
+  await app.open();
+  await app.setTime(0.25);
+  await expect(app.by('phase')).toBeVisible();
+  await expect(app.by('lost')).toBeHidden();
+});
+
+/** Two bars; `turn` radians about their own axes. */
+function bars(turn: number): Buffer {
+  const lines: string[] = [];
+  for (const x of [-1, 1]) {
+    for (let ring = 0; ring <= 6; ring += 1) {
+      for (let corner = 0; corner < 6; corner += 1) {
+        const angle = (corner * Math.PI) / 3 + (x > 0 ? turn * ring / 6 : 0);
+        lines.push(`v ${x + 0.4 * Math.cos(angle)} ${ring / 2} ${0.4 * Math.sin(angle)}`);
+      }
+    }
+  }
+  for (const base of [1, 43]) {
+    for (let ring = 0; ring < 6; ring += 1) {
+      for (let corner = 0; corner < 6; corner += 1) {
+        const [a, b] = [base + 6 * ring + corner, base + 6 * ring + ((corner + 1) % 6)];
+        lines.push(`f ${a} ${a + 6} ${b + 6}`, `f ${a} ${b + 6} ${b}`);
+      }
+    }
+  }
+  return Buffer.from(lines.join('\n'));
+}
+
+test('whole turns are given to the shape or to one of its parts, which is marked, undone, and comes back from a project', async ({ app }) => {
+  await app.open();
+  await app.by('key-1-edit').click();
+  await expect(app.by('key-turns')).toBeVisible();
+  await expect(app.by('key-turns-part')).toBeHidden();
+  await app.by('key-editor-close').click();
+
+  await app.by('file-input').setInputFiles([0, 0.5, 1].map((turn, index) => ({ name: `bars-${index}.obj`, mimeType: 'text/plain', buffer: bars(turn) })));
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  await app.by('key-1-edit').click();
+  const part = app.by('key-turns-part');
+  await expect(part.locator('option')).toHaveText(['Whole shape', 'Part 1', 'Part 2']);
+  await part.selectOption('Part 2');
+  await expect.poll(() => markedShare(app)).toBeGreaterThan(SEEN);
+  await app.by('key-turns').fill('1');
+  await app.by('key-turns').press('Enter');
+  await app.settled();
+  expect((await app.state()).doc).toMatchObject({ turns: [], partTurns: [[], [{ component: 1, turns: 1 }], []] });
+  await expect(part.locator('option')).toHaveText(['Whole shape', 'Part 1', 'Part 2: +1']);
+  await part.selectOption('Whole shape');
+  await expect(app.by('key-turns')).toHaveValue('0');
+  expect(await markedShare(app)).toBeLessThan(SEEN);
+
+  const { doc } = await app.state();
+  await app.page.keyboard.press('Escape');
+  await app.by('export').click();
+  const [file] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
+  const saved = await file.path();
+  await app.by('export-close').click();
+  await app.page.keyboard.press('Control+z');
+  await app.settled();
+  expect((await app.state()).doc.partTurns.flat()).toEqual([]);
+  await app.by('file-input').setInputFiles({ name: 'saved.glb', mimeType: 'model/gltf-binary', buffer: (await import('node:fs')).readFileSync(saved) });
+  await expect.poll(async () => (await app.state()).doc.partTurns).toEqual(doc.partTurns);
+  await app.settled();
+  await app.expectNoProblems();
+});
