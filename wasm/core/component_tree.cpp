@@ -72,15 +72,18 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
   std::iota(group.begin(), group.end(), 0);
   std::vector<Edge> edges;
   while (static_cast<int>(edges.size()) + 1 < components) {
+    const auto groupOf = [&](int v) { return group[componentOfVertex[v]]; };
+    std::vector<std::vector<int>> shared;
+    for (const KdTree& tree : trees) shared.push_back(tree.sharedLabels(groupOf));
     std::vector<Contact> nearest(components);
     for (int c = 0; c < components; ++c)
       for (int u : samples[c])
         for (std::size_t k = 0; k < trees.size(); ++k) {
-          const int v = trees[k].nearest((*searched[k])[u],
-                                         [&](int other) { return group[componentOfVertex[other]] != group[c]; });
+          // The distance is the largest of all poses: what is no nearer in this one is no nearer.
+          Contact& best = nearest[group[c]];
+          const int v = trees[k].nearestOther((*searched[k])[u], groupOf, shared[k], group[c], best.distance);
           if (v < 0) continue;
           const double d = distance(u, v);
-          Contact& best = nearest[group[c]];
           if (d < best.distance) best = {d, u, v};
         }
     bool joined = false;
