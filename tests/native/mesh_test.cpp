@@ -2,8 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/component_tree.h"
+#include "core/kd_tree.h"
 #include "core/lri.h"
 #include "core/weld.h"
 #include "shapes.h"
@@ -159,6 +161,27 @@ TEST_CASE("a part of a part of a report runs where it stands in the whole") {
   reportFraction(part, 1);
   CHECK(heard == 0.875);
   CHECK(!partOf({}, 0, 0.5));
+}
+
+TEST_CASE("kd-tree: the nearest point with another label, below the bound, without asking those that share one") {
+  Positions line;
+  for (int i = 0; i < 1000; ++i) line.emplace_back(i, 0, 0);
+  std::vector<int> all(line.size());
+  std::iota(all.begin(), all.end(), 0);
+  const KdTree tree(line, all);
+  int asked = 0;
+  const auto label = [&](int i) { return ++asked, i < 900 ? 0 : i % 2 + 1; };
+  const std::vector<int> shared = tree.sharedLabels(label);
+  asked = 0;
+  CHECK(tree.nearestOther({3.25, 0, 0}, label, shared, 0, 1e9) == 900);
+  CHECK(asked < 30);
+  CHECK(tree.nearest({3.25, 0, 0}, [&](int i) { return label(i) != 0; }) == 900);
+  CHECK(asked > 900);
+  CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 1, 1e9) == 951);
+  CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 2, 1e9) == 950);
+  CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 2, 0.0625) == -1);
+  CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 2, 0.063) == 950);
+  CHECK(KdTree(line, {}).sharedLabels(label).empty());
 }
 
 TEST_CASE("components hang on their nearest neighbour, rooted at the largest") {

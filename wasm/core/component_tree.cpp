@@ -42,12 +42,11 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
   std::iota(group.begin(), group.end(), 0);
   std::vector<Edge> edges;
   while (static_cast<int>(edges.size()) + 1 < components) {
+    const auto groupOf = [&](int v) { return group[componentOfVertex[v]]; };
+    const auto shared = search.sharedLabels(groupOf);
     std::vector<Contact> nearest(components);
     for (int c = 0; c < components; ++c)
-      for (int u : samples[c]) {
-        const Contact contact = search.nearest(u, [&](int other) { return group[componentOfVertex[other]] != group[c]; });
-        if (contact.distance < nearest[group[c]].distance) nearest[group[c]] = contact;
-      }
+      for (int u : samples[c]) search.nearestOther(u, groupOf, shared, nearest[group[c]]);
     bool joined = false;
     for (int g = 0; g < components; ++g) {
       if (nearest[g].from < 0) continue;

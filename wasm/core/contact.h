@@ -34,6 +34,25 @@ class ContactSearch {
     return best;
   }
 
+  /// Of each tree's subtrees the label that all of their vertices share (kd_tree.h), for nearestOther.
+  template <class Label>
+  std::vector<std::vector<int>> sharedLabels(Label label) const {
+    std::vector<std::vector<int>> shared;
+    for (const KdTree& tree : trees_) shared.push_back(tree.sharedLabels(label));
+    return shared;
+  }
+
+  /// Puts a contact of `from` with a vertex of another label into `best` where it is nearer. The distance is the largest of all poses: what
+  /// is no nearer in one of them is passed over.
+  template <class Label>
+  void nearestOther(int from, Label label, const std::vector<std::vector<int>>& shared, Contact& best) const {
+    for (std::size_t k = 0; k < trees_.size(); ++k) {
+      const int to = trees_[k].nearestOther((*searched_[k])[from], label, shared[k], label(from), best.distance);
+      if (to < 0) continue;
+      if (const double d = distance(from, to); d < best.distance) best = {d, from, to};
+    }
+  }
+
  private:
   double distance(int a, int b) const;
 

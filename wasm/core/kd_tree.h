@@ -22,12 +22,32 @@ class KdTree {
   template <class Accept>
   int nearest(const Vec3& query, Accept accept) const {
     Best best;
-    search(query, accept, 0, static_cast<int>(order_.size()), 0, best);
+    const auto skip = [](int) { return false; };
+    search(query, accept, skip, 0, static_cast<int>(order_.size()), 0, best);
     return best.index;
   }
 
   int nearest(const Vec3& query) const {
     return nearest(query, [](int) { return true; });
+  }
+
+  /// For nearestOther: of each subtree the label that all its points share, or -1 where they differ. label(index) >= 0.
+  template <class Label>
+  std::vector<int> sharedLabels(Label label) const {
+    std::vector<int> shared(order_.size());
+    if (!shared.empty()) share(label, 0, static_cast<int>(order_.size()), shared);
+    return shared;
+  }
+
+  /// The point nearest `query` with another label than `own`, at a squared distance below `within`; -1 where there is none.
+  /// Subtrees without another label are passed over: the search does not wade through what is near and of the same label.
+  template <class Label>
+  int nearestOther(const Vec3& query, Label label, const std::vector<int>& shared, int own, double within) const {
+    Best best{within, -1};
+    const auto accept = [&](int point) { return label(point) != own; };
+    const auto skip = [&](int middle) { return shared[middle] == own; };
+    search(query, accept, skip, 0, static_cast<int>(order_.size()), 0, best);
+    return best.index;
   }
 
  private:
@@ -48,10 +68,21 @@ class KdTree {
     build(middle + 1, last, (axis + 1) % 3);
   }
 
-  template <class Accept>
-  void search(const Vec3& query, Accept& accept, int first, int last, int axis, Best& best) const {
+  // A subtree is known by the place of its root.
+  template <class Label>
+  int share(Label& label, int first, int last, std::vector<int>& shared) const {
+    const int middle = (first + last) / 2;
+    int common = label(order_[middle]);
+    if (first < middle && share(label, first, middle, shared) != common) common = -1;
+    if (middle + 1 < last && share(label, middle + 1, last, shared) != common) common = -1;
+    return shared[middle] = common;
+  }
+
+  template <class Accept, class Skip>
+  void search(const Vec3& query, const Accept& accept, const Skip& skip, int first, int last, int axis, Best& best) const {
     if (first >= last) return;
     const int middle = (first + last) / 2;
+    if (skip(middle)) return;
     const int point = order_[middle];
     const double squared = (points_[point] - query).squaredNorm();
     if ((squared < best.squared || (squared == best.squared && point < best.index)) && accept(point))
@@ -59,9 +90,9 @@ class KdTree {
     const double offset = query[axis] - points_[point][axis];
     const int next = (axis + 1) % 3;
     const bool below = offset < 0;
-    search(query, accept, below ? first : middle + 1, below ? middle : last, next, best);
+    search(query, accept, skip, below ? first : middle + 1, below ? middle : last, next, best);
     if (offset * offset <= best.squared)
-      search(query, accept, below ? middle + 1 : first, below ? last : middle, next, best);
+      search(query, accept, skip, below ? middle + 1 : first, below ? last : middle, next, best);
   }
 
   const Positions& points_;
