@@ -96,7 +96,7 @@ TEST_CASE("ghost: a sequence describes its ghost") {
     CHECK(stats.ghostFaces <= 600);
     CHECK(stats.ghostFaces >= 599);
     CHECK(stats.ghostVertices == int(ghost.vertexOf.size()));
-    CHECK(stats.patches == doctest::Approx(std::sqrt(600)).epsilon(0.1));
+    CHECK(stats.patches == doctest::Approx(600 / 16).epsilon(0.1));
     REQUIRE(ghost.ghostVertexOf.size() == k.keys[0].positions.size());
     REQUIRE(ghost.ghostFaceOf.size() == k.faces.size());
     for (int g : ghost.ghostFaceOf) CHECK((g >= 0 && g < stats.ghostFaces));

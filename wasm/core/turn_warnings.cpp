@@ -10,8 +10,6 @@ namespace shapespline {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-// A component has no neighbours that say which way it turned: 240 degrees look like 120.
-constexpr double ambiguousComponentTurn = 115 / degrees;
 // Patches that disagree by more with what surrounds them halfway turned in a way that their neighbours did not.
 constexpr double ambiguousResidual = 60 / degrees;
 // Patches smaller than this share of the mean, and fewer or smaller faces than these shares of the shape, are noise: nobody sees them turn.
@@ -65,10 +63,10 @@ class TurnWarnings {
     const std::size_t first = patches_.patches.pairs.size();
     std::vector<int> found;
     int face = -1, count = 0;
-    double furthest = ambiguousComponentTurn;
+    double furthest = ambiguousTurn;
     for (std::size_t b = 0; b < patches_.bridgedPiece.size(); ++b) {
       const double angle = patches_.connection.increment[step_][first + b].norm();
-      if (angle <= ambiguousComponentTurn) continue;
+      if (angle <= ambiguousTurn) continue;
       for (int k = 0; k < patches_.patches.count; ++k)
         if (patches_.patches.pieceOf[k] == patches_.bridgedPiece[b]) found.push_back(k);
       ++count;
