@@ -90,7 +90,9 @@ class Orderer {
       double radius = 0;
       for (const Vec3& p : pose) radius = std::max(radius, (p - centroid_.back()).norm());
       scale_.push_back(radius > 0 ? 1 / radius : 0);
-      for (std::size_t v = 0; v < pose.size(); ++v) sum[v] += squared(pose[v] - centroid_.back(), scale_.size() - 1);
+      inBlocks({}, pose.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) sum[v] += squared(pose[v] - centroid_.back(), scale_.size() - 1);
+      });
     }
     for (double s : sum) farness_.push_back(inSteps(s / static_cast<double>(poses_.size())));
   }
@@ -161,14 +163,16 @@ class Orderer {
   // Where three sides or more run along an edge, they follow each other by their lengths.
   void sortNonManifoldEdges() {
     std::vector<int> sides;
-    for (int last = 0; last < static_cast<int>(next_.size()); ++last) {
-      if (next_[last] >= last) continue;  // the sides of an edge come in ascending order: each edge is met at its last one
-      sides = {last};
-      for (int side = next_[last]; side != last; side = next_[side]) sides.push_back(side);
-      if (sides.size() < 3) continue;
-      std::sort(sides.begin(), sides.end(), [&](int a, int b) { return comesFirst(a, b, false); });
-      for (std::size_t i = 0; i < sides.size(); ++i) next_[sides[i]] = sides[(i + 1) % sides.size()];
-    }
+    inBlocks({}, next_.size(), [&](std::size_t begin, std::size_t end) {
+      for (int last = static_cast<int>(begin); last < static_cast<int>(end); ++last) {
+        if (next_[last] >= last) continue;  // the sides of an edge come in ascending order: each edge is met at its last one
+        sides = {last};
+        for (int side = next_[last]; side != last; side = next_[side]) sides.push_back(side);
+        if (sides.size() < 3) continue;
+        std::sort(sides.begin(), sides.end(), [&](int a, int b) { return comesFirst(a, b, false); });
+        for (std::size_t i = 0; i < sides.size(); ++i) next_[sides[i]] = sides[(i + 1) % sides.size()];
+      }
+    });
   }
 
   bool mayWalk() const { return compared_ < faces_.size() + comparedWalks * comparedFaces; }
@@ -254,18 +258,22 @@ std::vector<Triangle> MeshOrder::apply(const std::vector<Triangle>& faces) const
   const std::vector<int> number = inverseOf(vertex);
   std::vector<Triangle> result;
   result.reserve(faces.size());
-  for (int first : corner) {
-    const Triangle& t = faces[first / 3];
-    const int c = first % 3;
-    result.push_back({number[t[c]], number[t[(c + 1) % 3]], number[t[(c + 2) % 3]]});
-  }
+  inBlocks({}, corner.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Triangle& t = faces[corner[f] / 3];
+      const int c = corner[f] % 3;
+      result.push_back({number[t[c]], number[t[(c + 1) % 3]], number[t[(c + 2) % 3]]});
+    }
+  });
   return result;
 }
 
 Positions MeshOrder::apply(const Positions& positions) const {
   Positions result;
   result.reserve(positions.size());
-  for (int v : vertex) result.push_back(positions[v]);
+  inBlocks({}, vertex.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) result.push_back(positions[vertex[v]]);
+  });
   return result;
 }
 

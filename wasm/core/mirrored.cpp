@@ -47,9 +47,13 @@ struct Surroundings {
 // Of every stride-th vertex; nothing of a sheet.
 std::vector<double> bulges(const WeldedShape& shape, int key, int stride) {
   std::vector<Surroundings> around(shape.vertexCount() / stride + 1);
-  for (const Triangle& t : shape.faces)
-    for (int c = 0; c < 3; ++c)
-      if (t[c] % stride == 0) around[t[c] / stride].add(shape.poses[key], t[c], t[(c + 1) % 3], t[(c + 2) % 3]);
+  inBlocks({}, shape.faces.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+      for (int c = 0; c < 3; ++c) {
+        const Triangle& t = shape.faces[f];
+        if (t[c] % stride == 0) around[t[c] / stride].add(shape.poses[key], t[c], t[(c + 1) % 3], t[(c + 2) % 3]);
+      }
+  });
   std::vector<double> result;
   double used = 0, boundary = 0;
   for (const Surroundings& s : around) {

@@ -76,7 +76,9 @@ Positions placesInAllPoses(std::span<const Positions* const> poses, std::span<co
     if (!(tolerance[k] > 0 && std::isfinite(tolerance[k]))) continue;
     const double share = std::fmod((static_cast<double>(k) + 1) * std::numbers::phi, 1.0);
     const double scale = (1 + share) / (2 * static_cast<double>(poses.size()) * tolerance[k]);
-    for (std::size_t v = 0; v < places.size(); ++v) places[v] += scale * ((*poses[k])[v] - (*poses[k])[0]);
+    inBlocks({}, places.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) places[v] += scale * ((*poses[k])[v] - (*poses[k])[0]);
+    });
   }
   return places;
 }
@@ -138,11 +140,13 @@ std::vector<Triangle> weldFaces(const std::vector<Triangle>& faces, const Weldin
 Positions weldPositions(const Positions& raw, const Welding& welding) {
   Positions welded(welding.count), away(welding.count, Vec3::Zero());
   std::vector<int> copies(welding.count, 0);
-  for (std::size_t v = 0; v < raw.size(); ++v) {
-    const int w = welding.weldedOfRaw[v];
-    ++copies[w];
-    away[w] += raw[v] - raw[welding.rawOfWelded[w]];
-  }
+  inBlocks({}, raw.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const int w = welding.weldedOfRaw[v];
+      ++copies[w];
+      away[w] += raw[v] - raw[welding.rawOfWelded[w]];
+    }
+  });
   // Copies that agree bit for bit stay what they are.
   for (int w = 0; w < welding.count; ++w) welded[w] = raw[welding.rawOfWelded[w]] + away[w] / copies[w];
   return welded;
