@@ -12,9 +12,11 @@ namespace shapespline {
 /// Weights over the poses that were encoded.
 struct PoseWeights {
   std::vector<double> column;  ///< one per column of the coordinates
+  int keys = 0;                ///< columns that are keys: the first so many
   int beyond = -1;             ///< end key that the curve goes on from beyond the keys, or -1 within them
 };
 
+/// Weights that no sum in double precision can show are 0.
 PoseWeights poseWeights(const CurvePoint& point, const WeldedShape& shape);
 
 Vec3 blend(const std::vector<Vec3>& columns, const PoseWeights& weights);

@@ -65,6 +65,8 @@ struct Sequence::State {
   void fill(const CurvePoint& point, const RigidMotion& global, Positions& positions);
   PreviewError distance(const PlacedShape<float>& exact, const PlacedShape<float>& about) const;
   const Eigen::MatrixXd& gramMatrix();
+  // Takes weights over the curve's columns, as a row, to weights over the poses.
+  Eigen::MatrixXd columnsToPoses() const;
   Eigen::VectorXd poseWeightsAt(double t) const;
 };
 
