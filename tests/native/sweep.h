@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,13 +79,14 @@ class PatchTurns {
 
 /// A step of a motion: two times and the shapes there.
 struct Step {
-  double from, to;
+  double from = 0, to = 0;
   Positions before, after;
 };
 
+using Measure = std::function<double(const Positions&, const Positions&)>;
+
 /// Cuts a step into `fold` parts and goes on with the one of largest measure, `zooms` times.
-template <class Measure>
-Step zoomed(Sequence& sequence, Step step, const Density& density, const Measure& measure) {
+inline Step zoomed(Sequence& sequence, Step step, const Density& density, const Measure& measure) {
   for (int zoom = 0; zoom < density.zooms; ++zoom) {
     Step largest, part{step.from, step.from, step.before, step.before};
     double most = -1;
@@ -179,10 +181,11 @@ inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) 
     turns.push_back(turn);
     beforeThat = std::move(before), before = std::move(now);
   }
-  if (found.step > 0) {
-    const Step far = zoomed(sequence, std::move(farthest), density, vertexStep), turned = zoomed(sequence, std::move(mostTurned), density, patchTurn);
-    found.zoomedStep = std::max(vertexStep(far.before, far.after), vertexStep(turned.before, turned.after));
-    found.zoomedSpacing = (far.to - far.from) / range;
+  for (const auto& [step, measure] : {std::pair{&farthest, Measure(vertexStep)}, std::pair{&mostTurned, Measure(patchTurn)}}) {
+    if (step->before.empty()) continue;  // nothing moves, or nothing turns
+    const Step rest = zoomed(sequence, std::move(*step), density, measure);
+    found.zoomedStep = std::max(found.zoomedStep, vertexStep(rest.before, rest.after));
+    found.zoomedSpacing = (rest.to - rest.from) / range;
   }
   found.growth = accelerationGrowth(sequence, bendAt, range / perRange, 1e-9 * diagonal);
   const auto part = [&](int from, int to) { return unevenness({turns.begin() + from, turns.begin() + to}, found.turn); };
