@@ -188,9 +188,13 @@ inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) 
   }
   if (found.step > 0) {
     const auto far = zoomed(std::move(farthest), density, [&](double t) { return shapeAt(sequence, t); }, vertexStep);
-    const auto turned = zoomed(std::move(mostTurned), density, [&](double t) { return patchesAt(sequence, t); }, patchTurn);
-    found.zoomedStep = std::max(vertexStep(far.before, far.after), vertexStep(shapeAt(sequence, turned.from), shapeAt(sequence, turned.to)));
+    found.zoomedStep = vertexStep(far.before, far.after);
     found.zoomedSpacing = (far.to - far.from) / range;
+  }
+  if (found.turn > 0) {
+    const auto turned = zoomed(std::move(mostTurned), density, [&](double t) { return patchesAt(sequence, t); }, patchTurn);
+    found.zoomedStep = std::max(found.zoomedStep, vertexStep(shapeAt(sequence, turned.from), shapeAt(sequence, turned.to)));
+    found.zoomedSpacing = (turned.to - turned.from) / range;
   }
   found.growth = accelerationGrowth(sequence, bendAt, range / perRange, 1e-9 * diagonal);
   const auto part = [&](int from, int to) { return unevenness({turns.begin() + from, turns.begin() + to}, found.turn); };
