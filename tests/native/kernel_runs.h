@@ -22,6 +22,12 @@ struct Surface {
   Faces faces;
 };
 
+/// Weights of three columns, and the end key that they go on from or -1.
+struct Blend {
+  std::vector<double> weights = {0.4, 0.9, -0.3};
+  int beyond = -1;
+};
+
 // Reproducible numbers in [-1, 1).
 class Noise {
  public:
@@ -38,9 +44,10 @@ class Noise {
 
 namespace shapespline::kernelRuns {
 
-/// Right-hand side of random coordinates on the surface, one frame for every three faces. largestTurn: radians.
+/// Right-hand side of random coordinates on the surface, one frame for every three faces. In the first
+/// column all faces rest. largestTurn: radians.
 template <class Real>
-std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestTurn, bool logarithmic) {
+std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestTurn, bool logarithmic, const kernels::Blend& blend = {}) {
   WeldedShape shape;
   shape.faces = surface.faces;
   shape.keys = 1;
@@ -70,7 +77,7 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (i % 4 != 3) frames[i] = static_cast<Real>(noise.next());
   std::vector<Real> result(4 * (static_cast<std::size_t>(vertexCount) + 1), Real(0));
-  const int lost = kernel.accumulate(coordinates, frames, coordinates.weights({0.4, 0.9, -0.3}), result.data());
+  const int lost = kernel.accumulate(coordinates, frames, coordinates.weights({.column = blend.weights, .keys = columns, .beyond = blend.beyond}), result.data());
   result.push_back(static_cast<Real>(lost));
   return result;
 }

@@ -38,6 +38,21 @@ void checkRightHandSides() {
     }
 }
 
+// From the key at rest on and from a stored one, a little way and far.
+template <class Real>
+void checkRightHandSidesBeyondKeys() {
+  for (const bool logarithmic : {false, true})
+    for (const kernels::Blend& blend : {kernels::Blend{{1.1, -0.3, 0.2}, 0}, {{11, -13, 3}, 0}, {{0.2, -0.3, 1.1}, 2}, {{-9, 4, 6}, 2}}) {
+      CAPTURE(blend.weights[0]);
+      const auto vector = shapespline::kernelRuns::rightHandSide<Real>(sheet(), 1.0, logarithmic, blend);
+      CHECK(vector == kernels::scalarRightHandSide(sheet(), Real(), 1.0, logarithmic, blend));
+      CHECK(vector.back() == 0);  // no face is lost
+      CHECK(std::all_of(vector.begin(), vector.end(), [](Real x) { return std::isfinite(x); }));
+      const auto unlimited = shapespline::kernelRuns::rightHandSide<Real>(sheet(), 1.0, logarithmic, {blend.weights, -1});
+      CHECK(vector != unlimited);
+    }
+}
+
 template <class Real>
 void checkSolutions() {
   for (const int size : {1, 2, 3, 4, 5, 8, 63, 64, 65, 150}) {
@@ -51,6 +66,11 @@ void checkSolutions() {
 TEST_CASE("kernels: right-hand sides are those of the scalar build, bit for bit") {
   checkRightHandSides<float>();
   checkRightHandSides<double>();
+}
+
+TEST_CASE("kernels: right-hand sides beyond the keys are those of the scalar build, bit for bit") {
+  checkRightHandSidesBeyondKeys<float>();
+  checkRightHandSidesBeyondKeys<double>();
 }
 
 TEST_CASE("kernels: float right-hand sides stay within 1e-6 of the double ones") {
@@ -104,10 +124,12 @@ TEST_CASE("kernels: a column in which every face rests is not stored, and one in
   coordinates.store();
   for (int f = 0; f < 6; ++f) coordinates.set(f, 1, 0, 0.1f * static_cast<float>(f)), coordinates.set(f, 2, 3, 2.0f);
   coordinates.dropIfAtRest(1);
-  CHECK(coordinates.weights({0.25, 0.5, 0.25}).stored.size() == 3);
+  CHECK(coordinates.weights({.column = {0.25, 0.5, 0.25}}).stored.size() == 3);
   coordinates.dropIfAtRest(0);
-  const auto weights = coordinates.weights({0.25, 0.5, 0.25});
-  CHECK(weights.stored == std::vector<float>{0.5f, 0.25f});
+  const auto weights = coordinates.weights({.column = {0.25, 0.5, 0.25}});
+  REQUIRE(weights.stored.size() == 2);
+  CHECK(weights.stored[0].weight == 0.5f);
+  CHECK(weights.stored[1].weight == 0.25f);
   CHECK(weights.atRest == 0.25f);
   coordinates.reorder({5, 3, 1, 0, 2, 4});
   for (int f = 0; f < 6; ++f) {
@@ -116,4 +138,36 @@ TEST_CASE("kernels: a column in which every face rests is not stored, and one in
     CHECK(coordinates.at(f, 1, 0) == 0.1f * static_cast<float>(f));
     CHECK(coordinates.at(f, 2, 3) == 2.0f);
   }
+}
+
+TEST_CASE("kernels: columns whose weight the precision cannot see are left out, and the others keep their places") {
+  using shapespline::FaceCoordinates;
+  const shapespline::PoseWeights weights{.column = {1e-3, 1e-9, -1e-10, 0.5, 1e-19, 0.499}, .keys = 6};
+  FaceCoordinates<float> single(4, 6, 1.0f);
+  FaceCoordinates<double> full(4, 6, 1.0);
+  single.store(), full.store();
+  const auto placesOf = [](const auto& list) {
+    std::vector<int> places;
+    for (const auto& column : list.stored) places.push_back(column.place);
+    return places;
+  };
+  CHECK(placesOf(single.weights(weights)) == std::vector<int>{0, 3, 5});
+  CHECK(placesOf(full.weights(weights)) == std::vector<int>{0, 1, 2, 3, 5});
+}
+
+TEST_CASE("kernels: a blend of many columns with the weights of a spline is that of all of them, to a rounding step") {
+  // Away from t the weights fall by 0.27 a key.
+  std::vector<double> weights(100);
+  double sum = 0;
+  for (int c = 0; c < 100; ++c) sum += weights[c] = std::pow(-0.27, std::abs(c - 40));
+  for (double& w : weights) w /= sum;
+  shapespline::FaceCoordinates<float> coordinates(1, 100, 1.0f);
+  coordinates.store();
+  const auto list = coordinates.weights({.column = weights, .keys = 100});
+  CHECK(list.stored.size() < 40);
+  CHECK(list.stored.size() > 20);
+  double left = 0;
+  for (const double w : weights) left += std::abs(w);
+  for (const auto& column : list.stored) left -= std::abs(weights[column.place]);
+  CHECK(10 * left < 6e-8);  // numbers of ten: half a step of a sum of one
 }

@@ -121,23 +121,6 @@ TEST_CASE("end tangents given as shapes steer the ends, a neighbour key changes 
   for (const Key& key : k.keys) CHECK(largestDistance(at(away, key.time), key.positions) < 1e-9 * diagonalOf(k));
 }
 
-TEST_CASE("log stretch cannot turn inside out under extrapolation, linear stretch says when it does") {
-  const auto scale = [](double s) -> Map { return [=](const Vec3& p) -> Vec3 { return {p.x(), p.y(), s * p.z()}; }; };
-  const Keyframes k = keyframes(bar(), {scale(1), scale(0.4)});
-  EncodingOptions log;
-  log.stretch = Stretch::Log;
-  Sequence linear = make(k, {}, {}), safe = make(k, {}, log);
-  Frame frame;
-  REQUIRE(linear.evaluate(1.4, frame).ok());
-  CHECK(frame.lostDefiniteness == 0);
-  REQUIRE(linear.evaluate(2.0, frame).ok());
-  CHECK(frame.lostDefiniteness > 100);
-  REQUIRE(safe.evaluate(2.0, frame).ok());
-  CHECK(frame.lostDefiniteness == 0);
-  const Positions p = toPositions(frame.positions);
-  CHECK(enclosedVolume(p, k.faces) > 0);
-}
-
 TEST_CASE("a blend at the curve's weights is the curve") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(1)});
   Sequence s = make(k, {}, {});

@@ -65,9 +65,10 @@ MotionOptions ease() {
   return options;
 }
 
-// Between the keys and as far beyond them as the slider reaches.
+// Between the keys and as far beyond them as the slider reaches. There stretch is limited face by face in the one shape and
+// cell by cell in the other.
 void checkPreview(Sequence& sequence, double diagonal, const char* name) {
-  Distances worst;
+  Distances inside, beyond;
   Frame exact, cheap;
   for (int i = -4; i <= 14; ++i) {
     const double t = i / 10.0 + 0.03;
@@ -75,12 +76,18 @@ void checkPreview(Sequence& sequence, double diagonal, const char* name) {
     REQUIRE(sequence.preview(t, cheap).ok());
     REQUIRE(cheap.normals.size() == exact.normals.size());
     const Distances d = distances(exact, cheap, exact.positions.size() / 3, diagonal);
+    Distances& worst = t < 0 || t > 1 ? beyond : inside;
     worst.mean = std::max(worst.mean, d.mean);
     worst.largest = std::max(worst.largest, d.largest);
   }
-  MESSAGE(std::string(name) << ": preview differs by " << 100 * worst.mean << " % of the diagonal in the mean, " << 100 * worst.largest << " % at worst");
-  CHECK(worst.mean < 0.001);
-  CHECK(worst.largest < 0.005);
+  const auto said = [](const Distances& d) {
+    return std::to_string(100 * d.mean) + " % of the diagonal in the mean, " + std::to_string(100 * d.largest) + " % at worst";
+  };
+  MESSAGE(std::string(name) << ": preview differs by " << said(inside) << "; beyond the keys by " << said(beyond));
+  CHECK(inside.mean < 0.001);
+  CHECK(inside.largest < 0.005);
+  CHECK(beyond.mean < 0.01);
+  CHECK(beyond.largest < 0.05);
 }
 
 }  // namespace

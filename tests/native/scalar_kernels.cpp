@@ -23,11 +23,11 @@
 
 namespace kernels {
 
-std::vector<float> scalarRightHandSide(const Surface& surface, float, double largestTurn, bool logarithmic) {
-  return shapespline::kernelRuns::rightHandSide<float>(surface, largestTurn, logarithmic);
+std::vector<float> scalarRightHandSide(const Surface& surface, float, double largestTurn, bool logarithmic, const Blend& blend) {
+  return shapespline::kernelRuns::rightHandSide<float>(surface, largestTurn, logarithmic, blend);
 }
-std::vector<double> scalarRightHandSide(const Surface& surface, double, double largestTurn, bool logarithmic) {
-  return shapespline::kernelRuns::rightHandSide<double>(surface, largestTurn, logarithmic);
+std::vector<double> scalarRightHandSide(const Surface& surface, double, double largestTurn, bool logarithmic, const Blend& blend) {
+  return shapespline::kernelRuns::rightHandSide<double>(surface, largestTurn, logarithmic, blend);
 }
 std::vector<float> scalarSolution(int size, float) { return shapespline::kernelRuns::denseSolution<float>(size); }
 std::vector<double> scalarSolution(int size, double) { return shapespline::kernelRuns::denseSolution<double>(size); }

@@ -6,7 +6,9 @@
 #include <tuple>
 
 #include "core/patch_coordinates.h"
+#include "core/precision.h"
 #include "core/simd.h"
+#include "core/stretch_limits.h"
 
 namespace shapespline {
 
@@ -20,6 +22,30 @@ Quaternion midway(const Quaternion& a, const Quaternion& b) {
   const double sign = a.dot(b) < 0 ? -1 : 1;
   const Eigen::Vector4d sum = a.coeffs() + sign * b.coeffs();
   return Quaternion(sum).normalized();
+}
+
+// Beyond the keys lengths ease towards limits, as a face's stretch does (face_kernel): logarithms towards both,
+double blendLogLength(const std::vector<double>& keys, const PoseWeights& weights) {
+  double sum = 0;
+  for (std::size_t c = 0; c < keys.size(); ++c)
+    if (weights.column[c] != 0) sum += weights.column[c] * keys[c];
+  if (weights.beyond < 0) return sum;
+  const double end = keys[weights.beyond], change = sum - end;
+  const auto [low, high] = std::minmax_element(keys.begin(), keys.begin() + weights.keys);
+  const double room = std::log(stretchMargin) + (change > 0 ? *high - end : end - *low);
+  return end + easing(std::abs(change) / room) * change;
+}
+
+// and ways towards the least length, by what they lose along the end key's own.
+Vec3 blendWay(const std::vector<Vec3>& keys, const PoseWeights& weights) {
+  const Vec3 sum = blend(keys, weights);
+  if (weights.beyond < 0) return sum;
+  const Vec3 end = keys[weights.beyond], change = sum - end;
+  const double length = end.norm();
+  double least = length;
+  for (int c = 0; c < weights.keys; ++c) least = std::min(least, keys[c].norm());
+  const double lost = -change.dot(end), room = length * (length - least / stretchMargin);
+  return room > 0 && lost > 0 ? Vec3(end + easing(lost / room) * change) : sum;
 }
 
 }  // namespace
@@ -121,14 +147,10 @@ Embedding::Link Embedding::link(int from, int to, double weight, bool logarithmi
 }
 
 Vec3 Embedding::way(const Link& link, const Quaternion& middle, const PoseWeights& weights) {
-  Vec3 offset = blend(link.offset, weights);
-  if (!link.logLength.empty()) {
-    double logarithm = 0;
-    for (std::size_t c = 0; c < link.logLength.size(); ++c) logarithm += weights.column[c] * link.logLength[c];
-    const double length = offset.norm();
-    if (length > 0) offset *= std::exp(logarithm) / length;
-  }
-  return middle * offset;
+  if (link.logLength.empty()) return middle * blendWay(link.offset, weights);
+  const Vec3 direction = blend(link.offset, weights);
+  const double length = direction.norm();
+  return middle * (length > 0 ? Vec3(direction * (std::exp(blendLogLength(link.logLength, weights)) / length)) : direction);
 }
 
 Embedding::Hanger Embedding::hanger(const Input& input, int face, int from, int to) const {
@@ -229,9 +251,10 @@ void Embedding::at(const PoseWeights& weights, const std::vector<Quaternion>& fr
     const Eigen::Vector3f centre = centre_[k].cast<float>();
     for (int i = cells_[k].begin; i < cells_[k].end; i += 4) {
       Float4 r[3] = {Float4::zero(), Float4::zero(), Float4::zero()};
-      for (int c = 0; c < columns_; ++c) {
+      for (int c = 0; c < columns_; ++c, number += 12) {
+        if (std::abs(weights.column[c]) < leastWeight<float>) continue;
         const Float4 w = Float4::splat(static_cast<float>(weights.column[c]));
-        for (int j = 0; j < 3; ++j, number += 4) r[j] = r[j] + w * Float4::load(number);
+        for (int j = 0; j < 3; ++j) r[j] = r[j] + w * Float4::load(number + 4 * j);
       }
       Float4 p[4];
       for (int j = 0; j < 3; ++j)

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "core/pose_weights.h"
+#include "core/precision.h"
 #include "core/progress.h"
 #include "core/types.h"
 
@@ -16,11 +20,27 @@ inline constexpr int numbersPerFace = 6;
 /// Faces side by side in one vector register.
 inline constexpr int faceLanes = 4;
 
-/// What a frame takes of the columns: a weight for each that is stored, and what those at rest add to the diagonal of S_f.
+/// A stored column, by its place among them, and its weight.
+template <class Real>
+struct WeightedColumn {
+  int place;
+  Real weight;
+};
+
+/// The key that a frame beyond the keys goes on from, and where the columns have the keys.
+struct EndKey {
+  int place;       ///< of the end key among the stored columns, or -1 where its faces rest
+  int storedKeys;  ///< stored columns that are keys: the first so many
+  bool anyAtRest;  ///< whether faces rest in one of the keys
+};
+
+/// What a frame takes of the columns: those that are stored and whose weight can be seen, and what those at rest add to the
+/// diagonal of S_f. Beyond the keys the weights are those of the change from the end key on.
 template <class Real>
 struct ColumnWeights {
-  std::vector<Real> stored;
+  std::vector<WeightedColumn<Real>> stored;
   Real atRest = 0;
+  std::optional<EndKey> end;
 };
 
 /// Six numbers for each face and column, in blocks of four faces: [block][column][number][lane], so that a frame reads
@@ -55,14 +75,22 @@ class FaceCoordinates {
   /// The stored columns of four faces.
   const Real* block(int block) const { return data_.data() + static_cast<std::size_t>(block) * blockSize(); }
 
-  ColumnWeights<Real> weights(const std::vector<double>& ofColumns) const {
+  ColumnWeights<Real> weights(const PoseWeights& poses) const {
     ColumnWeights<Real> result;
     double atRest = 0;
     for (int c = 0; c < columns(); ++c) {
-      if (place_[c] < 0) atRest += ofColumns[c];
-      else result.stored.push_back(static_cast<Real>(ofColumns[c]));
+      const double weight = poses.column[c] - (c == poses.beyond ? 1 : 0);
+      if (place_[c] < 0) atRest += weight;
+      else if (std::abs(weight) >= leastWeight<Real>) result.stored.push_back({place_[c], static_cast<Real>(weight)});
     }
     result.atRest = static_cast<Real>(atRest) * rest_;
+    if (poses.beyond < 0) return result;
+    EndKey end{place_[poses.beyond], 0, false};
+    for (int c = 0; c < poses.keys; ++c) {
+      if (place_[c] < 0) end.anyAtRest = true;
+      else ++end.storedKeys;
+    }
+    result.end = end;
     return result;
   }
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
 #include "core/face_frame.h"
 #include "core/lanes.h"
 #include "core/rotation_series.h"
+#include "core/stretch_limits.h"
 
 namespace shapespline {
 
@@ -90,6 +92,18 @@ struct alignas(32) Passing {
   Four<Real> corner[6];               // contributions of corners 0 and 1 in the frames; corner 2 has minus their sum
 };
 
+template <class Real>
+const Real* columnOf(const Real* block, int place) {
+  return block + place * numbersPerFace * faceLanes;
+}
+
+// Three of a column's numbers.
+template <class Real>
+Vector3<Lanes<Real>> loadThree(const Real* number) {
+  using L = Lanes<Real>;
+  return {L::load(number), L::load(number + faceLanes), L::load(number + 2 * faceLanes)};
+}
+
 // The six numbers at the given weights.
 template <class Real>
 void blend(const Real* block, const ColumnWeights<Real>& weights, Passing<Real>& passing) {
@@ -97,14 +111,90 @@ void blend(const Real* block, const ColumnWeights<Real>& weights, Passing<Real>&
   const L atRest = L::splat(weights.atRest);
   Vector3<L> r{L::zero(), L::zero(), L::zero()}, s{atRest, L::zero(), atRest};
   const auto add = [](L& sum, const L& w, const Real* number) { sum = sum + w * L::load(number); };
-  for (const Real weight : weights.stored) {
+  for (const auto& [place, weight] : weights.stored) {
     const L w = L::splat(weight);
-    add(r.x, w, block), add(r.y, w, block + faceLanes), add(r.z, w, block + 2 * faceLanes);
-    add(s.x, w, block + 3 * faceLanes), add(s.y, w, block + 4 * faceLanes), add(s.z, w, block + 5 * faceLanes);
-    block += numbersPerFace * faceLanes;
+    const Real* const column = columnOf(block, place);
+    add(r.x, w, column), add(r.y, w, column + faceLanes), add(r.z, w, column + 2 * faceLanes);
+    add(s.x, w, column + 3 * faceLanes), add(s.y, w, column + 4 * faceLanes), add(s.z, w, column + 5 * faceLanes);
   }
   store(r, passing.number);
   store(s, passing.number + 3);
+}
+
+// Symmetric 2x2 matrices, one a lane.
+template <class L>
+struct Symmetric {
+  L xx, xy, yy;
+};
+template <class L>
+Symmetric<L> operator-(const Symmetric<L>& m) {
+  return {L::zero() - m.xx, L::zero() - m.xy, L::zero() - m.yy};
+}
+
+// Mean of the two eigenvalues, and how far either lies from it.
+template <class L>
+struct Eigenvalues {
+  L mean, spread;
+};
+template <class L>
+Eigenvalues<L> eigenvalues(const L& xx, const L& yy, const L& squaredXy) {
+  const L half = L::splat(0.5), difference = (xx - yy) * half;
+  return {(xx + yy) * half, squareRoot(difference * difference + squaredXy)};
+}
+
+// The largest u >= 0 at which u A + D is singular, 0 where there is none: minus the least eigenvalue of A^-1 D. A is positive
+// definite; with A = C C^T it is that of the symmetric C^-1 D C^-T, in which nothing cancels.
+template <class L>
+L nearness(const Symmetric<L>& a, const Symmetric<L>& d) {
+  const L p = L::splat(1) / a.xx, s = a.xy * p, q = L::splat(1) / (a.yy - s * a.xy);
+  const L xy = d.xy - s * d.xx;
+  const auto [mean, spread] = eigenvalues(p * d.xx, q * (d.yy - s * (d.xy + xy)), (p * xy) * (q * xy));
+  return larger(spread - mean, L::zero());
+}
+
+// The least and the largest eigenvalue that the face's stretch, or its logarithm, has in a key.
+template <class L>
+struct Extremes {
+  L low, high;
+};
+template <class Real>
+Extremes<Lanes<Real>> extremesOfKeys(const EndKey& end, const Real* block, Real rest) {
+  using L = Lanes<Real>;
+  constexpr Real most = std::numeric_limits<Real>::max();
+  Extremes<L> result{L::splat(end.anyAtRest ? rest : most), L::splat(end.anyAtRest ? rest : -most)};
+  for (int place = 0; place < end.storedKeys; ++place) {
+    const auto [xx, xy, yy] = loadThree(columnOf(block, place) + 3 * faceLanes);
+    const auto [mean, spread] = eigenvalues(xx, yy, xy * xy);
+    result.low = smaller(result.low, mean - spread), result.high = larger(result.high, mean + spread);
+  }
+  return result;
+}
+
+// Beyond the keys. `passing` holds the change from the end key on, which is linear in time: its stretch is scaled so that it eases
+// towards the limits (stretch_limits.h), and the end key is added. A logarithm has two limits, S_f the lower one, short of which it
+// stays definite. Which limit is the nearer one does not change with time.
+template <class Real>
+void goOnFrom(const EndKey& end, const Real* block, Stretch stretch, Passing<Real>& passing) {
+  using L = Lanes<Real>;
+  const bool isLog = stretch == Stretch::Log;
+  const Real rest = isLog ? 0 : 1;
+  const auto [low, high] = extremesOfKeys(end, block, rest);
+  Vector3<L> r{L::zero(), L::zero(), L::zero()}, s{L::splat(rest), L::zero(), L::splat(rest)};
+  if (end.place >= 0) r = loadThree(columnOf(block, end.place)), s = loadThree(columnOf(block, end.place) + 3 * faceLanes);
+  const auto turn = load(passing.number), change = load(passing.number + 3);
+  const Symmetric<L> d{change.x, change.y, change.z};
+
+  const L margin = L::splat(static_cast<Real>(isLog ? std::log(stretchMargin) : 1 / stretchMargin));
+  const L least = isLog ? low - margin : low * margin;
+  // A face that is all but flat in the end key leaves no room above the limit that its digits could show: it gets a little more.
+  Symmetric<L> room{s.x - least, s.y, s.z - least};
+  const L little = (room.xx + room.yy) * L::splat(64 * std::numeric_limits<Real>::epsilon());
+  room.xx = room.xx + little, room.yy = room.yy + little;
+  L u = nearness(room, d);
+  if (isLog) u = larger(u, nearness(Symmetric<L>{high + margin - s.x, L::zero() - s.y, high + margin - s.z}, -d));
+  const L f = easing(u);
+  store({r.x + turn.x, r.y + turn.y, r.z + turn.z}, passing.number);
+  store({s.x + f * d.xx, s.y + f * d.xy, s.z + f * d.yy}, passing.number + 3);
 }
 
 // exp of the symmetric 2x2 matrices in place.
@@ -233,6 +323,8 @@ int FaceKernel<Real>::accumulateRange(const FaceRange& range, const FaceCoordina
     const FaceBlock<Real>* const block = &blocks_[static_cast<std::size_t>(first)];
     const int count = std::min(blocksAtOnce, end - first);
     for (int i = 0; i < count; ++i) blend(coordinates.block(first + i), weights, passing[i]);
+    if (weights.end)
+      for (int i = 0; i < count; ++i) goOnFrom(*weights.end, coordinates.block(first + i), stretch_, passing[i]);
     for (int i = 0; i < count; ++i) {
       if (stretch_ == Stretch::Log) exponentiate(passing[i]);
       else lost += notPositiveDefinite(passing[i]);
@@ -259,6 +351,7 @@ void FaceKernel<Real>::accumulateShift(const FaceCoordinates<Real>& coordinates,
     scatter(block, lane, frames.data(), passing.corner, rhs);
   };
   blend(coordinates.block(slot / faceLanes), weights, passing);
+  if (weights.end) goOnFrom(*weights.end, coordinates.block(slot / faceLanes), stretch_, passing);
   if (stretch_ == Stretch::Log) exponentiate(passing);
   contribute(Real(-1));
   for (int k = 0; k < 3; ++k) passing.number[k][lane] += static_cast<Real>(difference[k]);

@@ -21,8 +21,8 @@ enum class BoundaryKind { Natural, Hermite, Periodic };
 
 /// How the symmetric factor S_f of a face is interpolated.
 enum class Stretch {
-  Linear,  ///< S_f itself (the paper); may lose positive definiteness far outside the keys
-  Log,     ///< log S_f; cannot turn inside out
+  Linear,  ///< S_f itself (the paper); beyond the keys it eases off short of a lower limit and stays definite, a blend may not
+  Log,     ///< log S_f; cannot turn inside out, and beyond the keys eases towards limits (stretch_limits.h)
 };
 
 /// How the full-resolution shape follows a ghost mesh (paper section 4.3).

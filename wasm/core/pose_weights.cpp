@@ -1,5 +1,9 @@
 #include "core/pose_weights.h"
 
+#include <cmath>
+
+#include "core/precision.h"
+
 namespace shapespline {
 
 PoseWeights poseWeights(const Weights& w, const WeldedShape& shape) {
@@ -11,12 +15,17 @@ PoseWeights poseWeights(const Weights& w, const WeldedShape& shape) {
   if (shape.endTangent >= 0) result.column[shape.endTangent] = w[columns.endTangent()];
   result.closing = w[columns.closing()];
   result.column[0] += result.closing;
+  for (double& weight : result.column)
+    if (std::abs(weight) < leastWeight<double>) weight = 0;
+  result.keys = shape.keys;
+  result.beyond = w.beyond;
   return result;
 }
 
 Vec3 blend(const std::vector<Vec3>& columns, const PoseWeights& weights) {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t c = 0; c < columns.size(); ++c) sum += weights.column[c] * columns[c];
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (weights.column[c] != 0) sum += weights.column[c] * columns[c];
   return sum;
 }
 

@@ -13,8 +13,11 @@ namespace shapespline {
 struct PoseWeights {
   std::vector<double> column;  ///< one a column of the coordinates; the closing weight is counted in the first key's
   double closing = 0;          ///< that weight, for the numbers that wind
+  int keys = 0;                ///< columns that are keys: the first so many
+  int beyond = -1;             ///< end key that the curve goes on from beyond the keys, or -1 within them
 };
 
+/// Weights that no sum in double precision can show are 0.
 PoseWeights poseWeights(const Weights& weights, const WeldedShape& shape);
 
 /// Weighted sum of one vector a column.

@@ -72,7 +72,8 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
 template <class Real>
 Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const PoseWeights& weights) const {
   Vec3 r = Vec3::Zero();
-  for (int c = 0; c < lri_.face.columns(); ++c) r += weights.column[c] * lri_.face.rotation(face, c);
+  for (int c = 0; c < lri_.face.columns(); ++c)
+    if (weights.column[c] != 0) r += weights.column[c] * lri_.face.rotation(face, c);
   for (const Winding& winding : lri_.faceWinding)
     if (winding.index == face) r += weights.closing * winding.difference;
   return frames_.rotation[frame] * expQuaternion(r);
@@ -96,7 +97,7 @@ int Reconstructor<Real>::assemble(const PoseWeights& weights, Real* x, Crew* cre
     for (int i = 0; i < numbersPerFrame; ++i)
       matrices_[numbersPerFrame * k + i] = i % 4 < 3 ? static_cast<Real>(g(i % 4, i / 4)) : Real(0);
   }
-  const ColumnWeights<Real> columnWeights = lri_.face.weights(weights.column);
+  const ColumnWeights<Real> columnWeights = lri_.face.weights(weights);
   std::fill_n(x, 4 * static_cast<std::size_t>(poisson_.size()), Real(0));
   const int lost = kernel_.accumulate(lri_.face, matrices_, columnWeights, x, crew);
   if (weights.closing != 0)

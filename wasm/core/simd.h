@@ -1,6 +1,6 @@
 // Four floats or two doubles in one register: WebAssembly SIMD, SSE2, or plain C++ (SHAPESPLINE_SCALAR).
 // Each operation rounds once per lane, nothing is fused: all three give the same bits. notPositive: a bit for each lane
-// that is zero, negative or not a number; largerMagnitude: per lane; turnedXyz: (y, z, x, w); storeXyz: three lanes.
+// that is zero, negative or not a number; smaller, larger, largerMagnitude: per lane; turnedXyz: (y, z, x, w); storeXyz: three lanes.
 #pragma once
 
 #if defined(SHAPESPLINE_SCALAR)
@@ -36,6 +36,8 @@ struct Float4 {
   friend Float4 operator*(Float4 a, Float4 b) { return {wasm_f32x4_mul(a.v, b.v)}; }
   friend Float4 operator/(Float4 a, Float4 b) { return {wasm_f32x4_div(a.v, b.v)}; }
   friend Float4 squareRoot(Float4 a) { return {wasm_f32x4_sqrt(a.v)}; }
+  friend Float4 smaller(Float4 a, Float4 b) { return {wasm_f32x4_pmin(a.v, b.v)}; }
+  friend Float4 larger(Float4 a, Float4 b) { return {wasm_f32x4_pmax(a.v, b.v)}; }
   friend Float4 largerMagnitude(Float4 a, Float4 b) { return {wasm_f32x4_pmax(wasm_f32x4_abs(a.v), wasm_f32x4_abs(b.v))}; }
   friend Float4 turnedXyz(Float4 a) { return {wasm_i32x4_shuffle(a.v, a.v, 1, 2, 0, 3)}; }
   friend int notPositive(Float4 a) { return 15 ^ static_cast<int>(wasm_i32x4_bitmask(wasm_f32x4_gt(a.v, zero().v))); }
@@ -59,6 +61,8 @@ struct Float4 {
   friend Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.v, b.v)}; }
   friend Float4 operator/(Float4 a, Float4 b) { return {_mm_div_ps(a.v, b.v)}; }
   friend Float4 squareRoot(Float4 a) { return {_mm_sqrt_ps(a.v)}; }
+  friend Float4 smaller(Float4 a, Float4 b) { return {_mm_min_ps(b.v, a.v)}; }
+  friend Float4 larger(Float4 a, Float4 b) { return {_mm_max_ps(b.v, a.v)}; }
   friend Float4 largerMagnitude(Float4 a, Float4 b) {
     const __m128 sign = _mm_set1_ps(-0.0f);
     return {_mm_max_ps(_mm_andnot_ps(sign, b.v), _mm_andnot_ps(sign, a.v))};
@@ -99,6 +103,14 @@ struct Float4 {
     for (int i = 0; i < 4; ++i) a.v[i] = std::sqrt(a.v[i]);
     return a;
   }
+  friend Float4 smaller(Float4 a, Float4 b) {
+    for (int i = 0; i < 4; ++i) a.v[i] = b.v[i] < a.v[i] ? b.v[i] : a.v[i];
+    return a;
+  }
+  friend Float4 larger(Float4 a, Float4 b) {
+    for (int i = 0; i < 4; ++i) a.v[i] = a.v[i] < b.v[i] ? b.v[i] : a.v[i];
+    return a;
+  }
   friend Float4 largerMagnitude(Float4 a, Float4 b) {
     for (int i = 0; i < 4; ++i) a.v[i] = std::fabs(a.v[i]) < std::fabs(b.v[i]) ? std::fabs(b.v[i]) : std::fabs(a.v[i]);
     return a;
@@ -128,6 +140,10 @@ struct Double2 {
   friend Double2 operator+(Double2 a, Double2 b) { return {wasm_f64x2_add(a.v, b.v)}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {wasm_f64x2_sub(a.v, b.v)}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {wasm_f64x2_mul(a.v, b.v)}; }
+  friend Double2 operator/(Double2 a, Double2 b) { return {wasm_f64x2_div(a.v, b.v)}; }
+  friend Double2 squareRoot(Double2 a) { return {wasm_f64x2_sqrt(a.v)}; }
+  friend Double2 smaller(Double2 a, Double2 b) { return {wasm_f64x2_pmin(a.v, b.v)}; }
+  friend Double2 larger(Double2 a, Double2 b) { return {wasm_f64x2_pmax(a.v, b.v)}; }
   friend int notPositive(Double2 a) { return 3 ^ static_cast<int>(wasm_i64x2_bitmask(wasm_f64x2_gt(a.v, zero().v))); }
   friend Double2 lowHalves(Double2 a, Double2 b) { return {wasm_i64x2_shuffle(a.v, b.v, 0, 2)}; }
   friend Double2 highHalves(Double2 a, Double2 b) { return {wasm_i64x2_shuffle(a.v, b.v, 1, 3)}; }
@@ -141,6 +157,10 @@ struct Double2 {
   friend Double2 operator+(Double2 a, Double2 b) { return {_mm_add_pd(a.v, b.v)}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {_mm_sub_pd(a.v, b.v)}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {_mm_mul_pd(a.v, b.v)}; }
+  friend Double2 operator/(Double2 a, Double2 b) { return {_mm_div_pd(a.v, b.v)}; }
+  friend Double2 squareRoot(Double2 a) { return {_mm_sqrt_pd(a.v)}; }
+  friend Double2 smaller(Double2 a, Double2 b) { return {_mm_min_pd(b.v, a.v)}; }
+  friend Double2 larger(Double2 a, Double2 b) { return {_mm_max_pd(b.v, a.v)}; }
   friend int notPositive(Double2 a) { return 3 ^ _mm_movemask_pd(_mm_cmpgt_pd(a.v, zero().v)); }
   friend Double2 lowHalves(Double2 a, Double2 b) { return {_mm_unpacklo_pd(a.v, b.v)}; }
   friend Double2 highHalves(Double2 a, Double2 b) { return {_mm_unpackhi_pd(a.v, b.v)}; }
@@ -154,6 +174,10 @@ struct Double2 {
   friend Double2 operator+(Double2 a, Double2 b) { return {{a.v[0] + b.v[0], a.v[1] + b.v[1]}}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {{a.v[0] - b.v[0], a.v[1] - b.v[1]}}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {{a.v[0] * b.v[0], a.v[1] * b.v[1]}}; }
+  friend Double2 operator/(Double2 a, Double2 b) { return {{a.v[0] / b.v[0], a.v[1] / b.v[1]}}; }
+  friend Double2 squareRoot(Double2 a) { return {{std::sqrt(a.v[0]), std::sqrt(a.v[1])}}; }
+  friend Double2 smaller(Double2 a, Double2 b) { return {{b.v[0] < a.v[0] ? b.v[0] : a.v[0], b.v[1] < a.v[1] ? b.v[1] : a.v[1]}}; }
+  friend Double2 larger(Double2 a, Double2 b) { return {{a.v[0] < b.v[0] ? b.v[0] : a.v[0], a.v[1] < b.v[1] ? b.v[1] : a.v[1]}}; }
   friend int notPositive(Double2 a) { return (a.v[0] > 0 ? 0 : 1) | (a.v[1] > 0 ? 0 : 2); }
   friend Double2 lowHalves(Double2 a, Double2 b) { return {{a.v[0], b.v[0]}}; }
   friend Double2 highHalves(Double2 a, Double2 b) { return {{a.v[1], b.v[1]}}; }
@@ -175,6 +199,10 @@ struct Double4 {
   friend Double4 operator+(Double4 a, Double4 b) { return {a.low + b.low, a.high + b.high}; }
   friend Double4 operator-(Double4 a, Double4 b) { return {a.low - b.low, a.high - b.high}; }
   friend Double4 operator*(Double4 a, Double4 b) { return {a.low * b.low, a.high * b.high}; }
+  friend Double4 operator/(Double4 a, Double4 b) { return {a.low / b.low, a.high / b.high}; }
+  friend Double4 squareRoot(Double4 a) { return {squareRoot(a.low), squareRoot(a.high)}; }
+  friend Double4 smaller(Double4 a, Double4 b) { return {smaller(a.low, b.low), smaller(a.high, b.high)}; }
+  friend Double4 larger(Double4 a, Double4 b) { return {larger(a.low, b.low), larger(a.high, b.high)}; }
   friend int notPositive(Double4 a) { return notPositive(a.low) | notPositive(a.high) << 2; }
 };
 

@@ -209,14 +209,19 @@ Weights Curve::weights(double t, int derivative) const {
   const Eigen::Index i = std::clamp<Eigen::Index>(upper - 1, 0, last - 1);
   const double h = knots_[i + 1] - knots_[i];
   const double u = (t - knots_[i]) / h;
+  const auto value = [&](const RowVectorXd& row) {
+    Weights weights = row.transpose();
+    if (!periodic_ && (u < 0 || u > 1)) weights.beyond = u < 0 ? 0 : columns_.keys - 1;
+    return weights;
+  };
   if (linear_) {
     const RowVectorXd secant = (value_.row(i + 1) - value_.row(i)) / h;
-    if (derivative == 0) return ((1 - u) * value_.row(i) + u * value_.row(i + 1)).transpose();
+    if (derivative == 0) return value((1 - u) * value_.row(i) + u * value_.row(i + 1));
     return derivative == 1 ? Weights(secant.transpose()) : Weights(Weights::Zero(columns_.count()));
   }
   if (u < 0 || u > 1) {  // beyond the ends (paper section 3.2): f(t) = f(t_e) + f'(t_e) (t - t_e)
     const Eigen::Index e = u < 0 ? 0 : last;
-    if (derivative == 0) return (value_.row(e) + (t - knots_[e]) * slope_.row(e)).transpose();
+    if (derivative == 0) return value(value_.row(e) + (t - knots_[e]) * slope_.row(e));
     return derivative == 1 ? Weights(slope_.row(e).transpose()) : Weights(Weights::Zero(columns_.count()));
   }
   double v0, v1, s0, s1;  // cubic Hermite basis and its derivatives

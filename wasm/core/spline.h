@@ -38,7 +38,14 @@ struct Columns {
   int count() const { return keys + 3; }
 };
 
-using Weights = Eigen::VectorXd;  ///< Columns::count() entries; they sum to 1 (a derivative's to 0)
+/// Columns::count() entries; they sum to 1 (a derivative's to 0).
+struct Weights : Eigen::VectorXd {
+  using Eigen::VectorXd::VectorXd;
+  template <class Derived>
+  Weights(const Eigen::MatrixBase<Derived>& entries) : Eigen::VectorXd(entries) {}
+
+  int beyond = -1;  ///< end key that the curve goes on from straight, or -1 within its knots
+};
 
 /// A time taken back into one period.
 struct WrappedTime {
@@ -54,7 +61,7 @@ class Curve {
   static Result<Curve> fit(const std::vector<double>& times, const CurveOptions& options);
 
   /// Weights of the value (derivative 0) or of its first or second derivative at time t. Outside the knots: linear from
-  /// the end derivative. A periodic curve is only defined on its knots: wrap() first.
+  /// the end derivative, and marked so. A periodic curve is only defined on its knots: wrap() first.
   Weights weights(double t, int derivative = 0) const;
 
   WrappedTime wrap(double t) const;

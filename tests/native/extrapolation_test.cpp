@@ -1,0 +1,197 @@
+// Beyond the keys: stretch eases towards limits taken from the keys.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "gltf_maker.h"
+#include "shapes.h"
+
+namespace fs = std::filesystem;
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+Sequence make(const Keyframes& k, Stretch stretch, int ghostFaces = 0, Precision precision = Precision::Double) {
+  EncodingOptions options;
+  options.stretch = stretch;
+  options.precision = precision;
+  options.ghostFaces = ghostFaces;
+  auto s = Sequence::create(k, options, {});
+  REQUIRE_MESSAGE(s.ok(), (s ? "" : s.error().message));
+  return std::move(*s);
+}
+
+Positions at(Sequence& s, double t) {
+  Positions p;
+  REQUIRE(s.evaluate(t, p).ok());
+  return p;
+}
+
+Frame frameAt(Sequence& s, double t) {
+  Frame frame;
+  REQUIRE(s.evaluate(t, frame).ok());
+  return frame;
+}
+
+Frame blendOf(Sequence& s, const std::vector<double>& weights) {
+  Frame frame;
+  REQUIRE(s.evaluateBlend(weights, frame).ok());
+  return frame;
+}
+
+double diagonalOf(const Positions& p) {
+  const Positions* poses[] = {&p};
+  return boundingDiagonal(poses);
+}
+
+Map scale(double x, double y, double z) {
+  return [=](const Vec3& p) -> Vec3 { return {x * p.x(), y * p.y(), z * p.z()}; };
+}
+
+double lengthOf(const Positions& bar) {
+  double low = bar[0].z(), high = low;
+  for (const Vec3& p : bar) low = std::min(low, p.z()), high = std::max(high, p.z());
+  return high - low;
+}
+
+// What a change that reaches its limit at 1/u of itself is scaled by.
+double eased(double u) { return std::pow(1 + std::pow(u, 4), -0.25); }
+
+constexpr double leastStretch = 0.5, largestStretch = 2;
+
+// A box of six keys, each stretched along the three axes by random factors, and bent.
+Keyframes randomStretches() {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Map> maps;
+  for (int j = 0; j < 6; ++j) {
+    const auto factor = [&] { return std::pow(2, uniform(random)); };
+    const Map stretched = scale(factor(), factor(), factor()), bent = bend(0.3 * uniform(random));
+    maps.push_back([=](const Vec3& p) { return bent(stretched(p)); });
+  }
+  return keyframes(box(1, 1, 4, 3, 3, 12), maps);
+}
+
+}  // namespace
+
+TEST_CASE("beyond the keys linear stretch keeps above its lower limit: no face is lost, however far") {
+  const Keyframes k = keyframes(bar(), {scale(1, 1, 1), scale(1, 1, 0.4)});
+  for (const Precision precision : {Precision::Single, Precision::Double}) {
+    Sequence s = make(k, Stretch::Linear, 0, precision);
+    for (const double t : {1.1, 1.4, 2.0, 11.0, 1e6}) {
+      CAPTURE(t);
+      const Frame frame = frameAt(s, t);
+      CHECK(frame.lostDefiniteness == 0);
+      CHECK(enclosedVolume(toPositions(frame.positions), k.faces) > 2.6);  // the limit's: 8/3
+      // 0.4 - 0.6 (t - 1) eases towards 0.4 / 1.5.
+      const double change = 0.6 * (t - 1), room = 0.4 - 0.4 / 1.5;
+      CHECK(lengthOf(at(s, t)) == doctest::Approx(10 * (0.4 - eased(change / room) * change)).epsilon(precision == Precision::Single ? 1e-4 : 1e-9));
+    }
+    CHECK(lengthOf(at(s, -1)) == doctest::Approx(16).epsilon(1e-5));  // upwards it has none
+    // A blend is what was asked for, also outside the keys, and says what it loses.
+    CHECK(blendOf(s, {-1, 2}).lostDefiniteness > 100);
+  }
+}
+
+TEST_CASE("beyond the keys logarithmic stretch keeps between both limits") {
+  const Keyframes k = keyframes(bar(), {scale(1, 1, 1), scale(1, 1, 0.4)});
+  Sequence s = make(k, Stretch::Log);
+  const double change = std::log(0.4), room = std::log(1.5);
+  for (const double far : {0.1, 0.4, 1.0, 2.0, 10.0}) {
+    CAPTURE(far);
+    const double f = eased(-change * far / room);
+    CHECK(lengthOf(at(s, 1 + far)) == doctest::Approx(10 * std::exp(change * (1 + f * far))).epsilon(1e-9));
+    CHECK(lengthOf(at(s, -far)) == doctest::Approx(10 * std::exp(-change * f * far)).epsilon(1e-9));
+    CHECK(frameAt(s, 1 + far).lostDefiniteness == 0);
+  }
+}
+
+TEST_CASE("beyond the keys logarithmic stretch grows boundedly, with a ghost and without, exact and about") {
+  const Keyframes k = randomStretches();
+  const double bound = 1.5 * largestStretch * diagonalOf(box(1, 1, 4, 3, 3, 12).positions);
+  for (const int ghostFaces : {0, 60}) {
+    Sequence s = make(k, Stretch::Log, ghostFaces);
+    double worst = 0;
+    for (const double t : {-0.4, -0.2, 1.2, 1.4}) {  // two intervals out
+      const Frame frame = frameAt(s, t);
+      CHECK(frame.lostDefiniteness == 0);
+      Frame about;
+      REQUIRE(s.preview(t, about).ok());
+      worst = std::max({worst, diagonalOf(toPositions(frame.positions)), diagonalOf(toPositions(about.positions))});
+    }
+    MESSAGE("largest box over the bound: " << worst / bound);
+    CHECK(worst < bound);
+  }
+}
+
+TEST_CASE("the motion is C2 where it goes on beyond the keys") {
+  const Keyframes k = randomStretches();
+  for (const Stretch stretch : {Stretch::Linear, Stretch::Log})
+    for (const int ghostFaces : {0, 60}) {
+      CAPTURE(ghostFaces);
+      Sequence s = make(k, stretch, ghostFaces);
+      for (const double end : {0.0, 1.0}) {
+        // The difference of the two sides' second derivatives, by differences of second order: it falls as h^2.
+        const auto jump = [&](double h) {
+          const auto second = [&](double side) {
+            const Positions a = at(s, end), b = at(s, end + side * h), c = at(s, end + 2 * side * h), d = at(s, end + 3 * side * h);
+            Positions result;
+            for (std::size_t v = 0; v < a.size(); ++v) result.push_back((2 * a[v] - 5 * b[v] + 4 * c[v] - d[v]) / (h * h));
+            return result;
+          };
+          return largestDistance(second(1), second(-1));
+        };
+        const double coarse = jump(2e-3), fine = jump(1e-3);
+        CAPTURE(coarse);
+        CHECK(fine < 0.3 * coarse);
+      }
+    }
+}
+
+TEST_CASE("within the keys nothing is limited, to the bit") {
+  const Keyframes k = keyframes(bar(), {scale(1, 1, 1), scale(1.2, 0.9, 0.4)});
+  for (const Stretch stretch : {Stretch::Linear, Stretch::Log})
+    for (const int ghostFaces : {0, 300}) {
+      Sequence s = make(k, stretch, ghostFaces, Precision::Single);
+      for (const double t : {0.0, 0.125, 0.5, 0.875, 1.0}) CHECK(frameAt(s, t).positions == blendOf(s, {1 - t, t}).positions);
+      CHECK(frameAt(s, 1.5).positions != blendOf(s, {-0.5, 1.5}).positions);
+    }
+}
+
+TEST_CASE("real animals stay of their size beyond the keys, with logarithmic stretch") {
+  const char* named = std::getenv("SHAPESPLINE_DATA");
+  const fs::path data = named ? fs::path(named) : fs::path(SHAPESPLINE_SOURCE_DIR).parent_path() / "shared" / "data";
+  for (const char* folder : {"obj/wolf", "turns/lion"}) {
+    if (!fs::exists(data / folder)) {
+      MESSAGE("SKIPPED: there is no " << std::string(folder));
+      return;
+    }
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(data / folder))
+      if (entry.path().extension() == ".obj") paths.push_back(entry.path());
+    std::sort(paths.begin(), paths.end());
+    Files files;
+    for (const fs::path& path : paths) {
+      std::ifstream stream(path, std::ios::binary);
+      files.add(path.filename().string(), {std::istreambuf_iterator<char>(stream), {}});
+    }
+    const auto import = files.import();
+    REQUIRE(import.ok());
+    const Keyframes& k = import->keyframes;
+    double largest = 0;
+    for (const Key& key : k.keys) largest = std::max(largest, diagonalOf(key.positions));
+    Sequence s = make(k, Stretch::Log, 0, Precision::Single);
+    double worst = 0;
+    for (const double intervals : {0.5, 1.0, 2.0})
+      for (const double t : {-intervals / (k.keyCount() - 1), 1 + intervals / (k.keyCount() - 1)})
+        worst = std::max(worst, diagonalOf(toPositions(frameAt(s, t).positions)));
+    MESSAGE(std::string(folder) << ": the largest shape has " << worst / largest << " times the diagonal of the largest key");
+    CHECK(worst < 2 * largest);
+  }
+}
