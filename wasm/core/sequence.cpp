@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/discrete_spline.h"
 #include "core/metrics.h"
 #include "core/sequence_stages.h"
 #include "core/sequence_state.h"
@@ -193,6 +194,28 @@ ShapePlane Sequence::shapePlane(const std::vector<double>& times) {
   for (int j = 0; j < s.shape.keys; ++j) append(result.keys, plane.project(Eigen::VectorXd::Unit(s.shape.columns(), j)));
   for (double t : times) append(result.curve, plane.project(s.poseWeightsAt(t)));
   return result;
+}
+
+Result<DiscretePath> Sequence::discretePath(int samples) {
+  State& s = *state_;
+  const Result<DiscreteSpline> spline = DiscreteSpline::fit(timesOf(s.raw), s.motion.boundary, *s.curve, samples);
+  if (!spline) return spline.error();
+  const Eigen::MatrixXd& gram = s.gramMatrix();
+  const PrincipalPlane plane(gram, s.shape.keys);
+  const Eigen::MatrixXd toPoses = s.columnsToPoses(), columnGram = toPoses * gram * toPoses.transpose();
+  Eigen::MatrixXd curve(samples, toPoses.rows());
+  DiscretePath path;
+  path.times = spline->times();
+  for (int i = 0; i < samples; ++i) {
+    curve.row(i) = s.curve->weights(path.times[i]).transpose();
+    const Eigen::VectorXd weights = (spline->weights().row(i) * toPoses).transpose();
+    path.weights.insert(path.weights.end(), weights.begin(), weights.end());
+    const Vec2 p = plane.project(weights);
+    path.plane.insert(path.plane.end(), {p.x(), p.y()});
+  }
+  path.energy = spline->energy(spline->weights(), columnGram);
+  path.curveEnergy = spline->energy(curve, columnGram);
+  return path;
 }
 
 std::vector<double> Sequence::bendingEnergy(const std::vector<double>& times) {

@@ -220,6 +220,16 @@ const Eigen::MatrixXd& Sequence::State::gramMatrix() {
   return gram;
 }
 
+Eigen::MatrixXd Sequence::State::columnsToPoses() const {
+  const int count = columns().count();
+  Eigen::MatrixXd map(count, shape.columns());
+  for (int c = 0; c < count; ++c) {
+    const PoseWeights w = poseWeights(Eigen::VectorXd::Unit(count, c), shape);
+    map.row(c) = Eigen::Map<const Eigen::RowVectorXd>(w.column.data(), shape.columns());
+  }
+  return map;
+}
+
 Eigen::VectorXd Sequence::State::poseWeightsAt(double t) const {
   const PoseWeights w = poseWeights(curve->weights(curve->wrap(t).time), shape);
   return Eigen::Map<const Eigen::VectorXd>(w.column.data(), static_cast<Eigen::Index>(w.column.size()));

@@ -65,6 +65,8 @@ struct Sequence::State {
   void finish(const Global& global, Frame& frame);
   void fill(const Weights& weights, const Global& global, Positions& positions);
   const Eigen::MatrixXd& gramMatrix();
+  // Takes weights over the curve's columns, as a row, to weights over the poses.
+  Eigen::MatrixXd columnsToPoses() const;
   Eigen::VectorXd poseWeightsAt(double t) const;
 };
 
