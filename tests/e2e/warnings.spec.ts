@@ -1,12 +1,13 @@
 /** Warnings that can be read and show their place; whole turns of parts. What the engine would say is put into its answers here. */
+import { readFileSync } from 'node:fs';
 import type { Locator, Page } from '@playwright/test';
 import type { Warning } from '../../web/engine/types.ts';
-import { expect, test } from './support.ts';
+import { changedShare, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-const LONG = 'Between these keys neighbouring parts turn by more than 150 degrees against each other. Add a key in between if they go the wrong way.';
+const LONG = 'Neighbouring parts turn by more than 150 degrees against each other. Add a key in between if they go the wrong way.';
 const WARNINGS: Warning[] = [
-  { code: 'ambiguous-part-turn', message: LONG, count: 2, key: 1, face: 40, patches: [0, 1, 2, 3] },
+  { code: 'ambiguous-part-turn', message: LONG, count: 2, key: 1, face: 40, patches: Array.from({ length: 40 }, (_, patch) => patch) },
   { code: 'mirrored-pose', message: 'Key 3 is mirrored.', count: 0, key: 2, face: -1, patches: [] },
   { code: 'winding', message: 'Some parts turn on by a whole turn in each period.', count: 0, key: -1, face: -1, patches: [] },
 ];
@@ -45,7 +46,7 @@ async function markedShare(app: App): Promise<number> {
 }
 
 /** More than the swatch of a button. */
-const SEEN = 0.002;
+const SEEN = 0.0006;
 
 async function expectWithin(inner: Locator, outer: Locator): Promise<void> {
   const [a, b] = [(await inner.boundingBox())!, (await outer.boundingBox())!];
@@ -118,8 +119,10 @@ test('faces that have turned inside out are spoken of where they can be seen, on
   await app.setTime(0.25);
   await expect(app.by('lost')).toContainText(/^\d+\s% of the triangles have turned inside out\. A key in between helps\./);
   await expect(app.page.getByText('inside out')).toHaveCount(1);
+  const before = await app.picture();
   await app.by('lost-show').click();
-  await expect.poll(() => markedShare(app)).toBeGreaterThan(SEEN);
+  // Faintly, where the rest of the shape hides it.
+  await expect.poll(async () => changedShare(app.page, before, await app.picture())).toBeGreaterThan(0.0003);
   await app.setTime(1.2);
   await expect(app.by('lost')).toContainText('this far from the keys');
   await app.expectNoProblems();
@@ -162,7 +165,8 @@ test('whole turns are given to the shape or to one of its parts, which is marked
   await expect(app.by('key-turns-part')).toBeHidden();
   await app.by('key-editor-close').click();
 
-  await app.by('file-input').setInputFiles([0, 0.5, 1].map((turn, index) => ({ name: `bars-${index}.obj`, mimeType: 'text/plain', buffer: bars(turn) })));
+  const poses = [0, 0.5, 1].map((turn, index) => ({ name: `bars-${index}.obj`, mimeType: 'text/plain', buffer: bars(turn) }));
+  await app.by('file-input').setInputFiles(poses);
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.settled();
   await app.by('key-1-edit').click();
@@ -188,7 +192,7 @@ test('whole turns are given to the shape or to one of its parts, which is marked
   await app.page.keyboard.press('Control+z');
   await app.settled();
   expect((await app.state()).doc.partTurns.flat()).toEqual([]);
-  await app.by('file-input').setInputFiles({ name: 'saved.glb', mimeType: 'model/gltf-binary', buffer: (await import('node:fs')).readFileSync(saved) });
+  await app.by('file-input').setInputFiles({ name: 'saved.glb', mimeType: 'model/gltf-binary', buffer: readFileSync(saved) });
   await expect.poll(async () => (await app.state()).doc.partTurns).toEqual(doc.partTurns);
   await app.settled();
   await app.expectNoProblems();

@@ -16,7 +16,10 @@ interface Open {
 }
 
 /** Milliseconds of an exact frame and of a cheap one. */
-function setUp({ count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method, moving = 'measured' as Moving, off = (_t: number): PreviewError => ({ mean: 0, largest: 0 }) } = {}) {
+function setUp({
+  count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method, moving = 'measured' as Moving,
+  off = (_t: number): PreviewError => ({ mean: 0, largest: 0 }),
+} = {}) {
   const open: Open[] = [];
   const shown: string[] = [];
   const errors: unknown[] = [];

@@ -42,7 +42,8 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   const keys = doc.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(',');
   put('keys', keys, initial.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(','));
   for (const name of SHAPINGS) if (doc[name].some((value) => value !== 0)) params.set(name, doc[name].map(shortest).join(','));
-  put('partTurns', partTurnsOf(doc).flatMap((list, key) => list.map(({ component, turns }) => `${key}:${component}:${turns}`)).join(','), '');
+  const partTurns = partTurnsOf(doc).flatMap((list, key) => list.map(({ component, turns }) => `${key}:${component}:${turns}`));
+  put('partTurns', partTurns.join(','), '');
   for (const name of Object.keys(DEFAULT_MOTION) as (keyof Motion)[]) put(name, doc.motion[name], initial.motion[name]);
   for (const name of Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]) put(name, doc.encoding[name], initial.encoding[name]);
   put('colour', view.colouring, DEFAULT_VIEW.colouring);

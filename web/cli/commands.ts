@@ -103,7 +103,8 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     }
     await writeOutputs(outputs);
     const count = plan.times.length;
-    return { summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}, ${bytes} bytes\n`, warnings: warnings.map((warning) => inWords(warning, keys.info.times.length)) };
+    const sentences = warnings.map((warning) => inWords(warning, keys.info.times.length));
+    return { summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}, ${bytes} bytes\n`, warnings: sentences };
   });
 }
 

@@ -157,7 +157,8 @@ function partChoices(parts: number, turnsOf: (component: number) => number): Cho
     const turns = turnsOf(component);
     return `Part ${component + 1}${turns === 0 ? '' : `: ${turns > 0 ? '+' : ''}${turns}`}`;
   };
-  return [{ value: '', label: 'Whole shape' }, ...Array.from({ length: parts }, (_, component) => ({ value: String(component), label: label(component) }))];
+  const each = Array.from({ length: parts }, (_, component) => ({ value: String(component), label: label(component) }));
+  return [{ value: '', label: 'Whole shape' }, ...each];
 }
 
 interface Editor {

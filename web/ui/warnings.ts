@@ -70,7 +70,8 @@ export function createWarnings(onShow: (index: number | null) => void): Warnings
     },
     update({ items, shown }) {
       drawItems({ items });
-      for (const show of list.querySelectorAll('button')) setAttribute(show, 'aria-pressed', String(show.dataset['testid'] === `warning-${shown}-show`));
+      const pressed = `warning-${shown}-show`;
+      for (const show of list.querySelectorAll('button')) setAttribute(show, 'aria-pressed', String(show.dataset['testid'] === pressed));
     },
   };
 }
