@@ -5,10 +5,14 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { benchArguments } from '../../wasm/toolchain/bench-arguments.mjs';
+import type { Engine, Sequence } from '../../web/engine/api.ts';
+import type { Frame, SequenceStats } from '../../web/engine/types.ts';
 import { withProgram } from '../bench/answers.ts';
+import { errorsOf } from '../bench/errors.ts';
 import { msText } from '../bench/format.ts';
-import { stagesMs, fromFramesMs } from '../bench/frames.ts';
-import { ratioOf, type KeysRun } from '../bench/key-counts.ts';
+import { fromFramesMs, stagesMs } from '../bench/frames.ts';
+import { compareKeys, ratioOf, type KeysRun } from '../bench/key-counts.ts';
+import { ledRun, stagesOf } from '../bench/led.ts';
 import type { Run } from '../bench/measure.ts';
 import { table1, timesFaster } from '../bench/paper.ts';
 import { quantile, spread } from '../bench/quantile.ts';
@@ -17,7 +21,6 @@ import { report } from '../bench/report.ts';
 import { isInside, SWEEP, sweptParts, type Swept } from '../bench/sweep.ts';
 import { errorTable, frameTable, keysTable, type Result } from '../bench/tables.ts';
 import { keysTarget, targetsOf, verdict } from '../bench/targets.ts';
-import type { SequenceStats } from '../../web/engine/types.ts';
 
 describe('the words behind npm run bench --', () => {
   it('say what is measured, on which sizes, and where', () => {
@@ -207,6 +210,87 @@ describe('times', () => {
     expect(rows.map((row) => row['Armadillo (1.3M)'])).toEqual([
       '39.0', '2.00', '2862', '4.00', '2901', '6.00', '484', '37200', '1.00', '37200',
     ]);
+  });
+});
+
+/** A sequence whose shape at t is one vertex at x = t, and two that give the box a diagonal of 1; each stage takes a millisecond more. */
+class FakeSequence {
+  readonly range = [0, 1] as const;
+  disposed = false;
+  stats_ = { framesMs: 1, facesMs: 2, solveMs: 3, placeMs: 4, normalsMs: 5, ghostMs: 0, heapBytes: 1, ghostFaces: 7 } as SequenceStats;
+  readonly ms: number;
+  readonly off: number;
+
+  constructor(ms: number, off = 0) {
+    this.ms = ms;
+    this.off = off;
+  }
+
+  shape(x: number): Frame {
+    const positions = new Float32Array([x, 0, 0, 0, 0, 0, 0.6, 0.8, 0]);
+    return { positions, ms: this.ms, release: () => undefined } as unknown as Frame;
+  }
+
+  evaluate(t: number): Promise<Frame> {
+    return Promise.resolve(this.shape(0.5 + this.off * t));
+  }
+
+  preview(t: number): Promise<Frame> {
+    return Promise.resolve(this.shape(0.5 + (t < 0 || t > 1 ? 0.03 : 0.003)));
+  }
+
+  ghostPositions(): Promise<Float32Array> {
+    this.stats_ = { ...this.stats_, ghostMs: 6 };
+    return Promise.resolve(new Float32Array());
+  }
+
+  stats(): Promise<SequenceStats> {
+    return Promise.resolve(this.stats_);
+  }
+
+  dispose(): void {
+    this.disposed = true;
+  }
+}
+
+const asSequence = (fake: FakeSequence): Sequence => fake as unknown as Sequence;
+
+describe('a sequence', () => {
+  it('is compared with double, with its preview and with the one that a ghost leads, at every time', async () => {
+    const asked: number[] = [];
+    const reference = (k: number): Promise<Float64Array> => {
+      asked.push(k);
+      return Promise.resolve(new Float64Array([0.5 + (SWEEP[k] === 1.4 ? 0.06 : 0), 0, 0, 0, 0, 0, 0.6, 0.8, 0]));
+    };
+    const exact = asSequence(new FakeSequence(1)), led = asSequence(new FakeSequence(1, 0.09));
+    const { double, preview, ghost } = await errorsOf(exact, led, reference);
+    expect(asked).toEqual(SWEEP.map((_, k) => k));
+    expect(double.inside.worst).toBeCloseTo(0, 6);
+    expect([double.margins.worst, double.margins.at]).toEqual([expect.closeTo(0.06, 5), 1.4]);
+    expect([preview.inside.worst, preview.inside.mean]).toEqual([expect.closeTo(0.003, 6), expect.closeTo(0.001, 6)]);
+    expect(preview.margins.largestMean).toBeCloseTo(0.01, 6);
+    expect([ghost!.margins.worst, ghost!.margins.at]).toEqual([expect.closeTo(0.09 * 1.4, 5), 1.4]);
+    expect((await errorsOf(asSequence(new FakeSequence(1)), null, reference)).ghost).toBeNull();
+  });
+
+  it('that a ghost leads takes what its own clocks say, for all shapes', async () => {
+    const led = { sequence: asSequence(new FakeSequence(100)), buildMs: 9 };
+    expect(await ledRun(led, 12)).toEqual({ ghostFaces: 7, buildMs: 9, irMs: 12 * 6, tsMs: 12 * 14 });
+    expect(await stagesOf(led.sequence, 12)).toBe(12 * 15);
+  });
+
+  it('with many keys is measured in turn with the one with few, and both are let go', async () => {
+    const fakes = [new FakeSequence(2), new FakeSequence(5)];
+    const engine = {
+      importKeyframes: ([{ bytes }]: [{ bytes: Uint8Array }]) => Promise.resolve({
+        info: { times: Array.from({ length: bytes.length }), report: { faces: 10_000 } }, dispose: () => undefined,
+      }),
+      createSequence: (keys: { info: { times: unknown[] } }) => Promise.resolve(fakes[keys.info.times.length === 3 ? 0 : 1]),
+    } as unknown as Engine;
+    const run = await compareKeys(engine, new Uint8Array(3), new Uint8Array(8));
+    expect(run).toMatchObject({ faces: 10_000, ratio: 2.5, few: { keys: 3, frame: { median: 2 } } });
+    expect(run.many).toMatchObject({ keys: 8, frame: { median: 5 }, frames: { median: 1 }, faces: { median: 2 } });
+    expect(fakes.map(({ disposed }) => disposed)).toEqual([true, true]);
   });
 });
 
