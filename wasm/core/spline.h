@@ -37,14 +37,7 @@ struct Columns {
   int count() const { return keys + 2; }
 };
 
-/// Columns::count() entries; they sum to 1 (a derivative's to 0).
-struct Weights : Eigen::VectorXd {
-  using Eigen::VectorXd::VectorXd;
-  template <class Derived>
-  Weights(const Eigen::MatrixBase<Derived>& entries) : Eigen::VectorXd(entries) {}
-
-  int beyond = -1;  ///< end key that the curve goes on from straight, or -1 within its knots
-};
+using Weights = Eigen::VectorXd;  ///< Columns::count() entries; they sum to 1 (a derivative's to 0)
 
 /// The ways from one pose to the next, each with an increment of every rotation that moves through the keys. Step s leads from
 /// key s to key s + 1; the others have numbers behind those.
