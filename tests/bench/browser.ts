@@ -58,7 +58,7 @@ export async function browserPlace(repository: string): Promise<Place> {
     measure: (mesh, runEigen) => call('measureFile', addressOf(mesh), runEigen),
     motion: (mesh, motion) => call('motionOf', addressOf(mesh), motion),
     resolutions: (coarse, fine) => call('resolutionsOf', addressOf(coarse), addressOf(fine)),
-    keys: (few, many) => call('keysOf', addressOf(few), addressOf(many)),
+    keys: (few, many, count) => call('keysOf', addressOf(few), addressOf(many), count),
     threads: (mesh) => call('threadsOf', addressOf(mesh)),
     close: async () => {
       await browser.close();

@@ -11,6 +11,7 @@ import type { Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
 import type { Engine, Keys } from '../../web/engine/api.ts';
 import { msText, studyGhosts, verdictOf, type GhostStudy } from '../../web/engine/ghost-study.ts';
 import { createEngine } from '../../web/engine/node.ts';
+import type { ImportOptions } from '../../web/engine/types.ts';
 
 const DEFAULT_MESHES = [{ faces: 85_000, keys: 10 }, { faces: 330_000, keys: 3 }];
 const USUAL_KEYS = 3;
@@ -29,18 +30,18 @@ export async function benchGhost({ sizes }: Wanted): Promise<void> {
   try {
     for (const { faces, keys } of sizes ?? DEFAULT_MESHES) {
       execFileSync(process.execPath, [generator, '--bench', String(faces), String(keys ?? USUAL_KEYS), folder], { stdio: ['ignore', 'ignore', 'inherit'] });
-      await bench(`generated, ${faces} faces, ${keys ?? USUAL_KEYS} keys`, path.join(folder, `bench-${faces}.glb`));
+      await bench(`generated, ${faces} faces`, path.join(folder, `bench-${faces}.glb`), { sample: keys ?? USUAL_KEYS });
     }
   } finally {
     await rm(folder, { recursive: true, force: true });
   }
 }
 
-async function bench(name: string, file: string): Promise<void> {
+async function bench(name: string, file: string, options: ImportOptions = {}): Promise<void> {
   const engine = createEngine();
   try {
     const start = performance.now();
-    const keys = await engine.importKeyframes([{ name: path.basename(file), bytes: new Uint8Array(await readFile(file)) }]);
+    const keys = await engine.importKeyframes([{ name: path.basename(file), bytes: new Uint8Array(await readFile(file)) }], options);
     const importMs = performance.now() - start;
     const { vertices, faces } = keys.info.report;
     console.log(`\n${name}: ${vertices} vertices, ${faces} faces, ${keys.info.times.length} keys; import ${msText(importMs)}\n`);

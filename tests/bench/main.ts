@@ -74,7 +74,7 @@ async function runAll(place: Place, sizes: number[]): Promise<Results> {
   for (const faces of endsOf(sizes.filter((one) => one <= LARGEST_MANY_KEYS))) {
     for (const keys of MANY_KEYS) {
       say(`${faces} faces, ${keys} keys`);
-      results.keys.push(await place.keys(meshOf(faces), meshOf(faces, { keys })));
+      results.keys.push(await place.keys(meshOf(faces), meshOf(faces, { keys }), keys));
     }
   }
   return results;

@@ -24,7 +24,7 @@ export function nodePlace(reader: string): Place {
     }), ONE_THREAD),
     motion: (mesh, motion) => withEngine((engine) => runMotion(engine, path.basename(mesh), bytesOf(mesh), motion), ONE_THREAD),
     resolutions: (coarse, fine) => withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine)), ONE_THREAD),
-    keys: (few, many) => withEngine((engine) => compareKeys(engine, bytesOf(few), bytesOf(many)), ONE_THREAD),
+    keys: (few, many, count) => withEngine((engine) => compareKeys(engine, bytesOf(few), bytesOf(many), count), ONE_THREAD),
     threads: (mesh) => withEngine((one) => withEngine((two) => compareThreads([one, two], bytesOf(mesh))), ONE_THREAD),
     close: () => Promise.resolve(),
   };

@@ -60,8 +60,8 @@ export function resolutionsOf(coarse: string, fine: string): Promise<Resolutions
   return withEngine(async (engine) => compareResolutions(engine, await meshOf(coarse), await meshOf(fine)));
 }
 
-export function keysOf(few: string, many: string): Promise<KeysRun> {
-  return withEngine(async (engine) => compareKeys(engine, await meshOf(few), await meshOf(many)));
+export function keysOf(few: string, many: string, count: number): Promise<KeysRun> {
+  return withEngine(async (engine) => compareKeys(engine, await meshOf(few), await meshOf(many), count));
 }
 
 export function threadsOf(mesh: string): Promise<ThreadsRun> {

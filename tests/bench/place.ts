@@ -13,7 +13,8 @@ export interface Place {
   measure(mesh: string, runEigen: RunEigen): Promise<Run>;
   motion(mesh: string, motion: Motion): Promise<MotionRun>;
   resolutions(coarse: string, fine: string): Promise<Resolutions>;
-  keys(few: string, many: string): Promise<KeysRun>;
+  /** `many` has `count` keys. */
+  keys(few: string, many: string, count: number): Promise<KeysRun>;
   threads(mesh: string): Promise<ThreadsRun>;
   close(): Promise<void>;
 }

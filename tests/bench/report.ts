@@ -28,7 +28,7 @@ export function report({ where, sizes, motions, resolutions, keys }: Results): {
     `**${verdict(targets)}**`,
     'Three keys of a generated mesh; milliseconds unless said otherwise. Builds are medians of five; frames median / 95th percentile.\n'
       + `Less than ${CLOCK_MS} is below what clocks can tell. "in parts": several components, open boundaries, slivers; held back:\n`
-      + 'nothing was chosen by it.',
+      + 'no option or limit was chosen by it.',
     '## Targets', targetTable(targets),
     '## Building a sequence',
     '"silent": the longest time without a sign of progress, and what was reported after it.', buildTable(sizes), memoryTable(sizes),

@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { benchArguments } from '../../wasm/toolchain/bench-arguments.mjs';
 import type { Engine, Sequence } from '../../web/engine/api.ts';
-import type { Frame, SequenceStats } from '../../web/engine/types.ts';
+import type { Frame, ImportOptions, SequenceStats } from '../../web/engine/types.ts';
 import { withProgram } from '../bench/answers.ts';
 import { errorsOf } from '../bench/errors.ts';
 import { msText } from '../bench/format.ts';
@@ -282,15 +282,19 @@ describe('a sequence', () => {
   it('with many keys is measured in turn with the one with few, and both are let go', async () => {
     const fakes = [new FakeSequence(2), new FakeSequence(5)];
     const engine = {
-      importKeyframes: ([{ bytes }]: [{ bytes: Uint8Array }]) => Promise.resolve({
-        info: { times: Array.from({ length: bytes.length }), report: { faces: 10_000 } }, dispose: () => undefined,
-      }),
+      // As the engine does: of many keys it takes eight, unless it is told how many.
+      importKeyframes: ([{ bytes }]: [{ bytes: Uint8Array }], { sample = bytes.length > 32 ? 8 : bytes.length }: ImportOptions = {}) =>
+        Promise.resolve({
+          info: { times: Array.from({ length: Math.min(Number(sample), bytes.length) }), report: { faces: 10_000 } },
+          dispose: () => undefined,
+        }),
       createSequence: (keys: { info: { times: unknown[] } }) => Promise.resolve(fakes[keys.info.times.length === 3 ? 0 : 1]),
     } as unknown as Engine;
-    const run = await compareKeys(engine, new Uint8Array(3), new Uint8Array(8));
+    const run = await compareKeys(engine, new Uint8Array(3), new Uint8Array(100), 100);
     expect(run).toMatchObject({ faces: 10_000, ratio: 2.5, few: { keys: 3, frame: { median: 2 } } });
-    expect(run.many).toMatchObject({ keys: 8, frame: { median: 5 }, frames: { median: 1 }, faces: { median: 2 } });
+    expect(run.many).toMatchObject({ keys: 100, frame: { median: 5 }, frames: { median: 1 }, faces: { median: 2 } });
     expect(fakes.map(({ disposed }) => disposed)).toEqual([true, true]);
+    await expect(compareKeys(engine, new Uint8Array(3), new Uint8Array(50), 100)).rejects.toThrow('100 keys were written, but 50 read');
   });
 });
 
