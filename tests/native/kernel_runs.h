@@ -77,7 +77,7 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (i % 4 != 3) frames[i] = static_cast<Real>(noise.next());
   std::vector<Real> result(4 * (static_cast<std::size_t>(vertexCount) + 1), Real(0));
-  const int lost = kernel.accumulate(coordinates, frames, coordinates.weights({.column = blend.weights, .keys = columns, .beyond = blend.beyond}), result.data());
+  const int lost = kernel.accumulate(coordinates, frames, coordinates.weights({.column = blend.weights, .keys = columns, .beyond = blend.beyond}), result.data()).count;
   result.push_back(static_cast<Real>(lost));
   return result;
 }

@@ -42,7 +42,7 @@ ENTRY const char* shapespline_update(int handle, const char* request) {
   });
 }
 
-/// {positions, normals, lostDefiniteness} of the shape at t, about where preview is not 0: 3n floats each, valid until the
+/// {positions, normals, lostDefiniteness, lostFace} of the shape at t, about where preview is not 0: 3n floats each, valid until the
 /// next frame of this handle.
 ENTRY const char* shapespline_evaluate(int handle, double t, int preview) {
   return answer([&]() -> Result<Json> {
@@ -51,7 +51,8 @@ ENTRY const char* shapespline_evaluate(int handle, double t, int preview) {
     if (!status) return status.error();
     return Json{{"positions", range(frame.positions.data(), frame.positions.size())},
                 {"normals", range(frame.normals.data(), frame.normals.size())},
-                {"lostDefiniteness", frame.lostDefiniteness}};
+                {"lostDefiniteness", frame.lostDefiniteness},
+                {"lostFace", frame.lostFace}};
   });
 }
 

@@ -210,9 +210,9 @@ void exponentiate(Passing<Real>& passing) {
 }
 
 template <class Real>
-int notPositiveDefinite(const Passing<Real>& passing) {
+unsigned notPositiveDefinite(const Passing<Real>& passing) {
   const auto [xx, xy, yy] = load(passing.number + 3);
-  return std::popcount(static_cast<unsigned>(notPositive(xx * yy - xy * xy) | notPositive(xx + yy)));
+  return static_cast<unsigned>(notPositive(xx * yy - xy * xy) | notPositive(xx + yy));
 }
 
 template <class Real>
@@ -306,17 +306,23 @@ std::vector<int> FaceKernel<Real>::build(const WeldedShape& shape, const std::ve
 }
 
 template <class Real>
-int FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                                 const ColumnWeights<Real>& weights, Real* rhs, Crew* crew) const {
-  int lost[2];
-  inTwo(crew, [&](int half) { lost[half] = accumulateRange(ranges_[half], coordinates, frames, weights, rhs); });
-  return lost[0] + lost[1] + accumulateRange(ranges_[2], coordinates, frames, weights, rhs);
+IndefiniteFaces FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+                                             const ColumnWeights<Real>& weights, Real* rhs, Crew* crew) const {
+  IndefiniteFaces found[3];
+  inTwo(crew, [&](int half) { found[half] = accumulateRange(ranges_[half], coordinates, frames, weights, rhs); });
+  found[2] = accumulateRange(ranges_[2], coordinates, frames, weights, rhs);
+  IndefiniteFaces all;
+  for (const IndefiniteFaces& part : found) {
+    all.count += part.count;
+    all.slot = std::max(all.slot, part.slot);
+  }
+  return all;
 }
 
 template <class Real>
-int FaceKernel<Real>::accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,
-                                      const std::vector<Real>& frames, const ColumnWeights<Real>& weights, Real* rhs) const {
-  int lost = 0;
+IndefiniteFaces FaceKernel<Real>::accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,
+                                                  const std::vector<Real>& frames, const ColumnWeights<Real>& weights, Real* rhs) const {
+  IndefiniteFaces found;
   const int end = (range.end + faceLanes - 1) / faceLanes;
   Passing<Real> passing[blocksAtOnce];
   for (int first = range.begin / faceLanes; first < end; first += blocksAtOnce) {
@@ -326,8 +332,12 @@ int FaceKernel<Real>::accumulateRange(const FaceRange& range, const FaceCoordina
     if (weights.end)
       for (int i = 0; i < count; ++i) goOnFrom(*weights.end, coordinates.block(first + i), stretch_, passing[i]);
     for (int i = 0; i < count; ++i) {
-      if (stretch_ == Stretch::Log) exponentiate(passing[i]);
-      else lost += notPositiveDefinite(passing[i]);
+      if (stretch_ == Stretch::Log) {
+        exponentiate(passing[i]);
+      } else if (const unsigned lanes = notPositiveDefinite(passing[i])) {
+        found.count += std::popcount(lanes);
+        found.slot = (first + i) * faceLanes + std::countr_zero(lanes);
+      }
     }
     for (int i = 0; i < count; ++i) findFactors(passing[i]);
     for (int i = 0; i < count; ++i) diverge(block[i], passing[i]);
@@ -335,7 +345,7 @@ int FaceKernel<Real>::accumulateRange(const FaceRange& range, const FaceCoordina
     for (int lane = 0; lane < faceLanes; ++lane)
       for (int i = 0; i < count; ++i) scatter(block[i], lane, frames.data(), passing[i].corner, rhs);
   }
-  return lost;
+  return found;
 }
 
 template class FaceKernel<float>;

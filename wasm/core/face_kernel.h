@@ -27,6 +27,12 @@ struct FaceBlock {
   std::int32_t corner[3][faceLanes];  ///< where each corner's right-hand side lies
 };
 
+/// Faces whose interpolated S_f is not positive definite.
+struct IndefiniteFaces {
+  int count = 0;
+  int slot = -1;  ///< of one of them, in the order of the coordinates
+};
+
 /// Faces of the welded mesh, ready to be evaluated.
 template <class Real>
 class FaceKernel {
@@ -41,14 +47,12 @@ class FaceKernel {
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
   /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: as the coordinates take them.
-  /// Returns the number of faces whose interpolated S_f is not positive definite.
-  int accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                 const ColumnWeights<Real>& weights, Real* rhs, Crew* crew = nullptr) const;
-
+  IndefiniteFaces accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+                             const ColumnWeights<Real>& weights, Real* rhs, Crew* crew = nullptr) const;
 
  private:
-  [[gnu::noinline]] int accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,
-                                        const std::vector<Real>& frames, const ColumnWeights<Real>& weights, Real* rhs) const;
+  [[gnu::noinline]] IndefiniteFaces accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+                                                    const ColumnWeights<Real>& weights, Real* rhs) const;
 
   std::vector<FaceBlock<Real>> blocks_;
   std::array<FaceRange, 3> ranges_;

@@ -9,6 +9,9 @@ namespace shapespline {
 
 namespace {
 
+// Of the whole time: closer keys leave no digits for the speeds between them.
+constexpr double closestTimes = 1e-12;
+
 std::string keyName(const std::string& name, int key) {
   const std::string number = "key " + std::to_string(key + 1);
   return name.empty() ? number : name + " (" + number + ")";
@@ -89,6 +92,10 @@ Status validateTimes(const std::vector<double>& times, int keyCount) {
   for (int j = 0; j < keyCount; ++j) {
     if (!std::isfinite(times[j]))
       return Error{ErrorCode::NotFinite, "The time of key " + std::to_string(j + 1) + " is not a finite number.", j};
+    if (j > 0 && times[j] > times[j - 1] && !(times[j] - times[j - 1] > closestTimes * (times.back() - times.front())))
+      return Error{ErrorCode::TimesNotIncreasing,
+                   "Key " + std::to_string(j + 1) + " follows key " + std::to_string(j) + " by less than a millionth of a millionth of the whole "
+                   "time. Move the keys further apart.", j};
     if (j > 0 && !(times[j] > times[j - 1]))
       return Error{ErrorCode::TimesNotIncreasing,
                    "Key " + std::to_string(j + 1) + " is at time " + shortNumber(times[j]) + ", not after key " +

@@ -153,7 +153,11 @@ class Encoder {
         turn.push_back((anchor.conjugate() * turnOf(b, c)).toRotationMatrix());
         place.offset.push_back(anchor.conjugate() * (centroidOf(p, shape_.faces[b]) - centroidOf(p, shape_.faces[a])));
       }
-      place.pivot = stillPoint(turn, place.offset);
+      std::vector<Mat3> distinctTurn;
+      std::vector<Vec3> distinctOffset;
+      for (int c = 0; c < shape_.columns(); ++c)
+        if (!shape_.repeatsFirst(c)) distinctTurn.push_back(turn[c]), distinctOffset.push_back(place.offset[c]);
+      place.pivot = stillPoint(distinctTurn, distinctOffset);
       for (int c = 0; c < shape_.columns(); ++c) place.offset[c] += turn[c] * place.pivot;
       out_.places.push_back(std::move(place));
     }

@@ -26,16 +26,19 @@ class PatchEncoder {
     std::vector<double> area(m, 0);
     Positions centroid(m, Vec3::Zero());
     FaceRotations rotations(m, columns);
+    FaceRotations distinct(m, columns - (shape_.closing ? 1 : 0));  // a loop's last key is its first one again
     const auto measure = [&](int f) {
       const FaceFrame frame = referenceFrame(shape_, f);
       area[f] = frame.area;
       centroid[f] = centroidOf(shape_.poses[shape_.reference], shape_.faces[f]);
       for (int c = 0; c < columns; ++c) rotations.of(f)[c] = Quaternion(deformationOf(shape_, f, frame, c).rotation);
+      for (int c = 0, to = 0; c < columns; ++c)
+        if (!shape_.repeatsFirst(c)) distinct.of(f)[to++] = rotations.of(f)[c];
     };
     parts_.eachUsedFace(measure, partOf(onProgress, 0, 0.3));
     const int used = static_cast<int>(std::count(parts_.hasArea.begin(), parts_.hasArea.end(), 1));
     const int wanted = wantedPatches > 0 ? std::min(wantedPatches, used) : defaultPatchCount(used);
-    out_.patches = partitionFaces({parts_.graph, parts_.pieces, area, centroid, rotations}, wanted, partOf(onProgress, 0.3, 0.9));
+    out_.patches = partitionFaces({parts_.graph, parts_.pieces, area, centroid, distinct}, wanted, partOf(onProgress, 0.3, 0.9));
     area_.assign(out_.patches.count, 0);
     parts_.eachUsedFace([&](int f) { area_[out_.patches.ofFace[f]] += area[f]; });
     averageRotations(area, rotations, partOf(onProgress, 0.9, 1));
@@ -137,8 +140,8 @@ class ConnectionEncoder {
   void continueHalfTurns() {
     auto& increment = out_.connection.increment;
     for (std::size_t l = 0; l < out_.graph.links().size(); ++l)
-      for (int s = 1; s <= steps_.closing() && out_.graph.links()[l].sharedEdges == 0; ++s)
-        increment[s][l] = continuedHalfTurn(increment[s][l], increment[s - 1][l]);
+      for (int s = 0; s <= steps_.closing() && out_.graph.links()[l].sharedEdges == 0; ++s)
+        increment[s][l] = continuedHalfTurn(increment[s][l], s > 0 ? increment[s - 1][l] : Vec3(Vec3::Zero()));
   }
 
   // The last step to a last key that is the first one again: the same way as to the last key, but for what the two differ by.

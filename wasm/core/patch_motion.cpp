@@ -16,6 +16,8 @@ constexpr double twoPi = 2 * std::numbers::pi;
 constexpr int frameSteps = 2;
 // Rotation vectors shorter than this have no axis of their own.
 constexpr double noAxis = 1e-6;
+// What turns by less than this may rest: noise decides about which axis.
+constexpr double atRest = 0.01;
 
 double agreement(double angle) {
   const double half = std::cos(std::min(angle, std::numbers::pi) / 2);
@@ -57,14 +59,9 @@ Status PatchMotion::build(const WeldedShape& shape, PatchCoordinates coordinates
   }
   buildAlignment(open_, open);
   buildAlignment(loop_, loop);
-  const std::size_t pairs = patches_.patches.pairs.size();
-  for (const auto& increment : patches_.connection.increment) {
-    bridgeIncrement_.emplace_back();
-    if (!increment.empty()) bridgeIncrement_.back().assign(increment.begin() + static_cast<std::ptrdiff_t>(pairs), increment.end());
-  }
   for (int s = 0; s < steps.closing(); ++s) {
     const Vec3 turn = worldTurn(s);
-    axis_.push_back(turn.norm() > noAxis ? Vec3(turn.normalized()) : Vec3(Vec3::UnitY()));
+    axis_.push_back(turn.norm() > atRest ? Vec3(turn.normalized()) : Vec3(Vec3::UnitY()));
   }
   setTurns({});
   return {};
@@ -120,8 +117,8 @@ void PatchMotion::findOwnIncrements(Solver& solver, int step) {
   for (std::size_t k = 0; k < own_.key[from].size(); ++k)
     increment.push_back(logRotation(Quaternion(own_.key[from][k].conjugate() * own_.key[to][k])));
   const int root = solver.system.tree().root();
-  if (step > 0 && step <= KeySteps{shape_->keys}.closing())
-    increment[root] = continuedHalfTurn(increment[root], own_.increment[step - 1][root]);
+  if (step <= KeySteps{shape_->keys}.closing())
+    increment[root] = continuedHalfTurn(increment[root], step > 0 ? own_.increment[step - 1][root] : Vec3(Vec3::Zero()));
   constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
   std::array<std::vector<Quaternion>, 3> rotation;
   for (int i = 0; i < 3; ++i) partWay(solver, step, shares[i], rotation[i]);
@@ -164,12 +161,12 @@ Vec3 PatchMotion::worldTurn(int step) const {
   return sum / total;
 }
 
-// In the reference pose of the attached component: that of its increment, of the largest of its other increments, or its axle.
+// In the reference pose of the attached component: that of its increment, of the first of its others that turns, or its axle.
 Vec3 PatchMotion::turnAxis(int step, std::size_t bridge) const {
-  Vec3 axis = bridgeIncrement_[step][bridge];
-  for (int s = 0; s < KeySteps{shape_->keys}.closing() && axis.norm() < noAxis; ++s)
-    if (bridgeIncrement_[s][bridge].norm() > noAxis) axis = bridgeIncrement_[s][bridge];
-  if (axis.norm() > noAxis) return axis.normalized();
+  const std::size_t link = patches_.patches.pairs.size() + bridge;
+  Vec3 axis = patches_.connection.increment[step][link];
+  for (int s = 0; s < KeySteps{shape_->keys}.closing() && axis.norm() < atRest; ++s) axis = patches_.connection.increment[s][link];
+  if (axis.norm() > atRest) return axis.normalized();
   const std::vector<int>& ofFace = patches_.patches.ofFace;
   std::vector<char> ofPart;
   for (const int patch : ofFace) ofPart.push_back(patch >= 0 && patches_.patches.pieceOf[patch] == patches_.bridgedPiece[bridge]);
@@ -178,9 +175,7 @@ Vec3 PatchMotion::turnAxis(int step, std::size_t bridge) const {
 
 void PatchMotion::setTurns(const std::vector<AddedTurns>& turns) {
   const KeySteps steps{shape_->keys};
-  const std::size_t pairs = patches_.patches.pairs.size();
-  auto& increment = patches_.connection.increment;
-  for (std::size_t s = 0; s < increment.size(); ++s) std::copy(bridgeIncrement_[s].begin(), bridgeIncrement_[s].end(), increment[s].end() - static_cast<std::ptrdiff_t>(bridgeIncrement_[s].size()));
+  patches_.connection.turns.clear();
   turns_.assign(steps.count(), 0);
   const auto add = [&](int step, const AddedTurns& t) {
     const auto piece = std::find(patches_.bridgedPiece.begin(), patches_.bridgedPiece.end(), t.component);
@@ -189,7 +184,7 @@ void PatchMotion::setTurns(const std::vector<AddedTurns>& turns) {
       return;
     }
     const auto bridge = static_cast<std::size_t>(piece - patches_.bridgedPiece.begin());
-    increment[step][pairs + bridge] += t.turns * twoPi * turnAxis(t.key - 1, bridge);
+    patches_.connection.turns.push_back({step, patches_.patches.pairs.size() + bridge, t.turns * twoPi * turnAxis(t.key - 1, bridge)});
   };
   for (const AddedTurns& t : turns) {
     add(t.key - 1, t);

@@ -51,7 +51,6 @@ class PatchMotion final : public FrameSource {
   PatchCoordinates patches_;
   RotationPaths own_;                // the rotation of each patch by itself
   Solver open_, loop_;
-  std::vector<std::vector<Vec3>> bridgeIncrement_;  // [step][bridge], without added turns
   std::vector<double> turns_;        // added to the whole in each step
   std::vector<Vec3> axis_;           // of each step, world, at the key where it begins
   std::vector<Quaternion> connection_, path_;       // scratch

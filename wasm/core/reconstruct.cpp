@@ -52,8 +52,8 @@ Status Reconstructor<Real>::build(const Input& in, LriCoordinates<Real> coordina
   onProgress("ordering", 1);
   if (Status status = poisson_.factorise(laplacian, partOf(factorising, 0, 0.8)); !status) return status;
   stats.factorMs += watch.lap();
-  lri_.face.reorder(kernel_.build(shape, frameOf_, in.stretch, poisson_.slot(), poisson_.dump(), partOf(factorising, 0.8, 0.93)),
-                    partOf(factorising, 0.93, 0.95));
+  faceAt_ = kernel_.build(shape, frameOf_, in.stretch, poisson_.slot(), poisson_.dump(), partOf(factorising, 0.8, 0.93));
+  lri_.face.reorder(faceAt_, partOf(factorising, 0.93, 0.95));
   shift_.resize(in.parts.pieces.count);
   shiftLanes_.resize(4 * shift_.size());
   verticesOfPiece_.assign(shift_.size(), 0);
@@ -97,7 +97,9 @@ int Reconstructor<Real>::assemble(const PoseWeights& weights, Real* x, Crew* cre
   }
   const ColumnWeights<Real> columnWeights = lri_.face.weights(weights);
   std::fill_n(x, 4 * static_cast<std::size_t>(poisson_.size()), Real(0));
-  return kernel_.accumulate(lri_.face, matrices_, columnWeights, x, crew);
+  const IndefiniteFaces indefinite = kernel_.accumulate(lri_.face, matrices_, columnWeights, x, crew);
+  indefiniteFace_ = indefinite.slot >= 0 ? faceAt_[indefinite.slot] : -1;
+  return indefinite.count;
 }
 
 // Refinement starts from the key with the largest weight: a frame depends on its weights alone, never on another frame.
@@ -201,7 +203,7 @@ int Reconstructor<Real>::reconstruct(const CurvePoint& point, PlacedShape<Real>&
   placeLoose(w, x);
   shape.move = meanMove(w, x);
   slotsToPlaces(x);
-  if (stats) stats->framesMs = framesMs, stats->facesMs = facesMs, stats->solveMs = solveMs, stats->placeMs = watch.lap();
+  if (stats) stats->indefiniteFace = indefiniteFace_, stats->framesMs = framesMs, stats->facesMs = facesMs, stats->solveMs = solveMs, stats->placeMs = watch.lap();
   return lost;
 }
 

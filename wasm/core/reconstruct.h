@@ -96,7 +96,10 @@ class Reconstructor {
   std::vector<int> pieceOfFace_;
   std::optional<Embedding> embedding_;
 
+  std::vector<int> faceAt_;         // of each slot of the coordinates
+
   // scratch, overwritten by every reconstruction
+  int indefiniteFace_ = -1;
   std::vector<Real> rightHandSide_;  // with Precision::Exact
   Frames frames_;
   std::vector<Real> matrices_;

@@ -75,7 +75,11 @@ Vec3 addTurns(const Vec3& v, int turns, const Vec3& fallbackAxis) {
 }
 
 Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before) {
-  return increment.norm() > std::numbers::pi - halfTurnMargin ? nearestRepresentative(increment, before) : increment;
+  if (increment.norm() <= std::numbers::pi - halfTurnMargin) return increment;
+  if (!before.isZero()) return nearestRepresentative(increment, before);
+  int largest = 0;
+  increment.cwiseAbs().maxCoeff(&largest);
+  return increment[largest] < 0 ? nearestRepresentative(increment, -increment) : increment;
 }
 
 void RotationMean::add(const Quaternion& q, double weight) {

@@ -6,7 +6,9 @@ void RotationPaths::at(const CurvePoint& point, std::vector<Quaternion>& rotatio
   rotation = key[point.base];
   for (const StepShare& step : point.steps) {
     const std::vector<Vec3>& w = increment[step.step];
-    for (std::size_t i = 0; i < rotation.size(); ++i) rotation[i] = rotation[i] * expQuaternion(step.share * w[i]);
+    for (std::size_t i = 0; i < w.size(); ++i) rotation[i] = rotation[i] * expQuaternion(step.share * w[i]);
+    for (const WholeTurns& t : turns)
+      if (t.step == step.step) rotation[t.path] = rotation[t.path] * expQuaternion(step.share * t.vector);
   }
   for (Quaternion& q : rotation) q.normalize();
 }

@@ -14,6 +14,7 @@ namespace shapespline {
 namespace {
 
 constexpr int leastGhostFaces = 4;
+constexpr int mostTurns = 1000;
 
 Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
   const auto invalid = [](std::string message) { return Error{ErrorCode::InvalidOption, std::move(message)}; };
@@ -38,13 +39,13 @@ Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
 }
 
 Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int components) {
+  const auto number = [](int index) { return std::to_string(static_cast<std::int64_t>(index) + 1); };  // counted from 1
   for (const AddedTurns& t : turns) {
-    if (t.key < 1 || t.key >= keyCount || std::abs(t.turns) > 1000)
-      return Error{ErrorCode::InvalidOption, "Whole turns can be added to keys 2 to " + std::to_string(keyCount) +
-                                                 ", up to 1000 each; got " + std::to_string(t.turns) + " for key " +
-                                                 std::to_string(t.key + 1) + "."};
+    if (t.key < 1 || t.key >= keyCount || t.turns < -mostTurns || t.turns > mostTurns)
+      return Error{ErrorCode::InvalidOption, "Whole turns can be added to keys 2 to " + std::to_string(keyCount) + ", up to " +
+                                                 grouped(mostTurns) + " each; got " + std::to_string(t.turns) + " for key " + number(t.key) + "."};
     if (t.component < -1 || t.component >= components)
-      return Error{ErrorCode::InvalidOption, "Whole turns are added to component " + std::to_string(t.component + 1) + ", but the shape has " +
+      return Error{ErrorCode::InvalidOption, "Whole turns are added to component " + number(t.component) + ", but the shape has " +
                                                  grouped(components) + "."};
   }
   return {};
@@ -75,7 +76,6 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   Stopwatch watch;
   report("welding", 0);
   s.weldKeys(encoding, [&](double fraction) { report("welding", fraction); });
-  s.findClosing();
   s.stats.weldMs = watch.lap();
   report("welding", 1);
   auto shapeMotion = ShapeMotion::create(s.shape, encoding, s.stats, report);
@@ -136,6 +136,7 @@ Status Sequence::preview(double t, Frame& frame) {
   const CurvePoint point = s.curve->at(wrapped.time);
   if (blendsVertices(s.motion.method)) return evaluate(t, frame);
   frame.lostDefiniteness = 0;
+  frame.lostFace = -1;
   s.stats.framesMs = s.stats.facesMs = s.stats.solveMs = s.stats.placeMs = 0;
   if (Status status = s.shapeMotion->previewAt(point, s.placed); !status) return status;
   s.finish(s.globalMotion(t, wrapped, point), frame);

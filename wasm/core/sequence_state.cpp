@@ -53,11 +53,17 @@ void Sequence::State::weldKeys(const EncodingOptions& encoding, const FractionRe
   welding = weld(poses, weldTolerances(poses), partOf(onProgress, 0, 0.5));
   shape.faces = weldFaces(raw.faces, welding);
   for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, welding));
+  findClosing();
   orderShape(partOf(onProgress, 0.55, 1));
 }
 
 void Sequence::State::orderShape(const FractionReport& onProgress) {
+  // Where a loop's last key is its first one again, it must not count twice: any key could be the first.
+  Positions repeated;
+  const auto last = shape.poses.begin() + (shape.keys - 1);
+  if (shape.closing) repeated = std::move(*last), shape.poses.erase(last);
   const MeshOrder order = canonicalOrder(shape.faces, shape.poses, onProgress);
+  if (shape.closing) shape.poses.insert(shape.poses.begin() + (shape.keys - 1), std::move(repeated));
   shape.faces = order.apply(shape.faces);
   for (Positions& pose : shape.poses) pose = order.apply(pose);
   welding = order.apply(welding);
@@ -113,7 +119,7 @@ void Sequence::State::collectWarnings() {
   const bool closes = motion.boundary == BoundaryKind::Periodic && !curve->closesOnLastKey();
   warnings = shapeWarnings;
   if (!blendsVertices(motion.method))
-    for (Warning& w : turnWarnings(shape, shapeMotion->patchMotion(), shapeMotion->ambiguousFaces(), shapeMotion->patchOfFace(), motion.turns, closes)) {
+    for (Warning& w : turnWarnings(shape, shapeMotion->patchMotion(), shapeMotion->ambiguousFaces(), shapeMotion->patchOfFace(), turnsOfPatchPieces(), closes)) {
       if (w.face >= 0) w.face = rawOfFace[w.face];
       warnings.push_back(std::move(w));
     }
@@ -214,6 +220,7 @@ void Sequence::State::fill(const CurvePoint& point, const RigidMotion& global, P
 
 void Sequence::State::fill(const CurvePoint& point, const RigidMotion& global, Frame& frame) {
   frame.lostDefiniteness = placedShape(point);
+  frame.lostFace = frame.lostDefiniteness > 0 ? rawOfFace[stats.indefiniteFace] : -1;
   finish(global, frame);
 }
 

@@ -25,6 +25,7 @@ struct SequenceStats {
   /// right-hand side; the full-resolution solve; placing the vertices; normals and what is drawn, in the order of the raw
   /// vertices.
   double framesMs = 0, facesMs = 0, solveMs = 0, placeMs = 0, normalsMs = 0;
+  int indefiniteFace = -1;  ///< of the last frame: one of the faces whose S_f is not positive definite, in the welded mesh
   double ghostMs = 0;  ///< wall time of the ghost's own last shape, from the spline to its vertices
 };
 

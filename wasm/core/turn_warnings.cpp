@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 
@@ -28,9 +29,11 @@ class TurnWarnings {
     leastArea_ = smallPatch * total / patches_.graph.patchCount();
   }
 
-  void addStep(int step, const AmbiguousFaces* faces) {
+  // turns: those that were added to the step.
+  void addStep(int step, const AmbiguousFaces* faces, const std::vector<AddedTurns>& turns = {}) {
     step_ = step;
-    addWhole();
+    turns_ = turns;
+    if (!decided(-1)) addWhole();
     addComponents();
     addPatches();
     if (faces) addFaces(*faces);
@@ -39,6 +42,11 @@ class TurnWarnings {
   std::vector<Warning> take() { return std::move(warnings_); }
 
  private:
+  // Who adds turns has seen that they are open.
+  bool decided(int component) const {
+    return std::any_of(turns_.begin(), turns_.end(), [&](const AddedTurns& t) { return t.turns != 0 && t.component == component; });
+  }
+
   std::string interval() const {
     const int next = (step_ + 1) % shape_.keys;
     return "Between key " + std::to_string(step_ + 1) + " and key " + std::to_string(next + 1) + " ";
@@ -66,7 +74,7 @@ class TurnWarnings {
     double furthest = ambiguousTurn;
     for (std::size_t b = 0; b < patches_.bridgedPiece.size(); ++b) {
       const double angle = patches_.connection.increment[step_][first + b].norm();
-      if (angle <= ambiguousTurn) continue;
+      if (angle <= ambiguousTurn || decided(patches_.bridgedPiece[b])) continue;
       for (int k = 0; k < patches_.patches.count; ++k)
         if (patches_.patches.pieceOf[k] == patches_.bridgedPiece[b]) found.push_back(k);
       ++count;
@@ -114,6 +122,7 @@ class TurnWarnings {
   const std::vector<int>& patchOfFace_;
   double leastArea_;
   int step_ = 0;
+  std::vector<AddedTurns> turns_;
   std::vector<Warning> warnings_;
 };
 
@@ -123,8 +132,9 @@ std::vector<Warning> turnWarnings(const WeldedShape& shape, const PatchMotion& p
                                   const std::vector<int>& patchOfFace, const std::vector<AddedTurns>& turns, bool closes) {
   TurnWarnings warnings(shape, patches, patchOfFace);
   for (int s = 0; s + 1 < shape.keys; ++s) {
-    const bool decided = std::any_of(turns.begin(), turns.end(), [&](const AddedTurns& t) { return t.key == s + 1; });
-    if (!decided) warnings.addStep(s, s < static_cast<int>(faces.size()) ? &faces[s] : nullptr);
+    std::vector<AddedTurns> added;
+    std::copy_if(turns.begin(), turns.end(), std::back_inserter(added), [&](const AddedTurns& t) { return t.key == s + 1; });
+    warnings.addStep(s, s < static_cast<int>(faces.size()) ? &faces[s] : nullptr, added);
   }
   if (closes) warnings.addStep(KeySteps{shape.keys}.closing(), nullptr);
   return warnings.take();

@@ -32,6 +32,8 @@ struct WeldedShape {
     if (column == endTangent) return keys - 1;
     return column - 1;
   }
+  /// Whether a column is the last key of a loop, which is the first one again: it counts once where all poses count alike.
+  bool repeatsFirst(int column) const { return closing && column == keys - 1; }
   /// Another mesh with as many poses, which play the same roles.
   WeldedShape withMesh(std::vector<Triangle> otherFaces, std::vector<Positions> otherPoses) const {
     return {std::move(otherFaces), std::move(otherPoses), keys, startTangent, endTangent, reference, closing};
