@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
+#include <random>
 
 #include "../repro/repro_shapes.h"
 #include "sequences.h"
@@ -127,6 +129,52 @@ TEST_CASE("repro: whole turns can be added to a part") {
   motion.turns = {{1, -1, 1}};
   REQUIRE(far.update(motion, times).ok());
   checkRolls(far, car, 0, 240);
+}
+
+TEST_CASE("repro: a wheel that rests in the keys turns about its axle, not about what their noise turns it") {
+  const Car car = oneWheeled();
+  Keyframes k = car.keys({{0, 0, 0}, {1, 0, 0}});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> noise(-1e-5, 1e-5);
+  for (Vec3& p : k.keys[1].positions) p += Vec3(noise(random), noise(random), noise(random));
+  MotionOptions motion;
+  motion.turns = {{1, 1, 1}};
+  Sequence sequence = sequenceOf(k, doublePrecision(), motion);
+  const Turning turning = turningOf(sequence, car, 0);
+  CHECK(std::abs(turning.total) == doctest::Approx(360).epsilon(1e-3));
+  CHECK(turning.offAxis < 1);
+  CHECK(largestDistance(shapeAt(sequence, k.keys[1].time), k.keys[1].positions) < 1e-9 * diagonalOf(k));
+}
+
+TEST_CASE("repro: half a turn of the whole goes the same way wherever the shape stands") {
+  const Shape bar = box(1, 1, 6, 3, 3, 12);
+  for (const std::vector<double>& degrees : {std::vector<double>{0, 180}, {0, 180, 360}}) {
+    std::vector<Map> maps;
+    for (double d : degrees) maps.push_back(turn(Vec3(0.3, 1, 0.2), radians(d)));
+    const Keyframes k = keyframes(bar, maps);
+    for (const double angle : {0.7, 2.2, 3.1}) {
+      const Map move = turn(Vec3(1, 2, -0.5), angle, Vec3(3, -7, 11));
+      Keyframes moved = k;
+      for (Key& key : moved.keys) key.positions = mapped(key.positions, move);
+      Sequence a = sequenceOf(k, doublePrecision()), b = sequenceOf(moved, doublePrecision());
+      for (const double t : {0.2, 0.8}) CHECK(largestDistance(mapped(shapeAt(a, t), move), shapeAt(b, t)) < 1e-8 * diagonalOf(k));
+    }
+  }
+}
+
+TEST_CASE("repro: added turns and key times that cannot be are refused") {
+  const Keyframes k = keyframes(box(1, 1, 6, 2, 2, 4), {bend(0), bend(1), bend(-0.5), bend(0.2)});
+  Sequence sequence = sequenceOf(k, doublePrecision());
+  for (const AddedTurns& t : {AddedTurns{1, std::numeric_limits<int>::min(), -1}, {std::numeric_limits<int>::max(), 1, -1},
+                              {1, 1, std::numeric_limits<int>::max()}, {1, 1, -5}}) {
+    MotionOptions motion;
+    motion.turns = {t};
+    const Status status = sequence.update(motion, evenTimes(4));
+    REQUIRE(!status.ok());
+    CHECK(status.error().message.find("-2147483648.") == std::string::npos);
+  }
+  CHECK(sequence.update({}, {0, 1e-320, 2e-320, 1}).error().code == ErrorCode::TimesNotIncreasing);
+  CHECK(sequence.update({}, {0, 1e-9, 0.5, 1}).ok());
 }
 
 TEST_CASE("repro: a hat that vanishes in one key stays where it sits") {
