@@ -144,7 +144,7 @@ TEST_CASE("discrete spline: two keys are joined by a straight line, whose energy
   CHECK(spline.energy(spline.weights(), MatrixXd::Identity(4, 4)) < 1e-20);
   CHECK(spline.weights()(2, 0) == doctest::Approx(0.75));
   const DiscreteSpline closed = fit({.boundary = BoundaryKind::Periodic, .closing = Closing::LastKey}, {0, 2}, 8);
-  CHECK(closed.energy(closed.weights(), MatrixXd::Identity(5, 5)) < 1e-20);
+  CHECK(closed.energy(closed.weights(), MatrixXd::Identity(4, 4)) < 1e-20);
 }
 
 TEST_CASE("discrete path: the feature vector of a sequence tends to the spline in its metric") {
