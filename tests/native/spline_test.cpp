@@ -26,9 +26,8 @@ double value(const Curve& curve, const Eigen::VectorXd& columns, double t, int d
 Eigen::VectorXd randomColumns(int keys) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  Eigen::VectorXd y(keys + 3);
+  Eigen::VectorXd y(Columns{keys}.count());
   for (double& x : y) x = uniform(random);
-  y[keys + 2] = y[0];  // a closed curve returns to the first key
   return y;
 }
 
