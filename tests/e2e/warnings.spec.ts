@@ -188,7 +188,6 @@ test('whole turns are given to the shape or to one of its parts, which is marked
   await app.by('export').click();
   const [file] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
   const saved = await file.path();
-  await app.by('export-close').click();
   await app.page.keyboard.press('Control+z');
   await app.settled();
   expect((await app.state()).doc.partTurns.flat()).toEqual([]);
