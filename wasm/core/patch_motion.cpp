@@ -12,8 +12,9 @@ namespace shapespline {
 namespace {
 
 constexpr double twoPi = 2 * std::numbers::pi;
-// Steps of a frame. One leaves the cross-sections of a bar twisted by two turns 1.9 % off halfway, two leave 1 %.
-constexpr int frameSteps = 2;
+// Steps of a frame. One leaves the cross-sections of a bar twisted by two turns 1.9 % off halfway, two leave 1 %. The second one, where
+// maps disagree by much, would go on towards minima that are lost in time: it moves what nearly agrees.
+constexpr std::array frameSteps = {1, 16};
 // Rotation vectors shorter than this have no axis of their own.
 constexpr double noAxis = 1e-6;
 // What turns by less than this may rest: noise decides about which axis.

@@ -2,6 +2,17 @@
 
 namespace shapespline {
 
+namespace {
+
+double power(double base, int exponent) {
+  double result = 1;
+  for (; exponent > 0; exponent /= 2, base *= base)
+    if (exponent % 2 == 1) result *= base;
+  return result;
+}
+
+}  // namespace
+
 Status PatchRotationSystem::build(const PatchGraph& graph, PatchTree tree, std::vector<double> weight) {
   graph_ = &graph;
   tree_ = std::move(tree);
@@ -38,22 +49,22 @@ void PatchRotationSystem::startOnTree(const std::vector<Quaternion>& connection,
   }
 }
 
-void PatchRotationSystem::solve(const std::vector<Quaternion>& connection, int steps, std::vector<Quaternion>& rotation) {
+void PatchRotationSystem::solve(const std::vector<Quaternion>& connection, std::span<const int> caution, std::vector<Quaternion>& rotation) {
   rotation.resize(tree_.order.size());
   startOnTree(connection, rotation);
   if (!connection.empty())
-    for (int i = 0; i < steps; ++i) step(connection, rotation);
+    for (const int c : caution) step(connection, c, rotation);
 }
 
-void PatchRotationSystem::step(const std::vector<Quaternion>& connection, std::vector<Quaternion>& rotation) {
+void PatchRotationSystem::step(const std::vector<Quaternion>& connection, int caution, std::vector<Quaternion>& rotation) {
   turn_.assign(laplacian_.paddedSize(), Vec4::Zero());
   const std::vector<PatchLink>& links = graph_->links();
   for (std::size_t l = 0; l < links.size(); ++l) {
     const auto [i, j, edges] = links[l];
-    // G_j (G_i C)^T = exp(r), q its quaternion: the sine of r, faded by (1 + cos r) / 2 where maps disagree by much. No logarithm,
-    // no branch cut, and no difference between q and -q.
+    // G_j (G_i C)^T = exp(r), q its quaternion: the sine of r, faded by powers of (1 + cos r) / 2 where maps disagree by much. No
+    // logarithm, no branch cut, and no difference between q and -q.
     const Quaternion q = rotation[j] * (rotation[i] * connection[l]).conjugate();
-    const Vec3 pull = weight_[l] * 2 * q.w() * q.w() * q.w() * q.vec();
+    const Vec3 pull = weight_[l] * 2 * q.w() * power(q.w() * q.w(), caution) * q.vec();
     turn_[position_[i]].head<3>() += pull;
     turn_[position_[j]].head<3>() -= pull;
   }

@@ -1,6 +1,7 @@
 // The first system: patch rotations from their connection maps (paper section 4.2), smooth in them.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/cholesky.h"
@@ -25,14 +26,15 @@ class PatchRotationSystem {
   /// graph: must outlive the system. weight: of each link, positive. Error: that of the solver.
   Status build(const PatchGraph& graph, PatchTree tree, std::vector<double> weight);
 
-  /// connection: C of each link. rotation: one a patch; resized. The tree's root stays near the identity.
-  void solve(const std::vector<Quaternion>& connection, int steps, std::vector<Quaternion>& rotation);
+  /// connection: C of each link. caution: one per step; a link whose maps disagree by an angle r pulls ((1 + cos r) / 2)^caution less.
+  /// rotation: one per patch; resized. The tree's root stays near the identity.
+  void solve(const std::vector<Quaternion>& connection, std::span<const int> caution, std::vector<Quaternion>& rotation);
 
   const PatchTree& tree() const { return tree_; }
 
  private:
   void startOnTree(const std::vector<Quaternion>& connection, std::vector<Quaternion>& rotation) const;
-  void step(const std::vector<Quaternion>& connection, std::vector<Quaternion>& rotation);
+  void step(const std::vector<Quaternion>& connection, int caution, std::vector<Quaternion>& rotation);
 
   const PatchGraph* graph_ = nullptr;
   PatchTree tree_;

@@ -15,7 +15,8 @@ namespace {
 constexpr double twoPi = 2 * std::numbers::pi;
 // Links that turn by more may have turned the other way: 100 degrees.
 constexpr double ambiguousAngle = 1.75;
-constexpr int robustSteps = 8, mostRounds = 6;
+constexpr std::array robustSteps = {1, 1, 1, 1, 1, 1, 1, 1};
+constexpr int mostRounds = 6;
 // Disagreement beyond this costs no more: a few links may be lost.
 constexpr double worstResidual = 2;
 // Of a turn against a disagreement.
