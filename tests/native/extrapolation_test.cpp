@@ -2,16 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 
-#include "gltf_maker.h"
+#include "real_data.h"
+#include "sequences.h"
 #include "shapes.h"
 
-namespace fs = std::filesystem;
 using namespace shapespline;
 using namespace shapespline::test;
 
@@ -22,15 +18,7 @@ Sequence make(const Keyframes& k, Stretch stretch, int ghostFaces = 0, Precision
   options.stretch = stretch;
   options.precision = precision;
   options.ghostFaces = ghostFaces;
-  auto s = Sequence::create(k, options, {});
-  REQUIRE_MESSAGE(s.ok(), (s ? "" : s.error().message));
-  return std::move(*s);
-}
-
-Positions at(Sequence& s, double t) {
-  Positions p;
-  REQUIRE(s.evaluate(t, p).ok());
-  return p;
+  return sequenceOf(k, options);
 }
 
 Frame frameAt(Sequence& s, double t) {
@@ -102,9 +90,9 @@ TEST_CASE("beyond the keys linear stretch keeps above its lower limit: no face i
       CHECK(enclosedVolume(toPositions(frame.positions), k.faces) > 2.6);  // the limit's: 8/3
       // 0.4 - 0.6 (t - 1) eases towards 0.4 / 1.5.
       const double change = 0.6 * (t - 1), room = 0.4 - 0.4 / 1.5;
-      CHECK(lengthOf(at(s, t)) == doctest::Approx(10 * (0.4 - eased(change / room) * change)).epsilon(precision == Precision::Single ? 1e-4 : 1e-9));
+      CHECK(lengthOf(shapeAt(s, t)) == doctest::Approx(10 * (0.4 - eased(change / room) * change)).epsilon(precision == Precision::Single ? 1e-4 : 1e-9));
     }
-    CHECK(lengthOf(at(s, -1)) == doctest::Approx(16).epsilon(1e-5));  // upwards it has none
+    CHECK(lengthOf(shapeAt(s, -1)) == doctest::Approx(16).epsilon(1e-5));  // upwards it has none
     // A blend is what was asked for, also outside the keys, and says what it loses.
     CHECK(blendOf(s, {-1, 2}).lostDefiniteness > 100);
   }
@@ -117,8 +105,8 @@ TEST_CASE("beyond the keys logarithmic stretch keeps between both limits") {
   for (const double far : {0.1, 0.4, 1.0, 2.0, 10.0}) {
     CAPTURE(far);
     const double f = eased(-change * far / room);
-    CHECK(lengthOf(at(s, 1 + far)) == doctest::Approx(10 * std::exp(change * (1 + f * far))).epsilon(1e-9));
-    CHECK(lengthOf(at(s, -far)) == doctest::Approx(10 * std::exp(-change * f * far)).epsilon(1e-9));
+    CHECK(lengthOf(shapeAt(s, 1 + far)) == doctest::Approx(10 * std::exp(change * (1 + f * far))).epsilon(1e-9));
+    CHECK(lengthOf(shapeAt(s, -far)) == doctest::Approx(10 * std::exp(-change * f * far)).epsilon(1e-9));
     CHECK(frameAt(s, 1 + far).lostDefiniteness == 0);
   }
 }
@@ -153,7 +141,7 @@ TEST_CASE("the motion is C2 where it goes on beyond the keys") {
         // The difference of the two sides' second derivatives, by differences of second order: it falls as h^2.
         const auto jump = [&](double h) {
           const auto second = [&](double side) {
-            const Positions a = at(s, end), b = at(s, end + side * h), c = at(s, end + 2 * side * h), d = at(s, end + 3 * side * h);
+            const Positions a = shapeAt(s, end), b = shapeAt(s, end + side * h), c = shapeAt(s, end + 2 * side * h), d = shapeAt(s, end + 3 * side * h);
             Positions result;
             for (std::size_t v = 0; v < a.size(); ++v) result.push_back((2 * a[v] - 5 * b[v] + 4 * c[v] - d[v]) / (h * h));
             return result;
@@ -178,25 +166,9 @@ TEST_CASE("within the keys nothing is limited, to the bit") {
 }
 
 TEST_CASE("real animals stay of their size beyond the keys, with logarithmic stretch") {
-  const char* named = std::getenv("SHAPESPLINE_DATA");
-  const fs::path data = named ? fs::path(named) : fs::path(SHAPESPLINE_SOURCE_DIR).parent_path() / "shared" / "data";
-  for (const char* folder : {"obj/wolf", "turns/lion"}) {
-    if (!fs::exists(data / folder)) {
-      MESSAGE("SKIPPED: there is no " << std::string(folder));
-      return;
-    }
-    std::vector<fs::path> paths;
-    for (const auto& entry : fs::directory_iterator(data / folder))
-      if (entry.path().extension() == ".obj") paths.push_back(entry.path());
-    std::sort(paths.begin(), paths.end());
-    Files files;
-    for (const fs::path& path : paths) {
-      std::ifstream stream(path, std::ios::binary);
-      files.add(path.filename().string(), {std::istreambuf_iterator<char>(stream), {}});
-    }
-    const auto import = files.import();
-    REQUIRE(import.ok());
-    const Keyframes& k = import->keyframes;
+  for (const auto& paths : {wolfPoses, lionPoses}) {
+    if (!hasData(paths)) return;
+    const Keyframes k = realKeyframes(paths);
     double largest = 0;
     for (const Key& key : k.keys) largest = std::max(largest, diagonalOf(key.positions));
     Sequence s = make(k, Stretch::Log, 0, Precision::Single);
@@ -204,7 +176,7 @@ TEST_CASE("real animals stay of their size beyond the keys, with logarithmic str
     for (const double intervals : {0.5, 1.0, 2.0})
       for (const double t : {-intervals / (k.keyCount() - 1), 1 + intervals / (k.keyCount() - 1)})
         worst = std::max(worst, diagonalOf(toPositions(frameAt(s, t).positions)));
-    MESSAGE(std::string(folder) << ": the largest shape has " << worst / largest << " times the diagonal of the largest key");
+    MESSAGE(paths.front() << ": the largest shape has " << worst / largest << " times the diagonal of the largest key");
     CHECK(worst < 2 * largest);
   }
 }

@@ -39,6 +39,13 @@ inline Bytes contentOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+inline const std::vector<std::string> wolfPoses = {"obj/wolf/wolf-1.obj",  "obj/wolf/wolf-4.obj",  "obj/wolf/wolf-8.obj",
+                                                   "obj/wolf/wolf-12.obj", "obj/wolf/wolf-16.obj", "obj/wolf/wolf-20.obj"};
+/// Unordered, with turns of 175 degrees.
+inline const std::vector<std::string> lionPoses = {"turns/lion/1.obj", "turns/lion/2.obj", "turns/lion/3.obj",
+                                                   "turns/lion/4.obj", "turns/lion/5.obj", "turns/lion/6.obj",
+                                                   "turns/lion/7.obj", "turns/lion/8.obj", "turns/lion/9.obj"};
+
 /// Files of the folder, named without their folders.
 inline Files realFiles(const std::vector<std::string>& paths) {
   Files files;

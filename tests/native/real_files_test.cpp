@@ -78,8 +78,7 @@ TEST_CASE("real skins and their animations") {
 
 TEST_CASE("real OBJ poses") {
   if (!hasData()) return;
-  checkCounts(imported(realFiles({"obj/wolf/wolf-1.obj", "obj/wolf/wolf-4.obj", "obj/wolf/wolf-8.obj", "obj/wolf/wolf-12.obj",
-                                "obj/wolf/wolf-16.obj", "obj/wolf/wolf-20.obj"})), 6, 5075, 10018);
+  checkCounts(imported(realFiles(wolfPoses)), 6, 5075, 10018);
   checkCounts(imported(realFiles({"obj/lowpoly-cat/cat_000001.obj", "obj/lowpoly-cat/cat_000007.obj", "obj/lowpoly-cat/cat_000013.obj",
                                 "obj/lowpoly-cat/cat_000019.obj", "obj/lowpoly-cat/cat_000025.obj", "obj/lowpoly-cat/cat_000031.obj"})), 6, 398, 794);
 }
@@ -134,7 +133,7 @@ TEST_CASE("real shapes: what previews are off" * doctest::skip()) {
       {"man", imported(realFiles({"skin/CesiumMan.glb"}))},
       {"fox", imported(realFiles({"skin/Fox.glb"}), run)},
       {"soldier", imported(realFiles({"skin/Soldier.glb"}), run)},
-      {"wolf", imported(realFiles({"obj/wolf/wolf-1.obj", "obj/wolf/wolf-4.obj", "obj/wolf/wolf-8.obj", "obj/wolf/wolf-12.obj", "obj/wolf/wolf-16.obj", "obj/wolf/wolf-20.obj"}))},
+      {"wolf", imported(realFiles(wolfPoses))},
       {"saddle", imported(realFiles({"turns/saddle/monkey_saddle_1.ply", "turns/saddle/monkey_saddle_2.ply"}))},
       {"rolled plate", imported(realFiles({"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"}))},
       {"cat", imported(realFiles({"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"}))},

@@ -112,6 +112,32 @@ TEST_CASE("repro: parts that turn far between two keys draw a warning that says 
   CHECK(warningOf(calm, "ambiguous-part-turn") == nullptr);
 }
 
+TEST_CASE("repro: turns that are added to one part silence its warning, and no other") {
+  const Car car = fourWheeled();
+  const Keyframes keys = car.keys({{0, 0, 0}, {1, 10, 170}});
+  const std::vector<double> times = {0, 1};
+  Sequence sequence = sequenceOf(keys, doublePrecision());
+  const auto wheelsWarnedOf = [&](const std::vector<AddedTurns>& turns) {
+    MotionOptions motion;
+    motion.turns = turns;
+    REQUIRE(sequence.update(motion, times).ok());
+    const Warning* warning = warningOf(sequence, "ambiguous-part-turn");
+    return warning ? warning->count : 0;
+  };
+  CHECK(wheelsWarnedOf({}) == 4);
+  const std::vector<int> component = sequence.componentOfFace();
+  std::vector<AddedTurns> turns;
+  for (std::size_t f = 0; f < component.size(); ++f)
+    if (car.wheelOfFace(static_cast<int>(f)) == 2) {
+      turns = {{1, 0, component[f]}};
+      break;
+    }
+  CHECK(wheelsWarnedOf(turns) == 4);  // no turn is no answer
+  turns[0].turns = -1;
+  CHECK(wheelsWarnedOf(turns) == 3);
+  CHECK(wheelsWarnedOf({{1, 1}}) == 4);  // the whole's
+}
+
 TEST_CASE("repro: whole turns can be added to a part") {
   const Car car = oneWheeled();
   const std::vector<double> times = {0, 1};

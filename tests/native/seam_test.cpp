@@ -56,6 +56,32 @@ Keyframes circleWalk(double degrees, const std::vector<double>& bending) {
   }());
 }
 
+// Four boxes that do not touch, each hinged on the one before, about axes of its own.
+Keyframes chain(const std::vector<std::array<double, 3>>& degrees, const std::vector<double>& times) {
+  constexpr double length = 3, gap = 0.05;
+  const Shape link = box(1, 0.8, length - gap, 3, 3, 6);
+  Shape all;
+  for (int i = 0; i < 4; ++i) {
+    Shape next = link;
+    next.positions = mapped(next.positions, [&](const Vec3& p) -> Vec3 { return p * (1 - 0.1 * i) + Vec3(0, 0, length * i); });
+    all = i == 0 ? next : joined(all, next);
+  }
+  const std::array<Vec3, 3> axis = {Vec3::UnitX(), Vec3(1, 1, 0), Vec3(0, 1, 1)};
+  std::vector<Map> maps;
+  for (const auto& pose : degrees)
+    maps.push_back([=](const Vec3& p) -> Vec3 {
+      Vec3 q = p;
+      for (int hinge = std::min(3, static_cast<int>(std::floor(p.z() / length))); hinge > 0; --hinge) {
+        const Vec3 at(0, 0, length * hinge);
+        q = at + expRotation(axis[hinge - 1].normalized() * radians(pose[hinge - 1])) * (q - at);
+      }
+      return q;
+    });
+  return keyframes(all, maps, times);
+}
+
+Keyframes swingingChain() { return chain({{0, 0, 0}, {50, -70, 90}, {-40, 60, 120}, {80, 20, -30}, {0, 0, 0}}, {0, 1, 1.7, 3, 4}); }
+
 struct Walk {
   std::string name;
   double degrees;  // a period
@@ -127,6 +153,7 @@ TEST_CASE("seam: velocities and accelerations do not jump where a loop closes") 
   checkSeam("a bar about three axes", turnedBar(), periodic());
   checkSeam("a bar about three axes, uneven times", turnedBar({0, 0.7, 2, 2.5}), periodic(4.2));
   checkSeam("a bar that bends", keyframes(bar(), {bend(0), bend(1), bend(-0.5)}, {0, 1, 2}), periodic());
+  checkSeam("a chain of four components", swingingChain(), periodic());
   for (const Walk& walk : walks()) checkSeam(walk.name, walk.keyframes, periodic());
 }
 
@@ -135,6 +162,7 @@ TEST_CASE("seam: another key made the first gives the same loop") {
   checkSameLoop("a box about three axes that goes on", turnedBox(), periodic(), boxGoesOn(), true);
   checkSameLoop("a bar about three axes", turnedBar(), periodic(), unmoved, false);
   checkSameLoop("a bar about three axes, uneven times", turnedBar({0, 0.7, 2, 2.5}), periodic(4.2), unmoved, false);
+  checkSameLoop("a chain of four components", swingingChain(), periodic(), unmoved, true);
   for (const Walk& walk : walks()) checkSameLoop(walk.name, walk.keyframes, periodic(), alongCircle(walk.degrees), true);
 }
 

@@ -220,8 +220,7 @@ TEST_CASE("sweep: soldier, skin, Run") { checkRealSet({"skin/Soldier.glb"}, samp
 TEST_CASE("sweep: soldier, skin, Walk") { checkRealSet({"skin/Soldier.glb"}, sampled("Walk", 5)); }
 TEST_CASE("sweep: soldier, skin, Idle") { checkRealSet({"skin/Soldier.glb"}, sampled("Idle", 5)); }
 TEST_CASE("sweep: wolf") {
-  checkRealSet({"obj/wolf/wolf-1.obj", "obj/wolf/wolf-4.obj", "obj/wolf/wolf-8.obj", "obj/wolf/wolf-12.obj", "obj/wolf/wolf-16.obj",
-                "obj/wolf/wolf-20.obj"});
+  checkRealSet(wolfPoses);
 }
 TEST_CASE("sweep: low-poly cat") {
   checkRealSet({"obj/lowpoly-cat/cat_000001.obj", "obj/lowpoly-cat/cat_000007.obj", "obj/lowpoly-cat/cat_000013.obj",
@@ -234,11 +233,7 @@ TEST_CASE("sweep: plate") {
 TEST_CASE("sweep: plate, rolled one way") { checkRealSet({"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply"}); }
 TEST_CASE("sweep: plate, rolled the other way") { checkRealSet({"turns/plate/plate121.ply", "turns/plate/plate121_rolledB.ply"}); }
 TEST_CASE("sweep: cat with turns of 170 degrees") { checkRealSet({"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"}); }
-TEST_CASE("sweep: lion with turns of 175 degrees") {
-  std::vector<std::string> poses;
-  for (int i = 1; i <= 9; ++i) poses.push_back("turns/lion/" + std::to_string(i) + ".obj");
-  checkRealSet(poses);
-}
+TEST_CASE("sweep: lion with turns of 175 degrees") { checkRealSet(lionPoses); }
 TEST_CASE("sweep: bent bar, vertices split by pose") {
   checkRealSetIfRead({"blender/baked_flat_0.glb", "blender/baked_flat_1.glb", "blender/baked_flat_2.glb"});
 }

@@ -73,14 +73,14 @@ ComponentTree linkComponents(const std::vector<Triangle>& faces, const Pieces& p
     tree.order = {0};
     return tree;
   }
-  const Positions& first = *poses[0];
-  std::vector<int> componentOfVertex(first.size(), -1), faceOfVertex(first.size(), -1);
+  const std::size_t vertices = poses[0]->size();
+  std::vector<int> componentOfVertex(vertices, -1), faceOfVertex(vertices, -1);
   std::vector<double> area(pieces.count, 0);
   for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
     const int c = pieces.ofFace[f];
     if (c < 0) continue;
     const Triangle& t = faces[f];
-    area[c] += (first[t[1]] - first[t[0]]).cross(first[t[2]] - first[t[0]]).norm() / 2;
+    for (const Positions* p : poses) area[c] += ((*p)[t[1]] - (*p)[t[0]]).cross((*p)[t[2]] - (*p)[t[0]]).norm() / 2;
     for (int v : t)
       if (faceOfVertex[v] < 0) componentOfVertex[v] = c, faceOfVertex[v] = f;
   }

@@ -23,7 +23,7 @@ struct ComponentTree {
 };
 
 /// Minimum spanning tree of the components, the distance of two being the largest over all poses, rooted at the component
-/// of largest area in the first pose. faceUse: faces without area take no part.
+/// of largest area, summed over all poses. faceUse: faces without area take no part.
 ComponentTree linkComponents(const std::vector<Triangle>& faces, const Pieces& pieces,
                              std::span<const Positions* const> poses);
 
