@@ -31,6 +31,6 @@ export default defineConfig({
   },
   worker: { format: 'es' },
   // The worker's packages, too, are bundled before the first request: finding one later would reload the page.
-  optimizeDeps: { entries: ['**/*.html', 'engine/*.worker.ts'] },
+  optimizeDeps: { entries: ['**/*.html', 'engine/worker/*.worker.ts'] },
   server: { fs: { allow: [repository] } },
 });

@@ -1,6 +1,6 @@
 /** The same sequence built again and again: its stages, its silences, and whether memory grows. */
-import type { Engine, Keys, Sequence } from '../../web/engine/api.ts';
-import type { Progress, SequenceStats } from '../../web/engine/types.ts';
+import type { Engine, Keys, Sequence } from '../../web/engine/api/api.ts';
+import type { Progress, SequenceStats } from '../../web/engine/api/types.ts';
 import { quantile } from './quantile.ts';
 
 const BUILDS = 5;

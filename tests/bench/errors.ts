@@ -1,6 +1,6 @@
 /** The same sweep of times by several ways: how far each is from the exact frame of the default precision. */
-import type { Sequence } from '../../web/engine/api.ts';
-import type { Frame } from '../../web/engine/types.ts';
+import type { Sequence } from '../../web/engine/api/api.ts';
+import type { Frame } from '../../web/engine/api/types.ts';
 import { distanceOf } from './distance.ts';
 import { frameOf } from './frames.ts';
 import { SWEEP, sweptParts, type DistanceAt, type SweptParts } from './sweep.ts';

@@ -1,6 +1,6 @@
 /** Single frames of one sequence: exact ones with their stages, and the cheap ones for while a slider moves. */
-import type { Sequence } from '../../web/engine/api.ts';
-import type { Frame, SequenceStats } from '../../web/engine/types.ts';
+import type { Sequence } from '../../web/engine/api/api.ts';
+import type { Frame, SequenceStats } from '../../web/engine/api/types.ts';
 import type { ReadBandwidth } from './bandwidth.ts';
 import type { EigenRound, RunEigen } from './eigen.ts';
 import { quantile, spread, type Spread } from './quantile.ts';

@@ -12,7 +12,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium, type Page } from '@playwright/test';
 import type { Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
-import type {} from '../../web/app/hook.ts';
+import type {} from '../../web/app/test-hook.ts';
 
 const DEFAULT_SIZES = [{ faces: 330_000 }, { faces: 1_300_000 }];
 const MOVES = 40;

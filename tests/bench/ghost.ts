@@ -8,10 +8,10 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
-import type { Engine, Keys } from '../../web/engine/api.ts';
-import { msText, studyGhosts, verdictOf, type GhostStudy } from '../../web/engine/ghost-study.ts';
+import type { Engine, Keys } from '../../web/engine/api/api.ts';
+import { msText, studyGhosts, verdictOf, type GhostStudy } from '../../web/study/ghost-study.ts';
 import { createEngine } from '../../web/engine/node.ts';
-import type { ImportOptions } from '../../web/engine/types.ts';
+import type { ImportOptions } from '../../web/engine/api/types.ts';
 
 const DEFAULT_MESHES = [{ faces: 85_000, keys: 10 }, { faces: 330_000, keys: 3 }];
 const USUAL_KEYS = 3;

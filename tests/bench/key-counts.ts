@@ -1,6 +1,6 @@
 /** What a frame costs with few keys and with many: the same mesh, in turn, so that both meet the same machine. */
-import type { Engine, Sequence } from '../../web/engine/api.ts';
-import type { SequenceStats } from '../../web/engine/types.ts';
+import type { Engine, Sequence } from '../../web/engine/api/api.ts';
+import type { SequenceStats } from '../../web/engine/api/types.ts';
 import { msOf, timeOf } from './frames.ts';
 import { quantile, spread, type Spread } from './quantile.ts';
 

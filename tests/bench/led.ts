@@ -1,6 +1,6 @@
 /** A sequence led by a ghost mesh, in the paper's two parts, each by the core's own clock. */
-import type { Engine, Keys, Sequence } from '../../web/engine/api.ts';
-import type { Frame, SequenceStats } from '../../web/engine/types.ts';
+import type { Engine, Keys, Sequence } from '../../web/engine/api/api.ts';
+import type { Frame, SequenceStats } from '../../web/engine/api/types.ts';
 import { fromFramesMs, msOf, stagesMs } from './frames.ts';
 import { quantile } from './quantile.ts';
 

@@ -1,8 +1,8 @@
 /** What the benchmark's page runs: the engine in the browser's own worker. Files are addresses. */
-import type { Engine } from '../../web/engine/api.ts';
-import { EngineClient, onlyOnce } from '../../web/engine/engine.ts';
-import { endedWorker, type Spawn } from '../../web/engine/remote.ts';
-import type { FromWorker } from '../../web/engine/protocol.ts';
+import type { Engine } from '../../web/engine/api/api.ts';
+import { EngineClient, onlyOnce } from '../../web/engine/caller/engine.ts';
+import { endedWorker, type Spawn } from '../../web/engine/caller/worker-client.ts';
+import type { FromWorker } from '../../web/engine/wire/protocol.ts';
 import type { RunEigen } from './eigen.ts';
 import { compareKeys, type KeysRun } from './key-counts.ts';
 import { measure, type Run } from './measure.ts';

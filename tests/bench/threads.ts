@@ -1,5 +1,5 @@
 /** npm run bench -- threads [FACES,... --browser]: frames with one thread and with two, in turn, so that both meet the same machine. */
-import type { Engine, Sequence } from '../../web/engine/api.ts';
+import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import { short } from './format.ts';
 import { frameOf } from './frames.ts';
 import { quantile } from './quantile.ts';

@@ -1,5 +1,5 @@
 /** Whole motions as in the paper's Table 2: so many shapes, without a ghost mesh and led by one. */
-import type { Engine } from '../../web/engine/api.ts';
+import type { Engine } from '../../web/engine/api/api.ts';
 import { createLed, ledRun, stagesOf, type LedRun } from './led.ts';
 
 export interface Motion {

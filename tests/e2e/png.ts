@@ -1,6 +1,6 @@
 /** PNG files of plain columns of colour, made without any of the code under test but its checksum. */
 import { deflateSync } from 'node:zlib';
-import { crc32 } from '../../web/app/zip.ts';
+import { crc32 } from '../../web/app/export/zip.ts';
 
 function chunk(type: string, data: Uint8Array): Buffer {
   const body = Buffer.concat([Buffer.from(type), data]);

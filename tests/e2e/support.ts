@@ -6,9 +6,9 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { test as base, expect } from '@playwright/test';
 import type { Locator, Page } from '@playwright/test';
-import type { SequenceStats } from '../../web/engine/types.ts';
+import type { SequenceStats } from '../../web/engine/api/types.ts';
 import type { AppState } from '../../web/model/state.ts';
-import type {} from '../../web/app/hook.ts';
+import type {} from '../../web/app/test-hook.ts';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const generator = path.join(repository, 'build/cmake-wasm/shapespline_samples.js');

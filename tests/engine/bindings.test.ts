@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { describe, expect, it } from 'vitest';
-import { EngineError } from '../../web/engine/errors.ts';
-import { ENCODING_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS } from '../../web/engine/types.ts';
+import { EngineError } from '../../web/engine/api/errors.ts';
+import { ENCODING_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS } from '../../web/engine/api/types.ts';
 import { bendData, createBend, localCore, motion } from './support/core.ts';
 import { poseFiles } from './support/glb.ts';
 import { bar, bent } from './support/shapes.ts';
@@ -19,7 +19,7 @@ function failure(work: () => unknown): EngineError {
 describe('the bindings', () => {
   it('are those that the engine declares, and no others', async () => {
     const { module } = await localCore();
-    const source = await readFile(new URL('../../web/engine/wasm-module.ts', import.meta.url), 'utf8');
+    const source = await readFile(new URL('../../web/engine/worker/wasm-module.ts', import.meta.url), 'utf8');
     const declared = [...source.matchAll(/^ {2}(_\w+)\(/gm)].map(([, name]) => name).sort();
     const exported = Object.keys(module).filter((name) => /^_(shapespline_|malloc|free)/.test(name)).sort();
     expect(declared.length).toBeGreaterThan(10);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { InputFile } from '../../web/engine/types.ts';
+import type { InputFile } from '../../web/engine/api/types.ts';
 import { draco, meshopt } from './support/compress.ts';
 import { failureOf, testEngine } from './support/engines.ts';
 import { poseFiles } from './support/glb.ts';

@@ -1,5 +1,5 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Sequence } from '../../web/engine/api.ts';
+import type { Sequence } from '../../web/engine/api/api.ts';
 import { draco, meshopt, quantised } from './support/compress.ts';
 import { bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
 import { expectPlayed, expectValid, exported } from './support/exported.ts';

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { EngineError } from '../../web/engine/errors.ts';
+import { EngineError } from '../../web/engine/api/errors.ts';
 import { bendData, createBend, localCore, type LocalCore } from './support/core.ts';
 import { meshGlb, poseFiles } from './support/glb.ts';
 import { bar, bent } from './support/shapes.ts';
-import { IMPORT_DEFAULTS } from '../../web/engine/types.ts';
+import { IMPORT_DEFAULTS } from '../../web/engine/api/types.ts';
 
 const MIB = 2 ** 20;
 

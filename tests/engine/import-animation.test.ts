@@ -1,6 +1,6 @@
 /** Keys sampled from animations, against three.js: its mixer, its SkinnedMesh and its morph targets. */
 import { describe, expect, it } from 'vitest';
-import type { InputFile } from '../../web/engine/types.ts';
+import type { InputFile } from '../../web/engine/api/types.ts';
 import { dataFile, hasData } from './support/data.ts';
 import { testEngine } from './support/engines.ts';
 import { rigFile } from './support/rig.ts';

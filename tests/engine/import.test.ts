@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { InputFile, Progress } from '../../web/engine/types.ts';
+import type { InputFile, Progress } from '../../web/engine/api/types.ts';
 import { meshopt } from './support/compress.ts';
 import { bendSequence, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { glb, meshGlb, poseFiles } from './support/glb.ts';

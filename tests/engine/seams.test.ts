@@ -1,7 +1,7 @@
 /** OBJ files whose textures have seams: the motion stays in the files' own vertices, the look does not suffer. */
 import { describe, expect, it } from 'vitest';
-import type { Keys } from '../../web/engine/api.ts';
-import type { InputFile } from '../../web/engine/types.ts';
+import type { Keys } from '../../web/engine/api/api.ts';
+import type { InputFile } from '../../web/engine/api/types.ts';
 import { frameAt, testEngine } from './support/engines.ts';
 import { expectValid, exported } from './support/exported.ts';
 import { bar, bent, diagonal, largestDistance } from './support/shapes.ts';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { differenceOf, heatColours, roundTop } from '../../web/app/difference.ts';
+import { differenceOf, heatColours, roundTop } from '../../web/app/drawing/difference.ts';
 import { viridis } from '../../web/plots/viridis.ts';
 
 describe('the difference to the shape without a ghost mesh', () => {

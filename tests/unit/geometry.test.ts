@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { boundsOf, measure, patchColours, samplePoints } from '../../web/app/geometry.ts';
+import { boundsOf, measure, patchColours, samplePoints } from '../../web/app/drawing/bounds.ts';
 import { tiles } from '../../web/viewer/tiles.ts';
 
 /** A tetrahedron on the unit axes. */

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { Lanes } from '../../web/app/lanes.ts';
-import type { Spec } from '../../web/app/spec.ts';
-import { specOf } from '../../web/app/spec.ts';
-import type { Engine, Keys, Sequence } from '../../web/engine/api.ts';
-import { EngineError } from '../../web/engine/errors.ts';
-import type { Method, MotionOptions } from '../../web/engine/types.ts';
+import { Lanes } from '../../web/app/session/sequence-set.ts';
+import type { Spec } from '../../web/app/session/sequence-plan.ts';
+import { specOf } from '../../web/app/session/sequence-plan.ts';
+import type { Engine, Keys, Sequence } from '../../web/engine/api/api.ts';
+import { EngineError } from '../../web/engine/api/errors.ts';
+import type { Method, MotionOptions } from '../../web/engine/api/types.ts';
 import { retimeKey, setEncoding, setMotion } from '../../web/model/edits.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { momentOf, warningItems } from '../../web/app/marking.ts';
-import { NO_PLACE, type Warning } from '../../web/engine/types.ts';
+import { momentOf, warningItems } from '../../web/app/drawing/marking.ts';
+import { NO_PLACE, type Warning } from '../../web/engine/api/types.ts';
 
 const warning = (change: Partial<Warning>): Warning => ({ ...NO_PLACE, code: 'ambiguous-part-turn', message: 'Parts turn far.', count: 1, ...change });
 const times = [0, 0.4, 1];

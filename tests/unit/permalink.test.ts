@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { applyPermalink, readPermalink, writePermalink } from '../../web/app/permalink.ts';
+import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, DEFAULT_VIEW, EMPTY_STATE } from '../../web/model/state.ts';
 import type { AppState, Doc } from '../../web/model/state.ts';
 

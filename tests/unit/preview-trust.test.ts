@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { PreviewTrust } from '../../web/app/preview-trust.ts';
-import type { TimeLine } from '../../web/app/preview-trust.ts';
-import type { PreviewError } from '../../web/engine/types.ts';
+import { PreviewTrust } from '../../web/app/playback/preview-trust.ts';
+import type { TimeLine } from '../../web/app/playback/preview-trust.ts';
+import type { PreviewError } from '../../web/engine/api/types.ts';
 
 const line: TimeLine = { keyTimes: [0, 0.4, 1], range: [0, 1], periodic: false };
 const within: PreviewError = { mean: 0.0009, largest: 0.0045 };

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { problemOf } from '../../web/app/problem.ts';
-import { EngineError } from '../../web/engine/errors.ts';
+import { problemOf } from '../../web/app/panels/error-message.ts';
+import { EngineError } from '../../web/engine/api/errors.ts';
 
 describe('a failure in words', () => {
   it('is its own sentence, with code and place for experts', () => {

@@ -1,9 +1,9 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { Lane } from '../../web/app/lanes.ts';
-import { Pace, readMoving, type Moving } from '../../web/app/pace.ts';
-import { Pump } from '../../web/app/pump.ts';
-import type { AheadOptions } from '../../web/engine/api.ts';
-import type { Frame, Method, PreviewError } from '../../web/engine/types.ts';
+import type { Lane } from '../../web/app/session/sequence-set.ts';
+import { Pace, readMoving, type Moving } from '../../web/app/playback/preview-policy.ts';
+import { Pump } from '../../web/app/playback/frame-loop.ts';
+import type { AheadOptions } from '../../web/engine/api/api.ts';
+import type { Frame, Method, PreviewError } from '../../web/engine/api/types.ts';
 
 beforeEach(() => { vi.useFakeTimers(); });
 afterEach(() => { vi.useRealTimers(); });

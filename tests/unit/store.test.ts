@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createStore } from '../../web/app/store.ts';
+import { createStore } from '../../web/app/session/store.ts';
 import { renameKey, retimeKey } from '../../web/model/edits.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 import type { AppState } from '../../web/model/state.ts';

@@ -1,9 +1,9 @@
 /** Whole turns on their way between the document, the engine and a saved project. */
 import { expect, it } from 'vitest';
-import { docOf } from '../../web/app/doc-of.ts';
-import { specOf } from '../../web/app/spec.ts';
-import type { PosePool } from '../../web/app/workspace.ts';
-import type { AddedTurns, KeysInfo } from '../../web/engine/types.ts';
+import { docOf } from '../../web/app/session/document-from-import.ts';
+import { specOf } from '../../web/app/session/sequence-plan.ts';
+import type { PosePool } from '../../web/app/session/workspace.ts';
+import type { AddedTurns, KeysInfo } from '../../web/engine/api/types.ts';
 import type { Doc } from '../../web/model/state.ts';
 
 const pool = {} as PosePool;

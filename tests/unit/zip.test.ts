@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { crc32, zip } from '../../web/app/zip.ts';
+import { crc32, zip } from '../../web/app/export/zip.ts';
 
 const files = [
   { name: '0000.obj', bytes: new TextEncoder().encode('v 0 0 0\n') },

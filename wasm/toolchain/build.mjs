@@ -129,7 +129,7 @@ async function bundle(entries) {
 }
 
 const entry = (out, file) => ({ out, in: inRoot(file) });
-const engineEntries = [entry('node-worker', 'web/engine/node-worker.ts'), entry('node-helper', 'web/engine/node-helper.ts')];
+const engineEntries = [entry('node-worker', 'web/engine/worker/node-worker.ts'), entry('node-helper', 'web/engine/worker/second-thread-node.ts')];
 
 export const nodeBundle = guarded(
   'node-bundle',

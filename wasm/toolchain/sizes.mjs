@@ -46,7 +46,7 @@ export function checkSizes(folder, print = (line) => process.stderr.write(`${lin
     const total = files.filter((file) => file.kind === kind && file.when === 'start').reduce((sum, { bytes }) => sum + bytes, 0);
     print(`${kind} to start: ${kilobytes(total)} compressed, of at most ${kilobytes(limit)}`);
     if (total === 0) throw new Explained(`no ${kind} was found in ${folder}: the check of sizes no longer understands the build`);
-    // A module that takes the place of the first one where threads can share memory (web/engine/client.ts).
+    // A module that takes the place of the first one where threads can share memory (web/engine/browser.ts).
     const other = files.find((file) => file.kind === kind && file.when === 'later' && file.bytes > limit && kind === 'wasm');
     if (other) throw new Explained(`${other.name} has ${kilobytes(other.bytes)} (compressed); the limit is ${kilobytes(limit)}.`);
     if (total > limit) {

@@ -1,11 +1,11 @@
 /** What the parts of the app share. */
-import type { Engine } from '../engine/api.ts';
+import type { Engine } from '../engine/api/api.ts';
 import type { Range } from '../model/time-scale.ts';
-import type { Picture } from './picture.ts';
-import type { Pump } from './pump.ts';
-import type { Runtime } from './runtime.ts';
-import type { Store } from './store.ts';
-import type { Workspace } from './workspace.ts';
+import type { Picture } from './drawing/scene-controller.ts';
+import type { Pump } from './playback/frame-loop.ts';
+import type { Runtime } from './panels/view-state.ts';
+import type { Store } from './session/store.ts';
+import type { Workspace } from './session/workspace.ts';
 
 export interface Context {
   engine: Engine;

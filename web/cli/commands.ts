@@ -1,11 +1,11 @@
 /** What the two commands do. */
 import { version } from '../../package.json';
-import type { Engine, Keys, Sequence } from '../engine/api.ts';
-import { kgBetween } from '../engine/ghost-study.ts';
+import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
+import { kgBetween } from '../study/ghost-study.ts';
 import { withEngine } from '../engine/node.ts';
-import { readPose } from '../engine/pose.ts';
-import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/types.ts';
-import { keysInWords } from '../engine/warning-keys.ts';
+import { readPose } from '../engine/caller/read-pose.ts';
+import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/api/types.ts';
+import { keysInWords } from '../engine/api/warning-keys.ts';
 import { UsageError, type Arguments } from './arguments.ts';
 import { readInputs } from './input.ts';
 import { writeOutputs, type Output } from './output.ts';

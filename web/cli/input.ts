@@ -1,8 +1,8 @@
 /** Named files, and what a .gltf or .obj among them names: from its own folder only, and never over the network. */
 import { readFile, realpath } from 'node:fs/promises';
 import path from 'node:path';
-import { EngineError, messageOf } from '../engine/errors.ts';
-import type { InputFile } from '../engine/types.ts';
+import { EngineError, messageOf } from '../engine/api/errors.ts';
+import type { InputFile } from '../engine/api/types.ts';
 
 export async function readInputs(names: string[]): Promise<InputFile[]> {
   const files: InputFile[] = [];

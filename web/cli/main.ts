@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 /** The terminal's entrance: 0 done, 1 the input is bad, 2 wrong use; one line on stderr says what is wrong. */
 import { version } from '../../package.json';
-import { EngineError, messageOf } from '../engine/errors.ts';
+import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseArguments, UsageError } from './arguments.ts';
 import { complete, inspect } from './commands.ts';
 import { COMPLETE, HELP, INSPECT } from './settings.ts';

@@ -1,7 +1,7 @@
 /** Files appear whole or not at all: they are written beside their place and moved there last. */
 import { mkdir, rename, rm, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
-import { EngineError, messageOf } from '../engine/errors.ts';
+import { EngineError, messageOf } from '../engine/api/errors.ts';
 
 export interface Output {
   /** Ends in '/' for a folder of several files. */

@@ -1,5 +1,5 @@
 /** The options of the commands: one table says which there are, what they mean, and how their text is read. */
-import type { ExportOptions, ImportOptions, SequenceOptions } from '../engine/types.ts';
+import type { ExportOptions, ImportOptions, SequenceOptions } from '../engine/api/types.ts';
 import { UsageError, type Arguments, type Known } from './arguments.ts';
 import * as read from './values.ts';
 

@@ -1,5 +1,5 @@
 /** Text of an option -> its value. Each refuses what it cannot read with a UsageError that names the option. */
-import type { AddedTurns } from '../engine/types.ts';
+import type { AddedTurns } from '../engine/api/types.ts';
 import { UsageError } from './arguments.ts';
 
 type Read<T> = (text: string, option: string) => T;

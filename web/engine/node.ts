@@ -2,11 +2,11 @@
 import { readFile } from 'node:fs/promises';
 import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
-import type { Engine } from './api.ts';
-import { EngineClient, onlyOnce } from './engine.ts';
-import { engineError, messageOf } from './errors.ts';
-import type { FromWorker } from './protocol.ts';
-import { endedWorker, type Spawn } from './remote.ts';
+import type { Engine } from './api/api.ts';
+import { EngineClient, onlyOnce } from './caller/engine.ts';
+import { engineError, messageOf } from './api/errors.ts';
+import type { FromWorker } from './wire/protocol.ts';
+import { endedWorker, type Spawn } from './caller/worker-client.ts';
 
 export interface EngineUrls {
   /** The bundled worker; default: build/node/node-worker.mjs of this repository. */

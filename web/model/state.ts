@@ -2,8 +2,8 @@
  * The one serialisable state: what is loaded, the keys and their times, the options, the moment and the view.
  * Permalinks, undo, the saved project and the test hook all read this and nothing else.
  */
-import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../engine/types.ts';
-import type { Boundary, Method, MotionOptions, Placement, Stretch, Transfer } from '../engine/types.ts';
+import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../engine/api/types.ts';
+import type { Boundary, Method, MotionOptions, Placement, Stretch, Transfer } from '../engine/api/types.ts';
 
 export type Source = { kind: 'none' } | { kind: 'sample'; id: string } | { kind: 'files'; names: string[] };
 

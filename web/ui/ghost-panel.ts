@@ -1,5 +1,5 @@
 /** The ghost mesh (paper section 4.3): whether a coarse mesh leads the shape, how, and what of it is shown. */
-import type { SequenceStats, Transfer } from '../engine/types.ts';
+import type { SequenceStats, Transfer } from '../engine/api/types.ts';
 import { DEFAULT_ENCODING, GHOST_FACES } from '../model/state.ts';
 import type { Encoding, View } from '../model/state.ts';
 import type { Choice } from './controls.ts';

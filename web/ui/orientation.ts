@@ -1,5 +1,5 @@
 /** For files that do not say it themselves: which axis is up, and how long a unit is. */
-import type { ImportOptions } from '../engine/types.ts';
+import type { ImportOptions } from '../engine/api/types.ts';
 import { segments, select } from './controls.ts';
 import { h, setHidden } from './dom.ts';
 

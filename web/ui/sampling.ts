@@ -1,5 +1,5 @@
 /** Where the file holds animations: which one the keys are taken from, and at which times of its own time line. */
-import type { AnimationInfo, KeysInfo } from '../engine/types.ts';
+import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
 import { button, numberField, select } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setStyle, setText } from './dom.ts';
 

@@ -1,5 +1,5 @@
 /** How the shape is measured: stretches, the reference, patches, and what the import found. */
-import type { KeysInfo, SequenceStats, Stretch } from '../engine/types.ts';
+import type { KeysInfo, SequenceStats, Stretch } from '../engine/api/types.ts';
 import type { Encoding, KeyRef } from '../model/state.ts';
 import { DEFAULT_ENCODING } from '../model/state.ts';
 import type { Choice } from './controls.ts';

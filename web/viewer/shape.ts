@@ -3,7 +3,7 @@ import {
   BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial,
 } from 'three';
 import type { Material as ThreeMaterial, Texture } from 'three';
-import type { Material } from '../engine/types.ts';
+import type { Material } from '../engine/api/types.ts';
 import { Easing } from './easing.ts';
 import { Mark } from './mark.ts';
 import type { Look, Topology } from './types.ts';

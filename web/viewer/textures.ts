@@ -4,7 +4,7 @@ import {
   NearestMipmapLinearFilter, NearestMipmapNearestFilter, RepeatWrapping, SRGBColorSpace, Texture,
 } from 'three';
 import type { MagnificationTextureFilter, MinificationTextureFilter } from 'three';
-import type { Material, TextureImage } from '../engine/types.ts';
+import type { Material, TextureImage } from '../engine/api/types.ts';
 
 const WRAPPINGS = { repeat: RepeatWrapping, clamp: ClampToEdgeWrapping, mirror: MirroredRepeatWrapping } as const;
 

@@ -1,5 +1,5 @@
 /** What the viewer is given and gives back: plain data, so that nobody else needs three.js. */
-import type { Material, MaterialGroup, Seams, TextureImage } from '../engine/types.ts';
+import type { Material, MaterialGroup, Seams, TextureImage } from '../engine/api/types.ts';
 
 /** What stays the same for all shapes of one import. */
 export interface Topology {

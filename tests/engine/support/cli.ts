@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll } from 'vitest';
-import type { InputFile } from '../../../web/engine/types.ts';
+import type { InputFile } from '../../../web/engine/api/types.ts';
 
 const program = fileURLToPath(new URL('../../../build/node/cli.mjs', import.meta.url));
 const folders: string[] = [];

@@ -3,7 +3,7 @@ import { type Accessor, type Document, WebIO } from '@gltf-transform/core';
 import { EXTMeshoptCompression, KHRDracoMeshCompression, KHRMeshQuantization } from '@gltf-transform/extensions';
 import createEncoder from 'draco3dgltf/draco_encoder_gltf_nodejs.js';
 import { MeshoptEncoder } from 'meshoptimizer';
-import type { InputFile } from '../../../web/engine/types.ts';
+import type { InputFile } from '../../../web/engine/api/types.ts';
 
 type Prepare = (document: Document, io: WebIO) => Promise<void>;
 

@@ -1,11 +1,11 @@
 /** The core in this very thread, for tests of the bindings and of the heap. */
-/// <reference path="../../../web/engine/generated.d.ts" />
+/// <reference path="../../../web/engine/worker/generated.d.ts" />
 import { readFile } from 'node:fs/promises';
 import createWasm from '../../../build/wasm/shapespline.mjs';
-import { Core } from '../../../web/engine/core.ts';
-import type { KeyData, MotionSpec } from '../../../web/engine/protocol.ts';
-import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../../web/engine/types.ts';
-import type { WasmModule } from '../../../web/engine/wasm-module.ts';
+import { Core } from '../../../web/engine/worker/wasm-core.ts';
+import type { KeyData, MotionSpec } from '../../../web/engine/wire/protocol.ts';
+import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../../web/engine/api/types.ts';
+import type { WasmModule } from '../../../web/engine/worker/wasm-module.ts';
 import { bar, bent, type Mesh } from './shapes.ts';
 
 let compiled: Promise<WebAssembly.Module> | null = null;

@@ -2,7 +2,7 @@
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import type { InputFile } from '../../../web/engine/types.ts';
+import type { InputFile } from '../../../web/engine/api/types.ts';
 
 const folder = process.env.SHAPESPLINE_DATA ?? fileURLToPath(new URL('../../../../shared/data', import.meta.url));
 

@@ -1,9 +1,9 @@
 /** Engines for a test file, ended after it. */
 import { afterAll, expect } from 'vitest';
-import type { Engine, Keys, Sequence } from '../../../web/engine/api.ts';
-import { EngineError } from '../../../web/engine/errors.ts';
+import type { Engine, Keys, Sequence } from '../../../web/engine/api/api.ts';
+import { EngineError } from '../../../web/engine/api/errors.ts';
 import { createEngine, type EngineUrls } from '../../../web/engine/node.ts';
-import type { Frame, SequenceOptions } from '../../../web/engine/types.ts';
+import type { Frame, SequenceOptions } from '../../../web/engine/api/types.ts';
 import { poseFiles } from './glb.ts';
 import { bar, bent, type Mesh } from './shapes.ts';
 

@@ -1,8 +1,8 @@
 /** What holds for every exported animation: the official validator finds nothing, and three.js plays the computed vertices. */
 import { validateBytes } from 'gltf-validator';
 import { expect } from 'vitest';
-import type { Sequence } from '../../../web/engine/api.ts';
-import type { ExportOptions } from '../../../web/engine/types.ts';
+import type { Sequence } from '../../../web/engine/api/api.ts';
+import type { ExportOptions } from '../../../web/engine/api/types.ts';
 import { frameAt } from './engines.ts';
 import { diagonal, largestDistance } from './shapes.ts';
 import { threePlayer } from './three-player.ts';

@@ -1,5 +1,5 @@
 /** The smallest GLB files that hold a pose or morph targets, made without any of the code under test. */
-import type { InputFile } from '../../../web/engine/types.ts';
+import type { InputFile } from '../../../web/engine/api/types.ts';
 import type { Mesh } from './shapes.ts';
 
 const FLOAT = 5126;

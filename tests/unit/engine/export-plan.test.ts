@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { checkBytes, exportWarnings, framesOf } from '../../../web/engine/export-plan.ts';
-import { EXPORT_DEFAULTS } from '../../../web/engine/types.ts';
+import { checkBytes, exportWarnings, framesOf } from '../../../web/engine/caller/export-plan.ts';
+import { EXPORT_DEFAULTS } from '../../../web/engine/api/types.ts';
 
 const keys = [0, 0.4, 1];
 const plan = (options: object) => framesOf({ ...EXPORT_DEFAULTS, ...options }, keys, [0, 1]);

@@ -1,8 +1,8 @@
 /** A worker that answers by hand, for tests of what the engine does with one. */
-import { EngineClient } from '../../../web/engine/engine.ts';
-import { EngineError } from '../../../web/engine/errors.ts';
-import type { FromWorker, Request, ToWorker } from '../../../web/engine/protocol.ts';
-import type { PortEvents } from '../../../web/engine/remote.ts';
+import { EngineClient } from '../../../web/engine/caller/engine.ts';
+import { EngineError } from '../../../web/engine/api/errors.ts';
+import type { FromWorker, Request, ToWorker } from '../../../web/engine/wire/protocol.ts';
+import type { PortEvents } from '../../../web/engine/caller/worker-client.ts';
 
 export class FakeWorker {
   readonly requests: Request[] = [];

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { FramePlayer } from '../../../web/engine/frame-player.ts';
-import type { Frame } from '../../../web/engine/types.ts';
+import { FramePlayer } from '../../../web/engine/caller/frame-player.ts';
+import type { Frame } from '../../../web/engine/api/types.ts';
 import { settled } from './fake-worker.ts';
 
 interface Asked {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { drawnImages, imageSize } from '../../../web/engine/images.ts';
-import type { Material } from '../../../web/engine/types.ts';
+import { drawnImages, imageSize } from '../../../web/engine/worker/image-size.ts';
+import type { Material } from '../../../web/engine/api/types.ts';
 
 const bytes = (...parts: (number[] | string)[]): Uint8Array =>
   Uint8Array.from(parts.flatMap((part) => (typeof part === 'string' ? [...part].map((c) => c.charCodeAt(0)) : part)));

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { EngineError } from '../../../web/engine/errors.ts';
+import { EngineError } from '../../../web/engine/api/errors.ts';
 import { fakeEngine, someFile } from './fake-worker.ts';
 
 const code = (work: () => unknown): string => {

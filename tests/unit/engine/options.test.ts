@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { EngineError } from '../../../web/engine/errors.ts';
-import { checkCall, checkExportOptions, checkImportOptions, checkSequenceOptions, checkUpdate } from '../../../web/engine/options.ts';
-import { EXPORT_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS, SEQUENCE_DEFAULTS } from '../../../web/engine/types.ts';
+import { EngineError } from '../../../web/engine/api/errors.ts';
+import { checkCall, checkExportOptions, checkImportOptions, checkSequenceOptions, checkUpdate } from '../../../web/engine/api/options.ts';
+import { EXPORT_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS, SEQUENCE_DEFAULTS } from '../../../web/engine/api/types.ts';
 
 function refusal(check: () => unknown): string {
   try {

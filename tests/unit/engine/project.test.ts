@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { readOptions, writeProject } from '../../../web/engine/project.ts';
-import { SEQUENCE_DEFAULTS, type SequenceOptions } from '../../../web/engine/types.ts';
+import { readOptions, writeProject } from '../../../web/engine/wire/project.ts';
+import { SEQUENCE_DEFAULTS, type SequenceOptions } from '../../../web/engine/api/types.ts';
 
 const keys = { times: [0, 1], names: ['a', 'b'], frames: [0, 9] };
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Scheduler, urgency, type Task } from '../../../web/engine/scheduler.ts';
+import { Scheduler, urgency, type Task } from '../../../web/engine/caller/scheduler.ts';
 
 describe('the scheduler', () => {
   it('runs one task at a time, the most urgent first and equals in order', async () => {

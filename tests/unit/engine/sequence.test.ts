@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { EngineError } from '../../../web/engine/errors.ts';
-import type { FromWorker, Request } from '../../../web/engine/protocol.ts';
+import type { EngineError } from '../../../web/engine/api/errors.ts';
+import type { FromWorker, Request } from '../../../web/engine/wire/protocol.ts';
 import { answerTo, fakeEngine, settled, someFile, type FakeWorker } from './fake-worker.ts';
 
 const failure = (work: Promise<unknown>): Promise<EngineError> => work.then(() => { throw new Error('no failure'); }, (e: EngineError) => e);

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { ThreadChoice } from '../../../web/engine/thread-choice.ts';
+import { ThreadChoice } from '../../../web/engine/worker/thread-choice.ts';
 
 /** Frames that take so long with one thread and with two; returns what each was made with. */
 function play(choice: ThreadChoice, ms: (threads: 1 | 2, frame: number) => number, frames: number): (1 | 2)[] {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { NO_PLACE, type Warning } from '../../../web/engine/types.ts';
-import { keysInWords, keysOf } from '../../../web/engine/warning-keys.ts';
+import { NO_PLACE, type Warning } from '../../../web/engine/api/types.ts';
+import { keysInWords, keysOf } from '../../../web/engine/api/warning-keys.ts';
 
 const warning = (code: string, key: number, message = 'Something turns far.'): Warning => ({ ...NO_PLACE, code, message, count: 0, key });
 

@@ -1,0 +1,53 @@
+/** How far each vertex is from where it would be without a ghost mesh (the paper's Fig. 7), and its colour. */
+import { viridis } from '../../plots/viridis.ts';
+
+/** What is drawn of it at a moment. */
+export interface Difference {
+  /** Of each vertex, in percent of the diagonal. */
+  percent: Float32Array;
+  largest: number;
+  mean: number;
+}
+
+const SHADES = 256;
+/** Below this, in percent, there is nothing but rounding to be seen. */
+const LEAST_TOP = 0.001;
+
+/** Positions are 3 x vertices; `percent` is filled where it is given. */
+export function differenceOf(
+  positions: Float32Array, reference: Float32Array, diagonal: number, percent: Float32Array = new Float32Array(positions.length / 3),
+): Difference {
+  let largest = 0;
+  let sum = 0;
+  for (let v = 0; v < percent.length; v += 1) {
+    const i = 3 * v;
+    const dx = positions[i]! - reference[i]!;
+    const dy = positions[i + 1]! - reference[i + 1]!;
+    const dz = positions[i + 2]! - reference[i + 2]!;
+    const value = (100 * Math.sqrt(dx * dx + dy * dy + dz * dz)) / diagonal;
+    percent[v] = value;
+    largest = Math.max(largest, value);
+    sum += value;
+  }
+  return { percent, largest, mean: percent.length > 0 ? sum / percent.length : 0 };
+}
+
+/** A round number that is not below: the colour bar's upper end. */
+export function roundTop(largest: number): number {
+  if (!(largest > LEAST_TOP)) return LEAST_TOP;
+  const power = 10 ** Math.floor(Math.log10(largest));
+  const factor = [1, 2, 5].find((digit) => digit * power >= largest * (1 - 1e-9)) ?? 10;
+  return Number((factor * power).toPrecision(3));
+}
+
+/** 3 x vertices, linear RGB; `colours` are filled where they are given. */
+export function heatColours({ percent }: Difference, top: number, colours: Float32Array = new Float32Array(3 * percent.length)): Float32Array {
+  for (let v = 0; v < percent.length; v += 1) {
+    const shade = Math.min(Math.round((percent[v]! / top) * (SHADES - 1)), SHADES - 1);
+    for (let c = 0; c < 3; c += 1) colours[3 * v + c] = TABLE[3 * shade + c]!;
+  }
+  return colours;
+}
+
+const TABLE = Float32Array.from(Array.from({ length: SHADES }, (_, i) => viridis(i / (SHADES - 1))).flat(),
+  (value) => (value / 255 <= 0.04045 ? value / 255 / 12.92 : ((value / 255 + 0.055) / 1.055) ** 2.4));

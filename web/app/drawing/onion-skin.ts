@@ -1,0 +1,68 @@
+/** Further shapes in the picture: onion skins around the moment, or a film strip of evenly spaced ones. */
+import type { Frame } from '../../engine/api/types.ts';
+import { length, phaseOf } from '../../model/time-scale.ts';
+import type { PhaseKind, Range } from '../../model/time-scale.ts';
+import type { Extra } from '../../viewer/types.ts';
+
+/** The paper's colours, one for each phase; the same stand in the style sheet. */
+export const PHASE_COLOURS: Record<PhaseKind, string> = { key: '#0072b2', between: '#009e73', beyond: '#e69f00' };
+
+const ONION_STEP = 0.09;
+/** Nearer skins are more solid. */
+const ONION_SKINS: readonly { steps: number; opacity: number }[] = [
+  { steps: -2, opacity: 0.1 }, { steps: 2, opacity: 0.1 }, { steps: -1, opacity: 0.2 }, { steps: 1, opacity: 0.2 },
+];
+const FILM_STEPS = 6;
+const FILM_BEYOND = 1;
+
+export interface ExtrasInput {
+  t: number;
+  keys: readonly { time: number; name: string }[];
+  range: Range;
+  periodic: boolean;
+}
+
+export function onionTimes({ t, range }: ExtrasInput): number[] {
+  return ONION_SKINS.map(({ steps }) => t + steps * ONION_STEP * length(range));
+}
+
+export function onionSkins(input: ExtrasInput, frames: readonly Frame[]): Extra[] {
+  return frames.map((frame, index) => ({
+    positions: frame.positions, normals: frame.normals, offset: 0,
+    opacity: ONION_SKINS[index]?.opacity ?? 0.1, colour: colourAt(frame.t, input, 0.01),
+  }));
+}
+
+/** Evenly over the keys, and a little beyond both ends. */
+export function filmTimes({ range, periodic }: ExtrasInput): number[] {
+  const beyond = periodic ? 0 : FILM_BEYOND;
+  return Array.from({ length: FILM_STEPS + 1 + 2 * beyond }, (_, index) => range[0] + ((index - beyond) / FILM_STEPS) * length(range));
+}
+
+/** Side by side along x, as far apart as the widest needs. */
+export function filmStrip(input: ExtrasInput, frames: readonly Frame[]): Extra[] {
+  const boxes = frames.map((frame) => widthOf(frame.positions));
+  const spacing = 1.08 * Math.max(...boxes.map(([low, high]) => high - low), 0);
+  return frames.map((frame, index) => {
+    const [low, high] = boxes[index]!;
+    const place = (index - (frames.length - 1) / 2) * spacing;
+    return {
+      positions: frame.positions, normals: frame.normals, opacity: 1,
+      offset: place - (low + high) / 2, colour: colourAt(frame.t, input, 0.01),
+    };
+  });
+}
+
+function colourAt(t: number, { keys, range, periodic }: ExtrasInput, tolerance: number): string {
+  return PHASE_COLOURS[phaseOf({ t, keys, range, periodic, tolerance }).kind];
+}
+
+function widthOf(positions: Float32Array): [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (let i = 0; i < positions.length; i += 3) {
+    low = Math.min(low, positions[i]!);
+    high = Math.max(high, positions[i]!);
+  }
+  return [low, high];
+}

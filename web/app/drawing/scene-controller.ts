@@ -1,0 +1,250 @@
+/** Between the sequences and the viewer: what is drawn for a moment, for a document, for a look. */
+import type { Sequence } from '../../engine/api/api.ts';
+import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
+import type { AppState, View } from '../../model/state.ts';
+import { isInLri } from '../../model/state.ts';
+import type { ColourBarProps } from '../../ui/colour-bar.ts';
+import { METHOD_WORDS } from '../../ui/motion-panel.ts';
+import { phaseOf } from '../../model/time-scale.ts';
+import type { Range } from '../../model/time-scale.ts';
+import type { TileLabel } from '../../ui/view-bar.ts';
+import type { Extra, Rect } from '../../viewer/types.ts';
+import { Viewer } from '../../viewer/viewer.ts';
+import type { ViewerEvents } from '../../viewer/viewer.ts';
+import { PHASE_COLOURS, filmStrip, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
+import type { ExtrasInput } from './onion-skin.ts';
+import { differenceOf, heatColours, roundTop } from './difference.ts';
+import type { Difference } from './difference.ts';
+import { boundsOf, measure, patchColours, samplePoints } from './bounds.ts';
+import type { Measure } from './bounds.ts';
+import type { Lane } from '../session/sequence-set.ts';
+import type { Shapes } from '../playback/frame-set.ts';
+import type { PosePool } from '../session/workspace.ts';
+
+/** While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then. */
+export const PLAYING_TOLERANCE = 0.006;
+/** Larger shapes are not measured on every frame. */
+const MEASURED_FACES = 60_000;
+/** Stands for onion skins where the document of a film strip would stand. */
+const ONION = 'onion';
+/** Between the shape and its ghost beside it, in widths of the shape. */
+const BESIDE = 1.12;
+const THUMBNAIL = { width: 88, height: 60 };
+
+export class Picture {
+  readonly viewer: Viewer;
+  labels: TileLabel[] = [];
+  colourBar: ColourBarProps | null = null;
+  /** What the colours of the first view show now. */
+  difference: Difference | null = null;
+  private info: KeysInfo | null = null;
+  private pool: PosePool | null = null;
+  private base: Measure | null = null;
+  private patchesOf: Sequence | null = null;
+  /** What the film strip was made of, ONION for onion skins, null for neither. */
+  private filmKey: unknown = null;
+  /** The shapes of the strip where they stand. */
+  private film: Float32Array[] | null = null;
+  private ghost: { of: Sequence; mesh: Ghost | null } | null = null;
+  /** Of the import's poses along x. */
+  private width = 0;
+  /** How far along x the ghost stands beside the shape now. */
+  private beside: number | null = null;
+  /** The colour bar's range only grows as long as the same motions are shown. */
+  private heat: { of: Sequence; top: number } | null = null;
+  /** The same array for every frame. */
+  private heatColours: Float32Array | null = null;
+
+  constructor(host: HTMLElement, events: ViewerEvents) {
+    this.viewer = new Viewer(host, { ...events, onResize: () => { this.place(); events.onResize(); } });
+  }
+
+  /** What is written over the views stands where they stand. */
+  private place(): void {
+    const rects = this.viewer.rects();
+    this.labels = this.labels.map((label, index) => ({ ...label, ...rects[index] }));
+    if (this.colourBar) this.colourBar = { ...this.colourBar, ...besideOf(rects[0]!) };
+  }
+
+  /** A new import: another mesh, another size. `camera` keeps a view that came with a link. */
+  setImport(info: KeysInfo, pool: PosePool, camera: View['camera']): void {
+    this.info = info;
+    this.pool = pool;
+    this.patchesOf = null;
+    this.filmKey = null;
+    this.film = null;
+    this.ghost = null;
+    this.beside = null;
+    this.clearDifference();
+    const poses = info.times.map((_, pose) => pool.keys.positions(pose));
+    const bounds = boundsOf(poses);
+    this.width = bounds.max[0] - bounds.min[0];
+    this.base = poses[0] && info.report.faces <= MEASURED_FACES ? measure(poses[0], info.indices) : null;
+    this.viewer.setTopology({
+      vertices: info.report.vertices, indices: info.indices, uvs: info.uvs, seams: info.seams, colors: info.colors, groups: info.groups, materials: info.materials, images: info.images,
+    }, bounds, samplePoints(poses));
+    this.viewer.setViews(1);
+    if (camera) this.viewer.setCameraPose(camera);
+    else this.viewer.fit('home', false);
+  }
+
+  /** Fits the view to the keys and to what is drawn now, which may have left them. */
+  fit(view: 'home' | 'front' | 'top' | 'right' | null, eased: boolean): void {
+    if (!this.pool) return;
+    const poses = Array.from({ length: this.pool.count }, (_, pose) => this.pool!.keys.positions(pose));
+    for (let index = 0; index < this.viewer.views; index += 1) poses.push(this.viewer.positions(index));
+    const drawn = this.film ?? this.withGhost(poses.filter((positions) => positions.length > 0));
+    this.viewer.setExtent(boundsOf(drawn), samplePoints(drawn));
+    this.viewer.fit(view, eased);
+  }
+
+  /** Copies the shapes of a moment to the screen, with what belongs to it; measures and skins wait for the exact ones. */
+  async show({ t, frames, lanes, about }: Shapes, state: AppState, range: Range, eased: boolean): Promise<void> {
+    const input = extrasInput(t, state, range);
+    const phase = phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
+    if (this.viewer.views !== lanes.length) this.setViews(lanes.length);
+    frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind], eased));
+    if (about) {
+      if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'of the moment when it rests' };
+      return this.showGhost(t, lanes[0], state.view);
+    }
+    this.labels = lanes.length > 1 ? this.tileLabels(frames, lanes) : [];
+    this.showDifference(frames, lanes, state.view);
+    await this.showGhost(t, lanes[0], state.view);
+    await this.showExtras(input, lanes[0]?.sequence, state);
+    await this.showPatches(lanes[0]?.sequence, state.view);
+  }
+
+  setLook(view: View, dark: boolean): void {
+    this.viewer.setLook({ colouring: view.colouring, shading: view.shading, wireframe: view.wireframe, floor: view.floor, dark });
+  }
+
+  thumbnail(frame: Frame): string {
+    return this.viewer.thumbnail(frame.positions, frame.normals, THUMBNAIL.width, THUMBNAIL.height, PHASE_COLOURS.key);
+  }
+
+  /** A PNG of the view, without background. */
+  async png(): Promise<Blob> {
+    await this.viewer.drawn();
+    return new Promise((resolve, reject) => {
+      this.viewer.snapshot((canvas) => canvas.toBlob((blob) => {
+        if (blob) resolve(blob);
+        else reject(new Error('The browser could not make a picture of this size. Make the window smaller.'));
+      }, 'image/png'));
+    });
+  }
+
+  /** Other tiles have another shape: the view is fitted again from where it stands. */
+  private setViews(count: number): void {
+    this.viewer.setViews(count);
+    this.viewer.fit(null, false);
+  }
+
+  private tileLabels(frames: readonly Frame[], lanes: readonly Lane[]): TileLabel[] {
+    const rects = this.viewer.rects();
+    return lanes.map((lane, index) => {
+      const rect = rects[index] ?? { x: 0, y: 0, width: 0 };
+      return { title: titleOf(lane), detail: this.measureText(frames[index]), x: rect.x, y: rect.y, width: rect.width };
+    });
+  }
+
+  private measureText(frame: Frame | undefined): string {
+    if (!frame || !this.base || !this.info) return '';
+    const { volume, area } = measure(frame.positions, this.info.indices);
+    const percent = (value: number, base: number): string => (base === 0 ? '?' : `${((100 * value) / base).toFixed(1)}\u00a0%`);
+    return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)}`;
+  }
+
+  private async showExtras(input: ExtrasInput, sequence: Sequence | undefined, { view, doc }: AppState): Promise<void> {
+    if (!sequence || (!view.onion && !view.film)) {
+      if (this.filmKey === null) return;
+      this.viewer.setExtras([]);
+      this.film = null;
+      if (this.filmKey !== ONION) this.fit('home', true);
+      this.filmKey = null;
+      return;
+    }
+    // The strip does not depend on the moment: it is made once for a document.
+    if (view.film && this.filmKey === doc) return;
+    const frames = await sequence.evaluateMany(view.film ? filmTimes(input) : onionTimes(input));
+    const extras = view.film ? filmStrip(input, frames) : onionSkins(input, frames);
+    this.viewer.setExtras(extras, view.film);
+    if (view.film) this.fitTo(extras);
+    this.filmKey = view.film ? doc : ONION;
+    for (const frame of frames) frame.release();
+  }
+
+  private fitTo(extras: readonly Extra[]): void {
+    const placed = extras.map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
+    this.film = placed;
+    this.viewer.setExtent(boundsOf(placed), samplePoints(placed));
+    this.viewer.fit('front', true);
+  }
+
+  /** Colours the first shape where one without a ghost stands beside it. */
+  private showDifference(frames: readonly Frame[], lanes: readonly Lane[], view: View): void {
+    const [main] = lanes;
+    const other = lanes.findIndex((lane) => main?.ghost && !lane.ghost);
+    if (!main || other < 0 || !view.ghostDifference || view.film || !this.info) return this.clearDifference();
+    const difference = differenceOf(frames[0]!.positions, frames[other]!.positions, this.info.report.diagonal, this.difference?.percent);
+    const before = this.heat?.of === main.sequence ? this.heat.top : 0;
+    const top = Math.max(before, roundTop(difference.largest));
+    this.heat = { of: main.sequence, top };
+    this.difference = difference;
+    this.heatColours = heatColours(difference, top, this.heatColours ?? undefined);
+    this.viewer.setHeatColours(this.heatColours);
+    const text = (value: number): string => `${Number(value.toPrecision(2))} %`;
+    this.colourBar = {
+      title: 'Difference', unit: '% of the diagonal', symbol: '%', top, now: `at most ${text(difference.largest)}, mean ${text(difference.mean)}`,
+      ...besideOf(this.viewer.rects()[0]!),
+    };
+  }
+
+  private clearDifference(): void {
+    if (this.difference) this.viewer.setHeatColours(null);
+    this.difference = null;
+    this.heatColours = null;
+    this.colourBar = null;
+  }
+
+  private async showGhost(t: number, lane: Lane | undefined, { ghostWire, ghostBeside, film }: View): Promise<void> {
+    const wanted = (ghostWire || ghostBeside) && !film && lane !== undefined && lane.ghost && isInLri(lane.method);
+    if (wanted && this.ghost?.of !== lane.sequence) this.ghost = { of: lane.sequence, mesh: await lane.sequence.ghost() };
+    const mesh = wanted ? this.ghost?.mesh : null;
+    const offset = mesh && ghostBeside ? this.width * BESIDE : null;
+    if (mesh) {
+      const positions = await this.ghost!.of.ghostPositions(t);
+      this.viewer.setGhost({ faces: mesh.faces, vertexOf: mesh.vertexOf, positions, overlay: ghostWire, offset });
+    } else {
+      this.viewer.setGhost(null);
+    }
+    if (offset === this.beside) return;
+    this.beside = offset;
+    this.fit(null, true);
+  }
+
+  private withGhost(poses: Float32Array[]): Float32Array[] {
+    const { beside } = this;
+    return beside === null ? poses : [...poses, ...poses.map((positions) => positions.map((value, i) => (i % 3 === 0 ? value + beside : value)))];
+  }
+
+  private async showPatches(sequence: Sequence | undefined, view: View): Promise<void> {
+    if (!sequence || !this.info || view.colouring !== 'patches' || this.patchesOf === sequence) return;
+    const patches = await sequence.patches();
+    this.patchesOf = sequence;
+    this.viewer.setPatchColours(patchColours(patches, this.info.indices, this.info.report.vertices));
+  }
+}
+
+/** The place of the colour bar of a view. */
+function besideOf(rect: Rect): { x: number; y: number } {
+  return { x: rect.x, y: rect.y + rect.height / 2 };
+}
+
+function titleOf({ method, ghost }: Lane): string {
+  return `${METHOD_WORDS[method].label}${ghost ? ', ghost mesh' : ''}`;
+}
+
+export function extrasInput(t: number, { doc }: AppState, range: Range): ExtrasInput {
+  return { t, keys: doc.keys, range, periodic: doc.motion.boundary === 'periodic' };
+}

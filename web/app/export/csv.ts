@@ -1,0 +1,33 @@
+/** The plotted numbers as a table: comment lines with version and options first, then one row a time or a face. */
+import type { Doc } from '../../model/state.ts';
+import type { Insight } from '../panels/analysis-panel.ts';
+
+export function measuresCsv(insight: Insight, doc: Doc, version: string): string {
+  const columns = insight.lanes.flatMap(({ method, volume, area, bending, plane }) => [
+    { name: `${method} volume`, values: volume },
+    { name: `${method} area`, values: area },
+    ...(bending ? [{ name: `${method} bending energy`, values: bending }] : []),
+    ...(plane ? [
+      { name: `${method} plane x`, values: every(plane, 0) },
+      { name: `${method} plane y`, values: every(plane, 1) }] : []),
+  ]);
+  const rows = insight.times.map((t, index) => [t, ...columns.map(({ values }) => values[index] ?? NaN)].join(','));
+  return [...preamble(doc, version), ['time', ...columns.map(({ name }) => name)].join(','), ...rows, ''].join('\n');
+}
+
+export function patchesCsv(patches: Int32Array, doc: Doc, version: string): string {
+  return [...preamble(doc, version), 'face,patch', ...Array.from(patches, (patch, face) => `${face},${patch}`), ''].join('\n');
+}
+
+function preamble(doc: Doc, version: string): string[] {
+  const { motion, encoding, tension, bias, turns, partTurns } = doc;
+  return [
+    `# shapespline ${version}`,
+    `# keys ${JSON.stringify(doc.keys.map(({ name, time }) => ({ name, time })))}`,
+    `# options ${JSON.stringify({ ...motion, ...encoding, tension, bias, turns, partTurns })}`,
+  ];
+}
+
+function every(points: readonly number[], part: 0 | 1): number[] {
+  return points.filter((_, index) => index % 2 === part);
+}

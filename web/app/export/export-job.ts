@@ -1,0 +1,126 @@
+/** From what the export dialog asks for to a download. */
+import packageJson from '../../../package.json';
+import type { Sequence } from '../../engine/api/api.ts';
+import type { ExportOptions, Progress } from '../../engine/api/types.ts';
+import type { Doc } from '../../model/state.ts';
+import { frameTimes } from '../../model/frames.ts';
+import type { Range } from '../../model/time-scale.ts';
+import type { ExportRequest } from '../../ui/export-dialog.ts';
+import { MAX_FRAMES, bytesText, framesWanted } from '../../ui/export-dialog.ts';
+import { measuresCsv, patchesCsv } from './csv.ts';
+import { download } from './download.ts';
+import type { Insight } from '../panels/analysis-panel.ts';
+import { record } from './video-recorder.ts';
+import { zip } from './zip.ts';
+
+export interface ExportContext {
+  sequence: Sequence;
+  doc: Doc;
+  /** Stem of the file's name. */
+  name: string;
+  time: number;
+  stretch: Stretch;
+  canvas: HTMLCanvasElement;
+  insight(): Promise<Insight | null>;
+  /** Shows the moment and resolves when it is drawn. */
+  show(t: number): Promise<void>;
+  /** Turns the view to a share of a whole turn about the upright axis. */
+  turn(share: number): Promise<void>;
+  picture(): Promise<Blob>;
+  /** Puts the page's colour behind the shape, or takes it away. */
+  backdrop(on: boolean): void;
+  onProgress(progress: Progress | null): void;
+  signal: AbortSignal;
+}
+
+const VIDEO_FPS = 30;
+const MAX_VIDEO_FPS = 60;
+
+/** What an export holds unless the request says otherwise. */
+export interface Stretch {
+  /** What plays. */
+  range: Range;
+  fps: number | null;
+}
+
+/** Options of the engine for the kinds of export that it writes; null for pictures, videos and tables. */
+export function engineOptions(request: ExportRequest, time: number, stretch: Stretch): Partial<ExportOptions> | null {
+  if (request.kind === 'pose') return { format: request.pose, pose: time };
+  if (request.kind !== 'animation' || request.animation === 'webm') return null;
+  const { animation, duration, inPlace } = request;
+  const grid = gridOf(request, stretch);
+  return animation === 'glb' ? { format: 'glb', ...grid, duration, inPlace } : { format: 'obj', ...grid, inPlace };
+}
+
+/** The whole frames of the timeline where there are some and no other number was asked for. */
+function gridOf(request: ExportRequest, { range, fps }: Stretch): Partial<ExportOptions> {
+  const [start, end] = request.range ?? range;
+  const times = request.frames === null && fps !== null ? frameTimes([start, end], fps) : [];
+  if (times.length > MAX_FRAMES) throw new Error(`These are ${times.length.toLocaleString('en')} frames; ${MAX_FRAMES.toLocaleString('en')} is the most. Take a shorter range or fewer frames per second.`);
+  return times.length > 1 ? { times } : { frames: framesWanted(request, [start, end], fps), range: [start, end] };
+}
+
+/** In words, before anything is made. */
+export async function describeExport(request: ExportRequest, sequence: Sequence, time: number, stretch: Stretch): Promise<{ text: string; warnings: string[] }> {
+  const options = engineOptions(request, time, stretch);
+  if (options) {
+    const plan = await sequence.planExport(options);
+    const size = `about ${bytesText(plan.bytes)}`;
+    return { text: request.kind === 'pose' ? `One shape, ${size}` : `${plan.times.length} frames, ${size}`, warnings: plan.warnings.map(({ message }) => message) };
+  }
+  if (request.kind === 'animation' || request.picture === 'turntable' && request.kind === 'picture') {
+    const seconds = videoSeconds(request, stretch);
+    return { text: `${seconds.toFixed(1)} s of video, takes as long to make`, warnings: [] };
+  }
+  return { text: request.kind === 'picture' ? 'A picture' : 'A table', warnings: [] };
+}
+
+export async function runExport(request: ExportRequest, context: ExportContext): Promise<void> {
+  const { name } = context;
+  if (request.kind === 'picture') {
+    if (request.picture === 'png') return download(await context.picture(), `${name}.png`);
+    return video(request, context, (share) => context.turn(share));
+  }
+  if (request.kind === 'numbers') return table(request, context);
+  if (request.kind === 'animation' && request.animation === 'webm') {
+    const [start, end] = request.range ?? context.stretch.range;
+    return video(request, context, (share) => context.show(start + share * (end - start)));
+  }
+  const options = engineOptions(request, context.time, context.stretch)!;
+  const files = await context.sequence.export(options, { signal: context.signal, onProgress: context.onProgress });
+  const [first] = files;
+  if (!first) return;
+  if (files.length > 1) return download(zip(files), `${name}.zip`);
+  const extension = first.name.split('.').at(-1) ?? 'glb';
+  download(new Blob([first.bytes as Uint8Array<ArrayBuffer>], { type: extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream' }), `${name}.${extension}`);
+}
+
+async function video(request: ExportRequest, context: ExportContext, draw: (share: number) => Promise<void>): Promise<void> {
+  context.backdrop(true);
+  const { blob, extension } = await record({
+    canvas: context.canvas, seconds: videoSeconds(request, context.stretch), framesPerSecond: Math.min(context.stretch.fps ?? VIDEO_FPS, MAX_VIDEO_FPS), draw, signal: context.signal,
+    onProgress: (fraction) => context.onProgress({ stage: 'recording', fraction }),
+  }).finally(() => context.backdrop(false));
+  download(blob, `${context.name}.${extension}`);
+}
+
+async function table(request: ExportRequest, context: ExportContext): Promise<void> {
+  const version = packageJson.version;
+  if (request.numbers === 'patches') {
+    const text = patchesCsv(await context.sequence.patches(), context.doc, version);
+    return download(new Blob([text], { type: 'text/csv' }), `${context.name}-patches.csv`);
+  }
+  const insight = await context.insight();
+  if (!insight) throw new Error('There is nothing to tabulate yet. Open some shapes first.');
+  download(new Blob([measuresCsv(insight, context.doc, version)], { type: 'text/csv' }), `${context.name}-measures.csv`);
+}
+
+function videoSeconds(request: ExportRequest, stretch: Stretch): number {
+  const length = request.kind === 'animation' ? lengthOf(request, stretch) : 6;
+  return Math.min(request.duration ?? length, 600);
+}
+
+function lengthOf(request: ExportRequest, { range }: Stretch): number {
+  const [start, end] = request.range ?? range;
+  return end - start;
+}

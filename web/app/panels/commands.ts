@@ -1,0 +1,122 @@
+/** What the controls do to the document, the time and the view. */
+import type { Method } from '../../engine/api/types.ts';
+import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setPartTurns, setShaping } from '../../model/edits.ts';
+import type { End } from '../../model/speeds.ts';
+import { SPEED_NAME } from '../../model/speeds.ts';
+import type { Encoding, LoopMode, Motion, Play, Shaping, View } from '../../model/state.ts';
+import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, GHOST_FACES, METHODS, SPEEDS, ignoresHermite } from '../../model/state.ts';
+import { SAME_TIME, clampTime, formatTime, length, neighbourKey } from '../../model/time-scale.ts';
+import type { Range } from '../../model/time-scale.ts';
+import { loopRange, withEnd } from '../../model/frames.ts';
+import { windowOf, zoomed } from '../../model/time-window.ts';
+import type { Context } from '../context.ts';
+
+const LOOPS: readonly LoopMode[] = ['bounce', 'loop', 'once'];
+
+export type Commands = ReturnType<typeof createCommands>;
+
+export function createCommands(context: Context) {
+  const { store, workspace, pump, picture } = context;
+  const state = store.get;
+  const times = (): number[] => state().doc.keys.map((key) => key.time);
+
+  const seek = (t: number): void => {
+    if (!Number.isFinite(t)) return;
+    store.set({ time: clampTime(t, context.range()), play: { ...state().play, playing: false } });
+    context.inform({ welcome: false });
+  };
+  const view = (change: Partial<View>): void => store.set({ view: { ...state().view, ...change } });
+  const motion = (change: Partial<Motion>, merge?: string): void =>
+    store.edit(nameOf(change), (doc) => setMotion(doc, change), merge);
+
+  const play = (change: Partial<Play>): void => store.set({ play: { ...state().play, ...change } });
+  const between = (stretch: Range | null): void => play({ between: stretch && [stretch[0], stretch[1]] });
+  const window = (part: Range | null): void => view({ window: part && [part[0], part[1]] });
+
+  return {
+    seek,
+    view,
+    between,
+    window,
+    motion,
+    endSpeed: (end: End, speed: number): void => motion({ [SPEED_NAME[end]]: speed }, SPEED_NAME[end]),
+    encoding: (change: Partial<Encoding>): void => store.edit(nameOf(change), (doc) => setEncoding(doc, change)),
+    toggleGhost: (): void => store.edit('ghost mesh', (doc) => setEncoding(doc, { ghostFaces: doc.encoding.ghostFaces > 0 ? 0 : GHOST_FACES })),
+    resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, context.runtime().initial?.motion ?? DEFAULT_MOTION)),
+    resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, context.runtime().initial?.encoding ?? DEFAULT_ENCODING)),
+    compare: (methods: Method[]): void => view({ compare: methods }),
+
+    moveKey: (from: number, to: number): void => store.edit('order of keys', (doc) => moveKey(doc, from, to)),
+    removeKey: (key: number): void => store.edit('remove a key', (doc) => removeKey(doc, key)),
+    renameKey: (key: number, name: string): void => store.edit('rename a key', (doc) => renameKey(doc, key, name)),
+    retimeKey: (key: number, time: number): void => store.edit('time of a key', (doc) => retimeKey(doc, key, time), `time ${key}`),
+    shaping: (key: number, name: Shaping, value: number): void => store.edit(name, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
+    partTurns: (key: number, component: number, turns: number): void =>
+      store.edit(`turns of part ${component + 1}`, (doc) => setPartTurns(doc, key, component, turns), `turns ${component} ${key}`),
+    reference: (key: number): void => store.edit('reference', (doc) => setEncoding(doc, { referencePose: doc.keys[key]?.pose ?? null })),
+
+    /** Takes the shape on the screen as a key at its own time. */
+    async addCurrent(): Promise<void> {
+      const { pool } = workspace;
+      const t = state().time;
+      if (!pool || addReason(times(), t, context.range()) !== null) return;
+      await pump.request(t);
+      const positions = picture.viewer.positions(0);
+      if (workspace.pool !== pool || positions.length === 0) return;
+      const name = `at ${formatTime(t, context.range())}`;
+      const pose = pool.add(name, positions);
+      store.edit('add a key', (doc) => addKey(doc, { pose, name, time: t }));
+    },
+
+    togglePlay(): void {
+      const { playing } = state().play;
+      play({ playing: !playing });
+      if (playing) context.inform({ welcome: false });
+    },
+    loop: (loop: LoopMode): void => play({ loop }),
+    nextLoop: (): void => play({ loop: LOOPS[(LOOPS.indexOf(state().play.loop) + 1) % LOOPS.length]! }),
+    speed: (speed: number): void => play({ speed }),
+    stepSpeed: (by: 1 | -1): void => {
+      const next = SPEEDS[SPEEDS.indexOf(state().play.speed) + by];
+      if (next) play({ speed: next });
+    },
+    fps: (fps: number | null): void => play({ fps }),
+    /** Playing starts or ends at t; null = at the moment on the screen. */
+    loopEnd: (end: 'start' | 'end', t: number | null): void => {
+      const range = context.range();
+      const { fps, between: now } = state().play;
+      between(withEnd(loopRange(now, range), range, end, t ?? state().time, fps === null ? 0.001 * length(range) : 1 / fps));
+    },
+    /** Zooms the timeline about the playhead, or about its middle where that is out of sight. */
+    zoomTime: (factor: number): void => {
+      const range = context.range();
+      const part = windowOf(state().view.window, range);
+      const t = state().time;
+      window(zoomed(part, range, factor, t >= part[0] && t <= part[1] ? t : (part[0] + part[1]) / 2));
+    },
+    jumpKey: (direction: 1 | -1): void => seek(neighbourKey(state().time, times(), direction, context.range())),
+
+    nextMethod: (): void => {
+      const { method, boundary } = state().doc.motion;
+      const next = METHODS[(METHODS.indexOf(method) + 1) % METHODS.length]!;
+      motion({ method: next, ...(ignoresHermite(next) && boundary === 'hermite' ? { boundary: 'natural' } : {}) });
+    },
+    nextBoundary: (): void => {
+      const { method, boundary } = state().doc.motion;
+      const usable = BOUNDARIES.filter((one) => one !== 'hermite' || !ignoresHermite(method));
+      motion({ boundary: usable[(usable.indexOf(boundary) + 1) % usable.length]! });
+    },
+    fit: (name: 'home' | 'front' | 'top' | 'right' | null): void => picture.fit(name, !context.reducedMotion()),
+  };
+}
+
+/** What is changed, as undo calls it: "start speed" for { startSpeed }. */
+function nameOf(change: object): string {
+  return (Object.keys(change)[0] ?? '').replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`);
+}
+
+/** Why there can be no key at t, or null. */
+export function addReason(keyTimes: readonly number[], t: number, range: readonly [number, number]): string | null {
+  const taken = keyTimes.some((time) => Math.abs(time - t) <= 1000 * SAME_TIME * length(range));
+  return taken ? 'There is a key at this time already. Move the slider first.' : null;
+}

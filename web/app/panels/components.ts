@@ -1,0 +1,222 @@
+/** The components, what they are shown of the state, and which command each of their events is. */
+import type { Warning } from '../../engine/api/types.ts';
+import type { AppState, PartTurns } from '../../model/state.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, SHAPINGS, isInLri, referenceKey } from '../../model/state.ts';
+import { playRange } from '../../model/frames.ts';
+import { phaseOf } from '../../model/time-scale.ts';
+import type { Range } from '../../model/time-scale.ts';
+import { viridisGradient } from '../../plots/viridis.ts';
+import { partTurnsOf, shapingOf } from '../../model/edits.ts';
+import { createClockMenu } from '../../ui/clock-menu.ts';
+import { createColourBar } from '../../ui/colour-bar.ts';
+import type { ColourBarProps } from '../../ui/colour-bar.ts';
+import { createExportDialog } from '../../ui/export-dialog.ts';
+import type { ExportRequest } from '../../ui/export-dialog.ts';
+import { leadingName } from '../../ui/dropped-files.ts';
+import type { PickedFile } from '../../ui/dropped-files.ts';
+import { createDropZone, createPicker } from '../../ui/file-drop.ts';
+import { createGhostPanel } from '../../ui/ghost-panel.ts';
+import { createHeader } from '../../ui/header.ts';
+import { createHelp } from '../../ui/help.ts';
+import type { ShortcutLine } from '../../ui/help.ts';
+import { createKeyStrip } from '../../ui/key-strip.ts';
+import { createProblem, createProgress, createToast, createWelcome } from '../../ui/messages.ts';
+import { createMotionPanel } from '../../ui/motion-panel.ts';
+import { createShapePanel } from '../../ui/shape-panel.ts';
+import { createStatusLine } from '../../ui/status-line.ts';
+import type { Theme } from '../../ui/theme.ts';
+import { createTimeline } from '../../ui/timeline.ts';
+import { createTransport } from '../../ui/transport.ts';
+import { createWarnings } from '../../ui/warnings.ts';
+import type { WarningItem } from '../../ui/warnings.ts';
+import { createPhaseLabel, createTileLabels, createViewBar } from '../../ui/view-bar.ts';
+import type { TileLabel } from '../../ui/view-bar.ts';
+import { addReason } from './commands.ts';
+import type { Commands } from './commands.ts';
+import type { GhostStudyView } from './ghost-study-panel.ts';
+import type { InsightPanel } from './analysis-panel.ts';
+import type { Opening } from '../sources/open-files.ts';
+import { warningItems } from '../drawing/marking.ts';
+import type { Marking } from '../drawing/marking.ts';
+import { hasTexture } from '../sources/open-files.ts';
+import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
+import { videoType } from '../export/video-recorder.ts';
+import type { Runtime } from './view-state.ts';
+import type { Shell } from './layout.ts';
+
+export interface InterfaceInput {
+  shell: Shell;
+  root: HTMLElement;
+  commands: Commands;
+  opening: Opening;
+  insight: InsightPanel;
+  ghostStudy: GhostStudyView;
+  marking: Marking;
+  /** Of the shape on the screen: a face that has turned inside out. */
+  lostFace(): number;
+  shortcuts: readonly ShortcutLine[];
+  onUndo(): void;
+  onRedo(): void;
+  onLink(): void;
+  onRemember(): void;
+  onTheme(): void;
+  onCancel(): void;
+  onCloseProblem(): void;
+  onSingleKeys(on: boolean): void;
+  onExportOpen(): void;
+  onExportChange(request: ExportRequest): void;
+  onExport(request: ExportRequest): void;
+}
+
+export interface Shown {
+  state: AppState;
+  runtime: Runtime;
+  range: Range;
+  theme: Theme;
+  undo: string | null;
+  redo: string | null;
+  labels: readonly TileLabel[];
+  colourBar: ColourBarProps | null;
+}
+
+export interface Interface {
+  update(shown: Shown): void;
+  say(text: string): void;
+  openFiles(): void;
+  openExport(): void;
+  openHelp(): void;
+  toggleLook(): void;
+  toggleClock(): void;
+  timeline: HTMLElement;
+}
+
+export function createInterface(input: InterfaceInput): Interface {
+  const { commands, opening, insight, ghostStudy, shell } = input;
+  const openFiles = (files: PickedFile[] | Promise<PickedFile[]>): void => void opening.files(files);
+  const picker = createPicker('file-input', openFiles);
+  const keyPicker = createPicker('key-file-input', (files) => void opening.addKeys(files));
+  const dropZone = createDropZone(openFiles);
+  const header = createHeader({
+    onSample: (id) => void opening.sample(id), onOpen: picker.open, onUndo: input.onUndo, onRedo: input.onRedo,
+    onExport: () => openExport(), onLink: input.onLink, onRemember: input.onRemember, onHelp: () => help.open(), onTheme: input.onTheme,
+  });
+  const timeline = createTimeline({ onSeek: commands.seek, onRetime: commands.retimeKey, onBetween: commands.between, onWindow: commands.window, onSpeed: commands.endSpeed });
+  const clockMenu = createClockMenu({
+    onFps: commands.fps, onLoopEnd: commands.loopEnd, onBetween: commands.between, onZoom: commands.zoomTime, onWindow: commands.window,
+  });
+  const transport = createTransport(timeline.element, clockMenu.element, { onTogglePlay: commands.togglePlay, onLoop: commands.loop, onSpeed: commands.speed, onSeek: commands.seek });
+  const keyStrip = createKeyStrip({
+    onSeek: commands.seek, onMove: commands.moveKey, onRemove: commands.removeKey, onRetime: commands.retimeKey, onRename: commands.renameKey,
+    onShaping: commands.shaping, onPartTurns: commands.partTurns, onPart: input.marking.part, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
+  });
+  const motionPanel = createMotionPanel({ onMotion: commands.motion, onSpeed: commands.endSpeed, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
+  const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
+  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void opening.resample(animation, times), onOrient: (orientation) => void opening.reorient(orientation) });
+  const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
+  const phaseLabel = createPhaseLabel(() => input.marking.around(input.lostFace()));
+  const tileLabels = createTileLabels();
+  const colourBar = createColourBar(viridisGradient('to top'));
+  const warnings = createWarnings(input.marking.warning);
+  const status = createStatusLine(warnings.toggle);
+  const progress = createProgress(input.onCancel);
+  const problem = createProblem(input.onCloseProblem);
+  const welcome = createWelcome(picker.open);
+  const toast = createToast();
+  const exporting = createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
+  const help = createHelp(input.shortcuts, input.onSingleKeys);
+  const videoReason = videoType() ? null : 'This browser cannot write videos.';
+  const openExport = (): void => { input.onExportOpen(); exporting.open(); };
+
+  shell.mount(input.root, {
+    header: header.element, transport: transport.element, keyStrip: keyStrip.element, warnings: warnings.element, status: status.element,
+    overlays: [tileLabels.element, colourBar.element, welcome.element, phaseLabel.element, viewBar.element],
+    messages: [problem.element, progress.element],
+    panels: [motionPanel.element, shapePanel.element, insight.element],
+    floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, toast.element],
+  });
+
+  const update = ({ state, runtime, range, theme, undo, redo, labels, colourBar: heat }: Shown): void => {
+    const { doc, play, time, view, source } = state;
+    const { info } = runtime;
+    const disabled = info === null;
+    const periodic = doc.motion.boundary === 'periodic';
+    const phase = phaseOf({ t: time, keys: doc.keys, range, periodic, tolerance: play.playing ? PLAYING_TOLERANCE : undefined });
+    header.update({
+      samples: runtime.samples, sample: source.kind === 'sample' ? source.id : null, theme, undo, redo,
+      fileName: source.kind === 'files' ? sourceName(source.names) : '', canExport: !disabled, own: source.kind === 'files', remembered: runtime.remembered,
+    });
+    const { fps, between, playing } = play;
+    const speeds = doc.motion.boundary === 'hermite' && !disabled ? { start: doc.motion.startSpeed, end: doc.motion.endSpeed } : null;
+    timeline.update({ range, keys: doc.keys, time, playing, phase, periodic, disabled, fps, between, window: view.window, speeds });
+    clockMenu.update({ range, time, fps, between, window: view.window, disabled });
+    transport.update({ play, time, range, periodic, disabled });
+    keyStrip.update({
+      keys: keyItems(state, runtime), time, range, disabled, canRemove: doc.keys.length > 2, components: runtime.stats?.components ?? 1,
+      addReason: addReason(doc.keys.map((key) => key.time), time, range),
+    });
+    motionPanel.update({
+      motion: doc.motion, encoding: doc.encoding, compare: view.compare, keys: doc.keys, period: range[1] - range[0], disabled,
+      defaults: runtime.initial?.motion ?? DEFAULT_MOTION,
+    });
+    shapePanel.update({
+      encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: runtime.stats, threads: runtime.threads,
+      canSample: source.kind === 'files', orientation: runtime.orientation, disabled,
+      defaults: runtime.initial?.encoding ?? DEFAULT_ENCODING, lriMethod: isInLri(doc.motion.method),
+    });
+    ghostPanel.update({
+      encoding: doc.encoding, view, faces: info?.report.faces ?? 0, stats: runtime.stats, lriMethod: isInLri(doc.motion.method), disabled,
+    });
+    ghostStudy.update();
+    viewBar.update({ view, hasTexture: hasTexture(info), disabled });
+    phaseLabel.update(disabled ? null : phase, { share: runtime.lost / Math.max(info?.report.faces ?? 0, 1), hasPlace: runtime.lostFace >= 0 });
+    tileLabels.update(labels);
+    colourBar.update(heat);
+    status.update({
+      keys: doc.keys.length, vertices: info?.report.vertices ?? 0, faces: info?.report.faces ?? 0,
+      ms: runtime.aboutMs ?? runtime.ms, about: runtime.aboutMs !== null, warnings: runtime.warnings.length, offline: runtime.offline,
+    });
+    warnings.update({ items: itemsOf(runtime.warnings, doc.keys.length), shown: runtime.shownWarning });
+    progress.update(runtime.working);
+    problem.update(runtime.problem);
+    welcome.update(runtime.welcome, heat !== null || labels.length > 0 || runtime.problem !== null || runtime.working !== null);
+    exporting.update({ ...runtime.exporting, range: playRange(between, range), fps, videoReason });
+    help.update(runtime.singleKeys);
+    insight.setCursor(time);
+    insight.setSpeeds(speeds);
+  };
+  return { update, say: toast.say, openFiles: picker.open, openExport, openHelp: help.open, toggleLook: viewBar.toggleLook, toggleClock: clockMenu.toggle, timeline: timeline.slider };
+}
+
+function sourceName(names: readonly string[]): string {
+  const first = leadingName(names);
+  return names.length > 1 ? `${first} and ${names.length - 1} more` : first;
+}
+
+/** The same list as long as nothing in it changes, so that the strip is not drawn anew on every frame. */
+const keyItems = (() => {
+  let last: { doc: unknown; thumbnails: unknown; items: ReturnType<typeof makeItems> } | null = null;
+  return ({ doc }: AppState, { thumbnails }: Runtime): ReturnType<typeof makeItems> => {
+    if (last?.doc !== doc || last.thumbnails !== thumbnails) last = { doc, thumbnails, items: makeItems(doc, thumbnails) };
+    return last.items;
+  };
+})();
+
+/** The same list as long as the warnings and the number of keys are. */
+const itemsOf = (() => {
+  let last: { warnings: unknown; keys: number; items: WarningItem[] } | null = null;
+  return (warnings: readonly Warning[], keys: number): WarningItem[] => {
+    if (last?.warnings !== warnings || last.keys !== keys) last = { warnings, keys, items: warningItems(warnings, keys) };
+    return last.items;
+  };
+})();
+
+function makeItems(doc: AppState['doc'], thumbnails: Runtime['thumbnails']): { pose: number; name: string; time: number; tension: number; bias: number; turns: number; partTurns: readonly PartTurns[]; isReference: boolean; thumbnail: string | null }[] {
+  const [tension, bias, turns] = SHAPINGS.map((name) => shapingOf(doc, name)) as [number[], number[], number[]];
+  const parts = partTurnsOf(doc);
+  const reference = referenceKey(doc);
+  return doc.keys.map((key, index) => ({
+    pose: key.pose, name: key.name, time: key.time, tension: tension[index]!, bias: bias[index]!, turns: turns[index]!, partTurns: parts[index]!,
+    isReference: index === reference, thumbnail: thumbnails.get(key.pose) ?? null,
+  }));
+}
+

@@ -1,0 +1,101 @@
+/** Which key does what; the help lists the same table. */
+import { clampTime } from '../../model/time-scale.ts';
+import { keyboardStep } from '../../ui/timeline.ts';
+import type { Commands } from './commands.ts';
+import type { Context } from '../context.ts';
+import type { Shortcut } from './shortcuts.ts';
+import { usesArrows } from './shortcuts.ts';
+
+export interface KeyboardTargets {
+  openFiles(): void;
+  openExport(): void;
+  openHelp(): void;
+  toggleLook(): void;
+  toggleClock(): void;
+  nextTheme(): void;
+  undo(): void;
+  redo(): void;
+  /** Ends the work under way or closes a message. */
+  escape(): void;
+}
+
+export function createShortcuts({ store }: Context, commands: Commands, targets: KeyboardTargets): Shortcut[] {
+  const toggle = (name: 'wireframe' | 'floor' | 'onion' | 'film') => (): void => {
+    const { view } = store.get();
+    const other = name === 'onion' ? { film: false } : name === 'film' ? { onion: false } : {};
+    commands.view({ [name]: !view[name], ...other });
+  };
+  return [
+    { keys: [' '], shown: 'Space', does: 'Play or pause', run: commands.togglePlay },
+    { keys: [], shown: '←  →', does: 'A step in time; with Shift ten', run: () => undefined },
+    { keys: [], shown: 'Home  End', does: 'First and last key; once more for the ends of the margins', run: () => undefined },
+    { keys: ['['], shown: '[', does: 'Previous key', run: () => commands.jumpKey(-1) },
+    { keys: [']'], shown: ']', does: 'Next key', run: () => commands.jumpKey(1) },
+    { keys: ['l'], shown: 'L', does: 'Back and forth, loop, or once', run: commands.nextLoop },
+    { keys: [','], shown: ',', does: 'Slower', run: () => commands.stepSpeed(-1) },
+    { keys: ['.'], shown: '.', does: 'Faster', run: () => commands.stepSpeed(1) },
+    { keys: ['ctrl+home'], shown: 'Ctrl+Home', does: 'Playing starts here', run: () => commands.loopEnd('start', null) },
+    { keys: ['ctrl+end'], shown: 'Ctrl+End', does: 'Playing ends here', run: () => commands.loopEnd('end', null) },
+    { keys: ['p'], shown: 'P', does: 'Play all keys again', run: () => commands.between(null) },
+    { keys: ['+', '='], shown: '+', does: 'Zoom into the timeline; the wheel does it about the pointer', run: () => commands.zoomTime(2) },
+    { keys: ['-'], shown: '-', does: 'Zoom out of the timeline', run: () => commands.zoomTime(0.5) },
+    { keys: ['0'], shown: '0', does: 'The whole timeline', run: () => commands.window(null) },
+    { keys: ['t'], shown: 'T', does: 'Frames, loop and zoom', run: targets.toggleClock },
+    { keys: ['k'], shown: 'K', does: 'Add the current shape as a key', run: () => void commands.addCurrent() },
+    { keys: ['b'], shown: 'B', does: 'Next boundary', run: commands.nextBoundary },
+    { keys: ['m'], shown: 'M', does: 'Next method', run: commands.nextMethod },
+    { keys: ['n'], shown: 'N', does: 'Ghost mesh on or off', run: commands.toggleGhost },
+    { keys: ['f'], shown: 'F', does: 'Fit the shape into view', run: () => commands.fit(null) },
+    { keys: ['1'], shown: '1', does: 'Front view', run: () => commands.fit('front') },
+    { keys: ['3'], shown: '3', does: 'Right view', run: () => commands.fit('right') },
+    { keys: ['7'], shown: '7', does: 'Top view', run: () => commands.fit('top') },
+    { keys: ['h'], shown: 'H', does: 'The view it started with', run: () => commands.fit('home') },
+    { keys: ['v'], shown: 'V', does: 'Look: colour and shading', run: targets.toggleLook },
+    { keys: ['w'], shown: 'W', does: 'Wireframe', run: toggle('wireframe') },
+    { keys: ['g'], shown: 'G', does: 'Floor', run: toggle('floor') },
+    { keys: ['o'], shown: 'O', does: 'Onion skin', run: toggle('onion') },
+    { keys: ['i'], shown: 'I', does: 'Film strip', run: toggle('film') },
+    { keys: ['d'], shown: 'D', does: 'Light, dark, or as the system', run: targets.nextTheme },
+    { keys: ['e'], shown: 'E', does: 'Export', run: targets.openExport },
+    { keys: ['ctrl+o'], shown: 'Ctrl+O', does: 'Open files', run: targets.openFiles },
+    { keys: ['ctrl+z'], shown: 'Ctrl+Z', does: 'Undo', run: targets.undo },
+    { keys: ['ctrl+shift+z', 'ctrl+y'], shown: 'Ctrl+Shift+Z', does: 'Redo', run: targets.redo },
+    { keys: ['escape'], shown: 'Esc', does: 'Cancel the work under way, close a message', run: targets.escape },
+    { keys: ['?'], shown: '?', does: 'This help', run: targets.openHelp },
+  ];
+}
+
+/** Arrow keys, Home and End move through time wherever the focus is, unless a control has its own use for them. */
+export function listenToArrows({ store, range, runtime }: Context, commands: Commands, picture: HTMLElement): void {
+  window.addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || usesArrows(event.target)) return;
+    if (runtime().info === null || event.target === picture || document.querySelector('dialog[open]')) return;
+    const time = keyboardStep(event, store.get().time, range(), store.get().play.fps);
+    if (time === null) return;
+    event.preventDefault();
+    commands.seek(clampTime(time, range()));
+  });
+}
+
+const TURN = Math.PI / 36;
+const SHIFT = 0.06;
+const ZOOM = 1.1;
+
+/** The focused picture: arrows turn it, with Shift they move it, plus and minus zoom. */
+export function listenToCamera({ picture: { viewer } }: Context, picture: HTMLElement): void {
+  picture.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const move = (right: number, up: number): void => {
+      if (event.shiftKey) viewer.pan(right * SHIFT, up * SHIFT);
+      else viewer.orbit(right * TURN, up * TURN);
+    };
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => move(-1, 0), ArrowRight: () => move(1, 0), ArrowUp: () => move(0, 1), ArrowDown: () => move(0, -1),
+      '+': () => viewer.zoom(1 / ZOOM), '=': () => viewer.zoom(1 / ZOOM), '-': () => viewer.zoom(ZOOM),
+    };
+    const action = actions[event.key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+}

@@ -1,0 +1,104 @@
+/** Where everything stands on the page; on a small screen the keys and panels come up as sheets. */
+import { h, setAttribute } from '../../ui/dom.ts';
+import { icon } from '../../ui/icons.ts';
+import type { IconName } from '../../ui/icons.ts';
+
+export interface ShellParts {
+  header: HTMLElement;
+  /** What lies over the picture. */
+  overlays: HTMLElement[];
+  /** Progress and errors, on top of everything in the viewport. */
+  messages: HTMLElement[];
+  panels: HTMLElement[];
+  keyStrip: HTMLElement;
+  transport: HTMLElement;
+  warnings: HTMLElement;
+  status: HTMLElement;
+  /** Dialogs, drop zone, file inputs, toast. */
+  floating: HTMLElement[];
+}
+
+export interface Shell {
+  /** The viewer puts its canvas in here; takes the keyboard. */
+  picture: HTMLElement;
+  mount(root: HTMLElement, parts: ShellParts): void;
+  /** Pixels that bars and words take at the top and the bottom of each of so many views in the picture. */
+  covered(views: number): { top: number; bottom: number };
+}
+
+/** Title and measures over a view; the line in words above the buttons, on a small screen. */
+const TILE_LABEL_PX = 54;
+const PHASE_PX = 34;
+/** A panel's heading this near to the top is where one is. */
+const NEAR_PX = 24;
+
+type Sheet = 'keys' | 'motion' | 'shape' | 'see';
+
+const SHEETS: readonly { name: Sheet; label: string; icon: IconName }[] = [
+  { name: 'keys', label: 'Keys', icon: 'keys' },
+  { name: 'motion', label: 'Motion', icon: 'motion' },
+  { name: 'shape', label: 'Shape', icon: 'shape' },
+  { name: 'see', label: 'See', icon: 'chart' },
+];
+
+export function createShell(): Shell {
+  const picture = h('div', {
+    class: 'picture', tabindex: 0, role: 'application', 'data-testid': 'viewport',
+    'aria-label': 'The shape. Arrow keys turn it, plus and minus zoom, Shift with arrows moves it.',
+  });
+  const covered = (views: number): { top: number; bottom: number } => {
+    const host = picture.getBoundingClientRect();
+    const height = (selector: string, from: (box: DOMRect) => number): number => {
+      const box = document.querySelector(selector)?.getBoundingClientRect();
+      return box && box.height > 0 ? Math.max(from(box), 0) : 0;
+    };
+    const small = matchMedia('(max-width: 767px)').matches;
+    const buttons = height('.view-buttons', (box) => host.bottom - box.top);
+    const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
+    const welcome = height('.welcome', (box) => box.bottom - host.top);
+    return { top: Math.max(status + (views > 1 ? TILE_LABEL_PX : 0), welcome), bottom: buttons + (small ? PHASE_PX : 0) };
+  };
+  return {
+    picture,
+    covered,
+    mount(root, parts) {
+      const app = h('div', { class: 'app' }, parts.header,
+        h('main', { class: 'viewport', 'aria-label': 'Viewport' }, picture, ...parts.overlays, h('div', { class: 'overlay-top' }, ...parts.messages)),
+        createSide(parts.panels),
+        h('div', { class: 'deck' }, parts.keyStrip, parts.transport, parts.warnings), parts.status);
+      app.append(createTabs(app));
+      root.replaceChildren(app, ...parts.floating);
+    },
+  };
+}
+
+/** The panels under each other, and a row of their names that stays in sight. */
+function createSide(panels: HTMLElement[]): HTMLElement {
+  const names = panels.map((panel) => panel.querySelector('h2')?.textContent ?? '');
+  const buttons = names.map((name, index) => h('button', {
+    type: 'button', 'data-testid': `side-${index}`, onclick: () => { side.scrollTop = panels[index]!.offsetTop - row.offsetHeight; },
+  }, name));
+  const row = h('nav', { class: 'side-nav', 'aria-label': 'Options' }, ...buttons);
+  const side = h('aside', { class: 'side', 'aria-label': 'Options', tabindex: 0 }, row, ...panels);
+  const mark = (): void => {
+    const atEnd = side.scrollTop > 0 && side.scrollTop + side.clientHeight >= side.scrollHeight - 1;
+    const passed = panels.filter((panel) => panel.offsetTop <= side.scrollTop + row.offsetHeight + NEAR_PX).length;
+    const current = atEnd ? panels.length - 1 : Math.max(passed - 1, 0);
+    buttons.forEach((button, index) => setAttribute(button, 'aria-current', index === current ? 'true' : null));
+  };
+  side.addEventListener('scroll', mark, { passive: true });
+  new ResizeObserver(mark).observe(side);
+  return side;
+}
+
+function createTabs(app: HTMLElement): HTMLElement {
+  const buttons = SHEETS.map(({ name, label, icon: picture }) => h('button', {
+    type: 'button', 'data-testid': `tab-${name}`, 'aria-pressed': 'false', onclick: () => show(app.dataset['sheet'] === name ? null : name),
+  }, icon(picture), h('span', {}, label)));
+  const show = (sheet: Sheet | null): void => {
+    setAttribute(app, 'data-sheet', sheet);
+    SHEETS.forEach(({ name }, index) => setAttribute(buttons[index]!, 'aria-pressed', String(name === sheet)));
+  };
+  app.addEventListener('keydown', (event) => { if (event.key === 'Escape' && app.dataset['sheet']) show(null); });
+  return h('nav', { class: 'tabs', 'aria-label': 'Panels' }, ...buttons);
+}

@@ -1,0 +1,79 @@
+/** What the document asks of the engine, as plain data: which keys, encoded how, moved how. */
+import { ENCODING_DEFAULTS } from '../../engine/api/types.ts';
+import type { AddedTurns, EncodingOptions, Method, MotionOptions } from '../../engine/api/types.ts';
+import { partTurnsOf, shapingOf } from '../../model/edits.ts';
+import type { Doc } from '../../model/state.ts';
+import { ignoresHermite, isInLri, referenceKey } from '../../model/state.ts';
+
+type Encoding = Pick<EncodingOptions, 'reference' | 'patches' | 'stretch' | 'ghostFaces' | 'transfer' | 'placement'>;
+
+/** One of the motions that are shown side by side. */
+export interface Variant {
+  method: Method;
+  /** Led by a ghost mesh, where the document has one. */
+  ghost: boolean;
+}
+
+/** One sequence is built per variant; they share everything else. */
+export interface Spec {
+  order: number[];
+  names: string[];
+  times: number[];
+  encoding: Encoding;
+  startTangentPose: number | null;
+  endTangentPose: number | null;
+  motion: Omit<MotionOptions, 'method'>;
+  variants: Variant[];
+}
+
+/** `difference` puts the motion without a ghost beside the first one, which has one. */
+export function specOf(doc: Doc, compare: readonly Method[], difference = false): Spec {
+  const { keys, motion, encoding } = doc;
+  const { method, ...rest } = motion;
+  const { patches, stretch, ghostFaces, transfer, placement } = encoding;
+  const hermite = motion.boundary === 'hermite';
+  const ghost = ghostFaces > 0;
+  return {
+    order: keys.map((key) => key.pose),
+    names: keys.map((key) => key.name),
+    times: keys.map((key) => key.time),
+    encoding: { reference: referenceKey(doc), patches, stretch, ghostFaces, transfer, placement },
+    startTangentPose: hermite ? encoding.startTangentPose : null,
+    endTangentPose: hermite ? encoding.endTangentPose : null,
+    motion: { ...rest, tension: orNone(doc.tension), bias: orNone(doc.bias), turns: addedTurns(doc), inPlace: false },
+    variants: [
+      { method, ghost },
+      ...(ghost && difference && isInLri(method) ? [{ method, ghost: false }] : []),
+      ...compare.filter((other) => other !== method).map((other) => ({ method: other, ghost })),
+    ],
+  };
+}
+
+export function encodingFor({ encoding }: Spec, { ghost }: Variant): Encoding {
+  const { ghostFaces, transfer, placement } = ENCODING_DEFAULTS;
+  return ghost ? encoding : { ...encoding, ghostFaces, transfer, placement };
+}
+
+/** Variants with the same key are served by the same encodings and factorisations. */
+export function laneKey(spec: Spec, variant: Variant): string {
+  const { order, startTangentPose, endTangentPose } = spec;
+  return JSON.stringify([order, encodingFor(spec, variant), startTangentPose, endTangentPose]);
+}
+
+function addedTurns(doc: Doc): AddedTurns[] {
+  const parts = partTurnsOf(doc);
+  return shapingOf(doc, 'turns').flatMap((turns, key) => {
+    if (key === 0) return [];
+    return [...(turns === 0 ? [] : [{ key, turns }]), ...parts[key]!.map((part) => ({ key, ...part }))];
+  });
+}
+
+function orNone(values: number[]): number[] {
+  return values.some((value) => value !== 0) ? values : [];
+}
+
+/** The boundary that a method makes use of: straight motion has no end derivatives. */
+export function motionFor(spec: Spec, method: Method): MotionOptions {
+  const boundary = ignoresHermite(method) && spec.motion.boundary === 'hermite' ? 'natural' : spec.motion.boundary;
+  return { ...spec.motion, method, boundary };
+}

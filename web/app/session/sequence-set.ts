@@ -1,0 +1,156 @@
+/** The running sequences: one lane for each motion that is shown. Follows the wanted spec, the newest one wins. */
+import type { Engine, Keys, Sequence } from '../../engine/api/api.ts';
+import type { EncodingOptions, Progress } from '../../engine/api/types.ts';
+import type { Spec, Variant } from './sequence-plan.ts';
+import { encodingFor, laneKey, motionFor } from './sequence-plan.ts';
+
+export interface Lane extends Variant {
+  /** What the sequence was built for (laneKey). */
+  key: string;
+  sequence: Sequence;
+  /** The keys that the sequence was made of. */
+  keys: Keys;
+}
+
+export interface LanesEvents {
+  onProgress(progress: Progress | null): void;
+  /** The lanes now serve this spec: draw again. */
+  onReady(spec: Spec): void;
+  /** The wanted spec was refused; the lanes still serve `current`, if there is one. */
+  onRefused(error: unknown, current: Spec | null): void;
+}
+
+export class Lanes {
+  private lanes: Lane[] = [];
+  private served: Spec | null = null;
+  private wanted: Spec | null = null;
+  private building: { shape: string; abort: AbortController } | null = null;
+  private running: Promise<void> | null = null;
+
+  constructor(private readonly engine: Engine, private readonly pool: { readonly keys: Keys }, private readonly events: LanesEvents) {}
+
+  get all(): readonly Lane[] {
+    return this.lanes;
+  }
+
+  get spec(): Spec | null {
+    return this.served;
+  }
+
+  /** Resolves when nothing is left to be done. */
+  async idle(): Promise<void> {
+    while (this.running) await this.running;
+  }
+
+  want(spec: Spec): void {
+    this.wanted = spec;
+    if (this.building && this.building.shape !== buildKey(spec)) this.building.abort.abort();
+    this.running ??= this.run();
+  }
+
+  /** Goes back to what is served now; only a build can be cancelled. */
+  cancel(): void {
+    if (!this.building) return;
+    this.wanted = this.served;
+    this.building.abort.abort();
+  }
+
+  dispose(): void {
+    this.wanted = null;
+    this.building?.abort.abort();
+    disposeAll(this.lanes);
+    this.lanes = [];
+  }
+
+  private async run(): Promise<void> {
+    // The caller's store is in the middle of telling everyone about the change that led here.
+    await Promise.resolve();
+    while (this.wanted && this.wanted !== this.served) {
+      const spec = this.wanted;
+      try {
+        if (JSON.stringify(spec) !== JSON.stringify(this.served)) await this.serve(spec);
+        this.served = spec;
+        this.events.onReady(spec);
+      } catch (error) {
+        const superseded = this.wanted !== spec;
+        if (!superseded) this.wanted = this.served;
+        if (!superseded || isFailure(error)) this.events.onRefused(error, this.served);
+      }
+    }
+    this.running = null;
+  }
+
+  private async serve(spec: Spec): Promise<void> {
+    const spare = [...this.lanes];
+    const kept = spec.variants.map((variant) => takeWhere(spare, (lane) => lane.key === laneKey(spec, variant)));
+    const missing = spec.variants.filter((_, index) => !kept[index]);
+    const added = missing.length > 0 ? await this.build(spec, missing) : [];
+    try {
+      await Promise.all(kept.map((lane, index) => lane && refit(lane, spec, spec.variants[index]!)));
+    } catch (error) {
+      disposeAll(added);
+      throw error;
+    }
+    disposeAll(spare);
+    this.lanes = kept.map((lane) => lane ?? added.shift()!);
+  }
+
+  private async build(spec: Spec, variants: readonly Variant[]): Promise<Lane[]> {
+    const abort = new AbortController();
+    const built: Lane[] = [];
+    this.building = { shape: buildKey(spec), abort };
+    try {
+      for (const [index, variant] of variants.entries()) {
+        const onProgress = ({ stage, fraction }: Progress): void =>
+          this.events.onProgress({ stage, fraction: (index + fraction) / variants.length });
+        const keys = this.pool.keys.arrange(spec.order, spec.times, spec.names);
+        const options = { ...this.encoding(spec, variant), ...motionFor(spec, variant.method) };
+        built.push({ ...variant, key: laneKey(spec, variant), keys, sequence: await this.engine.createSequence(keys, options, { signal: abort.signal, onProgress }) });
+      }
+      return built;
+    } catch (error) {
+      disposeAll(built);
+      throw error;
+    } finally {
+      this.building = null;
+      this.events.onProgress(null);
+    }
+  }
+
+  private encoding(spec: Spec, variant: Variant): Partial<EncodingOptions> {
+    const { startTangentPose, endTangentPose } = spec;
+    const pose = (index: number | null): Float32Array | null => (index === null ? null : this.pool.keys.positions(index));
+    return { ...encodingFor(spec, variant), startTangent: pose(startTangentPose), endTangent: pose(endTangentPose) };
+  }
+}
+
+/** A build is abandoned when what it builds is no longer wanted; other key times or speeds are fitted in afterwards. */
+function buildKey(spec: Spec): string {
+  return spec.variants.map((variant) => laneKey(spec, variant)).join();
+}
+
+/** Takes the first that fits out of the list. */
+function takeWhere<T>(list: T[], fits: (item: T) => boolean): T | undefined {
+  const index = list.findIndex(fits);
+  return index < 0 ? undefined : list.splice(index, 1)[0];
+}
+
+async function refit(lane: Lane, spec: Spec, { method }: Variant): Promise<void> {
+  await lane.sequence.update({ ...motionFor(spec, method), keyTimes: spec.times });
+  lane.method = method;
+}
+
+function disposeAll(lanes: readonly Lane[]): void {
+  for (const { sequence, keys } of lanes) {
+    sequence.dispose();
+    keys.dispose();
+  }
+}
+
+export function isCancelled(error: unknown): boolean {
+  return error instanceof Error && 'code' in error && (error.code === 'cancelled' || error.code === 'disposed');
+}
+
+function isFailure(error: unknown): boolean {
+  return !isCancelled(error);
+}

@@ -1,0 +1,86 @@
+/** Holds the state, tells who listens, and keeps the document's history for undo and redo. */
+import type { AppState, Doc } from '../../model/state.ts';
+
+/** Edits of the same kind closer together than this are one step back: a held key is undone as a whole. */
+const MERGE_MS = 1000;
+const HISTORY_LIMIT = 200;
+
+export interface Store {
+  get(): AppState;
+  /** Changes what undo does not cover: the time, the playing, the view. */
+  set(change: Partial<Omit<AppState, 'doc'>>): void;
+  /** Changes the document as one step back. Edits with the same `merge` become one in quick succession or while held. */
+  edit(label: string, change: (doc: Doc) => Doc, merge?: string): void;
+  /** A pointer goes down or up: a drag is undone as a whole, however long it takes. */
+  hold(down: boolean): void;
+  /** Replaces the document without a step back, for when the engine refuses an edit. */
+  revert(doc: Doc): void;
+  /** A new import: everything is replaced and the history ends. */
+  reset(state: AppState): void;
+  undo(): void;
+  redo(): void;
+  /** Label of the edit that undo or redo would step over, or null. */
+  undoLabel(): string | null;
+  redoLabel(): string | null;
+  subscribe(listener: (state: AppState) => void): () => void;
+}
+
+interface Step {
+  label: string;
+  doc: Doc;
+}
+
+export function createStore(initial: AppState, now: () => number = () => performance.now()): Store {
+  let state = initial;
+  let past: Step[] = [];
+  let future: Step[] = [];
+  let last = { merge: '', at: -Infinity };
+  let held = false;
+  const listeners = new Set<(state: AppState) => void>();
+
+  const publish = (next: AppState): void => {
+    state = next;
+    for (const listener of listeners) listener(state);
+  };
+
+  const step = (from: Step[], to: Step[]): void => {
+    const target = from.pop();
+    if (!target) return;
+    to.push({ label: target.label, doc: state.doc });
+    last = { merge: '', at: -Infinity };
+    publish({ ...state, doc: target.doc });
+  };
+
+  return {
+    get: () => state,
+    set: (change) => publish({ ...state, ...change }),
+    edit(label, change, merge = '') {
+      const doc = change(state.doc);
+      if (doc === state.doc) return;
+      const merged = merge !== '' && merge === last.merge && (held || now() - last.at < MERGE_MS);
+      if (!merged) past = [...past.slice(1 - HISTORY_LIMIT), { label, doc: state.doc }];
+      future = [];
+      last = { merge, at: now() };
+      publish({ ...state, doc });
+    },
+    hold(down) {
+      if (down && !held) last = { merge: '', at: -Infinity };
+      held = down;
+    },
+    revert: (doc) => publish({ ...state, doc }),
+    reset(next) {
+      past = [];
+      future = [];
+      last = { merge: '', at: -Infinity };
+      publish(next);
+    },
+    undo: () => step(past, future),
+    redo: () => step(future, past),
+    undoLabel: () => past.at(-1)?.label ?? null,
+    redoLabel: () => future.at(-1)?.label ?? null,
+    subscribe(listener) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+  };
+}

@@ -1,0 +1,168 @@
+/** What is open: the poses, the sequences made of them, and the way a new import takes the place of the old one. */
+import type { Engine, Keys } from '../../engine/api/api.ts';
+import type { ImportOptions, InputFile, KeysInfo, Progress } from '../../engine/api/types.ts';
+import type { Doc } from '../../model/state.ts';
+import { docOf } from './document-from-import.ts';
+import { Lanes, isCancelled } from './sequence-set.ts';
+import type { Lane } from './sequence-set.ts';
+import type { Spec } from './sequence-plan.ts';
+import { specOf } from './sequence-plan.ts';
+
+export interface Opened {
+  info: KeysInfo;
+  doc: Doc;
+}
+
+export interface WorkspaceEvents {
+  onProgress(progress: Progress | null): void;
+  onReady(spec: Spec): void;
+  onRefused(error: unknown, current: Spec | null): void;
+}
+
+interface Current {
+  lanes: Lanes;
+  pool: PosePool;
+  input: InputFile[];
+  options: ImportOptions;
+}
+
+/** Files, or where they come from: `report` hears the share that is there. */
+export type Input = InputFile[] | ((report: (fraction: number) => void, signal: AbortSignal) => Promise<InputFile[]>);
+
+/** How much of the bar reading takes, and of that the way of the bytes into memory; the rest is encoding and factorising. */
+const READING = 0.3;
+const FETCHING = 0.3;
+const NO_LANES: readonly Lane[] = [];
+
+/** The poses of an import and those taken from shapes since; an index into it never changes its meaning. */
+export class PosePool {
+  count: number;
+  /** How many of them are the import's own. */
+  readonly imported: number;
+
+  constructor(public keys: Keys) {
+    this.imported = keys.info.times.length;
+    this.count = this.imported;
+  }
+
+  /** Returns the new pose's index. */
+  add(name: string, positions: Float32Array): number {
+    const last = this.keys.info.times.at(-1) ?? 0;
+    const before = this.keys;
+    this.keys = before.withPose(name, last + 1, positions);
+    before.dispose();
+    this.count += 1;
+    return this.count - 1;
+  }
+}
+
+export class Workspace {
+  private current: Current | null = null;
+  private opening: AbortController | null = null;
+
+  constructor(private readonly engine: Engine, private readonly events: WorkspaceEvents) {}
+
+  get lanes(): readonly Lane[] {
+    return this.current?.lanes.all ?? NO_LANES;
+  }
+
+  get pool(): PosePool | null {
+    return this.current?.pool ?? null;
+  }
+
+  /** The files that are open, to take other keys from. */
+  get input(): InputFile[] {
+    return this.current?.input ?? [];
+  }
+
+  /** How they were read. */
+  get options(): ImportOptions {
+    return this.current?.options ?? {};
+  }
+
+  /**
+   * Reads files and makes the motion; only when both have succeeded does it replace what is open. `adjust` may change
+   * the document first. Resolves to null when it was cancelled or overtaken by another call.
+   */
+  async open(source: Input, options: ImportOptions, adjust: (doc: Doc, pool: PosePool) => Doc): Promise<Opened | null> {
+    this.opening?.abort();
+    const abort = new AbortController();
+    this.opening = abort;
+    let keys: Keys | null = null;
+    try {
+      const report = (stage: string, fraction: number): void => this.progress(abort, { stage, fraction: READING * fraction });
+      report('reading the files', 0);
+      const fetched = typeof source === 'function' ? FETCHING : 0;
+      const input = typeof source === 'function'
+        ? await source((fraction) => report('reading the files', fetched * fraction), abort.signal) : source;
+      abort.signal.throwIfAborted();
+      const onProgress = ({ stage, fraction }: Progress): void => report(stage, fetched + (1 - fetched) * fraction);
+      keys = await this.engine.importKeyframes(input, options, { signal: abort.signal, onProgress });
+      const { info } = keys;
+      const pool = new PosePool(keys);
+      const doc = adjust(docOf(info, pool), pool);
+      const lanes = await this.firstLanes(pool, specOf(doc, []), abort);
+      this.close();
+      this.current = { lanes, pool, input, options };
+      return { info, doc };
+    } catch (error) {
+      keys?.dispose();
+      if (isCancelled(error) || abort.signal.aborted) return null;
+      throw error;
+    } finally {
+      this.progress(abort, null);
+      if (this.opening === abort) this.opening = null;
+    }
+  }
+
+  want(spec: Spec): void {
+    this.current?.lanes.want(spec);
+  }
+
+  /** Ends what is under way; what is open stays. */
+  cancel(): void {
+    this.opening?.abort();
+    this.current?.lanes.cancel();
+  }
+
+  async idle(): Promise<void> {
+    await this.current?.lanes.idle();
+  }
+
+  private progress(abort: AbortController, progress: Progress | null): void {
+    if (this.opening === abort) this.events.onProgress(progress);
+  }
+
+  private async firstLanes(pool: PosePool, spec: Spec, abort: AbortController): Promise<Lanes> {
+    let failure: unknown = null;
+    let open = false;
+    const lanes = new Lanes(this.engine, pool, {
+      onProgress: (progress) => {
+        if (open) this.events.onProgress(progress);
+        else if (progress) this.progress(abort, { ...progress, fraction: READING + (1 - READING) * progress.fraction });
+      },
+      onReady: (ready) => { if (open) this.events.onReady(ready); },
+      onRefused: (error, current) => {
+        failure = error;
+        if (open) this.events.onRefused(error, current);
+      },
+    });
+    const stop = (): void => lanes.cancel();
+    abort.signal.addEventListener('abort', stop);
+    lanes.want(spec);
+    await lanes.idle();
+    abort.signal.removeEventListener('abort', stop);
+    if (abort.signal.aborted || lanes.spec === null) {
+      lanes.dispose();
+      throw failure ?? abort.signal.reason;
+    }
+    open = true;
+    return lanes;
+  }
+
+  private close(): void {
+    this.current?.lanes.dispose();
+    this.current?.pool.keys.dispose();
+    this.current = null;
+  }
+}

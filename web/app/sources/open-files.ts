@@ -1,0 +1,189 @@
+/** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
+import type { ImportOptions, KeysInfo } from '../../engine/api/types.ts';
+import { addKey, setMotion } from '../../model/edits.ts';
+import type { Doc, Play, Source, View } from '../../model/state.ts';
+import { DEFAULT_VIEW, EMPTY_STATE, SPEEDS, comfortableSpeed } from '../../model/state.ts';
+import { length } from '../../model/time-scale.ts';
+import type { PickedFile } from '../../ui/dropped-files.ts';
+import type { Orientation } from '../../ui/orientation.ts';
+import { plural } from '../../ui/status-line.ts';
+import type { Context } from '../context.ts';
+import type { Remembered } from './remembered-files.ts';
+import type { Input, PosePool } from '../session/workspace.ts';
+import { importPoses, readFiles } from './input-files.ts';
+import { applyPermalink } from './permalink.ts';
+import type { Permalink } from './permalink.ts';
+import type { Sample } from './samples.ts';
+import { fetchSample } from './samples.ts';
+
+export interface Opening {
+  /** Resolve to whether what was asked for is open now. */
+  sample(id: string, link?: Permalink | null): Promise<boolean>;
+  files(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean>;
+  /** Opens what an earlier visit left. */
+  again(remembered: Remembered): Promise<boolean>;
+  /** Takes the keys anew, at these seconds of the animation's own time line. */
+  resample(animation: number, times: number[]): Promise<boolean>;
+  /** Reads the files again with another axis up or another unit. */
+  reorient(orientation: Orientation): Promise<boolean>;
+  /** Adds the files' poses after the last key. */
+  addKeys(files: PickedFile[]): Promise<void>;
+  readonly busy: boolean;
+  /** Resolves when nothing is being opened. */
+  idle(): Promise<void>;
+}
+
+interface Request {
+  input: Input;
+  options: ImportOptions;
+  source: Source;
+  adjust(doc: Doc): Doc;
+  link: Permalink | null;
+  /** How an earlier visit left it. */
+  left?: Remembered;
+}
+
+export function createOpening(context: Context): Opening {
+  const { store, workspace, picture } = context;
+  let fetching = new AbortController();
+  const running = new Set<Promise<unknown>>();
+
+  const open = async ({ input, options, source, adjust, link, left }: Request): Promise<boolean> => {
+    context.inform({ problem: null });
+    let initial: Doc | null = null;
+    const opened = await workspace.open(input, options, (doc, pool) => {
+      initial = adjust(doc);
+      if (left) return restored(left, pool);
+      return link ? applyPermalink(initial, link, pool.keys.info.report.components) : initial;
+    });
+    if (!opened) return false;
+    const { info, doc } = opened;
+    const view = left ? { ...DEFAULT_VIEW, ...left.state.view } : openingView(store.get().view, info, link);
+    picture.setImport(info, workspace.pool!, view.camera);
+    context.inform({
+      info, initial, orientation: orientationOf(source, options), warnings: info.warnings, thumbnails: new Map(), stats: null, shownWarning: null, lost: 0, lostFace: -1, ms: null, threads: null,
+      range: workspace.lanes[0]?.sequence.range ?? [0, 1], welcome: context.runtime().welcome && source.kind === 'sample',
+    });
+    if (source.kind === 'files') context.say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
+    const play = left ? { ...left.state.play, playing: false } : openingPlay(context, info, doc, source, link);
+    store.reset({ source, doc, view, play, time: left?.state.time ?? link?.time ?? doc.keys[0]?.time ?? 0 });
+    return true;
+  };
+
+  const guarded = (work: () => Promise<boolean>): Promise<boolean> => {
+    const task = work().catch((error: unknown) => {
+      context.fail(error);
+      return false;
+    });
+    running.add(task);
+    return task.finally(() => running.delete(task));
+  };
+
+  const addKeys = async (files: PickedFile[]): Promise<boolean> => {
+    const { info } = context.runtime();
+    const { pool } = workspace;
+    if (!info || !pool) return false;
+    context.inform({ problem: null, working: { stage: 'reading', fraction: 0 } });
+    try {
+      const poses = await importPoses(context.engine, await readFiles(files), info, workspace.options);
+      if (workspace.pool !== pool) return false;
+      const added = poses.map(({ name, positions }) => ({ name: name.replace(/\.[a-z]+$/i, ''), pose: pool.add(name, positions) }));
+      store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => added.reduce(appendKey, doc));
+      return true;
+    } finally {
+      context.inform({ working: null });
+    }
+  };
+
+  return {
+    sample: (id, link = null) => guarded(async () => {
+      const sample = context.runtime().samples.find((one) => one.id === id);
+      if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
+      fetching.abort();
+      fetching = new AbortController();
+      const { signal } = fetching;
+      const input = await fetchSample(sample, signal).catch((error: unknown) => {
+        if (signal.aborted) return null;
+        throw error;
+      });
+      if (!input || signal.aborted) return false;
+      const options = sample.times ? { keyTimes: sample.times } : {};
+      return open({ input, options, source: { kind: 'sample', id }, adjust: (doc) => ofSample(doc, sample), link });
+    }),
+    files: (given) => guarded(async () => {
+      fetching.abort();
+      fetching = new AbortController();
+      const { signal } = fetching;
+      const files = await given;
+      if (signal.aborted || files.length === 0) return false;
+      const input: Input = (report, signal) => readFiles(files, report, signal);
+      return open({ input, options: {}, source: { kind: 'files', names: files.map(({ name }) => name) }, adjust: (doc) => doc, link: null });
+    }),
+    again: (left) => guarded(() => open({
+      input: left.files, options: left.options, source: left.state.source, adjust: (doc) => doc, link: null, left,
+    })),
+    resample: (animation, times) => guarded(() => {
+      const { source } = store.get();
+      return open({ input: workspace.input, options: { animation, sample: times }, source, adjust: (doc) => doc, link: null });
+    }),
+    reorient: (orientation) => guarded(() => {
+      const { source, doc } = store.get();
+      const options = { ...workspace.options, ...orientation };
+      // Everything but poses that were taken from the shape as it lay before.
+      const adjust = (fresh: Doc): Doc => (doc.keys.every(({ pose }) => pose < fresh.keys.length) ? doc : fresh);
+      return open({ input: workspace.input, options, source, adjust, link: null });
+    }),
+    addKeys: async (files) => { await guarded(() => addKeys(files)); },
+    get busy() { return running.size > 0; },
+    idle: async () => { while (running.size > 0) await Promise.all(running); },
+  };
+}
+
+/**
+ * The poses that are not of the files come back first: the document's keys name them by their place. What the document of an
+ * earlier version did not have starts as it is by default.
+ */
+function restored({ poses, state }: Remembered, pool: PosePool): Doc {
+  for (const { name, positions } of poses.slice(pool.count - pool.imported)) pool.add(name, positions);
+  return { ...EMPTY_STATE.doc, ...state.doc };
+}
+
+/** After the last key, as far from it as the keys are from each other on average. */
+function appendKey(doc: Doc, { name, pose }: { name: string; pose: number }): Doc {
+  const first = doc.keys[0]?.time ?? 0;
+  const last = doc.keys.at(-1)?.time ?? 0;
+  const step = (last - first) / Math.max(doc.keys.length - 1, 1);
+  return addKey(doc, { pose, name, time: last + (step || 1) });
+}
+
+function ofSample(doc: Doc, { boundary }: Sample): Doc {
+  return setMotion(doc, { boundary });
+}
+
+/** The look stays, but for what another mesh cannot have; the camera is fitted unless a link says where it was. */
+function openingView(view: View, info: KeysInfo, link: Permalink | null): View {
+  const textured = hasTexture(info);
+  const base = link ? { ...DEFAULT_VIEW, ...link.view } : { ...view, camera: null, window: null, film: false };
+  if (base.colouring === 'texture' && !textured) base.colouring = 'phase';
+  return base;
+}
+
+/** glTF says which way is up and how long a metre is; the other formats do not. */
+function orientationOf(source: Source, { up = 'y', unit = 1 }: ImportOptions): Orientation | null {
+  return source.kind === 'files' && source.names.some((name) => /\.(obj|ply|off)$/i.test(name)) ? { up, unit } : null;
+}
+
+export function hasTexture(info: KeysInfo | null): boolean {
+  return info !== null && (info.materials.length > 0 || info.colors !== null);
+}
+
+/** Samples start moving slowly by themselves, unless the visitor wants no motion or came by a link to a moment. */
+function openingPlay(context: Context, info: KeysInfo, doc: Doc, source: Source, link: Permalink | null): Play {
+  const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
+  const own = info.animation >= 0 && source.kind === 'files' ? 1 : comfortableSpeed(length(range));
+  const speed = SPEEDS.find((known) => known === link?.speed) ?? own;
+  const before = context.store.get().play;
+  const playing = link ? link.playing : source.kind === 'sample' && !context.reducedMotion();
+  return { playing: playing && !context.reducedMotion(), speed, loop: link?.loop ?? before.loop, between: link?.between ?? null, fps: link ? link.fps : before.fps };
+}
+

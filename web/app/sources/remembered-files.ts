@@ -1,0 +1,84 @@
+/** The user's own files, kept in this browser between visits where the user has asked for it. They are sent nowhere. */
+import { clear, createStore, get, setMany } from 'idb-keyval';
+import type { ImportOptions, InputFile } from '../../engine/api/types.ts';
+import type { AppState } from '../../model/state.ts';
+import type { Context } from '../context.ts';
+import type { NewPose } from './input-files.ts';
+
+/** Everything that opens the files again as they were left. */
+export interface Remembered {
+  files: InputFile[];
+  options: ImportOptions;
+  /** Poses that are not of the files: taken from shapes, or from further files. */
+  poses: NewPose[];
+  state: AppState;
+}
+
+export interface Memory {
+  /** Remembers what is open, or forgets everything. */
+  toggle(): Promise<void>;
+  /** The state has changed. */
+  follow(): void;
+  /** What an earlier visit left, or null. */
+  recall(): Promise<Remembered | null>;
+}
+
+const SAVE_DELAY_MS = 500;
+/** Raised when older visits can no longer be read. */
+const FORMAT = 1;
+
+export function createMemory({ store, workspace, runtime, inform, say, fail }: Context): Memory {
+  const shelf = createStore('shapespline', 'remembered');
+  let saved: InputFile[] | null = null;
+  let timer = 0;
+
+  const save = async (): Promise<void> => {
+    const state = store.get();
+    const { input, options, pool } = workspace;
+    if (!pool || state.source.kind !== 'files') return;
+    const poses = Array.from({ length: pool.count - pool.imported }, (_, index) => pool.imported + index)
+      .map((pose) => ({ name: pool.keys.info.names[pose] ?? '', positions: pool.keys.positions(pose) }));
+    // Files may be large: they are written once, the state with every change.
+    const files: [string, unknown][] = input === saved ? [] : [['files', input], ['format', FORMAT]];
+    await setMany([...files, ['rest', { options, poses, state }]], shelf);
+    saved = input;
+  };
+
+  const forget = async (): Promise<void> => {
+    window.clearTimeout(timer);
+    saved = null;
+    inform({ remembered: false });
+    await clear(shelf);
+  };
+
+  return {
+    async toggle() {
+      if (runtime().remembered) {
+        await forget();
+        say('Forgotten: the next visit starts with a sample.');
+        return;
+      }
+      try {
+        await save();
+        inform({ remembered: true });
+        say('Remembered on this computer: the next visit starts with these files.');
+      } catch {
+        await forget().catch(() => undefined);
+        fail(new Error('This browser has no room for these files, or keeps nothing in a private window. Export saves them as a project.'));
+      }
+    },
+    follow() {
+      if (!runtime().remembered) return;
+      window.clearTimeout(timer);
+      timer = window.setTimeout(() => void save().catch(() => forget().catch(fail)), SAVE_DELAY_MS);
+    },
+    async recall() {
+      // A browser that keeps nothing has nothing to recall.
+      const [format, files, rest] = await Promise.all(['format', 'files', 'rest'].map((key) => get<unknown>(key, shelf)))
+        .catch(() => []);
+      if (format !== FORMAT || !files || !rest) return null;
+      inform({ remembered: true });
+      return { files: files as InputFile[], ...(rest as Omit<Remembered, 'files'>) };
+    },
+  };
+}

@@ -1,0 +1,148 @@
+/** The engine over any kind of worker. A task that fails or is cancelled takes its worker with it. */
+import type { CallOptions, Engine, Keys, Sequence } from '../api/api.ts';
+import { cancelled, disposed, invalidOption } from '../api/errors.ts';
+import { KeysHandle } from './keyframes.ts';
+import { checkCall, checkImportOptions, checkSequenceOptions } from '../api/options.ts';
+import type { Program } from '../wire/protocol.ts';
+import { Remote, type Spawn } from './worker-client.ts';
+import { SequenceClient } from './sequence.ts';
+import type { ImportOptions, InputFile, SequenceOptions } from '../api/types.ts';
+
+export interface Platform {
+  spawn: Spawn;
+  /** The compiled wasm, fetched once. */
+  module: Promise<WebAssembly.Module>;
+  /** The same for two threads, fetched when it is first asked for; null where threads cannot share memory, and its result where it
+      cannot be had soon. Never rejects. */
+  threaded?: (() => Promise<WebAssembly.Module | null>) | null;
+}
+
+/** Vertices. Below, waking a second thread costs about what it saves. */
+const LARGE = 40_000;
+/** Bytes of a file's vertex, at least; only what is compressed takes less. */
+const VERTEX_BYTES = 12;
+
+export class EngineClient implements Engine {
+  private readonly platform: Platform;
+  private readonly workers = new Set<Remote>();
+  private readonly sequences = new Set<SequenceClient>();
+  /** A worker that has nothing to do and read nothing bad. */
+  private idle: Remote | null = null;
+  private over = false;
+
+  constructor(platform: Platform) {
+    this.platform = platform;
+    platform.module.catch(() => undefined);  // said by the first call
+  }
+
+  /** Starts a worker ahead of the first call, which then need not wait for it. */
+  warm(): void {
+    this.checkAlive();
+    this.idle ??= this.freshWorker();
+  }
+
+  async importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys> {
+    this.checkAlive();
+    checkCall(call);
+    const checked = checkImportOptions(options);
+    checkFiles(files);
+    if (bytesOf(files) >= LARGE * VERTEX_BYTES) void this.platform.threaded?.();  // to be there when the keys are
+    const remote = this.takeWorker();
+    const imported = await this.task(remote, call, () =>
+      remote.call('import', { files, options: checked }, { onProgress: call?.onProgress }));
+    this.keepIdle(remote);
+    return KeysHandle.of(imported);
+  }
+
+  async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence> {
+    this.checkAlive();
+    checkCall(call);
+    if (!(keys instanceof KeysHandle)) throw invalidOption('The keys must come from importKeyframes of this engine.');
+    const large = Boolean(this.platform.threaded) && keys.info.report.vertices >= LARGE;
+    const parts = {
+      keys: keys.data,
+      scene: keys.scene,
+      options: checkSequenceOptions(options),
+      freshWorker: () => this.freshWorker(),
+      onDispose: (gone: SequenceClient) => void this.sequences.delete(gone),
+    };
+    const remote = this.takeWorker(large);
+    const sequence = await this.task(remote, call, () => SequenceClient.create(parts, remote, { onProgress: call?.onProgress }));
+    this.sequences.add(sequence);
+    return sequence;
+  }
+
+  dispose(): void {
+    if (this.over) return;
+    this.over = true;
+    for (const sequence of this.sequences) sequence.dispose();
+    for (const worker of this.workers) worker.terminate(disposed('engine'));
+    this.workers.clear();
+  }
+
+  private takeWorker(large = false): Remote {
+    const { idle } = this;
+    this.idle = null;
+    if (!large && idle?.alive) return idle;
+    idle?.terminate(disposed('engine'));  // with the memory that reading large files took
+    return this.freshWorker(large);
+  }
+
+  private freshWorker(large = false): Remote {
+    this.checkAlive();
+    for (const worker of this.workers) if (!worker.alive) this.workers.delete(worker);
+    const remote = new Remote(this.platform.spawn, this.program(large));
+    this.workers.add(remote);
+    return remote;
+  }
+
+  private async program(large: boolean): Promise<Program> {
+    const threaded = large ? await this.platform.threaded?.() : null;
+    return { module: await this.platform.module, threaded: threaded ?? null };
+  }
+
+  /** Work in one worker, which ends when the work fails or the caller cancels. */
+  private async task<T>(remote: Remote, call: CallOptions | undefined, work: () => Promise<T>): Promise<T> {
+    const cancel = (): void => remote.terminate(cancelled());
+    const signal = call?.signal;
+    if (signal?.aborted) cancel();
+    signal?.addEventListener('abort', cancel, { once: true });
+    try {
+      return await work();
+    } catch (error) {
+      remote.terminate(cancelled());
+      throw error;
+    } finally {
+      signal?.removeEventListener('abort', cancel);
+    }
+  }
+
+  private keepIdle(remote: Remote): void {
+    if (this.idle || this.over) remote.terminate(disposed('engine'));
+    else this.idle = remote;
+  }
+
+  private checkAlive(): void {
+    if (this.over) throw disposed('engine');
+  }
+}
+
+function checkFiles(files: unknown): void {
+  const good = (file: unknown): boolean => {
+    const { name, bytes } = (file ?? {}) as Partial<InputFile>;
+    return typeof name === 'string' && bytes instanceof Uint8Array;
+  };
+  if (!Array.isArray(files) || files.length === 0 || !files.every(good)) {
+    throw invalidOption('Give at least one file as { name, bytes: Uint8Array }.');
+  }
+}
+
+function bytesOf(files: InputFile[]): number {
+  return files.reduce((sum, { bytes }) => sum + bytes.length, 0);
+}
+
+/** Does the work when it is first asked for, and remembers what came of it. */
+export function onlyOnce<T>(work: () => Promise<T>): () => Promise<T> {
+  let result: Promise<T> | null = null;
+  return () => result ??= work();
+}

@@ -1,0 +1,120 @@
+/**
+ * Exports. Frames come from the sequence's own worker, one at a time, so that it stays free for scrubbing; they are
+ * written in a fresh worker, so that neither a cancelled export nor one that runs out of memory touches the sequence.
+ */
+import type { CallOptions } from '../api/api.ts';
+import { cancelled, untilAborted } from '../api/errors.ts';
+import { checkBytes, exportWarnings, framesOf, type Frames } from './export-plan.ts';
+import { writeProject } from '../wire/project.ts';
+import type { KeyData, SceneData } from '../wire/protocol.ts';
+import type { Remote } from './worker-client.ts';
+import type { ExportedFile, ExportOptions, ExportPlan, Frame, SequenceOptions } from '../api/types.ts';
+
+export interface ExportSource {
+  keys: KeyData;
+  keyTimes: readonly number[];
+  scene: SceneData;
+  options: SequenceOptions;
+  range: readonly [number, number];
+  freshWorker(): Remote;
+  frame(t: number): Promise<Frame>;
+  /** Bytes of an animated GLB without its images. */
+  glbSize(vertices: number, faces: number, frames: number, scene: SceneData): Promise<number>;
+}
+
+const NO_SCENE: SceneData = { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] };
+
+export async function planExport(source: ExportSource, options: ExportOptions): Promise<ExportPlan> {
+  const frames = framesOf(options, source.keyTimes, source.range);
+  const bytes = await estimate(source, options, frames.times.length + frames.stills.length);
+  checkBytes(options, bytes);
+  return { times: frames.times, bytes, warnings: exportWarnings(options, frames) };
+}
+
+export async function exportFiles(source: ExportSource, options: ExportOptions, call: CallOptions): Promise<ExportedFile[]> {
+  const frames = framesOf(options, source.keyTimes, source.range);
+  await planExport(source, options);
+  const writer = source.freshWorker();
+  const stop = (): void => writer.terminate(cancelled());
+  if (call.signal?.aborted) stop();
+  call.signal?.addEventListener('abort', stop, { once: true });
+  try {
+    const animated = options.format === 'glb' && frames.times.length > 1;
+    const files = await (animated ? writeAnimation : writePoses)({ source, options, frames, writer, call });
+    call.onProgress?.({ stage: 'writing', fraction: 1 });
+    return files;
+  } finally {
+    call.signal?.removeEventListener('abort', stop);
+    stop();
+  }
+}
+
+interface Job {
+  source: ExportSource;
+  options: ExportOptions;
+  frames: Frames;
+  writer: Remote;
+  call: CallOptions;
+}
+
+function report({ call, frames }: Job, done: number): void {
+  call.onProgress?.({ stage: 'evaluating', fraction: (0.95 * done) / (frames.times.length + frames.stills.length) });
+}
+
+async function writeAnimation(job: Job): Promise<ExportedFile[]> {
+  const { source, frames: { times, seconds, stills }, writer, call: { signal } } = job;
+  for (const [index, t] of [...times, ...stills].entries()) {
+    const { positions, normals } = await untilAborted(signal, source.frame(t));
+    const transfer = [positions.buffer, normals.buffer] as ArrayBuffer[];
+    await writer.call('addFrame', { positions, normals }, { transfer });
+    report(job, index + 1);
+  }
+  const { keys: { faces }, scene } = source;
+  const project = projectOf(source, job.frames);
+  const bytes = await writer.call('writeAnimation', { faces, scene, seconds, stills: stills.length, project });
+  return [{ name: 'shapespline.glb', bytes }];
+}
+
+async function writePoses(job: Job): Promise<ExportedFile[]> {
+  const { source, options: { format }, frames, writer, call: { signal } } = job;
+  const files: ExportedFile[] = [];
+  const scene = sceneOf(format, source.scene);
+  for (const [index, t] of frames.times.entries()) {
+    const frame = await untilAborted(signal, source.frame(t));
+    const pose = { positions: frame.positions, normals: frame.normals };
+    const bytes = await writer.call('writePose', { format, faces: source.keys.faces, scene, pose });
+    frame.release();
+    files.push({ name: `${String(index).padStart(4, '0')}.${format}`, bytes });
+    report(job, index + 1);
+  }
+  return files;
+}
+
+/** What a format keeps of the look. */
+function sceneOf(format: ExportOptions['format'], { uvs, seams, ...rest }: SceneData): SceneData {
+  if (format === 'glb') return { uvs, seams, ...rest };
+  return format === 'obj' ? { ...NO_SCENE, uvs, seams } : NO_SCENE;
+}
+
+/** Every key is one of the frames, shown or not. */
+function projectOf({ keys, keyTimes, options }: ExportSource, { times, stills }: Frames): string {
+  const all = [...times, ...stills];
+  return writeProject({ names: keys.names, times: keyTimes, frames: keyTimes.map((t) => all.indexOf(t)) }, options);
+}
+
+async function estimate(source: ExportSource, { format }: ExportOptions, frames: number): Promise<number> {
+  const vertices = source.keys.positions[0]!.length / 3;
+  const faces = source.keys.faces.length / 3;
+  if (format === 'ply') return frames * (12 * vertices + 13 * faces);
+  if (format === 'obj') return frames * objBytes(vertices, faces, (source.scene.uvs?.length ?? 0) / 2);
+  const images = source.scene.images.reduce((sum, image) => sum + image.bytes.length, 0);
+  const bare = { ...source.scene, images: source.scene.images.map((image) => ({ ...image, bytes: new Uint8Array(0) })) };
+  return images + (await source.glbSize(vertices, faces, frames, bare));
+}
+
+/** Numbers of about 10 characters; indices as long as the largest, twice a corner where there are coordinates. */
+function objBytes(vertices: number, faces: number, coordinates: number): number {
+  const digits = (count: number): number => String(count).length;
+  const corner = 1 + digits(vertices) + (coordinates > 0 ? 1 + digits(coordinates) : 0);
+  return 33 * vertices + 24 * coordinates + (2 + 3 * corner) * faces;
+}

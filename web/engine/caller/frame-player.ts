@@ -1,0 +1,107 @@
+/**
+ * Playback: frames on a fixed grid of ticks, computed ahead of the clock in the sequence's worker. The look-ahead is
+ * bounded, frames that came too late are skipped, and where the worker is slower than the clock only every second, third, ...
+ * tick is asked for, so that what arrives is still to be shown.
+ */
+import type { AheadOptions } from '../api/api.ts';
+import type { Frame } from '../api/types.ts';
+
+export interface PlayerOptions {
+  /** Time of the sequence that a tick shows: speed, direction and loops are the caller's. */
+  timeOf: (tick: number) => number;
+  /** Seconds from tick to tick, now. */
+  tickSeconds: () => number;
+  /** Frames under way or waiting to be shown; default 4. */
+  ahead?: number;
+  /** Called once with what went wrong; the player has stopped then. */
+  onError?: (error: unknown) => void;
+}
+
+/** A sequence, or several whose frames are shown together. */
+export interface FrameSource<F> {
+  evaluateAhead(t: number, options: AheadOptions): Promise<F>;
+}
+
+interface Ready<F> {
+  tick: number;
+  frame: F;
+}
+
+/** How much of the latest cost enters the running mean. */
+const NEW_SHARE = 0.25;
+/** Ticks that are looked through for the next moment where several show the same one. */
+const FARTHEST = 30;
+
+export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
+  private readonly source: FrameSource<F>;
+  private readonly options: Required<PlayerOptions>;
+  private readonly abort = new AbortController();
+  private ready: Ready<F>[] = [];
+  private underWay = 0;
+  private asked = { tick: -Infinity, t: NaN };
+  private meanMs = 0;
+
+  constructor(source: FrameSource<F>, options: PlayerOptions) {
+    this.source = source;
+    this.options = { ahead: 4, onError: () => undefined, ...options };
+  }
+
+  /** The newest frame that is due at this tick and was not taken yet, or null: then the one on show stays. */
+  take(tick: number): F | null {
+    let newest: F | null = null;
+    while (this.ready[0] && this.ready[0].tick <= tick) {
+      newest?.release();
+      newest = this.ready.shift()!.frame;
+    }
+    this.ask(tick);
+    return newest;
+  }
+
+  /** Gives back what waits and what still arrives, and takes back what has not begun. Idempotent. */
+  stop(): void {
+    this.abort.abort();
+    for (const { frame } of this.ready.splice(0)) frame.release();
+  }
+
+  private get stopped(): boolean {
+    return this.abort.signal.aborted;
+  }
+
+  private ask(now: number): void {
+    while (!this.stopped && this.underWay + this.ready.length < this.options.ahead) {
+      const next = this.next(now);
+      if (!next) return;
+      this.asked = next;
+      void this.fetch(next.tick, next.t);
+    }
+  }
+
+  /** The next tick that shows another moment; null where that is far off. */
+  private next(now: number): { tick: number; t: number } | null {
+    // In ticks: what one frame costs.
+    const stride = Math.max(1, Math.ceil(this.meanMs / 1000 / this.options.tickSeconds()));
+    const late = this.asked.tick < now;
+    const first = this.asked.tick === -Infinity ? now : (late ? now : this.asked.tick) + stride;
+    for (let tick = first; tick < first + FARTHEST; ++tick) {
+      const t = this.options.timeOf(tick);
+      if (t !== this.asked.t) return { tick, t };
+    }
+    return null;
+  }
+
+  private async fetch(tick: number, t: number): Promise<void> {
+    ++this.underWay;
+    try {
+      const frame = await this.source.evaluateAhead(t, { signal: this.abort.signal });
+      this.meanMs = this.meanMs === 0 ? frame.ms : (1 - NEW_SHARE) * this.meanMs + NEW_SHARE * frame.ms;
+      if (this.stopped) frame.release();
+      else this.ready.push({ tick, frame });
+    } catch (error) {
+      const first = !this.stopped;
+      this.stop();
+      if (first) this.options.onError(error);
+    } finally {
+      --this.underWay;
+    }
+  }
+}

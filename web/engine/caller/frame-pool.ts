@@ -1,0 +1,27 @@
+/** Spent frames: their buffers travel back to the worker with the next request, so that a steady state allocates none. */
+import type { FrameBuffers, FrameData } from '../wire/protocol.ts';
+import type { Frame } from '../api/types.ts';
+
+/** More than a look-ahead and the frames on show; what comes back beyond it is left to the collector. */
+const MOST_SPARES = 12;
+
+export class FramePool {
+  private readonly spares: FrameBuffers[] = [];
+
+  /** Buffers to send along, or null when none are spare. */
+  take(): FrameBuffers | null {
+    return this.spares.pop() ?? null;
+  }
+
+  frame(t: number, data: FrameData): Frame {
+    const { positions, normals, ms, threads, lostDefiniteness, lostFace } = data;
+    let buffers: FrameBuffers | null = { positions, normals };
+    const release = (): void => {
+      // A frame whose arrays the receiver transferred elsewhere has nothing to give back.
+      const whole = buffers && buffers.positions.length > 0 && buffers.normals.length > 0;
+      if (buffers && whole && this.spares.length < MOST_SPARES) this.spares.push(buffers);
+      buffers = null;
+    };
+    return { t, positions, normals, ms, threads, lostDefiniteness, lostFace, release };
+  }
+}

@@ -1,0 +1,53 @@
+/**
+ * One request at a time to a sequence's worker, the most urgent first: a frame that someone waits for is never behind
+ * frames that are fetched ahead or belong to an export.
+ */
+import { cancelled } from '../api/errors.ts';
+
+/** What a request is for; lower is served first, equals in the order in which they came. */
+export const urgency = { shown: 0, ahead: 1, batch: 2 } as const;
+export type Urgency = (typeof urgency)[keyof typeof urgency];
+
+export interface Task {
+  urgency: Urgency;
+  start(): Promise<unknown>;
+}
+
+export class Scheduler {
+  private waiting: Task[] = [];
+  private busy = false;
+
+  /** The task's own promise; it starts when nothing more urgent is left. The signal withdraws it as long as it has not. */
+  run<T>(level: Urgency, work: () => Promise<T>, signal?: AbortSignal): Promise<T> {
+    return new Promise<T>((resolve, reject) => {
+      if (signal?.aborted) return reject(cancelled());
+      const task: Task = { urgency: level, start: () => work().then(resolve, reject) };
+      signal?.addEventListener('abort', () => { if (this.withdraw(task)) reject(cancelled()); }, { once: true });
+      this.add(task);
+    });
+  }
+
+  add(task: Task): void {
+    const place = this.waiting.findIndex((other) => other.urgency > task.urgency);
+    this.waiting.splice(place < 0 ? this.waiting.length : place, 0, task);
+    this.next();
+  }
+
+  /** Takes a task back; false if it has begun. */
+  withdraw(task: Task): boolean {
+    const place = this.waiting.indexOf(task);
+    if (place >= 0) this.waiting.splice(place, 1);
+    return place >= 0;
+  }
+
+  private next(): void {
+    if (this.busy) return;
+    const task = this.waiting.shift();
+    if (!task) return;
+    this.busy = true;
+    void task.start().finally(() => {
+      this.busy = false;
+      this.next();
+    });
+  }
+}

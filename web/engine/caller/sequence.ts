@@ -1,0 +1,265 @@
+/** A sequence on the caller's side: its worker, the motion that is meant, and what it takes to build it again. */
+import type { AheadOptions, CallOptions, Sequence } from '../api/api.ts';
+import { disposed, untilAborted, type EngineError } from '../api/errors.ts';
+import { exportFiles, planExport, type ExportSource } from './export.ts';
+import { checkCall, checkExportOptions, checkTime, checkTimes, checkUpdate, encodingOf, motionOf } from '../api/options.ts';
+import { FramePool } from './frame-pool.ts';
+import type { CallName, KeyData, MotionSpec, RequestOf, ResultOf, SceneData } from '../wire/protocol.ts';
+import type { Remote, RemoteCall } from './worker-client.ts';
+import { Scheduler, urgency, type Task, type Urgency } from './scheduler.ts';
+import type {
+  EncodingOptions, ExportedFile, ExportOptions, ExportPlan, Frame, Ghost, Measures, MotionOptions, PreviewError, SequenceOptions,
+  SequenceStats, ShapePlane, Warning,
+} from '../api/types.ts';
+
+export interface SequenceParts {
+  keys: KeyData;
+  scene: SceneData;
+  options: SequenceOptions;
+  /** Starts a worker that no other sequence uses, with one thread. */
+  freshWorker(): Remote;
+  onDispose(sequence: SequenceClient): void;
+}
+
+interface Shown {
+  task: Task;
+  supersede(): void;
+}
+
+export class SequenceClient implements Sequence {
+  private readonly parts: SequenceParts;
+  private readonly encoding: EncodingOptions;
+  private readonly scheduler = new Scheduler();
+  private readonly pool = new FramePool();
+  private remote: Remote;
+  private motion: MotionSpec;
+  private versions = 0;
+  private state: ResultOf<'create'>;
+  private shown: Shown | null = null;
+  private updates: Promise<unknown> = Promise.resolve();
+  private over = false;
+
+  private constructor(parts: SequenceParts, remote: Remote, motion: MotionSpec, state: ResultOf<'create'>) {
+    this.parts = parts;
+    this.encoding = encodingOf(parts.options);
+    this.remote = remote;
+    this.motion = motion;
+    this.state = state;
+  }
+
+  /** Builds it in `remote`, which is the sequence's own from here on. */
+  static async create(parts: SequenceParts, remote: Remote, call: RemoteCall): Promise<SequenceClient> {
+    const motion: MotionSpec = { version: 0, options: motionOf(parts.options), keyTimes: parts.keys.times };
+    const state = await remote.call('create', { keys: parts.keys, encoding: encodingOf(parts.options), motion }, call);
+    return new SequenceClient(parts, remote, motion, state);
+  }
+
+  get options(): Readonly<SequenceOptions> {
+    return { ...this.encoding, ...this.motion.options };
+  }
+
+  get keyTimes(): readonly number[] {
+    return this.motion.keyTimes;
+  }
+
+  get range(): readonly [number, number] {
+    return this.state.range;
+  }
+
+  get warnings(): readonly Warning[] {
+    return this.state.warnings;
+  }
+
+  async evaluate(t: number): Promise<Frame | null> {
+    return this.shownFrame(t, false);
+  }
+
+  async preview(t: number): Promise<Frame | null> {
+    return this.shownFrame(t, true);
+  }
+
+  private async shownFrame(t: number, preview: boolean): Promise<Frame | null> {
+    this.checkAlive();
+    checkTime(t);
+    this.supersede();
+    return new Promise<Frame | null>((resolve, reject) => {
+      const task: Task = {
+        urgency: urgency.shown,
+        start: () => {
+          this.shown = null;
+          return this.frame(t, this.motion, preview).then(resolve, (error: EngineError) =>
+            error.code === 'disposed' ? resolve(null) : reject(error));
+        },
+      };
+      this.shown = { task, supersede: () => resolve(null) };
+      this.scheduler.add(task);
+    });
+  }
+
+  async evaluateAhead(t: number, { preview = false, signal }: AheadOptions = {}): Promise<Frame> {
+    this.checkAlive();
+    checkTime(t);
+    return this.scheduler.run(urgency.ahead, () => this.frame(t, this.motion, preview), signal);
+  }
+
+  async previewError(t: number): Promise<PreviewError> {
+    const checked = checkTime(t);
+    return this.scheduled(urgency.ahead, 'previewError', () => ({ motion: this.motion, t: checked }));
+  }
+
+  async evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]> {
+    checkCall(call);
+    checkTimes(times);
+    const motion = await this.settledMotion();
+    const frames: Frame[] = [];
+    await this.each(times, call, async (t) => {
+      frames.push(await this.batch(() => this.frame(t, motion)));
+    });
+    return frames;
+  }
+
+  async update(change: Partial<MotionOptions> & { keyTimes?: number[] }): Promise<void> {
+    this.checkAlive();
+    const work = this.scheduler.run(urgency.shown, async () => {
+      const { motion: options, keyTimes } = checkUpdate(this.motion.options, change);
+      const motion: MotionSpec = { version: ++this.versions, options, keyTimes: keyTimes ?? this.motion.keyTimes };
+      this.state = await this.ask('update', { motion });
+      this.motion = motion;
+    });
+    this.updates = work.catch(() => undefined);
+    return work;
+  }
+
+  async stats(): Promise<SequenceStats> {
+    return this.scheduled(urgency.shown, 'stats', () => ({}));
+  }
+
+  async measures(times: number[], call?: CallOptions): Promise<Measures> {
+    checkCall(call);
+    const measures: Measures = { times: checkTimes(times), volume: [], area: [] };
+    const motion = await this.settledMotion();
+    await this.each(times, call, async (t) => {
+      const { volume, area } = await this.batch(() => this.ask('measure', { motion, t }));
+      measures.volume.push(volume);
+      measures.area.push(area);
+    });
+    return measures;
+  }
+
+  async shapePlane(times: number[]): Promise<ShapePlane> {
+    const checked = checkTimes(times);
+    return this.scheduled(urgency.shown, 'plane', () => ({ motion: this.motion, times: checked }));
+  }
+
+  async bendingEnergy(times: number[]): Promise<number[]> {
+    const checked = checkTimes(times);
+    return this.scheduled(urgency.shown, 'bending', () => ({ motion: this.motion, times: checked }));
+  }
+
+  async patches(): Promise<Int32Array> {
+    return this.scheduled(urgency.shown, 'patches', () => ({}));
+  }
+
+  async components(): Promise<Int32Array> {
+    return this.scheduled(urgency.shown, 'components', () => ({}));
+  }
+
+  async ghost(): Promise<Ghost | null> {
+    return this.scheduled(urgency.shown, 'ghost', () => ({}));
+  }
+
+  async ghostPositions(t: number): Promise<Float32Array> {
+    const checked = checkTime(t);
+    return this.scheduled(urgency.shown, 'ghostPositions', () => ({ motion: this.motion, t: checked }));
+  }
+
+  async planExport(options?: Partial<ExportOptions>): Promise<ExportPlan> {
+    const checked = checkExportOptions(options);
+    return planExport(await this.exportSource(checked), checked);
+  }
+
+  async export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]> {
+    checkCall(call);
+    const checked = checkExportOptions(options);
+    return exportFiles(await this.exportSource(checked), checked, call ?? {});
+  }
+
+  dispose(): void {
+    if (this.over) return;
+    this.over = true;
+    this.supersede();
+    this.remote.terminate(disposed('sequence'));
+    this.parts.onDispose(this);
+  }
+
+  private supersede(): void {
+    if (this.shown && this.scheduler.withdraw(this.shown.task)) this.shown.supersede();
+    this.shown = null;
+  }
+
+  private checkAlive(): void {
+    if (this.over) throw disposed('sequence');
+  }
+
+  /** The motion after all updates that were asked for so far. */
+  private async settledMotion(): Promise<MotionSpec> {
+    await this.updates;
+    this.checkAlive();
+    return this.motion;
+  }
+
+  private async frame(t: number, motion: MotionSpec, preview = false): Promise<Frame> {
+    const buffers = this.pool.take();
+    const transfer = buffers ? [buffers.positions.buffer, buffers.normals.buffer] : [];
+    const data = await this.ask('evaluate', { motion, t, buffers, preview }, { transfer: transfer as ArrayBuffer[] });
+    return this.pool.frame(t, data);
+  }
+
+  /** One request; a worker that died before is replaced first, built from the same keys and the present motion. If the second thread
+      was the reason, it would be again: the new worker has one. */
+  private async ask<K extends CallName>(type: K, request: RequestOf<K>, call?: RemoteCall): Promise<ResultOf<K>> {
+    this.checkAlive();
+    if (!this.remote.alive) await this.revive();
+    return this.remote.call(type, request, call);
+  }
+
+  private async revive(): Promise<void> {
+    this.remote = this.parts.freshWorker();
+    const { keys } = this.parts;
+    this.state = await this.remote.call('create', { keys, encoding: this.encoding, motion: this.motion });
+  }
+
+  private async scheduled<K extends CallName>(level: Urgency, type: K, request: () => RequestOf<K>): Promise<ResultOf<K>> {
+    this.checkAlive();
+    return this.scheduler.run(level, () => this.ask(type, request()));
+  }
+
+  private batch<T>(work: () => Promise<T>): Promise<T> {
+    return this.scheduler.run(urgency.batch, work);
+  }
+
+  /** One step after the other, with progress, until all are done or the caller cancels. */
+  private async each(times: number[], call: CallOptions | undefined, step: (t: number) => Promise<void>): Promise<void> {
+    for (const [index, t] of times.entries()) {
+      await untilAborted(call?.signal, step(t));
+      call?.onProgress?.({ stage: 'evaluating', fraction: (index + 1) / times.length });
+    }
+  }
+
+  private async exportSource({ inPlace }: ExportOptions): Promise<ExportSource> {
+    const settled = await this.settledMotion();
+    const motion = inPlace && !settled.options.inPlace
+      ? { ...settled, version: ++this.versions, options: { ...settled.options, inPlace } }
+      : settled;
+    return {
+      keys: this.parts.keys,
+      keyTimes: motion.keyTimes,
+      scene: this.parts.scene,
+      options: { ...this.encoding, ...motion.options },
+      range: this.range,
+      freshWorker: this.parts.freshWorker,
+      frame: (t) => this.batch(() => this.frame(t, motion)),
+      glbSize: (vertices, faces, frames, scene) => this.scheduled(urgency.shown, 'glbSize', () => ({ vertices, faces, frames, scene })),
+    };
+  }
+}

@@ -1,0 +1,106 @@
+/** One worker seen from outside: calls become promises; its end, however it comes, rejects those that are open. */
+import { crashed, EngineError, isOutOfMemory, messageOf, outOfMemory } from '../api/errors.ts';
+import type { CallName, FromWorker, Program, RequestOf, ResultOf, ToWorker } from '../wire/protocol.ts';
+import type { Progress } from '../api/types.ts';
+
+/** What a worker of the browser and one of Node have in common. */
+export interface WorkerPort {
+  post(message: ToWorker, transfer: Transferable[]): void;
+  terminate(): void;
+}
+
+export interface PortEvents {
+  message(message: FromWorker): void;
+  /** The worker ended or could not be started. */
+  failure(error: EngineError): void;
+}
+
+/** Starts a worker. */
+export type Spawn = (events: PortEvents) => WorkerPort;
+
+export interface RemoteCall {
+  transfer?: Transferable[];
+  onProgress?: ((progress: Progress) => void) | undefined;
+}
+
+interface Open {
+  resolve(value: unknown): void;
+  reject(error: EngineError): void;
+  onProgress: ((progress: Progress) => void) | undefined;
+  fraction: number;
+}
+
+export class Remote {
+  private readonly open = new Map<number, Open>();
+  private readonly port: WorkerPort;
+  private readonly started: Promise<void>;
+  private lastId = 0;
+  private ended: EngineError | null = null;
+
+  constructor(spawn: Spawn, program: Promise<Program>) {
+    this.port = spawn({
+      message: (message) => this.receive(message),
+      failure: (error) => this.terminate(error),
+    });
+    this.started = program.then(
+      ({ module, threaded }) => this.post({ type: 'start', module, threaded }, []),
+      (error: EngineError) => this.terminate(error),
+    );
+  }
+
+  get alive(): boolean {
+    return this.ended === null;
+  }
+
+  call<K extends CallName>(type: K, request: RequestOf<K>, { transfer, onProgress }: RemoteCall = {}): Promise<ResultOf<K>> {
+    if (this.ended) return Promise.reject(this.ended);
+    const id = ++this.lastId;
+    return new Promise<ResultOf<K>>((resolve, reject) => {
+      this.open.set(id, { resolve: resolve as (value: unknown) => void, reject, onProgress, fraction: 0 });
+      // The union of all requests cannot be formed from a generic K without this one assertion.
+      const message = { ...request, type, id } as unknown as ToWorker;
+      void this.started.then(() => this.post(message, transfer ?? []));
+    });
+  }
+
+  /** Ends the worker and rejects what is open. Idempotent. */
+  terminate(reason: EngineError): void {
+    if (this.ended) return;
+    this.ended = reason;
+    this.port.terminate();
+    const open = [...this.open.values()];
+    this.open.clear();
+    for (const call of open) call.reject(reason);
+  }
+
+  private post(message: ToWorker, transfer: Transferable[]): void {
+    if (this.ended) return;
+    try {
+      this.port.post(message, transfer);
+    } catch (error) {  // a clone that does not fit into memory, an array that was transferred elsewhere
+      this.terminate(endedWorker(error));
+    }
+  }
+
+  private receive(message: FromWorker): void {
+    const call = this.open.get(message.id);
+    if (!call) return;
+    if (message.type === 'progress') return this.report(call, message.stage, message.fraction);
+    this.open.delete(message.id);
+    if (message.type === 'result') return call.resolve(message.value);
+    const error = EngineError.from(message.error);
+    if (message.fatal) this.terminate(error);
+    call.reject(error);
+  }
+
+  private report(call: Open, stage: string, fraction: number): void {
+    call.fraction = Math.min(1, Math.max(call.fraction, fraction));
+    call.onProgress?.({ stage, fraction: call.fraction });
+  }
+}
+
+/** What a worker that ended by itself leaves to say. */
+export function endedWorker(reason: unknown): EngineError {
+  const text = messageOf(reason);
+  return isOutOfMemory(text) ? outOfMemory() : crashed(text);
+}

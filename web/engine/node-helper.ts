@@ -1,5 +1,0 @@
-/** Node's second thread. */
-import { parentPort, workerData } from 'node:worker_threads';
-import { help, type HelperStart } from './helper.ts';
-
-help(workerData as HelperStart, () => parentPort?.postMessage(null));

@@ -1,0 +1,53 @@
+/**
+ * A project: what an exported GLB holds in `extras.shapespline` besides its frames, so that it opens again with the same
+ * keys, times and options. The core finds the keys in it (wasm/io/project.h), the options are read here. The text comes from
+ * a file and is trusted in nothing.
+ */
+import { checkSequenceOptions } from '../api/options.ts';
+import type { SequenceOptions } from '../api/types.ts';
+
+const VERSION = 1;
+
+export interface ProjectKeys {
+  /** In the user's unit of time. */
+  times: readonly number[];
+  names: readonly string[];
+  /** For each key its frame: 0 is the mesh itself, k its morph target k - 1. */
+  frames: readonly number[];
+}
+
+/** JSON holds end tangents as base64 of little-endian float32. */
+export function writeProject(keys: ProjectKeys, { startTangent, endTangent, ...rest }: SequenceOptions): string {
+  const options = { ...rest, startTangent: startTangent && toBase64(startTangent), endTangent: endTangent && toBase64(endTangent) };
+  return JSON.stringify({ version: VERSION, keys, options });
+}
+
+/** null where the text is of another version, broken, or made by hand and wrong. */
+export function readOptions(text: string): SequenceOptions | null {
+  try {
+    const { version, options } = record(JSON.parse(text));
+    if (version !== VERSION) return null;
+    const { startTangent, endTangent, ...rest } = record(options);
+    return checkSequenceOptions({ ...rest, startTangent: fromBase64(startTangent), endTangent: fromBase64(endTangent) });
+  } catch {
+    return null;
+  }
+}
+
+function record(value: unknown): Record<string, unknown> {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw new TypeError('not an object');
+  return value as Record<string, unknown>;
+}
+
+function toBase64(numbers: Float32Array): string {
+  const bytes = new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength);
+  let text = '';
+  for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
+  return btoa(text);
+}
+
+function fromBase64(text: unknown): Float32Array | null {
+  if (typeof text !== 'string') return null;
+  const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  return new Float32Array(bytes.buffer, 0, bytes.length >> 2);
+}

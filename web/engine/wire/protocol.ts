@@ -1,0 +1,125 @@
+/**
+ * The messages between the engine and its workers: plain data, one union in each direction. A worker answers every
+ * request exactly once, in order, and reports progress in between.
+ */
+import type { ErrorData } from '../api/errors.ts';
+import type {
+  AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, MotionOptions,
+  PreviewError, Seams, SequenceOptions, SequenceStats, ShapePlane, TextureImage, Warning,
+} from '../api/types.ts';
+
+/** Everything that a sequence is made from, apart from its options. Never changed once made. */
+export interface KeyData {
+  names: readonly string[];
+  times: readonly number[];
+  /** 3 x faces. */
+  faces: Uint32Array;
+  /** 3 x vertices for each key. */
+  positions: readonly Float32Array[];
+  /** 3 x vertices of the first key as the file had them, or null. */
+  normals: Float32Array | null;
+}
+
+/** What is kept of the look of the input. */
+export interface SceneData {
+  uvs: Float32Array | null;
+  seams: Seams | null;
+  colors: Float32Array | null;
+  groups: MaterialGroup[];
+  materials: Material[];
+  images: TextureImage[];
+}
+
+export interface ImportedData {
+  keys: KeyData;
+  scene: SceneData;
+  report: MeshReport;
+  warnings: Warning[];
+  animations: AnimationInfo[];
+  animation: number;
+  project: Partial<SequenceOptions> | null;
+}
+
+/** The motion that a request means; the worker refits when `version` is not the one that it holds. */
+export interface MotionSpec {
+  version: number;
+  options: MotionOptions;
+  keyTimes: readonly number[];
+}
+
+/** Two arrays of 3 x vertices, spent ones given back or new ones. */
+export interface FrameBuffers {
+  positions: Float32Array;
+  normals: Float32Array;
+}
+
+export interface FrameData extends FrameBuffers {
+  ms: number;
+  threads: 1 | 2;
+  lostDefiniteness: number;
+  lostFace?: number;
+}
+
+/** Request and result of every call. */
+export interface Calls {
+  import: { request: { files: InputFile[]; options: ImportOptions }; result: ImportedData };
+  create: {
+    request: { keys: KeyData; encoding: EncodingOptions; motion: MotionSpec };
+    result: { range: [number, number]; warnings: Warning[] };
+  };
+  /** Refits; on an error the motion before stays. */
+  update: { request: { motion: MotionSpec }; result: { range: [number, number]; warnings: Warning[] } };
+  evaluate: { request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null; preview: boolean }; result: FrameData };
+  previewError: { request: { motion: MotionSpec; t: number }; result: PreviewError };
+  measure: { request: { motion: MotionSpec; t: number }; result: { volume: number; area: number } };
+  plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
+  bending: { request: { motion: MotionSpec; times: number[] }; result: number[] };
+  patches: { request: object; result: Int32Array };
+  components: { request: object; result: Int32Array };
+  /** null without a ghost mesh. */
+  ghost: { request: object; result: Ghost | null };
+  ghostPositions: { request: { motion: MotionSpec; t: number }; result: Float32Array };
+  stats: { request: object; result: SequenceStats };
+  /** Bytes of an animated GLB, to a few percent; the images' own bytes are not in it. */
+  glbSize: { request: { vertices: number; faces: number; frames: number; scene: SceneData }; result: number };
+  /** Takes one frame of the animation that is about to be written: those that are shown, then the stills. */
+  addFrame: { request: FrameBuffers; result: null };
+  writeAnimation: {
+    request: { faces: Uint32Array; scene: SceneData; seconds: number[]; stills: number; project: string };
+    result: Uint8Array;
+  };
+  writePose: {
+    request: { format: 'glb' | 'obj' | 'ply'; faces: Uint32Array; scene: SceneData; pose: FrameBuffers };
+    result: Uint8Array;
+  };
+}
+
+export type CallName = keyof Calls;
+export type RequestOf<K extends CallName> = Calls[K]['request'];
+export type ResultOf<K extends CallName> = Calls[K]['result'];
+
+export type Request = { [K in CallName]: { type: K; id: number } & RequestOf<K> }[CallName];
+
+/** The first message to a worker: the compiled wasm, so that it is compiled once a page. */
+export interface Start extends Program {
+  type: 'start';
+}
+
+export interface Program {
+  module: WebAssembly.Module;
+  /** The same for a shared memory, where a second thread may help; `module` runs if it cannot be had. */
+  threaded: WebAssembly.Module | null;
+}
+
+export type ToWorker = Start | Request;
+
+export type FromWorker =
+  | { type: 'result'; id: number; value: ResultOf<CallName> }
+  /** `fatal`: the worker's memory can no longer be trusted; it must be ended. */
+  | { type: 'error'; id: number; error: ErrorData; fatal: boolean }
+  | { type: 'progress'; id: number; stage: string; fraction: number };
+
+/** The worker now holds the lock that bears its name: it is free again when the worker has ended, however that came. */
+export interface Locked {
+  type: 'locked';
+}

@@ -1,0 +1,173 @@
+/**
+ * glTF files with compressed meshes -> the same files without. KHR_draco_mesh_compression and EXT_meshopt_compression are
+ * undone by their own well-kept decoders, which are loaded when the first file needs them; the core reads what remains.
+ */
+import type { Document, JSONDocument } from '@gltf-transform/core';
+import { EngineError, messageOf } from '../api/errors.ts';
+import type { Decode } from './import-files.ts';
+import type { InputFile } from '../api/types.ts';
+
+const COMPRESSIONS = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression'];
+const GLB_MAGIC = 0x46546c67;
+const JSON_CHUNK = 0x4e4f534a;
+const BIN_CHUNK = 0x004e4942;
+/** What glTF-Transform calls the binary chunk. */
+const GLB_BUFFER = '@glb.bin';
+
+/** `dracoWasm` brings the Draco decoder's wasm file; browsers and Node find it in different places. */
+export function decoder(dracoWasm: () => Promise<Uint8Array>): Decode {
+  return async (files, report) => {
+    const texts = files.map(({ bytes }) => jsonOf(bytes));
+    const compressed = texts.map((text) => COMPRESSIONS.some((name) => text?.includes(`"${name}"`)));
+    const [all, decoded] = [compressed.filter(Boolean).length, [...files]];
+    let done = 0;
+    for (const [index, file] of files.entries()) {
+      if (!compressed[index]) continue;
+      report(done / all);
+      decoded[index] = await decodeFile({ file, text: texts[index]!, files, dracoWasm });
+      done += 1;
+      report(done / all);
+    }
+    return decoded;
+  };
+}
+
+interface Job {
+  file: InputFile;
+  text: string;
+  files: InputFile[];
+  dracoWasm: () => Promise<Uint8Array>;
+}
+
+async function decodeFile(job: Job): Promise<InputFile> {
+  const name = lastOf(job.file.name);
+  const json = parsed(job.text);
+  if (!json) return job.file;  // the core says where it is broken
+  try {
+    return { name: job.file.name, bytes: await uncompress(job, json) };
+  } catch (error) {
+    if (error instanceof EngineError) throw error;
+    const reason = messageOf(error).replace(/\.$/, '');
+    const sentence = `${name}: its compressed mesh cannot be decoded (${reason}). Export the file again, or without compression.`;
+    throw new EngineError('malformed-file', sentence, { file: name });
+  }
+}
+
+function parsed(text: string): JSONDocument['json'] | null {
+  try {
+    return JSON.parse(text.replace(/^\uFEFF/, '')) as JSONDocument['json'];
+  } catch {
+    return null;
+  }
+}
+
+const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
+
+/** The JSON text of a .glb or .gltf file; null for anything else, which is for the core to judge. */
+function jsonOf(bytes: Uint8Array): string | null {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const decode = (start: number, end: number): string => new TextDecoder().decode(bytes.subarray(start, end));
+  if (bytes.length >= 20 && view.getUint32(0, true) === GLB_MAGIC) {
+    if (view.getUint32(8, true) > bytes.length) return null;  // cut off
+    const length = view.getUint32(12, true);
+    return view.getUint32(16, true) === JSON_CHUNK && 20 + length <= bytes.length ? decode(20, 20 + length) : null;
+  }
+  return /^[\uFEFF\s]*\{/.test(decode(0, 64)) ? decode(0, bytes.length) : null;
+}
+
+async function uncompress({ file, text, files, dracoWasm }: Job, json: JSONDocument['json']): Promise<Uint8Array> {
+  const io = await reader(text, dracoWasm);
+  const source: JSONDocument = { json, resources: {} };
+  const binary = binaryOf(file.bytes);
+  if (binary) source.resources[GLB_BUFFER] = binary as Uint8Array<ArrayBuffer>;
+  addResources(source, file.name, files);
+  const document = await io.readJSON(source);
+  for (const extension of document.getRoot().listExtensionsUsed()) {
+    if (COMPRESSIONS.includes(extension.extensionName)) extension.dispose();
+  }
+  joinBuffers(document);
+  return io.writeBinary(document);
+}
+
+/** The binary chunk of a GLB. */
+function binaryOf(bytes: Uint8Array): Uint8Array | null {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (view.getUint32(0, true) !== GLB_MAGIC) return null;
+  const start = 20 + view.getUint32(12, true);
+  if (start + 8 > bytes.length || view.getUint32(start + 4, true) !== BIN_CHUNK) return null;
+  const length = view.getUint32(start, true);
+  if (start + 8 + length > bytes.length) throw new Error('its binary chunk is cut off');
+  return bytes.subarray(start + 8, start + 8 + length);
+}
+
+async function reader(text: string, dracoWasm: () => Promise<Uint8Array>) {
+  const [{ Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([import('@gltf-transform/core'), import('@gltf-transform/extensions')]);
+  const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
+  if (text.includes('"KHR_draco_mesh_compression"')) {
+    const { default: createDecoder } = await import('draco3dgltf/draco_decoder_gltf_nodejs.js');
+    io.registerDependencies({ 'draco3d.decoder': await createDecoder({ wasmBinary: await dracoWasm() }) });
+  }
+  if (text.includes('"EXT_meshopt_compression"')) {
+    const { MeshoptDecoder } = await import('meshoptimizer/decoder');
+    await MeshoptDecoder.ready;
+    io.registerDependencies({ 'meshopt.decoder': MeshoptDecoder });
+  }
+  return io;
+}
+
+/** Files beside this one that it names; nothing else is looked for anywhere. A missing image costs the texture only. */
+function addResources({ json, resources }: JSONDocument, name: string, files: InputFile[]): void {
+  const wanted = (list: { uri?: string }[] | undefined): string[] =>
+    (list ?? []).map(({ uri }) => uri).filter((uri) => typeof uri === 'string' && !uri.startsWith('data:')) as string[];
+  for (const uri of wanted(json.images)) resources[uri] = (find(uri, name, files)?.bytes ?? new Uint8Array(0)) as Uint8Array<ArrayBuffer>;
+  for (const uri of wanted(json.buffers)) {
+    const found = find(uri, name, files);
+    if (!found) throw missing(uri, name);
+    resources[uri] = found.bytes as Uint8Array<ArrayBuffer>;
+  }
+}
+
+/** As the core finds them: by path, or by name alone where files came without their folders. */
+function find(uri: string, from: string, files: InputFile[]): InputFile | undefined {
+  if (isExternal(uri)) return undefined;
+  const path = normalised(unescaped(uri));
+  const beside = normalised(from.slice(0, from.lastIndexOf('/') + 1) + unescaped(uri));
+  const exact = files.find((file) => normalised(file.name) === beside);
+  if (exact || path.startsWith('..')) return exact;
+  const byName = files.filter((file) => lastOf(normalised(file.name)) === lastOf(path));
+  return byName.length === 1 ? byName[0] : undefined;
+}
+
+const isExternal = (uri: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(uri);
+
+function unescaped(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
+function normalised(path: string): string {
+  const parts: string[] = [];
+  for (const part of path.split(/[/\\]/)) {
+    if (part === '..' && parts.length > 0 && parts.at(-1) !== '..') parts.pop();
+    else if (part !== '' && part !== '.') parts.push(part);
+  }
+  return parts.join('/');
+}
+
+function missing(uri: string, from: string): EngineError {
+  const name = lastOf(from);
+  const sentence = isExternal(uri)
+    ? `${name} refers to "${uri}". Nothing outside the given files is ever fetched: save that file beside it and give both together.`
+    : `${name} needs the file "${uri}", which was not given. Give both files together.`;
+  return new EngineError(isExternal(uri) ? 'external-resource' : 'missing-resource', sentence, { file: name });
+}
+
+// A GLB has one buffer.
+function joinBuffers(document: Document): void {
+  const [first, ...others] = document.getRoot().listBuffers();
+  for (const accessor of document.getRoot().listAccessors()) accessor.setBuffer(first ?? null);
+  for (const buffer of others) buffer.dispose();
+}

@@ -1,0 +1,28 @@
+/** The browser's worker. */
+import createWasm from '../../../build/wasm/shapespline.mjs';
+import { holdLock } from '../wire/worker-lock.ts';
+import { decoder } from './decompress.ts';
+import type { Locked, ToWorker } from '../wire/protocol.ts';
+import { Service } from './request-handler.ts';
+
+async function dracoWasm(): Promise<Uint8Array> {
+  const { default: url } = await import('draco3dgltf/draco_decoder_gltf.wasm?url');
+  const response = await fetch(new URL(url, import.meta.url));
+  if (!response.ok) throw new Error(`the decoder could not be fetched: ${response.status}`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+const service = new Service({
+  post: (message, transfer) => self.postMessage(message, { transfer }),
+  create: createWasm,
+  createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
+  hire: (start, onReady) => {
+    const helper = new Worker(new URL('./second-thread.worker.ts', import.meta.url), { type: 'module' });
+    helper.onmessage = onReady;
+    helper.onerror = (event) => event.preventDefault();
+    helper.postMessage(start);
+  },
+  decode: decoder(dracoWasm),
+});
+if (self.name) holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
+self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => service.receive(data));

@@ -1,0 +1,81 @@
+/**
+ * Reading and writing the wasm heap. Views live only inside these functions: the memory may grow under them at any call
+ * into the module.
+ */
+import { outOfMemory } from '../api/errors.ts';
+import type { Address, WasmModule } from './wasm-module.ts';
+
+/** A range of the heap as the bindings write it; `length` counts elements. */
+export interface Range {
+  address: Address;
+  length: number;
+}
+
+type NumberArray = Uint8Array | Int32Array | Uint32Array | Float32Array;
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
+function bytesOf(array: NumberArray): Uint8Array {
+  return new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+}
+
+/** Copies a range out, into `target` where that has the right length. */
+export function readFloats(module: WasmModule, { address, length }: Range, target?: Float32Array | null): Float32Array {
+  const copy = target?.length === length ? target : new Float32Array(length);
+  copy.set(new Float32Array(module.HEAPU8.buffer, address >>> 0, length));
+  return copy;
+}
+
+export function readInts(module: WasmModule, { address, length }: Range): Int32Array {
+  return new Int32Array(module.HEAPU8.buffer, address >>> 0, length).slice();
+}
+
+export function readBytes(module: WasmModule, { address, length }: Range): Uint8Array {
+  return module.HEAPU8.slice(address >>> 0, (address >>> 0) + length);
+}
+
+/** Text up to its NUL. */
+export function readText(module: WasmModule, address: Address): string {
+  const start = address >>> 0;
+  return decoder.decode(module.HEAPU8.slice(start, module.HEAPU8.indexOf(0, start)));
+}
+
+export function writeFloats(module: WasmModule, address: Address, numbers: Float32Array): void {
+  module.HEAPU8.set(bytesOf(numbers), address >>> 0);
+}
+
+/** Memory that is lent to one call: everything that was put in is freed by `free`. */
+export class Loan {
+  private readonly addresses: Address[] = [];
+  private readonly module: WasmModule;
+
+  constructor(module: WasmModule) {
+    this.module = module;
+  }
+
+  put(array: NumberArray): Range {
+    return { address: this.write(bytesOf(array)), length: array.length };
+  }
+
+  putOrNull(array: NumberArray | null): Range | null {
+    return array && this.put(array);
+  }
+
+  putText(text: string): Address {
+    return this.write(encoder.encode(`${text}\0`));
+  }
+
+  free(): void {
+    for (const address of this.addresses) this.module._free(address);
+    this.addresses.length = 0;
+  }
+
+  private write(bytes: Uint8Array): Address {
+    const address = this.module._malloc(Math.max(1, bytes.length)) >>> 0;
+    if (address === 0) throw outOfMemory();
+    this.addresses.push(address);
+    this.module.HEAPU8.set(bytes, address);
+    return address;
+  }
+}

@@ -1,0 +1,44 @@
+/** Files -> keys, inside a worker: compressed meshes are decoded first, a project brings its options along. */
+import type { Core, OnProgress } from './wasm-core.ts';
+import { drawnImages } from './image-size.ts';
+import { readOptions } from '../wire/project.ts';
+import type { ImportedData } from '../wire/protocol.ts';
+import { NO_PLACE } from '../api/types.ts';
+import type { ImportOptions, InputFile, Warning } from '../api/types.ts';
+
+/** Undoes compression, one file after the other; those that have none are returned as they are. `report` hears how far it is. */
+export type Decode = (files: InputFile[], report: (fraction: number) => void) => Promise<InputFile[]>;
+
+interface ImportJob {
+  files: InputFile[];
+  options: ImportOptions;
+  report: OnProgress;
+}
+
+const UNREADABLE: Warning = {
+  code: 'project-options-ignored',
+  message: 'The file holds options of this program that cannot be read; its keys are used with the default options.',
+  count: 0,
+  ...NO_PLACE,
+};
+
+/** Shares of the progress: decoding, where there is anything to decode, and reading. The rest is the way out of the core. */
+const DECODING = 0.3;
+const READING = 0.95;
+
+export async function importFiles(core: Core, decode: Decode, { files, options, report }: ImportJob): Promise<ImportedData> {
+  let start = 0;
+  report('reading the file', start);
+  const decoded = await decode(files, (fraction) => {
+    start = DECODING * fraction;
+    report('decoding compressed meshes', start);
+  });
+  const { project: text, ...rest } = core.importKeys(decoded, options, (stage, fraction) =>
+    report(stage, start + (READING - start) * fraction));
+  report('taking the keys', READING);
+  const { images, warnings } = drawnImages(rest.scene.images, rest.scene.materials);
+  const imported = { ...rest, scene: { ...rest.scene, images }, warnings: [...rest.warnings, ...warnings] };
+  if (text === '') return { ...imported, project: null };
+  const project = readOptions(text);
+  return project ? { ...imported, project } : { ...imported, project, warnings: [...imported.warnings, UNREADABLE] };
+}

@@ -1,0 +1,24 @@
+/** The worker thread of Node. */
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { parentPort, Worker } from 'node:worker_threads';
+import createWasm from '../../../build/wasm/shapespline.mjs';
+import { decoder } from './decompress.ts';
+import type { ToWorker } from '../wire/protocol.ts';
+import { Service } from './request-handler.ts';
+
+const require = createRequire(import.meta.url);
+
+const service = new Service({
+  post: (message, transfer) => parentPort?.postMessage(message, transfer),
+  create: createWasm,
+  createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
+  hire: (start, onReady) => {
+    const helper = new Worker(new URL('./node-helper.mjs', import.meta.url), { workerData: start });
+    helper.on('message', onReady);
+    helper.on('error', () => undefined);
+    helper.unref();
+  },
+  decode: decoder(() => readFile(require.resolve('draco3dgltf/draco_decoder_gltf.wasm'))),
+});
+parentPort?.on('message', (message: ToWorker) => service.receive(message));

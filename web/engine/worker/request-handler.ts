@@ -1,0 +1,173 @@
+/** A worker's inside: one core, at most one sequence, requests answered in the order in which they came. */
+import { Core, type OnProgress } from './wasm-core.ts';
+import { crashed, EngineError, engineError, isOutOfMemory, messageOf, outOfMemory, type ErrorData } from '../api/errors.ts';
+import type { HelperStart } from './second-thread.ts';
+import { importFiles, type Decode } from './import-files.ts';
+import type { CallName, FrameBuffers, FrameData, FromWorker, MotionSpec, Request, RequestOf, ResultOf, Start, ToWorker } from '../wire/protocol.ts';
+import { ThreadChoice } from './thread-choice.ts';
+import type { CreateWasmModule } from './wasm-module.ts';
+
+export interface ServiceHost {
+  post(message: FromWorker, transfer: ArrayBuffer[]): void;
+  create: CreateWasmModule;
+  /** The glue of the threaded module. */
+  createThreaded(): Promise<CreateWasmModule>;
+  /** Starts a second thread; one that never gets ready is never waited for. */
+  hire(start: HelperStart, onReady: () => void): void;
+  /** Undoes mesh compression that the core does not know, before it sees the files. */
+  decode: Decode;
+}
+
+type Handlers = {
+  [K in CallName]: (core: Core, request: RequestOf<K>, report: OnProgress) => ResultOf<K> | Promise<ResultOf<K>>;
+};
+
+export class Service {
+  private readonly host: ServiceHost;
+  private readonly handlers: Handlers;
+  private core: Promise<Core> | null = null;
+  /** Once there is a second thread: for exact frames, and for those that are about right, of which it does less. */
+  private choices: Record<'exact' | 'preview', ThreadChoice> | null = null;
+  private tail: Promise<void> = Promise.resolve();
+  private sequence = 0;
+  private motionVersion = -1;
+  private readonly frames: FrameBuffers[] = [];
+
+  constructor(host: ServiceHost) {
+    this.host = host;
+    this.handlers = this.makeHandlers();
+  }
+
+  receive(message: ToWorker): void {
+    if (message.type === 'start') {
+      this.core = this.start(message).catch((reason: unknown) => {
+        throw reason instanceof WebAssembly.LinkError ? mismatch(reason) : reason;
+      });
+      this.core.catch(() => undefined);  // said by the first request
+      return;
+    }
+    this.tail = this.tail.then(() => this.serve(message));
+  }
+
+  private async start({ module, threaded }: Start): Promise<Core> {
+    const core = threaded && await this.startThreaded(threaded).catch(() => null);
+    return core ?? Core.start(this.host.create, module);
+  }
+
+  private async startThreaded(compiled: WebAssembly.Module): Promise<Core> {
+    const core = await Core.start(await this.host.createThreaded(), compiled);
+    const start = core.helperStart(compiled);
+    if (start) this.host.hire(start, () => { this.choices = { exact: new ThreadChoice(), preview: new ThreadChoice() }; });
+    return core;
+  }
+
+  private async serve(request: Request): Promise<void> {
+    const { type, id } = request;
+    const report: OnProgress = (stage, fraction) => this.host.post({ type: 'progress', id, stage, fraction }, []);
+    try {
+      const core = await this.core;
+      if (!core) throw crashed('the worker was not started');
+      // Request and handler belong to the same name, which the compiler cannot follow through the table.
+      const handler = this.handlers[type] as (core: Core, request: Request, report: OnProgress) => ResultOf<CallName>;
+      const value = await handler(core, request, report);
+      this.host.post({ type: 'result', id, value }, buffersOf(value));
+    } catch (reason) {
+      const { error, fatal } = describe(reason);
+      this.host.post({ type: 'error', id, error, fatal }, []);
+    }
+  }
+
+  private makeHandlers(): Handlers {
+    return {
+      import: (core, { files, options }, report) => importFiles(core, this.host.decode, { files, options, report }),
+      create: (core, { keys, encoding, motion }, report) => {
+        report('welding', 0);  // large keys take a moment to be copied and checked
+        const { handle, range, warnings } = core.createSequence(keys, encoding, motion, report);
+        this.sequence = handle;
+        this.motionVersion = motion.version;
+        return { range, warnings };
+      },
+      update: (core, { motion }) => this.refit(core, motion),
+      evaluate: (core, { motion, t, buffers, preview }) => {
+        const start = performance.now();
+        this.follow(core, motion);
+        const frame = this.frame(core, t, buffers, preview);
+        return { ...frame, ms: performance.now() - start };
+      },
+      previewError: (core, { motion, t }) => core.previewError(this.follow(core, motion), t),
+      measure: (core, { motion, t }) => core.measure(this.follow(core, motion), t),
+      plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
+      bending: (core, { motion, times }) => core.bending(this.follow(core, motion), times),
+      patches: (core) => core.patches(this.sequence),
+      components: (core) => core.components(this.sequence),
+      ghost: (core) => core.ghost(this.sequence),
+      ghostPositions: (core, { motion, t }) => core.ghostPositions(this.follow(core, motion), t),
+      stats: (core) => ({ ...core.stats(this.sequence), threads: this.threads }),
+      glbSize: (core, request) => core.animationSize(request),
+      addFrame: (_, { positions, normals }) => {
+        this.frames.push({ positions, normals });
+        return null;
+      },
+      writeAnimation: (core, request) => core.writeAnimation(this.frames.splice(0), request),
+      writePose: (core, request) => core.writePose(request),
+    };
+  }
+
+  private get threads(): 1 | 2 {
+    return this.choices?.exact.chosen ?? 1;
+  }
+
+  private frame(core: Core, t: number, buffers: FrameBuffers | null, preview: boolean): Omit<FrameData, 'ms'> {
+    const choice = this.choices?.[preview ? 'preview' : 'exact'];
+    if (choice) core.setThreads(this.sequence, choice.threads);
+    const start = performance.now();
+    try {
+      const frame = core.evaluate(this.sequence, t, buffers, preview);
+      choice?.took(performance.now() - start);
+      return { ...frame, threads: this.threads };
+    } catch (reason) {
+      // It takes this worker with it: nobody could say what it still writes.
+      throw core.helpLost ? crashed('its second thread broke down in the middle of a frame') : reason;
+    }
+  }
+
+  private refit(core: Core, motion: MotionSpec): ResultOf<'update'> {
+    const state = core.update(this.sequence, motion);
+    this.motionVersion = motion.version;
+    return state;
+  }
+
+  /** Refits where a request means another motion than the last one did. */
+  private follow(core: Core, motion: MotionSpec): number {
+    if (motion.version !== this.motionVersion) this.refit(core, motion);
+    return this.sequence;
+  }
+}
+
+// What the core says of itself leaves it sound, but for memory that ran out in the middle and its own defects. Anything
+// else that arrives here is a trap.
+function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
+  const error = reason instanceof EngineError ? reason : trapped(messageOf(reason));
+  const fatal = error !== reason || ['out-of-memory', 'internal', 'crashed', 'not-loaded'].includes(error.code);
+  return { error: { code: error.code, message: error.message, place: error.place }, fatal };
+}
+
+// Files of two releases, say from a cache that holds an old one.
+function mismatch(reason: Error): EngineError {
+  return engineError('not-loaded', 'The parts of the program that were loaded do not belong together. Reload the page without its '
+    + `cache, or build anew (${reason.message}).`);
+}
+
+function trapped(text: string): EngineError {
+  return isOutOfMemory(text) ? outOfMemory() : crashed(text);
+}
+
+/** The buffers of all typed arrays in a result, to be transferred. */
+export function buffersOf(value: unknown, found = new Set<ArrayBuffer>()): ArrayBuffer[] {
+  if (ArrayBuffer.isView(value)) {
+    if (value.buffer instanceof ArrayBuffer) found.add(value.buffer);
+  } else if (typeof value === 'object' && value !== null) {
+    for (const part of Object.values(value)) buffersOf(part, found);
+  }
+  return [...found];
+}

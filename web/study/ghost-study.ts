@@ -1,0 +1,126 @@
+/**
+ * What a ghost mesh costs and saves (the paper's Fig. 8): the error against the motion without one, and the time of a frame,
+ * over sizes of the ghost and both ways of transfer. Every motion is built in a worker of its own and given up again.
+ */
+import type { CallOptions, Engine, Keys, Sequence } from '../engine/api/api.ts';
+import { KgError } from './kg-error.ts';
+import type { SequenceOptions, SequenceStats, Transfer } from '../engine/api/types.ts';
+
+/** Of the paper's figure. */
+export const GHOST_SIZES: readonly number[] = [500, 1000, 2000, 3000, 5000, 10000];
+export const TRANSFERS: readonly Transfer[] = ['exact', 'paper'];
+/** Two times of a frame that differ by less than this share are called the same. */
+const SAME_MS = 0.1;
+
+export interface GhostRow {
+  /** Faces that were asked for, and those that the ghost has. */
+  wanted: number;
+  faces: number;
+  transfer: Transfer;
+  /** Against the motion without a ghost, in percent. */
+  kg: number;
+  /** Median time of a frame in the worker. */
+  ms: number;
+  /** Milliseconds from the keys to the first frame's readiness. */
+  buildMs: number;
+  stats: SequenceStats;
+}
+
+export interface GhostStudy {
+  /** Of the shape itself. */
+  faces: number;
+  /** Without a ghost. */
+  ms: number;
+  buildMs: number;
+  rows: GhostRow[];
+}
+
+export interface GhostStudyOptions extends CallOptions {
+  times: readonly number[];
+  /** Default: those of the figure. Only ghosts smaller than the shape are made. */
+  sizes?: readonly number[];
+  transfers?: readonly Transfer[];
+}
+
+export async function studyGhosts(
+  engine: Engine, keys: Keys, options: Partial<SequenceOptions>, { times, sizes = GHOST_SIZES, transfers = TRANSFERS, signal, onProgress }: GhostStudyOptions,
+): Promise<GhostStudy> {
+  const { faces } = keys.info.report;
+  const wanted = sizes.filter((size) => size < faces).flatMap((size) => transfers.map((transfer) => ({ size, transfer })));
+  const steps = wanted.length + 1;
+  const build = async (step: number, change: Partial<SequenceOptions>): Promise<Built> => {
+    const start = performance.now();
+    const report = (fraction: number, stage: string): void => onProgress?.({ stage, fraction: (step + fraction) / steps });
+    const sequence = await engine.createSequence(keys, { ...options, ...change }, {
+      ...(signal && { signal }), onProgress: ({ stage, fraction }) => report(0.5 * fraction, stage),
+    });
+    return { sequence, buildMs: performance.now() - start, evaluated: (fraction) => report(0.5 + 0.5 * fraction, 'evaluating') };
+  };
+  const full = await build(0, { ghostFaces: 0 });
+  try {
+    const own = await compare(full, null, times, signal);
+    const rows: GhostRow[] = [];
+    for (const [index, { size, transfer }] of wanted.entries()) {
+      const ghost = await build(index + 1, { ghostFaces: size, transfer });
+      try {
+        const { kg, ms } = await compare(ghost, full.sequence, times, signal);
+        const stats = await ghost.sequence.stats();
+        rows.push({ wanted: size, faces: stats.ghostFaces, transfer, kg, ms, buildMs: ghost.buildMs, stats });
+      } finally {
+        ghost.sequence.dispose();
+      }
+    }
+    return { faces, ms: own.ms, buildMs: full.buildMs, rows };
+  } finally {
+    full.sequence.dispose();
+  }
+}
+
+/** KG error of a sequence against another one over these times, in percent. */
+export async function kgBetween(reference: Sequence, sequence: Sequence, times: readonly number[]): Promise<number> {
+  return (await compare({ sequence, evaluated: () => undefined }, reference, times, undefined)).kg;
+}
+
+/** What the numbers say, in one or two sentences. */
+export function verdictOf({ ms, rows }: GhostStudy): string {
+  if (rows.length === 0) return 'The shape has fewer faces than the smallest of these ghost meshes.';
+  const fastest = rows.reduce((best, row) => (row.ms < best.ms ? row : best));
+  const ghost = `${fastest.faces.toLocaleString('en')} ghost faces (${fastest.transfer}, KG ${percentText(fastest.kg)})`;
+  if (fastest.ms > ms * (1 - SAME_MS)) {
+    return `The full solve is as fast: ${msText(ms)} a frame without a ghost, at best ${msText(fastest.ms)} with one of ${ghost}.`;
+  }
+  return `The fastest ghost saves ${Math.round(100 * (1 - fastest.ms / ms))} % of a frame: ${msText(fastest.ms)} with ${ghost}, ${msText(ms)} without.`;
+}
+
+export const msText = (ms: number): string => `${Number(ms.toPrecision(2))} ms`;
+export const percentText = (percent: number): string => `${Number(percent.toPrecision(2))} %`;
+
+interface Built {
+  sequence: Sequence;
+  buildMs: number;
+  /** Told the fraction of the times that are done. */
+  evaluated(fraction: number): void;
+}
+
+/** One frame after the other, so that neither memory nor the two times suffer. */
+async function compare(
+  { sequence, evaluated }: Pick<Built, 'sequence' | 'evaluated'>, reference: Sequence | null, times: readonly number[], signal: AbortSignal | undefined,
+): Promise<{ kg: number; ms: number }> {
+  const error = new KgError();
+  const ms: number[] = [];
+  for (const [index, t] of times.entries()) {
+    const [frame] = await sequence.evaluateMany([t], signal && { signal });
+    const [other] = reference ? await reference.evaluateMany([t], signal && { signal }) : [];
+    if (other) error.add(other.positions, frame!.positions);
+    ms.push(frame!.ms);
+    frame!.release();
+    other?.release();
+    evaluated((index + 1) / times.length);
+  }
+  return { kg: error.percent, ms: median(ms) };
+}
+
+function median(values: readonly number[]): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+}
