@@ -1,5 +1,5 @@
 // Two threads give the bits of one, and no helper, a late one or a dead one changes anything.
-#include "core/crew.h"
+#include "core/base/fork_join.h"
 
 #include <doctest/doctest.h>
 
@@ -8,11 +8,11 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "core/face_halves.h"
-#include "core/graph.h"
-#include "core/ordering.h"
-#include "core/sequence.h"
-#include "core/tree_cut.h"
+#include "core/mesh/face_order.h"
+#include "core/sparse/graph.h"
+#include "core/sparse/ordering.h"
+#include "core/sequence/sequence.h"
+#include "core/sparse/subtree_partition.h"
 #include "laplacian_meshes.h"
 #include "samples/bench_mesh.h"
 #include "shapes.h"

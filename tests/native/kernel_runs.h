@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/dense_front.h"
-#include "core/face_kernel.h"
-#include "core/panels.h"
-#include "core/shading.h"
+#include "core/sparse/dense_front.h"
+#include "core/reconstruct/face_kernel.h"
+#include "core/sparse/panel_factor.h"
+#include "core/mesh/vertex_normals.h"
 
 namespace kernels {
 

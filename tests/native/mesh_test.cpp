@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/component_tree.h"
-#include "core/kd_tree.h"
-#include "core/lri.h"
-#include "core/weld.h"
+#include "core/mesh/component_tree.h"
+#include "core/mesh/kd_tree.h"
+#include "core/lri/lri.h"
+#include "core/mesh/weld.h"
 #include "shapes.h"
 
 using namespace shapespline;

@@ -7,7 +7,7 @@
 
 #include <Eigen/Dense>
 
-#include "core/patch_motion.h"
+#include "core/patches/patch_motion.h"
 
 using namespace shapespline;
 

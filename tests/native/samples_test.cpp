@@ -9,8 +9,8 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "core/mesh_report.h"
-#include "core/metrics.h"
+#include "core/sequence/mesh_report.h"
+#include "core/sequence/gram_matrix.h"
 #include "io/import.h"
 #include "samples/bench_mesh.h"
 #include "samples/bench_parts.h"

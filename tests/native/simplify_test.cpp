@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/simplify.h"
+#include "core/ghost/simplify.h"
 #include "laplacian_meshes.h"
 #include "samples/bench_mesh.h"
 #include "shapes.h"

@@ -1,7 +1,7 @@
 // The shape that follows a ghost mesh: what holds without a ghost holds with one, and the two agree.
 #include <doctest/doctest.h>
 
-#include "core/correspondence.h"
+#include "core/ghost/correspondence.h"
 #include "real_data.h"
 #include "shapes.h"
 

@@ -1,7 +1,7 @@
 // The module's crew: a second instance over the same memory may help in it.
 #pragma once
 
-#include "core/crew.h"
+#include "core/base/fork_join.h"
 
 namespace shapespline::bindings {
 

@@ -3,7 +3,7 @@
 #include "bindings/host.h"
 #include "bindings/marshal.h"
 #include "bindings/objects.h"
-#include "core/mesh_report.h"
+#include "core/sequence/mesh_report.h"
 #include "io/import.h"
 
 namespace shapespline::bindings {

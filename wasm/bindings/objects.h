@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/sequence.h"
+#include "core/sequence/sequence.h"
 #include "io/import.h"
 
 namespace shapespline::bindings {

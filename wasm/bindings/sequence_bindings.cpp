@@ -3,7 +3,7 @@
 #include "bindings/host.h"
 #include "bindings/marshal.h"
 #include "bindings/objects.h"
-#include "core/metrics.h"
+#include "core/sequence/gram_matrix.h"
 
 namespace shapespline::bindings {
 namespace {

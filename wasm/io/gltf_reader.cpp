@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/byte_text.h"
 #include "io/gltf_look.h"
 #include "io/gltf_pose.h"

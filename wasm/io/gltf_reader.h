@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/keyframes.h"
-#include "core/progress.h"
-#include "core/sequence.h"
-#include "core/status.h"
+#include "core/sequence/keyframes.h"
+#include "core/base/progress.h"
+#include "core/sequence/sequence.h"
+#include "core/base/status.h"
 #include "io/import.h"
 #include "io/scene.h"
 

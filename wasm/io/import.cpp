@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/byte_text.h"
 #include "io/file_kind.h"
 #include "io/gltf_reader.h"

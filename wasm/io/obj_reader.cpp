@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/byte_text.h"
 #include "io/corner_coordinates.h"
 #include "io/gltf_accessor.h"  // kMostElements

@@ -1,8 +1,8 @@
-#include "core/crew.h"
+#include "core/base/fork_join.h"
 
 #include <stdexcept>
 
-#include "core/futex.h"
+#include "core/base/atomic_wait.h"
 
 namespace shapespline {
 

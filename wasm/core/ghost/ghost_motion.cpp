@@ -1,4 +1,4 @@
-#include "core/transfer.h"
+#include "core/ghost/ghost_motion.h"
 
 #include <algorithm>
 

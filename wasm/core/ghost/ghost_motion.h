@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "core/correspondence.h"
-#include "core/patch_motion.h"
-#include "core/reconstruct.h"
-#include "core/sequence_stats.h"
-#include "core/simplify.h"
+#include "core/ghost/correspondence.h"
+#include "core/patches/patch_motion.h"
+#include "core/reconstruct/reconstruct.h"
+#include "core/sequence/sequence_stats.h"
+#include "core/ghost/simplify.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/face_frame.h"
+#include "core/lri/face_frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // One triangle's deformation against the reference pose: R_f and S_f of the deformation gradient (paper section 4.2).
 #pragma once
 
-#include "core/rotation.h"
-#include "core/types.h"
+#include "core/rotation/rotation.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "core/face_coordinates.h"
-#include "core/frame_source.h"
-#include "core/options.h"
-#include "core/types.h"
-#include "core/welded_shape.h"
+#include "core/lri/face_coordinates.h"
+#include "core/lri/frame_source.h"
+#include "core/sequence/options.h"
+#include "core/base/types.h"
+#include "core/lri/welded_shape.h"
 
 namespace shapespline {
 

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/component_tree.h"
-#include "core/face_frame.h"
-#include "core/mesh.h"
-#include "core/rigid_motion.h"
-#include "core/types.h"
+#include "core/mesh/component_tree.h"
+#include "core/lri/face_frame.h"
+#include "core/mesh/mesh.h"
+#include "core/rotation/rigid_motion.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

@@ -1,9 +1,9 @@
-#include "core/canonical_order.h"
+#include "core/mesh/canonical_order.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "core/mesh.h"
+#include "core/mesh/mesh.h"
 
 namespace shapespline {
 

@@ -1,10 +1,10 @@
-#include "core/component_tree.h"
+#include "core/mesh/component_tree.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "core/coarse.h"
-#include "core/contact.h"
+#include "core/base/coarse_cost.h"
+#include "core/mesh/contact.h"
 
 namespace shapespline {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/kd_tree.h"
-#include "core/types.h"
+#include "core/mesh/kd_tree.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

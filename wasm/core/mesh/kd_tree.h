@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/types.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

@@ -1,12 +1,12 @@
-#include "core/shading.h"
+#include "core/mesh/vertex_normals.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <span>
 
-#include "core/out_of_line.h"
-#include "core/simd.h"
+#include "core/base/no_inline_call.h"
+#include "core/base/simd.h"
 
 namespace shapespline {
 

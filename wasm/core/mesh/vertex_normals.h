@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/crew.h"
-#include "core/face_halves.h"
-#include "core/progress.h"
-#include "core/types.h"
+#include "core/base/fork_join.h"
+#include "core/mesh/face_order.h"
+#include "core/base/progress.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/patch_motion.h"
+#include "core/patches/patch_motion.h"
 
 #include <algorithm>
 #include <array>

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "core/alignment.h"
-#include "core/frame_source.h"
-#include "core/options.h"
-#include "core/patch_coordinates.h"
-#include "core/patch_rotations.h"
+#include "core/patches/global_alignment.h"
+#include "core/lri/frame_source.h"
+#include "core/sequence/options.h"
+#include "core/patches/patch_coordinates.h"
+#include "core/patches/patch_rotations.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/patch_rotations.h"
+#include "core/patches/patch_rotations.h"
 
 namespace shapespline {
 

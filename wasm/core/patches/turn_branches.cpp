@@ -1,4 +1,4 @@
-#include "core/turn_branches.h"
+#include "core/patches/turn_branches.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/patch_rotations.h"
+#include "core/patches/patch_rotations.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/face_kernel.h"
+#include "core/reconstruct/face_kernel.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,10 +7,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/face_frame.h"
-#include "core/lanes.h"
-#include "core/rotation_series.h"
-#include "core/stretch_limits.h"
+#include "core/lri/face_frame.h"
+#include "core/base/lanes.h"
+#include "core/rotation/rotation_series.h"
+#include "core/reconstruct/stretch_limits.h"
 
 namespace shapespline {
 

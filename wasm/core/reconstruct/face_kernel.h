@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/crew.h"
-#include "core/face_coordinates.h"
-#include "core/face_halves.h"
-#include "core/options.h"
-#include "core/progress.h"
-#include "core/types.h"
-#include "core/welded_shape.h"
+#include "core/base/fork_join.h"
+#include "core/lri/face_coordinates.h"
+#include "core/mesh/face_order.h"
+#include "core/sequence/options.h"
+#include "core/base/progress.h"
+#include "core/base/types.h"
+#include "core/lri/welded_shape.h"
 
 namespace shapespline {
 

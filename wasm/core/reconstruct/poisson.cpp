@@ -1,12 +1,12 @@
-#include "core/poisson.h"
+#include "core/reconstruct/poisson.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 
-#include "core/assembly.h"
-#include "core/simd.h"
+#include "core/sparse/front_assembly.h"
+#include "core/base/simd.h"
 
 namespace shapespline {
 

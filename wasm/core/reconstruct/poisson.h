@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "core/cholesky.h"
-#include "core/mesh.h"
-#include "core/status.h"
+#include "core/sparse/cholesky.h"
+#include "core/mesh/mesh.h"
+#include "core/base/status.h"
 
 namespace shapespline {
 

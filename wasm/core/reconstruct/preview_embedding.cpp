@@ -1,4 +1,4 @@
-#include "core/embedding.h"
+#include "core/reconstruct/preview_embedding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <numeric>
 #include <tuple>
 
-#include "core/precision.h"
-#include "core/simd.h"
-#include "core/stretch_limits.h"
+#include "core/sparse/precision.h"
+#include "core/base/simd.h"
+#include "core/reconstruct/stretch_limits.h"
 
 namespace shapespline {
 

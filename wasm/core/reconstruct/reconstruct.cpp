@@ -1,8 +1,8 @@
-#include "core/reconstruct.h"
+#include "core/reconstruct/reconstruct.h"
 
 #include <algorithm>
 
-#include "core/lanes.h"
+#include "core/base/lanes.h"
 
 namespace shapespline {
 

@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "core/embedding.h"
-#include "core/face_kernel.h"
-#include "core/frame_source.h"
-#include "core/lri.h"
-#include "core/poisson.h"
-#include "core/pose_weights.h"
-#include "core/sequence_stats.h"
+#include "core/reconstruct/preview_embedding.h"
+#include "core/reconstruct/face_kernel.h"
+#include "core/lri/frame_source.h"
+#include "core/lri/lri.h"
+#include "core/reconstruct/poisson.h"
+#include "core/spline/pose_weights.h"
+#include "core/sequence/sequence_stats.h"
 
 namespace shapespline {
 

@@ -1,12 +1,12 @@
-#include "core/metrics.h"
+#include "core/sequence/gram_matrix.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
 
-#include "core/face_frame.h"
-#include "core/rotation.h"
+#include "core/lri/face_frame.h"
+#include "core/rotation/rotation.h"
 
 namespace shapespline {
 

@@ -1,9 +1,9 @@
-#include "core/keyframes.h"
+#include "core/sequence/keyframes.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/text.h"
+#include "core/base/format.h"
 
 namespace shapespline {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/precision.h"
-#include "core/types.h"
+#include "core/sparse/precision.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

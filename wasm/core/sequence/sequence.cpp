@@ -1,13 +1,13 @@
-#include "core/sequence.h"
+#include "core/sequence/sequence.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/discrete_spline.h"
-#include "core/metrics.h"
-#include "core/sequence_stages.h"
-#include "core/sequence_state.h"
-#include "core/text.h"
+#include "core/spline/discrete_spline.h"
+#include "core/sequence/gram_matrix.h"
+#include "core/sequence/build_progress.h"
+#include "core/sequence/sequence_state.h"
+#include "core/base/format.h"
 
 namespace shapespline {
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "core/crew.h"
-#include "core/keyframes.h"
-#include "core/options.h"
-#include "core/rotation.h"
-#include "core/sequence_stats.h"
-#include "core/status.h"
-#include "core/warning.h"
+#include "core/base/fork_join.h"
+#include "core/sequence/keyframes.h"
+#include "core/sequence/options.h"
+#include "core/rotation/rotation.h"
+#include "core/sequence/sequence_stats.h"
+#include "core/base/status.h"
+#include "core/base/warning.h"
 
 namespace shapespline {
 

@@ -1,12 +1,12 @@
-#include "core/sequence_state.h"
+#include "core/sequence/sequence_state.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/canonical_order.h"
-#include "core/metrics.h"
-#include "core/mirrored.h"
-#include "core/turn_warnings.h"
+#include "core/mesh/canonical_order.h"
+#include "core/sequence/gram_matrix.h"
+#include "core/sequence/mirrored_keys.h"
+#include "core/sequence/turn_warnings.h"
 
 namespace shapespline {
 

@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "core/mesh.h"
-#include "core/progress.h"
-#include "core/sequence.h"
-#include "core/shading.h"
-#include "core/shape_motion.h"
-#include "core/spline.h"
-#include "core/weld.h"
+#include "core/mesh/mesh.h"
+#include "core/base/progress.h"
+#include "core/sequence/sequence.h"
+#include "core/mesh/vertex_normals.h"
+#include "core/sequence/shape_motion.h"
+#include "core/spline/spline.h"
+#include "core/mesh/weld.h"
 
 namespace shapespline {
 

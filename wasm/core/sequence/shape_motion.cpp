@@ -1,8 +1,8 @@
-#include "core/shape_motion.h"
+#include "core/sequence/shape_motion.h"
 
 #include <algorithm>
 
-#include "core/metrics.h"
+#include "core/sequence/gram_matrix.h"
 
 namespace shapespline {
 

@@ -6,12 +6,12 @@
 
 #include <Eigen/Core>
 
-#include "core/cholesky.h"
-#include "core/options.h"
-#include "core/patch_motion.h"
-#include "core/reconstruct.h"
-#include "core/sequence_stats.h"
-#include "core/transfer.h"
+#include "core/sparse/cholesky.h"
+#include "core/sequence/options.h"
+#include "core/patches/patch_motion.h"
+#include "core/reconstruct/reconstruct.h"
+#include "core/sequence/sequence_stats.h"
+#include "core/ghost/ghost_motion.h"
 
 namespace shapespline {
 

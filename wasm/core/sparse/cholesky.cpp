@@ -1,15 +1,15 @@
-#include "core/cholesky.h"
+#include "core/sparse/cholesky.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 
-#include "core/graph.h"
-#include "core/multifrontal.h"
-#include "core/ordering.h"
-#include "core/panels.h"
-#include "core/symbolic.h"
+#include "core/sparse/graph.h"
+#include "core/sparse/multifrontal.h"
+#include "core/sparse/ordering.h"
+#include "core/sparse/panel_factor.h"
+#include "core/sparse/symbolic.h"
 
 namespace shapespline {
 

@@ -5,12 +5,12 @@
 #include <memory>
 #include <span>
 
-#include "core/crew.h"
-#include "core/precision.h"
-#include "core/progress.h"
-#include "core/sparse_matrix.h"
-#include "core/status.h"
-#include "core/types.h"
+#include "core/base/fork_join.h"
+#include "core/sparse/precision.h"
+#include "core/base/progress.h"
+#include "core/sparse/sparse_matrix.h"
+#include "core/base/status.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

@@ -1,8 +1,8 @@
-#include "core/assembly.h"
+#include "core/sparse/front_assembly.h"
 
 #include <algorithm>
 
-#include "core/dense_front.h"
+#include "core/sparse/dense_front.h"
 
 namespace shapespline {
 

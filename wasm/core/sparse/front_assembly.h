@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/sparse_matrix.h"
-#include "core/symbolic.h"
+#include "core/sparse/sparse_matrix.h"
+#include "core/sparse/symbolic.h"
 
 namespace shapespline {
 

@@ -1,11 +1,11 @@
-#include "core/ordering.h"
+#include "core/sparse/ordering.h"
 
 #include <algorithm>
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
-#include "core/nested_dissection.h"
+#include "core/sparse/nested_dissection.h"
 
 namespace shapespline {
 

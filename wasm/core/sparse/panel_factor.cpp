@@ -1,11 +1,11 @@
-#include "core/panels.h"
+#include "core/sparse/panel_factor.h"
 
 #include <algorithm>
 
-#include "core/dense_front.h"
-#include "core/out_of_line.h"
-#include "core/panel_kernels.h"
-#include "core/tree_cut.h"
+#include "core/sparse/dense_front.h"
+#include "core/base/no_inline_call.h"
+#include "core/sparse/panel_kernels.h"
+#include "core/sparse/subtree_partition.h"
 
 namespace shapespline {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/crew.h"
-#include "core/panel_layout.h"
+#include "core/base/fork_join.h"
+#include "core/sparse/panel_layout.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/sparse_matrix.h"
+#include "core/sparse/sparse_matrix.h"
 
 #include <cmath>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/status.h"
+#include "core/base/status.h"
 
 namespace shapespline {
 

@@ -1,10 +1,10 @@
-#include "core/symbolic.h"
+#include "core/sparse/symbolic.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 
-#include "core/elimination_tree.h"
+#include "core/sparse/elimination_tree.h"
 
 namespace shapespline {
 

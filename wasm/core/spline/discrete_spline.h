@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
-#include "core/options.h"
-#include "core/spline.h"
-#include "core/status.h"
+#include "core/sequence/options.h"
+#include "core/spline/spline.h"
+#include "core/base/status.h"
 
 namespace shapespline {
 

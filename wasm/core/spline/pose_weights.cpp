@@ -1,8 +1,8 @@
-#include "core/pose_weights.h"
+#include "core/spline/pose_weights.h"
 
 #include <cmath>
 
-#include "core/precision.h"
+#include "core/sparse/precision.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/rotation_path.h"
+#include "core/spline/rotation_spline.h"
 
 namespace shapespline {
 

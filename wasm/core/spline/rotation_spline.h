@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/rotation.h"
-#include "core/spline.h"
+#include "core/rotation/rotation.h"
+#include "core/spline/spline.h"
 
 namespace shapespline {
 

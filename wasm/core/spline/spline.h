@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "core/options.h"
-#include "core/status.h"
+#include "core/sequence/options.h"
+#include "core/base/status.h"
 
 namespace shapespline {
 
