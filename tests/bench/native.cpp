@@ -13,6 +13,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "core/base/stopwatch.h"
 #include "core/mesh/canonical_order.h"
 #include "core/sparse/cholesky.h"
 #include "core/reconstruct/poisson.h"

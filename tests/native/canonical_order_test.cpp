@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "core/rotation/rigid_fit.h"
 #include "core/mesh/canonical_order.h"
 #include "real_data.h"
 #include "sequences.h"

@@ -7,6 +7,7 @@
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"
+#include "core/mesh/measures.h"
 
 using namespace shapespline;
 using namespace shapespline::test;

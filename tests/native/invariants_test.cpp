@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include "shapes.h"
+#include "core/mesh/measures.h"
+#include "core/rotation/rigid_fit.h"
 
 using namespace shapespline;
 using namespace shapespline::test;

@@ -1,4 +1,5 @@
 // Orderings and the symbolic analysis against brute force on small graphs, and their quality on a mesh.
+#include "core/sparse/minimum_degree.h"
 #include "core/sparse/ordering.h"
 
 #include <doctest/doctest.h>

@@ -9,6 +9,8 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include "core/mesh/measures.h"
+#include "core/rotation/rigid_fit.h"
 #include "core/sequence/mesh_report.h"
 #include "core/sequence/gram_matrix.h"
 #include "io/import.h"

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/rotation/rigid_fit.h"
 #include "core/sequence/keyframes.h"
 #include "core/mesh/mesh.h"
 #include "core/sequence/gram_matrix.h"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/mesh/triangle.h"
+#include "core/mesh/measures.h"
 #include "core/ghost/simplify.h"
 #include "laplacian_meshes.h"
 #include "samples/bench_mesh.h"

@@ -3,6 +3,7 @@
 #include "bindings/host.h"
 #include "bindings/marshal.h"
 #include "bindings/objects.h"
+#include "core/mesh/measures.h"
 #include "core/sequence/gram_matrix.h"
 
 namespace shapespline::bindings {
@@ -71,7 +72,7 @@ ENTRY const char* shapespline_measure(int handle, double t) {
     Sequence& sequence = sequenceOf(handle);
     Positions positions;
     if (const Status status = sequence.evaluate(t, positions); !status) return status.error();
-    const auto& faces = sequence.keyframes().faces;
+    const auto& faces = sequence.faces();
     return Json{{"volume", enclosedVolume(positions, faces)}, {"area", surfaceArea(positions, faces)}};
   });
 }

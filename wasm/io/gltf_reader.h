@@ -29,6 +29,6 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
 
 /// Several keys of one file. Times are set; nothing is validated beyond what reading needs.
 Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
-                            const std::string& where, const Progress& progress);
+                            const std::string& where, const StageProgress& progress);
 
 }  // namespace shapespline

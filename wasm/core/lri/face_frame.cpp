@@ -22,12 +22,6 @@ Mat2 mapEigenvalues(const Mat2& m, F f) {
 
 }  // namespace
 
-bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  const double doubleArea = (b - a).cross(c - a).norm();
-  return !(doubleArea > degenerateFlatness * longest);  // also true for NaN
-}
-
 FaceFrame faceFrame(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 e1 = b - a, e2 = c - a;
   const Vec3 cross = e1.cross(e2);

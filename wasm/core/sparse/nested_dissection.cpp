@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/sparse/ordering.h"
+#include "core/sparse/minimum_degree.h"
 #include "core/sparse/separator.h"
 
 namespace shapespline {

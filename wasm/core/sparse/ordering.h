@@ -10,9 +10,6 @@
 
 namespace shapespline {
 
-/// Approximate minimum degree (Amestoy, Davis and Duff 1996): order[p] is the node eliminated at position p.
-std::vector<int> minimumDegreeOrder(const Graph& graph);
-
 /// The order the solver uses: nested dissection for large graphs with coordinates, else minimum degree.
 /// coordinates: one position a node, or empty.
 std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress = {});

@@ -22,12 +22,4 @@ struct Frames {
   std::vector<Mat3> gradient;        ///< what faces are multiplied by, where that is more than the rotation; else empty
 };
 
-class FrameSource {
- public:
-  virtual ~FrameSource() = default;
-
-  /// The frames at `point`, where the keys have them: equal to the encoded ones at a key.
-  virtual void at(const CurvePoint& point, Frames& frames) = 0;
-};
-
 }  // namespace shapespline
