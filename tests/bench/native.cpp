@@ -14,12 +14,12 @@
 #include <Eigen/SparseCholesky>
 
 #include "core/base/stopwatch.h"
+#include "core/lri/welded_shape.h"
 #include "core/mesh/canonical_order.h"
-#include "core/sparse/cholesky.h"
+#include "core/mesh/weld.h"
 #include "core/reconstruct/poisson.h"
 #include "core/sequence/sequence.h"
-#include "core/mesh/weld.h"
-#include "core/lri/welded_shape.h"
+#include "core/sparse/cholesky.h"
 #include "io/import.h"
 
 using namespace shapespline;

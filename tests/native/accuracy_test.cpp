@@ -2,11 +2,11 @@
 // what should be there.
 #include <doctest/doctest.h>
 
+#include "core/mesh/measures.h"
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"
 #include "sweep.h"
-#include "core/mesh/measures.h"
 
 using namespace shapespline;
 using namespace shapespline::test;

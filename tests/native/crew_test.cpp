@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "core/mesh/face_order.h"
+#include "core/sequence/sequence.h"
 #include "core/sparse/graph.h"
 #include "core/sparse/ordering.h"
-#include "core/sequence/sequence.h"
 #include "core/sparse/subtree_partition.h"
 #include "laplacian_meshes.h"
 #include "samples/bench_mesh.h"

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <random>
 
+#include "core/mesh/measures.h"
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"
-#include "core/mesh/measures.h"
 
 using namespace shapespline;
 using namespace shapespline::test;

@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/sparse/dense_front.h"
-#include "core/reconstruct/face_kernel.h"
-#include "core/sparse/panel_factor.h"
 #include "core/mesh/vertex_normals.h"
+#include "core/reconstruct/face_kernel.h"
+#include "core/sparse/dense_front.h"
+#include "core/sparse/panel_factor.h"
 
 namespace kernels {
 

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <random>
 
+#include "core/lri/lri.h"
 #include "core/mesh/component_tree.h"
 #include "core/mesh/kd_tree.h"
-#include "core/lri/lri.h"
 #include "core/mesh/weld.h"
 #include "shapes.h"
 

@@ -1,9 +1,9 @@
 // What the options do to a motion: boundaries, turns, tangents, periods, measures.
 #include <doctest/doctest.h>
 
-#include "shapes.h"
 #include "core/mesh/measures.h"
 #include "core/rotation/rigid_fit.h"
+#include "shapes.h"
 
 using namespace shapespline;
 using namespace shapespline::test;

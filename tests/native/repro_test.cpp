@@ -6,8 +6,8 @@
 #include <random>
 
 #include "../repro/repro_shapes.h"
-#include "sequences.h"
 #include "core/rotation/rigid_fit.h"
+#include "sequences.h"
 
 using namespace shapespline;
 using namespace shapespline::repro;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include "core/mesh/triangle.h"
-#include "core/mesh/measures.h"
 #include "core/ghost/simplify.h"
+#include "core/mesh/measures.h"
+#include "core/mesh/triangle.h"
 #include "laplacian_meshes.h"
 #include "samples/bench_mesh.h"
 #include "shapes.h"

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/rotation/rigid_fit.h"
 #include "sequences.h"
 #include "shapes.h"
-#include "core/rotation/rigid_fit.h"
 
 namespace shapespline::test {
 

@@ -1,9 +1,9 @@
 // The shape that follows a ghost mesh: what holds without a ghost holds with one, and the two agree.
 #include <doctest/doctest.h>
 
+#include "core/ghost/correspondence.h"
 #include "core/mesh/measures.h"
 #include "core/rotation/rigid_fit.h"
-#include "core/ghost/correspondence.h"
 #include "real_data.h"
 #include "shapes.h"
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/sequence/keyframes.h"
 #include "core/base/progress.h"
-#include "core/sequence/sequence.h"
 #include "core/base/status.h"
+#include "core/sequence/keyframes.h"
+#include "core/sequence/sequence.h"
 #include "io/import.h"
 #include "io/scene.h"
 

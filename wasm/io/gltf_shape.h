@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/sequence/sequence.h"
 #include "core/base/status.h"
 #include "core/base/types.h"
+#include "core/sequence/sequence.h"
 #include "io/gltf_document.h"
 #include "io/gltf_nodes.h"
 

@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/status.h"
 #include "core/sequence/keyframes.h"
 #include "core/sequence/sequence.h"
-#include "core/base/status.h"
 #include "io/scene.h"
 
 namespace shapespline {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/ghost/correspondence.h"
+#include "core/ghost/simplify.h"
 #include "core/patches/patch_motion.h"
 #include "core/reconstruct/reconstruct.h"
-#include "core/ghost/simplify.h"
 
 namespace shapespline {
 

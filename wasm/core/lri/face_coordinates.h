@@ -7,10 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/spline/pose_weights.h"
-#include "core/sparse/precision.h"
 #include "core/base/progress.h"
 #include "core/base/types.h"
+#include "core/spline/pose_weights.h"
 
 namespace shapespline {
 

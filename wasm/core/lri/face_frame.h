@@ -1,9 +1,9 @@
 // One triangle's deformation against the reference pose: R_f and S_f of the deformation gradient (paper section 4.2).
 #pragma once
 
-#include "core/rotation/rotation.h"
 #include "core/base/types.h"
 #include "core/mesh/triangle.h"
+#include "core/rotation/rotation.h"
 
 namespace shapespline {
 

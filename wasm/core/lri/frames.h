@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "core/base/types.h"
 #include "core/rotation/rotation.h"
 #include "core/spline/spline.h"
-#include "core/base/types.h"
 
 namespace shapespline {
 

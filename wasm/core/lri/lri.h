@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "core/base/types.h"
 #include "core/lri/face_coordinates.h"
 #include "core/lri/frames.h"
-#include "core/base/types.h"
 #include "core/lri/welded_shape.h"
 
 namespace shapespline {

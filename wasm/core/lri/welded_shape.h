@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/mesh/component_tree.h"
+#include "core/base/types.h"
 #include "core/lri/face_frame.h"
+#include "core/mesh/component_tree.h"
 #include "core/mesh/mesh.h"
 #include "core/rotation/rigid_motion.h"
 #include "core/spline/pose_roles.h"
-#include "core/base/types.h"
 
 namespace shapespline {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh/mesh.h"
 #include "core/base/types.h"
+#include "core/mesh/mesh.h"
 
 namespace shapespline {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh/kd_tree.h"
 #include "core/base/types.h"
+#include "core/mesh/kd_tree.h"
 
 namespace shapespline {
 

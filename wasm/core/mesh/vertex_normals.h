@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/base/fork_join.h"
-#include "core/mesh/face_order.h"
 #include "core/base/progress.h"
 #include "core/base/types.h"
+#include "core/mesh/face_order.h"
 
 namespace shapespline {
 

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "core/sequence/keyframes.h"
 #include "core/base/progress.h"
 #include "core/base/types.h"
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "core/base/types.h"
 #include "core/mesh/mesh.h"
 #include "core/rotation/rotation.h"
-#include "core/base/types.h"
 
 namespace shapespline {
 

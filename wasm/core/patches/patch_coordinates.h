@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "core/patches/patch_graph.h"
-#include "core/patches/partition.h"
-#include "core/spline/rotation_spline.h"
 #include "core/base/status.h"
 #include "core/lri/welded_shape.h"
+#include "core/patches/partition.h"
+#include "core/patches/patch_graph.h"
+#include "core/spline/rotation_spline.h"
 
 namespace shapespline {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/patches/global_alignment.h"
 #include "core/lri/frames.h"
+#include "core/patches/global_alignment.h"
 #include "core/patches/patch_coordinates.h"
 #include "core/patches/patch_rotations.h"
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "core/sparse/cholesky.h"
 #include "core/patches/patch_graph.h"
 #include "core/rotation/rotation.h"
+#include "core/sparse/cholesky.h"
 
 namespace shapespline {
 

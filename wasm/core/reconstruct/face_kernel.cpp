@@ -7,10 +7,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/lri/face_frame.h"
 #include "core/base/lanes.h"
-#include "core/rotation/rotation_series.h"
+#include "core/lri/face_frame.h"
 #include "core/reconstruct/stretch_limits.h"
+#include "core/rotation/rotation_series.h"
 
 namespace shapespline {
 

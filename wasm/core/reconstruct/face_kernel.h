@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "core/base/fork_join.h"
-#include "core/lri/face_coordinates.h"
-#include "core/mesh/face_order.h"
 #include "core/base/progress.h"
 #include "core/base/types.h"
+#include "core/lri/face_coordinates.h"
 #include "core/lri/welded_shape.h"
+#include "core/mesh/face_order.h"
 
 namespace shapespline {
 

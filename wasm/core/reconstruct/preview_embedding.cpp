@@ -6,9 +6,9 @@
 #include <numeric>
 #include <tuple>
 
-#include "core/sparse/precision.h"
 #include "core/base/simd.h"
 #include "core/reconstruct/stretch_limits.h"
+#include "core/sparse/precision.h"
 
 namespace shapespline {
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "core/lri/welded_shape.h"
+#include "core/rotation/rotation.h"
 #include "core/sparse/cholesky.h"
 #include "core/spline/pose_weights.h"
-#include "core/rotation/rotation.h"
-#include "core/lri/welded_shape.h"
 
 namespace shapespline {
 

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/reconstruct/preview_embedding.h"
-#include "core/reconstruct/face_kernel.h"
 #include "core/lri/frames.h"
 #include "core/lri/lri.h"
+#include "core/reconstruct/face_kernel.h"
 #include "core/reconstruct/poisson.h"
+#include "core/reconstruct/preview_embedding.h"
 #include "core/spline/pose_weights.h"
 
 namespace shapespline {

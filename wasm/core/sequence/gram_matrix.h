@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
+#include "core/base/types.h"
 #include "core/lri/lri.h"
 #include "core/patches/patch_coordinates.h"
-#include "core/base/types.h"
 
 namespace shapespline {
 

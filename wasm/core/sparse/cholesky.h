@@ -6,11 +6,11 @@
 #include <span>
 
 #include "core/base/fork_join.h"
-#include "core/sparse/precision.h"
 #include "core/base/progress.h"
-#include "core/sparse/sparse_matrix.h"
 #include "core/base/status.h"
 #include "core/base/types.h"
+#include "core/sparse/precision.h"
+#include "core/sparse/sparse_matrix.h"
 
 namespace shapespline {
 
@@ -36,7 +36,7 @@ class Cholesky {
   Cholesky& operator=(Cholesky&&) noexcept;
 
   /// Finds the elimination order and the factor's structure; drops any earlier factor. coordinates: one position an unknown, which
-  /// makes for a better order of a large mesh, or empty. Error if the matrix is malformed or not finite, or the
+  /// makes for a better order of a large system, or empty. Error if the matrix is malformed or not finite, or the
   /// coordinates are of another number. onProgress: fraction of the analysis, below 1.
   Status analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision,
                  const FractionReport& onProgress = {});

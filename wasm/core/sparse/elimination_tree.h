@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/sparse/graph.h"
 #include "core/base/progress.h"
+#include "core/sparse/graph.h"
 
 namespace shapespline {
 

@@ -22,7 +22,7 @@ std::vector<int> minimumDegreeOrder(const Graph& graph) {
   std::fill_n(pattern.valuePtr(), next, static_cast<signed char>(1));
 
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-  if (size > 0) Eigen::internal::minimum_degree_ordering(pattern, permutation);
+  if (size > 0) Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), permutation);
   return {permutation.indices().data(), permutation.indices().data() + size};
 }
 

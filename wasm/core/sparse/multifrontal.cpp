@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/sparse/dense_front.h"
 #include "core/base/no_inline_call.h"
 #include "core/base/simd.h"
+#include "core/sparse/dense_front.h"
 
 namespace shapespline {
 

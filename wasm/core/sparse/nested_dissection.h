@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "core/sparse/graph.h"
 #include "core/base/progress.h"
 #include "core/base/types.h"
+#include "core/sparse/graph.h"
 
 namespace shapespline {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/sparse/dense_front.h"
 #include "core/base/no_inline_call.h"
+#include "core/sparse/dense_front.h"
 #include "core/sparse/panel_kernels.h"
 #include "core/sparse/subtree_partition.h"
 

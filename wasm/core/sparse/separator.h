@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/sparse/graph.h"
 #include "core/base/types.h"
+#include "core/sparse/graph.h"
 #include "core/sparse/minimum_vertex_cut.h"
 
 namespace shapespline {

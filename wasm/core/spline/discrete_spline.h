@@ -6,9 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "core/sequence/options.h"
-#include "core/spline/spline.h"
 #include "core/base/status.h"
+#include "core/spline/spline.h"
 
 namespace shapespline {
 

@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "core/spline/spline.h"
 #include "core/base/types.h"
 #include "core/spline/pose_roles.h"
+#include "core/spline/spline.h"
 
 namespace shapespline {
 

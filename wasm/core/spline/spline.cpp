@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sequence/keyframes.h"
 #include "core/base/format.h"
+#include "core/spline/key_times.h"
 
 namespace shapespline {
 
