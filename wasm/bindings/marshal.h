@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/answer.h"
+#include "bindings/call_result.h"
 #include "core/sequence/keyframes.h"
 #include "core/sequence/options.h"
 #include "core/sequence/sequence.h"

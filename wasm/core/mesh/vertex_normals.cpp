@@ -131,17 +131,17 @@ VertexNormals::VertexNormals(const std::vector<Triangle>& faces, const std::vect
 }
 
 void VertexNormals::draw(const std::vector<float>& places, const Vec3& move, Scratch& sums,
-                         std::vector<float>& positions, std::vector<float>& normals, Crew* crew) const {
+                         std::vector<float>& positions, std::vector<float>& normals, ForkJoin* forkJoin) const {
   positions.resize(3 * drawn_.size());
   normals.resize(positions.size());
   sums.assign(4 * static_cast<std::size_t>(groups_), 0.0f);
   const Faces faces = {corner_, target_.empty() ? corner_ : target_};
   const auto add = outOfLine(addNormals);
-  inTwo(crew, [&](int half) { add(faces, ranges_[half], places.data(), sums.data()); });
+  inTwo(forkJoin, [&](int half) { add(faces, ranges_[half], places.data(), sums.data()); });
   add(faces, ranges_[2], places.data(), sums.data());
   const auto write = outOfLine(drawVertices<Drawn>);
   const std::array<float, 4> by = {static_cast<float>(move.x()), static_cast<float>(move.y()), static_cast<float>(move.z()), 0};
-  inTwo(crew, [&](int part) {
+  inTwo(forkJoin, [&](int part) {
     const std::span<const Drawn> all = drawn_;
     const std::size_t half = all.size() / 2;
     write(part == 0 ? all.first(half) : all.subspan(half), places.data(), by.data(), sums.data(), positions.data(), normals.data());

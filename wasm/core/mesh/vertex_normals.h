@@ -23,9 +23,9 @@ class VertexNormals {
           const FractionReport& onProgress = {});
 
   /// places: (x, y, z, pad) at each place. move: what is added to all of them. positions, normals: 3n; normals are unit,
-  /// (0, 0, 1) where a vertex has no area around it. Whatever the crew to the same bits.
+  /// (0, 0, 1) where a vertex has no area around it. To the same bits in one thread or two.
   void draw(const std::vector<float>& places, const Vec3& move, Scratch& scratch, std::vector<float>& positions,
-            std::vector<float>& normals, Crew* crew = nullptr) const;
+            std::vector<float>& normals, ForkJoin* forkJoin = nullptr) const;
 
  private:
   struct Drawn {

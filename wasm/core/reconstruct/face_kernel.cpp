@@ -306,9 +306,9 @@ FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& f
 
 template <class Real>
 IndefiniteFaces FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                                             const ColumnWeights<Real>& weights, Real* rhs, Crew* crew) const {
+                                             const ColumnWeights<Real>& weights, Real* rhs, ForkJoin* forkJoin) const {
   IndefiniteFaces found[3];
-  inTwo(crew, [&](int half) { found[half] = accumulateRange(ranges_[half], coordinates, frames, weights, rhs); });
+  inTwo(forkJoin, [&](int half) { found[half] = accumulateRange(ranges_[half], coordinates, frames, weights, rhs); });
   found[2] = accumulateRange(ranges_[2], coordinates, frames, weights, rhs);
   IndefiniteFaces all;
   for (const IndefiniteFaces& part : found) {

@@ -47,7 +47,7 @@ class FaceKernel {
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
   /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: as the coordinates take them.
   IndefiniteFaces accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                             const ColumnWeights<Real>& weights, Real* rhs, Crew* crew = nullptr) const;
+                             const ColumnWeights<Real>& weights, Real* rhs, ForkJoin* forkJoin = nullptr) const;
 
  private:
   [[gnu::noinline]] IndefiniteFaces accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,

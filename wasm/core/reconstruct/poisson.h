@@ -47,14 +47,14 @@ class PoissonSystem {
 
   /// In place; 4 * size() numbers.
   template <class Real>
-  void solve(Real* xyzp, Crew* crew = nullptr) const {
-    solver_.solve(xyzp, crew);
+  void solve(Real* xyzp, ForkJoin* forkJoin = nullptr) const {
+    solver_.solve(xyzp, forkJoin);
     for (int i = 0; i < 4; ++i) xyzp[4 * static_cast<std::size_t>(dump()) + i] = 0;
   }
 
   /// Likewise to double accuracy, from the x given (iterative_refinement.h); 4 * size() numbers each. Only with Precision::Exact.
-  void refine(const double* b, double* x, double extent, IterativeRefinement::Scratch& scratch, Crew* crew = nullptr) const {
-    refinement_->solve(solver_, b, x, extent, scratch, crew);
+  void refine(const double* b, double* x, double extent, IterativeRefinement::Scratch& scratch, ForkJoin* forkJoin = nullptr) const {
+    refinement_->solve(solver_, b, x, extent, scratch, forkJoin);
   }
 
   CholeskyStats stats() const { return solver_.stats(); }

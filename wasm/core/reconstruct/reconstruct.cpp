@@ -91,7 +91,7 @@ void Reconstructor<Real>::faceRotations(const CurvePoint& point, const Frames& f
 
 template <class Real>
 IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const Frames& frames, Scratch& scratch, Real* x,
-                                              Crew* crew) const {
+                                              ForkJoin* forkJoin) const {
   const std::size_t count = frames.rotation.size();
   std::vector<Real>& matrices = scratch.matrices;
   matrices.resize(numbersPerFrame * count);
@@ -101,7 +101,7 @@ IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const 
       matrices[numbersPerFrame * k + i] = i % 4 < 3 ? static_cast<Real>(g(i % 4, i / 4)) : Real(0);
   }
   std::fill_n(x, 4 * static_cast<std::size_t>(poisson_.size()), Real(0));
-  return kernel_.accumulate(lri_.face, matrices, lri_.face.weights(weights), x, crew);
+  return kernel_.accumulate(lri_.face, matrices, lri_.face.weights(weights), x, forkJoin);
 }
 
 // Refinement starts from the key with the largest weight: a frame depends on its weights alone, never on another frame.
@@ -122,15 +122,15 @@ void Reconstructor<Real>::startFromKey(const PoseWeights& weights, Scratch& scra
 }
 
 template <class Real>
-void Reconstructor<Real>::solve(const PoseWeights& weights, Scratch& scratch, Real* x, Crew* crew) const {
+void Reconstructor<Real>::solve(const PoseWeights& weights, Scratch& scratch, Real* x, ForkJoin* forkJoin) const {
   if constexpr (std::is_same_v<Real, double>) {
     if (precision_ == Precision::Exact) {
       startFromKey(weights, scratch, x);
-      poisson_.refine(scratch.rightHandSide.data(), x, extent_, scratch.refinement, crew);
+      poisson_.refine(scratch.rightHandSide.data(), x, extent_, scratch.refinement, forkJoin);
       return;
     }
   }
-  poisson_.solve(x, crew);
+  poisson_.solve(x, forkJoin);
 }
 
 template <class Real>
@@ -193,17 +193,17 @@ void Reconstructor<Real>::slotsToPlaces(Scratch& scratch, Real* x) const {
 
 template <class Real>
 Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch,
-                                                PlacedShape<Real>& shape, Crew* crew) const {
+                                                PlacedShape<Real>& shape, ForkJoin* forkJoin) const {
   Stopwatch watch;
   Reconstruction result;
   const PoseWeights w = poseWeights(point, shape_->roles());
   shape.places.resize(4 * std::max(static_cast<std::size_t>(poisson_.size()), placeOf_.size()));
   Real* const x = shape.places.data();
-  const IndefiniteFaces indefinite = assemble(w, frames, scratch, x, crew);
+  const IndefiniteFaces indefinite = assemble(w, frames, scratch, x, forkJoin);
   result.indefiniteFaces = indefinite.count;
   if (indefinite.slot >= 0) result.indefiniteFace = kernel_.order()[indefinite.slot];
   result.facesMs = watch.lap();
-  solve(w, scratch, x, crew);
+  solve(w, scratch, x, forkJoin);
   result.solveMs = watch.lap();
   placeComponents(w, frames, scratch, x);
   placeLoose(w, frames, scratch, x);

@@ -61,7 +61,7 @@ class Reconstructor {
 
   /// The shape at `point` in the frames there, its mean position where the coordinates have it.
   Reconstruction reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch, PlacedShape<Real>& shape,
-                             Crew* crew = nullptr) const;
+                             ForkJoin* forkJoin = nullptr) const;
 
   /// The same as one position per welded vertex.
   Reconstruction reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch, Positions& positions) const;
@@ -87,8 +87,8 @@ class Reconstructor {
   Reconstructor(const Input& input, LriCoordinates<Real> coordinates, PoissonSystem poisson, const FractionReport& onProgress);
   Quaternion faceRotation(int face, int frame, const PoseWeights& weights, const Frames& frames) const;
   // x: (x, y, z, pad) of each slot; the right-hand side and then the solution.
-  IndefiniteFaces assemble(const PoseWeights& weights, const Frames& frames, Scratch& scratch, Real* x, Crew* crew) const;
-  void solve(const PoseWeights& weights, Scratch& scratch, Real* x, Crew* crew) const;
+  IndefiniteFaces assemble(const PoseWeights& weights, const Frames& frames, Scratch& scratch, Real* x, ForkJoin* forkJoin) const;
+  void solve(const PoseWeights& weights, Scratch& scratch, Real* x, ForkJoin* forkJoin) const;
   void startFromKey(const PoseWeights& weights, Scratch& scratch, Real* x) const;
   void placeComponents(const PoseWeights& weights, const Frames& frames, Scratch& scratch, const Real* x) const;
   void placeLoose(const PoseWeights& weights, const Frames& frames, Scratch& scratch, const Real* x) const;

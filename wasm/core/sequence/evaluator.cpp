@@ -34,7 +34,7 @@ void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const s
 
 void Evaluator::fill(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, const RigidMotion& global,
                      Frame& frame) {
-  const Reconstruction found = place(encoded, motion, point, placed_, crew_);
+  const Reconstruction found = place(encoded, motion, point, placed_, forkJoin_);
   stats_.facesMs = found.facesMs, stats_.solveMs = found.solveMs, stats_.placeMs = found.placeMs;
   frame.lostDefiniteness = found.indefiniteFaces;
   frame.lostFace = found.indefiniteFaces > 0 ? encoded.input().inputFaceOf[found.indefiniteFace] : -1;
@@ -43,7 +43,7 @@ void Evaluator::fill(const EncodedShape& encoded, const Motion& motion, const Cu
 
 // Leaves the shape in `placed`.
 Reconstruction Evaluator::place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, PlacedShape<float>& placed,
-                                Crew* crew) {
+                                ForkJoin* forkJoin) {
   stats_.framesMs = 0;
   if (motion.blendsVertices()) return placeBlend(encoded, point, placed);
   ++stats_.solves;
@@ -52,9 +52,9 @@ Reconstruction Evaluator::place(const EncodedShape& encoded, const Motion& motio
   stats_.framesMs = watch.lap();
   return encoded.withReconstructor([&]<class Real>(const Reconstructor<Real>& reconstructor) {
     if constexpr (std::is_same_v<Real, float>) {
-      return reconstructor.reconstruct(point, frames_, single_, placed, crew);
+      return reconstructor.reconstruct(point, frames_, single_, placed, forkJoin);
     } else {
-      const Reconstruction found = reconstructor.reconstruct(point, frames_, double_, placedDouble_, crew);
+      const Reconstruction found = reconstructor.reconstruct(point, frames_, double_, placedDouble_, forkJoin);
       placed.places.assign(placedDouble_.places.begin(), placedDouble_.places.end());
       placed.move = placedDouble_.move;
       return found;
@@ -141,7 +141,7 @@ void Evaluator::draw(const EncodedShape& encoded, const RigidMotion& global, Fra
     placed_.move = Vec3::Zero();
   }
   stats_.placeMs += watch.lap();
-  encoded.normals().draw(places, placed_.move, normalsScratch_, frame.positions, frame.normals, crew_);
+  encoded.normals().draw(places, placed_.move, normalsScratch_, frame.positions, frame.normals, forkJoin_);
   stats_.normalsMs = watch.lap();
 }
 

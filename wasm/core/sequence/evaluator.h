@@ -26,8 +26,8 @@ struct PreviewError {
 /// Every result is a pure function of its arguments, bit for bit. Times must be finite.
 class Evaluator {
  public:
-  /// Frames are made by two from here on, to the same bits, or by one with null. The crew must outlive the evaluator.
-  void setCrew(Crew* crew) { crew_ = crew; }
+  /// Frames are made by two from here on, to the same bits, or by one with null. It must outlive the evaluator.
+  void setForkJoin(ForkJoin* forkJoin) { forkJoin_ = forkJoin; }
 
   /// The shape at time t, which may lie beyond the keys.
   void frame(const EncodedShape& encoded, const Motion& motion, double t, Frame& frame);
@@ -54,7 +54,7 @@ class Evaluator {
   const SequenceStats& stats() const { return stats_; }
 
  private:
-  Reconstruction place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, PlacedShape<float>& placed, Crew* crew);
+  Reconstruction place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, PlacedShape<float>& placed, ForkJoin* forkJoin);
   Reconstruction placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed);
   void embed(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, const CurvePoint& point,
              PlacedShape<float>& placed);
@@ -63,7 +63,7 @@ class Evaluator {
   Reconstructor<float>::Scratch& scratch(const Reconstructor<float>&) { return single_; }
   Reconstructor<double>::Scratch& scratch(const Reconstructor<double>&) { return double_; }
 
-  Crew* crew_ = nullptr;
+  ForkJoin* forkJoin_ = nullptr;
   SequenceStats stats_;
   FramesScratch framesScratch_;
   Frames frames_;

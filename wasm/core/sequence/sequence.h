@@ -27,8 +27,8 @@ class Sequence {
   /// The shape at time t, which may lie beyond the keys.
   Status evaluate(double t, Frame& frame);
 
-  /// Frames are made by two from here on, to the same bits, or by one with null. The crew must outlive the sequence.
-  void setCrew(Crew* crew) { evaluator_.setCrew(crew); }
+  /// Frames are made by two from here on, to the same bits, or by one with null. It must outlive the sequence.
+  void setForkJoin(ForkJoin* forkJoin) { evaluator_.setForkJoin(forkJoin); }
 
   /// The same as n positions without rounding them to float: for measures and tests. As exact as the encoding's precision.
   Status evaluate(double t, Positions& positions);

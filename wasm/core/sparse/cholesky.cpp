@@ -144,8 +144,8 @@ int Cholesky::paddedSize() const {
   return state_->precision == Precision::Single ? state_->single.paddedSize() : state_->full.paddedSize();
 }
 
-void Cholesky::solve(float* xyzp, Crew* crew) const { state_->single.solve(xyzp, crew); }
-void Cholesky::solve(double* xyzp, Crew* crew) const { state_->full.solve(xyzp, crew); }
+void Cholesky::solve(float* xyzp, ForkJoin* forkJoin) const { state_->single.solve(xyzp, forkJoin); }
+void Cholesky::solve(double* xyzp, ForkJoin* forkJoin) const { state_->full.solve(xyzp, forkJoin); }
 
 CholeskyStats Cholesky::stats() const {
   const bool isSingle = state_->precision == Precision::Single;

@@ -64,9 +64,9 @@ class Cholesky {
 
   /// Solves A x = b in place for three right-hand sides: (x, y, z, pad) of every unknown in elimination order,
   /// 4 * paddedSize() numbers, 16-byte aligned. Only for the precision given to analyse(), after a factorisation without error.
-  /// The pads are scratch. Allocates nothing and changes nothing but its argument, whatever the crew to the same bits.
-  void solve(float* xyzp, Crew* crew = nullptr) const;
-  void solve(double* xyzp, Crew* crew = nullptr) const;
+  /// The pads are scratch. Allocates nothing and changes nothing but its argument, in one thread or two to the same bits.
+  void solve(float* xyzp, ForkJoin* forkJoin = nullptr) const;
+  void solve(double* xyzp, ForkJoin* forkJoin = nullptr) const;
 
   CholeskyStats stats() const;
 

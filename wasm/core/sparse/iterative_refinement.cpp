@@ -43,14 +43,14 @@ void IterativeRefinement::subtractProduct(const double* x, double* residual) con
 }
 
 void IterativeRefinement::solve(const Cholesky& solver, const double* b, double* x, double extent, Scratch& scratch,
-                                Crew* crew) const {
+                                ForkJoin* forkJoin) const {
   const std::size_t length = 4 * static_cast<std::size_t>(solver.paddedSize());
   scratch.correction.resize(length);
   for (int step = 0; step < mostCorrections; ++step) {
     scratch.residual.assign(b, b + length);
     subtractProduct(x, scratch.residual.data());
     std::copy(scratch.residual.begin(), scratch.residual.end(), scratch.correction.begin());
-    solver.solve(scratch.correction.data(), crew);
+    solver.solve(scratch.correction.data(), forkJoin);
     double largest = 0;
     for (std::size_t i = 0; i < 4 * static_cast<std::size_t>(matrix_.size); ++i) {
       if (i % 4 == 3) continue;

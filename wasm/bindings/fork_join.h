@@ -1,10 +1,10 @@
-// The module's crew: a second instance over the same memory may help in it.
+// The module's second thread: another instance over the same memory may help in it.
 #pragma once
 
 #include "core/base/fork_join.h"
 
 namespace shapespline::bindings {
 
-Crew& crew();
+ForkJoin& forkJoin();
 
 }  // namespace shapespline::bindings
