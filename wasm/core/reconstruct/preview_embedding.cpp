@@ -1,11 +1,13 @@
 #include "core/reconstruct/preview_embedding.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <tuple>
 
+#include "core/base/permutation.h"
 #include "core/base/simd.h"
 #include "core/reconstruct/stretch_limits.h"
 #include "core/sparse/precision.h"
@@ -59,6 +61,7 @@ Result<PreviewEmbedding> PreviewEmbedding::create(const Input& input) {
 }
 
 Status PreviewEmbedding::build(const Input& input) {
+  assert(isPermutation(input.placeOf));
   columns_ = input.shape.columns();
   vertexCount_ = input.shape.vertexCount();
   keyRotation_.resize(columns_);

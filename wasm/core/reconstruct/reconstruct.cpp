@@ -1,8 +1,10 @@
 #include "core/reconstruct/reconstruct.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/base/lanes.h"
+#include "core/base/permutation.h"
 #include "core/base/stopwatch.h"
 
 namespace shapespline {
@@ -69,6 +71,7 @@ Reconstructor<Real>::Reconstructor(const Input& in, LriCoordinates<Real> coordin
   int next = poisson_.unknowns();
   for (int& place : placeOf_)
     if (place == poisson_.dump()) place = next++;
+  assert(isPermutation(placeOf_));
   pieceAt_.assign(pieces > 1 ? placeOf_.size() : 0, 0);
   for (std::size_t v = 0; v < pieceAt_.size(); ++v) pieceAt_[placeOf_[v]] = std::max(0, pieceOfVertex_[v]);
 }

@@ -1,6 +1,7 @@
 #include "core/sparse/iterative_refinement.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/base/simd.h"
@@ -46,6 +47,11 @@ void IterativeRefinement::solve(const Cholesky& solver, const double* b, double*
                                 ForkJoin* forkJoin) const {
   const std::size_t length = 4 * static_cast<std::size_t>(solver.paddedSize());
   scratch.correction.resize(length);
+  assert([&] {  // the pads of b are zero
+    for (std::size_t i = 3; i < 4 * static_cast<std::size_t>(matrix_.size); i += 4)
+      if (b[i] != 0) return false;
+    return true;
+  }());
   for (int step = 0; step < mostCorrections; ++step) {
     scratch.residual.assign(b, b + length);
     subtractProduct(x, scratch.residual.data());
