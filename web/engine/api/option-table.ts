@@ -192,7 +192,7 @@ export const IMPORT = {
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
   up: { kind: 'choice', choices: ['y', 'z'], default: 'y', flag: 'up', help: 'axis that points up in .obj, .ply and .off files' },
   /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
-  unit: { kind: 'number', above: 0, default: 1, flag: 'unit', value: 'METRES', help: 'of .obj, .ply and .off files' },
+  unit: { kind: 'number', above: 0, default: 1, flag: 'unit', value: 'METRES', help: 'metres per unit of .obj, .ply and .off files' },
   /** 3 x faces of a mesh that the files are further poses of: their polygons are cut into its triangles. */
   like: { kind: 'faces' },
 } as const satisfies OptionTable;
@@ -224,3 +224,7 @@ export function defaultsOf<T extends OptionTable>(table: T): ValuesOf<T> {
   const known = optionsIn(table).filter(([, option]) => option.default !== undefined);
   return Object.fromEntries(known.map(([name, option]) => [name, option.default])) as ValuesOf<T>;
 }
+
+/** The options whose value is a shape: read from a file, written in a form of their own. */
+export type ShapeName = { [N in keyof typeof ENCODING]: (typeof ENCODING)[N] extends { kind: 'shape' } ? N : never }[keyof typeof ENCODING];
+export const SHAPES = Object.keys(ENCODING).filter((name): name is ShapeName => ENCODING[name as keyof typeof ENCODING].kind === 'shape');
