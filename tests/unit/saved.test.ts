@@ -5,21 +5,21 @@ import type { PosePool } from '../../web/app/session/workspace.ts';
 import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { readOptions, writeProject } from '../../web/engine/wire/project.ts';
 import type { KeysInfo } from '../../web/engine/api/types.ts';
-import { partTurnsOf, shapingOf } from '../../web/model/edits.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION, EMPTY_STATE } from '../../web/model/state.ts';
+import { keptDoc } from '../../web/model/kept-document.ts';
+import { turnsOf } from '../../web/model/shaping.ts';
+import { EMPTY_STATE } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
+import { docOfKeys, keyRef } from './documents.ts';
 import saved from './fixtures/saved.json';
 
-const initial: Doc = {
-  keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 0.5 }, { pose: 2, name: 'c', time: 1 }],
-  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [], partTurns: [],
-};
+const initial = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.5), keyRef(2, 'c', 1));
 
 /** The document as the fixtures spell it, whatever it is made of. */
 function spelt(doc: Doc): object {
-  const [tension, bias, turns] = (['tension', 'bias', 'turns'] as const).map((name) => shapingOf(doc, name));
-  const keys = doc.keys.map(({ pose, name, time }, key) =>
-    ({ pose, name, time, tension: tension![key], bias: bias![key], turns: turns![key], partTurns: partTurnsOf(doc)[key] }));
+  const keys = doc.keys.map(({ pose, name, time, shaping }) => ({
+    pose, name, time, tension: shaping.tension, bias: shaping.bias, turns: turnsOf(shaping),
+    partTurns: shaping.turns.filter(({ component }) => component !== undefined),
+  }));
   return { keys, motion: doc.motion, encoding: doc.encoding };
 }
 
@@ -42,5 +42,12 @@ describe('what older versions saved', () => {
     const { keys } = JSON.parse(text) as { keys: { times: number[]; names: string[]; frames: number[] } };
     expect(spelt(docOf({ names: keys.names, times: keys.times, project } as unknown as KeysInfo, poolOf()))).toEqual(expected);
     expect(JSON.parse(writeProject(keys, project))).toEqual(JSON.parse(text));
+  });
+
+  it.each(saved.documents)('opens as a browser has kept it: $document', ({ document, ...expected }) => {
+    const doc = keptDoc(document as Parameters<typeof keptDoc>[0]);
+    expect(spelt(doc)).toEqual(expected);
+    expect(Object.keys(doc)).toEqual(['keys', 'motion', 'encoding']);
+    expect(keptDoc(JSON.parse(JSON.stringify(doc)) as Doc)).toEqual(doc);
   });
 });

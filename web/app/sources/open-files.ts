@@ -1,8 +1,9 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
 import type { ImportOptions, KeysInfo } from '../../engine/api/types.ts';
 import { addKey, setMotion } from '../../model/edits.ts';
+import { keptDoc } from '../../model/kept-document.ts';
 import type { Doc, Play, Source, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, EMPTY_STATE, SPEEDS, comfortableSpeed } from '../../model/state.ts';
+import { DEFAULT_VIEW, SPEEDS, comfortableSpeed } from '../../model/state.ts';
 import { length } from '../../model/time-scale.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Orientation } from '../../ui/orientation.ts';
@@ -139,13 +140,10 @@ export function createOpening(context: Context): Opening {
   };
 }
 
-/**
- * The poses that are not of the files come back first: the document's keys name them by their place. What the document of an
- * earlier version did not have starts as it is by default.
- */
+/** The poses that are not of the files come back first: the document's keys name them by their place. */
 function restored({ poses, state }: Remembered, pool: PosePool): Doc {
   for (const { name, positions } of poses.slice(pool.count - pool.imported)) pool.add(name, positions);
-  return { ...EMPTY_STATE.doc, ...state.doc };
+  return keptDoc(state.doc);
 }
 
 /** After the last key, as far from it as the keys are from each other on average. */
