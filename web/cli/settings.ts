@@ -1,4 +1,4 @@
-/** The options of the commands: which there are, how their text is read, and the help, from the engine's table of options. */
+/** The options of the commands, from the engine's table: which there are, how their text is read, and the help. */
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
 import type { NumberOption, Option, OptionTable } from '../engine/api/option-table.ts';
 import type { ExportOptions, ImportOptions, SequenceOptions } from '../engine/api/types.ts';
@@ -44,14 +44,15 @@ function flagsOf(table: OptionTable): Flag[] {
     option.flag === undefined ? [] : [{ name, flag: option.flag, option, read: readOption(option) }]);
 }
 
-const perKey = flagsOf(PER_KEY).map((one): Flag => (one.option.kind === 'number' ? { ...one, read: read.numbers } : one));
+const perKey = flagsOf(PER_KEY).map((one) => (one.option.kind === 'number' ? { ...one, read: read.numbers } : one));
 const importFlags = flagsOf(IMPORT);
 const motionFlags = [...flagsOf(MOTION), ...perKey];
 const encodingFlags = flagsOf(ENCODING);
 const exportFlags = flagsOf(EXPORT);
 
 function known(flags: Flag[], own: string[]): Known {
-  const named = (withValue: boolean): string[] => flags.filter((one) => (one.read !== null) === withValue).map(({ flag }) => flag);
+  const named = (withValue: boolean): string[] =>
+    flags.filter((one) => (one.read !== null) === withValue).map(({ flag }) => flag);
   return { options: new Set([...named(true), ...own]), flags: new Set([...named(false), 'help']) };
 }
 
@@ -76,7 +77,7 @@ function line(left: string, text: string): string {
 
 function helpOf({ flag, option, read: reader }: Flag): string {
   const value = option.value ?? (option.kind === 'choice' ? option.choices.join('|') : '');
-  return line(`  --${flag}${reader === null ? '' : ` ${value}`}`, option.help ?? '');
+  return line(`  --${flag}${reader === null ? '' : ` ${value}`}`, option.help);
 }
 
 const helpOn = (flags: Flag[]): string => flags.map(helpOf).join('\n');

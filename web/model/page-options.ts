@@ -1,6 +1,6 @@
 /**
- * The engine's options that the page offers, under their names in the document and in links. Where the engine takes a key or
- * a shape, the document names one of the import's poses; null stands for none of its own.
+ * The engine's options that the page offers, under their names in the document and in links. Where the engine takes a key
+ * or a shape, the document names one of the import's poses; null stands for none of its own.
  */
 import { ENCODING, MOTION, optionsIn } from '../engine/api/option-table.ts';
 import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';
@@ -18,7 +18,8 @@ interface PageOption {
 }
 
 export function pageOptions(table: OptionTable): PageOption[] {
-  return optionsIn(table).flatMap(([name, option]) => (option.page === undefined ? [] : [{ name, page: option.page, option }]));
+  return optionsIn(table).flatMap(([name, option]) =>
+    (option.page === undefined ? [] : [{ name, page: option.page, option }]));
 }
 
 /** Its value in the document is a pose. */
@@ -35,7 +36,7 @@ export function pageDefaults<T extends OptionTable>(table: T): PageOptions<T> {
   return forPage(table, ({ option }) => (isPose(option) ? null : option.default));
 }
 
-const UNDO_NAMES = new Map([...pageOptions(MOTION), ...pageOptions(ENCODING)].map(({ page, option }) => [page, option.undo]));
+const UNDO_NAMES = new Map([MOTION, ENCODING].flatMap(pageOptions).map(({ page, option }) => [page, option.undo]));
 
 /** What undo calls a change of the document's options: that of the first. */
 export function undoName(change: object): string {

@@ -1,6 +1,6 @@
 /**
- * What is chosen for each key. In the document it belongs to its key and goes wherever that goes; the engine takes lists, and
- * only here the one becomes the other.
+ * What is chosen for each key. In the document it belongs to its key and goes wherever that goes; the engine takes lists,
+ * and only here the one becomes the other.
  */
 import { PER_KEY } from '../engine/api/option-table.ts';
 import type { AddedTurns, PerKey } from '../engine/api/types.ts';
@@ -15,8 +15,8 @@ export const SHAPING_NUMBERS = (Object.keys(PER_KEY) as (keyof PerKey)[])
   .filter((name): name is ShapingNumber => PER_KEY[name].kind === 'number');
 
 function shapingWith(number: (name: ShapingNumber) => number, turns: readonly KeyTurns[]): Shaping {
-  const numbers = Object.fromEntries(SHAPING_NUMBERS.map((name) => [name, number(name)])) as Record<ShapingNumber, number>;
-  return { ...numbers, turns };
+  const numbers = Object.fromEntries(SHAPING_NUMBERS.map((name) => [name, number(name)]));
+  return { ...(numbers as Record<ShapingNumber, number>), turns };
 }
 
 export const DEFAULT_SHAPING: Shaping = shapingWith((name) => PER_KEY[name].default, []);

@@ -18,7 +18,9 @@ export function docOf(info: KeysInfo, pool: PosePool): Doc {
   };
 }
 
-function fromProject<T extends OptionTable>(table: T, project: Partial<SequenceOptions>, pool: PosePool): PageOptions<T> {
+type Project = Partial<SequenceOptions>;
+
+function fromProject<T extends OptionTable>(table: T, project: Project, pool: PosePool): PageOptions<T> {
   return forPage(table, ({ name, option }) => {
     if (option.kind === 'shape') return tangentPose(project, name as ShapeName, pool);
     const value = project[name as keyof SequenceOptions];
@@ -27,7 +29,7 @@ function fromProject<T extends OptionTable>(table: T, project: Partial<SequenceO
   });
 }
 
-function tangentPose(project: Partial<SequenceOptions>, end: ShapeName, pool: PosePool): number | null {
+function tangentPose(project: Project, end: ShapeName, pool: PosePool): number | null {
   const shape = project[end];
   return shape ? pool.add(end === 'startTangent' ? 'start tangent' : 'end tangent', shape) : null;
 }

@@ -44,7 +44,8 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   const { doc, view } = state;
   const params = new URLSearchParams({ sample: state.source.id });
   const put = (name: string, value: unknown, fallback: unknown): void => {
-    if (value !== fallback && value !== null) params.set(name, typeof value === 'string' ? value : shortest(Number(value)));
+    if (value === fallback || value === null) return;
+    params.set(name, typeof value === 'string' ? value : shortest(Number(value)));
   };
   const putList = (name: string, values: number[], fallback: number): void => {
     if (values.some((value) => value !== fallback)) params.set(name, values.map(shortest).join(','));
@@ -57,8 +58,10 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   const partTurns = shapings.flatMap(({ turns }, key) =>
     turns.flatMap((one) => (one.component === undefined ? [] : [`${key}:${one.component}:${one.turns}`])));
   put('partTurns', partTurns.join(','), '');
-  for (const name of Object.keys(doc.motion) as (keyof Motion)[]) put(name, doc.motion[name], initial.motion[name]);
-  for (const name of Object.keys(doc.encoding) as (keyof Encoding)[]) put(name, doc.encoding[name], initial.encoding[name]);
+  const putOptions = (options: object, fallbacks: object): void =>
+    Object.entries(fallbacks).forEach(([name, fallback]) => put(name, options[name as never], fallback));
+  putOptions(doc.motion, initial.motion);
+  putOptions(doc.encoding, initial.encoding);
   put('colour', view.colouring, DEFAULT_VIEW.colouring);
   put('shading', view.shading, DEFAULT_VIEW.shading);
   for (const name of FLAGS) put(name, view[name], DEFAULT_VIEW[name]);
@@ -174,7 +177,8 @@ function readPartTurns(text: string | null): Required<AddedTurns>[] {
   const entries = (text ?? '').split(',').slice(0, MAX_PART_TURNS).map((entry) => entry.split(':').map(Number));
   return entries.filter((entry) => {
     const [key, component, turns] = entry;
-    return entry.length === 3 && entry.every(Number.isInteger) && key! >= 0 && component! >= 0 && Math.abs(turns!) <= MAX_TURNS;
+    const whole = entry.length === 3 && entry.every(Number.isInteger);
+    return whole && key! >= 0 && component! >= 0 && Math.abs(turns!) <= MAX_TURNS;
   }).map(([key, component, turns]) => ({ key: key!, component: component!, turns: turns! }));
 }
 

@@ -1,7 +1,7 @@
 /**
- * Every option of the engine, described once: what it may be, its default, its flag on the command line and its name in the
- * page. Types and defaults (types.ts), checks (options.ts), project files, the command line with its help, the page's document
- * with links, undo and CSV, and the list in the README are made from these tables. Plain data; imports nothing.
+ * Every option of the engine, described once: what it may be, its default, its flag on the command line, its name in the
+ * page. From these tables come the types and defaults (types.ts), the checks (options.ts), project files, the command line
+ * with its help, the page's document with links, undo and CSV, and the list in the README. Plain data; imports nothing.
  */
 
 /** Whole turns on the way to a key, of the whole shape or of one component against the one that carries it. */
@@ -35,10 +35,11 @@ interface Values {
 }
 
 interface Described {
-  /** On the command line: the flag without its dashes, what stands for its value, what the help says. */
+  /** What the help of the command line and the README say. */
+  help: string;
+  /** On the command line: the flag without its dashes, and what stands for its value. */
   flag?: string;
   value?: string;
-  help?: string;
   /** In the page: name in the document and in links. Absent: the page does not offer it. */
   page?: string;
   /** In the page: what undo calls a change. */
@@ -74,11 +75,14 @@ export interface OtherOption extends Described {
 export type Option = NumberOption | ChoiceOption | OtherOption;
 export type OptionTable = Readonly<Record<string, Option>>;
 /** What can be chosen for each key: one number, or whole turns. */
-export type KeyOption = (NumberOption & { default: number; undo: string }) | (OtherOption & { kind: 'turns'; undo: string });
+export type KeyOption =
+  | (NumberOption & { default: number; undo: string })
+  | (OtherOption & { kind: 'turns'; undo: string });
 
 /** The type of an option's value. */
 export type ValueOf<O> =
-  | (O extends { choices: readonly (infer C)[] } ? C : O extends { kind: infer K extends keyof Values } ? Values[K] : never)
+  | (O extends { choices: readonly (infer C)[] } ? C
+    : O extends { kind: infer K extends keyof Values } ? Values[K] : never)
   | (O extends { default: null } ? null : never);
 export type ValuesOf<T> = { -readonly [N in keyof T]: ValueOf<T[N]> };
 
@@ -94,7 +98,8 @@ export const MOTION = {
   },
   /** Hermite: times the one-sided difference at the first key; 0 = ease. */
   startSpeed: {
-    kind: 'number', default: 1, flag: 'start-speed', value: 'S', help: "hermite: times the keys' own speed at the first key; 0 eases",
+    kind: 'number', default: 1, flag: 'start-speed', value: 'S',
+    help: "hermite: times the keys' own speed at the first key; 0 eases",
     page: 'startSpeed', undo: 'start speed',
   },
   /** Hermite: the same at the last key. */
@@ -112,24 +117,27 @@ export const MOTION = {
 } as const satisfies OptionTable;
 
 /**
- * Chosen for each key, refitting the spline only. A key of the page's document carries its own; the engine takes lists: of
- * numbers, empty or one per key, and of the turns that there are.
+ * Chosen for each key, refitting the spline only. A key of the page's document carries its own; the engine takes lists:
+ * of numbers, empty or one per key, and of the turns that there are.
  */
 export const PER_KEY = {
   /** Slope at the key = (1 - tension) times the C2 spline's own. */
   tension: {
-    kind: 'number', default: 0, flag: 'tension', value: 'X,X,...', help: 'for each key: 0 as it is, 1 stops there', undo: 'tension',
+    kind: 'number', default: 0, flag: 'tension', value: 'X,X,...', help: 'for each key: 0 as it is, 1 stops there',
+    undo: 'tension',
   },
   /** Above 0 the slope goes over to the difference from the key before, below 0 to that to the key after. */
   bias: {
     kind: 'number', least: -1, most: 1, default: 0, flag: 'bias', value: 'X,X,...',
-    help: 'for each key, from -1 to 1: below 0 its slope leans towards that to the key after it, above 0 towards that from the key before',
+    help: 'for each key, from -1 to 1: below 0 its slope leans towards that to the key after it, above 0 towards that '
+      + 'from the key before',
     undo: 'bias',
   },
   /** Whole turns added on the way to the key. */
   turns: {
     kind: 'turns', flag: 'turns', value: 'KEY:N[@COMPONENT],...',
-    help: 'whole turns added on the way to a key: of the whole, or of one of its separate parts, counted from 1 as their faces come in the file',
+    help: 'whole turns added on the way to a key: of the whole, or of one of its separate parts, counted from 1 as their '
+      + 'faces come in the file',
     undo: 'turns',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
@@ -162,7 +170,8 @@ export const ENCODING = {
   },
   placement: {
     kind: 'choice', choices: ['vertices', 'optimal'], default: 'vertices',
-    flag: 'placement', help: 'of the coarse mesh; default: on vertices of the shape', page: 'placement', undo: 'placement',
+    flag: 'placement', help: 'of the coarse mesh; default: on vertices of the shape', page: 'placement',
+    undo: 'placement',
   },
   precision: {
     kind: 'choice', choices: ['single', 'double', 'exact'], default: 'single',
@@ -170,7 +179,8 @@ export const ENCODING = {
   },
   /** Hermite: a shape that takes the neighbour key's place in the difference at that end. */
   startTangent: {
-    kind: 'shape', default: null, flag: 'start-tangent', value: 'FILE', help: 'hermite: a shape that the motion comes from',
+    kind: 'shape', default: null, flag: 'start-tangent', value: 'FILE',
+    help: 'hermite: a shape that the motion comes from',
     page: 'startTangentPose', undo: 'start tangent pose',
   },
   endTangent: {
@@ -183,36 +193,64 @@ export const ENCODING = {
 export const IMPORT = {
   /** Key times; default: the animation's own, else evenly over [0, 1]. */
   keyTimes: {
-    kind: 'numbers', flag: 'key-times', value: 'T,T,...', help: "default: evenly over [0,1], or the animation's own times",
+    kind: 'numbers', flag: 'key-times', value: 'T,T,...',
+    help: "default: evenly over [0,1], or the animation's own times",
   },
   /** Name or index of the animation to sample keys from; default: the first. */
-  animation: { kind: 'animation', flag: 'animation', value: 'NAME|INDEX', help: 'take the keys from this animation of the one file' },
+  animation: {
+    kind: 'animation', flag: 'animation', value: 'NAME|INDEX',
+    help: 'take the keys from this animation of the one file',
+  },
   /** Times on the animation's own time line, in seconds, or how many evenly spaced ones; default 8. */
-  sample: { kind: 'sample', flag: 'sample', value: 'T,T,...|N', help: 'at these seconds of it, or N evenly spaced (default 8)' },
+  sample: {
+    kind: 'sample', flag: 'sample', value: 'T,T,...|N',
+    help: 'at these seconds of it, or N evenly spaced (default 8)',
+  },
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
-  up: { kind: 'choice', choices: ['y', 'z'], default: 'y', flag: 'up', help: 'axis that points up in .obj, .ply and .off files' },
+  up: {
+    kind: 'choice', choices: ['y', 'z'], default: 'y', flag: 'up',
+    help: 'axis that points up in .obj, .ply and .off files',
+  },
   /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
-  unit: { kind: 'number', above: 0, default: 1, flag: 'unit', value: 'METRES', help: 'metres per unit of .obj, .ply and .off files' },
+  unit: {
+    kind: 'number', above: 0, default: 1, flag: 'unit', value: 'METRES',
+    help: 'metres per unit of .obj, .ply and .off files',
+  },
   /** 3 x faces of a mesh that the files are further poses of: their polygons are cut into its triangles. */
-  like: { kind: 'faces' },
+  like: {
+    kind: 'faces',
+    help: 'faces of a mesh that the files are further poses of; their polygons are cut into its triangles',
+  },
 } as const satisfies OptionTable;
 
 export const EXPORT = {
-  format: { kind: 'choice', choices: ['glb', 'obj', 'ply'], default: 'glb' },
+  format: {
+    kind: 'choice', choices: ['glb', 'obj', 'ply'], default: 'glb',
+    help: 'one file with an animation, or a file for each shape',
+  },
   /** These times instead of frames and range, in any order; a GLB gets the keys between them too. */
-  times: { kind: 'numbers', some: true, default: null, flag: 'at', value: 'T,T,...', help: 'these times, which may lie beyond the keys: --at=-0.3,1.3' },
+  times: {
+    kind: 'numbers', some: true, default: null, flag: 'at', value: 'T,T,...',
+    help: 'these times, which may lie beyond the keys: --at=-0.3,1.3',
+  },
   /** Evenly spaced frames over the range; a GLB gets the keys inside it too, so that it passes through them. */
-  frames: { kind: 'number', whole: true, least: 2, default: 60, flag: 'frames', value: 'K', help: 'or K evenly spaced ones; default 60' },
+  frames: {
+    kind: 'number', whole: true, least: 2, default: 60, flag: 'frames', value: 'K',
+    help: 'or K evenly spaced ones; default 60',
+  },
   /** First and last time; default: first and last key. */
-  range: { kind: 'range', default: null, flag: 'range', value: 'A:B', help: 'from A to B; default: over the keys; may lie beyond them: --range=-0.3:1.3' },
+  range: {
+    kind: 'range', default: null, flag: 'range', value: 'A:B',
+    help: 'from A to B; default: over the keys; may lie beyond them: --range=-0.3:1.3',
+  },
   /** Seconds that the exported animation plays; default: the length of the range. GLB only. */
   duration: {
     kind: 'number', above: 0, default: null, flag: 'duration', value: 'SECONDS',
     help: 'of the exported animation; its times start at 0 and include the keys in range',
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
-  pose: { kind: 'number', default: null },
-  inPlace: { kind: 'flag', default: false },
+  pose: { kind: 'number', default: null, help: 'one pose only, at this time' },
+  inPlace: { kind: 'flag', default: false, help: 'without the motion of the whole' },
 } as const satisfies OptionTable;
 
 /** The entries of a table, with the type that every option has. */
@@ -226,5 +264,7 @@ export function defaultsOf<T extends OptionTable>(table: T): ValuesOf<T> {
 }
 
 /** The options whose value is a shape: read from a file, written in a form of their own. */
-export type ShapeName = { [N in keyof typeof ENCODING]: (typeof ENCODING)[N] extends { kind: 'shape' } ? N : never }[keyof typeof ENCODING];
-export const SHAPES = Object.keys(ENCODING).filter((name): name is ShapeName => ENCODING[name as keyof typeof ENCODING].kind === 'shape');
+export type ShapeName = {
+  [N in keyof typeof ENCODING]: (typeof ENCODING)[N] extends { kind: 'shape' } ? N : never
+}[keyof typeof ENCODING];
+export const SHAPES = optionsIn(ENCODING).filter(([, { kind }]) => kind === 'shape').map(([name]) => name as ShapeName);

@@ -77,7 +77,8 @@ function checkOf(option: Option): Check {
   if (kind === 'number') return numberCheck(option);
   if (kind === 'choice') {
     const { choices } = option;
-    return (v) => (choices.includes(v as string) ? null : `must be one of ${choices.map((name) => `'${name}'`).join(', ')}`);
+    const names = choices.map((name) => `'${name}'`).join(', ');
+    return (v) => (choices.includes(v as string) ? null : `must be one of ${names}`);
   }
   if (kind === 'numbers' && option.some) {
     return (v) => numbers(v) ?? ((v as number[]).length > 0 ? null : 'must name at least one time');
@@ -94,16 +95,16 @@ export function wrongWith(option: Option, value: unknown): string | null {
 function listCheck(option: KeyOption): Check {
   if (option.kind === 'turns') return turns;
   const good = numberCheck(option);
-  return (v) => (Array.isArray(v) && v.every((one) => good(one) === null) ? null : `must be an array with ${inWords(option)} per key`);
+  return (v) => (Array.isArray(v) && v.every((one) => good(one) === null) ? null
+    : `must be an array with ${inWords(option)} per key`);
 }
 
 const checksOf = (table: OptionTable): Checks =>
   Object.fromEntries(optionsIn(table).map(([name, option]) => [name, (value) => wrongWith(option, value)]));
 
 const encodingChecks = checksOf(ENCODING);
-const motionChecks: Checks = {
-  ...checksOf(MOTION), ...Object.fromEntries(Object.entries(PER_KEY).map(([name, option]) => [name, listCheck(option)])),
-};
+const listChecks: Checks = Object.fromEntries(Object.entries(PER_KEY).map(([name, option]) => [name, listCheck(option)]));
+const motionChecks: Checks = { ...checksOf(MOTION), ...listChecks };
 const sequenceChecks: Checks = { ...encodingChecks, ...motionChecks };
 const importChecks = checksOf(IMPORT);
 const exportChecks = checksOf(EXPORT);

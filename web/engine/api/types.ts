@@ -19,13 +19,14 @@ export type ImportOptions = Partial<ValuesOf<typeof IMPORT>>;
 export const IMPORT_DEFAULTS: Readonly<ImportOptions> = defaultsOf(IMPORT);
 
 /** Lists of what is chosen for each key: numbers, empty or one per key, and the turns that there are. */
-export type PerKey = { -readonly [N in keyof typeof PER_KEY]: (typeof PER_KEY)[N] extends { kind: 'number' } ? number[] : AddedTurns[] };
+export type PerKey = {
+  -readonly [N in keyof typeof PER_KEY]: (typeof PER_KEY)[N] extends { kind: 'number' } ? number[] : AddedTurns[]
+};
 
 /** Choices that refit the spline only: changing them never encodes or factorises again. */
 export type MotionOptions = ValuesOf<typeof MOTION> & PerKey;
-export const MOTION_DEFAULTS: Readonly<MotionOptions> = {
-  ...defaultsOf(MOTION), ...(Object.fromEntries(Object.keys(PER_KEY).map((name) => [name, []])) as unknown as PerKey),
-};
+const NO_LISTS = Object.fromEntries(Object.keys(PER_KEY).map((name) => [name, []])) as unknown as PerKey;
+export const MOTION_DEFAULTS: Readonly<MotionOptions> = { ...defaultsOf(MOTION), ...NO_LISTS };
 
 /** Choices that change the encoding: a new sequence is built for them. */
 export type EncodingOptions = ValuesOf<typeof ENCODING>;
