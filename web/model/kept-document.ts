@@ -1,6 +1,6 @@
 /**
- * Documents as a browser has kept them between visits. Earlier versions held what is chosen for each key in lists beside
- * the keys.
+ * Documents as a browser has kept them between visits. Earlier versions held what is chosen for each key in lists
+ * beside the keys.
  */
 import type { Doc } from './state.ts';
 import { EMPTY_STATE } from './state.ts';

@@ -1,6 +1,6 @@
 /**
- * The engine's options that the page offers, under their names in the document and in links. Where the engine takes a key
- * or a shape, the document names one of the import's poses; null stands for none of its own.
+ * The engine's options that the page offers, under their names in the document and in links. Where the engine takes a
+ * key or a shape, the document names one of the import's poses; null stands for none of its own.
  */
 import { ENCODING, MOTION, optionsIn } from '../engine/api/option-table.ts';
 import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';

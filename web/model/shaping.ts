@@ -1,6 +1,6 @@
 /**
- * What is chosen for each key. In the document it belongs to its key and goes wherever that goes; the engine takes lists,
- * and only here the one becomes the other.
+ * What is chosen for each key. In the document it belongs to its key and goes wherever that goes; the engine takes
+ * lists, and only here the one becomes the other.
  */
 import { PER_KEY } from '../engine/api/option-table.ts';
 import type { AddedTurns, PerKey } from '../engine/api/types.ts';

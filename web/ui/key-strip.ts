@@ -172,7 +172,8 @@ const SLIDERS: Record<ShapingNumber, { label: string; min: number; max: number; 
   },
   bias: {
     label: 'Bias', min: PER_KEY.bias.least, max: PER_KEY.bias.most,
-    hint: 'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the motion from the key before on',
+    hint: 'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the '
+      + 'motion from the key before on',
   },
 };
 

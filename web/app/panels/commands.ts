@@ -58,7 +58,8 @@ export function createCommands(context: Context) {
       store.edit(PER_KEY[name].undo, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
     turns: (key: number, added: KeyTurns): void => {
       const whose = added.component === undefined ? '' : ` of part ${added.component + 1}`;
-      store.edit(`${PER_KEY.turns.undo}${whose}`, (doc) => setTurns(doc, key, added), `turns ${added.component} ${key}`);
+      const merge = `turns ${added.component} ${key}`;
+      store.edit(`${PER_KEY.turns.undo}${whose}`, (doc) => setTurns(doc, key, added), merge);
     },
     reference: (key: number): void => encoding({ referencePose: state().doc.keys[key]?.pose ?? null }),
 

@@ -1,7 +1,8 @@
 /**
- * Every option of the engine, described once: what it may be, its default, its flag on the command line, its name in the
- * page. From these tables come the types and defaults (types.ts), the checks (options.ts), project files, the command line
- * with its help, the page's document with links, undo and CSV, and the list in the README. Plain data; imports nothing.
+ * Every option of the engine, described once: what it may be, its default, its flag on the command line, its name in
+ * the page. From these tables come the types and defaults (types.ts), the checks (options.ts), project files, the command
+ * line with its help, the page's document with links, undo and CSV, and the list in the README. Plain data; imports
+ * nothing.
  */
 
 /** Whole turns on the way to a key, of the whole shape or of one component against the one that carries it. */
@@ -136,8 +137,8 @@ export const PER_KEY = {
   /** Whole turns added on the way to the key. */
   turns: {
     kind: 'turns', flag: 'turns', value: 'KEY:N[@COMPONENT],...',
-    help: 'whole turns added on the way to a key: of the whole, or of one of its separate parts, counted from 1 as their '
-      + 'faces come in the file',
+    help: 'whole turns added on the way to a key: of the whole, or of one of its separate parts, counted from 1 as '
+      + 'their faces come in the file',
     undo: 'turns',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;

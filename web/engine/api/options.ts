@@ -103,7 +103,7 @@ const checksOf = (table: OptionTable): Checks =>
   Object.fromEntries(optionsIn(table).map(([name, option]) => [name, (value) => wrongWith(option, value)]));
 
 const encodingChecks = checksOf(ENCODING);
-const listChecks: Checks = Object.fromEntries(Object.entries(PER_KEY).map(([name, option]) => [name, listCheck(option)]));
+const listChecks = Object.fromEntries(Object.entries(PER_KEY).map(([name, option]) => [name, listCheck(option)]));
 const motionChecks: Checks = { ...checksOf(MOTION), ...listChecks };
 const sequenceChecks: Checks = { ...encodingChecks, ...motionChecks };
 const importChecks = checksOf(IMPORT);
