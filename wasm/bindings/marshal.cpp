@@ -128,7 +128,6 @@ MotionOptions motionFrom(const Json& json) {
   if (!json.at("period").is_null()) motion.period = json.at("period").get<double>();
   motion.tension = json.at("tension").get<std::vector<double>>();
   motion.bias = json.at("bias").get<std::vector<double>>();
-  motion.weight = json.at("weight").get<std::vector<double>>();
   motion.turns = json.at("turns").get<std::vector<AddedTurns>>();
   motion.inPlace = json.at("inPlace");
   return motion;

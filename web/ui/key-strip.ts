@@ -175,7 +175,6 @@ const SLIDERS: Record<ShapingNumber, { label: string; min: number; max: number; 
     hint: 'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the '
       + 'motion from the key before on',
   },
-  weight: { label: 'Weight', min: PER_KEY.weight.least, max: PER_KEY.weight.most, hint: 'How much this key counts' },
 };
 
 /** Not modal: the shape, and the time, can be moved while a key is changed. */

@@ -31,7 +31,6 @@ struct MotionOptions {
   std::vector<double> tension;   ///< empty, or J values: slope at a key = (1 - tension) * the C2 spline's own
   std::vector<double> bias;      ///< empty, or J values in [-1, 1]: from 0 to 1 the slope at a key goes over to the difference from
                                  ///< the key before, from 0 to -1 to that to the key after (at an end key to the only one)
-  std::vector<double> weight;    ///< empty, or J values in [0, 1]: how much a key counts
   std::vector<AddedTurns> turns;
   bool inPlace = false;          ///< take out the translation that accumulates along the sequence
 };

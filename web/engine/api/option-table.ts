@@ -134,12 +134,6 @@ export const PER_KEY = {
       + 'from the key before',
     undo: 'bias',
   },
-  /** How much the key counts; nothing reads it. */
-  weight: {
-    kind: 'number', least: 0, most: 1, default: 1, flag: 'weight', value: 'X,X,...',
-    help: 'for each key, from 0 to 1: how much it counts',
-    undo: 'weight',
-  },
   /** Whole turns added on the way to the key. */
   turns: {
     kind: 'turns', flag: 'turns', value: 'KEY:N[@COMPONENT],...',
