@@ -5,7 +5,7 @@ import { Worker } from 'node:worker_threads';
 import { afterEach, describe, expect, it } from 'vitest';
 import createWasm from '../../build/wasm/shapespline.mjs';
 import createThreaded from '../../build/wasm/shapespline_threads.mjs';
-import { Core } from '../../web/engine/worker/wasm-core.ts';
+import { WasmCore } from '../../web/engine/worker/wasm-core.ts';
 import type { Frame } from '../../web/engine/api/types.ts';
 import type { CreateWasmModule, WasmModule } from '../../web/engine/worker/wasm-module.ts';
 import { bendData, createBend } from './support/core.ts';
@@ -23,15 +23,15 @@ afterEach(async () => {
   await Promise.all(helpers.splice(0).map((helper) => helper.terminate()));
 });
 
-async function started(create: CreateWasmModule, name: string): Promise<{ core: Core; module: WasmModule; compiled: WebAssembly.Module }> {
+async function started(create: CreateWasmModule, name: string): Promise<{ core: WasmCore; module: WasmModule; compiled: WebAssembly.Module }> {
   const compiled = await WebAssembly.compile(await readFile(new URL(`../../build/wasm/${name}.wasm`, import.meta.url)));
   let module: WasmModule | null = null;
-  const core = await Core.start(async (settings) => (module = await create(settings)), compiled);
+  const core = await WasmCore.start(async (settings) => (module = await create(settings)), compiled);
   return { core, module: module as unknown as WasmModule, compiled };
 }
 
 /** A core with a second thread that is ready to help. */
-async function withHelper(): Promise<{ core: Core; module: WasmModule; helper: Worker }> {
+async function withHelper(): Promise<{ core: WasmCore; module: WasmModule; helper: Worker }> {
   const { core, module, compiled } = await started(createThreaded, 'shapespline_threads');
   const helper = new Worker(new URL('../../build/node/node-helper.mjs', import.meta.url), { workerData: core.helperStart(compiled) });
   helpers.push(helper);

@@ -2,7 +2,7 @@
 /// <reference path="../../../web/engine/worker/generated.d.ts" />
 import { readFile } from 'node:fs/promises';
 import createWasm from '../../../build/wasm/shapespline.mjs';
-import { Core } from '../../../web/engine/worker/wasm-core.ts';
+import { WasmCore } from '../../../web/engine/worker/wasm-core.ts';
 import type { KeyData, MotionSpec } from '../../../web/engine/wire/protocol.ts';
 import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../../web/engine/api/types.ts';
 import type { WasmModule } from '../../../web/engine/worker/wasm-module.ts';
@@ -11,14 +11,14 @@ import { bar, bent, type Mesh } from './shapes.ts';
 let compiled: Promise<WebAssembly.Module> | null = null;
 
 export interface LocalCore {
-  core: Core;
+  core: WasmCore;
   module: WasmModule;
 }
 
 export async function localCore(): Promise<LocalCore> {
   compiled ??= readFile(new URL('../../../build/wasm/shapespline.wasm', import.meta.url)).then((bytes) => WebAssembly.compile(bytes));
   let module: WasmModule | null = null;
-  const core = await Core.start(async (settings) => (module = await createWasm(settings)), await compiled);
+  const core = await WasmCore.start(async (settings) => (module = await createWasm(settings)), await compiled);
   return { core, module: module as unknown as WasmModule };
 }
 
@@ -34,6 +34,6 @@ export function bendData(mesh: Mesh = bar()): KeyData {
   };
 }
 
-export function createBend(core: Core, data = bendData(), spec = motion): number {
+export function createBend(core: WasmCore, data = bendData(), spec = motion): number {
   return core.createSequence(data, ENCODING_DEFAULTS, spec, () => undefined).handle;
 }

@@ -4,7 +4,7 @@ import { cancelled, disposed, invalidOption } from '../api/errors.ts';
 import { KeysHandle } from './keyframes.ts';
 import { checkCall, checkImportOptions, checkSequenceOptions } from '../api/options.ts';
 import type { Program } from '../wire/protocol.ts';
-import { Remote, type Spawn } from './worker-client.ts';
+import { WorkerClient, type Spawn } from './worker-client.ts';
 import { SequenceClient } from './sequence.ts';
 import type { ImportOptions, InputFile, SequenceOptions } from '../api/types.ts';
 
@@ -24,10 +24,10 @@ const VERTEX_BYTES = 12;
 
 export class EngineClient implements Engine {
   private readonly platform: Platform;
-  private readonly workers = new Set<Remote>();
+  private readonly workers = new Set<WorkerClient>();
   private readonly sequences = new Set<SequenceClient>();
   /** A worker that has nothing to do and read nothing bad. */
-  private idle: Remote | null = null;
+  private idle: WorkerClient | null = null;
   private over = false;
 
   constructor(platform: Platform) {
@@ -47,10 +47,10 @@ export class EngineClient implements Engine {
     const checked = checkImportOptions(options);
     checkFiles(files);
     if (bytesOf(files) >= LARGE * VERTEX_BYTES) void this.platform.threaded?.();  // to be there when the keys are
-    const remote = this.takeWorker();
-    const imported = await this.task(remote, call, () =>
-      remote.call('import', { files, options: checked }, { onProgress: call?.onProgress }));
-    this.keepIdle(remote);
+    const client = this.takeWorker();
+    const imported = await this.task(client, call, () =>
+      client.call('import', { files, options: checked }, { onProgress: call?.onProgress }));
+    this.keepIdle(client);
     return KeysHandle.of(imported);
   }
 
@@ -66,8 +66,8 @@ export class EngineClient implements Engine {
       freshWorker: () => this.freshWorker(),
       onDispose: (gone: SequenceClient) => void this.sequences.delete(gone),
     };
-    const remote = this.takeWorker(large);
-    const sequence = await this.task(remote, call, () => SequenceClient.create(parts, remote, { onProgress: call?.onProgress }));
+    const client = this.takeWorker(large);
+    const sequence = await this.task(client, call, () => SequenceClient.create(parts, client, { onProgress: call?.onProgress }));
     this.sequences.add(sequence);
     return sequence;
   }
@@ -80,7 +80,7 @@ export class EngineClient implements Engine {
     this.workers.clear();
   }
 
-  private takeWorker(large = false): Remote {
+  private takeWorker(large = false): WorkerClient {
     const { idle } = this;
     this.idle = null;
     if (!large && idle?.alive) return idle;
@@ -88,12 +88,12 @@ export class EngineClient implements Engine {
     return this.freshWorker(large);
   }
 
-  private freshWorker(large = false): Remote {
+  private freshWorker(large = false): WorkerClient {
     this.checkAlive();
     for (const worker of this.workers) if (!worker.alive) this.workers.delete(worker);
-    const remote = new Remote(this.platform.spawn, this.program(large));
-    this.workers.add(remote);
-    return remote;
+    const client = new WorkerClient(this.platform.spawn, this.program(large));
+    this.workers.add(client);
+    return client;
   }
 
   private async program(large: boolean): Promise<Program> {
@@ -102,24 +102,24 @@ export class EngineClient implements Engine {
   }
 
   /** Work in one worker, which ends when the work fails or the caller cancels. */
-  private async task<T>(remote: Remote, call: CallOptions | undefined, work: () => Promise<T>): Promise<T> {
-    const cancel = (): void => remote.terminate(cancelled());
+  private async task<T>(client: WorkerClient, call: CallOptions | undefined, work: () => Promise<T>): Promise<T> {
+    const cancel = (): void => client.terminate(cancelled());
     const signal = call?.signal;
     if (signal?.aborted) cancel();
     signal?.addEventListener('abort', cancel, { once: true });
     try {
       return await work();
     } catch (error) {
-      remote.terminate(cancelled());
+      client.terminate(cancelled());
       throw error;
     } finally {
       signal?.removeEventListener('abort', cancel);
     }
   }
 
-  private keepIdle(remote: Remote): void {
-    if (this.idle || this.over) remote.terminate(disposed('engine'));
-    else this.idle = remote;
+  private keepIdle(client: WorkerClient): void {
+    if (this.idle || this.over) client.terminate(disposed('engine'));
+    else this.idle = client;
   }
 
   private checkAlive(): void {

@@ -7,7 +7,7 @@ import { cancelled, untilAborted } from '../api/errors.ts';
 import { checkBytes, exportWarnings, framesOf, type Frames } from './export-plan.ts';
 import { writeProject } from '../wire/project.ts';
 import type { KeyData, SceneData } from '../wire/protocol.ts';
-import type { Remote } from './worker-client.ts';
+import type { WorkerClient } from './worker-client.ts';
 import type { ExportedFile, ExportOptions, ExportPlan, Frame, SequenceOptions } from '../api/types.ts';
 
 export interface ExportSource {
@@ -16,7 +16,7 @@ export interface ExportSource {
   scene: SceneData;
   options: SequenceOptions;
   range: readonly [number, number];
-  freshWorker(): Remote;
+  freshWorker(): WorkerClient;
   frame(t: number): Promise<Frame>;
   /** Bytes of an animated GLB without its images. */
   glbSize(vertices: number, faces: number, frames: number, scene: SceneData): Promise<number>;
@@ -53,7 +53,7 @@ interface Job {
   source: ExportSource;
   options: ExportOptions;
   frames: Frames;
-  writer: Remote;
+  writer: WorkerClient;
   call: CallOptions;
 }
 

@@ -5,7 +5,7 @@ import { exportFiles, planExport, type ExportSource } from './export.ts';
 import { checkCall, checkExportOptions, checkTime, checkTimes, checkUpdate, encodingOf, motionOf } from '../api/options.ts';
 import { FramePool } from './frame-pool.ts';
 import type { CallName, KeyData, MotionSpec, RequestOf, ResultOf, SceneData } from '../wire/protocol.ts';
-import type { Remote, RemoteCall } from './worker-client.ts';
+import type { WorkerClient, WorkerCall } from './worker-client.ts';
 import { Scheduler, urgency, type Task, type Urgency } from './scheduler.ts';
 import type {
   EncodingOptions, ExportedFile, ExportOptions, ExportPlan, Frame, Ghost, Measures, MotionOptions, PreviewError, SequenceOptions,
@@ -17,7 +17,7 @@ export interface SequenceParts {
   scene: SceneData;
   options: SequenceOptions;
   /** Starts a worker that no other sequence uses, with one thread. */
-  freshWorker(): Remote;
+  freshWorker(): WorkerClient;
   onDispose(sequence: SequenceClient): void;
 }
 
@@ -31,7 +31,7 @@ export class SequenceClient implements Sequence {
   private readonly encoding: EncodingOptions;
   private readonly scheduler = new Scheduler();
   private readonly pool = new FramePool();
-  private remote: Remote;
+  private client: WorkerClient;
   private motion: MotionSpec;
   private versions = 0;
   private state: ResultOf<'create'>;
@@ -39,19 +39,19 @@ export class SequenceClient implements Sequence {
   private updates: Promise<unknown> = Promise.resolve();
   private over = false;
 
-  private constructor(parts: SequenceParts, remote: Remote, motion: MotionSpec, state: ResultOf<'create'>) {
+  private constructor(parts: SequenceParts, client: WorkerClient, motion: MotionSpec, state: ResultOf<'create'>) {
     this.parts = parts;
     this.encoding = encodingOf(parts.options);
-    this.remote = remote;
+    this.client = client;
     this.motion = motion;
     this.state = state;
   }
 
-  /** Builds it in `remote`, which is the sequence's own from here on. */
-  static async create(parts: SequenceParts, remote: Remote, call: RemoteCall): Promise<SequenceClient> {
+  /** Builds it in `client`, which is the sequence's own from here on. */
+  static async create(parts: SequenceParts, client: WorkerClient, call: WorkerCall): Promise<SequenceClient> {
     const motion: MotionSpec = { version: 0, options: motionOf(parts.options), keyTimes: parts.keys.times };
-    const state = await remote.call('create', { keys: parts.keys, encoding: encodingOf(parts.options), motion }, call);
-    return new SequenceClient(parts, remote, motion, state);
+    const state = await client.call('create', { keys: parts.keys, encoding: encodingOf(parts.options), motion }, call);
+    return new SequenceClient(parts, client, motion, state);
   }
 
   get options(): Readonly<SequenceOptions> {
@@ -188,7 +188,7 @@ export class SequenceClient implements Sequence {
     if (this.over) return;
     this.over = true;
     this.supersede();
-    this.remote.terminate(disposed('sequence'));
+    this.client.terminate(disposed('sequence'));
     this.parts.onDispose(this);
   }
 
@@ -217,16 +217,16 @@ export class SequenceClient implements Sequence {
 
   /** One request; a worker that died before is replaced first, built from the same keys and the present motion. If the second thread
       was the reason, it would be again: the new worker has one. */
-  private async ask<K extends CallName>(type: K, request: RequestOf<K>, call?: RemoteCall): Promise<ResultOf<K>> {
+  private async ask<K extends CallName>(type: K, request: RequestOf<K>, call?: WorkerCall): Promise<ResultOf<K>> {
     this.checkAlive();
-    if (!this.remote.alive) await this.revive();
-    return this.remote.call(type, request, call);
+    if (!this.client.alive) await this.revive();
+    return this.client.call(type, request, call);
   }
 
   private async revive(): Promise<void> {
-    this.remote = this.parts.freshWorker();
+    this.client = this.parts.freshWorker();
     const { keys } = this.parts;
-    this.state = await this.remote.call('create', { keys, encoding: this.encoding, motion: this.motion });
+    this.state = await this.client.call('create', { keys, encoding: this.encoding, motion: this.motion });
   }
 
   private async scheduled<K extends CallName>(level: Urgency, type: K, request: () => RequestOf<K>): Promise<ResultOf<K>> {

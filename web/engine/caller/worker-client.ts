@@ -18,7 +18,7 @@ export interface PortEvents {
 /** Starts a worker. */
 export type Spawn = (events: PortEvents) => WorkerPort;
 
-export interface RemoteCall {
+export interface WorkerCall {
   transfer?: Transferable[];
   onProgress?: ((progress: Progress) => void) | undefined;
 }
@@ -30,7 +30,7 @@ interface Open {
   fraction: number;
 }
 
-export class Remote {
+export class WorkerClient {
   private readonly open = new Map<number, Open>();
   private readonly port: WorkerPort;
   private readonly started: Promise<void>;
@@ -52,7 +52,7 @@ export class Remote {
     return this.ended === null;
   }
 
-  call<K extends CallName>(type: K, request: RequestOf<K>, { transfer, onProgress }: RemoteCall = {}): Promise<ResultOf<K>> {
+  call<K extends CallName>(type: K, request: RequestOf<K>, { transfer, onProgress }: WorkerCall = {}): Promise<ResultOf<K>> {
     if (this.ended) return Promise.reject(this.ended);
     const id = ++this.lastId;
     return new Promise<ResultOf<K>>((resolve, reject) => {

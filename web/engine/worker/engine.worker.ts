@@ -3,7 +3,7 @@ import createWasm from '../../../build/wasm/shapespline.mjs';
 import { holdLock } from '../wire/worker-lock.ts';
 import { decoder } from './decompress.ts';
 import type { Locked, ToWorker } from '../wire/protocol.ts';
-import { Service } from './request-handler.ts';
+import { RequestHandler } from './request-handler.ts';
 
 async function dracoWasm(): Promise<Uint8Array> {
   const { default: url } = await import('draco3dgltf/draco_decoder_gltf.wasm?url');
@@ -12,7 +12,7 @@ async function dracoWasm(): Promise<Uint8Array> {
   return new Uint8Array(await response.arrayBuffer());
 }
 
-const service = new Service({
+const handler = new RequestHandler({
   post: (message, transfer) => self.postMessage(message, { transfer }),
   create: createWasm,
   createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
@@ -25,4 +25,4 @@ const service = new Service({
   decode: decoder(dracoWasm),
 });
 if (self.name) holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
-self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => service.receive(data));
+self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => handler.receive(data));

@@ -46,7 +46,7 @@ export function writeFloats(module: WasmModule, address: Address, numbers: Float
 }
 
 /** Memory that is lent to one call: everything that was put in is freed by `free`. */
-export class Loan {
+export class HeapScope {
   private readonly addresses: Address[] = [];
   private readonly module: WasmModule;
 

@@ -1,5 +1,5 @@
 /** Files -> keys, inside a worker: compressed meshes are decoded first, a project brings its options along. */
-import type { Core, OnProgress } from './wasm-core.ts';
+import type { WasmCore, OnProgress } from './wasm-core.ts';
 import { drawnImages } from './image-size.ts';
 import { readOptions } from '../wire/project.ts';
 import type { ImportedData } from '../wire/protocol.ts';
@@ -26,7 +26,7 @@ const UNREADABLE: Warning = {
 const DECODING = 0.3;
 const READING = 0.95;
 
-export async function importFiles(core: Core, decode: Decode, { files, options, report }: ImportJob): Promise<ImportedData> {
+export async function importFiles(core: WasmCore, decode: Decode, { files, options, report }: ImportJob): Promise<ImportedData> {
   let start = 0;
   report('reading the file', start);
   const decoded = await decode(files, (fraction) => {

@@ -5,11 +5,11 @@ import { parentPort, Worker } from 'node:worker_threads';
 import createWasm from '../../../build/wasm/shapespline.mjs';
 import { decoder } from './decompress.ts';
 import type { ToWorker } from '../wire/protocol.ts';
-import { Service } from './request-handler.ts';
+import { RequestHandler } from './request-handler.ts';
 
 const require = createRequire(import.meta.url);
 
-const service = new Service({
+const handler = new RequestHandler({
   post: (message, transfer) => parentPort?.postMessage(message, transfer),
   create: createWasm,
   createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
@@ -21,4 +21,4 @@ const service = new Service({
   },
   decode: decoder(() => readFile(require.resolve('draco3dgltf/draco_decoder_gltf.wasm'))),
 });
-parentPort?.on('message', (message: ToWorker) => service.receive(message));
+parentPort?.on('message', (message: ToWorker) => handler.receive(message));

@@ -1,31 +1,31 @@
 /** A worker's inside: one core, at most one sequence, requests answered in the order in which they came. */
-import { Core, type OnProgress } from './wasm-core.ts';
+import { WasmCore, type OnProgress } from './wasm-core.ts';
 import { crashed, EngineError, engineError, isOutOfMemory, messageOf, outOfMemory, type ErrorData } from '../api/errors.ts';
-import type { HelperStart } from './second-thread.ts';
+import type { SecondThreadStart } from './second-thread.ts';
 import { importFiles, type Decode } from './import-files.ts';
 import type { CallName, FrameBuffers, FrameData, FromWorker, MotionSpec, Request, RequestOf, ResultOf, Start, ToWorker } from '../wire/protocol.ts';
 import { ThreadChoice } from './thread-choice.ts';
 import type { CreateWasmModule } from './wasm-module.ts';
 
-export interface ServiceHost {
+export interface HandlerHost {
   post(message: FromWorker, transfer: ArrayBuffer[]): void;
   create: CreateWasmModule;
   /** The glue of the threaded module. */
   createThreaded(): Promise<CreateWasmModule>;
   /** Starts a second thread; one that never gets ready is never waited for. */
-  hire(start: HelperStart, onReady: () => void): void;
+  hire(start: SecondThreadStart, onReady: () => void): void;
   /** Undoes mesh compression that the core does not know, before it sees the files. */
   decode: Decode;
 }
 
 type Handlers = {
-  [K in CallName]: (core: Core, request: RequestOf<K>, report: OnProgress) => ResultOf<K> | Promise<ResultOf<K>>;
+  [K in CallName]: (core: WasmCore, request: RequestOf<K>, report: OnProgress) => ResultOf<K> | Promise<ResultOf<K>>;
 };
 
-export class Service {
-  private readonly host: ServiceHost;
+export class RequestHandler {
+  private readonly host: HandlerHost;
   private readonly handlers: Handlers;
-  private core: Promise<Core> | null = null;
+  private core: Promise<WasmCore> | null = null;
   /** Once there is a second thread: for exact frames, and for those that are about right, of which it does less. */
   private choices: Record<'exact' | 'preview', ThreadChoice> | null = null;
   private tail: Promise<void> = Promise.resolve();
@@ -33,7 +33,7 @@ export class Service {
   private motionVersion = -1;
   private readonly frames: FrameBuffers[] = [];
 
-  constructor(host: ServiceHost) {
+  constructor(host: HandlerHost) {
     this.host = host;
     this.handlers = this.makeHandlers();
   }
@@ -49,13 +49,13 @@ export class Service {
     this.tail = this.tail.then(() => this.serve(message));
   }
 
-  private async start({ module, threaded }: Start): Promise<Core> {
+  private async start({ module, threaded }: Start): Promise<WasmCore> {
     const core = threaded && await this.startThreaded(threaded).catch(() => null);
-    return core ?? Core.start(this.host.create, module);
+    return core ?? WasmCore.start(this.host.create, module);
   }
 
-  private async startThreaded(compiled: WebAssembly.Module): Promise<Core> {
-    const core = await Core.start(await this.host.createThreaded(), compiled);
+  private async startThreaded(compiled: WebAssembly.Module): Promise<WasmCore> {
+    const core = await WasmCore.start(await this.host.createThreaded(), compiled);
     const start = core.helperStart(compiled);
     if (start) this.host.hire(start, () => { this.choices = { exact: new ThreadChoice(), preview: new ThreadChoice() }; });
     return core;
@@ -68,7 +68,7 @@ export class Service {
       const core = await this.core;
       if (!core) throw crashed('the worker was not started');
       // Request and handler belong to the same name, which the compiler cannot follow through the table.
-      const handler = this.handlers[type] as (core: Core, request: Request, report: OnProgress) => ResultOf<CallName>;
+      const handler = this.handlers[type] as (core: WasmCore, request: Request, report: OnProgress) => ResultOf<CallName>;
       const value = await handler(core, request, report);
       this.host.post({ type: 'result', id, value }, buffersOf(value));
     } catch (reason) {
@@ -117,7 +117,7 @@ export class Service {
     return this.choices?.exact.chosen ?? 1;
   }
 
-  private frame(core: Core, t: number, buffers: FrameBuffers | null, preview: boolean): Omit<FrameData, 'ms'> {
+  private frame(core: WasmCore, t: number, buffers: FrameBuffers | null, preview: boolean): Omit<FrameData, 'ms'> {
     const choice = this.choices?.[preview ? 'preview' : 'exact'];
     if (choice) core.setThreads(this.sequence, choice.threads);
     const start = performance.now();
@@ -131,14 +131,14 @@ export class Service {
     }
   }
 
-  private refit(core: Core, motion: MotionSpec): ResultOf<'update'> {
+  private refit(core: WasmCore, motion: MotionSpec): ResultOf<'update'> {
     const state = core.update(this.sequence, motion);
     this.motionVersion = motion.version;
     return state;
   }
 
   /** Refits where a request means another motion than the last one did. */
-  private follow(core: Core, motion: MotionSpec): number {
+  private follow(core: WasmCore, motion: MotionSpec): number {
     if (motion.version !== this.motionVersion) this.refit(core, motion);
     return this.sequence;
   }

@@ -1,5 +1,5 @@
 /** Node's second thread. */
 import { parentPort, workerData } from 'node:worker_threads';
-import { help, type HelperStart } from './second-thread.ts';
+import { help, type SecondThreadStart } from './second-thread.ts';
 
-help(workerData as HelperStart, () => parentPort?.postMessage(null));
+help(workerData as SecondThreadStart, () => parentPort?.postMessage(null));

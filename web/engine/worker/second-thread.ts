@@ -4,7 +4,7 @@
  */
 import type { Address } from './wasm-module.ts';
 
-export interface HelperStart {
+export interface SecondThreadStart {
   module: WebAssembly.Module;
   memory: WebAssembly.Memory;
   /** Its upper end. */
@@ -18,7 +18,7 @@ interface HelperExports {
 }
 
 /** Ends only with the thread. `onReady` is called just before it waits for work. */
-export function help({ module, memory, stack }: HelperStart, onReady: () => void): void {
+export function help({ module, memory, stack }: SecondThreadStart, onReady: () => void): void {
   const imports: WebAssembly.Imports = {};
   for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
     (imports[from] ??= {})[name] = kind === 'memory' ? memory : notHere(name);

@@ -1,4 +1,4 @@
 /** The browser's second thread. */
-import { help, type HelperStart } from './second-thread.ts';
+import { help, type SecondThreadStart } from './second-thread.ts';
 
-self.addEventListener('message', ({ data }: MessageEvent<HelperStart>) => help(data, () => self.postMessage(null)), { once: true });
+self.addEventListener('message', ({ data }: MessageEvent<SecondThreadStart>) => help(data, () => self.postMessage(null)), { once: true });

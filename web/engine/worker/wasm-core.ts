@@ -1,7 +1,7 @@
 /** The core as TypeScript sees it: typed calls into the bindings, arrays copied in and out. Runs inside a worker. */
 import { EngineError, outOfMemory } from '../api/errors.ts';
-import type { HelperStart } from './second-thread.ts';
-import { Loan, readBytes, readFloats, readInts, readText, writeFloats, type Range } from './heap.ts';
+import type { SecondThreadStart } from './second-thread.ts';
+import { HeapScope, readBytes, readFloats, readInts, readText, writeFloats, type Range } from './heap.ts';
 import type { FrameBuffers, FrameData, ImportedData, KeyData, MotionSpec, RequestOf, SceneData } from '../wire/protocol.ts';
 import type {
   AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, PreviewError, SequenceStats,
@@ -64,7 +64,7 @@ function placeOf({ key, vertex, face }: Failure): EngineError['place'] {
 /** Bytes: many times what a frame's kernels need. */
 const HELPER_STACK = 1 << 18;
 
-export class Core {
+export class WasmCore {
   private readonly module: WasmModule;
 
   private constructor(module: WasmModule) {
@@ -72,12 +72,12 @@ export class Core {
   }
 
   /** Instantiates the compiled module with its Emscripten glue. */
-  static async start(create: CreateWasmModule, compiled: WebAssembly.Module): Promise<Core> {
-    return new Core(await instantiate(create, compiled));
+  static async start(create: CreateWasmModule, compiled: WebAssembly.Module): Promise<WasmCore> {
+    return new WasmCore(await instantiate(create, compiled));
   }
 
   /** What a second thread needs to work in this core's memory; null where that is not shared. */
-  helperStart(compiled: WebAssembly.Module): HelperStart | null {
+  helperStart(compiled: WebAssembly.Module): SecondThreadStart | null {
     const { wasmMemory: memory } = this.module;
     if (!memory) return null;
     const stack = this.module._malloc(HELPER_STACK) >>> 0;
@@ -106,10 +106,10 @@ export class Core {
 
   importKeys(files: InputFile[], options: ImportOptions, onProgress: OnProgress = () => undefined): RawImport {
     this.module.onProgress = (stage, fraction) => onProgress(readText(this.module, stage), fraction);
-    return this.lend((loan) => {
+    return this.lend((scope) => {
       const { animation, sample, keyTimes, up, unit, like } = options;
       const request = {
-        files: files.map(({ name, bytes }) => ({ name, bytes: loan.put(bytes) })),
+        files: files.map(({ name, bytes }) => ({ name, bytes: scope.put(bytes) })),
         options: {
           animation: animation ?? null,
           sampleTimes: Array.isArray(sample) ? sample : [],
@@ -117,10 +117,10 @@ export class Core {
           keyTimes: keyTimes ?? [],
           zUp: up === 'z',
           unit: unit ?? 1,
-          like: like ? loan.put(like) : null,
+          like: like ? scope.put(like) : null,
         },
       };
-      const answer = this.answer<ImportAnswer>(this.module._shapespline_import(loan.putText(JSON.stringify(request))));
+      const answer = this.answer<ImportAnswer>(this.module._shapespline_import(scope.putText(JSON.stringify(request))));
       try {
         return this.readImport(answer);
       } finally {
@@ -132,21 +132,21 @@ export class Core {
   /** Builds a sequence and returns its handle. */
   createSequence(keys: KeyData, encoding: EncodingOptions, motion: MotionSpec, onProgress: OnProgress): SequenceState & { handle: number } {
     this.module.onProgress = (stage, fraction) => onProgress(readText(this.module, stage), fraction);
-    return this.lend((loan) => {
+    return this.lend((scope) => {
       const request = {
-        faces: loan.put(keys.faces),
-        normals: loan.putOrNull(keys.normals),
+        faces: scope.put(keys.faces),
+        normals: scope.putOrNull(keys.normals),
         keys: keys.positions.map((positions, key) => ({
-          name: keys.names[key], time: motion.keyTimes[key], positions: loan.put(positions),
+          name: keys.names[key], time: motion.keyTimes[key], positions: scope.put(positions),
         })),
         encoding: {
           ...encoding,
-          startTangent: loan.putOrNull(encoding.startTangent),
-          endTangent: loan.putOrNull(encoding.endTangent),
+          startTangent: scope.putOrNull(encoding.startTangent),
+          endTangent: scope.putOrNull(encoding.endTangent),
         },
         motion: motion.options,
       };
-      return this.answer(this.module._shapespline_sequence(loan.putText(JSON.stringify(request))));
+      return this.answer(this.module._shapespline_sequence(scope.putText(JSON.stringify(request))));
     });
   }
 
@@ -223,30 +223,30 @@ export class Core {
       delete frames[index]; // asked for once; the file grows by as much
       return true;
     };
-    return this.lend((loan) => {
+    return this.lend((scope) => {
       const vertices = (frames[0]?.positions.length ?? 0) / 3;
-      const request = { faces: loan.put(faces), scene: lendScene(loan, scene), vertices, seconds, stills, project };
-      return this.takeBytes(this.module._shapespline_write_animation(loan.putText(JSON.stringify(request))));
+      const request = { faces: scope.put(faces), scene: lendScene(scope, scene), vertices, seconds, stills, project };
+      return this.takeBytes(this.module._shapespline_write_animation(scope.putText(JSON.stringify(request))));
     });
   }
 
   animationSize({ vertices, faces, frames, scene }: RequestOf<'glbSize'>): number {
-    return this.lend((loan) => {
-      const request = { vertices, faces, frames, scene: lendScene(loan, scene) };
-      return this.answer<{ bytes: number }>(this.module._shapespline_animation_size(loan.putText(JSON.stringify(request)))).bytes;
+    return this.lend((scope) => {
+      const request = { vertices, faces, frames, scene: lendScene(scope, scene) };
+      return this.answer<{ bytes: number }>(this.module._shapespline_animation_size(scope.putText(JSON.stringify(request)))).bytes;
     });
   }
 
   writePose({ format, faces, scene, pose }: RequestOf<'writePose'>): Uint8Array {
-    return this.lend((loan) => {
+    return this.lend((scope) => {
       const request = {
         format,
-        faces: loan.put(faces),
-        positions: loan.put(pose.positions),
-        normals: loan.put(pose.normals),
-        scene: lendScene(loan, scene),
+        faces: scope.put(faces),
+        positions: scope.put(pose.positions),
+        normals: scope.put(pose.normals),
+        scene: lendScene(scope, scene),
       };
-      return this.takeBytes(this.module._shapespline_write_pose(loan.putText(JSON.stringify(request))));
+      return this.takeBytes(this.module._shapespline_write_pose(scope.putText(JSON.stringify(request))));
     });
   }
 
@@ -294,17 +294,17 @@ export class Core {
     }
   }
 
-  private lend<T>(work: (loan: Loan) => T): T {
-    const loan = new Loan(this.module);
+  private lend<T>(work: (scope: HeapScope) => T): T {
+    const scope = new HeapScope(this.module);
     try {
-      return work(loan);
+      return work(scope);
     } finally {
-      loan.free();
+      scope.free();
     }
   }
 
   private ask<T>(request: object, call: (address: Address) => Address): T {
-    return this.lend((loan) => this.answer<T>(call(loan.putText(JSON.stringify(request)))));
+    return this.lend((scope) => this.answer<T>(call(scope.putText(JSON.stringify(request)))));
   }
 
   private answer<T>(address: Address): T {
@@ -315,13 +315,13 @@ export class Core {
   }
 }
 
-function lendScene(loan: Loan, scene: SceneData): object {
+function lendScene(scope: HeapScope, scene: SceneData): object {
   return {
     ...scene,
-    uvs: loan.putOrNull(scene.uvs),
-    colors: loan.putOrNull(scene.colors),
-    seams: scene.seams && { copyOf: loan.put(scene.seams.copyOf), indices: loan.put(scene.seams.indices) },
-    images: scene.images.map(({ mimeType, bytes }) => ({ mimeType, bytes: loan.put(bytes) })),
+    uvs: scope.putOrNull(scene.uvs),
+    colors: scope.putOrNull(scene.colors),
+    seams: scene.seams && { copyOf: scope.put(scene.seams.copyOf), indices: scope.put(scene.seams.indices) },
+    images: scene.images.map(({ mimeType, bytes }) => ({ mimeType, bytes: scope.put(bytes) })),
   };
 }
 

@@ -4,12 +4,12 @@
 export type Address = number;
 
 /** What the module calls out to; set on the module itself. */
-export interface WasmHost {
+export interface JsImports {
   onProgress?: (stage: Address, fraction: number) => void;
   takeFrame?: (frame: number, positions: Address, normals: Address) => boolean;
 }
 
-export interface WasmModule extends WasmHost {
+export interface WasmModule extends JsImports {
   /** Made anew whenever the memory grows: never kept. */
   readonly HEAPU8: Uint8Array;
   /** Only where it is shared. */
