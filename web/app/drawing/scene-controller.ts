@@ -19,7 +19,7 @@ import { boundsOf, measure, patchColours, samplePoints } from './bounds.ts';
 import type { Measure } from './bounds.ts';
 import type { Lane } from '../session/sequence-set.ts';
 import type { Shapes } from '../playback/frame-set.ts';
-import type { PosePool } from '../session/workspace.ts';
+import type { PosePool } from '../session/pose-pool.ts';
 
 /** While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then. */
 export const PLAYING_TOLERANCE = 0.006;

@@ -6,7 +6,7 @@ import { h, setHidden, setStyle, setText, svg } from '../../ui/dom.ts';
 import type { Context } from '../context.ts';
 import { isCancelled } from '../session/sequence-set.ts';
 import { encodingFor, motionFor, specOf } from '../session/sequence-plan.ts';
-import type { PosePool } from '../session/workspace.ts';
+import type { PosePool } from '../session/pose-pool.ts';
 
 const FRAMES = 24;
 const NAMES: Record<Transfer, string> = { exact: 'Exact', paper: 'As published' };

@@ -2,7 +2,7 @@
 import type { KeysInfo, SequenceOptions } from '../../engine/api/types.ts';
 import type { Doc, PartTurns } from '../../model/state.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION } from '../../model/state.ts';
-import type { PosePool } from './workspace.ts';
+import type { PosePool } from './pose-pool.ts';
 
 export function docOf(info: KeysInfo, pool: PosePool): Doc {
   const project = info.project ?? {};

@@ -5,6 +5,7 @@ import type { Doc } from '../../model/state.ts';
 import { docOf } from './document-from-import.ts';
 import { Lanes, isCancelled } from './sequence-set.ts';
 import type { Lane } from './sequence-set.ts';
+import { PosePool } from './pose-pool.ts';
 import type { Spec } from './sequence-plan.ts';
 import { specOf } from './sequence-plan.ts';
 
@@ -33,28 +34,6 @@ export type Input = InputFile[] | ((report: (fraction: number) => void, signal: 
 const READING = 0.3;
 const FETCHING = 0.3;
 const NO_LANES: readonly Lane[] = [];
-
-/** The poses of an import and those taken from shapes since; an index into it never changes its meaning. */
-export class PosePool {
-  count: number;
-  /** How many of them are the import's own. */
-  readonly imported: number;
-
-  constructor(public keys: Keys) {
-    this.imported = keys.info.times.length;
-    this.count = this.imported;
-  }
-
-  /** Returns the new pose's index. */
-  add(name: string, positions: Float32Array): number {
-    const last = this.keys.info.times.at(-1) ?? 0;
-    const before = this.keys;
-    this.keys = before.withPose(name, last + 1, positions);
-    before.dispose();
-    this.count += 1;
-    return this.count - 1;
-  }
-}
 
 export class Workspace {
   private current: Current | null = null;
