@@ -8,27 +8,27 @@ import { clampTime } from '../model/time-scale.ts';
 import { createTheme } from '../ui/theme.ts';
 import { createCommands } from './panels/commands.ts';
 import type { Context } from './context.ts';
-import { createExporting } from './export/export-controller.ts';
+import { createExportController } from './export/export-controller.ts';
 import { createGhostStudy } from './panels/ghost-study-panel.ts';
-import { installHook } from './test-hook.ts';
-import { createInsightPanel } from './panels/analysis-panel.ts';
-import type { InsightInput } from './panels/analysis-panel.ts';
-import { createInterface } from './panels/components.ts';
+import { installTestHook } from './test-hook.ts';
+import { createAnalysisPanel } from './panels/analysis-panel.ts';
+import type { AnalysisInput } from './panels/analysis-panel.ts';
+import { createComponents } from './panels/components.ts';
 import { createShortcuts, listenToArrows, listenToCamera } from './panels/keyboard.ts';
 import { isCancelled } from './session/sequence-set.ts';
 import { createMarking } from './drawing/marking.ts';
-import { createMemory } from './sources/remembered-files.ts';
-import { createOpening } from './sources/open-files.ts';
+import { createRememberedFiles } from './sources/remembered-files.ts';
+import { createOpenFiles } from './sources/open-files.ts';
 import { readPermalink, writePermalink } from './sources/permalink.ts';
 import { Picture } from './drawing/scene-controller.ts';
 import { Player } from './playback/player.ts';
-import { problemOf } from './panels/error-message.ts';
-import { Pace, readMoving } from './playback/preview-policy.ts';
-import { Pump } from './playback/frame-loop.ts';
-import { EMPTY_RUNTIME } from './panels/view-state.ts';
-import type { Runtime } from './panels/view-state.ts';
+import { errorMessageOf } from './panels/error-message.ts';
+import { PreviewPolicy, readMoving } from './playback/preview-policy.ts';
+import { FrameLoop } from './playback/frame-loop.ts';
+import { EMPTY_VIEW_STATE } from './panels/view-state.ts';
+import type { ViewState } from './panels/view-state.ts';
 import { fetchSamples } from './sources/samples.ts';
-import { createShell } from './panels/layout.ts';
+import { createLayout } from './panels/layout.ts';
 import { listen, shortcutLines } from './panels/shortcuts.ts';
 import { specOf } from './session/sequence-plan.ts';
 import { createStore } from './session/store.ts';
@@ -43,18 +43,18 @@ export function startApp(root: HTMLElement): void {
   const engine = createEngine({ onLost: () => void restart() });
   const store = createStore(EMPTY_STATE);
   const theme = createTheme(() => { applyLook(); render(); });
-  const shell = createShell();
-  let runtime: Runtime = { ...EMPTY_RUNTIME, welcome: true };
+  const layout = createLayout();
+  let viewState: ViewState = { ...EMPTY_VIEW_STATE, welcome: true };
   let good: { doc: Doc; view: Pick<View, 'compare' | 'ghostDifference'> } | null = null;
   let drawnState = store.get();
   let restartedAt = -Infinity;
 
-  const picture = new Picture(shell.picture, {
+  const picture = new Picture(layout.picture, {
     onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
     onResize: () => render(),
-    covered: (views) => shell.covered(views),
+    covered: (views) => layout.covered(views),
     onContextLost: () => context.say('The graphics card was taken away. The picture comes back by itself.'),
-    onContextRestored: () => void pump.request(store.get().time),
+    onContextRestored: () => void frameLoop.request(store.get().time),
   });
 
   const workspace = new Workspace(engine, {
@@ -66,8 +66,8 @@ export function startApp(root: HTMLElement): void {
     },
   });
 
-  const pump = new Pump({
-    lanes: () => workspace.lanes,
+  const frameLoop = new FrameLoop({
+    sequences: () => workspace.sequences,
     async show(shapes, eased) {
       await picture.show(shapes, store.get(), context.range(), eased && !context.reducedMotion());
       const { about, frames: [first] } = shapes;
@@ -76,39 +76,39 @@ export function startApp(root: HTMLElement): void {
     },
     drawn: () => picture.viewer.drawn(),
     onError: (error) => { if (!restarts(error)) context.fail(error); },
-  }, new Pace(readMoving(location.search)));
+  }, new PreviewPolicy(readMoving(location.search)));
 
   const player = new Player(
     () => ({ time: store.get().time, play: store.get().play, range: context.range(), periodic: store.get().doc.motion.boundary === 'periodic' }),
     (time, playing) => store.set({ time, play: { ...store.get().play, playing } }),
-    () => pump.advance(),
+    () => frameLoop.advance(),
   );
 
   const context: Context = {
-    engine, store, workspace, picture, pump,
-    runtime: () => runtime,
+    engine, store, workspace, picture, frameLoop,
+    viewState: () => viewState,
     inform(change) {
-      runtime = { ...runtime, ...change };
+      viewState = { ...viewState, ...change };
       render();
     },
-    range: () => rangeOf(store.get(), runtime),
+    range: () => rangeOf(store.get(), viewState),
     reducedMotion: () => window.matchMedia('(prefers-reduced-motion: reduce)').matches,
     say: (text) => ui.say(text),
     fail(error) {
-      if (!isCancelled(error)) context.inform({ problem: problemOf(error) });
+      if (!isCancelled(error)) context.inform({ problem: errorMessageOf(error) });
     },
   };
 
   const thumbnails = createThumbnails(context);
   const commands = createCommands(context);
   const marking = createMarking(context, commands.seek);
-  const opening = createOpening(context);
-  const memory = createMemory(context);
-  const insight = createInsightPanel(insightInput, {
+  const opening = createOpenFiles(context);
+  const memory = createRememberedFiles(context);
+  const analysis = createAnalysisPanel(insightInput, {
     onSeek: commands.seek, onSpeed: commands.endSpeed,
-    onError: (error) => { if (restarts(error)) insight.invalidate(); else context.fail(error); },
+    onError: (error) => { if (restarts(error)) analysis.invalidate(); else context.fail(error); },
   });
-  const exporting = createExporting(context, insight);
+  const exporting = createExportController(context, analysis);
   const ghostStudy = createGhostStudy(context);
   const cancel = (): void => {
     exporting.cancel();
@@ -116,12 +116,12 @@ export function startApp(root: HTMLElement): void {
     goBack();
   };
   const shortcuts = createShortcuts(context, commands, {
-    openFiles: () => ui.openFiles(), openExport: () => { if (runtime.info) ui.openExport(); }, openHelp: () => ui.openHelp(),
+    openFiles: () => ui.openFiles(), openExport: () => { if (viewState.info) ui.openExport(); }, openHelp: () => ui.openHelp(),
     toggleLook: () => ui.toggleLook(), toggleClock: () => ui.toggleClock(), nextTheme: theme.next, undo: store.undo, redo: store.redo,
-    escape: () => (runtime.working ? cancel() : context.inform({ problem: null })),
+    escape: () => (viewState.working ? cancel() : context.inform({ problem: null })),
   });
-  const ui = createInterface({
-    shell, root, commands, opening, insight, ghostStudy, marking, lostFace: () => runtime.lostFace, shortcuts: shortcutLines(shortcuts),
+  const ui = createComponents({
+    layout, root, commands, opening, analysis, ghostStudy, marking, lostFace: () => viewState.lostFace, shortcuts: shortcutLines(shortcuts),
     onUndo: store.undo, onRedo: store.redo, onTheme: theme.next, onCancel: cancel,
     onLink: () => void copyLink(),
     onRemember: () => void memory.toggle().catch(context.fail),
@@ -135,12 +135,12 @@ export function startApp(root: HTMLElement): void {
   for (const end of ['pointerup', 'pointercancel'] as const) {
     window.addEventListener(end, () => {
       store.hold(false);
-      pump.settle();
+      frameLoop.settle();
     }, { capture: true });
   }
-  listen(shortcuts, () => runtime.singleKeys);
-  listenToArrows(context, commands, shell.picture);
-  listenToCamera(context, shell.picture);
+  listen(shortcuts, () => viewState.singleKeys);
+  listenToArrows(context, commands, layout.picture);
+  listenToCamera(context, layout.picture);
 
   // Everything below reacts to changes.
 
@@ -152,7 +152,7 @@ export function startApp(root: HTMLElement): void {
   function draw(): void {
     frame = 0;
     ui.update({
-      state: store.get(), runtime, range: context.range(), theme: theme.theme(), labels: picture.labels, colourBar: picture.colourBar,
+      state: store.get(), viewState, range: context.range(), theme: theme.theme(), labels: picture.labels, colourBar: picture.colourBar,
       undo: store.undoLabel(), redo: store.redoLabel(),
     });
   }
@@ -161,26 +161,26 @@ export function startApp(root: HTMLElement): void {
     picture.setLook(store.get().view, theme.isDark());
   }
 
-  /** The lanes now follow the document. */
+  /** The sequences now follow the document. */
   function served(): void {
     const { doc, view } = store.get();
     good = { doc, view: { compare: view.compare, ghostDifference: view.ghostDifference } };
-    const main = workspace.lanes[0]?.sequence;
+    const main = workspace.sequences[0]?.sequence;
     if (!main) return;
-    context.inform({ range: main.range, warnings: distinct([...(runtime.info?.warnings ?? []), ...main.warnings]) });
+    context.inform({ range: main.range, warnings: distinct([...(viewState.info?.warnings ?? []), ...main.warnings]) });
     marking.follow();
     main.stats().then((stats) => context.inform({ stats }), context.fail);
-    pump.follow(store.get().time);
-    insight.invalidate();
+    frameLoop.follow(store.get().time);
+    analysis.invalidate();
     thumbnails.refresh();
   }
 
-  function insightInput(): InsightInput {
-    const [main] = workspace.lanes;
+  function insightInput(): AnalysisInput {
+    const [main] = workspace.sequences;
     const { doc } = store.get();
     return {
-      lanes: workspace.lanes.filter((lane) => lane === main || lane.ghost === main?.ghost),
-      keyTimes: doc.keys.map((key) => key.time), range: context.range(), ms: runtime.ms ?? 1, towards: tangentKeys(doc),
+      sequences: workspace.sequences.filter((running) => running === main || running.ghost === main?.ghost),
+      keyTimes: doc.keys.map((key) => key.time), range: context.range(), ms: viewState.ms ?? 1, towards: tangentKeys(doc),
     };
   }
 
@@ -192,7 +192,7 @@ export function startApp(root: HTMLElement): void {
     if (since < NEXT_DEATH_MS) return false;
     restartedAt = performance.now();
     context.say('The browser has ended the computation. It is started again; nothing is lost.');
-    void pump.request(store.get().time);
+    void frameLoop.request(store.get().time);
     return true;
   }
 
@@ -213,16 +213,16 @@ export function startApp(root: HTMLElement): void {
     const otherMotions = state.doc !== before.doc || showsOtherMotions(state.view, before.view);
     if (otherMotions) workspace.want(specOf(state.doc, state.view.compare, state.view.ghostDifference));
     if (lookOf(state) !== lookOf(before)) applyLook();
-    if (drawsOtherwise(state, before)) void pump.request(state.time);
-    else if (state.time !== before.time && !state.play.playing) pump.follow(state.time);
+    if (drawsOtherwise(state, before)) void frameLoop.request(state.time);
+    else if (state.time !== before.time && !state.play.playing) frameLoop.follow(state.time);
     if (state.play.playing && !before.play.playing) {
-      pump.play(player);
+      frameLoop.play(player);
       player.start();
     }
     if (!state.play.playing && before.play.playing) {
       player.stop();
-      pump.pause();
-      pump.follow(state.time);
+      frameLoop.pause();
+      frameLoop.follow(state.time);
     }
     if (state.source === before.source && otherMotions) context.inform({ welcome: false });
     if (!state.play.playing) {
@@ -236,14 +236,14 @@ export function startApp(root: HTMLElement): void {
   function saveLink(): void {
     window.clearTimeout(linkTimer);
     linkTimer = window.setTimeout(() => {
-      const { initial } = runtime;
+      const { initial } = viewState;
       const link = initial && writePermalink(store.get(), initial);
       history.replaceState(null, '', link ? `#${link}` : location.pathname + location.search);
     }, LINK_DELAY_MS);
   }
 
   async function copyLink(): Promise<void> {
-    const link = runtime.initial && writePermalink(store.get(), runtime.initial);
+    const link = viewState.initial && writePermalink(store.get(), viewState.initial);
     if (!link) return;
     const url = new URL(`#${link}`, location.href).href;
     try {
@@ -264,28 +264,28 @@ export function startApp(root: HTMLElement): void {
 
   const ready = start();
   ready.catch(context.fail);
-  installHook({
+  installTestHook({
     ready,
     async setTime(t) {
       const time = clampTime(t, context.range());
       store.set({ time, play: { ...store.get().play, playing: false } });
-      await pump.request(time);
+      await frameLoop.request(time);
     },
     settled: () => settled(),
     get state() { return structuredClone(store.get()); },
-    stats: async () => (await workspace.lanes[0]?.sequence.stats()) ?? null,
+    stats: async () => (await workspace.sequences[0]?.sequence.stats()) ?? null,
     async evaluate(t) {
-      const [frame] = (await workspace.lanes[0]?.sequence.evaluateMany([t])) ?? [];
+      const [frame] = (await workspace.sequences[0]?.sequence.evaluateMany([t])) ?? [];
       const positions = frame?.positions.slice() ?? new Float32Array();
       frame?.release();
       return positions;
     },
     async ghost() {
-      const sequence = workspace.lanes[0]?.sequence;
+      const sequence = workspace.sequences[0]?.sequence;
       const mesh = (await sequence?.ghost()) ?? null;
       return mesh && { ...mesh, positions: await sequence!.ghostPositions(store.get().time) };
     },
-    get shown() { return { time: pump.shown.t, about: pump.shown.about }; },
+    get shown() { return { time: frameLoop.shown.t, about: frameLoop.shown.about }; },
     difference: () => picture.difference?.percent.slice() ?? null,
     positions: (view = 0) => picture.viewer.positions(view),
     project: (points, view = 0) => picture.viewer.project(Float32Array.from(points), view),
@@ -297,31 +297,31 @@ export function startApp(root: HTMLElement): void {
     const link = readPermalink(location.hash);
     const [samples, left] = await Promise.all([fetchSamples(), link ? null : memory.recall()]);
     context.inform({ samples, offline: !navigator.onLine });
-    if (left && await opening.again(left)) return pump.idle();
-    const first = runtime.samples.find(({ id }) => id === link?.sample) ?? runtime.samples[0];
+    if (left && await opening.again(left)) return frameLoop.idle();
+    const first = viewState.samples.find(({ id }) => id === link?.sample) ?? viewState.samples[0];
     if (!first) throw new Error('There are no samples beside this page. Open files of your own.');
     await opening.sample(first.id, first.id === link?.sample ? link : null);
-    await pump.idle();
+    await frameLoop.idle();
   }
 
   async function settled(): Promise<void> {
     do {
       await opening.idle();
       await workspace.idle();
-      await pump.idle();
+      await frameLoop.idle();
       await picture.viewer.drawn();
       // What the last frame changed is shown by the components on the next one.
       await new Promise((resolve) => requestAnimationFrame(resolve));
-    } while (opening.busy || (pump.busy && !store.get().play.playing));
+    } while (opening.busy || (frameLoop.busy && !store.get().play.playing));
   }
 }
 
 /** Where the keys define the motion. Only the engine knows the period of a closed motion that does not close by itself. */
-function rangeOf({ doc }: AppState, runtime: Runtime): Range {
+function rangeOf({ doc }: AppState, viewState: ViewState): Range {
   const first = doc.keys[0]?.time ?? 0;
   const last = doc.keys.at(-1)?.time ?? 1;
   if (doc.motion.boundary !== 'periodic') return [first, last];
-  return doc.motion.period !== null ? [first, first + doc.motion.period] : runtime.range;
+  return doc.motion.period !== null ? [first, first + doc.motion.period] : viewState.range;
 }
 
 /** Changes that the viewer draws without asking for another shape. */

@@ -2,8 +2,8 @@
 import type { Engine } from '../engine/api/api.ts';
 import type { Range } from '../model/time-scale.ts';
 import type { Picture } from './drawing/scene-controller.ts';
-import type { Pump } from './playback/frame-loop.ts';
-import type { Runtime } from './panels/view-state.ts';
+import type { FrameLoop } from './playback/frame-loop.ts';
+import type { ViewState } from './panels/view-state.ts';
 import type { Store } from './session/store.ts';
 import type { Workspace } from './session/workspace.ts';
 
@@ -12,10 +12,10 @@ export interface Context {
   store: Store;
   workspace: Workspace;
   picture: Picture;
-  pump: Pump;
-  runtime(): Runtime;
+  frameLoop: FrameLoop;
+  viewState(): ViewState;
   /** Changes what is shown besides the state. */
-  inform(change: Partial<Runtime>): void;
+  inform(change: Partial<ViewState>): void;
   /** Where the keys define the motion, also while an edit is still being worked out. */
   range(): Range;
   reducedMotion(): boolean;

@@ -35,6 +35,6 @@ declare global {
   }
 }
 
-export function installHook(hook: TestHook): void {
+export function installTestHook(hook: TestHook): void {
   window.__shapespline = hook;
 }

@@ -28,16 +28,16 @@ export function createMarking(context: Context, seek: (t: number) => void): Mark
   const mark = (find: Find | null): void => {
     newest += 1;
     const mine = newest;
-    const [lane] = workspace.lanes;
-    if (!find || !lane) return picture.viewer.setMark(null);
-    find(lane.sequence).then((faces) => {
-      if (mine === newest && workspace.lanes[0]?.sequence === lane.sequence) picture.viewer.setMark(faces.length > 0 ? faces : null);
+    const [running] = workspace.sequences;
+    if (!find || !running) return picture.viewer.setMark(null);
+    find(running.sequence).then((faces) => {
+      if (mine === newest && workspace.sequences[0]?.sequence === running.sequence) picture.viewer.setMark(faces.length > 0 ? faces : null);
     }).catch(context.fail);
   };
 
   return {
     warning(index) {
-      const warning = index === null ? undefined : context.runtime().warnings[index];
+      const warning = index === null ? undefined : context.viewState().warnings[index];
       context.inform({ shownWarning: warning ? index : null });
       ofPart = false;
       mark(warning && hasPlace(warning) ? (sequence) => facesOf(sequence, warning.patches, warning.face) : null);

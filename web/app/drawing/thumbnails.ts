@@ -9,20 +9,20 @@ export interface Thumbnails {
 const MAX_KEYS = 64;
 
 export function createThumbnails(context: Context): Thumbnails {
-  const { store, workspace, picture, pump } = context;
+  const { store, workspace, picture, frameLoop } = context;
   let running = false;
 
   const next = async (): Promise<boolean> => {
-    const sequence = workspace.lanes[0]?.sequence;
+    const sequence = workspace.sequences[0]?.sequence;
     const { pool } = workspace;
-    const key = store.get().doc.keys.slice(0, MAX_KEYS).find(({ pose }) => !context.runtime().thumbnails.has(pose));
+    const key = store.get().doc.keys.slice(0, MAX_KEYS).find(({ pose }) => !context.viewState().thumbnails.has(pose));
     if (!sequence || !key || !sequence.keyTimes.includes(key.time)) return false;
     const [frame] = await sequence.evaluateMany([key.time]);
     if (!frame) return false;
-    await pump.idle();
+    await frameLoop.idle();
     const stillOpen = workspace.pool === pool;
     if (stillOpen) {
-      const thumbnails = new Map(context.runtime().thumbnails).set(key.pose, picture.thumbnail(frame));
+      const thumbnails = new Map(context.viewState().thumbnails).set(key.pose, picture.thumbnail(frame));
       context.inform({ thumbnails });
     }
     frame.release();

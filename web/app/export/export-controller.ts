@@ -6,18 +6,18 @@ import type { ExportRequest } from '../../ui/export-dialog.ts';
 import type { Context } from '../context.ts';
 import { describeExport, runExport } from './export-job.ts';
 import type { Stretch } from './export-job.ts';
-import type { InsightPanel } from '../panels/analysis-panel.ts';
+import type { AnalysisPanel } from '../panels/analysis-panel.ts';
 import { isCancelled } from '../session/sequence-set.ts';
 
-export interface Exporting {
+export interface ExportController {
   /** Works out the size of what is asked for. */
   plan(request?: ExportRequest): void;
   run(request: ExportRequest): Promise<void>;
   cancel(): void;
 }
 
-export function createExporting(context: Context, insight: InsightPanel): Exporting {
-  const { store, workspace, picture, pump } = context;
+export function createExportController(context: Context, analysis: AnalysisPanel): ExportController {
+  const { store, workspace, picture, frameLoop } = context;
   let abort: AbortController | null = null;
   let planned = 0;
 
@@ -28,7 +28,7 @@ export function createExporting(context: Context, insight: InsightPanel): Export
 
   const show = async (t: number): Promise<void> => {
     store.set({ time: t });
-    await pump.request(t);
+    await frameLoop.request(t);
   };
 
   const turned = (): ((share: number) => Promise<void>) => {
@@ -41,8 +41,8 @@ export function createExporting(context: Context, insight: InsightPanel): Export
   };
 
   return {
-    plan(request = context.runtime().exporting.request) {
-      const sequence = workspace.lanes[0]?.sequence;
+    plan(request = context.viewState().exporting.request) {
+      const sequence = workspace.sequences[0]?.sequence;
       planned += 1;
       const mine = planned;
       context.inform({ exporting: { request, plan: null } });
@@ -53,7 +53,7 @@ export function createExporting(context: Context, insight: InsightPanel): Export
       );
     },
     async run(request) {
-      const sequence = workspace.lanes[0]?.sequence;
+      const sequence = workspace.sequences[0]?.sequence;
       if (!sequence || abort) return;
       abort = new AbortController();
       const { signal } = abort;
@@ -62,10 +62,10 @@ export function createExporting(context: Context, insight: InsightPanel): Export
       context.inform({ problem: null });
       try {
         // What moved or played until now may be on the screen about right only.
-        await pump.idle();
+        await frameLoop.idle();
         await runExport(request, {
           sequence, signal, show, doc: before.doc, name: fileStem(before), time: before.time, stretch: stretch(),
-          canvas: picture.viewer.canvas, insight: () => insight.data(), turn: turned(), picture: () => picture.png(), backdrop: (on) => picture.viewer.setBackdrop(on ? stageColour() : null),
+          canvas: picture.viewer.canvas, analysis: () => analysis.data(), turn: turned(), picture: () => picture.png(), backdrop: (on) => picture.viewer.setBackdrop(on ? stageColour() : null),
           onProgress: (working) => { if (!signal.aborted) context.inform({ working }); },
         });
         context.say('Saved to your downloads.');

@@ -9,11 +9,11 @@ import type { ExportRequest } from '../../ui/export-dialog.ts';
 import { MAX_FRAMES, bytesText, framesWanted } from '../../ui/export-dialog.ts';
 import { measuresCsv, patchesCsv } from './csv.ts';
 import { download } from './download.ts';
-import type { Insight } from '../panels/analysis-panel.ts';
+import type { Analysis } from '../panels/analysis-panel.ts';
 import { record } from './video-recorder.ts';
 import { zip } from './zip.ts';
 
-export interface ExportContext {
+export interface ExportJob {
   sequence: Sequence;
   doc: Doc;
   /** Stem of the file's name. */
@@ -21,7 +21,7 @@ export interface ExportContext {
   time: number;
   stretch: Stretch;
   canvas: HTMLCanvasElement;
-  insight(): Promise<Insight | null>;
+  analysis(): Promise<Analysis | null>;
   /** Shows the moment and resolves when it is drawn. */
   show(t: number): Promise<void>;
   /** Turns the view to a share of a whole turn about the upright axis. */
@@ -75,7 +75,7 @@ export async function describeExport(request: ExportRequest, sequence: Sequence,
   return { text: request.kind === 'picture' ? 'A picture' : 'A table', warnings: [] };
 }
 
-export async function runExport(request: ExportRequest, context: ExportContext): Promise<void> {
+export async function runExport(request: ExportRequest, context: ExportJob): Promise<void> {
   const { name } = context;
   if (request.kind === 'picture') {
     if (request.picture === 'png') return download(await context.picture(), `${name}.png`);
@@ -95,7 +95,7 @@ export async function runExport(request: ExportRequest, context: ExportContext):
   download(new Blob([first.bytes as Uint8Array<ArrayBuffer>], { type: extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream' }), `${name}.${extension}`);
 }
 
-async function video(request: ExportRequest, context: ExportContext, draw: (share: number) => Promise<void>): Promise<void> {
+async function video(request: ExportRequest, context: ExportJob, draw: (share: number) => Promise<void>): Promise<void> {
   context.backdrop(true);
   const { blob, extension } = await record({
     canvas: context.canvas, seconds: videoSeconds(request, context.stretch), framesPerSecond: Math.min(context.stretch.fps ?? VIDEO_FPS, MAX_VIDEO_FPS), draw, signal: context.signal,
@@ -104,15 +104,15 @@ async function video(request: ExportRequest, context: ExportContext, draw: (shar
   download(blob, `${context.name}.${extension}`);
 }
 
-async function table(request: ExportRequest, context: ExportContext): Promise<void> {
+async function table(request: ExportRequest, context: ExportJob): Promise<void> {
   const version = packageJson.version;
   if (request.numbers === 'patches') {
     const text = patchesCsv(await context.sequence.patches(), context.doc, version);
     return download(new Blob([text], { type: 'text/csv' }), `${context.name}-patches.csv`);
   }
-  const insight = await context.insight();
-  if (!insight) throw new Error('There is nothing to tabulate yet. Open some shapes first.');
-  download(new Blob([measuresCsv(insight, context.doc, version)], { type: 'text/csv' }), `${context.name}-measures.csv`);
+  const analysis = await context.analysis();
+  if (!analysis) throw new Error('There is nothing to tabulate yet. Open some shapes first.');
+  download(new Blob([measuresCsv(analysis, context.doc, version)], { type: 'text/csv' }), `${context.name}-measures.csv`);
 }
 
 function videoSeconds(request: ExportRequest, stretch: Stretch): number {

@@ -9,19 +9,19 @@ import type { LineChart } from '../../plots/line-chart.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { isCancelled } from '../session/sequence-set.ts';
-import type { Lane } from '../session/sequence-set.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
 import { createPlaneFigure } from './shape-plane-figure.ts';
 import type { PlaneFigure, PlaneInput } from './shape-plane-figure.ts';
 
 /** Everything that is plotted, and what the CSV holds. */
-export interface Insight {
+export interface Analysis {
   times: number[];
   keyTimes: readonly number[];
   range: Range;
-  lanes: LaneInsight[];
+  sequences: MotionAnalysis[];
 }
 
-export interface LaneInsight {
+export interface MotionAnalysis {
   method: Method;
   volume: number[];
   area: number[];
@@ -33,31 +33,31 @@ export interface LaneInsight {
   explained: number;
 }
 
-export interface InsightInput extends PlaneInput {
+export interface AnalysisInput extends PlaneInput {
   /** Milliseconds a frame takes: the slower, the fewer points are computed. */
   ms: number;
 }
 
-export interface InsightEvents {
+export interface AnalysisPanelEvents {
   onSeek(t: number): void;
   onSpeed(end: End, speed: number): void;
   onError(error: unknown): void;
 }
 
-export interface InsightPanel {
+export interface AnalysisPanel {
   element: HTMLElement;
   /** Something has changed: what is plotted is worked out anew as soon as the panel can be seen. */
   invalidate(): void;
   setCursor(t: number): void;
   setSpeeds: PlaneFigure['setSpeeds'];
   /** The numbers, worked out now if they are not there yet; null without a motion. */
-  data(): Promise<Insight | null>;
+  data(): Promise<Analysis | null>;
 }
 
 const DELAY_MS = 200;
 const BUDGET_MS = 1200;
 
-export function createInsightPanel(input: () => InsightInput | null, { onSeek, onSpeed, onError }: InsightEvents): InsightPanel {
+export function createAnalysisPanel(input: () => AnalysisInput | null, { onSeek, onSpeed, onError }: AnalysisPanelEvents): AnalysisPanel {
   const plane = createPlaneFigure(input, { onSpeed, onError });
   const volume = chart('Volume', '% of the first key', 'plot-volume', onSeek);
   const area = chart('Area', '% of the first key', 'plot-area', onSeek);
@@ -66,16 +66,16 @@ export function createInsightPanel(input: () => InsightInput | null, { onSeek, o
   const element = h('section', { class: 'panel', 'aria-labelledby': 'see-title', 'data-testid': 'panel-see' },
     h('header', {}, h('h2', { id: 'see-title' }, 'What it sees')), legend, plane.element, volume.element, area.element, bending.element);
 
-  let shown: Insight | null = null;
+  let shown: Analysis | null = null;
   let stale = true;
   let visible = false;
   let timer = 0;
-  let running: Promise<Insight | null> | null = null;
+  let running: Promise<Analysis | null> | null = null;
   let cursor = 0;
 
-  const work = async (): Promise<Insight | null> => {
+  const work = async (): Promise<Analysis | null> => {
     const asked = input();
-    if (!asked || asked.lanes.length === 0) return null;
+    if (!asked || asked.sequences.length === 0) return null;
     stale = false;
     try {
       const result = await compute(asked);
@@ -88,7 +88,7 @@ export function createInsightPanel(input: () => InsightInput | null, { onSeek, o
     }
   };
 
-  const refresh = (): Promise<Insight | null> => {
+  const refresh = (): Promise<Analysis | null> => {
     running ??= work().finally(() => {
       running = null;
       if (stale) schedule();
@@ -101,14 +101,14 @@ export function createInsightPanel(input: () => InsightInput | null, { onSeek, o
     if (visible && stale) timer = window.setTimeout(() => void refresh(), DELAY_MS);
   };
 
-  const draw = ({ times, keyTimes, range, lanes }: Insight): void => {
-    const series = (pick: (lane: LaneInsight) => number[] | null): { label: string; values: number[]; style: string }[] =>
-      lanes.flatMap((lane) => { const values = pick(lane); return values ? [{ label: METHOD_WORDS[lane.method].label, values, style: lane.method }] : []; });
+  const draw = ({ times, keyTimes, range, sequences }: Analysis): void => {
+    const series = (pick: (running: MotionAnalysis) => number[] | null): { label: string; values: number[]; style: string }[] =>
+      sequences.flatMap((running) => { const values = pick(running); return values ? [{ label: METHOD_WORDS[running.method].label, values, style: running.method }] : []; });
     const common = { times, keyTimes, range };
-    volume.draw({ ...common, series: series((lane) => relative(lane.volume, times, keyTimes)), include: 100, leastSpan: 4 });
-    area.draw({ ...common, series: series((lane) => relative(lane.area, times, keyTimes)), include: 100, leastSpan: 4 });
-    bending.draw({ ...common, series: series((lane) => lane.bending), include: 0 });
-    drawLegend(legend, lanes.map((lane) => lane.method));
+    volume.draw({ ...common, series: series((running) => relative(running.volume, times, keyTimes)), include: 100, leastSpan: 4 });
+    area.draw({ ...common, series: series((running) => relative(running.area, times, keyTimes)), include: 100, leastSpan: 4 });
+    bending.draw({ ...common, series: series((running) => running.bending), include: 0 });
+    drawLegend(legend, sequences.map((running) => running.method));
     setCursor(cursor);
   };
 
@@ -140,14 +140,14 @@ export function createInsightPanel(input: () => InsightInput | null, { onSeek, o
   };
 }
 
-async function compute({ lanes, keyTimes, range, ms }: InsightInput): Promise<Insight> {
-  const count = Math.round(Math.min(Math.max(BUDGET_MS / Math.max(ms * lanes.length, 0.1), 13), 97));
+async function compute({ sequences, keyTimes, range, ms }: AnalysisInput): Promise<Analysis> {
+  const count = Math.round(Math.min(Math.max(BUDGET_MS / Math.max(ms * sequences.length, 0.1), 13), 97));
   const times = plottedTimes(range, keyTimes, count);
-  const results = await Promise.all(lanes.map((lane) => computeLane(lane, times)));
-  return { times, keyTimes, range, lanes: results };
+  const results = await Promise.all(sequences.map((running) => analyse(running, times)));
+  return { times, keyTimes, range, sequences: results };
 }
 
-async function computeLane({ method, sequence }: Lane, times: number[]): Promise<LaneInsight> {
+async function analyse({ method, sequence }: RunningSequence, times: number[]): Promise<MotionAnalysis> {
   const { volume, area } = await sequence.measures(times);
   const plane = isInLri(method) ? await sequence.shapePlane(times) : null;
   const bending = method === 'lri' ? await sequence.bendingEnergy(times) : null;

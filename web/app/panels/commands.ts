@@ -16,7 +16,7 @@ const LOOPS: readonly LoopMode[] = ['bounce', 'loop', 'once'];
 export type Commands = ReturnType<typeof createCommands>;
 
 export function createCommands(context: Context) {
-  const { store, workspace, pump, picture } = context;
+  const { store, workspace, frameLoop, picture } = context;
   const state = store.get;
   const times = (): number[] => state().doc.keys.map((key) => key.time);
 
@@ -42,8 +42,8 @@ export function createCommands(context: Context) {
     endSpeed: (end: End, speed: number): void => motion({ [SPEED_NAME[end]]: speed }, SPEED_NAME[end]),
     encoding: (change: Partial<Encoding>): void => store.edit(nameOf(change), (doc) => setEncoding(doc, change)),
     toggleGhost: (): void => store.edit('ghost mesh', (doc) => setEncoding(doc, { ghostFaces: doc.encoding.ghostFaces > 0 ? 0 : GHOST_FACES })),
-    resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, context.runtime().initial?.motion ?? DEFAULT_MOTION)),
-    resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, context.runtime().initial?.encoding ?? DEFAULT_ENCODING)),
+    resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, context.viewState().initial?.motion ?? DEFAULT_MOTION)),
+    resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, context.viewState().initial?.encoding ?? DEFAULT_ENCODING)),
     compare: (methods: Method[]): void => view({ compare: methods }),
 
     moveKey: (from: number, to: number): void => store.edit('order of keys', (doc) => moveKey(doc, from, to)),
@@ -60,7 +60,7 @@ export function createCommands(context: Context) {
       const { pool } = workspace;
       const t = state().time;
       if (!pool || addReason(times(), t, context.range()) !== null) return;
-      await pump.request(t);
+      await frameLoop.request(t);
       const positions = picture.viewer.positions(0);
       if (workspace.pool !== pool || positions.length === 0) return;
       const name = `at ${formatTime(t, context.range())}`;

@@ -114,7 +114,7 @@ export function createGhostStudy(context: Context): GhostStudyView {
   return {
     element,
     update() {
-      start.disabled = context.runtime().info === null;
+      start.disabled = context.viewState().info === null;
       if (!of || (of.pool === context.workspace.pool && of.subject === subject())) return;
       of = null;
       abort?.abort();

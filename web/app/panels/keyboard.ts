@@ -66,10 +66,10 @@ export function createShortcuts({ store }: Context, commands: Commands, targets:
 }
 
 /** Arrow keys, Home and End move through time wherever the focus is, unless a control has its own use for them. */
-export function listenToArrows({ store, range, runtime }: Context, commands: Commands, picture: HTMLElement): void {
+export function listenToArrows({ store, range, viewState }: Context, commands: Commands, picture: HTMLElement): void {
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || usesArrows(event.target)) return;
-    if (runtime().info === null || event.target === picture || document.querySelector('dialog[open]')) return;
+    if (viewState().info === null || event.target === picture || document.querySelector('dialog[open]')) return;
     const time = keyboardStep(event, store.get().time, range(), store.get().play.fps);
     if (time === null) return;
     event.preventDefault();

@@ -3,7 +3,7 @@ import { h, setAttribute } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
 import type { IconName } from '../../ui/icons.ts';
 
-export interface ShellParts {
+export interface LayoutParts {
   header: HTMLElement;
   /** What lies over the picture. */
   overlays: HTMLElement[];
@@ -18,10 +18,10 @@ export interface ShellParts {
   floating: HTMLElement[];
 }
 
-export interface Shell {
+export interface Layout {
   /** The viewer puts its canvas in here; takes the keyboard. */
   picture: HTMLElement;
-  mount(root: HTMLElement, parts: ShellParts): void;
+  mount(root: HTMLElement, parts: LayoutParts): void;
   /** Pixels that bars and words take at the top and the bottom of each of so many views in the picture. */
   covered(views: number): { top: number; bottom: number };
 }
@@ -41,7 +41,7 @@ const SHEETS: readonly { name: Sheet; label: string; icon: IconName }[] = [
   { name: 'see', label: 'See', icon: 'chart' },
 ];
 
-export function createShell(): Shell {
+export function createLayout(): Layout {
   const picture = h('div', {
     class: 'picture', tabindex: 0, role: 'application', 'data-testid': 'viewport',
     'aria-label': 'The shape. Arrow keys turn it, plus and minus zoom, Shift with arrows moves it.',

@@ -10,12 +10,12 @@ import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { SPEED_WORDS, typedSpeed } from '../../ui/speed-handles.ts';
 import { isCancelled } from '../session/sequence-set.ts';
-import type { Lane } from '../session/sequence-set.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
 
 export type Speeds = Readonly<Record<End, number>>;
 
 export interface PlaneInput {
-  lanes: readonly Lane[];
+  sequences: readonly RunningSequence[];
   keyTimes: readonly number[];
   range: Range;
   /** Hermite: the key that tells the direction at an end, null where none does; null = another boundary. */
@@ -69,16 +69,16 @@ export function createPlaneFigure(input: () => PlaneInput | null, { onSpeed, onE
     const asked = input();
     if (!asked) return;
     const { keyTimes, range, towards } = asked;
-    const lanes = asked.lanes.filter(({ method }) => isInLri(method));
-    setHidden(element, lanes.length === 0);
+    const sequences = asked.sequences.filter(({ method }) => isInLri(method));
+    setHidden(element, sequences.length === 0);
     const times = plottedTimes(range, keyTimes, POINTS);
-    const planes = await Promise.all(lanes.map(({ sequence }) => sequence.shapePlane(times)));
+    const planes = await Promise.all(sequences.map(({ sequence }) => sequence.shapePlane(times)));
     const [main] = planes;
     if (!main) return;
     setText(explained, `holds ${(100 * main.explained).toFixed(0)} % of what differs between the keys`);
     plot.draw({
       times, range, keys: main.keys, tangents: towards && tangentsOf(main.keys, towards),
-      curves: planes.map(({ curve }, index) => ({ label: METHOD_WORDS[lanes[index]!.method].label, points: curve, style: lanes[index]!.method })),
+      curves: planes.map(({ curve }, index) => ({ label: METHOD_WORDS[sequences[index]!.method].label, points: curve, style: sequences[index]!.method })),
     });
     plot.setSpeeds(speeds);
     plot.setCursor(cursor);

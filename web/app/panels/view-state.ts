@@ -7,7 +7,7 @@ import type { Problem, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../ui/orientation.ts';
 import type { Sample } from '../sources/samples.ts';
 
-export interface Runtime {
+export interface ViewState {
   samples: readonly Sample[];
   info: KeysInfo | null;
   /** How the open files were read where they do not say it themselves, else null. */
@@ -41,7 +41,7 @@ export interface Runtime {
   exporting: { request: ExportRequest; plan: { text: string; warnings: readonly string[] } | null };
 }
 
-export const EMPTY_RUNTIME: Runtime = {
+export const EMPTY_VIEW_STATE: ViewState = {
   samples: [], info: null, orientation: null, initial: null, warnings: [], shownWarning: null, working: null, problem: null, stats: null, range: [0, 1], ms: null, threads: null, aboutMs: null, lost: 0, lostFace: -1,
   thumbnails: new Map(), welcome: false, offline: false, remembered: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

@@ -4,17 +4,17 @@
  * is computed ahead.
  */
 import type { AheadOptions } from '../../engine/api/api.ts';
-import { Pace } from './preview-policy.ts';
-import { Playback } from './look-ahead.ts';
+import { PreviewPolicy } from './preview-policy.ts';
+import { LookAhead } from './look-ahead.ts';
 import type { Clock } from './look-ahead.ts';
 import { gather } from './frame-set.ts';
-import type { Shapes } from './frame-set.ts';
-import type { Lane } from '../session/sequence-set.ts';
+import type { FrameSet } from './frame-set.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
 
-export interface PumpTarget {
-  lanes(): readonly Lane[];
+export interface FrameLoopTarget {
+  sequences(): readonly RunningSequence[];
   /** Copies the shapes to the screen; they are released afterwards. `eased`: from those on the screen, about right at this moment. */
-  show(shapes: Shapes, eased: boolean): void | Promise<void>;
+  show(shapes: FrameSet, eased: boolean): void | Promise<void>;
   /** Resolves when what was shown has been drawn, and none is being eased. */
   drawn(): Promise<void>;
   onError(error: unknown): void;
@@ -30,23 +30,23 @@ const REST_MS = 80;
 /** The first cheap shape takes a moment: it is made before it is needed, when nothing else is asked for. */
 const PREPARE_MS = 300;
 
-export class Pump {
+export class FrameLoop {
   private wanted = 0;
   private ticket = 0;
   /** The newest tickets that were served about right, and exactly. */
   private about = 0;
   private exact = 0;
   private restsAt = -Infinity;
-  private screen: Pick<Shapes, 't' | 'lanes' | 'about'> = { t: NaN, lanes: [], about: false };
+  private screen: Pick<FrameSet, 't' | 'sequences' | 'about'> = { t: NaN, sequences: [], about: false };
   private drawing: Promise<void> = Promise.resolve();
-  private playback: Playback | null = null;
+  private playback: LookAhead | null = null;
   private running: Promise<void> | null = null;
   private waiting: Waiting[] = [];
   private calls: (() => void)[] = [];
   private preparing: ReturnType<typeof setTimeout> | undefined;
   private measuring = false;
 
-  constructor(private readonly target: PumpTarget, private readonly pace = new Pace()) {}
+  constructor(private readonly target: FrameLoopTarget, private readonly policy = new PreviewPolicy()) {}
 
   get busy(): boolean {
     return this.exact < this.ticket;
@@ -85,7 +85,7 @@ export class Pump {
   play(clock: Clock): void {
     this.playback?.discard();
     const source = { evaluateAhead: (t: number, options: AheadOptions) => this.ahead(t, options) };
-    this.playback = new Playback(clock, source, (error) => this.target.onError(error));
+    this.playback = new LookAhead(clock, source, (error) => this.target.onError(error));
     this.start();
   }
 
@@ -143,7 +143,7 @@ export class Pump {
   private async serve(): Promise<void> {
     const { ticket, wanted } = this;
     const rest = this.restsAt - performance.now();
-    const about = rest > 0 && this.pace.about(this.target.lanes(), this.wanted);
+    const about = rest > 0 && this.policy.about(this.target.sequences(), this.wanted);
     if (about && this.about === ticket) return this.sleep(rest);
     try {
       const drawn = await this.frame(wanted, ticket, about);
@@ -165,7 +165,7 @@ export class Pump {
     const shapes = await this.ask(t, about);
     if (!shapes) return false;
     try {
-      const eased = !about && this.screen.about && this.screen.t === t && this.screen.lanes === shapes.lanes;
+      const eased = !about && this.screen.about && this.screen.t === t && this.screen.sequences === shapes.sequences;
       if (eased && ticket !== this.ticket) return false;
       await this.show(shapes, eased);
       // While a shape that is about right is drawn, the next one is computed.
@@ -187,16 +187,16 @@ export class Pump {
   }
 
   /** A sequence that was exchanged meanwhile answers no more: null, the same moment is to be asked of its successor. */
-  private async ask(t: number, about: boolean): Promise<Shapes | null> {
-    const lanes = this.target.lanes();
+  private async ask(t: number, about: boolean): Promise<FrameSet | null> {
+    const sequences = this.target.sequences();
     try {
-      const shapes = await gather(lanes, t, about, (sequence) => (about ? sequence.preview(t) : sequence.evaluate(t)));
-      if (shapes) this.pace.note(shapes);
-      if (lanes === this.target.lanes()) return shapes;
+      const shapes = await gather(sequences, t, about, (sequence) => (about ? sequence.preview(t) : sequence.evaluate(t)));
+      if (shapes) this.policy.note(shapes);
+      if (sequences === this.target.sequences()) return shapes;
       shapes?.release();
       return null;
     } catch (error) {
-      if (lanes === this.target.lanes()) throw error;
+      if (sequences === this.target.sequences()) throw error;
       return null;
     }
   }
@@ -214,7 +214,7 @@ export class Pump {
     const shapes = this.playback?.take();
     if (!shapes) return this.called();
     try {
-      if (shapes.lanes !== this.target.lanes()) this.playback?.discard();
+      if (shapes.sequences !== this.target.sequences()) this.playback?.discard();
       else await this.show(shapes, false);
     } catch (error) {
       this.target.onError(error);
@@ -224,37 +224,37 @@ export class Pump {
     await this.drawing;
   }
 
-  private async show(shapes: Shapes, eased: boolean): Promise<void> {
+  private async show(shapes: FrameSet, eased: boolean): Promise<void> {
     await this.drawing;
     await this.target.show(shapes, eased);
-    this.screen = { t: shapes.t, lanes: shapes.lanes, about: shapes.about };
+    this.screen = { t: shapes.t, sequences: shapes.sequences, about: shapes.about };
     this.drawing = this.target.drawn();
   }
 
-  private async ahead(t: number, { signal }: AheadOptions): Promise<Shapes> {
-    const lanes = this.target.lanes();
-    const preview = this.pace.about(lanes, t);
+  private async ahead(t: number, { signal }: AheadOptions): Promise<FrameSet> {
+    const sequences = this.target.sequences();
+    const preview = this.policy.about(sequences, t);
     // What plays never rests: where nothing is known it goes on exactly and waits a little for that to change.
-    void this.measure(t, () => this.playback !== null && this.pace.doubts(lanes, t));
-    const shapes = await gather(lanes, t, preview, (sequence) => sequence.evaluateAhead(t, { preview, signal }));
+    void this.measure(t, () => this.playback !== null && this.policy.doubts(sequences, t));
+    const shapes = await gather(sequences, t, preview, (sequence) => sequence.evaluateAhead(t, { preview, signal }));
     if (!shapes) throw new Error('A frame that was fetched ahead was overtaken.');
-    this.pace.note(shapes);
+    this.policy.note(shapes);
     return shapes;
   }
 
   private async prepare(): Promise<void> {
     const t = this.wanted;
-    if (this.pace.untried(this.target.lanes())) await this.tryCheap(t);
+    if (this.policy.untried(this.target.sequences())) await this.tryCheap(t);
     await this.measure(t, () => !this.running);
   }
 
   /** Finds out what cheap shapes take, and makes what they need; a failure is left to whoever asks for one. */
   private async tryCheap(t: number): Promise<void> {
-    const lanes = this.target.lanes();
-    for (let times = 0; times < 2 && !this.running && lanes === this.target.lanes(); times += 1) {
-      const shapes = await gather(lanes, t, true, (sequence) => sequence.evaluateAhead(t, { preview: true })).catch(() => null);
+    const sequences = this.target.sequences();
+    for (let times = 0; times < 2 && !this.running && sequences === this.target.sequences(); times += 1) {
+      const shapes = await gather(sequences, t, true, (sequence) => sequence.evaluateAhead(t, { preview: true })).catch(() => null);
       if (!shapes) return;
-      this.pace.note(shapes);
+      this.policy.note(shapes);
       shapes.release();
     }
   }
@@ -263,12 +263,12 @@ export class Pump {
   private async measure(t: number, wanted: () => boolean): Promise<void> {
     if (this.measuring) return;
     this.measuring = true;
-    const lanes = this.target.lanes();
-    while (wanted() && lanes === this.target.lanes()) {
-      const sample = this.pace.unmeasured(lanes, t);
-      const errors = sample && await Promise.all(lanes.map(({ sequence }) => sequence.previewError(sample.t))).catch(() => null);
+    const sequences = this.target.sequences();
+    while (wanted() && sequences === this.target.sequences()) {
+      const sample = this.policy.unmeasured(sequences, t);
+      const errors = sample && await Promise.all(sequences.map(({ sequence }) => sequence.previewError(sample.t))).catch(() => null);
       if (!sample || !errors) break;
-      this.pace.measured(lanes, sample, errors);
+      this.policy.measured(sequences, sample, errors);
     }
     this.measuring = false;
   }

@@ -1,7 +1,7 @@
-/** Shapes computed ahead of the clock while the motion plays; what was computed for another motion is given back. */
+/** FrameSet computed ahead of the clock while the motion plays; what was computed for another motion is given back. */
 import { FramePlayer } from '../../engine/caller/frame-player.ts';
 import type { FrameSource } from '../../engine/caller/frame-player.ts';
-import type { Shapes } from './frame-set.ts';
+import type { FrameSet } from './frame-set.ts';
 
 /** The time that plays, in ticks: about one a screen refresh. */
 export interface Clock {
@@ -11,15 +11,15 @@ export interface Clock {
   tickSeconds(): number;
 }
 
-export class Playback {
-  private player: FramePlayer<Shapes> | null = null;
+export class LookAhead {
+  private player: FramePlayer<FrameSet> | null = null;
 
   constructor(
-    private readonly clock: Clock, private readonly source: FrameSource<Shapes>, private readonly onError: (error: unknown) => void,
+    private readonly clock: Clock, private readonly source: FrameSource<FrameSet>, private readonly onError: (error: unknown) => void,
   ) {}
 
   /** The newest shapes that are due and were not taken yet. */
-  take(): Shapes | null {
+  take(): FrameSet | null {
     this.player ??= new FramePlayer(this.source, {
       timeOf: (tick) => this.clock.timeOf(tick),
       tickSeconds: () => this.clock.tickSeconds(),

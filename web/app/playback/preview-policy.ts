@@ -5,10 +5,10 @@
  */
 import type { PreviewError } from '../../engine/api/types.ts';
 import { isInLri } from '../../model/state.ts';
-import type { Lane } from '../session/sequence-set.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
 import { PreviewTrust } from './preview-trust.ts';
 import type { Sample, TimeLine } from './preview-trust.ts';
-import type { Shapes } from './frame-set.ts';
+import type { FrameSet } from './frame-set.ts';
 
 const MOVING = ['measured', 'close', 'about', 'exact'] as const;
 
@@ -31,8 +31,8 @@ const WORTH = 0.7;
 /** The least of so many counts: the machine may have been busy with something else. */
 const SAMPLES = 3;
 
-export class Pace {
-  private lanes: readonly Lane[] = [];
+export class PreviewPolicy {
+  private sequences: readonly RunningSequence[] = [];
   private exact: number[] = [];
   private cheap: number[] = [];
   /** The first cheap shape makes what all need, and says nothing of the time that they take. */
@@ -41,41 +41,41 @@ export class Pace {
 
   constructor(private readonly moving: Moving = 'measured') {}
 
-  note({ lanes, about, ms }: Shapes): void {
-    this.follow(lanes);
+  note({ sequences, about, ms }: FrameSet): void {
+    this.follow(sequences);
     const samples = about ? this.cheap : this.exact;
     if (!about || this.prepared) samples.push(ms);
     if (samples.length > SAMPLES) samples.shift();
     this.prepared ||= about;
   }
 
-  about(lanes: readonly Lane[], t: number): boolean {
-    this.follow(lanes);
+  about(sequences: readonly RunningSequence[], t: number): boolean {
+    this.follow(sequences);
     return this.worthwhile && (this.moving === 'about' || this.trust?.closeAt(t) === true);
   }
 
   /** Cheap shapes are wanted, or exact ones seem slow, and no cheap one was made yet. */
-  untried(lanes: readonly Lane[]): boolean {
-    this.follow(lanes);
+  untried(sequences: readonly RunningSequence[]): boolean {
+    this.follow(sequences);
     if (this.prepared) return false;
     return this.moving === 'measured' ? this.slow : this.moving !== 'exact' && this.possible;
   }
 
   /** A cheap shape would be drawn at t if it was known to be close. */
-  doubts(lanes: readonly Lane[], t: number): boolean {
-    this.follow(lanes);
+  doubts(sequences: readonly RunningSequence[], t: number): boolean {
+    this.follow(sequences);
     return this.measures && this.trust?.closeAt(t) === undefined;
   }
 
   /** Where to measure next what cheap shapes are off, nearest to t first; null where that is known, or does not matter. */
-  unmeasured(lanes: readonly Lane[], t: number): Sample | null {
-    this.follow(lanes);
+  unmeasured(sequences: readonly RunningSequence[], t: number): Sample | null {
+    this.follow(sequences);
     return this.measures ? this.trust?.next(t) ?? null : null;
   }
 
-  /** What the cheap shape of each lane is off. Not noted where the motion is another one now. */
-  measured(lanes: readonly Lane[], sample: Sample, errors: readonly PreviewError[]): void {
-    if (lanes !== this.lanes) return;
+  /** The error of each sequence's preview. Not noted where the motion is another one now. */
+  measured(sequences: readonly RunningSequence[], sample: Sample, errors: readonly PreviewError[]): void {
+    if (sequences !== this.sequences) return;
     const most = (of: (error: PreviewError) => number): number => errors.reduce((value, error) => Math.max(value, of(error)), 0);
     this.trust?.note(sample, { mean: most(({ mean }) => mean), largest: most(({ largest }) => largest) });
   }
@@ -95,15 +95,15 @@ export class Pace {
   }
 
   private get possible(): boolean {
-    return this.lanes.some(({ method }) => isInLri(method));
+    return this.sequences.some(({ method }) => isInLri(method));
   }
 
   /** Other sequences have other costs; the same ones keep theirs when they are refitted, but the motion is another. */
-  private follow(lanes: readonly Lane[]): void {
-    if (lanes === this.lanes) return;
-    const same = lanes.length === this.lanes.length && lanes.every(({ sequence }, index) => sequence === this.lanes[index]!.sequence);
-    this.lanes = lanes;
-    const [main] = lanes;
+  private follow(sequences: readonly RunningSequence[]): void {
+    if (sequences === this.sequences) return;
+    const same = sequences.length === this.sequences.length && sequences.every(({ sequence }, index) => sequence === this.sequences[index]!.sequence);
+    this.sequences = sequences;
+    const [main] = sequences;
     this.trust = main ? new PreviewTrust(lineOf(main)) : null;
     if (same) return;
     this.exact = [];
@@ -112,7 +112,7 @@ export class Pace {
   }
 }
 
-function lineOf({ sequence: { keyTimes, range, options } }: Lane): TimeLine {
+function lineOf({ sequence: { keyTimes, range, options } }: RunningSequence): TimeLine {
   return { keyTimes, range, periodic: options.boundary === 'periodic' };
 }
 

@@ -3,8 +3,8 @@ import type { Engine, Keys } from '../../engine/api/api.ts';
 import type { ImportOptions, InputFile, KeysInfo, Progress } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
 import { docOf } from './document-from-import.ts';
-import { Lanes, isCancelled } from './sequence-set.ts';
-import type { Lane } from './sequence-set.ts';
+import { SequenceSet, isCancelled } from './sequence-set.ts';
+import type { RunningSequence } from './sequence-set.ts';
 import { PosePool } from './pose-pool.ts';
 import type { Spec } from './sequence-plan.ts';
 import { specOf } from './sequence-plan.ts';
@@ -21,7 +21,7 @@ export interface WorkspaceEvents {
 }
 
 interface Current {
-  lanes: Lanes;
+  set: SequenceSet;
   pool: PosePool;
   input: InputFile[];
   options: ImportOptions;
@@ -33,7 +33,7 @@ export type Input = InputFile[] | ((report: (fraction: number) => void, signal: 
 /** How much of the bar reading takes, and of that the way of the bytes into memory; the rest is encoding and factorising. */
 const READING = 0.3;
 const FETCHING = 0.3;
-const NO_LANES: readonly Lane[] = [];
+const NOTHING_RUNNING: readonly RunningSequence[] = [];
 
 export class Workspace {
   private current: Current | null = null;
@@ -41,8 +41,8 @@ export class Workspace {
 
   constructor(private readonly engine: Engine, private readonly events: WorkspaceEvents) {}
 
-  get lanes(): readonly Lane[] {
-    return this.current?.lanes.all ?? NO_LANES;
+  get sequences(): readonly RunningSequence[] {
+    return this.current?.set.all ?? NOTHING_RUNNING;
   }
 
   get pool(): PosePool | null {
@@ -80,9 +80,9 @@ export class Workspace {
       const { info } = keys;
       const pool = new PosePool(keys);
       const doc = adjust(docOf(info, pool), pool);
-      const lanes = await this.firstLanes(pool, specOf(doc, []), abort);
+      const set = await this.firstSet(pool, specOf(doc, []), abort);
       this.close();
-      this.current = { lanes, pool, input, options };
+      this.current = { set, pool, input, options };
       return { info, doc };
     } catch (error) {
       keys?.dispose();
@@ -95,27 +95,27 @@ export class Workspace {
   }
 
   want(spec: Spec): void {
-    this.current?.lanes.want(spec);
+    this.current?.set.want(spec);
   }
 
   /** Ends what is under way; what is open stays. */
   cancel(): void {
     this.opening?.abort();
-    this.current?.lanes.cancel();
+    this.current?.set.cancel();
   }
 
   async idle(): Promise<void> {
-    await this.current?.lanes.idle();
+    await this.current?.set.idle();
   }
 
   private progress(abort: AbortController, progress: Progress | null): void {
     if (this.opening === abort) this.events.onProgress(progress);
   }
 
-  private async firstLanes(pool: PosePool, spec: Spec, abort: AbortController): Promise<Lanes> {
+  private async firstSet(pool: PosePool, spec: Spec, abort: AbortController): Promise<SequenceSet> {
     let failure: unknown = null;
     let open = false;
-    const lanes = new Lanes(this.engine, pool, {
+    const set = new SequenceSet(this.engine, pool, {
       onProgress: (progress) => {
         if (open) this.events.onProgress(progress);
         else if (progress) this.progress(abort, { ...progress, fraction: READING + (1 - READING) * progress.fraction });
@@ -126,21 +126,21 @@ export class Workspace {
         if (open) this.events.onRefused(error, current);
       },
     });
-    const stop = (): void => lanes.cancel();
+    const stop = (): void => set.cancel();
     abort.signal.addEventListener('abort', stop);
-    lanes.want(spec);
-    await lanes.idle();
+    set.want(spec);
+    await set.idle();
     abort.signal.removeEventListener('abort', stop);
-    if (abort.signal.aborted || lanes.spec === null) {
-      lanes.dispose();
+    if (abort.signal.aborted || set.spec === null) {
+      set.dispose();
       throw failure ?? abort.signal.reason;
     }
     open = true;
-    return lanes;
+    return set;
   }
 
   private close(): void {
-    this.current?.lanes.dispose();
+    this.current?.set.dispose();
     this.current?.pool.keys.dispose();
     this.current = null;
   }

@@ -17,7 +17,7 @@ import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
 import { fetchSample } from './samples.ts';
 
-export interface Opening {
+export interface OpenFiles {
   /** Resolve to whether what was asked for is open now. */
   sample(id: string, link?: Permalink | null): Promise<boolean>;
   files(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean>;
@@ -44,7 +44,7 @@ interface Request {
   left?: Remembered;
 }
 
-export function createOpening(context: Context): Opening {
+export function createOpenFiles(context: Context): OpenFiles {
   const { store, workspace, picture } = context;
   let fetching = new AbortController();
   const running = new Set<Promise<unknown>>();
@@ -63,7 +63,7 @@ export function createOpening(context: Context): Opening {
     picture.setImport(info, workspace.pool!, view.camera);
     context.inform({
       info, initial, orientation: orientationOf(source, options), warnings: info.warnings, thumbnails: new Map(), stats: null, shownWarning: null, lost: 0, lostFace: -1, ms: null, threads: null,
-      range: workspace.lanes[0]?.sequence.range ?? [0, 1], welcome: context.runtime().welcome && source.kind === 'sample',
+      range: workspace.sequences[0]?.sequence.range ?? [0, 1], welcome: context.viewState().welcome && source.kind === 'sample',
     });
     if (source.kind === 'files') context.say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
     const play = left ? { ...left.state.play, playing: false } : openingPlay(context, info, doc, source, link);
@@ -81,7 +81,7 @@ export function createOpening(context: Context): Opening {
   };
 
   const addKeys = async (files: PickedFile[]): Promise<boolean> => {
-    const { info } = context.runtime();
+    const { info } = context.viewState();
     const { pool } = workspace;
     if (!info || !pool) return false;
     context.inform({ problem: null, working: { stage: 'reading', fraction: 0 } });
@@ -98,7 +98,7 @@ export function createOpening(context: Context): Opening {
 
   return {
     sample: (id, link = null) => guarded(async () => {
-      const sample = context.runtime().samples.find((one) => one.id === id);
+      const sample = context.viewState().samples.find((one) => one.id === id);
       if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
       fetching.abort();
       fetching = new AbortController();

@@ -14,7 +14,7 @@ export interface Remembered {
   state: AppState;
 }
 
-export interface Memory {
+export interface RememberedFiles {
   /** Remembers what is open, or forgets everything. */
   toggle(): Promise<void>;
   /** The state has changed. */
@@ -27,7 +27,7 @@ const SAVE_DELAY_MS = 500;
 /** Raised when older visits can no longer be read. */
 const FORMAT = 1;
 
-export function createMemory({ store, workspace, runtime, inform, say, fail }: Context): Memory {
+export function createRememberedFiles({ store, workspace, viewState, inform, say, fail }: Context): RememberedFiles {
   const shelf = createStore('shapespline', 'remembered');
   let saved: InputFile[] | null = null;
   let timer = 0;
@@ -53,7 +53,7 @@ export function createMemory({ store, workspace, runtime, inform, say, fail }: C
 
   return {
     async toggle() {
-      if (runtime().remembered) {
+      if (viewState().remembered) {
         await forget();
         say('Forgotten: the next visit starts with a sample.');
         return;
@@ -68,7 +68,7 @@ export function createMemory({ store, workspace, runtime, inform, say, fail }: C
       }
     },
     follow() {
-      if (!runtime().remembered) return;
+      if (!viewState().remembered) return;
       window.clearTimeout(timer);
       timer = window.setTimeout(() => void save().catch(() => forget().catch(fail)), SAVE_DELAY_MS);
     },
