@@ -2,8 +2,10 @@
  * `window.__shapespline`, for tests of pages that use the app, in the production build too. Everything is plain data;
  * times are in the unit of the key times, positions xyz interleaved.
  */
+import type { Sequence } from '../engine/api/api.ts';
 import type { Ghost, SequenceStats } from '../engine/api/types.ts';
 import type { AppState } from '../model/state.ts';
+import type { Viewer } from '../viewer/viewer.ts';
 
 export interface TestHook {
   /** Resolves when the first shape is on the screen. */
@@ -33,6 +35,56 @@ declare global {
   interface Window {
     __shapespline?: TestHook;
   }
+}
+
+export interface TestHookParts {
+  ready: Promise<void>;
+  viewer: Viewer;
+  /** The first running sequence. */
+  sequence(): Sequence | undefined;
+  state(): AppState;
+  shown(): { t: number; about: boolean };
+  difference(): Float32Array | null;
+  /** Stops what plays and draws the exact shape of a moment. */
+  seekExactly(t: number): Promise<void>;
+  /** One round of waiting: what ends may start something else. */
+  idle(): Promise<void>;
+  busy(): boolean;
+}
+
+export function createTestHook({ ready, viewer, sequence, state, shown, difference, seekExactly, idle, busy }: TestHookParts): TestHook {
+  return {
+    ready,
+    setTime: seekExactly,
+    async settled() {
+      do {
+        await idle();
+        await viewer.drawn();
+        // What the last frame changed is shown by the components on the next one.
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+      } while (busy());
+    },
+    get state() { return structuredClone(state()); },
+    stats: async () => (await sequence()?.stats()) ?? null,
+    async evaluate(t) {
+      const [frame] = (await sequence()?.evaluateMany([t])) ?? [];
+      const positions = frame?.positions.slice() ?? new Float32Array();
+      frame?.release();
+      return positions;
+    },
+    async ghost() {
+      const of = sequence();
+      const mesh = (await of?.ghost()) ?? null;
+      return mesh && { ...mesh, positions: await of!.ghostPositions(state().time) };
+    },
+    get shown() {
+      const { t, about } = shown();
+      return { time: t, about };
+    },
+    difference: () => difference()?.slice() ?? null,
+    positions: (view = 0) => viewer.positions(view),
+    project: (points, view = 0) => viewer.project(Float32Array.from(points), view),
+  };
 }
 
 export function installTestHook(hook: TestHook): void {

@@ -31,7 +31,7 @@ const ONION = 'onion';
 const BESIDE = 1.12;
 const THUMBNAIL = { width: 88, height: 60 };
 
-export class Picture {
+export class SceneController {
   readonly viewer: Viewer;
   labels: TileLabel[] = [];
   colourBar: ColourBarProps | null = null;

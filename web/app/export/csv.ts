@@ -1,6 +1,6 @@
 /** The plotted numbers as a table: comment lines with version and options first, then one row a time or a face. */
 import type { Doc } from '../../model/state.ts';
-import type { Analysis } from '../panels/analysis-panel.ts';
+import type { Analysis } from '../analysis/analysis.ts';
 
 export function measuresCsv(analysis: Analysis, doc: Doc, version: string): string {
   const columns = analysis.motions.flatMap(({ method, volume, area, bending, plane }) => [

@@ -20,7 +20,7 @@ import { createHeader } from '../../ui/header.ts';
 import { createHelp } from '../../ui/help.ts';
 import type { ShortcutLine } from '../../ui/help.ts';
 import { createKeyStrip } from '../../ui/key-strip.ts';
-import { createProblem, createProgress, createToast, createWelcome } from '../../ui/messages.ts';
+import { createProblem, createProgress, createWelcome } from '../../ui/messages.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
 import { createStatusLine } from '../../ui/status-line.ts';
@@ -33,27 +33,30 @@ import { createPhaseLabel, createTileLabels, createViewBar } from '../../ui/view
 import type { TileLabel } from '../../ui/view-bar.ts';
 import { addReason } from './commands.ts';
 import type { Commands } from './commands.ts';
-import type { GhostStudyView } from './ghost-study-panel.ts';
+import type { GhostStudyPanel } from './ghost-study-panel.ts';
 import type { AnalysisPanel } from './analysis-panel.ts';
-import type { OpenFiles } from '../sources/open-files.ts';
 import { warningItems } from '../drawing/marking.ts';
 import type { Marking } from '../drawing/marking.ts';
 import { hasTexture } from '../sources/open-files.ts';
+import type { OpenFiles } from '../sources/open-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
-import { videoType } from '../export/video-recorder.ts';
 import type { ViewState } from './view-state.ts';
 import type { Layout } from './layout.ts';
 
 export interface ComponentsInput {
   layout: Layout;
   root: HTMLElement;
+  /** Where short news appear. */
+  toast: HTMLElement;
   commands: Commands;
-  opening: OpenFiles;
+  files: OpenFiles;
   analysis: AnalysisPanel;
-  ghostStudy: GhostStudyView;
+  ghostStudy: GhostStudyPanel;
   marking: Marking;
-  /** Of the shape on the screen: a face that has turned inside out. */
-  lostFace(): number;
+  /** An indefinite face of the shape on the screen. */
+  indefiniteFace(): number;
+  /** Why no video can be written, or null. */
+  videoReason: string | null;
   shortcuts: readonly ShortcutLine[];
   onUndo(): void;
   onRedo(): void;
@@ -61,7 +64,7 @@ export interface ComponentsInput {
   onRemember(): void;
   onTheme(): void;
   onCancel(): void;
-  onCloseProblem(): void;
+  onCloseError(): void;
   onSingleKeys(on: boolean): void;
   onExportOpen(): void;
   onExportChange(request: ExportRequest): void;
@@ -81,23 +84,21 @@ export interface Shown {
 
 export interface Components {
   update(shown: Shown): void;
-  say(text: string): void;
   openFiles(): void;
   openExport(): void;
   openHelp(): void;
   toggleLook(): void;
   toggleClock(): void;
-  timeline: HTMLElement;
 }
 
 export function createComponents(input: ComponentsInput): Components {
-  const { commands, opening, analysis, ghostStudy, layout } = input;
-  const openFiles = (files: PickedFile[] | Promise<PickedFile[]>): void => void opening.files(files);
+  const { commands, files, analysis, ghostStudy, layout, videoReason } = input;
+  const openFiles = (picked: PickedFile[] | Promise<PickedFile[]>): void => void files.files(picked);
   const picker = createPicker('file-input', openFiles);
-  const keyPicker = createPicker('key-file-input', (files) => void opening.addKeys(files));
+  const keyPicker = createPicker('key-file-input', (picked) => void files.addKeys(picked));
   const dropZone = createDropZone(openFiles);
   const header = createHeader({
-    onSample: (id) => void opening.sample(id), onOpen: picker.open, onUndo: input.onUndo, onRedo: input.onRedo,
+    onSample: (id) => void files.sample(id), onOpen: picker.open, onUndo: input.onUndo, onRedo: input.onRedo,
     onExport: () => openExport(), onLink: input.onLink, onRemember: input.onRemember, onHelp: () => help.open(), onTheme: input.onTheme,
   });
   const timeline = createTimeline({ onSeek: commands.seek, onRetime: commands.retimeKey, onBetween: commands.between, onWindow: commands.window, onSpeed: commands.endSpeed });
@@ -107,32 +108,30 @@ export function createComponents(input: ComponentsInput): Components {
   const transport = createTransport(timeline.element, clockMenu.element, { onTogglePlay: commands.togglePlay, onLoop: commands.loop, onSpeed: commands.speed, onSeek: commands.seek });
   const keyStrip = createKeyStrip({
     onSeek: commands.seek, onMove: commands.moveKey, onRemove: commands.removeKey, onRetime: commands.retimeKey, onRename: commands.renameKey,
-    onShaping: commands.shaping, onPartTurns: commands.partTurns, onPart: input.marking.part, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
+    onShaping: commands.shaping, onPartTurns: commands.partTurns, onPart: input.marking.component, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
   });
   const motionPanel = createMotionPanel({ onMotion: commands.motion, onSpeed: commands.endSpeed, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
-  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void opening.resample(animation, times), onOrient: (orientation) => void opening.reorient(orientation) });
+  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void files.resample(animation, times), onOrient: (orientation) => void files.reorient(orientation) });
   const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
-  const phaseLabel = createPhaseLabel(() => input.marking.around(input.lostFace()));
+  const phaseLabel = createPhaseLabel(() => input.marking.around(input.indefiniteFace()));
   const tileLabels = createTileLabels();
   const colourBar = createColourBar(viridisGradient('to top'));
   const warnings = createWarnings(input.marking.warning);
   const status = createStatusLine(warnings.toggle);
   const progress = createProgress(input.onCancel);
-  const problem = createProblem(input.onCloseProblem);
+  const errorMessage = createProblem(input.onCloseError);
   const welcome = createWelcome(picker.open);
-  const toast = createToast();
   const exporting = createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
   const help = createHelp(input.shortcuts, input.onSingleKeys);
-  const videoReason = videoType() ? null : 'This browser cannot write videos.';
   const openExport = (): void => { input.onExportOpen(); exporting.open(); };
 
   layout.mount(input.root, {
     header: header.element, transport: transport.element, keyStrip: keyStrip.element, warnings: warnings.element, status: status.element,
     overlays: [tileLabels.element, colourBar.element, welcome.element, phaseLabel.element, viewBar.element],
-    messages: [problem.element, progress.element],
+    messages: [errorMessage.element, progress.element],
     panels: [motionPanel.element, shapePanel.element, analysis.element],
-    floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, toast.element],
+    floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, input.toast],
   });
 
   const update = ({ state, viewState, range, theme, undo, redo, labels, colourBar: heat }: Shown): void => {
@@ -168,23 +167,26 @@ export function createComponents(input: ComponentsInput): Components {
     });
     ghostStudy.update();
     viewBar.update({ view, hasTexture: hasTexture(info), disabled });
-    phaseLabel.update(disabled ? null : phase, { share: viewState.lost / Math.max(info?.report.faces ?? 0, 1), hasPlace: viewState.lostFace >= 0 });
+    phaseLabel.update(disabled ? null : phase, { share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1), hasPlace: viewState.indefiniteFace >= 0 });
     tileLabels.update(labels);
     colourBar.update(heat);
     status.update({
       keys: doc.keys.length, vertices: info?.report.vertices ?? 0, faces: info?.report.faces ?? 0,
-      ms: viewState.aboutMs ?? viewState.ms, about: viewState.aboutMs !== null, warnings: viewState.warnings.length, offline: viewState.offline,
+      ms: viewState.previewMs ?? viewState.ms, about: viewState.previewMs !== null, warnings: viewState.warnings.length, offline: viewState.offline,
     });
     warnings.update({ items: itemsOf(viewState.warnings, doc.keys.length), shown: viewState.shownWarning });
     progress.update(viewState.working);
-    problem.update(viewState.problem);
-    welcome.update(viewState.welcome, heat !== null || labels.length > 0 || viewState.problem !== null || viewState.working !== null);
+    errorMessage.update(viewState.errorMessage);
+    const covered = heat !== null || labels.length > 0 || viewState.errorMessage !== null || viewState.working !== null;
+    welcome.update(viewState.welcome, covered);
     exporting.update({ ...viewState.exporting, range: playRange(between, range), fps, videoReason });
     help.update(viewState.singleKeys);
     analysis.setCursor(time);
     analysis.setSpeeds(speeds);
   };
-  return { update, say: toast.say, openFiles: picker.open, openExport, openHelp: help.open, toggleLook: viewBar.toggleLook, toggleClock: clockMenu.toggle, timeline: timeline.slider };
+  return {
+    update, openFiles: picker.open, openExport, openHelp: help.open, toggleLook: viewBar.toggleLook, toggleClock: clockMenu.toggle,
+  };
 }
 
 function sourceName(names: readonly string[]): string {

@@ -18,19 +18,17 @@ export interface ViewState {
   /** Index of the warning whose place is marked on the shape, or null. */
   shownWarning: number | null;
   working: Working | null;
-  problem: Problem | null;
+  errorMessage: Problem | null;
   stats: SequenceStats | null;
-  /** The range of the running sequence. */
-  range: readonly [number, number];
-  /** Of the last exact shape. */
+  /** Milliseconds of the last exact frame. */
   ms: number | null;
-  /** That work on an exact shape; null before the first. */
+  /** Threads that work on an exact frame; null before the first. */
   threads: number | null;
-  /** Of the shape on the screen where that is about right only, else null. */
-  aboutMs: number | null;
-  /** Faces of that shape that have turned inside out, and one of them; -1 where none is known. */
-  lost: number;
-  lostFace: number;
+  /** Milliseconds of the frame on the screen where that is a preview, else null. */
+  previewMs: number | null;
+  /** Indefinite faces of the last exact frame, and one of them; -1 where none is known. */
+  indefinite: number;
+  indefiniteFace: number;
   /** By pose. */
   thumbnails: ReadonlyMap<number, string>;
   welcome: boolean;
@@ -41,7 +39,24 @@ export interface ViewState {
   exporting: { request: ExportRequest; plan: { text: string; warnings: readonly string[] } | null };
 }
 
-export const EMPTY_VIEW_STATE: ViewState = {
-  samples: [], info: null, orientation: null, initial: null, warnings: [], shownWarning: null, working: null, problem: null, stats: null, range: [0, 1], ms: null, threads: null, aboutMs: null, lost: 0, lostFace: -1,
-  thumbnails: new Map(), welcome: false, offline: false, remembered: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
+export interface ViewStateHolder {
+  get(): ViewState;
+  change(part: Partial<ViewState>): void;
+}
+
+export function createViewState(onChange: () => void): ViewStateHolder {
+  let viewState = EMPTY_VIEW_STATE;
+  return {
+    get: () => viewState,
+    change(part) {
+      viewState = { ...viewState, ...part };
+      onChange();
+    },
+  };
+}
+
+const EMPTY_VIEW_STATE: ViewState = {
+  samples: [], info: null, orientation: null, initial: null, warnings: [], shownWarning: null, working: null,
+  errorMessage: null, stats: null, ms: null, threads: null, previewMs: null, indefinite: 0, indefiniteFace: -1,
+  thumbnails: new Map(), welcome: true, offline: false, remembered: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

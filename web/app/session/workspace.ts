@@ -2,6 +2,7 @@
 import type { Engine, Keys } from '../../engine/api/api.ts';
 import type { ImportOptions, InputFile, KeysInfo, Progress } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
+import type { Range } from '../../model/time-scale.ts';
 import { docOf } from './document-from-import.ts';
 import { SequenceSet, isCancelled } from './sequence-set.ts';
 import type { RunningSequence } from './sequence-set.ts';
@@ -21,6 +22,7 @@ export interface WorkspaceEvents {
 }
 
 interface Current {
+  info: KeysInfo;
   set: SequenceSet;
   pool: PosePool;
   input: InputFile[];
@@ -34,6 +36,7 @@ export type Input = InputFile[] | ((report: (fraction: number) => void, signal: 
 const READING = 0.3;
 const FETCHING = 0.3;
 const NOTHING_RUNNING: readonly RunningSequence[] = [];
+const UNIT_RANGE: Range = [0, 1];
 
 export class Workspace {
   private current: Current | null = null;
@@ -43,6 +46,16 @@ export class Workspace {
 
   get sequences(): readonly RunningSequence[] {
     return this.current?.set.all ?? NOTHING_RUNNING;
+  }
+
+  /** Of the first running sequence. */
+  get range(): Range {
+    return this.sequences[0]?.sequence.range ?? UNIT_RANGE;
+  }
+
+  /** What the import found. */
+  get info(): KeysInfo | null {
+    return this.current?.info ?? null;
   }
 
   get pool(): PosePool | null {
@@ -82,7 +95,7 @@ export class Workspace {
       const doc = adjust(docOf(info, pool), pool);
       const set = await this.firstSet(pool, specOf(doc, []), abort);
       this.close();
-      this.current = { set, pool, input, options };
+      this.current = { info, set, pool, input, options };
       return { info, doc };
     } catch (error) {
       keys?.dispose();
