@@ -24,8 +24,8 @@ async function collect(app: App): Promise<void> {
     const collected: Collected = { samples: [], texts: [] };
     const status = document.querySelector('[data-testid="status-ms"]')!;
     const look = (): void => {
-      const { time, about } = hook.shown;
-      if (about && collected.samples.length < 6 && collected.samples.at(-1)?.time !== time) collected.samples.push({ time, positions: hook.positions() });
+      const { time, preview } = hook.shown;
+      if (preview && collected.samples.length < 6 && collected.samples.at(-1)?.time !== time) collected.samples.push({ time, positions: hook.positions() });
       const text = status.textContent!.replace(/[\d.]+/, 'N');
       if (collected.texts.at(-1) !== text) collected.texts.push(text);
       requestAnimationFrame(look);
@@ -73,14 +73,14 @@ function distanceAtRest(app: App): Promise<number> {
   });
 }
 
-const shown = (app: App): Promise<{ time: number; about: boolean }> => app.page.evaluate(() => window.__shapespline!.shown);
+const shown = (app: App): Promise<{ time: number; preview: boolean }> => app.page.evaluate(() => window.__shapespline!.shown);
 
 test('a shape is about right while it is dragged or plays, and exact when it rests', async ({ app }) => {
   await app.open({ search: '?moving=about' });
   await app.openGenerated(FACES);
   const status = app.by('status-ms');
   for (const t of [0.2, 0.3, 0.25]) await app.setTime(t);
-  expect(await shown(app)).toEqual({ time: 0.25, about: false });
+  expect(await shown(app)).toEqual({ time: 0.25, preview: false });
   await expect(status).toHaveText(/ms a frame, exact$/);
 
   // Easing needs motion to be welcome.
@@ -96,7 +96,7 @@ test('a shape is about right while it is dragged or plays, and exact when it res
   await app.page.mouse.up();
   await app.settled();
   const { time } = await app.state();
-  expect(await shown(app)).toEqual({ time, about: false });
+  expect(await shown(app)).toEqual({ time, preview: false });
   expect(await distanceAtRest(app)).toBe(0);
   await expect(status).toHaveText(/ms a frame, exact$/);
 
@@ -119,11 +119,11 @@ test('a shape is about right while it is dragged or plays, and exact when it res
 
   const before = await app.positions();
   await app.by('play').click();
-  await expect.poll(async () => (await shown(app)).about).toBe(true);
+  await expect.poll(async () => (await shown(app)).preview).toBe(true);
   await expect.poll(async () => (await shown(app)).time).not.toBe(time);
   await app.by('play').click();
   await app.settled();
-  expect(await shown(app)).toEqual({ time: (await app.state()).time, about: false });
+  expect(await shown(app)).toEqual({ time: (await app.state()).time, preview: false });
   expect(await distanceAtRest(app)).toBe(0);
   expect(difference(await app.positions(), before)).toBeGreaterThan(0);
   await app.expectNoProblems();

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { RunningSequence } from '../../web/app/session/sequence-set.ts';
+import { Demand } from '../../web/app/playback/demand.ts';
 import { PreviewPolicy, readMoving, type Moving } from '../../web/app/playback/preview-policy.ts';
 import { FrameLoop } from '../../web/app/playback/frame-loop.ts';
 import type { AheadOptions } from '../../web/engine/api/api.ts';
@@ -10,7 +11,7 @@ afterEach(() => { vi.useRealTimers(); });
 
 interface Open {
   t: number;
-  about: boolean;
+  preview: boolean;
   resolve(frame: Frame | null): void;
   reject(error: unknown): void;
 }
@@ -27,13 +28,13 @@ function setUp({
   const screen = { easing: false, slow: false, drawn: [] as (() => void)[] };
   let released = 0;
   let frames = 0;
-  const frame = (t: number, about: boolean): Frame => {
+  const frame = (t: number, preview: boolean): Frame => {
     frames += 1;
-    const ms = about ? cheapMs : exactMs;
+    const ms = preview ? cheapMs : exactMs;
     return { t, positions: new Float32Array(), normals: new Float32Array(), ms, threads: 1, lostDefiniteness: 0, release: () => { released += 1; } };
   };
-  const asked = (t: number, about: boolean, signal?: AbortSignal): Promise<Frame | null> => new Promise((resolve, reject) => {
-    const one: Open = { t, about, resolve, reject };
+  const asked = (t: number, preview: boolean, signal?: AbortSignal): Promise<Frame | null> => new Promise((resolve, reject) => {
+    const one: Open = { t, preview, resolve, reject };
     open.push(one);
     signal?.addEventListener('abort', () => {
       if (open.includes(one)) open.splice(open.indexOf(one), 1);
@@ -55,19 +56,18 @@ function setUp({
   } as unknown as RunningSequence);
   let sequences: readonly RunningSequence[] = Array.from({ length: count }, running);
   const loop = new FrameLoop({
-    sequences: () => sequences,
-    show: ({ t, about }, eased) => {
-      shown.push(`${about ? 'about ' : ''}${t}${eased ? ' eased' : ''}`);
+    show: ({ t, preview }, eased) => {
+      shown.push(`${preview ? 'preview ' : ''}${t}${eased ? ' eased' : ''}`);
       screen.easing = eased;
     },
     // An eased shape is drawn when the test says so, as is every one on a slow screen.
     drawn: () => (screen.easing || screen.slow ? new Promise((resolve) => screen.drawn.push(resolve)) : Promise.resolve()),
     onError: (error) => errors.push(error),
-  }, new PreviewPolicy(moving));
+  }, new Demand(() => sequences, new PreviewPolicy(moving)));
   const pass = async (ms = 0): Promise<void> => { await vi.advanceTimersByTimeAsync(ms); };
   const answer = async (): Promise<void> => {
     const next = open.shift()!;
-    next.resolve(frame(next.t, next.about));
+    next.resolve(frame(next.t, next.preview));
     await pass();
   };
   /** Exact shapes have been asked for and answered: their time is known. */
@@ -92,7 +92,7 @@ function setUp({
   };
   return {
     loop, open, shown, errors, measured, screen, pass, answer, learn, ready, draw,
-    wanted: () => open.map(({ t, about }) => `${about ? 'about ' : ''}${t}`),
+    wanted: () => open.map(({ t, preview }) => `${preview ? 'preview ' : ''}${t}`),
     balance: () => frames - released, exchange: () => { sequences = [running()]; }, refit: () => { sequences = [...sequences]; },
   };
 }
@@ -190,16 +190,16 @@ describe('while the time moves', () => {
     expect(loop.busy).toBe(false);
   });
 
-  it('small shapes are about right, too, where the address asks for it, and exact when they rest', async () => {
+  it('small shapes are previews, too, where the address asks for it, and exact when they rest', async () => {
     const { loop, shown, answer, pass, draw } = setUp({ moving: 'about' });
     loop.follow(0.5);
     await pass();
     await answer();
-    expect(shown).toEqual(['about 0.5']);
+    expect(shown).toEqual(['preview 0.5']);
     await pass(100);
     await answer();
     await draw();
-    expect(shown).toEqual(['about 0.5', '0.5 eased']);
+    expect(shown).toEqual(['preview 0.5', '0.5 eased']);
     expect(loop.busy).toBe(false);
   });
 
@@ -215,18 +215,18 @@ describe('while the time moves', () => {
     expect(['', '?moving=about', '?a=b&moving=exact', '?moving=fast', '?moving'].map(readMoving)).toEqual(['measured', 'about', 'exact', 'measured', 'measured']);
   });
 
-  it('large shapes are about right, the newest one at a time', async () => {
+  it('large shapes are previews, the newest one at a time', async () => {
     const { loop, shown, ready, answer, pass, wanted, balance } = setUp(slow);
     await ready();
     loop.follow(0.1);
     await pass();
     for (const t of [0.2, 0.3, 0.4]) loop.follow(t);
-    expect(wanted()).toEqual(['about 0.1']);
+    expect(wanted()).toEqual(['preview 0.1']);
     await answer();
-    expect(wanted()).toEqual(['about 0.4']);
+    expect(wanted()).toEqual(['preview 0.4']);
     await answer();
-    expect(shown).toEqual(['about 0.1', 'about 0.4']);
-    expect(loop.shown).toMatchObject({ t: 0.4, about: true });
+    expect(shown).toEqual(['preview 0.1', 'preview 0.4']);
+    expect(loop.shown).toMatchObject({ t: 0.4, preview: true });
     expect(loop.busy).toBe(true);
     expect(balance()).toBe(0);
   });
@@ -244,7 +244,7 @@ describe('while the time moves', () => {
     await pass(20);
     expect(wanted()).toEqual(['0.4']);
     await answer();
-    expect(shown).toEqual(['about 0.4', '0.4 eased']);
+    expect(shown).toEqual(['preview 0.4', '0.4 eased']);
     expect(idle).not.toHaveBeenCalled();
     await draw();
     expect(idle).toHaveBeenCalled();
@@ -292,7 +292,7 @@ describe('while the time moves', () => {
     await answer();
     expect(done).toHaveBeenCalled();
     // Another moment is no reason to ease.
-    expect(shown).toEqual(['about 0.4', '0.6']);
+    expect(shown).toEqual(['preview 0.4', '0.6']);
   });
 
   it('a drag that goes on while the exact shape is computed or eased is followed at once', async () => {
@@ -304,17 +304,17 @@ describe('while the time moves', () => {
     await pass(90);
     loop.follow(0.5);
     await answer();
-    expect(shown).toEqual(['about 0.4']);
-    expect(wanted()).toEqual(['about 0.5']);
+    expect(shown).toEqual(['preview 0.4']);
+    expect(wanted()).toEqual(['preview 0.5']);
     await answer();
     await pass(90);
     await answer();
     expect(shown.at(-1)).toBe('0.5 eased');
     loop.follow(0.6);
     await pass();
-    expect(wanted()).toEqual(['about 0.6']);
+    expect(wanted()).toEqual(['preview 0.6']);
     await answer();
-    expect(shown.at(-1)).toBe('about 0.6');
+    expect(shown.at(-1)).toBe('preview 0.6');
     loop.settle();
     await pass();
     await answer();
@@ -323,16 +323,16 @@ describe('while the time moves', () => {
     expect(balance()).toBe(0);
   });
 
-  it('all sequences are about right together', async () => {
+  it('all sequences are previews together', async () => {
     const { loop, shown, ready, answer, pass, wanted } = setUp({ ...slow, count: 2 });
     await ready();
     loop.follow(0.4);
     await pass();
-    expect(wanted()).toEqual(['about 0.4', 'about 0.4']);
+    expect(wanted()).toEqual(['preview 0.4', 'preview 0.4']);
     await answer();
     expect(shown).toEqual([]);
     await answer();
-    expect(shown).toEqual(['about 0.4']);
+    expect(shown).toEqual(['preview 0.4']);
   });
 
   it('blends of vertices have no cheaper shape', async () => {
@@ -347,7 +347,7 @@ describe('while the time moves', () => {
     const { loop, shown, learn, answer, pass, wanted, balance } = setUp({ exactMs: 50, cheapMs: 45 });
     await learn();
     await pass(400);
-    expect(wanted()).toEqual(['about 0.92']);
+    expect(wanted()).toEqual(['preview 0.92']);
     await answer();
     await answer();
     expect(wanted()).toEqual([]);
@@ -372,7 +372,7 @@ describe('while the time moves', () => {
     await pass();
     await answer();
     await pass(500);
-    expect(wanted()).toEqual(['about 0.5']);
+    expect(wanted()).toEqual(['preview 0.5']);
   });
 
   it('other sequences are measured anew', async () => {
@@ -393,7 +393,7 @@ describe('a cheap shape that is not close', () => {
   it('is not drawn where it was measured to be off', async () => {
     const { loop, ready, answer, pass, wanted } = setUp({ ...slow, off });
     await ready();
-    for (const [t, words] of [[0.3, 'about 0.3'], [0.7, '0.7'], [1.2, 'about 1.2']] as const) {
+    for (const [t, words] of [[0.3, 'preview 0.3'], [0.7, '0.7'], [1.2, 'preview 1.2']] as const) {
       loop.follow(t);
       await pass();
       expect(wanted()).toEqual([words]);
@@ -419,7 +419,7 @@ describe('a cheap shape that is not close', () => {
     expect(measured.slice(0, 3)).toEqual([0.25, 0.125, 0.375]);
     loop.follow(0.3);
     await pass();
-    expect(wanted()).toEqual(['about 0.3']);
+    expect(wanted()).toEqual(['preview 0.3']);
     await answer();
     // Another motion of the same sequence.
     refit();
@@ -442,7 +442,7 @@ describe('a cheap shape that is not close', () => {
     await ready();
     loop.follow(0.7);
     await pass();
-    expect(wanted()).toEqual(['about 0.7']);
+    expect(wanted()).toEqual(['preview 0.7']);
     expect(measured).toEqual([]);
   });
 
@@ -455,7 +455,7 @@ describe('a cheap shape that is not close', () => {
     await answer();
     loop.follow(0.3);
     await pass();
-    expect(wanted()).toEqual(['about 0.3']);
+    expect(wanted()).toEqual(['preview 0.3']);
   });
 
   it('is found out while the motion plays, which never rests', async () => {
@@ -472,7 +472,7 @@ describe('a cheap shape that is not close', () => {
     time.tick = 20;
     loop.advance();
     await pass();
-    expect(wanted()[0]).toMatch(/^about /);
+    expect(wanted()[0]).toMatch(/^preview /);
     loop.pause();
   });
 });
@@ -515,24 +515,24 @@ describe('while the motion plays', () => {
     expect(errors).toEqual([]);
   });
 
-  it('large shapes are about right, and exact when it pauses', async () => {
+  it('large shapes are previews, and exact when it pauses', async () => {
     const { loop, shown, ready, answer, pass, wanted } = setUp({ exactMs: 90, cheapMs: 25 });
     await ready();
     const time = clock();
     loop.play(time);
     await pass();
-    expect(wanted()[0]).toBe('about 0');
+    expect(wanted()[0]).toBe('preview 0');
     await answer();
     loop.advance();
     await pass();
-    expect(shown).toEqual(['about 0']);
+    expect(shown).toEqual(['preview 0']);
     loop.pause();
     loop.follow(0.05);
     await pass();
     await answer();
     await pass(90);
     await answer();
-    expect(shown).toEqual(['about 0', 'about 0.05', '0.05 eased']);
+    expect(shown).toEqual(['preview 0', 'preview 0.05', '0.05 eased']);
   });
 
   it('goes on after a failure', async () => {

@@ -20,10 +20,9 @@ import { errorMessageOf } from './panels/error-message.ts';
 import { createLayout } from './panels/layout.ts';
 import { createPage } from './panels/page.ts';
 import { createViewState } from './panels/view-state.ts';
-import { FrameLoop } from './playback/frame-loop.ts';
 import type { FrameSet } from './playback/frame-set.ts';
-import { Player } from './playback/player.ts';
-import { PreviewPolicy, readMoving } from './playback/preview-policy.ts';
+import { createPlayback } from './playback/playback.ts';
+import { readMoving } from './playback/preview-policy.ts';
 import { motionRange } from './session/motion-range.ts';
 import { isCancelled } from './session/sequence-set.ts';
 import { specOf } from './session/sequence-plan.ts';
@@ -77,17 +76,14 @@ export function startApp(root: HTMLElement): void {
     onContextLost: () => say('The graphics card was taken away. The picture comes back by itself.'),
     onContextRestored: () => void frameLoop.request(store.get().time),
   });
-  const frameLoop = new FrameLoop({
-    sequences: () => workspace.sequences,
-    show: (frames, eased) => show(frames, eased),
-    drawn: () => scene.viewer.drawn(),
-    onError: (error) => { if (!restart.takesUp(error)) onError(error); },
-  }, new PreviewPolicy(readMoving(location.search)));
-  const player = new Player(
-    () => ({ time: store.get().time, play: store.get().play, range: range(), periodic: store.get().doc.motion.boundary === 'periodic' }),
-    (time, playing) => store.set({ time, play: { ...store.get().play, playing } }),
-    () => frameLoop.advance(),
-  );
+  const { frameLoop, follow: play } = createPlayback({
+    store, range, moving: readMoving(location.search), sequences: () => workspace.sequences,
+    screen: {
+      show: (frames, eased) => show(frames, eased),
+      drawn: () => scene.viewer.drawn(),
+      onError: (error) => { if (!restart.takesUp(error)) onError(error); },
+    },
+  });
   const thumbnails = createThumbnails({
     store, workspace, scene, idle: () => frameLoop.idle(), has: (pose) => viewState.get().thumbnails.has(pose),
     onThumbnail: (pose, url) => viewState.change({ thumbnails: new Map(viewState.get().thumbnails).set(pose, url) }),
@@ -142,8 +138,8 @@ export function startApp(root: HTMLElement): void {
 
   async function show(frames: FrameSet, eased: boolean): Promise<void> {
     await scene.show(frames, store.get(), range(), eased && !reducedMotion());
-    const { about, frames: [first] } = frames;
-    if (about) viewState.change({ previewMs: first?.ms ?? null });
+    const { preview, frames: [first] } = frames;
+    if (preview) viewState.change({ previewMs: first?.ms ?? null });
     else viewState.change({
       ms: first?.ms ?? null, threads: first?.threads ?? null, previewMs: null,
       indefinite: first?.lostDefiniteness ?? 0, indefiniteFace: first?.lostFace ?? -1,
@@ -193,17 +189,7 @@ export function startApp(root: HTMLElement): void {
     before = state;
     if (changed.motions) workspace.want(specOf(state.doc, state.view.compare, state.view.ghostDifference));
     if (changed.look) applyLook();
-    if (changed.drawing) void frameLoop.request(state.time);
-    else if (changed.time && !state.play.playing) frameLoop.follow(state.time);
-    if (changed.started) {
-      frameLoop.play(player);
-      player.start();
-    }
-    if (changed.stopped) {
-      player.stop();
-      frameLoop.pause();
-      frameLoop.follow(state.time);
-    }
+    play(state, changed);
     if (changed.motions && !changed.opened) viewState.change({ welcome: false });
     if (!state.play.playing) {
       link.follow();

@@ -15,8 +15,8 @@ export interface TestHook {
   /** Resolves when nothing is under way: no import, no build, no frame. */
   settled(): Promise<void>;
   readonly state: AppState;
-  /** The moment on the screen, which follows that of the state; `about` while what moves is drawn about right (Sequence.preview). */
-  readonly shown: { time: number; about: boolean };
+  /** The time on the screen, which follows that of the state; `preview` while that is not the exact frame (Sequence.preview). */
+  readonly shown: { time: number; preview: boolean };
   /** Counters of the main sequence: encodings, factorisations, solves. */
   stats(): Promise<SequenceStats | null>;
   /** The engine's own answer for a moment, 3 x vertices, without drawing it. */
@@ -43,7 +43,7 @@ export interface TestHookParts {
   /** The first running sequence. */
   sequence(): Sequence | undefined;
   state(): AppState;
-  shown(): { t: number; about: boolean };
+  shown(): { t: number; preview: boolean };
   difference(): Float32Array | null;
   /** Stops what plays and draws the exact shape of a moment. */
   seekExactly(t: number): Promise<void>;
@@ -78,8 +78,8 @@ export function createTestHook({ ready, viewer, sequence, state, shown, differen
       return mesh && { ...mesh, positions: await of!.ghostPositions(state().time) };
     },
     get shown() {
-      const { t, about } = shown();
-      return { time: t, about };
+      const { t, preview } = shown();
+      return { time: t, preview };
     },
     difference: () => difference()?.slice() ?? null,
     positions: (view = 0) => viewer.positions(view),

@@ -17,9 +17,9 @@ import { differenceOf, heatColours, roundTop } from './difference.ts';
 import type { Difference } from './difference.ts';
 import { boundsOf, measure, patchColours, samplePoints } from './bounds.ts';
 import type { Measure } from './bounds.ts';
-import type { RunningSequence } from '../session/sequence-set.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
 
 /** While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then. */
 export const PLAYING_TOLERANCE = 0.006;
@@ -98,13 +98,13 @@ export class SceneController {
     this.viewer.fit(view, eased);
   }
 
-  /** Copies the shapes of a moment to the screen, with what belongs to it; measures and skins wait for the exact ones. */
-  async show({ t, frames, sequences, about }: FrameSet, state: AppState, range: Range, eased: boolean): Promise<void> {
+  /** Copies the frames of a time to the screen, with what belongs to it; measures and onion skins wait for the exact ones. */
+  async show({ t, frames, sequences, preview }: FrameSet, state: AppState, range: Range, eased: boolean): Promise<void> {
     const input = onionSkinInput(t, state, range);
     const phase = phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
     if (this.viewer.views !== sequences.length) this.setViews(sequences.length);
     frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind], eased));
-    if (about) {
+    if (preview) {
       if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'of the moment when it rests' };
       return this.showGhost(t, sequences[0], state.view);
     }
