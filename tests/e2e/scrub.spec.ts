@@ -1,5 +1,5 @@
 /**
- * A shape that is about right while it moves, exact when it rests. By itself the page draws so what is too large for 30 exact
+ * A shape that is a preview while it moves, exact when it rests. By itself the page draws so what is too large for 30 exact
  * frames a second on the machine at hand (tests/unit/pump); here its address asks for it.
  */
 import { changedShare, difference, expect, test } from './support.ts';
@@ -17,7 +17,7 @@ interface Collected {
   texts: string[];
 }
 
-/** Keeps some of the shapes on the screen that are about right, and all that the status line says, until it is asked for them. */
+/** Keeps some of the previews on the screen, and all that the status line says, until it is asked for them. */
 async function collect(app: App): Promise<void> {
   await app.page.evaluate(() => {
     const hook = window.__shapespline!;
@@ -75,13 +75,13 @@ function distanceAtRest(app: App): Promise<number> {
 
 const shown = (app: App): Promise<{ time: number; preview: boolean }> => app.page.evaluate(() => window.__shapespline!.shown);
 
-test('a shape is about right while it is dragged or plays, and exact when it rests', async ({ app }) => {
+test('a shape is a preview while it is dragged or plays, and exact when it rests', async ({ app }) => {
   await app.open({ search: '?moving=about' });
   await app.openGenerated(FACES);
   const status = app.by('status-ms');
   for (const t of [0.2, 0.3, 0.25]) await app.setTime(t);
   expect(await shown(app)).toEqual({ time: 0.25, preview: false });
-  await expect(status).toHaveText(/ms a frame, exact$/);
+  await expect(status).toHaveText(/ms per frame, exact$/);
 
   // Easing needs motion to be welcome.
   await app.page.emulateMedia({ reducedMotion: 'no-preference' });
@@ -98,7 +98,7 @@ test('a shape is about right while it is dragged or plays, and exact when it res
   const { time } = await app.state();
   expect(await shown(app)).toEqual({ time, preview: false });
   expect(await distanceAtRest(app)).toBe(0);
-  await expect(status).toHaveText(/ms a frame, exact$/);
+  await expect(status).toHaveText(/ms per frame, exact$/);
 
   const found = await distances(app);
   expect(found.length).toBeGreaterThanOrEqual(4);
@@ -108,7 +108,7 @@ test('a shape is about right while it is dragged or plays, and exact when it res
     expect(worst).toBeLessThan(0.5);
   }
   const texts = await app.page.evaluate(() => (window as unknown as { collected: Collected }).collected.texts);
-  expect(texts).toContain('N ms a frame, about right');
+  expect(texts).toContain('N ms per frame, preview');
 
   // What was eased in is drawn as what is shown at once.
   const eased = await app.picture();

@@ -1,14 +1,14 @@
 /** The composition root: makes every part, gives it what it needs, and says who hears of what. */
 import { createEngine } from '../engine/index.ts';
 import type { Sequence } from '../engine/api/api.ts';
-import type { Warning } from '../engine/api/types.ts';
-import { EMPTY_STATE, tangentKeys } from '../model/state.ts';
+import type { Progress } from '../engine/api/types.ts';
+import { EMPTY_STATE } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { clampTime } from '../model/time-scale.ts';
 import { createToast } from '../ui/messages.ts';
 import { plural } from '../ui/status-line.ts';
 import { createTheme } from '../ui/theme.ts';
-import type { AnalysisInput } from './analysis/analysis.ts';
+import { analysisInput } from './analysis/analysis.ts';
 import { AnalysisCache } from './analysis/analysis-cache.ts';
 import { createMarking } from './drawing/marking.ts';
 import { SceneController } from './drawing/scene-controller.ts';
@@ -20,6 +20,7 @@ import { errorMessageOf } from './panels/error-message.ts';
 import { createLayout } from './panels/layout.ts';
 import { createPage } from './panels/page.ts';
 import { createViewState } from './panels/view-state.ts';
+import { listenToNetwork, listenToPointer, reducedMotion } from './panels/window-events.ts';
 import type { FrameSet } from './playback/frame-set.ts';
 import { createPlayback } from './playback/playback.ts';
 import { readMoving } from './playback/preview-policy.ts';
@@ -33,10 +34,10 @@ import { WorkerRestart } from './session/worker-restart.ts';
 import { Workspace } from './session/workspace.ts';
 import { createOpenFiles } from './sources/open-files.ts';
 import type { OpenedFiles } from './sources/open-files.ts';
+import { openFirst } from './sources/open-first.ts';
 import { createPageLink } from './sources/page-link.ts';
-import { readPermalink } from './sources/permalink.ts';
 import { createRememberedFiles } from './sources/remembered-files.ts';
-import { fetchSamples } from './sources/samples.ts';
+import type { Sample } from './sources/samples.ts';
 import { createTestHook, installTestHook } from './test-hook.ts';
 
 export function startApp(root: HTMLElement): void {
@@ -51,6 +52,7 @@ export function startApp(root: HTMLElement): void {
     if (!isCancelled(error)) viewState.change({ errorMessage: errorMessageOf(error) });
   };
   const onStart = (): void => viewState.change({ errorMessage: null });
+  const onWorking = (working: Progress | null): void => viewState.change({ working });
 
   // Session: what is open.
   const restart = new WorkerRestart(() => {
@@ -60,7 +62,7 @@ export function startApp(root: HTMLElement): void {
   const engine = createEngine({ onLost: () => void restart.tryAgain() });
   const served = new ServedDocument(store);
   const workspace = new Workspace(engine, {
-    onProgress: (working) => viewState.change({ working }),
+    onProgress: onWorking,
     onReady: () => onServed(),
     onRefused: (error) => {
       onError(error);
@@ -99,28 +101,34 @@ export function startApp(root: HTMLElement): void {
   });
   const marking = createMarking({
     scene, sequence, range, onError, seek: commands.seek, warnings: () => viewState.get().warnings,
-    keyTimes: () => store.get().doc.keys.map(({ time }) => time), onWarning: (shownWarning) => viewState.change({ shownWarning }),
+    keyTimes: () => store.get().doc.keys.map(({ time }) => time),
+    onWarning: (shownWarning) => viewState.change({ shownWarning }),
   });
 
   // Ways in and out.
   const files = createOpenFiles({
     engine, store, workspace, reducedMotion, onStart, onError, samples: () => viewState.get().samples,
-    onOpened: (opened) => onOpened(opened), onWorking: (working) => viewState.change({ working }),
+    onOpened: (opened) => onOpened(opened), onWorking,
   });
-  const remembered = createRememberedFiles({ store, workspace, say, onError, onChange: (kept) => viewState.change({ remembered: kept }) });
+  const remembered = createRememberedFiles({
+    store, workspace, say, onError, onChange: (kept) => viewState.change({ remembered: kept }),
+  });
   const link = createPageLink({
     store, say, initial: () => viewState.get().initial, onLink: (to) => void files.sample(to.sample, to),
   });
-  const analysis = new AnalysisCache(analysisInput, onAnalysisError);
+  const analysis = new AnalysisCache(
+    () => analysisInput(workspace.sequences, store.get().doc, range(), viewState.get().ms ?? 1), onAnalysisError,
+  );
   const exporting = createExportController({
-    store, scene, analysis, sequence, range, say, onStart, onError, drawExactly: (t) => frameLoop.request(t), idle: () => frameLoop.idle(),
-    onPlan: (planned) => viewState.change({ exporting: planned }), onWorking: (working) => viewState.change({ working }),
+    store, scene, analysis, sequence, range, say, onStart, onError, onWorking,
+    drawExactly: (t) => frameLoop.request(t), idle: () => frameLoop.idle(),
+    onPlan: (planned) => viewState.change({ exporting: planned }),
   });
 
   const theme = createTheme(() => { applyLook(); page.redraw(); });
   const page = createPage({
-    root, layout, toast: toast.element, engine, store, viewState, workspace, scene, analysis, commands, marking, files, theme, range,
-    videoReason: videoType() ? null : 'This browser cannot write videos.', onError, onAnalysisError,
+    root, layout, toast: toast.element, engine, store, viewState, workspace, scene, analysis, commands, marking, files, theme,
+    range, onError, onAnalysisError, videoReason: videoType() ? null : 'This browser cannot write videos.',
     onLink: () => void link.copy(),
     onRemember: () => void remembered.toggle().catch(onError),
     onExportPlan: exporting.plan,
@@ -150,7 +158,8 @@ export function startApp(root: HTMLElement): void {
     scene.setImport(info, pool, camera);
     viewState.change({
       info, initial, orientation, warnings: info.warnings, thumbnails: new Map(), stats: null, shownWarning: null,
-      indefinite: 0, indefiniteFace: -1, ms: null, threads: null, welcome: viewState.get().welcome && source.kind === 'sample',
+      indefinite: 0, indefiniteFace: -1, ms: null, threads: null,
+      welcome: viewState.get().welcome && source.kind === 'sample',
     });
     if (source.kind !== 'files') return;
     say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
@@ -161,21 +170,12 @@ export function startApp(root: HTMLElement): void {
     served.note(store.get());
     const main = sequence();
     if (!main) return;
-    viewState.change({ warnings: distinct([...(workspace.info?.warnings ?? []), ...main.warnings]) });
+    viewState.change({ warnings: workspace.warnings });
     marking.follow();
     main.stats().then((stats) => viewState.change({ stats }), onError);
     frameLoop.follow(store.get().time);
     analysis.invalidate();
     thumbnails.refresh();
-  }
-
-  function analysisInput(): AnalysisInput {
-    const [main] = workspace.sequences;
-    const { doc } = store.get();
-    return {
-      sequences: workspace.sequences.filter((running) => running === main || running.ghost === main?.ghost),
-      keyTimes: doc.keys.map((key) => key.time), range: range(), ms: viewState.get().ms ?? 1, towards: tangentKeys(doc),
-    };
   }
 
   function onAnalysisError(error: unknown): void {
@@ -198,17 +198,14 @@ export function startApp(root: HTMLElement): void {
     page.redraw();
   });
 
-  window.addEventListener('pointerdown', () => store.hold(true), { capture: true });
-  for (const end of ['pointerup', 'pointercancel'] as const) {
-    window.addEventListener(end, () => {
-      store.hold(false);
-      frameLoop.settle();
-    }, { capture: true });
-  }
-  window.addEventListener('offline', () => viewState.change({ offline: true }));
-  window.addEventListener('online', () => viewState.change({ offline: false }));
+  listenToPointer((down) => {
+    store.hold(down);
+    if (!down) frameLoop.settle();
+  });
+  listenToNetwork((offline) => viewState.change({ offline }));
 
-  const ready = openFirst();
+  const onSamples = (samples: readonly Sample[]): void => viewState.change({ samples, offline: !navigator.onLine });
+  const ready = openFirst({ files, remembered, onSamples }).then(() => frameLoop.idle());
   ready.catch(onError);
   installTestHook(createTestHook({
     ready, sequence, viewer: scene.viewer,
@@ -229,26 +226,4 @@ export function startApp(root: HTMLElement): void {
   }));
   applyLook();
   page.redraw();
-
-  /** What a link names, else what an earlier visit left, else the first sample. */
-  async function openFirst(): Promise<void> {
-    const to = readPermalink(location.hash);
-    const [samples, left] = await Promise.all([fetchSamples(), to ? null : remembered.recall()]);
-    viewState.change({ samples, offline: !navigator.onLine });
-    if (left && await files.again(left)) return frameLoop.idle();
-    const first = samples.find(({ id }) => id === to?.sample) ?? samples[0];
-    if (!first) throw new Error('There are no samples beside this page. Open files of your own.');
-    await files.sample(first.id, first.id === to?.sample ? to : null);
-    await frameLoop.idle();
-  }
-}
-
-function reducedMotion(): boolean {
-  return window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-}
-
-/** The import and the sequence may warn of the same; the same of two places is two warnings. */
-function distinct(warnings: readonly Warning[]): Warning[] {
-  const texts = warnings.map((warning) => JSON.stringify(warning));
-  return warnings.filter((_, index) => texts.indexOf(texts[index]!) === index);
 }

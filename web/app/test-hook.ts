@@ -15,7 +15,7 @@ export interface TestHook {
   /** Resolves when nothing is under way: no import, no build, no frame. */
   settled(): Promise<void>;
   readonly state: AppState;
-  /** The time on the screen, which follows that of the state; `preview` while that is not the exact frame (Sequence.preview). */
+  /** The time on the screen, which follows that of the state; `preview` while the frame is one of Sequence.preview. */
   readonly shown: { time: number; preview: boolean };
   /** Counters of the main sequence: encodings, factorisations, solves. */
   stats(): Promise<SequenceStats | null>;
@@ -23,7 +23,7 @@ export interface TestHook {
   evaluate(t: number): Promise<Float32Array>;
   /** The main motion's ghost mesh with 3 x ghost vertices of the present moment; null without one. */
   ghost(): Promise<(Ghost & { positions: Float32Array }) | null>;
-  /** What is shown as colours now: of each vertex, how far it is from where it would be without a ghost, in % of the diagonal. */
+  /** What is shown as colours now: per vertex the distance to the shape without a ghost, in % of the diagonal. */
   difference(): Float32Array | null;
   /** What is drawn now in a view, 3 x vertices, copied. */
   positions(view?: number): Float32Array;
@@ -52,17 +52,18 @@ export interface TestHookParts {
   busy(): boolean;
 }
 
-export function createTestHook({ ready, viewer, sequence, state, shown, difference, seekExactly, idle, busy }: TestHookParts): TestHook {
+export function createTestHook(parts: TestHookParts): TestHook {
+  const { viewer, sequence, state } = parts;
   return {
-    ready,
-    setTime: seekExactly,
+    ready: parts.ready,
+    setTime: parts.seekExactly,
     async settled() {
       do {
-        await idle();
+        await parts.idle();
         await viewer.drawn();
         // What the last frame changed is shown by the components on the next one.
         await new Promise((resolve) => requestAnimationFrame(resolve));
-      } while (busy());
+      } while (parts.busy());
     },
     get state() { return structuredClone(state()); },
     stats: async () => (await sequence()?.stats()) ?? null,
@@ -78,10 +79,10 @@ export function createTestHook({ ready, viewer, sequence, state, shown, differen
       return mesh && { ...mesh, positions: await of!.ghostPositions(state().time) };
     },
     get shown() {
-      const { t, preview } = shown();
+      const { t, preview } = parts.shown();
       return { time: t, preview };
     },
-    difference: () => difference()?.slice() ?? null,
+    difference: () => parts.difference()?.slice() ?? null,
     positions: (view = 0) => viewer.positions(view),
     project: (points, view = 0) => viewer.project(Float32Array.from(points), view),
   };

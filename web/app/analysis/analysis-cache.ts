@@ -44,7 +44,7 @@ export class AnalysisCache {
     return this.running;
   }
 
-  /** The analysis of the motions as they are now, computed if it is not there yet; null without a motion or after a failure. */
+  /** Of the motions as they are now, computed if it is not there yet; null without a motion or after a failure. */
   async get(): Promise<Analysis | null> {
     if (this.running) await this.running;
     return this.outOfDate || !this.analysis ? this.refresh() : this.analysis;

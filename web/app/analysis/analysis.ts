@@ -1,6 +1,7 @@
 /** Volume, area, bending energy and shape plane of the motions on the screen, as numbers over time. */
 import type { Method } from '../../engine/api/types.ts';
-import { isInLri } from '../../model/state.ts';
+import { isInLri, tangentKeys } from '../../model/state.ts';
+import type { Doc } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { RunningSequence } from '../session/sequence-set.ts';
@@ -29,6 +30,15 @@ export interface AnalysisInput extends ShapePlaneInput {
   ms: number;
 }
 
+/** Motions with and without a ghost mesh are not compared: those like the first one are analysed. */
+export function analysisInput(running: readonly RunningSequence[], doc: Doc, range: Range, ms: number): AnalysisInput {
+  const [main] = running;
+  return {
+    sequences: running.filter((one) => one === main || one.ghost === main?.ghost), range, ms,
+    keyTimes: doc.keys.map((key) => key.time), towards: tangentKeys(doc),
+  };
+}
+
 const BUDGET_MS = 1200;
 const LEAST_TIMES = 13;
 const MOST_TIMES = 97;
@@ -48,7 +58,7 @@ async function analyseMotion({ method, sequence }: RunningSequence, times: numbe
 }
 
 /** In percent of the value at the first key; NaN where that is 0, as the volume of a flat surface. */
-export function relativeToFirstKey(values: readonly number[], { times, keyTimes }: Pick<Analysis, 'times' | 'keyTimes'>): number[] {
+export function relativeToFirstKey(values: readonly number[], { times, keyTimes }: Analysis): number[] {
   const base = values[times.indexOf(keyTimes[0] ?? 0)] ?? NaN;
   return values.map((value) => (base === 0 ? NaN : (100 * value) / base));
 }

@@ -26,17 +26,23 @@ export interface ShapePlanes {
 
 const POINTS = 97;
 
-export async function computeShapePlanes({ sequences, keyTimes, range, towards }: ShapePlaneInput): Promise<ShapePlanes> {
+export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapePlanes> {
+  const { sequences, keyTimes, range, towards } = input;
   const times = plottedTimes(range, keyTimes, POINTS);
   const inLri = sequences.filter(({ method }) => isInLri(method));
-  const planes = await Promise.all(inLri.map(async ({ method, sequence }) => ({ method, plane: await sequence.shapePlane(times) })));
+  const planes = await Promise.all(inLri.map(async ({ method, sequence }) => {
+    const plane = await sequence.shapePlane(times);
+    return { method, plane };
+  }));
   const [main] = planes;
   return { times, range, planes, tangents: main && towards ? tangentsOf(main.plane.keys, towards) : null };
 }
 
 /** The handle of a cubic with slope m over a time h ends at its second Bézier point: h m / 3 from the first. */
 function tangentsOf(keys: readonly number[], towards: Readonly<Record<End, number | null>>): Tangents {
+  const along = (key: number, target: number, axis: 0 | 1): number =>
+    (keys[2 * target + axis]! - keys[2 * key + axis]!) / 3;
   const from = (key: number, target: number | null): [number, number] | null =>
-    (target === null ? null : [0, 1].map((axis) => (keys[2 * target + axis]! - keys[2 * key + axis]!) / 3) as [number, number]);
+    (target === null ? null : [along(key, target, 0), along(key, target, 1)]);
   return { start: from(0, towards.start), end: from(keys.length / 2 - 1, towards.end) };
 }

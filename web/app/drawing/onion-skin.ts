@@ -1,4 +1,4 @@
-/** Further shapes in the picture: onion skins around the moment, or a film strip of evenly spaced ones. */
+/** Further shapes in the viewport: onion skins around the time, or a film strip of evenly spaced ones. */
 import type { Frame } from '../../engine/api/types.ts';
 import { length, phaseOf } from '../../model/time-scale.ts';
 import type { PhaseKind, Range } from '../../model/time-scale.ts';

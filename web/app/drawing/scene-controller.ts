@@ -1,4 +1,4 @@
-/** Between the sequences and the viewer: what is drawn for a moment, for a document, for a look. */
+/** Between the sequences and the viewer: what is drawn for a time, for a document, for a look. */
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
 import type { AppState, View } from '../../model/state.ts';
@@ -111,7 +111,7 @@ export class SceneController {
     this.labels = sequences.length > 1 ? this.tileLabels(frames, sequences) : [];
     this.showDifference(frames, sequences, state.view);
     await this.showGhost(t, sequences[0], state.view);
-    await this.showExtras(input, sequences[0]?.sequence, state);
+    await this.showOnionSkins(input, sequences[0]?.sequence, state);
     await this.showPatches(sequences[0]?.sequence, state.view);
   }
 
@@ -155,7 +155,7 @@ export class SceneController {
     return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)}`;
   }
 
-  private async showExtras(input: OnionSkinInput, sequence: Sequence | undefined, { view, doc }: AppState): Promise<void> {
+  private async showOnionSkins(input: OnionSkinInput, sequence: Sequence | undefined, { view, doc }: AppState): Promise<void> {
     if (!sequence || (!view.onion && !view.film)) {
       if (this.filmKey === null) return;
       this.viewer.setExtras([]);
@@ -167,15 +167,15 @@ export class SceneController {
     // The strip does not depend on the moment: it is made once for a document.
     if (view.film && this.filmKey === doc) return;
     const frames = await sequence.evaluateMany(view.film ? filmTimes(input) : onionTimes(input));
-    const extras = view.film ? filmStrip(input, frames) : onionSkins(input, frames);
-    this.viewer.setExtras(extras, view.film);
-    if (view.film) this.fitTo(extras);
+    const skins = view.film ? filmStrip(input, frames) : onionSkins(input, frames);
+    this.viewer.setExtras(skins, view.film);
+    if (view.film) this.fitTo(skins);
     this.filmKey = view.film ? doc : ONION;
     for (const frame of frames) frame.release();
   }
 
-  private fitTo(extras: readonly Extra[]): void {
-    const placed = extras.map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
+  private fitTo(skins: readonly Extra[]): void {
+    const placed = skins.map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
     this.film = placed;
     this.viewer.setExtent(boundsOf(placed), samplePoints(placed));
     this.viewer.fit('front', true);

@@ -66,13 +66,15 @@ export function createExportController(parts: ExportParts): ExportController {
     };
   };
 
-  const job = (request: ExportRequest, of: Sequence, { doc, time, source }: AppState, signal: AbortSignal): Promise<void> =>
-    runExport(request, {
+  const runJob = (request: ExportRequest, of: Sequence, before: AppState, signal: AbortSignal): Promise<void> => {
+    const { doc, time, source } = before;
+    return runExport(request, {
       sequence: of, signal, doc, time, name: fileStem(source), stretch: stretch(), canvas: viewer.canvas,
-      show, turn: turned(), analysis: () => parts.analysis.get(), picture: () => scene.png(),
+      show, turn: turned(), analysis: () => parts.analysis.get(), png: () => scene.png(),
       backdrop: (on) => viewer.setBackdrop(on ? stageColour() : null),
       onProgress: (working) => { if (!signal.aborted) parts.onWorking(working); },
     });
+  };
 
   return {
     plan(request = last) {
@@ -97,7 +99,7 @@ export function createExportController(parts: ExportParts): ExportController {
       try {
         // What moved or played until now may be on the screen as a preview.
         await parts.idle();
-        await job(request, of, before, signal);
+        await runJob(request, of, before, signal);
         parts.say('Saved to your downloads.');
       } catch (error) {
         if (!isCancelled(error) && !signal.aborted) parts.onError(error);

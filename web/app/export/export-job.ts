@@ -26,7 +26,8 @@ export interface ExportJob {
   show(t: number): Promise<void>;
   /** Turns the view to a share of a whole turn about the upright axis. */
   turn(share: number): Promise<void>;
-  picture(): Promise<Blob>;
+  /** A PNG of the view. */
+  png(): Promise<Blob>;
   /** Puts the page's colour behind the shape, or takes it away. */
   backdrop(on: boolean): void;
   onProgress(progress: Progress | null): void;
@@ -83,7 +84,7 @@ export async function describeExport(request: ExportRequest, sequence: Sequence,
 export async function runExport(request: ExportRequest, job: ExportJob): Promise<void> {
   const { name } = job;
   if (request.kind === 'picture') {
-    if (request.picture === 'png') return download(await job.picture(), `${name}.png`);
+    if (request.picture === 'png') return download(await job.png(), `${name}.png`);
     return video(request, job, (share) => job.turn(share));
   }
   if (request.kind === 'numbers') return table(request, job);

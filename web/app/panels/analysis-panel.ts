@@ -1,4 +1,4 @@
-/** The Analysis panel: the shape plane, volume, area and bending energy of the motions on the screen, computed when idle. */
+/** The Analysis panel: shape plane, volume, area and bending energy of the shown motions, computed when idle. */
 import type { Method } from '../../engine/api/types.ts';
 import type { End } from '../../model/speeds.ts';
 import { createLineChart, make } from '../../plots/line-chart.ts';
@@ -28,7 +28,8 @@ const DELAY_MS = 200;
 const RELATIVE = '% of the first key';
 const BENDING = 'times the mean deformation energy between keys, per time⁴';
 
-export function createAnalysisPanel(cache: AnalysisCache, { onSeek, onSpeed, onError }: AnalysisPanelEvents): AnalysisPanel {
+export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelEvents): AnalysisPanel {
+  const { onSeek, onSpeed, onError } = events;
   const plane = createShapePlaneFigure(cache.input, { onSpeed, onError });
   const volume = chart('Volume', RELATIVE, 'plot-volume', onSeek);
   const area = chart('Area', RELATIVE, 'plot-area', onSeek);

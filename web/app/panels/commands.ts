@@ -67,7 +67,7 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
     retimeKey: (key: number, time: number): void => store.edit('time of a key', (doc) => retimeKey(doc, key, time), `time ${key}`),
     shaping: (key: number, name: Shaping, value: number): void => store.edit(name, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
     partTurns: (key: number, component: number, turns: number): void =>
-      store.edit(`turns of part ${component + 1}`, (doc) => setPartTurns(doc, key, component, turns), `turns ${component} ${key}`),
+      store.edit(`turns of component ${component + 1}`, (doc) => setPartTurns(doc, key, component, turns), `turns ${component} ${key}`),
     reference: (key: number): void => store.edit('reference', (doc) => setEncoding(doc, { referencePose: doc.keys[key]?.pose ?? null })),
 
     /** Takes the shape on the screen as a key at its own time. */

@@ -172,7 +172,8 @@ export function createComponents(input: ComponentsInput): Components {
     colourBar.update(heat);
     status.update({
       keys: doc.keys.length, vertices: info?.report.vertices ?? 0, faces: info?.report.faces ?? 0,
-      ms: viewState.previewMs ?? viewState.ms, about: viewState.previewMs !== null, warnings: viewState.warnings.length, offline: viewState.offline,
+      ms: viewState.previewMs ?? viewState.ms, preview: viewState.previewMs !== null,
+      warnings: viewState.warnings.length, offline: viewState.offline,
     });
     warnings.update({ items: itemsOf(viewState.warnings, doc.keys.length), shown: viewState.shownWarning });
     progress.update(viewState.working);

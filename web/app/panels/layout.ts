@@ -92,9 +92,9 @@ function createSide(panels: HTMLElement[]): HTMLElement {
 }
 
 function createTabs(app: HTMLElement): HTMLElement {
-  const buttons = SHEETS.map(({ name, label, icon: picture }) => h('button', {
+  const buttons = SHEETS.map(({ name, label, icon: symbol }) => h('button', {
     type: 'button', 'data-testid': `tab-${name}`, 'aria-pressed': 'false', onclick: () => show(app.dataset['sheet'] === name ? null : name),
-  }, icon(picture), h('span', {}, label)));
+  }, icon(symbol), h('span', {}, label)));
   const show = (sheet: Sheet | null): void => {
     setAttribute(app, 'data-sheet', sheet);
     SHEETS.forEach(({ name }, index) => setAttribute(buttons[index]!, 'aria-pressed', String(name === sheet)));

@@ -1,4 +1,4 @@
-/** The page: its components with their commands, the keyboard, and one redrawing of the components per animation frame. */
+/** The page: its components with their commands, the keyboard, and one redrawing per animation frame. */
 import type { Engine } from '../../engine/api/api.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
@@ -66,10 +66,13 @@ export function createPage(parts: PageParts): Page {
   });
   const components = createComponents({
     root: parts.root, layout, toast: parts.toast, commands, files: parts.files, marking: parts.marking,
-    analysis: createAnalysisPanel(parts.analysis, { onSeek: commands.seek, onSpeed: commands.endSpeed, onError: parts.onAnalysisError }),
+    analysis: createAnalysisPanel(parts.analysis, {
+      onSeek: commands.seek, onSpeed: commands.endSpeed, onError: parts.onAnalysisError,
+    }),
     ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),
-    indefiniteFace: () => viewState.get().indefiniteFace, videoReason: parts.videoReason, shortcuts: shortcutLines(shortcuts),
-    onUndo: store.undo, onRedo: store.redo, onTheme: theme.next, onCancel, onLink: parts.onLink, onRemember: parts.onRemember,
+    indefiniteFace: () => viewState.get().indefiniteFace, videoReason: parts.videoReason,
+    shortcuts: shortcutLines(shortcuts), onUndo: store.undo, onRedo: store.redo, onTheme: theme.next, onCancel,
+    onLink: parts.onLink, onRemember: parts.onRemember,
     onCloseError: closeError, onSingleKeys: (singleKeys) => viewState.change({ singleKeys }),
     onExportOpen: () => parts.onExportPlan(), onExportChange: parts.onExportPlan, onExport: parts.onExport,
   });

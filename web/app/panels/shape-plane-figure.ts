@@ -24,9 +24,11 @@ export interface ShapePlaneFigure {
   setSpeeds(speeds: Speeds | null): void;
 }
 
-const TITLE = 'The keys in the plane of their two leading principal components; distances in it are distances between shapes';
+const TITLE = 'The plane of the keys\' two leading principal components; distances in it are those between shapes';
 
-export function createShapePlaneFigure(input: () => ShapePlaneInput | null, { onSpeed, onError }: ShapePlaneFigureEvents): ShapePlaneFigure {
+export function createShapePlaneFigure(
+  input: () => ShapePlaneInput | null, { onSpeed, onError }: ShapePlaneFigureEvents,
+): ShapePlaneFigure {
   let speeds: Speeds | null = null;
   let cursor = 0;
   let stale = false;
@@ -59,10 +61,13 @@ export function createShapePlaneFigure(input: () => ShapePlaneInput | null, { on
     const [main] = planes;
     setHidden(element, !main);
     if (!main) return;
-    setText(explained, `Principal plane of the keys, explains ${(100 * main.plane.explained).toFixed(0)} % of the variance`);
+    const percent = (100 * main.plane.explained).toFixed(0);
+    setText(explained, `Principal plane of the keys, explains ${percent} % of the variance`);
     plot.draw({
       times, range, keys: main.plane.keys, tangents,
-      curves: planes.map(({ method, plane }) => ({ label: METHOD_WORDS[method].label, points: plane.curve, style: method })),
+      curves: planes.map(({ method, plane }) => ({
+        label: METHOD_WORDS[method].label, points: plane.curve, style: method,
+      })),
     });
     plot.setSpeeds(speeds);
     plot.setCursor(cursor);

@@ -58,5 +58,6 @@ export function createViewState(onChange: () => void): ViewStateHolder {
 const EMPTY_VIEW_STATE: ViewState = {
   samples: [], info: null, orientation: null, initial: null, warnings: [], shownWarning: null, working: null,
   errorMessage: null, stats: null, ms: null, threads: null, previewMs: null, indefinite: 0, indefiniteFace: -1,
-  thumbnails: new Map(), welcome: true, offline: false, remembered: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
+  thumbnails: new Map(), welcome: true, offline: false, remembered: false, singleKeys: true,
+  exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

@@ -1,6 +1,6 @@
 /**
- * Which time is wanted, which one is shown, and at what quality. The only place that decides what is asked for next and what is
- * dropped:
+ * Which time is wanted, which one is shown, and at what quality. The only place that decides what is asked for next and
+ * what is dropped:
  * - of the times that are asked for while a frame is under way only the newest stays wanted;
  * - while the time moves a preview may serve it, where the policy allows; when it rests the exact frame does;
  * - a frame of sequences that were exchanged meanwhile is not shown;

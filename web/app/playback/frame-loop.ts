@@ -1,6 +1,6 @@
 /**
- * Asks for frames and puts them on the screen: one time after another, all views together, as the demand says. What plays is
- * computed ahead.
+ * Asks for frames and puts them on the screen: one time after another, all views together, as the demand says.
+ * What plays is computed ahead.
  */
 import type { AheadOptions } from '../../engine/api/api.ts';
 import type { Demand, Shown, Wanted } from './demand.ts';
@@ -11,7 +11,7 @@ import type { Clock } from './look-ahead.ts';
 import { PreviewSurvey } from './preview-survey.ts';
 
 export interface Screen {
-  /** Copies the frames to the screen; they are released afterwards. `eased`: from their previews, which are shown now. */
+  /** Copies the frames to the screen; they are released afterwards. `eased`: from their previews, shown now. */
   show(frames: FrameSet, eased: boolean): void | Promise<void>;
   /** Resolves when what was shown has been drawn, and none is being eased. */
   drawn(): Promise<void>;
@@ -50,7 +50,7 @@ export class FrameLoop {
     return this.idle();
   }
 
-  /** For while the time or the motion changes: a preview where the policy allows, and exact when it rests. What plays goes on. */
+  /** While the time or the motion changes: a preview where the policy allows, exact at rest. What plays goes on. */
   follow(t: number): void {
     if (this.lookAhead) {
       this.lookAhead.discard();
@@ -163,7 +163,8 @@ export class FrameLoop {
   private async ask(t: number, preview: boolean): Promise<FrameSet | null> {
     const sequences = this.demand.sequences();
     try {
-      const frames = await gather(sequences, t, preview, (sequence) => (preview ? sequence.preview(t) : sequence.evaluate(t)));
+      const frames = await gather(sequences, t, preview,
+        (sequence) => (preview ? sequence.preview(t) : sequence.evaluate(t)));
       if (frames) this.demand.policy.noteCost(frames);
       if (this.demand.isCurrent({ sequences })) return frames;
       frames?.release();

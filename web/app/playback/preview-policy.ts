@@ -1,6 +1,6 @@
 /**
- * Whether previews are drawn while shapes move. Measured, not guessed from their size: only where exact frames are too slow for
- * a smooth motion, previews are much faster, and close at that time. The page's address may ask for the one or the other.
+ * Whether previews are drawn while shapes move. Measured, not guessed from their size: only where exact frames are too
+ * slow for a smooth motion, previews are much faster, and close at that time. The page's address may ask for either.
  */
 import type { PreviewError } from '../../engine/api/types.ts';
 import { isInLri } from '../../model/state.ts';
@@ -13,8 +13,8 @@ import type { Sample, TimeLine } from './preview-trust.ts';
 const MOVING = ['measured', 'close', 'about', 'exact'] as const;
 
 /**
- * How shapes are drawn while they move: as measured; by previews where they are close, however fast exact frames are; always by
- * previews; always exactly.
+ * How shapes are drawn while they move: as measured; by previews where they are close, however fast exact frames are;
+ * always by previews; always exactly.
  */
 export type Moving = (typeof MOVING)[number];
 
@@ -74,7 +74,7 @@ export class PreviewPolicy {
   /** The errors of the sequences' previews. Not noted where the motion is another one now. */
   noteErrors(sequences: readonly RunningSequence[], sample: Sample, errors: readonly PreviewError[]): void {
     if (sequences !== this.sequences) return;
-    const most = (of: (error: PreviewError) => number): number => errors.reduce((value, error) => Math.max(value, of(error)), 0);
+    const most = (of: (error: PreviewError) => number): number => Math.max(0, ...errors.map(of));
     this.trust?.note(sample, { mean: most(({ mean }) => mean), largest: most(({ largest }) => largest) });
   }
 

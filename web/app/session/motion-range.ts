@@ -2,7 +2,7 @@
 import type { Doc } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 
-/** `served` is the range of the running sequence: only the engine knows the period of a closed motion that names none. */
+/** `served` is the running sequence's: only the engine knows the period of a closed motion that names none. */
 export function motionRange({ keys, motion }: Doc, served: Range): Range {
   const first = keys[0]?.time ?? 0;
   const last = keys.at(-1)?.time ?? 1;

@@ -1,4 +1,4 @@
-/** The document that the running sequences serve: an edit that the engine refuses, or that is cancelled, is taken back to it. */
+/** The document that the running sequences serve: an edit that is refused or cancelled is taken back to it. */
 import type { AppState, Doc } from '../../model/state.ts';
 import type { ShownMotions } from './state-changes.ts';
 import { showsOtherMotions } from './state-changes.ts';

@@ -21,7 +21,8 @@ const LOOK = ['colouring', 'shading', 'wireframe', 'floor'] as const;
 const DRAWING = ['onion', 'film', 'colouring', 'ghostWire', 'ghostBeside'] as const;
 
 export function changesBetween(before: AppState, after: AppState): StateChanges {
-  const otherView = (names: readonly (keyof View)[]): boolean => names.some((name) => after.view[name] !== before.view[name]);
+  const otherView = (names: readonly (keyof View)[]): boolean =>
+    names.some((name) => after.view[name] !== before.view[name]);
   return {
     motions: after.doc !== before.doc || showsOtherMotions(after.view, before.view),
     look: otherView(LOOK),

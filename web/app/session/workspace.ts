@@ -1,6 +1,6 @@
 /** What is open: the poses, the sequences made of them, and the way a new import takes the place of the old one. */
 import type { Engine, Keys } from '../../engine/api/api.ts';
-import type { ImportOptions, InputFile, KeysInfo, Progress } from '../../engine/api/types.ts';
+import type { ImportOptions, InputFile, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { docOf } from './document-from-import.ts';
@@ -32,7 +32,7 @@ interface Current {
 /** Files, or where they come from: `report` hears the share that is there. */
 export type Input = InputFile[] | ((report: (fraction: number) => void, signal: AbortSignal) => Promise<InputFile[]>);
 
-/** How much of the bar reading takes, and of that the way of the bytes into memory; the rest is encoding and factorising. */
+/** Reading's share of the bar, and of that the share of the bytes' way into memory; the rest is encoding and factorising. */
 const READING = 0.3;
 const FETCHING = 0.3;
 const NOTHING_RUNNING: readonly RunningSequence[] = [];
@@ -56,6 +56,13 @@ export class Workspace {
   /** What the import found. */
   get info(): KeysInfo | null {
     return this.current?.info ?? null;
+  }
+
+  /** Of the import and of the first running sequence, each once: the same of two places is two warnings. */
+  get warnings(): Warning[] {
+    const all = [...(this.info?.warnings ?? []), ...(this.sequences[0]?.sequence.warnings ?? [])];
+    const texts = all.map((warning) => JSON.stringify(warning));
+    return all.filter((_, index) => texts.indexOf(texts[index]!) === index);
   }
 
   get pool(): PosePool | null {
