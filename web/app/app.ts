@@ -19,7 +19,7 @@ import { createCommands } from './panels/commands.ts';
 import { errorMessageOf } from './panels/error-message.ts';
 import { createLayout } from './panels/layout.ts';
 import { createPage } from './panels/page.ts';
-import { createViewState } from './panels/view-state.ts';
+import { createViewState, openedView, shownView } from './panels/view-state.ts';
 import { listenToNetwork, listenToPointer, reducedMotion } from './panels/window-events.ts';
 import type { FrameSet } from './playback/frame-set.ts';
 import { createPlayback } from './playback/playback.ts';
@@ -146,21 +146,13 @@ export function startApp(root: HTMLElement): void {
 
   async function show(frames: FrameSet, eased: boolean): Promise<void> {
     await scene.show(frames, store.get(), range(), eased && !reducedMotion());
-    const { preview, frames: [first] } = frames;
-    if (preview) viewState.change({ previewMs: first?.ms ?? null });
-    else viewState.change({
-      ms: first?.ms ?? null, threads: first?.threads ?? null, previewMs: null,
-      indefinite: first?.lostDefiniteness ?? 0, indefiniteFace: first?.lostFace ?? -1,
-    });
+    viewState.change(shownView(frames.frames[0], frames.preview));
   }
 
-  function onOpened({ info, pool, source, doc, initial, orientation, camera }: OpenedFiles): void {
+  function onOpened(opened: OpenedFiles): void {
+    const { info, pool, source, doc, camera } = opened;
     scene.setImport(info, pool, camera);
-    viewState.change({
-      info, initial, orientation, warnings: info.warnings, thumbnails: new Map(), stats: null, shownWarning: null,
-      indefinite: 0, indefiniteFace: -1, ms: null, threads: null,
-      welcome: viewState.get().welcome && source.kind === 'sample',
-    });
+    viewState.change(openedView(opened, viewState.get()));
     if (source.kind !== 'files') return;
     say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
   }

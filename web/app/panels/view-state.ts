@@ -1,10 +1,11 @@
-/** What the page shows besides the state: work under way, what was found, pictures. It is never saved. */
-import type { KeysInfo, SequenceStats, Warning } from '../../engine/api/types.ts';
+/** What the page shows besides the state: work under way, what was found, thumbnails. It is never saved. */
+import type { Frame, KeysInfo, SequenceStats, Warning } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
 import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
 import type { Problem, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../ui/orientation.ts';
+import type { OpenedFiles } from '../sources/open-files.ts';
 import type { Sample } from '../sources/samples.ts';
 
 export interface ViewState {
@@ -42,6 +43,24 @@ export interface ViewState {
 export interface ViewStateHolder {
   get(): ViewState;
   change(part: Partial<ViewState>): void;
+}
+
+/** What other files bring with them. */
+export function openedView(opened: OpenedFiles, before: ViewState): Partial<ViewState> {
+  const { info, initial, orientation, source } = opened;
+  return {
+    info, initial, orientation, warnings: info.warnings, thumbnails: new Map(), stats: null, shownWarning: null,
+    indefinite: 0, indefiniteFace: -1, ms: null, threads: null, welcome: before.welcome && source.kind === 'sample',
+  };
+}
+
+/** What is to be said of the frame on the screen. */
+export function shownView(frame: Frame | undefined, preview: boolean): Partial<ViewState> {
+  if (preview) return { previewMs: frame?.ms ?? null };
+  return {
+    ms: frame?.ms ?? null, threads: frame?.threads ?? null, previewMs: null,
+    indefinite: frame?.lostDefiniteness ?? 0, indefiniteFace: frame?.lostFace ?? -1,
+  };
 }
 
 export function createViewState(onChange: () => void): ViewStateHolder {
