@@ -13,12 +13,13 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "core/canonical_order.h"
-#include "core/cholesky.h"
-#include "core/poisson.h"
-#include "core/sequence.h"
-#include "core/weld.h"
-#include "core/welded_shape.h"
+#include "core/base/stopwatch.h"
+#include "core/lri/welded_shape.h"
+#include "core/mesh/canonical_order.h"
+#include "core/mesh/weld.h"
+#include "core/reconstruct/poisson.h"
+#include "core/sequence/sequence.h"
+#include "core/sparse/cholesky.h"
 #include "io/import.h"
 
 using namespace shapespline;

@@ -74,8 +74,7 @@ for (const { what, file, animation, times, middle } of inputs) {
     expect(again.motion).toEqual(doc.motion);
     expect(again.encoding).toEqual(doc.encoding);
     for (const [index, t] of [times[1]!, middle].entries()) {
-      // Of a symmetric shape the rounding of the file may decide between partitions that are mirror images.
-      expect(difference(await app.positionsAt(t), shapes[index]!)).toBeLessThan(5e-4 * diagonal(shapes[index]!));
+      expect(difference(await app.positionsAt(t), shapes[index]!)).toBeLessThan(1e-5 * diagonal(shapes[index]!));
     }
     await app.expectNoProblems();
   });

@@ -157,7 +157,7 @@ test('whole turns are added on the way to a key, and come back from a link', asy
   expect(difference(await app.positionsAt(0.5), key)).toBeLessThan(1e-5 * diagonal(key));
   await app.page.goto('about:blank');
   await app.open({ hash: '#sample=cactus&turns=0,1,0' });
-  expect((await app.state()).doc.turns).toEqual([0, 1, 0]);
+  expect((await app.state()).doc.keys.map(({ shaping }) => shaping.turns)).toEqual([[], [{ turns: 1 }], []]);
   expect(difference(await app.positionsAt(0.25), turned)).toBeLessThan(1e-5 * diagonal(turned));
 });
 
@@ -171,7 +171,7 @@ for (const [name, value] of [['tension', '1'], ['bias', '-1']] as const) {
     await expect(app.by('key-bend')).toContainText('no longer C2');
     await app.by('key-editor-close').click();
     await app.settled();
-    expect((await app.state()).doc[name]).toEqual([0, Number(value), 0]);
+    expect((await app.state()).doc.keys.map(({ shaping }) => shaping[name])).toEqual([0, Number(value), 0]);
     expect(difference(await app.positionsAt(0.45), near)).toBeGreaterThan(1e-4 * diagonal(near));
     expect(difference(await app.positionsAt(0.5), key)).toBeLessThan(1e-5 * diagonal(key));
     await app.page.keyboard.press('Control+z');

@@ -2,6 +2,8 @@
  * A shape that is a preview while it moves, exact when it rests. By itself the page draws so what is too large for 30 exact
  * frames a second on the machine at hand (tests/unit/pump); here its address asks for it.
  */
+import { poseFiles } from '../engine/support/glb.ts';
+import { bar, bent } from '../engine/support/shapes.ts';
 import { changedShare, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
@@ -126,5 +128,65 @@ test('a shape is a preview while it is dragged or plays, and exact when it rests
   expect(await shown(app)).toEqual({ time: (await app.state()).time, preview: false });
   expect(await distanceAtRest(app)).toBe(0);
   expect(difference(await app.positions(), before)).toBeGreaterThan(0);
+  await app.expectNoProblems();
+});
+
+/** Keys at 0, 0.5 and 1. Previews are off by 0.2 % of the diagonal before the middle key, 0.05 % after it (tests/engine/preview). */
+async function openRolledUp(app: App): Promise<void> {
+  const mesh = bar();
+  const files = poseFiles(mesh, [0, 420, 430].map((degrees) => bent(mesh, degrees)));
+  await app.by('file-input').setInputFiles(files.map(({ name, bytes }) => ({ name, mimeType: 'model/gltf-binary', buffer: Buffer.from(bytes) })));
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+}
+
+/** Drags to and fro between two moments and says what was on the screen meanwhile; ends at rest. */
+async function drag(app: App, from: number, to: number): Promise<{ time: number; preview: boolean }[]> {
+  await app.page.evaluate(() => {
+    const seen: { time: number; preview: boolean }[] = [];
+    const look = (): void => {
+      const { time, preview } = window.__shapespline!.shown;
+      if (seen.at(-1)?.time !== time || seen.at(-1)?.preview !== preview) seen.push({ time, preview });
+      if ((window as { seen?: unknown }).seen === seen) requestAnimationFrame(look);
+    };
+    Object.assign(window, { seen });
+    look();
+  });
+  const box = (await app.by('timeline').locator('.track').boundingBox())!;
+  const y = box.y + box.height / 2 - 22;
+  const x = (t: number): number => box.x + (box.width * (t + 0.4)) / 1.8;
+  await app.page.mouse.move(x(from), y);
+  await app.page.mouse.down();
+  for (let k = 0; k <= 32; k += 1) await app.page.mouse.move(x(from + (to - from) * (1 - Math.abs(k / 16 - 1))), y);
+  await app.page.mouse.up();
+  await app.settled();
+  const seen = await app.page.evaluate(() => (window as unknown as { seen: { time: number; preview: boolean }[] }).seen);
+  return seen.filter(({ time }) => time > from && time < to);
+}
+
+test('a moving shape is a preview only where that was measured to be close', async ({ app }) => {
+  await app.open({ search: '?moving=close' });
+  await openRolledUp(app);
+  // Measured while nothing moves, from the moment on the screen outwards: where the later stretch is known, so is the earlier one.
+  await expect(async () => {
+    await app.setTime(0.25);
+    await app.page.waitForTimeout(1000);
+    expect((await drag(app, 0.55, 0.95)).some(({ preview }) => preview)).toBe(true);
+  }).toPass({ timeout: 60_000 });
+
+  const far = await drag(app, 0.05, 0.45);
+  expect(new Set(far.map(({ time }) => time)).size).toBeGreaterThan(3);
+  expect(far.filter(({ preview }) => preview)).toEqual([]);
+  expect((await drag(app, 0.55, 0.95)).some(({ preview }) => preview)).toBe(true);
+  expect(await shown(app)).toEqual({ time: (await app.state()).time, preview: false });
+  expect(await distanceAtRest(app)).toBe(0);
+  await app.expectNoProblems();
+});
+
+test('and always where the address asks for it', async ({ app }) => {
+  await app.open({ search: '?moving=about' });
+  await openRolledUp(app);
+  await app.setTime(0.25);
+  expect((await drag(app, 0.05, 0.45)).some(({ preview }) => preview)).toBe(true);
   await app.expectNoProblems();
 });

@@ -1,6 +1,8 @@
 /** The cheap shape for while a slider moves, through the engine. */
 import { describe, expect, it } from 'vitest';
-import { bendSequence, frameAt, testEngine } from './support/engines.ts';
+import { bendSequence, failureOf, frameAt, testEngine } from './support/engines.ts';
+import { poseFiles } from './support/glb.ts';
+import { bar, bent, diagonal } from './support/shapes.ts';
 
 const farthest = (a: Float32Array, b: Float32Array): number => a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i]!)), 0);
 
@@ -43,5 +45,31 @@ describe('preview', () => {
     const wanted = await frameAt(full, 0.7);
     expect(farthest((await frameAt(sequence, 0.7)).positions, wanted.positions)).toBeLessThan(1e-6);
     expect(await sequence.preview(0.7)).not.toBeNull();
+  });
+
+  it('is measured: nothing at a key, what its vertices are off elsewhere, more where the keys turn farther', async () => {
+    const engine = testEngine();
+    const mesh = bar();
+    // tests/e2e/scrub drags over the same.
+    const keys = await engine.importKeyframes(poseFiles(mesh, [0, 420, 430].map((degrees) => bent(mesh, degrees))));
+    const sequence = await engine.createSequence(keys);
+    for (const t of sequence.keyTimes) expect((await sequence.previewError(t)).largest).toBeLessThan(1e-5);
+
+    const error = await sequence.previewError(0.3);
+    const exact = await frameAt(sequence, 0.3);
+    const cheap = (await sequence.preview(0.3))!;
+    const distances = Array.from({ length: exact.positions.length / 3 }, (_, v) =>
+      Math.hypot(...[0, 1, 2].map((k) => exact.positions[3 * v + k]! - cheap.positions[3 * v + k]!)) / diagonal(keys.positions(0)));
+    expect(error.largest).toBeCloseTo(Math.max(...distances), 6);
+    expect(error.mean).toBeCloseTo(distances.reduce((sum, d) => sum + d, 0) / distances.length, 6);
+
+    expect((await sequence.previewError(0.25)).mean).toBeGreaterThan(0.0015);
+    for (const t of [0.625, 0.75, 0.875]) expect((await sequence.previewError(t)).mean).toBeLessThan(0.0008);
+    expect((await failureOf(sequence.previewError(NaN))).code).toBe('invalid-option');
+  });
+
+  it('of a motion without LRI coordinates is the shape itself', async () => {
+    const { sequence } = await bendSequence(testEngine(), { method: 'cubic-vertex' });
+    expect(await sequence.previewError(0.3)).toEqual({ mean: 0, largest: 0 });
   });
 });

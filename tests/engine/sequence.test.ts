@@ -1,7 +1,8 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Sequence } from '../../web/engine/api/api.ts';
 import { bendKeys, bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
-import { diagonal, largestDistance } from './support/shapes.ts';
+import { poseFiles } from './support/glb.ts';
+import { bar, diagonal, largestDistance, moved, type Mesh } from './support/shapes.ts';
 
 const engine = testEngine();
 let bend: Bend & { sequence: Sequence };
@@ -143,6 +144,35 @@ describe('a sequence', () => {
     expect(patches).toHaveLength(bend.mesh.indices.length / 3);
     expect(Math.max(...patches)).toBe(count - 1);
     expect(Math.min(...patches)).toBe(0);
+  });
+
+  it('names the component of each face, and turns one of them more often on the way to a key', async () => {
+    const [body, wheel] = [bar(2, 12), bar(2, 2, 1)];
+    const shift = body.positions.length / 3;
+    const turned = (degrees: number): number[] => {
+      const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+      return [...moved(wheel, (x, y, z) => [c * x - s * y + 2, s * x + c * y, z + 4])];
+    };
+    const pose = (degrees: number): Float32Array => Float32Array.from([...body.positions, ...turned(degrees)]);
+    const mesh: Mesh = { positions: pose(0), indices: Uint32Array.from([...body.indices, ...[...wheel.indices].map((v) => v + shift)]) };
+    const sequence = await engine.createSequence(await engine.importKeyframes(poseFiles(mesh, [pose(0), pose(60)])));
+    expect((await sequence.stats()).components).toBe(2);
+    const components = await sequence.components();
+    expect([...components]).toEqual(Array.from({ length: mesh.indices.length / 3 }, (_, f) => (3 * f < body.indices.length ? 0 : 1)));
+
+    const expectTurned = async (t: number, degrees: number): Promise<void> => {
+      // The point about which it turns is found from the keys, to about so much.
+      expect(largestDistance(await positionsAt(sequence, t), pose(degrees))).toBeLessThan(1e-3 * diagonal(mesh.positions));
+    };
+    await expectTurned(0.5, 30);
+    await sequence.update({ turns: [{ key: 1, turns: 1, component: 1 }] });
+    await expectTurned(0.5, 210);
+    await expectTurned(1, 60);
+    await sequence.update({ turns: [{ key: 1, turns: -1, component: 1 }] });
+    await expectTurned(0.5, -150);
+    expect((await failureOf(sequence.update({ turns: [{ key: 1, turns: 1, component: 2 }] }))).code).toBe('invalid-option');
+    await expectTurned(0.5, -150);
+    sequence.dispose();
   });
 
   it('resolves overtaken requests to null and the last one to its frame', async () => {

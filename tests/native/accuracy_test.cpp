@@ -2,6 +2,7 @@
 // what should be there.
 #include <doctest/doctest.h>
 
+#include "core/mesh/measures.h"
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"
@@ -61,11 +62,9 @@ double errorOf(Sequence& sequence, const Keyframes& truth) {
 }
 
 double errorOf(Sequence& sequence, const Keyframes& truth, Method method) {
-  std::vector<double> times;
-  for (const Key& key : sequence.keyframes().keys) times.push_back(key.time);
   MotionOptions motion;
   motion.method = method;
-  REQUIRE(sequence.update(motion, times).ok());
+  REQUIRE(sequence.update(motion, sequence.motion().keyTimes()).ok());
   return errorOf(sequence, truth);
 }
 

@@ -5,7 +5,8 @@
 #include <numeric>
 #include <random>
 
-#include "core/canonical_order.h"
+#include "core/mesh/canonical_order.h"
+#include "core/rotation/rigid_fit.h"
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"

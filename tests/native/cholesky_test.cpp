@@ -1,5 +1,5 @@
 // The prefactored solver against Eigen, and its promises: same bits whatever the chunks, errors that name the unknown.
-#include "core/cholesky.h"
+#include "core/sparse/cholesky.h"
 
 #include <doctest/doctest.h>
 

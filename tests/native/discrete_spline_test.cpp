@@ -7,8 +7,8 @@
 
 #include <Eigen/Dense>
 
-#include "core/discrete_spline.h"
-#include "core/sequence.h"
+#include "core/sequence/sequence.h"
+#include "core/spline/discrete_spline.h"
 #include "shapes.h"
 
 using namespace shapespline;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/mesh/measures.h"
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/types.h"
+#include "core/base/types.h"
 #include "files.h"
 
 namespace shapespline::test {

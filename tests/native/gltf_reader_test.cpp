@@ -315,7 +315,7 @@ TEST_CASE("materials, coordinates, colours and images are kept as they are") {
   CHECK(m.metallic == 0.125f);
   CHECK(m.roughness == 0.375f);
   CHECK(m.doubleSided);
-  CHECK(m.alpha == Material::Alpha::Mask);
+  CHECK(m.alphaMode == Material::Alpha::Mask);
   CHECK(m.alphaCutoff == 0.25f);
   CHECK(m.emissive[1] == 0.5f);
   CHECK(m.normalScale == 0.5f);

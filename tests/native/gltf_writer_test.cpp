@@ -175,7 +175,7 @@ TEST_CASE("materials, coordinates, colours and images go round") {
   skin.name = "skin";
   skin.baseColor = {0.5f, 0.1f, 0.25f, 0.75f};
   skin.metallic = 0.3f;
-  skin.alpha = Material::Alpha::Mask;
+  skin.alphaMode = Material::Alpha::Mask;
   skin.alphaCutoff = 0.25f;
   skin.emissive = {0, 0.5f, 0};
   skin.baseColorImage = 0;
@@ -184,7 +184,7 @@ TEST_CASE("materials, coordinates, colours and images go round") {
   skin.wrapS = Material::Wrap::Mirror;
   skin.magFilter = 9728;
   Material glass;
-  glass.alpha = Material::Alpha::Blend;
+  glass.alphaMode = Material::Alpha::Blend;
   glass.unlit = true;
   scene.materials = {glass, skin};
   scene.groups = {{0, 4, 1}, {6, 6, 0}};  // faces 4 and 5 have none
@@ -213,7 +213,7 @@ TEST_CASE("materials, coordinates, colours and images go round") {
   CHECK(again.images[m.baseColorImage].bytes == scene.images[0].bytes);
   CHECK(again.images[m.normalImage].mimeType == "image/webp");
   CHECK(again.materials[again.groups[2].material].unlit);
-  CHECK(again.materials[again.groups[2].material].alpha == Material::Alpha::Blend);
+  CHECK(again.materials[again.groups[2].material].alphaMode == Material::Alpha::Blend);
 }
 
 TEST_CASE("tangents of a normal map: unit, perpendicular, right-handed with the image's up") {

@@ -1,6 +1,8 @@
 // What must hold for every sequence (the method's exactness): each test states one promise.
 #include <doctest/doctest.h>
 
+#include "core/mesh/measures.h"
+#include "core/rotation/rigid_fit.h"
 #include "shapes.h"
 
 using namespace shapespline;

@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/dense_front.h"
-#include "core/face_kernel.h"
-#include "core/panels.h"
-#include "core/shading.h"
+#include "core/mesh/vertex_normals.h"
+#include "core/reconstruct/face_kernel.h"
+#include "core/sparse/dense_front.h"
+#include "core/sparse/panel_factor.h"
 
 namespace kernels {
 
@@ -71,8 +71,8 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
       coordinates.set(f, c, 5, static_cast<Real>(one + 0.2 * noise.next()));
     }
   coordinates.dropIfAtRest(0);
-  FaceKernel<Real> kernel;
-  coordinates.reorder(kernel.build(shape, frameOf, logarithmic ? Stretch::Log : Stretch::Linear, position, vertexCount));
+  const FaceKernel<Real> kernel(shape, frameOf, logarithmic ? Stretch::Log : Stretch::Linear, position, vertexCount);
+  coordinates.reorder(kernel.order());
   std::vector<Real> frames(numbersPerFrame * static_cast<std::size_t>(faceCount / 3 + 1), Real(0));
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (i % 4 != 3) frames[i] = static_cast<Real>(noise.next());
@@ -137,8 +137,9 @@ inline std::vector<float> vertexNormals(const kernels::Surface& surface) {
     group[v] = v / 2, placeOf[v] = (n - 1) / 2 - v / 2;  // copies of one vertex
     for (int k = 0; k < 3; ++k) places[4 * static_cast<std::size_t>(placeOf[v]) + k] = static_cast<float>(surface.xyz[3 * static_cast<std::size_t>(v) + k]);
   }
-  Shading shading(surface.faces, group, (n + 1) / 2, placeOf);
-  shading.draw(places, Vec3::Zero(), positions, normals);
+  const VertexNormals shading(surface.faces, group, (n + 1) / 2, placeOf);
+  VertexNormals::Scratch sums;
+  shading.draw(places, Vec3::Zero(), sums, positions, normals);
   return normals;
 }
 

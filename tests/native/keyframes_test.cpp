@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "shapes.h"
 
 using namespace shapespline;

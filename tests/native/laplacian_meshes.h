@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/sparse_matrix.h"
-#include "core/types.h"
+#include "core/base/types.h"
+#include "core/sparse/sparse_matrix.h"
 
 namespace shapespline::testing {
 

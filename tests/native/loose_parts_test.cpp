@@ -1,7 +1,7 @@
 // Parts that are one point in some key, and keys far from the others.
 #include <doctest/doctest.h>
 
-#include "core/weld.h"
+#include "core/mesh/weld.h"
 #include "sequences.h"
 #include "shapes.h"
 

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <random>
 
-#include "core/component_tree.h"
-#include "core/kd_tree.h"
-#include "core/lri.h"
-#include "core/weld.h"
+#include "core/lri/lri.h"
+#include "core/mesh/component_tree.h"
+#include "core/mesh/kd_tree.h"
+#include "core/mesh/weld.h"
 #include "shapes.h"
 
 using namespace shapespline;
@@ -181,6 +182,10 @@ TEST_CASE("kd-tree: the nearest point with another label, below the bound, witho
   CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 2, 1e9) == 950);
   CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 2, 0.0625) == -1);
   CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 2, 0.063) == 950);
+  std::vector<int> visited;
+  tree.eachOther({950.25, 0, 0}, label, shared, 2, 4, [&](int i) { visited.push_back(i); });
+  std::sort(visited.begin(), visited.end());
+  CHECK(visited == std::vector{950, 952});
   CHECK(KdTree(line, {}).sharedLabels(label).empty());
 }
 
@@ -196,6 +201,27 @@ TEST_CASE("components hang on their nearest neighbour, rooted at the largest") {
   CHECK(tree.link[0].parent == 2);
   CHECK(pieces.ofFace[tree.link[0].anchorFace] == 2);
   CHECK(pieces.ofFace[tree.link[0].contactFace] == 0);
+}
+
+TEST_CASE("rounding does not decide where a part hangs that is as near at several places") {
+  Shape hat = box(0.5, 0.5, 0.5, 1, 1, 1);
+  for (Vec3& p : hat.positions) p += Vec3(0, 0, 10.3);
+  const Shape parts = joined(box(1, 1, 10, 2, 2, 20), hat);
+  const std::vector<char> use(parts.faces.size(), 1);
+  const Pieces pieces = connectedPieces(dualGraph(static_cast<int>(parts.positions.size()), parts.faces, use), use);
+  REQUIRE(pieces.count == 2);
+  const auto hangs = [&](double noise, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<Positions> poses(3, parts.positions);
+    for (Positions& pose : poses)
+      for (Vec3& p : pose)
+        for (double& x : p) x += noise * (random() / 0x1p32 - 0.5);
+    const Positions* all[] = {&poses[0], &poses[1], &poses[2]};
+    const ComponentLink link = linkComponents(parts.faces, pieces, all).link[1];
+    return std::pair(link.anchorFace, link.contactFace);
+  };
+  const auto exact = hangs(0, 0);
+  for (unsigned seed = 1; seed <= 30; ++seed) CHECK(hangs(1e-6, seed) == exact);
 }
 
 TEST_CASE("the zoo moves: every kind of mesh gives its keys back and stays finite") {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include "core/mirrored.h"
-#include "core/weld.h"
+#include "core/mesh/weld.h"
+#include "core/sequence/mirrored_keys.h"
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"

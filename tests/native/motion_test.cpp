@@ -1,6 +1,8 @@
 // What the options do to a motion: boundaries, turns, tangents, periods, measures.
 #include <doctest/doctest.h>
 
+#include "core/mesh/measures.h"
+#include "core/rotation/rigid_fit.h"
 #include "shapes.h"
 
 using namespace shapespline;

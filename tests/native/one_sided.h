@@ -13,7 +13,7 @@ struct OneSided {
 };
 
 /// From the moments t, t + h, t + 2h and t + 3h; h < 0: from before. Errors: of third order in h for the velocity, of second order for the acceleration.
-inline OneSided oneSided(Sequence& sequence, const PatchTurns& patches, double t, double h) {
+inline OneSided oneSided(Sequence& sequence, const PatchTurning& patches, double t, double h) {
   std::array<Positions, 4> x, turn;
   for (int i = 0; i < 4; ++i) {
     x[i] = shapeAt(sequence, t + i * h);
@@ -54,7 +54,7 @@ inline Jumps jumpsBetween(const OneSided& before, const OneSided& after, double 
 }
 
 /// How the motion jumps at t, by differences over h.
-inline Jumps jumpsAt(Sequence& sequence, const PatchTurns& patches, double t, double h = 2e-4) {
+inline Jumps jumpsAt(Sequence& sequence, const PatchTurning& patches, double t, double h = 2e-4) {
   const auto [start, end] = sequence.range();
   return jumpsBetween(oneSided(sequence, patches, t, -h), oneSided(sequence, patches, t, h), end - start);
 }

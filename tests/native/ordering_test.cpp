@@ -1,15 +1,16 @@
 // Orderings and the symbolic analysis against brute force on small graphs, and their quality on a mesh.
-#include "core/ordering.h"
+#include "core/sparse/minimum_degree.h"
+#include "core/sparse/ordering.h"
 
 #include <doctest/doctest.h>
 
 #include <bit>
 #include <set>
 
-#include "core/elimination_tree.h"
-#include "core/nested_dissection.h"
-#include "core/separator.h"
-#include "core/symbolic.h"
+#include "core/sparse/elimination_tree.h"
+#include "core/sparse/nested_dissection.h"
+#include "core/sparse/separator.h"
+#include "core/sparse/symbolic.h"
 #include "laplacian_meshes.h"
 
 using namespace shapespline;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "core/mesh_report.h"
-#include "core/sequence.h"
+#include "core/sequence/mesh_report.h"
+#include "core/sequence/sequence.h"
 #include "io/import.h"
 #include "samples/bench_mesh.h"
 #include "samples/sample_file.h"

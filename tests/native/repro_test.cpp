@@ -6,6 +6,7 @@
 #include <random>
 
 #include "../repro/repro_shapes.h"
+#include "core/rotation/rigid_fit.h"
 #include "sequences.h"
 
 using namespace shapespline;
@@ -21,10 +22,10 @@ struct Turning {
 };
 
 Turning turningOf(Sequence& sequence, const Car& car, int wheel) {
-  const Keyframes& k = sequence.keyframes();
-  const double start = k.keys.front().time, end = k.keys.back().time;
-  const int samples = 24 * (k.keyCount() - 1);
-  const Positions& rest = k.keys.front().positions;
+  const std::vector<double>& times = sequence.motion().keyTimes();
+  const double start = times.front(), end = times.back();
+  const int samples = 24 * static_cast<int>(times.size() - 1);
+  const Positions rest = shapeAt(sequence, start);
   const auto relative = [&](double t) -> Mat3 {
     const Positions p = shapeAt(sequence, t);
     return fitRigid(car.body(rest), car.body(p)).rotation.transpose() * fitRigid(car.wheel(rest, wheel), car.wheel(p, wheel)).rotation;
@@ -146,7 +147,7 @@ TEST_CASE("repro: whole turns can be added to a part") {
   motion.turns = {{1, 1, 1}};
   REQUIRE(sequence.update(motion, times).ok());
   checkRolls(sequence, car, 0, 450);
-  const Positions& rest = sequence.keyframes().keys[0].positions;
+  const Positions rest = shapeAt(sequence, 0);
   const Mat3 body = fitRigid(car.body(rest), car.body(shapeAt(sequence, 0.5))).rotation;
   CHECK(logRotation(body).norm() == doctest::Approx(radians(5.5)).epsilon(1e-3));  // the body turns as before
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Dense>
 
-#include "core/patch_motion.h"
+#include "core/patches/patch_motion.h"
 
 using namespace shapespline;
 
@@ -89,14 +89,14 @@ RotationPaths pathThrough(const std::vector<Quaternion>& keys) {
 
 Quaternion at(const RotationPaths& paths, const CurvePoint& point) {
   std::vector<Quaternion> rotation;
-  paths.at(point, rotation);
+  paths.at(point, {}, rotation);
   return rotation[0];
 }
 
 // A closed ring of patches, given by their rotations in three keys.
 struct Ring {
   WeldedShape shape;
-  PatchMotion motion;
+  std::optional<PatchMotion> motion;
 
   Ring(const std::vector<std::vector<Quaternion>>& rotation) {
     const int count = static_cast<int>(rotation[0].size());
@@ -112,12 +112,15 @@ struct Ring {
       links.push_back({a, b, 1});
     }
     REQUIRE(encodeConnections(shape, links, std::vector<double>(count, 1), patches).ok());
-    REQUIRE(motion.build(shape, std::move(patches)).ok());
+    auto made = PatchMotion::create(shape, std::move(patches));
+    REQUIRE(made.ok());
+    motion = std::move(*made);
   }
 
   std::vector<Quaternion> at(const CurvePoint& point) {
     Frames frames;
-    motion.at(point, frames);
+    PatchMotion::Scratch scratch;
+    motion->at(point, motion->addedTurns(shape, {}), scratch, frames);
     return frames.rotation;
   }
 };
@@ -174,19 +177,20 @@ TEST_CASE("patch rotations: connections that agree are met, others change nothin
     for (const int j : {(i + 1) % count, (i + 2) % count}) links.push_back({i, j, 1});
   const PatchGraph graph(links, std::vector<double>(count, 1));
   const std::vector<double> weight(links.size(), 0.7);
-  PatchRotationSystem system;
-  REQUIRE(system.build(graph, graph.centreTree(std::vector<double>(links.size(), 1)), weight).ok());
+  const auto system = PatchRotationSystem::create(graph, graph.centreTree(std::vector<double>(links.size(), 1)), weight);
+  REQUIRE(system.ok());
+  PatchRotationSystem::Scratch scratch;
   std::vector<Quaternion> wanted, found;
   for (int i = 0; i < count; ++i) wanted.push_back(expQuaternion(randomVector(random, 1)));
   for (const double disagreement : {0.0, 0.05}) {
     std::vector<Quaternion> connection;
     for (const auto& [i, j, edges] : links)
       connection.push_back(wanted[i].conjugate() * wanted[j] * expQuaternion(randomVector(random, disagreement)));
-    system.solve(connection, std::array{1, 1}, found);
+    system->solve(connection, std::array{1, 1}, scratch, found);
     double squares = 0, treeSquares = 0;
     const auto residual = [&](std::size_t l) { return found[links[l].to].angularDistance(found[links[l].from] * connection[l]); };
     for (std::size_t l = 0; l < links.size(); ++l) squares += std::pow(residual(l), 2);
-    system.solve(connection, {}, found);
+    system->solve(connection, {}, scratch, found);
     for (std::size_t l = 0; l < links.size(); ++l) treeSquares += std::pow(residual(l), 2);
     if (disagreement == 0) CHECK(std::sqrt(squares) < 1e-10);
     else CHECK(squares < 0.7 * treeSquares);

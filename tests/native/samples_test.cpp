@@ -9,8 +9,10 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "core/mesh_report.h"
-#include "core/metrics.h"
+#include "core/mesh/measures.h"
+#include "core/rotation/rigid_fit.h"
+#include "core/sequence/gram_matrix.h"
+#include "core/sequence/mesh_report.h"
 #include "io/import.h"
 #include "samples/bench_mesh.h"
 #include "samples/bench_parts.h"

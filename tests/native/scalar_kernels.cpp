@@ -2,18 +2,18 @@
 #define SHAPESPLINE_SCALAR 1
 #define shapespline shapespline_scalar
 
-#include "core/crew.cpp"
-#include "core/dense_front.cpp"
-#include "core/face_frame.cpp"
-#include "core/face_halves.cpp"
-#include "core/face_kernel.cpp"
-#include "core/futex.cpp"
-#include "core/panel_kernels.cpp"
-#include "core/panel_layout.cpp"
-#include "core/panels.cpp"
-#include "core/progress.cpp"
-#include "core/shading.cpp"
-#include "core/tree_cut.cpp"
+#include "core/base/fork_join.cpp"
+#include "core/sparse/dense_front.cpp"
+#include "core/lri/face_frame.cpp"
+#include "core/mesh/face_order.cpp"
+#include "core/reconstruct/face_kernel.cpp"
+#include "core/base/atomic_wait.cpp"
+#include "core/sparse/panel_kernels.cpp"
+#include "core/sparse/panel_layout.cpp"
+#include "core/sparse/panel_factor.cpp"
+#include "core/base/progress.cpp"
+#include "core/mesh/vertex_normals.cpp"
+#include "core/sparse/subtree_partition.cpp"
 
 #include "scalar_kernels.h"
 

@@ -97,7 +97,7 @@ std::vector<Walk> walks() {
 void checkSeam(const std::string& what, const Keyframes& k, const MotionOptions& motion) {
   CAPTURE(what);
   Sequence sequence = sequenceOf(k, doublePrecision(), motion);
-  const PatchTurns patches(sequence);
+  const PatchTurning patches(sequence);
   for (const double seam : {sequence.range().first, sequence.range().second}) {
     CAPTURE(seam);
     const Jumps jumps = jumpsAt(sequence, patches, seam);

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "core/sequence.h"
+#include "core/sequence/sequence.h"
 
 namespace shapespline::test {
 

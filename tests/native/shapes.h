@@ -7,11 +7,12 @@
 #include <numbers>
 #include <vector>
 
-#include "core/keyframes.h"
-#include "core/mesh.h"
-#include "core/metrics.h"
-#include "core/rotation.h"
-#include "core/sequence.h"
+#include "core/mesh/mesh.h"
+#include "core/rotation/rigid_fit.h"
+#include "core/rotation/rotation.h"
+#include "core/sequence/gram_matrix.h"
+#include "core/sequence/keyframes.h"
+#include "core/sequence/sequence.h"
 
 namespace shapespline::test {
 

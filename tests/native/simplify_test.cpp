@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include "core/simplify.h"
+#include "core/ghost/simplify.h"
+#include "core/mesh/measures.h"
+#include "core/mesh/triangle.h"
 #include "laplacian_meshes.h"
 #include "samples/bench_mesh.h"
 #include "shapes.h"

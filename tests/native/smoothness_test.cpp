@@ -41,11 +41,12 @@ const std::vector<Boundary>& boundaries() {
 
 // Largest over median speed of a box that turns evenly, by as many keys and with the same end speeds: 1 unless they are other than 1.
 std::pair<double, double> unevennessAskedFor(const Sequence& sequence) {
-  const MotionOptions& motion = sequence.motion();
+  const MotionOptions& motion = sequence.motion().options();
   if (motion.boundary != BoundaryKind::Hermite || (motion.startSpeed == 1 && motion.endSpeed == 1)) return {1, 1};
   std::vector<Map> turns;
   std::vector<double> times;
-  for (const Key& key : sequence.keyframes().keys) times.push_back(key.time), turns.push_back(turn(Vec3::UnitX(), radians(10.0 * times.size())));
+  for (const double t : sequence.motion().keyTimes())
+    times.push_back(t), turns.push_back(turn(Vec3::UnitX(), radians(10.0 * times.size())));
   Sequence even = sequenceOf(keyframes(box(1, 2, 3, 1, 1, 1), turns, times), doublePrecision(), motion);
   const Sweep s = sweep(even, {sweepDensity().samples, 2, 0});
   return {std::max(1.0, s.inside), std::max(1.0, s.margin)};
@@ -64,7 +65,7 @@ void checkSweep(const std::string& what, Sequence& sequence) {
   CHECK(s.zoomedStep <= std::max(leastStep, 3 * s.step * s.zoomedSpacing / s.spacing));
   CHECK(s.inside <= largestUnevenness * inside);
   CHECK(s.margin <= largestUnevenness * margin);
-  CHECK(s.growth <= largestGrowth);
+  CHECK(s.growth <= largestGrowth * inside);  // what end speeds of 4 ask for is seen coarsely; a corner has 32
 }
 
 // The first `count` of the boundaries above.
@@ -177,7 +178,7 @@ TEST_CASE("smooth: second differences of bars are small throughout") {
 TEST_CASE("smooth: accelerations do not jump at inner keys") {
   for (const Keyframes& k : {twistedBar({0, 180, 350}), bentBar({0, 70, -50, 120}), bentBar({0, 120, -60, 200})}) {
     Sequence sequence = sequenceOf(k, doublePrecision());
-    const PatchTurns patches(sequence);
+    const PatchTurning patches(sequence);
     for (int j = 1; j + 1 < k.keyCount(); ++j) {
       const Jumps jumps = jumpsAt(sequence, patches, k.keys[j].time);
       CHECK(jumps.angularAcceleration <= 1e-3);

@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "core/spline.h"
+#include "core/spline/spline.h"
 
 using namespace shapespline;
 

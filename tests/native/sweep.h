@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/rotation/rigid_fit.h"
 #include "sequences.h"
 #include "shapes.h"
 
@@ -27,10 +28,10 @@ inline bool sweepsAreFull() { return sweepsArePrinted() && std::getenv("SHAPESPL
 inline Density sweepDensity() { return sweepsAreFull() ? Density{60, 40, 5} : Density{}; }
 
 /// The vertices of each patch, and how far patches turn between two shapes.
-class PatchTurns {
+class PatchTurning {
  public:
-  explicit PatchTurns(const Sequence& sequence) {
-    const std::vector<Triangle>& faces = sequence.keyframes().faces;
+  explicit PatchTurning(const Sequence& sequence) {
+    const std::vector<Triangle>& faces = sequence.faces();
     const std::vector<int>& patchOf = sequence.patchOfFace();
     for (std::size_t f = 0; f < faces.size(); ++f) {
       if (patchOf[f] < 0) continue;
@@ -152,13 +153,14 @@ struct Sweep {
 
 inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) {
   const auto [start, end] = sequence.range();
-  const bool periodic = sequence.motion().boundary == BoundaryKind::Periodic;
-  const Keyframes& k = sequence.keyframes();
-  const double range = end - start, keyRange = k.keys.back().time - k.keys.front().time;
-  const int intervals = static_cast<int>(std::ceil((k.keyCount() - 1) * range / keyRange - 1e-9));
+  const bool periodic = sequence.motion().options().boundary == BoundaryKind::Periodic;
+  const std::vector<double>& times = sequence.motion().keyTimes();
+  const double range = end - start, keyRange = times.back() - times.front();
+  const int intervals = static_cast<int>(std::ceil(static_cast<double>(times.size() - 1) * range / keyRange - 1e-9));
   const int perRange = density.samples * intervals;
   const int margin = perRange * 2 / 5;
-  const double diagonal = boundingDiagonal(std::vector<const Positions*>{&k.keys[0].positions});
+  const Positions firstKey = shapeAt(sequence, times.front());
+  const double diagonal = boundingDiagonal(std::vector<const Positions*>{&firstKey});
   const auto vertexStep = [&](const Positions& a, const Positions& b) { return 100 * largestDistance(a, b) / diagonal; };
   const auto patchTurn = [](const std::vector<Quaternion>& a, const std::vector<Quaternion>& b) {
     double most = 0;

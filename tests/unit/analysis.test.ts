@@ -4,10 +4,9 @@ import { analysisInput, relativeToFirstKey } from '../../web/app/analysis/analys
 import { computeShapePlanes } from '../../web/app/analysis/shape-plane.ts';
 import type { RunningSequence } from '../../web/app/session/sequence-set.ts';
 import type { Method } from '../../web/engine/api/types.ts';
-import { EMPTY_STATE } from '../../web/model/state.ts';
-import type { Doc } from '../../web/model/state.ts';
+import { docOfKeys, keyRef } from './documents.ts';
 
-const doc: Doc = { ...EMPTY_STATE.doc, keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 1 }] };
+const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 
 /** A sequence of constant measures that counts how often it is asked. */
 function running(method: Method, asked: string[], ghost = false): RunningSequence {

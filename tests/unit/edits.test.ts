@@ -1,13 +1,17 @@
 import { describe, expect, it } from 'vitest';
-import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setPartTurns, setShaping } from '../../web/model/edits.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION, referenceKey } from '../../web/model/state.ts';
+import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setShaping, setTurns } from '../../web/model/edits.ts';
+import { DEFAULT_SHAPING, listsOf, shapingOf } from '../../web/model/shaping.ts';
+import { referenceKey } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
+import { docOfKeys, keyRef } from './documents.ts';
 
-const doc: Doc = {
-  keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 0.4 }, { pose: 2, name: 'c', time: 1 }],
-  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [0, 0.5, 0], bias: [0, 0, -1], turns: [0, 1, 0],
-  partTurns: [[], [{ component: 4, turns: 2 }], []],
-};
+const ofB = { tension: 0.5, turns: [{ turns: 1 }, { component: 4, turns: 2 }] };
+const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.4, ofB), keyRef(2, 'c', 1, { bias: -1 }));
+/** Every key with what was chosen for it. */
+const shapings = { 0: DEFAULT_SHAPING, 1: { ...DEFAULT_SHAPING, ...ofB }, 2: { ...DEFAULT_SHAPING, bias: -1 }, 3: DEFAULT_SHAPING };
+const expectShapings = (d: Doc): void =>
+  expect(Object.fromEntries(d.keys.map(({ pose, shaping }) => [pose, shaping]))).toMatchObject(
+    Object.fromEntries(d.keys.map(({ pose }) => [pose, shapings[pose as 0 | 1 | 2 | 3]])));
 const poses = (d: Doc): number[] => d.keys.map((key) => key.pose);
 const times = (d: Doc): number[] => d.keys.map((key) => key.time);
 
@@ -16,15 +20,14 @@ describe('edits of keys', () => {
     const next = moveKey(doc, 0, 2);
     expect(poses(next)).toEqual([1, 2, 0]);
     expect(times(next)).toEqual([0, 0.4, 1]);
-    expect([next.tension, next.bias, next.turns]).toEqual([[0.5, 0, 0], [0, -1, 0], [1, 0, 0]]);
-    expect(next.partTurns).toEqual([[{ component: 4, turns: 2 }], [], []]);
+    expectShapings(next);
   });
 
   it('give a key another time, in order of time', () => {
     expect(times(retimeKey(doc, 1, 0.7))).toEqual([0, 0.7, 1]);
     const past = retimeKey(doc, 0, 0.5);
     expect(poses(past)).toEqual([1, 0, 2]);
-    expect([past.tension, past.bias]).toEqual([[0.5, 0, 0], [0, 0, -1]]);
+    expectShapings(past);
   });
 
   it('refuse a time that another key has', () => {
@@ -35,22 +38,23 @@ describe('edits of keys', () => {
   it('add a key where its time belongs', () => {
     const next = addKey(doc, { pose: 3, name: 'd', time: 0.6 });
     expect(poses(next)).toEqual([0, 1, 3, 2]);
-    expect([next.tension, next.bias]).toEqual([[0, 0.5, 0, 0], [0, 0, 0, -1]]);
-    expect(next.partTurns).toEqual([[], [{ component: 4, turns: 2 }], [], []]);
+    expectShapings(next);
   });
 
-  it('give parts whole turns of their own, and take them away', () => {
-    const next = setPartTurns(setPartTurns(doc, 1, 0, -1), 2, 7, 1);
-    expect(next.partTurns).toEqual([[], [{ component: 0, turns: -1 }, { component: 4, turns: 2 }], [{ component: 7, turns: 1 }]]);
-    expect(setPartTurns(next, 1, 4, 0).partTurns[1]).toEqual([{ component: 0, turns: -1 }]);
-    expect(setPartTurns(next, 1, 4, 2)).toBe(next);
-    expect(setPartTurns({ ...doc, partTurns: [] }, 1, 3, 0).partTurns).toEqual([]);
+  it('give the shape and its parts whole turns, and take them away', () => {
+    const turns = (d: Doc): object[] => d.keys.map(({ shaping }) => shaping.turns);
+    const next = setTurns(setTurns(doc, 1, { component: 0, turns: -1 }), 2, { component: 7, turns: 1 });
+    expect(turns(next)).toEqual([[], [{ turns: 1 }, { component: 0, turns: -1 }, { component: 4, turns: 2 }], [{ component: 7, turns: 1 }]]);
+    expect(turns(setTurns(next, 1, { component: 4, turns: 0 }))[1]).toEqual([{ turns: 1 }, { component: 0, turns: -1 }]);
+    expect(turns(setTurns(next, 1, { turns: 0 }))[1]).toEqual([{ component: 0, turns: -1 }, { component: 4, turns: 2 }]);
+    expect(setTurns(next, 1, { component: 4, turns: 2 })).toBe(next);
+    expect(setTurns(doc, 0, { component: 3, turns: 0 })).toBe(doc);
   });
 
   it('never leave fewer than two keys', () => {
     const two = removeKey(doc, 1);
     expect(poses(two)).toEqual([0, 2]);
-    expect([two.tension, two.bias]).toEqual([[0, 0], [0, -1]]);
+    expectShapings(two);
     expect(removeKey(two, 0)).toBe(two);
   });
 
@@ -68,6 +72,18 @@ describe('edits of keys', () => {
     expect(setMotion(doc, { boundary: 'natural' })).toBe(doc);
     expect(setShaping(doc, 'tension', 1, 0.5)).toBe(doc);
     expect(setShaping(doc, 'bias', 0, 0)).toBe(doc);
-    expect(setShaping(doc, 'bias', 0, 0.25).bias).toEqual([0.25, 0, -1]);
+    expect(setShaping(doc, 'bias', 0, 0.25).keys.map(({ shaping }) => shaping.bias)).toEqual([0.25, 0, -1]);
+  });
+});
+
+describe('what is chosen for each key', () => {
+  it('becomes the lists of the engine, and comes back from them', () => {
+    const all = doc.keys.map(({ shaping }) => shaping);
+    const lists = listsOf(all);
+    expect(lists).toMatchObject({
+      tension: [0, 0.5, 0], bias: [0, 0, -1], turns: [{ key: 1, turns: 1 }, { key: 1, component: 4, turns: 2 }],
+    });
+    expect(all.map((_, key) => shapingOf(lists, key))).toEqual(all);
+    expect(new Set(Object.values(listsOf([DEFAULT_SHAPING, DEFAULT_SHAPING])).flat())).toEqual(new Set());
   });
 });

@@ -2,19 +2,19 @@ import { describe, expect, it } from 'vitest';
 import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, DEFAULT_VIEW, EMPTY_STATE } from '../../web/model/state.ts';
 import type { AppState, Doc } from '../../web/model/state.ts';
+import { docOfKeys, keyRef } from './documents.ts';
 
-const initial: Doc = {
-  keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 0.5 }, { pose: 2, name: 'c', time: 1 }],
-  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [], partTurns: [],
-};
+const initial = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.5), keyRef(2, 'c', 1));
 const state: AppState = {
   ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, time: 1.25,
   doc: {
-    keys: [{ pose: 2, name: 'c', time: -0.25 }, { pose: 0, name: 'a', time: 0.5 }, { pose: 1, name: 'b', time: 1 }],
+    keys: [
+      keyRef(2, 'c', -0.25, { bias: -0.5 }),
+      keyRef(0, 'a', 0.5, { tension: 0.25, turns: [{ turns: -2 }, { component: 0, turns: 1 }, { component: 11, turns: -3 }] }),
+      keyRef(1, 'b', 1, { bias: 1 }),
+    ],
     motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0, endSpeed: 2.5 },
     encoding: { ...DEFAULT_ENCODING, stretch: 'log', patches: 40, referencePose: 1, ghostFaces: 1500, transfer: 'paper', placement: 'optimal' },
-    tension: [0, 0.25, 0], bias: [-0.5, 0, 1], turns: [0, -2, 0],
-    partTurns: [[], [{ component: 0, turns: 1 }, { component: 11, turns: -3 }], []],
   },
   view: {
     ...DEFAULT_VIEW, wireframe: true, floor: false, ghostWire: true, ghostDifference: true, compare: ['linear', 'cubic-vertex'],
@@ -35,13 +35,15 @@ describe('permalinks', () => {
   it('of before parts had turns open as they were', () => {
     const link = readPermalink('sample=cactus&keys=2%40-0.25%2C0%40.5%2C1%401&tension=0%2C0.25%2C0&turns=0%2C-2%2C0&boundary=hermite&startSpeed=0&t=1.25&speed=0.5')!;
     expect(applyPermalink(initial, link)).toEqual({
-      ...initial, keys: state.doc.keys, motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0 }, tension: [0, 0.25, 0], turns: [0, -2, 0],
+      ...initial, motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0 },
+      keys: [keyRef(2, 'c', -0.25), keyRef(0, 'a', 0.5, { tension: 0.25, turns: [{ turns: -2 }] }), keyRef(1, 'b', 1)],
     });
   });
 
   it('leave out turns of parts and keys that the sample has not', () => {
     const link = readPermalink('sample=x&partTurns=1:2:1,3:0:1,1:0:2,0:0:0,1:x:1,1:0.5:1,1:-1:1,1:1:1e9,1:1,2:1:-1')!;
-    expect(applyPermalink(initial, link, 2).partTurns).toEqual([[], [{ component: 0, turns: 2 }], [{ component: 1, turns: -1 }]]);
+    const turns = applyPermalink(initial, link, 2).keys.map(({ shaping }) => shaping.turns);
+    expect(turns).toEqual([[], [{ component: 0, turns: 2 }], [{ component: 1, turns: -1 }]]);
   });
 
   it('write down what was set back to a default that the sample did not start with', () => {

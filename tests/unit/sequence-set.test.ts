@@ -6,13 +6,9 @@ import type { Engine, Keys, Sequence } from '../../web/engine/api/api.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
 import type { Method, MotionOptions } from '../../web/engine/api/types.ts';
 import { retimeKey, setEncoding, setMotion } from '../../web/model/edits.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION } from '../../web/model/state.ts';
-import type { Doc } from '../../web/model/state.ts';
+import { docOfKeys, keyRef } from './documents.ts';
 
-const doc: Doc = {
-  keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 1 }],
-  motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [], partTurns: [],
-};
+const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 
 /** An engine that notes what it is asked and answers when it is told to. */
 function fakeEngine() {

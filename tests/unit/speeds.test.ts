@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { formatSpeed, offeredSpeed, steppedSpeed } from '../../web/model/speeds.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, tangentKeys } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
+import { keyRef } from './documents.ts';
 
 describe('Hermite speeds', () => {
   it('are whole steps from 0 to 4', () => {
@@ -22,8 +23,8 @@ describe('Hermite speeds', () => {
 
 describe('the key that tells the direction at an end', () => {
   const doc = (change: Partial<Doc['encoding']>): Doc => ({
-    keys: [4, 2, 7].map((pose, index) => ({ pose, name: '', time: index })), motion: { ...DEFAULT_MOTION, boundary: 'hermite' },
-    encoding: { ...DEFAULT_ENCODING, ...change }, tension: [], bias: [], turns: [], partTurns: [],
+    keys: [4, 2, 7].map((pose, index) => keyRef(pose, '', index)), motion: { ...DEFAULT_MOTION, boundary: 'hermite' },
+    encoding: { ...DEFAULT_ENCODING, ...change },
   });
 
   it('is the neighbour, or the one whose shape is taken as end tangent', () => {

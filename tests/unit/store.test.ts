@@ -3,10 +3,11 @@ import { createStore } from '../../web/app/session/store.ts';
 import { renameKey, retimeKey } from '../../web/model/edits.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 import type { AppState } from '../../web/model/state.ts';
+import { docOfKeys, keyRef } from './documents.ts';
 
 const start: AppState = {
   ...EMPTY_STATE,
-  doc: { ...EMPTY_STATE.doc, keys: [{ pose: 0, name: 'a', time: 0 }, { pose: 1, name: 'b', time: 1 }] },
+  doc: docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1)),
 };
 
 describe('the store', () => {

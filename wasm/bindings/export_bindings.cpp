@@ -1,16 +1,16 @@
 // Shapes -> bytes of files. The bytes are an object of their own, to be copied and released.
-#include "bindings/entry.h"
-#include "bindings/host.h"
+#include "bindings/export.h"
+#include "bindings/handle_table.h"
+#include "bindings/js_imports.h"
 #include "bindings/marshal.h"
-#include "bindings/objects.h"
 #include "io/export.h"
 
 namespace shapespline::bindings {
 namespace {
 
 Json keepBytes(Bytes bytes) {
-  const int handle = objects().add(std::move(bytes));
-  const Bytes& kept = objects().get<Bytes>(handle);
+  const int handle = handleTable().add(std::move(bytes));
+  const Bytes& kept = handleTable().get<Bytes>(handle);
   return {{"handle", handle}, {"bytes", range(kept.data(), kept.size())}};
 }
 
@@ -24,8 +24,8 @@ Result<Bytes> writePose(const std::string& format, std::span<const float> positi
 }  // namespace
 
 /// {faces, scene, vertices, seconds, stills, project} -> {handle, bytes}; asks the host for one frame after the other.
-ENTRY const char* shapespline_write_animation(const char* request) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_write_animation(const char* request) {
+  return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
     const auto faces = trianglesFrom(elements<std::int32_t>(json.at("faces")));
     const Scene scene = sceneFrom(json.at("scene"));
@@ -49,8 +49,8 @@ ENTRY const char* shapespline_write_animation(const char* request) {
 }
 
 /// {vertices, faces, frames, scene} -> {bytes}: the size of what shapespline_write_animation will write.
-ENTRY const char* shapespline_animation_size(const char* request) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_animation_size(const char* request) {
+  return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
     const Scene scene = sceneFrom(json.at("scene"));
     return Json{{"bytes", animatedGlbSize(json.at("vertices"), json.at("faces"), json.at("frames"), scene)}};
@@ -58,8 +58,8 @@ ENTRY const char* shapespline_animation_size(const char* request) {
 }
 
 /// {format: 'glb' | 'obj' | 'ply', positions, normals, faces, scene} -> {handle, bytes}.
-ENTRY const char* shapespline_write_pose(const char* request) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_write_pose(const char* request) {
+  return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
     const auto faces = trianglesFrom(elements<std::int32_t>(json.at("faces")));
     Result<Bytes> bytes = writePose(json.at("format"), elements<float>(json.at("positions")),

@@ -1,9 +1,9 @@
 // Files -> an import object, and its parts -> JSON and heap ranges.
-#include "bindings/entry.h"
-#include "bindings/host.h"
+#include "bindings/export.h"
+#include "bindings/handle_table.h"
+#include "bindings/js_imports.h"
 #include "bindings/marshal.h"
-#include "bindings/objects.h"
-#include "core/mesh_report.h"
+#include "core/sequence/mesh_report.h"
 #include "io/import.h"
 
 namespace shapespline::bindings {
@@ -51,8 +51,8 @@ Json describe(const ImportObject& object) {
 
 /// {files: [{name, bytes}], options} -> {handle, names, times, faces, normals, scene, report, ...}. The ranges belong to
 /// the handle.
-ENTRY const char* shapespline_import(const char* request) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_import(const char* request) {
+  return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
     std::vector<NamedBytes> files;
     for (const Json& file : json.at("files")) files.push_back({file.at("name"), elements<std::uint8_t>(file.at("bytes"))});
@@ -64,15 +64,15 @@ ENTRY const char* shapespline_import(const char* request) {
     ImportObject object{std::move(*import), {}, {}};
     object.normals = floatsFrom(object.import.keyframes.normals);
     Json described = describe(object);
-    described["handle"] = objects().add(std::move(object));
+    described["handle"] = handleTable().add(std::move(object));
     return described;
   });
 }
 
 /// {positions}: 3n floats of one key, valid until the next call for the same handle.
-ENTRY const char* shapespline_import_positions(int handle, int key) {
-  return answer([&]() -> Result<Json> {
-    ImportObject& object = objects().get<ImportObject>(handle);
+EXPORT const char* shapespline_import_positions(int handle, int key) {
+  return callResult([&]() -> Result<Json> {
+    ImportObject& object = handleTable().get<ImportObject>(handle);
     object.positions = floatsFrom(object.import.keyframes.keys.at(key).positions);
     return Json{{"positions", range(object.positions.data(), object.positions.size())}};
   });

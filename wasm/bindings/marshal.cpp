@@ -3,17 +3,26 @@
 #include <cstring>
 #include <iterator>
 
-namespace shapespline::bindings {
+// Structs whose fields travel under their own names, at home in their namespace.
+namespace shapespline {
 namespace {
 
 // The engine has checked every name before; a stranger is a defect and becomes an internal error.
 template <class T, std::size_t count>
-T named(const Json& json, const std::pair<const char*, T> (&names)[count]) {
+T named(const nlohmann::json& json, const std::pair<const char*, T> (&names)[count]) {
   const auto text = json.get<std::string>();
   for (const auto& [name, value] : names) {
     if (text == name) return value;
   }
   throw std::invalid_argument("no such choice: " + text);
+}
+
+template <class T, std::size_t count>
+const char* nameOf(T value, const std::pair<const char*, T> (&names)[count]) {
+  for (const auto& [name, candidate] : names) {
+    if (candidate == value) return name;
+  }
+  return "";
 }
 
 constexpr std::pair<const char*, Method> methods[] = {{"lri", Method::Lri},
@@ -31,68 +40,41 @@ constexpr std::pair<const char*, Precision> precisions[] = {{"single", Precision
 constexpr std::pair<const char*, Material::Alpha> alphas[] = {{"OPAQUE", Material::Alpha::Opaque},
                                                               {"MASK", Material::Alpha::Mask},
                                                               {"BLEND", Material::Alpha::Blend}};
-
 constexpr std::pair<const char*, Material::Wrap> wraps[] = {{"repeat", Material::Wrap::Repeat},
                                                             {"clamp", Material::Wrap::Clamp},
                                                             {"mirror", Material::Wrap::Mirror}};
-constexpr std::pair<const char*, int Material::*> images[] = {{"baseColorImage", &Material::baseColorImage},
-                                                              {"metallicRoughnessImage", &Material::metallicRoughnessImage},
-                                                              {"normalImage", &Material::normalImage},
-                                                              {"occlusionImage", &Material::occlusionImage},
-                                                              {"emissiveImage", &Material::emissiveImage}};
 
-template <class T, std::size_t count>
-const char* nameOf(T value, const std::pair<const char*, T> (&names)[count]) {
-  for (const auto& [name, candidate] : names) {
-    if (candidate == value) return name;
-  }
-  return "";
-}
+}  // namespace
+
+void from_json(const nlohmann::json& json, Method& value) { value = named(json, methods); }
+void from_json(const nlohmann::json& json, BoundaryKind& value) { value = named(json, boundaries); }
+void from_json(const nlohmann::json& json, Stretch& value) { value = named(json, stretches); }
+void from_json(const nlohmann::json& json, Transfer& value) { value = named(json, transfers); }
+void from_json(const nlohmann::json& json, Precision& value) { value = named(json, precisions); }
+void from_json(const nlohmann::json& json, Material::Alpha& value) { value = named(json, alphas); }
+void from_json(const nlohmann::json& json, Material::Wrap& value) { value = named(json, wraps); }
+void to_json(nlohmann::json& json, Material::Alpha value) { json = nameOf(value, alphas); }
+void to_json(nlohmann::json& json, Material::Wrap value) { json = nameOf(value, wraps); }
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(AddedTurns, key, turns, component)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MaterialGroup, start, count, material)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Material, name, baseColor, metallic, roughness, doubleSided, alphaMode, alphaCutoff, unlit, emissive,
+                                   normalScale, occlusionStrength, baseColorImage, metallicRoughnessImage, normalImage,
+                                   occlusionImage, emissiveImage, wrapS, wrapT, magFilter, minFilter)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Warning, code, message, count, key, face, patches)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AnimationInfo, name, start, end, keys)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceStats, encodings, factorisations, solves, patches, weldedVertices, components, ghostFaces,
+                                   ghostVertices, joinedComponents, weldMs, simplifyMs, transferMs, encodeMs, orderMs, factorMs,
+                                   arrangeMs, factorBytes, framesMs, facesMs, solveMs, placeMs, normalsMs, ghostMs)
+
+}  // namespace shapespline
+
+namespace shapespline::bindings {
+namespace {
 
 std::optional<Positions> tangentFrom(const Json& json) {
   if (json.is_null()) return std::nullopt;
   return positionsFrom(elements<float>(json));
-}
-
-Material materialFrom(const Json& json) {
-  Material material;
-  material.name = json.at("name");
-  material.baseColor = json.at("baseColor");
-  material.metallic = json.at("metallic");
-  material.roughness = json.at("roughness");
-  material.doubleSided = json.at("doubleSided");
-  material.alpha = named(json.at("alphaMode"), alphas);
-  material.alphaCutoff = json.at("alphaCutoff");
-  material.unlit = json.at("unlit");
-  material.emissive = json.at("emissive");
-  material.normalScale = json.at("normalScale");
-  material.occlusionStrength = json.at("occlusionStrength");
-  for (const auto& [name, image] : images) material.*image = json.at(name);
-  material.wrapS = named(json.at("wrapS"), wraps);
-  material.wrapT = named(json.at("wrapT"), wraps);
-  material.magFilter = json.at("magFilter");
-  material.minFilter = json.at("minFilter");
-  return material;
-}
-
-Json toJson(const Material& material) {
-  Json json = {{"name", material.name},
-               {"baseColor", material.baseColor},
-               {"metallic", material.metallic},
-               {"roughness", material.roughness},
-               {"doubleSided", material.doubleSided},
-               {"alphaMode", nameOf(material.alpha, alphas)},
-               {"alphaCutoff", material.alphaCutoff},
-               {"unlit", material.unlit},
-               {"emissive", material.emissive},
-               {"normalScale", material.normalScale},
-               {"occlusionStrength", material.occlusionStrength},
-               {"wrapS", nameOf(material.wrapS, wraps)},
-               {"wrapT", nameOf(material.wrapT, wraps)},
-               {"magFilter", material.magFilter},
-               {"minFilter", material.minFilter}};
-  for (const auto& [name, image] : images) json[name] = material.*image;
-  return json;
 }
 
 Json toJson(const Seams& seams) {
@@ -139,14 +121,14 @@ Keyframes keyframesFrom(const Json& json) {
 
 MotionOptions motionFrom(const Json& json) {
   MotionOptions motion;
-  motion.method = named(json.at("method"), methods);
-  motion.boundary = named(json.at("boundary"), boundaries);
+  motion.method = json.at("method");
+  motion.boundary = json.at("boundary");
   motion.startSpeed = json.at("startSpeed");
   motion.endSpeed = json.at("endSpeed");
   if (!json.at("period").is_null()) motion.period = json.at("period").get<double>();
   motion.tension = json.at("tension").get<std::vector<double>>();
   motion.bias = json.at("bias").get<std::vector<double>>();
-  for (const Json& entry : json.at("turns")) motion.turns.push_back({entry.at("key"), entry.at("turns"), entry.value("component", -1)});
+  motion.turns = json.at("turns").get<std::vector<AddedTurns>>();
   motion.inPlace = json.at("inPlace");
   return motion;
 }
@@ -155,11 +137,11 @@ EncodingOptions encodingFrom(const Json& json) {
   EncodingOptions encoding;
   encoding.reference = json.at("reference");
   encoding.patches = json.at("patches");
-  encoding.stretch = named(json.at("stretch"), stretches);
+  encoding.stretch = json.at("stretch");
   encoding.ghostFaces = json.at("ghostFaces");
-  encoding.transfer = named(json.at("transfer"), transfers);
+  encoding.transfer = json.at("transfer");
   encoding.optimalPlacement = json.at("placement") == "optimal";
-  encoding.precision = named(json.at("precision"), precisions);
+  encoding.precision = json.at("precision");
   encoding.startTangent = tangentFrom(json.at("startTangent"));
   encoding.endTangent = tangentFrom(json.at("endTangent"));
   return encoding;
@@ -191,10 +173,8 @@ Scene sceneFrom(const Json& json) {
     const auto copyOf = elements<std::int32_t>(seams.at("copyOf"));
     scene.seams = {{copyOf.begin(), copyOf.end()}, trianglesFrom(elements<std::int32_t>(seams.at("indices")))};
   }
-  for (const Json& group : json.at("groups")) {
-    scene.groups.push_back({group.at("start"), group.at("count"), group.at("material")});
-  }
-  for (const Json& material : json.at("materials")) scene.materials.push_back(materialFrom(material));
+  scene.groups = json.at("groups").get<std::vector<MaterialGroup>>();
+  scene.materials = json.at("materials").get<std::vector<Material>>();
   for (const Json& image : json.at("images")) {
     const auto bytes = elements<std::uint8_t>(image.at("bytes"));
     scene.images.push_back({image.at("mimeType"), {bytes.begin(), bytes.end()}});
@@ -202,62 +182,20 @@ Scene sceneFrom(const Json& json) {
   return scene;
 }
 
-Json toJson(const std::vector<Warning>& warnings) {
-  Json json = Json::array();
-  for (const Warning& w : warnings) {
-    json.push_back({{"code", w.code}, {"message", w.message}, {"count", w.count}, {"key", w.key}, {"face", w.face}, {"patches", w.patches}});
-  }
-  return json;
-}
-
-Json toJson(const SequenceStats& stats) {
-  return {{"encodings", stats.encodings},
-          {"factorisations", stats.factorisations},
-          {"solves", stats.solves},
-          {"patches", stats.patches},
-          {"weldedVertices", stats.weldedVertices},
-          {"components", stats.components},
-          {"ghostFaces", stats.ghostFaces},
-          {"ghostVertices", stats.ghostVertices},
-          {"joinedComponents", stats.joinedComponents},
-          {"weldMs", stats.weldMs},
-          {"simplifyMs", stats.simplifyMs},
-          {"transferMs", stats.transferMs},
-          {"encodeMs", stats.encodeMs},
-          {"orderMs", stats.orderMs},
-          {"factorMs", stats.factorMs},
-          {"arrangeMs", stats.arrangeMs},
-          {"factorBytes", stats.factorBytes},
-          {"framesMs", stats.framesMs},
-          {"facesMs", stats.facesMs},
-          {"solveMs", stats.solveMs},
-          {"placeMs", stats.placeMs},
-          {"normalsMs", stats.normalsMs},
-          {"ghostMs", stats.ghostMs}};
-}
-
-Json toJson(const std::vector<AnimationInfo>& animations) {
-  Json json = Json::array();
-  for (const AnimationInfo& a : animations) {
-    json.push_back({{"name", a.name}, {"start", a.start}, {"end", a.end}, {"keys", a.keys}});
-  }
-  return json;
-}
+Json toJson(const std::vector<Warning>& warnings) { return warnings; }
+Json toJson(const SequenceStats& stats) { return stats; }
+Json toJson(const std::vector<AnimationInfo>& animations) { return animations; }
 
 Json toJson(const Scene& scene) {
-  Json groups = Json::array(), materials = Json::array(), images = Json::array();
-  for (const MaterialGroup& g : scene.groups) {
-    groups.push_back({{"start", g.start}, {"count", g.count}, {"material", g.material}});
-  }
-  for (const Material& material : scene.materials) materials.push_back(toJson(material));
+  Json images = Json::array();
   for (const Image& image : scene.images) {
     images.push_back({{"mimeType", image.mimeType}, {"bytes", range(image.bytes.data(), image.bytes.size())}});
   }
   return {{"uvs", rangeOrNull(scene.uvs)},
           {"colors", rangeOrNull(scene.colors)},
           {"seams", toJson(scene.seams)},
-          {"groups", groups},
-          {"materials", materials},
+          {"groups", scene.groups},
+          {"materials", scene.materials},
           {"images", images}};
 }
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "bindings/answer.h"
-#include "core/keyframes.h"
-#include "core/options.h"
-#include "core/sequence.h"
+#include "bindings/call_result.h"
+#include "core/sequence/keyframes.h"
+#include "core/sequence/options.h"
+#include "core/sequence/sequence.h"
 #include "io/import.h"
 #include "io/scene.h"
 

@@ -1,9 +1,10 @@
 // Keyframes -> a sequence object; times -> shapes and what can be measured on them.
-#include "bindings/entry.h"
-#include "bindings/host.h"
+#include "bindings/export.h"
+#include "bindings/handle_table.h"
+#include "bindings/js_imports.h"
 #include "bindings/marshal.h"
-#include "bindings/objects.h"
-#include "core/metrics.h"
+#include "core/mesh/measures.h"
+#include "core/sequence/gram_matrix.h"
 
 namespace shapespline::bindings {
 namespace {
@@ -13,27 +14,27 @@ Json state(const Sequence& sequence) {
   return {{"range", {first, last}}, {"warnings", toJson(sequence.warnings())}};
 }
 
-Sequence& sequenceOf(int handle) { return objects().get<SequenceObject>(handle).sequence; }
+Sequence& sequenceOf(int handle) { return handleTable().get<SequenceObject>(handle).sequence; }
 
 }  // namespace
 
 /// {faces, normals, keys: [{name, time, positions}], encoding, motion} -> {handle, range, warnings}.
-ENTRY const char* shapespline_sequence(const char* request) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_sequence(const char* request) {
+  return callResult([&]() -> Result<Json> {
     reportProgress("welding", 0);
     const Json json = Json::parse(request);
     Result<Sequence> sequence = Sequence::create(keyframesFrom(json), encodingFrom(json.at("encoding")),
                                                  motionFrom(json.at("motion")), reportProgress);
     if (!sequence) return sequence.error();
     Json described = state(*sequence);
-    described["handle"] = objects().add(SequenceObject{std::move(*sequence), {}, {}});
+    described["handle"] = handleTable().add(SequenceObject{std::move(*sequence), {}, {}});
     return described;
   });
 }
 
 /// {motion, keyTimes} -> {range, warnings}.
-ENTRY const char* shapespline_update(int handle, const char* request) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_update(int handle, const char* request) {
+  return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
     Sequence& sequence = sequenceOf(handle);
     const Status status = sequence.update(motionFrom(json.at("motion")), json.at("keyTimes").get<std::vector<double>>());
@@ -44,9 +45,9 @@ ENTRY const char* shapespline_update(int handle, const char* request) {
 
 /// {positions, normals, lostDefiniteness, lostFace} of the shape at t, about where preview is not 0: 3n floats each, valid until the
 /// next frame of this handle.
-ENTRY const char* shapespline_evaluate(int handle, double t, int preview) {
-  return answer([&]() -> Result<Json> {
-    auto& [sequence, frame, ghost] = objects().get<SequenceObject>(handle);
+EXPORT const char* shapespline_evaluate(int handle, double t, int preview) {
+  return callResult([&]() -> Result<Json> {
+    auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
     const Status status = preview ? sequence.preview(t, frame) : sequence.evaluate(t, frame);
     if (!status) return status.error();
     return Json{{"positions", range(frame.positions.data(), frame.positions.size())},
@@ -57,8 +58,8 @@ ENTRY const char* shapespline_evaluate(int handle, double t, int preview) {
 }
 
 /// {mean, largest}: what the preview at t is off, as a share of the reference pose's diagonal.
-ENTRY const char* shapespline_preview_error(int handle, double t) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_preview_error(int handle, double t) {
+  return callResult([&]() -> Result<Json> {
     const auto error = sequenceOf(handle).previewError(t);
     if (!error) return error.error();
     return Json{{"mean", error->mean}, {"largest", error->largest}};
@@ -66,51 +67,51 @@ ENTRY const char* shapespline_preview_error(int handle, double t) {
 }
 
 /// {volume, area} of the shape at t, in double precision, on the input's own faces.
-ENTRY const char* shapespline_measure(int handle, double t) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_measure(int handle, double t) {
+  return callResult([&]() -> Result<Json> {
     Sequence& sequence = sequenceOf(handle);
     Positions positions;
     if (const Status status = sequence.evaluate(t, positions); !status) return status.error();
-    const auto& faces = sequence.keyframes().faces;
+    const auto& faces = sequence.faces();
     return Json{{"volume", enclosedVolume(positions, faces)}, {"area", surfaceArea(positions, faces)}};
   });
 }
 
 /// {times} -> {keys, curve, explained}.
-ENTRY const char* shapespline_plane(int handle, const char* request) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_plane(int handle, const char* request) {
+  return callResult([&]() -> Result<Json> {
     const ShapePlane plane = sequenceOf(handle).shapePlane(Json::parse(request).at("times").get<std::vector<double>>());
     return Json{{"keys", plane.keys}, {"curve", plane.curve}, {"explained", plane.explained}};
   });
 }
 
 /// {times} -> {energy}.
-ENTRY const char* shapespline_bending(int handle, const char* request) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_bending(int handle, const char* request) {
+  return callResult([&]() -> Result<Json> {
     const auto times = Json::parse(request).at("times").get<std::vector<double>>();
     return Json{{"energy", sequenceOf(handle).bendingEnergy(times)}};
   });
 }
 
 /// {patches}: an int32 a face, belonging to the handle.
-ENTRY const char* shapespline_patches(int handle) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_patches(int handle) {
+  return callResult([&]() -> Result<Json> {
     const std::vector<int>& patches = sequenceOf(handle).patchOfFace();
     return Json{{"patches", range(patches.data(), patches.size())}};
   });
 }
 
 /// {components}: an int32 a face, belonging to the handle.
-ENTRY const char* shapespline_components(int handle) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_components(int handle) {
+  return callResult([&]() -> Result<Json> {
     const std::vector<int>& components = sequenceOf(handle).componentOfFace();
     return Json{{"components", range(components.data(), components.size())}};
   });
 }
 
 /// {faces, vertexOf, ghostVertexOf, ghostFaceOf} of the ghost mesh, int32, belonging to the handle; all empty without one.
-ENTRY const char* shapespline_ghost(int handle) {
-  return answer([&]() -> Result<Json> {
+EXPORT const char* shapespline_ghost(int handle) {
+  return callResult([&]() -> Result<Json> {
     const Ghost& ghost = sequenceOf(handle).ghost();
     const auto indices = [](const std::vector<int>& list) { return range(list.data(), list.size()); };
     return Json{{"faces", range(reinterpret_cast<const int*>(ghost.faces.data()), 3 * ghost.faces.size())},
@@ -121,16 +122,16 @@ ENTRY const char* shapespline_ghost(int handle) {
 }
 
 /// {positions}: xyz of the ghost's vertices at t, valid until the next call for the same handle.
-ENTRY const char* shapespline_ghost_positions(int handle, double t) {
-  return answer([&]() -> Result<Json> {
-    auto& [sequence, frame, ghost] = objects().get<SequenceObject>(handle);
+EXPORT const char* shapespline_ghost_positions(int handle, double t) {
+  return callResult([&]() -> Result<Json> {
+    auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
     if (const Status status = sequence.evaluateGhost(t, ghost); !status) return status.error();
     return Json{{"positions", range(ghost.data(), ghost.size())}};
   });
 }
 
-ENTRY const char* shapespline_stats(int handle) {
-  return answer([&]() -> Result<Json> { return toJson(sequenceOf(handle).stats()); });
+EXPORT const char* shapespline_stats(int handle) {
+  return callResult([&]() -> Result<Json> { return toJson(sequenceOf(handle).stats()); });
 }
 
 }  // namespace shapespline::bindings

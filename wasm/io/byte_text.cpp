@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "core/text.h"
+#include "core/base/format.h"
 
 namespace shapespline {
 

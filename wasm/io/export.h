@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/keyframes.h"
-#include "core/status.h"
+#include "core/base/status.h"
+#include "core/sequence/keyframes.h"
 #include "io/scene.h"
 
 namespace shapespline {

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/byte_text.h"
 
 namespace shapespline {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <optional>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/byte_text.h"
 
 namespace shapespline {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/progress.h"
-#include "core/status.h"
+#include "core/base/progress.h"
+#include "core/base/status.h"
 #include "io/gltf_document.h"
 
 namespace shapespline {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/gltf_accessor.h"
 #include "io/gltf_shape.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/status.h"
+#include "core/base/status.h"
 #include "io/gltf_document.h"
 #include "io/gltf_nodes.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/byte_text.h"
 #include "io/glb_container.h"
 #include "io/gltf_json.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/sequence.h"
-#include "core/status.h"
+#include "core/base/status.h"
+#include "core/sequence/sequence.h"
 #include "io/import.h"
 #include "io/scene.h"
 #include "io/tinygltf.h"

@@ -7,7 +7,7 @@
 #define JSON_NO_IO
 #include <nlohmann/json.hpp>
 
-#include "core/status.h"
+#include "core/base/status.h"
 
 namespace shapespline {
 

@@ -85,8 +85,8 @@ struct LookReader {
     out.roughness = unit(pbr.roughnessFactor);
     out.doubleSided = source.doubleSided;
     out.alphaCutoff = unit(source.alphaCutoff);
-    if (source.alphaMode == "MASK") out.alpha = Material::Alpha::Mask;
-    if (source.alphaMode == "BLEND") out.alpha = Material::Alpha::Blend;
+    if (source.alphaMode == "MASK") out.alphaMode = Material::Alpha::Mask;
+    if (source.alphaMode == "BLEND") out.alphaMode = Material::Alpha::Blend;
     out.unlit = source.extensions.count("KHR_materials_unlit") > 0;
     const int kept = coordinatesOf(source);
     readSampler(pbr.baseColorTexture.index, out);

@@ -64,9 +64,9 @@ struct LookWriter {
 
   json material(const Material& m) {
     json pbr = {{"baseColorFactor", m.baseColor}, {"metallicFactor", m.metallic}, {"roughnessFactor", m.roughness}};
-    json out = {{"doubleSided", m.doubleSided}, {"alphaMode", alphaName(m.alpha)}};
+    json out = {{"doubleSided", m.doubleSided}, {"alphaMode", alphaName(m.alphaMode)}};
     if (!m.name.empty()) out["name"] = m.name;
-    if (m.alpha == Material::Alpha::Mask) out["alphaCutoff"] = m.alphaCutoff;
+    if (m.alphaMode == Material::Alpha::Mask) out["alphaCutoff"] = m.alphaCutoff;
     if (m.emissive != std::array<float, 3>{0, 0, 0}) out["emissiveFactor"] = m.emissive;
     if (json t = texture(m.baseColorImage, m); !t.is_null()) pbr["baseColorTexture"] = t;
     if (json t = texture(m.metallicRoughnessImage, m); !t.is_null()) pbr["metallicRoughnessTexture"] = t;

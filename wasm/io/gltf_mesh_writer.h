@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/types.h"
+#include "core/base/types.h"
 #include "io/glb_builder.h"
 #include "io/scene.h"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/status.h"
-#include "core/types.h"
+#include "core/base/status.h"
+#include "core/base/types.h"
 #include "io/gltf_document.h"
 
 namespace shapespline {

@@ -1,7 +1,7 @@
 // The vertices of a glTF scene in one state: morph targets, then skin or node transform.
 #pragma once
 
-#include "core/status.h"
+#include "core/base/status.h"
 #include "io/gltf_animation.h"
 #include "io/gltf_shape.h"
 

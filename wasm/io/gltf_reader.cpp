@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/byte_text.h"
 #include "io/gltf_look.h"
 #include "io/gltf_pose.h"
@@ -32,7 +32,7 @@ struct KeyReader {
   GltfDocument& doc;
   GltfShape& shape;
   const ImportOptions& options;
-  const Progress& progress;
+  const StageProgress& progress;
   std::vector<GltfAnimation> animations;
   Import out;
   std::uint64_t work = 0;
@@ -265,7 +265,7 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
 }
 
 Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
-                            const std::string& where, const Progress& progress) {
+                            const std::string& where, const StageProgress& progress) {
   if (progress) progress("reading the file", 0);
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();

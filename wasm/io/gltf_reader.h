@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/keyframes.h"
-#include "core/progress.h"
-#include "core/sequence.h"
-#include "core/status.h"
+#include "core/base/progress.h"
+#include "core/base/status.h"
+#include "core/sequence/keyframes.h"
+#include "core/sequence/sequence.h"
 #include "io/import.h"
 #include "io/scene.h"
 
@@ -29,6 +29,6 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
 
 /// Several keys of one file. Times are set; nothing is validated beyond what reading needs.
 Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
-                            const std::string& where, const Progress& progress);
+                            const std::string& where, const StageProgress& progress);
 
 }  // namespace shapespline

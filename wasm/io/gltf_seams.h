@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/types.h"
+#include "core/base/types.h"
 #include "io/gltf_shape.h"
 #include "io/scene.h"
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <map>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/gltf_accessor.h"
 
 namespace shapespline {

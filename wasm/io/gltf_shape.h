@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "core/progress.h"
-#include "core/sequence.h"
-#include "core/status.h"
-#include "core/types.h"
+#include "core/base/progress.h"
+#include "core/base/status.h"
+#include "core/base/types.h"
+#include "core/sequence/sequence.h"
 #include "io/gltf_document.h"
 #include "io/gltf_nodes.h"
 

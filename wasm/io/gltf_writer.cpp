@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/export.h"
 #include "io/glb_builder.h"
 #include "io/gltf_accessor.h"  // kMostElements

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/byte_text.h"
 #include "io/file_kind.h"
 #include "io/gltf_reader.h"
@@ -108,7 +108,7 @@ Status addPose(PoseFile&& pose, const MeshFile& mesh, Import& out, const std::st
 }
 
 Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files, const ImportOptions& options,
-                           const Progress& progress) {
+                           const StageProgress& progress) {
   if (options.animationAsked())
     return Error{ErrorCode::InvalidOption, "Keys are sampled from an animation of one file, but " + grouped(std::int64_t(meshes.size())) +
                                                " files were given, each of which is a key. Give one file, or no animation and samples."};
@@ -142,7 +142,7 @@ Error onePoseOnly(const MeshFile& mesh, std::span<const NamedBytes> files, const
 }
 
 Result<Import> readKeys(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files, const ImportOptions& options,
-                        const Progress& progress) {
+                        const StageProgress& progress) {
   if (meshes.empty())
     return Error{ErrorCode::TooFewKeys, files.empty() ? "No files were given. Give at least two poses of one mesh."
                                                       : "None of the files holds a mesh. Give glTF, OBJ, PLY or OFF files."};
@@ -177,7 +177,7 @@ Error withFile(Error error, const std::vector<MeshFile>& meshes, const Keyframes
   return error;
 }
 
-Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOptions& options, const Progress& progress) {
+Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOptions& options, const StageProgress& progress) {
   if (!(options.unit > 0) || !std::isfinite(options.unit))
     return Error{ErrorCode::InvalidOption, "The unit must be a positive number of metres."};
   const auto meshes = meshFiles(files);
@@ -192,7 +192,7 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
 
 }  // namespace
 
-Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options, const Progress& progress) {
+Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options, const StageProgress& progress) {
   // The libraries below throw on what they do not expect; no exception leaves this folder.
   try {
     return importChecked(files, options, progress);

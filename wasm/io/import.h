@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/keyframes.h"
-#include "core/sequence.h"
-#include "core/status.h"
+#include "core/base/status.h"
+#include "core/sequence/keyframes.h"
+#include "core/sequence/sequence.h"
 #include "io/scene.h"
 
 namespace shapespline {
@@ -57,6 +57,6 @@ struct Import {
 /// (export.h) becomes its keys again, unless an animation or samples are asked for. `progress` hears the stages with a
 /// fraction of the whole in [0, 1] that never falls.
 /// Errors: every ErrorCode of reading and of keys that do not fit; the message names file, key and place.
-Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options, const Progress& progress = {});
+Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options, const StageProgress& progress = {});
 
 }  // namespace shapespline

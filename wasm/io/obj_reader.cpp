@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/byte_text.h"
 #include "io/corner_coordinates.h"
 #include "io/gltf_accessor.h"  // kMostElements
@@ -81,7 +81,7 @@ struct MtlReader {
         for (int c = 0; c < 3 && takeNumber(line, value); ++c) current->baseColor[c] = linear(value);
       } else if ((word == "d" || word == "Tr") && takeNumber(line, value)) {
         const double opacity = word == "d" ? value : 1 - value;
-        if (opacity < 1) current->alpha = Material::Alpha::Blend, current->baseColor[3] = static_cast<float>(std::max(opacity, 0.0));
+        if (opacity < 1) current->alphaMode = Material::Alpha::Blend, current->baseColor[3] = static_cast<float>(std::max(opacity, 0.0));
       } else if (word == "map_Kd") {
         readImage(line, *current);
       }

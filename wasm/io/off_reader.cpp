@@ -1,7 +1,7 @@
 // Object File Format (Geomview).
 #include <algorithm>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/gltf_accessor.h"  // kMostElements
 #include "io/polygon_readers.h"
 #include "io/text_reader.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/text.h"
+#include "core/base/format.h"
 #include "io/byte_text.h"
 #include "io/gltf_accessor.h"  // kMostElements
 #include "io/ply_header.h"

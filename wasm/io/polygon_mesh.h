@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/sequence.h"
-#include "core/status.h"
-#include "core/types.h"
+#include "core/base/status.h"
+#include "core/base/types.h"
+#include "core/sequence/sequence.h"
 #include "io/scene.h"
 
 namespace shapespline {

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "core/progress.h"
-#include "core/status.h"
+#include "core/base/progress.h"
+#include "core/base/status.h"
 #include "io/import.h"
 #include "io/polygon_mesh.h"
 

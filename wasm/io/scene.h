@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/types.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 
@@ -16,7 +16,7 @@ struct Material {
   std::array<float, 4> baseColor{1, 1, 1, 1};  ///< linear RGBA
   float metallic = 0, roughness = 1;
   bool doubleSided = false;
-  enum class Alpha { Opaque, Mask, Blend } alpha = Alpha::Opaque;
+  enum class Alpha { Opaque, Mask, Blend } alphaMode = Alpha::Opaque;
   float alphaCutoff = 0.5f;
   bool unlit = false;  ///< KHR_materials_unlit
   std::array<float, 3> emissive{0, 0, 0};  ///< linear RGB

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/types.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/progress.h"
+#include "core/base/progress.h"
 
 namespace shapespline {
 

@@ -6,4 +6,6 @@
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 
+#include "io/text_stream.h"
+
 #include <tiny_gltf.h>

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/keyframes.h"
+#include "core/sequence/keyframes.h"
 
 namespace shapespline {
 

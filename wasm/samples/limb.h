@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/types.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

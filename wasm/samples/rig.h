@@ -1,7 +1,7 @@
 // Body + poses -> keyframes.
 #pragma once
 
-#include "core/keyframes.h"
+#include "core/sequence/keyframes.h"
 #include "samples/limb.h"
 #include "samples/pose.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/keyframes.h"
-#include "core/options.h"
+#include "core/sequence/keyframes.h"
+#include "core/sequence/options.h"
 
 namespace shapespline {
 

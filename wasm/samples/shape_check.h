@@ -1,7 +1,7 @@
 // What makes a sample fit to be shown: closed, oriented, well-shaped triangles, no passing through itself.
 #pragma once
 
-#include "core/keyframes.h"
+#include "core/sequence/keyframes.h"
 
 namespace shapespline {
 

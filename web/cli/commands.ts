@@ -1,6 +1,7 @@
 /** What the two commands do. */
 import { version } from '../../package.json';
 import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
+import { ENCODING, SHAPES } from '../engine/api/option-table.ts';
 import { kgBetween } from '../study/ghost-study.ts';
 import { withEngine } from '../engine/node.ts';
 import { readPose } from '../engine/caller/read-pose.ts';
@@ -115,8 +116,8 @@ function inWords(warning: Warning, keys: number): string {
 
 async function readTangents(engine: Engine, args: Arguments, keys: Keys, options: ImportOptions): Promise<Partial<SequenceOptions>> {
   const tangents: Partial<SequenceOptions> = {};
-  for (const [option, name] of [['start-tangent', 'startTangent'], ['end-tangent', 'endTangent']] as const) {
-    const file = args.values.get(option);
+  for (const name of SHAPES) {
+    const file = args.values.get(ENCODING[name].flag);
     if (file) tangents[name] = await readPose(engine, await readInputs([file]), keys, options);
   }
   return tangents;
@@ -133,12 +134,12 @@ async function describeGhost(engine: Engine, keys: Keys, sequence: Sequence, tim
   return { faces, vertices, joinedComponents, transfer, placement, kg };
 }
 
-/** Every option as it was used, and what the sequence counted; tangents are said, not spelt out. */
+/** Every option as it was used, and what the sequence counted; shapes are said, not spelt out. */
 async function settled(sequence: Sequence, exported: Partial<ExportOptions>): Promise<Record<'options' | 'counts' | 'stages', object>> {
   const { weldMs, simplifyMs, encodeMs, transferMs, orderMs, factorMs, arrangeMs, ...counts } = await sequence.stats();
-  const { startTangent, endTangent, ...rest } = sequence.options;
+  const shapes = Object.fromEntries(SHAPES.map((name) => [name, sequence.options[name] !== null]));
   const options = {
-    sequence: { ...rest, startTangent: startTangent !== null, endTangent: endTangent !== null, keyTimes: sequence.keyTimes },
+    sequence: { ...sequence.options, ...shapes, keyTimes: sequence.keyTimes },
     export: exported,
   };
   const ms = { weld: weldMs, simplify: simplifyMs, encode: encodeMs, transfer: transferMs, order: orderMs, factor: factorMs, arrange: arrangeMs };

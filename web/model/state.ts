@@ -2,61 +2,32 @@
  * The one serialisable state: what is loaded, the keys and their times, the options, the moment and the view.
  * Permalinks, undo, the saved project and the test hook all read this and nothing else.
  */
-import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../engine/api/types.ts';
-import type { Boundary, Method, MotionOptions, Placement, Stretch, Transfer } from '../engine/api/types.ts';
+import { ENCODING, MOTION } from '../engine/api/option-table.ts';
+import type { Boundary, Method } from '../engine/api/types.ts';
+import type { PageOptions } from './page-options.ts';
+import { pageDefaults } from './page-options.ts';
+import type { Shaping } from './shaping.ts';
 
 export type Source = { kind: 'none' } | { kind: 'sample'; id: string } | { kind: 'files'; names: string[] };
 
-/** One key: which pose of the import, under which name, at which time. */
+/** One key: which pose of the import, under which name, at which time, and how the motion passes it. */
 export interface KeyRef {
   /** Index into the poses that the session holds; stays the same for the whole life of an import. */
   pose: number;
   name: string;
   time: number;
+  shaping: Shaping;
 }
 
-/** Motion options as the app edits them; what shapes the slope at a key is kept per key and travels with it. */
-export type Motion = Omit<MotionOptions, Shaping | 'inPlace'>;
-
-export interface Encoding {
-  /** Pose that deformations are measured from; null = the first key. */
-  referencePose: number | null;
-  /** 0 = the default formula. */
-  patches: number;
-  stretch: Stretch;
-  /** 0 = no ghost mesh. */
-  ghostFaces: number;
-  transfer: Transfer;
-  placement: Placement;
-  /** Hermite: pose that takes the neighbour's place at that end; null = the keys' own difference. */
-  startTangentPose: number | null;
-  endTangentPose: number | null;
-}
+export type Motion = PageOptions<typeof MOTION>;
+export type Encoding = PageOptions<typeof ENCODING>;
 
 /** What undo and redo step through. */
 export interface Doc {
   keys: KeyRef[];
   motion: Motion;
   encoding: Encoding;
-  /** One value a key, in the keys' order; empty = all 0. */
-  tension: number[];
-  bias: number[];
-  /** Whole turns that are added on the way to a key; the first key has no way to it. */
-  turns: number[];
-  /** The same of separate parts, against those that carry them: a list for each key; empty = none. */
-  partTurns: (readonly PartTurns[])[];
 }
-
-/** At least one whole turn of one of the shape's components. */
-export interface PartTurns {
-  /** 0-based, counted by the components' first faces in the file. */
-  component: number;
-  turns: number;
-}
-
-/** What makes the motion about a key another than the smooth spline's own. */
-export const SHAPINGS = ['tension', 'bias', 'turns'] as const;
-export type Shaping = (typeof SHAPINGS)[number];
 
 export type LoopMode = 'once' | 'loop' | 'bounce';
 
@@ -105,32 +76,16 @@ export interface AppState {
   view: View;
 }
 
-export const METHODS: readonly Method[] = ['lri', 'geodesic', 'linear', 'cubic-vertex'];
-export const BOUNDARIES: readonly Boundary[] = ['natural', 'hermite', 'periodic'];
+export const METHODS: readonly Method[] = MOTION.method.choices;
+export const BOUNDARIES: readonly Boundary[] = MOTION.boundary.choices;
 /** Faces of a ghost mesh when it is switched on: the paper's choice. */
 export const GHOST_FACES = 2000;
 /** More added turns than anybody means. */
 export const MAX_TURNS = 100;
 export const SPEEDS: readonly number[] = [0.1, 0.25, 0.5, 1, 2, 4];
 
-export const DEFAULT_MOTION: Readonly<Motion> = {
-  method: MOTION_DEFAULTS.method,
-  boundary: MOTION_DEFAULTS.boundary,
-  startSpeed: MOTION_DEFAULTS.startSpeed,
-  endSpeed: MOTION_DEFAULTS.endSpeed,
-  period: MOTION_DEFAULTS.period,
-};
-
-export const DEFAULT_ENCODING: Readonly<Encoding> = {
-  referencePose: null,
-  patches: 0,
-  stretch: 'linear',
-  ghostFaces: ENCODING_DEFAULTS.ghostFaces,
-  transfer: ENCODING_DEFAULTS.transfer,
-  placement: ENCODING_DEFAULTS.placement,
-  startTangentPose: null,
-  endTangentPose: null,
-};
+export const DEFAULT_MOTION: Readonly<Motion> = pageDefaults(MOTION);
+export const DEFAULT_ENCODING: Readonly<Encoding> = pageDefaults(ENCODING);
 
 export const DEFAULT_VIEW: Readonly<View> = {
   colouring: 'phase',
@@ -149,7 +104,7 @@ export const DEFAULT_VIEW: Readonly<View> = {
 
 export const EMPTY_STATE: AppState = {
   source: { kind: 'none' },
-  doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING }, tension: [], bias: [], turns: [], partTurns: [] },
+  doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING } },
   time: 0,
   play: { playing: false, speed: 0.25, loop: 'bounce', between: null, fps: null },
   view: { ...DEFAULT_VIEW },

@@ -3,19 +3,15 @@ import type { Choice } from './controls.ts';
 import { button, numberField, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
+import { PER_KEY } from '../engine/api/option-table.ts';
 import { MAX_TURNS } from '../model/state.ts';
-import type { PartTurns, Shaping } from '../model/state.ts';
+import type { KeyTurns, ShapingNumber } from '../model/shaping.ts';
+import { DEFAULT_SHAPING, SHAPING_NUMBERS, turnsOf } from '../model/shaping.ts';
+import type { KeyRef } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
 
-export interface KeyItem {
-  pose: number;
-  name: string;
-  time: number;
-  tension: number;
-  bias: number;
-  turns: number;
-  partTurns: readonly PartTurns[];
+export interface KeyItem extends KeyRef {
   isReference: boolean;
   /** Picture of the key, or null while there is none. */
   thumbnail: string | null;
@@ -39,8 +35,8 @@ export interface KeyStripEvents {
   onRemove(key: number): void;
   onRetime(key: number, time: number): void;
   onRename(key: number, name: string): void;
-  onShaping(key: number, name: Shaping, value: number): void;
-  onPartTurns(key: number, component: number, turns: number): void;
+  onShaping(key: number, name: ShapingNumber, value: number): void;
+  onTurns(key: number, added: KeyTurns): void;
   /** The part that whole turns are given to, null for the whole shape or when the editor closes. */
   onPart(component: number | null): void;
   onReference(key: number): void;
@@ -168,6 +164,19 @@ interface Editor {
   update(props: KeyStripProps): void;
 }
 
+/** Of the options that are a number for each key. */
+const SLIDERS: Record<ShapingNumber, { label: string; min: number; max: number; hint: string }> = {
+  tension: {
+    label: 'Tension', min: 0, max: 1,
+    hint: 'Slope at this key = (1 - tension) times the smooth one: 1 stops there, which takes overshooting away',
+  },
+  bias: {
+    label: 'Bias', min: PER_KEY.bias.least, max: PER_KEY.bias.most,
+    hint: 'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the '
+      + 'motion from the key before on',
+  },
+};
+
 /** Not modal: the shape, and the time, can be moved while a key is changed. */
 function createEditor(events: KeyStripEvents): Editor {
   let index = 0;
@@ -179,22 +188,19 @@ function createEditor(events: KeyStripEvents): Editor {
     onchange: () => events.onRename(index, name.value.trim()),
   });
   const time = numberField({ label: 'Time', testId: 'key-time', onInput: (t) => events.onRetime(index, t) });
-  const tension = slider({
-    label: 'Tension', testId: 'key-tension', min: 0, max: 1, step: 0.05, fallback: 0,
-    hint: 'Slope at this key = (1 - tension) times the smooth one: 1 stops there, which takes overshooting away',
-    onInput: (value) => events.onShaping(index, 'tension', value),
-  });
-  const bias = slider({
-    label: 'Bias', testId: 'key-bias', min: -1, max: 1, step: 0.05, fallback: 0,
-    hint: 'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the motion from the key before on',
-    onInput: (value) => events.onShaping(index, 'bias', value),
-  });
+  const sliders = SHAPING_NUMBERS.map((option) => ({
+    option,
+    control: slider({
+      ...SLIDERS[option], testId: `key-${option}`, step: 0.05, fallback: DEFAULT_SHAPING[option],
+      onInput: (value) => events.onShaping(index, option, value),
+    }),
+  }));
   let part: number | null = null;
   const turns = numberField({
     label: 'Whole turns added on the way to this key; negative ones go the other way', testId: 'key-turns', min: -MAX_TURNS, max: MAX_TURNS, step: 1,
     onInput: (value) => {
-      if (part === null) events.onShaping(index, 'turns', Math.round(value));
-      else events.onPartTurns(index, part, Math.round(value));
+      const added = { turns: Math.round(value) };
+      events.onTurns(index, part === null ? added : { component: part, ...added });
     },
   });
   const turningPart = select<string>('Made by', 'key-turns-part', [], (value) => choosePart(value === '' ? null : Number(value)));
@@ -218,7 +224,7 @@ function createEditor(events: KeyStripEvents): Editor {
     h('header', {}, title, button({ label: 'Close', testId: 'key-editor-close', icon: 'close', shortcut: 'Esc', onClick: () => close() })),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Name'), name),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Time'), time),
-    tension.element, bias.element, bend, turnsRow, turningPart.element,
+    ...sliders.map(({ control }) => control.element), bend, turnsRow, turningPart.element,
     h('div', { class: 'button-row' }, earlier, later), h('div', { class: 'button-row' }, reference, remove), reason);
   element.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape') return;
@@ -253,16 +259,15 @@ function createEditor(events: KeyStripEvents): Editor {
     setText(title, `Key ${index + 1}`);
     setField(name, item.name);
     setField(time, formatTime(item.time, props.range));
-    tension.update(item.tension);
-    bias.update(item.bias);
+    for (const { option, control } of sliders) control.update(item.shaping[option]);
     const parts = index > 0 && props.components > 1 ? Math.min(props.components, MOST_PARTS) : 0;
     if (part !== null && part >= parts) choosePart(null);
-    const ofPart = (component: number): number => item.partTurns.find((one) => one.component === component)?.turns ?? 0;
-    setField(turns, String(part === null ? item.turns : ofPart(part)));
+    const ofPart = (component: number): number => turnsOf(item.shaping, component);
+    setField(turns, String(turnsOf(item.shaping, part ?? undefined)));
     setHidden(turningPart.element, parts === 0);
     turningPart.update(String(part ?? ''), parts === 0 ? [] : partChoices(parts, ofPart));
     setHidden(turnsRow, index === 0);
-    setHidden(bend, item.tension === 0 && item.bias === 0);
+    setHidden(bend, item.shaping.tension === 0 && item.shaping.bias === 0);
     earlier.disabled = index === 0;
     later.disabled = index === props.keys.length - 1;
     reference.disabled = item.isReference;

@@ -10,7 +10,7 @@ export class Mark {
   private readonly geometry = new BufferGeometry();
   private readonly seen = new MeshStandardMaterial({ color: COLOUR, emissive: COLOUR, emissiveIntensity: 0.3, roughness: 0.62, side: DoubleSide });
   private readonly hidden = new MeshBasicMaterial({
-    color: COLOUR, side: DoubleSide, transparent: true, opacity: 0.3, depthFunc: GreaterDepth, depthWrite: false,
+    color: COLOUR, side: DoubleSide, transparent: true, opacity: 0.55, depthFunc: GreaterDepth, depthWrite: false,
   });
 
   /** index: 3 drawn vertices a face. */

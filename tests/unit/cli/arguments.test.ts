@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../../../web/engine/api/option-table.ts';
 import { parseArguments, UsageError } from '../../../web/cli/arguments.ts';
 import { COMPLETE, exportOptions, HELP, importOptions, sequenceOptions } from '../../../web/cli/settings.ts';
 
@@ -25,6 +26,17 @@ describe('the command line', () => {
   it('explains every option that there is', () => {
     const named = new Set([...HELP.matchAll(/--([a-z-]+)/g)].map(([, name]) => name));
     for (const name of [...COMPLETE.options, ...COMPLETE.flags]) expect(named).toContain(name);
+  });
+
+  it('offers what the table of options says, with the same words', () => {
+    const text = HELP.replace(/\s+/g, ' ');
+    for (const [name, option] of [ENCODING, MOTION, PER_KEY, IMPORT, EXPORT].flatMap(optionsIn)) {
+      if (option.flag === undefined) continue;
+      const value = option.value ?? (option.kind === 'choice' ? option.choices.join('|') : '');
+      expect(text, name).toContain(` --${option.flag} ${value}${value && ' '}${option.help} `);
+      expect([...COMPLETE.options, ...COMPLETE.flags], name).toContain(option.flag);
+    }
+    for (const row of HELP.split('\n')) expect(row.length, row).toBeLessThanOrEqual(112);
   });
 });
 

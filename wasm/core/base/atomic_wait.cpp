@@ -1,4 +1,4 @@
-#include "core/futex.h"
+#include "core/base/atomic_wait.h"
 
 #if !defined(__wasm__)
 #include <chrono>

@@ -1,8 +1,8 @@
-#include "core/crew.h"
+#include "core/base/fork_join.h"
 
 #include <stdexcept>
 
-#include "core/futex.h"
+#include "core/base/atomic_wait.h"
 
 namespace shapespline {
 
@@ -12,13 +12,13 @@ enum State : std::uint32_t { idle, offered, taken, done, dismissed, broken };
 
 }  // namespace
 
-void inTwo(Crew* crew, Crew::Part part, const void* work) {
-  if (crew) return crew->run(part, work);
+void inTwo(ForkJoin* forkJoin, ForkJoin::Part part, const void* work) {
+  if (forkJoin) return forkJoin->run(part, work);
   part(work, 0);
   part(work, 1);
 }
 
-void Crew::run(Part part, const void* work) {
+void ForkJoin::run(Part part, const void* work) {
   part_ = part;
   work_ = work;
   std::uint32_t state = idle;
@@ -32,17 +32,17 @@ void Crew::run(Part part, const void* work) {
   ++helped_;
 }
 
-bool Crew::lost() const { return state_.load(std::memory_order_relaxed) == broken; }
+bool ForkJoin::lost() const { return state_.load(std::memory_order_relaxed) == broken; }
 
 // Waits are counted, not time: a machine may sleep in one of them.
-bool Crew::isDone() {
+bool ForkJoin::isDone() {
   for (int left = patience_; left > 0 && state_.load(std::memory_order_acquire) == taken; --left) waitWhile(state_, taken);
   std::uint32_t state = taken;
   state_.compare_exchange_strong(state, broken, std::memory_order_acquire);
   return state == done;
 }
 
-void Crew::serve() {
+void ForkJoin::serve() {
   for (std::uint32_t state = state_.load(std::memory_order_acquire); state != dismissed && state != broken;
        state = state_.load(std::memory_order_acquire)) {
     if (state != offered) {
@@ -55,12 +55,12 @@ void Crew::serve() {
   }
 }
 
-void Crew::dismiss() {
+void ForkJoin::dismiss() {
   state_.store(dismissed, std::memory_order_release);
   wakeOne(state_);
 }
 
-void Crew::breakDown() {
+void ForkJoin::breakDown() {
   state_.store(broken, std::memory_order_release);
   wakeOne(state_);
 }

@@ -1,4 +1,4 @@
-#include "core/text.h"
+#include "core/base/format.h"
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // Four lanes of either precision behind one name, for kernels that are written once.
 #pragma once
 
-#include "core/simd.h"
+#include "core/base/simd.h"
 
 namespace shapespline {
 

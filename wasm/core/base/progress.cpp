@@ -1,8 +1,8 @@
-#include "core/progress.h"
+#include "core/base/progress.h"
 
 #include <algorithm>
 
-#include "core/out_of_line.h"
+#include "core/base/no_inline_call.h"
 
 namespace shapespline {
 

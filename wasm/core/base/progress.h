@@ -36,12 +36,17 @@ class FractionReport {
   double from_ = 0, to_ = 1;
 };
 
+/// Called with a stage's name and the fraction of that stage that is done; may be empty.
+using StageProgress = std::function<void(const char* stage, double fraction)>;
+
 /// A listener to one stage of work that is reported with its name.
 struct Stage {
-  const std::function<void(const char* stage, double fraction)>& progress;
+  const StageProgress& progress;
   const char* name;
 
-  void operator()(double fraction) const { progress(name, fraction); }
+  void operator()(double fraction) const {
+    if (progress) progress(name, fraction);
+  }
 };
 
 /// Reports item i of n, now and then: often enough for a progress bar, seldom enough to cost nothing.

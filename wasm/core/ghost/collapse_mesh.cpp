@@ -1,4 +1,4 @@
-#include "core/collapse_mesh.h"
+#include "core/ghost/collapse_mesh.h"
 
 #include <algorithm>
 #include <numeric>

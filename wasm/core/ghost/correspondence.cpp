@@ -1,4 +1,4 @@
-#include "core/correspondence.h"
+#include "core/ghost/correspondence.h"
 
 #include <algorithm>
 #include <limits>

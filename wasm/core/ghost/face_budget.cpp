@@ -1,10 +1,10 @@
-#include "core/face_shares.h"
+#include "core/ghost/face_budget.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
 
-#include "core/coarse.h"
+#include "core/base/coarse_cost.h"
 
 namespace shapespline {
 

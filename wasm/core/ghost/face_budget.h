@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/welded_shape.h"
+#include "core/lri/welded_shape.h"
 
 namespace shapespline {
 

@@ -1,6 +1,8 @@
-#include "core/transfer.h"
+#include "core/ghost/ghost_motion.h"
 
 #include <algorithm>
+
+#include "core/base/stopwatch.h"
 
 namespace shapespline {
 
@@ -16,57 +18,60 @@ int ghostPatchCount(int shapeFaces, int ghostFaces) {
 
 }  // namespace
 
-Status GhostMotion::build(const WeldedShape& full, const ShapeParts& parts, const EncodingOptions& options,
-                          SequenceStats& stats, const StageProgress& progress) {
+Result<GhostMotion> GhostMotion::create(const WeldedShape& full, const ShapeParts& fullParts, const Options& options,
+                                        const StageProgress& progress) {
   Stopwatch watch;
-  transfer_ = options.transfer;
-  mesh_ = simplify(full, parts, {options.ghostFaces, options.optimalPlacement}, Stage{progress, "simplifying"});
-  shape_ = full.withMesh(mesh_.faces, mesh_.poses);
-  stats.ghostFaces = shape_.faceCount();
-  stats.ghostVertices = shape_.vertexCount();
-  stats.joinedComponents = mesh_.joinedPieces;
-  stats.simplifyMs = watch.lap();
-  const int patches = options.patches > 0 ? options.patches : ghostPatchCount(full.faceCount(), shape_.faceCount());
-  if (Status status = buildMotion(options, patches, stats); !status) return status;
-  stats.encodeMs += watch.lap();
+  Times times;
+  GhostMesh mesh = simplify(full, fullParts, {options.faces, options.optimalPlacement}, Stage{progress, "simplifying"});
+  auto shape = std::make_unique<const WeldedShape>(full.withMesh(mesh.faces, mesh.poses));
+  times.simplify = watch.lap();
 
-  faceOf_ = correspondingFaces(full, parts, mesh_, Stage{progress, "matching"});
-  for (int c = 0; c < shape_.columns(); ++c) {
-    rotation_.emplace_back();
-    for (int f = 0; f < shape_.faceCount(); ++f) rotation_.back().push_back(rotationOf(shape_, f, c));
-  }
-  stats.transferMs += watch.lap();
-  return {};
-}
-
-Status GhostMotion::buildMotion(const EncodingOptions& options, int wantedPatches, SequenceStats& stats) {
-  const ShapeParts parts = partsOf(shape_);
-  auto patches = encodePatches(shape_, parts, wantedPatches);
+  const ShapeParts parts = partsOf(*shape);
+  const int wanted = options.patches > 0 ? options.patches : ghostPatchCount(full.faceCount(), shape->faceCount());
+  auto coordinates = encodePatches(*shape, parts, wanted);
+  if (!coordinates) return coordinates.error();
+  auto patches = PatchMotion::create(*shape, std::move(*coordinates));
   if (!patches) return patches.error();
-  Status status = patches_.build(shape_, std::move(*patches));
-  if (!status) return status;
-  auto coordinates = encode<double>(shape_, parts, patches_.poses(), options.stretch, Transfer::Exact);
-  ++stats.encodings;
-  SequenceStats ownStats;  // the whole counts as encoding
-  status = reconstructor_.build({shape_, parts, patches_.poses().ofFace, patches_, options.stretch, Precision::Double},
-                                std::move(coordinates), ownStats, [](const char*, double) {});
-  stats.factorisations += 2;  // one a system
-  return status;
+  auto reconstructor = Reconstructor<double>::create(
+      {*shape, parts, patches->poses().ofFace, options.stretch, Precision::Double},
+      encode<double>(*shape, parts, patches->poses(), options.stretch, Transfer::Exact));
+  if (!reconstructor) return reconstructor.error();
+  GhostMotion ghost(options, std::move(mesh), std::move(shape), std::move(*patches), std::move(*reconstructor));
+  times.encode = watch.lap();
+
+  ghost.faceOf_ = correspondingFaces(full, fullParts, ghost.mesh_, Stage{progress, "matching"});
+  for (int c = 0; c < ghost.shape_->columns(); ++c) {
+    ghost.rotation_.emplace_back();
+    for (int f = 0; f < ghost.shape_->faceCount(); ++f) ghost.rotation_.back().push_back(rotationOf(*ghost.shape_, f, c));
+  }
+  times.match = watch.lap();
+  ghost.times_ = times;
+  return ghost;
 }
 
-void GhostMotion::at(const CurvePoint& point, Frames& frames) {
-  reconstructor_.faceRotations(point, frames.rotation);
+GhostMotion::GhostMotion(const Options& options, GhostMesh mesh, std::unique_ptr<const WeldedShape> shape, PatchMotion patches,
+                         Reconstructor<double> reconstructor)
+    : transfer_(options.transfer),
+      mesh_(std::move(mesh)),
+      shape_(std::move(shape)),
+      patches_(std::move(patches)),
+      reconstructor_(std::move(reconstructor)) {}
+
+void GhostMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Frames& frames) const {
+  patches_.at(point, turns, scratch.patches, scratch.frames);
+  reconstructor_.faceRotations(point, scratch.frames, frames.rotation);
   frames.gradient.clear();
   if (transfer_ == Transfer::Exact) return;
-  reconstructor_.reconstruct(point, positions_);
-  for (int f = 0; f < shape_.faceCount(); ++f) frames.gradient.push_back(gradient(f, frames.rotation[f].toRotationMatrix()));
+  reconstructor_.reconstruct(point, scratch.frames, scratch.shape, scratch.positions);
+  for (int f = 0; f < shape_->faceCount(); ++f)
+    frames.gradient.push_back(gradient(f, frames.rotation[f].toRotationMatrix(), scratch.positions));
 }
 
-// [e1 e2 n] [e1~ e2~ n~]^-1 of the ghost as it lies in positions_. A face that has collapsed takes its normal from R_f.
-Mat3 GhostMotion::gradient(int face, const Mat3& rotation) const {
-  const FaceFrame frame = referenceFrame(shape_, face);
-  const Triangle& t = shape_.faces[face];
-  const Vec3 e1 = positions_[t[1]] - positions_[t[0]], e2 = positions_[t[2]] - positions_[t[0]];
+// [e1 e2 n] [e1~ e2~ n~]^-1 of the ghost as it lies in `positions`. A face that has collapsed takes its normal from R_f.
+Mat3 GhostMotion::gradient(int face, const Mat3& rotation, const Positions& positions) const {
+  const FaceFrame frame = referenceFrame(*shape_, face);
+  const Triangle& t = shape_->faces[face];
+  const Vec3 e1 = positions[t[1]] - positions[t[0]], e2 = positions[t[2]] - positions[t[0]];
   const Vec3 cross = e1.cross(e2);
   const double area = cross.norm();
   const Mat2& e = frame.edges;  // upper triangular
@@ -76,8 +81,9 @@ Mat3 GhostMotion::gradient(int face, const Mat3& rotation) const {
   return deformed * frame.basis.transpose();
 }
 
-int GhostMotion::positions(const CurvePoint& point, Positions& positions) {
-  return reconstructor_.reconstruct(point, positions);
+void GhostMotion::positions(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Positions& positions) const {
+  patches_.at(point, turns, scratch.patches, scratch.frames);
+  reconstructor_.reconstruct(point, scratch.frames, scratch.shape, positions);
 }
 
 }  // namespace shapespline

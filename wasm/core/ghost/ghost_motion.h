@@ -2,13 +2,13 @@
 // faces give the frames in which the full-resolution faces stand.
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "core/correspondence.h"
-#include "core/patch_motion.h"
-#include "core/reconstruct.h"
-#include "core/sequence_stats.h"
-#include "core/simplify.h"
+#include "core/ghost/correspondence.h"
+#include "core/ghost/simplify.h"
+#include "core/patches/patch_motion.h"
+#include "core/reconstruct/reconstruct.h"
 
 namespace shapespline {
 
@@ -22,40 +22,61 @@ namespace shapespline {
 /// ghost faces) and is defined where the ghost folds.
 /// Paper: D_f(t) = Q_c(t), the whole gradient against the reference, stretch included.
 ///
-/// The ghost is small: it is always computed in double.
-class GhostMotion final : public FrameSource {
+/// The ghost is small: it is always computed in double. Immutable.
+class GhostMotion {
  public:
-  /// Simplifies the shape, encodes the ghost and factorises its systems. The shape may go afterwards.
-  Status build(const WeldedShape& shape, const ShapeParts& parts, const EncodingOptions& options, SequenceStats& stats,
-               const StageProgress& progress);
+  /// How the ghost is made and followed.
+  struct Options {
+    int faces = 0;                  ///< wanted
+    bool optimalPlacement = false;  ///< simplify.h
+    int patches = 0;                ///< wanted, of the ghost; 0 = default
+    Stretch stretch = Stretch::Linear;
+    Transfer transfer = Transfer::Exact;
+  };
+  struct Scratch {
+    PatchMotion::Scratch patches;
+    Frames frames;  // of the ghost's patches
+    Reconstructor<double>::Scratch shape;
+    Positions positions;
+  };
+  /// Wall times, ms: collapses; the ghost's own coordinates and systems; which face follows which.
+  struct Times {
+    double simplify = 0, encode = 0, match = 0;
+  };
 
-  void at(const CurvePoint& point, Frames& frames) override;
+  /// Simplifies the shape, encodes the ghost and factorises its systems. Error: that of a solver.
+  static Result<GhostMotion> create(const WeldedShape& shape, const ShapeParts& parts, const Options& options,
+                                    const StageProgress& progress);
 
-  /// The ghost's vertices at `point`; returns its number of faces whose S_f is not positive definite.
-  int positions(const CurvePoint& point, Positions& positions);
+  /// The rotations of the ghost's faces at `point`, and their gradients where the paper's transfer asks for them.
+  void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Frames& frames) const;
+
+  /// The ghost's vertices at `point`.
+  void positions(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Positions& positions) const;
 
   /// The ghost's frames in the poses that were encoded.
   FramePoses poses() const { return {faceOf_, rotation_}; }
 
   const GhostMesh& mesh() const { return mesh_; }
-  const WeldedShape& shape() const { return shape_; }
+  const WeldedShape& shape() const { return *shape_; }
   const std::vector<int>& correspondence() const { return faceOf_; }  ///< c(f); -1 where a face has no area
-  PatchMotion& patchMotion() { return patches_; }
-  const PatchMotion& patchMotion() const { return patches_; }
+  const PatchMotion& patches() const { return patches_; }
   const LriCoordinates<double>& coordinates() const { return reconstructor_.coordinates(); }
+  const Times& times() const { return times_; }
 
  private:
-  Status buildMotion(const EncodingOptions& options, int wantedPatches, SequenceStats& stats);
-  Mat3 gradient(int face, const Mat3& rotation) const;
+  GhostMotion(const Options& options, GhostMesh mesh, std::unique_ptr<const WeldedShape> shape, PatchMotion patches,
+              Reconstructor<double> reconstructor);
+  Mat3 gradient(int face, const Mat3& rotation, const Positions& positions) const;
 
-  Transfer transfer_ = Transfer::Exact;
+  Transfer transfer_;
   GhostMesh mesh_;
-  WeldedShape shape_;  // the ghost's own faces and poses
+  std::unique_ptr<const WeldedShape> shape_;  // the ghost's own faces and poses
   PatchMotion patches_;
   Reconstructor<double> reconstructor_;
   std::vector<int> faceOf_;
   std::vector<std::vector<Quaternion>> rotation_;  // rotation_[column][ghost face]
-  Positions positions_;                            // scratch
+  Times times_;
 };
 
 }  // namespace shapespline

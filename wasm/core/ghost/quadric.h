@@ -2,7 +2,7 @@
 // cancels: the errors of a fine mesh are 1e-9 of its size.
 #pragma once
 
-#include "core/types.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/simplify.h"
+#include "core/ghost/simplify.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -7,10 +7,10 @@
 #include <queue>
 #include <utility>
 
-#include "core/coarse.h"
-#include "core/collapse_mesh.h"
-#include "core/face_shares.h"
-#include "core/quadric.h"
+#include "core/base/coarse_cost.h"
+#include "core/ghost/collapse_mesh.h"
+#include "core/ghost/face_budget.h"
+#include "core/ghost/quadric.h"
 
 namespace shapespline {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "core/progress.h"
-#include "core/types.h"
-#include "core/welded_shape.h"
+#include "core/base/progress.h"
+#include "core/base/types.h"
+#include "core/lri/welded_shape.h"
 
 namespace shapespline {
 

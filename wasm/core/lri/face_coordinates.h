@@ -7,10 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/pose_weights.h"
-#include "core/precision.h"
-#include "core/progress.h"
-#include "core/types.h"
+#include "core/base/progress.h"
+#include "core/base/types.h"
+#include "core/spline/pose_weights.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/face_frame.h"
+#include "core/lri/face_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +21,6 @@ Mat2 mapEigenvalues(const Mat2& m, F f) {
 }
 
 }  // namespace
-
-bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  const double doubleArea = (b - a).cross(c - a).norm();
-  return !(doubleArea > degenerateFlatness * longest);  // also true for NaN
-}
 
 FaceFrame faceFrame(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 e1 = b - a, e2 = c - a;

@@ -1,8 +1,9 @@
 // One triangle's deformation against the reference pose: R_f and S_f of the deformation gradient (paper section 4.2).
 #pragma once
 
-#include "core/rotation.h"
-#include "core/types.h"
+#include "core/base/types.h"
+#include "core/mesh/triangle.h"
+#include "core/rotation/rotation.h"
 
 namespace shapespline {
 
@@ -12,12 +13,6 @@ struct FaceFrame {
   Mat2 edges;      ///< columns: second and third corner relative to the first, in (t1, t2)
   double area = 0;
 };
-
-/// Twice the area over the squared longest edge below which a triangle has no usable normal. float32 input places a
-/// corner to about 1e-7 of the size, so that flatter triangles are noise.
-inline constexpr double degenerateFlatness = 1e-6;
-
-bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 
 FaceFrame faceFrame(const Vec3& a, const Vec3& b, const Vec3& c);
 
@@ -30,6 +25,12 @@ struct FaceDeformation {
 
 /// Of the reference frame and the deformed corners, by the closed-form polar decomposition of a 3x2 matrix.
 FaceDeformation deformation(const FaceFrame& reference, const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// How the symmetric factor S_f of a face is interpolated.
+enum class Stretch {
+  Linear,  ///< S_f itself (the paper); beyond the keys it eases off short of a lower limit and stays definite, a blend may not
+  Log,     ///< log S_f; cannot turn inside out, and beyond the keys eases towards limits (stretch_limits.h)
+};
 
 /// Logarithm of a symmetric positive definite matrix and exponential of a symmetric one.
 Mat2 logSymmetric(const Mat2& m);

@@ -1,4 +1,4 @@
-#include "core/lri.h"
+#include "core/lri/lri.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <queue>
 
-#include "core/contact.h"
+#include "core/mesh/contact.h"
 
 namespace shapespline {
 

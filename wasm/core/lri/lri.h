@@ -4,13 +4,18 @@
 
 #include <vector>
 
-#include "core/face_coordinates.h"
-#include "core/frame_source.h"
-#include "core/options.h"
-#include "core/types.h"
-#include "core/welded_shape.h"
+#include "core/base/types.h"
+#include "core/lri/face_coordinates.h"
+#include "core/lri/frames.h"
+#include "core/lri/welded_shape.h"
 
 namespace shapespline {
+
+/// How the full-resolution shape follows a ghost mesh (paper section 4.3).
+enum class Transfer {
+  Exact,  ///< what the keys show beyond the ghost's motion is splined too: passes through every key
+  Paper,  ///< the reference's details follow the ghost; other keys are met up to their own details
+};
 
 /// A vertex in no face with area: it keeps its offset in the frame of an anchor face.
 struct LooseVertex {

@@ -1,4 +1,4 @@
-#include "core/welded_shape.h"
+#include "core/lri/welded_shape.h"
 
 #include <algorithm>
 

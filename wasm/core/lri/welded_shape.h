@@ -5,11 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/component_tree.h"
-#include "core/face_frame.h"
-#include "core/mesh.h"
-#include "core/rigid_motion.h"
-#include "core/types.h"
+#include "core/base/types.h"
+#include "core/lri/face_frame.h"
+#include "core/mesh/component_tree.h"
+#include "core/mesh/mesh.h"
+#include "core/rotation/rigid_motion.h"
+#include "core/spline/pose_roles.h"
 
 namespace shapespline {
 
@@ -23,6 +24,7 @@ struct WeldedShape {
   int reference = 0;
   std::optional<RigidMotion> closing;  ///< the motion that takes the first key to the last, where it takes all of it there
 
+  PoseRoles roles() const { return {keys, startTangent, endTangent}; }
   int vertexCount() const { return static_cast<int>(poses.front().size()); }
   int faceCount() const { return static_cast<int>(faces.size()); }
   int columns() const { return static_cast<int>(poses.size()); }
@@ -39,8 +41,6 @@ struct WeldedShape {
     return {std::move(otherFaces), std::move(otherPoses), keys, startTangent, endTangent, reference, closing};
   }
 };
-
-inline Vec3 centroidOf(const Positions& p, const Triangle& f) { return (p[f[0]] + p[f[1]] + p[f[2]]) / 3; }
 
 FaceFrame referenceFrame(const WeldedShape& shape, int face);
 

@@ -1,9 +1,11 @@
-#include "core/canonical_order.h"
+#include "core/mesh/canonical_order.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
-#include "core/mesh.h"
+#include "core/base/permutation.h"
+#include "core/mesh/mesh.h"
 
 namespace shapespline {
 
@@ -247,6 +249,7 @@ class Orderer {
 };
 
 std::vector<int> inverseOf(const std::vector<int>& permutation) {
+  assert(isPermutation(permutation));
   std::vector<int> inverse(permutation.size());
   for (std::size_t i = 0; i < permutation.size(); ++i) inverse[permutation[i]] = static_cast<int>(i);
   return inverse;

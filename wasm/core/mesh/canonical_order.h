@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "core/progress.h"
-#include "core/types.h"
-#include "core/weld.h"
+#include "core/base/progress.h"
+#include "core/base/types.h"
+#include "core/mesh/weld.h"
 
 namespace shapespline {
 

@@ -1,10 +1,12 @@
-#include "core/component_tree.h"
+#include "core/mesh/component_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
-#include "core/coarse.h"
-#include "core/contact.h"
+#include "core/base/coarse_cost.h"
+#include "core/mesh/contact.h"
+#include "core/mesh/weld.h"
 
 namespace shapespline {
 
@@ -13,6 +15,8 @@ namespace {
 // Queries for the nearest other component: enough to find the place of contact, bounded for meshes of many pieces.
 constexpr int maximumQueries = 40000;
 constexpr int minimumQueriesPerComponent = 4;
+// Contacts that are farther by no more than this share, or by what files round, are as near: symmetric shapes have several.
+constexpr double asNear = 1e-3;
 
 // Vertices of each component that are used as starting points of the search.
 std::vector<std::vector<int>> sampleVertices(const std::vector<int>& componentOfVertex, int components) {
@@ -37,6 +41,8 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
     if (componentOfVertex[v] >= 0) used.push_back(v);
   const auto samples = sampleVertices(componentOfVertex, components);
   const ContactSearch search(poses, used);
+  const std::vector<double> tolerances = weldTolerances(poses);
+  const double rounded = 2 * *std::max_element(tolerances.begin(), tolerances.end());
 
   std::vector<int> group(components);
   std::iota(group.begin(), group.end(), 0);
@@ -47,6 +53,18 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
     std::vector<Contact> nearest(components);
     for (int c = 0; c < components; ++c)
       for (int u : samples[c]) search.nearestOther(u, groupOf, shared, nearest[group[c]]);
+    // Of those that are as near the lowest, so that rounding does not decide.
+    std::vector<Contact> lowest(components);
+    for (int c = 0; c < components; ++c) {
+      const int g = group[c];
+      const double within = std::pow((1 + asNear) * std::sqrt(nearest[g].distance) + rounded, 2);
+      for (int u : samples[c]) {
+        if (lowest[g].from >= 0 && lowest[g].from <= u) break;  // samples ascend
+        if (const int to = search.lowestOther(u, groupOf, shared, within); to >= 0) lowest[g] = {nearest[g].distance, u, to};
+      }
+    }
+    for (int g = 0; g < components; ++g)
+      if (lowest[g].from >= 0) nearest[g] = lowest[g];
     bool joined = false;
     for (int g = 0; g < components; ++g) {
       if (nearest[g].from < 0) continue;

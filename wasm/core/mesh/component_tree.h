@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh.h"
-#include "core/types.h"
+#include "core/base/types.h"
+#include "core/mesh/mesh.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/contact.h"
+#include "core/mesh/contact.h"
 
 #include <algorithm>
 #include <cstdint>

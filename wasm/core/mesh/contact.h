@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/kd_tree.h"
-#include "core/types.h"
+#include "core/base/types.h"
+#include "core/mesh/kd_tree.h"
 
 namespace shapespline {
 
@@ -51,6 +51,17 @@ class ContactSearch {
       if (to < 0) continue;
       if (const double d = distance(from, to); d < best.distance) best = {d, from, to};
     }
+  }
+
+  /// Of the vertices of another label that are nearer to `from` than `within` (a square) in all poses the lowest; -1 without any.
+  template <class Label>
+  int lowestOther(int from, Label label, const std::vector<std::vector<int>>& shared, double within) const {
+    int lowest = -1;
+    const auto visit = [&](int to) {
+      if ((lowest < 0 || to < lowest) && distance(from, to) < within) lowest = to;
+    };
+    trees_[0].eachOther((*searched_[0])[from], label, shared[0], label(from), within, visit);
+    return lowest;
   }
 
  private:

@@ -1,4 +1,4 @@
-#include "core/face_halves.h"
+#include "core/mesh/face_order.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "core/progress.h"
-#include "core/types.h"
+#include "core/base/progress.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/types.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 
@@ -48,6 +48,18 @@ class KdTree {
     const auto skip = [&](int middle) { return shared[middle] == own; };
     search(query, accept, skip, 0, static_cast<int>(order_.size()), 0, best);
     return best.index;
+  }
+
+  /// Visits the points with another label than `own` at a squared distance below `within`, in no order.
+  template <class Label, class Visit>
+  void eachOther(const Vec3& query, Label label, const std::vector<int>& shared, int own, double within, Visit visit) const {
+    Best best{within, -1};
+    const auto accept = [&](int point) {
+      if (label(point) != own) visit(point);
+      return false;  // the bound stays
+    };
+    const auto skip = [&](int middle) { return shared[middle] == own; };
+    search(query, accept, skip, 0, static_cast<int>(order_.size()), 0, best);
   }
 
  private:

@@ -1,12 +1,12 @@
-#include "core/shading.h"
+#include "core/mesh/vertex_normals.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <span>
 
-#include "core/out_of_line.h"
-#include "core/simd.h"
+#include "core/base/no_inline_call.h"
+#include "core/base/simd.h"
 
 namespace shapespline {
 
@@ -94,9 +94,9 @@ void drawVertices(std::span<const Drawn> drawn, const float* places, const float
 
 }  // namespace
 
-Shading::Shading(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups, const std::vector<int>& placeOf,
+VertexNormals::VertexNormals(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups, const std::vector<int>& placeOf,
                  const FractionReport& onProgress)
-    : sum_(4 * static_cast<std::size_t>(groups)) {
+    : groups_(groups) {
   std::vector<int> renumbered(groups, -1);
   int next = 0;
   bool seams = false;
@@ -130,21 +130,21 @@ Shading::Shading(const std::vector<Triangle>& faces, const std::vector<int>& gro
   });
 }
 
-void Shading::draw(const std::vector<float>& places, const Vec3& move, std::vector<float>& positions, std::vector<float>& normals,
-                   Crew* crew) {
+void VertexNormals::draw(const std::vector<float>& places, const Vec3& move, Scratch& sums,
+                         std::vector<float>& positions, std::vector<float>& normals, ForkJoin* forkJoin) const {
   positions.resize(3 * drawn_.size());
   normals.resize(positions.size());
-  std::fill(sum_.begin(), sum_.end(), 0.0f);
+  sums.assign(4 * static_cast<std::size_t>(groups_), 0.0f);
   const Faces faces = {corner_, target_.empty() ? corner_ : target_};
   const auto add = outOfLine(addNormals);
-  inTwo(crew, [&](int half) { add(faces, ranges_[half], places.data(), sum_.data()); });
-  add(faces, ranges_[2], places.data(), sum_.data());
+  inTwo(forkJoin, [&](int half) { add(faces, ranges_[half], places.data(), sums.data()); });
+  add(faces, ranges_[2], places.data(), sums.data());
   const auto write = outOfLine(drawVertices<Drawn>);
   const std::array<float, 4> by = {static_cast<float>(move.x()), static_cast<float>(move.y()), static_cast<float>(move.z()), 0};
-  inTwo(crew, [&](int part) {
+  inTwo(forkJoin, [&](int part) {
     const std::span<const Drawn> all = drawn_;
     const std::size_t half = all.size() / 2;
-    write(part == 0 ? all.first(half) : all.subspan(half), places.data(), by.data(), sum_.data(), positions.data(), normals.data());
+    write(part == 0 ? all.first(half) : all.subspan(half), places.data(), by.data(), sums.data(), positions.data(), normals.data());
   });
 }
 

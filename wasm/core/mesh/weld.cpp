@@ -1,4 +1,4 @@
-#include "core/weld.h"
+#include "core/mesh/weld.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "core/mesh.h"
+#include "core/mesh/mesh.h"
 
 namespace shapespline {
 

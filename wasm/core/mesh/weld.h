@@ -4,9 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/keyframes.h"
-#include "core/progress.h"
-#include "core/types.h"
+#include "core/base/progress.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

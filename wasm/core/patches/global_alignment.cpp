@@ -1,4 +1,4 @@
-#include "core/alignment.h"
+#include "core/patches/global_alignment.h"
 
 #include <algorithm>
 #include <cmath>

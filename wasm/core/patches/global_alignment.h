@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/rotation.h"
+#include "core/rotation/rotation.h"
 
 namespace shapespline {
 

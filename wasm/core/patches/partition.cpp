@@ -1,4 +1,4 @@
-#include "core/patches.h"
+#include "core/patches/partition.h"
 
 #include <algorithm>
 #include <cmath>

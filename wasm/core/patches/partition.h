@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "core/mesh.h"
-#include "core/rotation.h"
-#include "core/types.h"
+#include "core/base/types.h"
+#include "core/mesh/mesh.h"
+#include "core/rotation/rotation.h"
 
 namespace shapespline {
 

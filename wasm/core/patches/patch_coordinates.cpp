@@ -1,9 +1,9 @@
-#include "core/patch_coordinates.h"
+#include "core/patches/patch_coordinates.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/turn_branches.h"
+#include "core/patches/turn_branches.h"
 
 namespace shapespline {
 

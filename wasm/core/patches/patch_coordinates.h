@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "core/patch_graph.h"
-#include "core/patches.h"
-#include "core/rotation_path.h"
-#include "core/status.h"
-#include "core/welded_shape.h"
+#include "core/base/status.h"
+#include "core/lri/welded_shape.h"
+#include "core/patches/partition.h"
+#include "core/patches/patch_graph.h"
+#include "core/spline/rotation_spline.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/patch_graph.h"
+#include "core/patches/patch_graph.h"
 
 #include <cmath>
 #include <limits>

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/patches.h"
+#include "core/patches/partition.h"
 
 namespace shapespline {
 

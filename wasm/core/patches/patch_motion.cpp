@@ -1,4 +1,4 @@
-#include "core/patch_motion.h"
+#include "core/patches/patch_motion.h"
 
 #include <algorithm>
 #include <array>
@@ -39,48 +39,55 @@ Vec3 wheelAxis(const Positions& positions, const std::vector<Triangle>& faces, c
 
 }  // namespace
 
-Status PatchMotion::build(const WeldedShape& shape, PatchCoordinates coordinates) {
-  shape_ = &shape;
-  patches_ = std::move(coordinates);
+Result<PatchMotion> PatchMotion::create(const WeldedShape& shape, PatchCoordinates coordinates) {
+  PatchMotion motion(std::move(coordinates));
+  if (Status status = motion.build(shape); !status) return status.error();
+  return motion;
+}
+
+Status PatchMotion::build(const WeldedShape& shape) {
+  steps_ = {shape.keys};
+  closing_ = shape.closing;
+  for (int s = 0; s < steps_.count(); ++s) posesOf_.push_back(posesOf(shape, s));
   own_.key = patches_.rotation;
-  own_.increment.resize(KeySteps{shape.keys}.count());
-  const std::vector<int> open = stepsOf(false), loop = stepsOf(true);
-  if (Status status = buildSystem(open_, open); !status) return status;
-  if (Status status = buildSystem(loop_, loop); !status) return status;
-  for (const int s : open) findOwnIncrements(open_, s);
-  const KeySteps steps{shape.keys};
-  findOwnIncrements(loop_, steps.closing());
-  if (shape.closing) {
-    const auto [from, to] = posesOf(shape, steps.turnedClosing());
+  own_.increment.resize(steps_.count());
+  const std::vector<int> open = stepsOf(shape, false), loop = stepsOf(shape, true);
+  for (const auto& [solver, steps] : {std::pair(&open_, &open), std::pair(&loop_, &loop)}) {
+    Result<Solver> made = makeSolver(*steps);
+    if (!made) return made.error();
+    *solver = std::move(*made);
+  }
+  for (const int s : open) findOwnIncrements(*open_, s);
+  findOwnIncrements(*loop_, steps_.closing());
+  if (closing_) {
+    const auto [from, to] = posesOf_[steps_.turnedClosing()];
     for (std::size_t k = 0; k < own_.key[0].size(); ++k) {
-      const Quaternion turned = shape.closing->rotation * own_.key[to][k];
-      own_.increment[steps.turnedClosing()].push_back(nearestRepresentative(
+      const Quaternion turned = closing_->rotation * own_.key[to][k];
+      own_.increment[steps_.turnedClosing()].push_back(nearestRepresentative(
           logRotation(Quaternion(own_.key[from][k].conjugate() * turned)), own_.increment[shape.keys - 2][k]));
     }
   }
-  buildAlignment(open_, open);
-  buildAlignment(loop_, loop);
-  for (int s = 0; s < steps.closing(); ++s) {
+  open_->alignment = makeAlignment(*open_, open);
+  loop_->alignment = makeAlignment(*loop_, loop);
+  for (int s = 0; s < steps_.closing(); ++s) {
     const Vec3 turn = worldTurn(s);
     axis_.push_back(turn.norm() > atRest ? Vec3(turn.normalized()) : Vec3(Vec3::UnitY()));
   }
-  setTurns({});
   return {};
 }
 
-std::vector<int> PatchMotion::stepsOf(bool loop) const {
-  const KeySteps steps{shape_->keys};
+std::vector<int> PatchMotion::stepsOf(const WeldedShape& shape, bool loop) const {
   std::vector<int> result;
-  for (int s = 0; s < steps.closing(); ++s) result.push_back(s);
-  if (loop) result.push_back(steps.closing());
-  for (const int s : {steps.startTangent(), steps.endTangent()})
-    if (!loop && posesOf(*shape_, s).from >= 0) result.push_back(s);
+  for (int s = 0; s < steps_.closing(); ++s) result.push_back(s);
+  if (loop) result.push_back(steps_.closing());
+  for (const int s : {steps_.startTangent(), steps_.endTangent()})
+    if (!loop && posesOf(shape, s).from >= 0) result.push_back(s);
   return result;
 }
 
 // Links count by the length of what they share. Those that turn far, or whose maps disagree with the others, count less; smooth shapes
 // hardly change: ((1 + cos a) / 2)^6 is 1 - O(a^2).
-Status PatchMotion::buildSystem(Solver& solver, const std::vector<int>& steps) {
+Result<PatchMotion::Solver> PatchMotion::makeSolver(const std::vector<int>& steps) const {
   const std::size_t count = patches_.graph.links().size();
   std::vector<double> weight, cost;
   for (std::size_t l = 0; l < count; ++l) {
@@ -95,16 +102,19 @@ Status PatchMotion::buildSystem(Solver& solver, const std::vector<int>& steps) {
     weight.push_back(1e-4 + std::pow(agreement(largest), 6) * (0.05 + shared) + 0.03 * std::pow(agreement(residual), 4));
     cost.push_back(0.1 + std::sqrt(squares) + 4 * residual);
   }
-  return solver.system.build(patches_.graph, patches_.graph.centreTree(cost), std::move(weight));
+  auto system = PatchRotationSystem::create(patches_.graph, patches_.graph.centreTree(cost), std::move(weight));
+  if (!system) return system.error();
+  return Solver{std::move(*system), {}};
 }
 
 // The rotations at a share of one step, the root on its own path.
-void PatchMotion::partWay(Solver& solver, int step, double share, std::vector<Quaternion>& rotation) {
-  const int from = posesOf(*shape_, step).from, root = solver.system.tree().root();
-  connection_ = patches_.connection.key[from];
-  for (std::size_t l = 0; l < connection_.size(); ++l)
-    connection_[l] = connection_[l] * expQuaternion(share * patches_.connection.increment[step][l]);
-  solver.system.solve(connection_, frameSteps, rotation);
+void PatchMotion::partWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const {
+  const int from = posesOf_[step].from, root = solver.system.tree().root();
+  std::vector<Quaternion> connection = patches_.connection.key[from];
+  for (std::size_t l = 0; l < connection.size(); ++l)
+    connection[l] = connection[l] * expQuaternion(share * patches_.connection.increment[step][l]);
+  PatchRotationSystem::Scratch scratch;
+  solver.system.solve(connection, frameSteps, scratch, rotation);
   const Quaternion wanted = own_.key[from][root] * expQuaternion(share * own_.increment[step][root]);
   const Quaternion turn = wanted * rotation[root].conjugate();
   for (Quaternion& q : rotation) q = (turn * q).normalized();
@@ -112,13 +122,13 @@ void PatchMotion::partWay(Solver& solver, int step, double share, std::vector<Qu
 
 // How often a patch turned in a step shows in how its neighbours take it along: of its increments that differ by whole turns the
 // one is taken whose path comes nearest to the shape's own on the way. (Nearest to a neighbour's would lose turns near 360 degrees.)
-void PatchMotion::findOwnIncrements(Solver& solver, int step) {
-  const auto [from, to] = posesOf(*shape_, step);
+void PatchMotion::findOwnIncrements(const Solver& solver, int step) {
+  const auto [from, to] = posesOf_[step];
   std::vector<Vec3>& increment = own_.increment[step];
   for (std::size_t k = 0; k < own_.key[from].size(); ++k)
     increment.push_back(logRotation(Quaternion(own_.key[from][k].conjugate() * own_.key[to][k])));
   const int root = solver.system.tree().root();
-  if (step <= KeySteps{shape_->keys}.closing())
+  if (step <= steps_.closing())
     increment[root] = continuedHalfTurn(increment[root], step > 0 ? own_.increment[step - 1][root] : Vec3(Vec3::Zero()));
   constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
   std::array<std::vector<Quaternion>, 3> rotation;
@@ -137,21 +147,21 @@ void PatchMotion::findOwnIncrements(Solver& solver, int step) {
   }
 }
 
-void PatchMotion::buildAlignment(Solver& solver, const std::vector<int>& steps) {
+Alignment PatchMotion::makeAlignment(const Solver& solver, const std::vector<int>& steps) const {
   std::vector<std::vector<Quaternion>> halfway;
   for (const int s : steps) {
     std::vector<Quaternion> x;
     partWay(solver, s, 0.5, x);
-    const int from = posesOf(*shape_, s).from;
+    const int from = posesOf_[s].from;
     for (std::size_t k = 0; k < x.size(); ++k)
       x[k] = own_.key[from][k] * expQuaternion(own_.increment[s][k] / 2) * x[k].conjugate();
     halfway.push_back(std::move(x));
   }
-  solver.alignment = Alignment(halfway, patches_.graph.area());
+  return Alignment(halfway, patches_.graph.area());
 }
 
 Vec3 PatchMotion::worldTurn(int step) const {
-  const int from = posesOf(*shape_, step).from;
+  const int from = posesOf_[step].from;
   const std::vector<double>& area = patches_.graph.area();
   Vec3 sum = Vec3::Zero();
   double total = 0;
@@ -163,56 +173,57 @@ Vec3 PatchMotion::worldTurn(int step) const {
 }
 
 // In the reference pose of the attached component: that of its increment, of the first of its others that turns, or its axle.
-Vec3 PatchMotion::turnAxis(int step, std::size_t bridge) const {
+Vec3 PatchMotion::turnAxis(const WeldedShape& shape, int step, std::size_t bridge) const {
   const std::size_t link = patches_.patches.pairs.size() + bridge;
   Vec3 axis = patches_.connection.increment[step][link];
-  for (int s = 0; s < KeySteps{shape_->keys}.closing() && axis.norm() < atRest; ++s) axis = patches_.connection.increment[s][link];
+  for (int s = 0; s < steps_.closing() && axis.norm() < atRest; ++s) axis = patches_.connection.increment[s][link];
   if (axis.norm() > atRest) return axis.normalized();
   const std::vector<int>& ofFace = patches_.patches.ofFace;
   std::vector<char> ofPart;
   for (const int patch : ofFace) ofPart.push_back(patch >= 0 && patches_.patches.pieceOf[patch] == patches_.bridgedPiece[bridge]);
-  return wheelAxis(shape_->poses[shape_->reference], shape_->faces, ofPart);
+  return wheelAxis(shape.poses[shape.reference], shape.faces, ofPart);
 }
 
-void PatchMotion::setTurns(const std::vector<AddedTurns>& turns) {
-  const KeySteps steps{shape_->keys};
-  patches_.connection.turns.clear();
-  turns_.assign(steps.count(), 0);
+PatchTurns PatchMotion::addedTurns(const WeldedShape& shape, const std::vector<AddedTurns>& turns) const {
+  PatchTurns result;
+  result.whole.assign(steps_.count(), 0);
   const auto add = [&](int step, const AddedTurns& t) {
     const auto piece = std::find(patches_.bridgedPiece.begin(), patches_.bridgedPiece.end(), t.component);
     if (piece == patches_.bridgedPiece.end()) {  // the whole, or the component that carries all others
-      turns_[step] += t.turns;
+      result.whole[step] += t.turns;
       return;
     }
     const auto bridge = static_cast<std::size_t>(piece - patches_.bridgedPiece.begin());
-    patches_.connection.turns.push_back({step, patches_.patches.pairs.size() + bridge, t.turns * twoPi * turnAxis(t.key - 1, bridge)});
+    const Vec3 axis = turnAxis(shape, t.key - 1, bridge);
+    result.bridges.push_back({step, patches_.patches.pairs.size() + bridge, t.turns * twoPi * axis});
   };
   for (const AddedTurns& t : turns) {
     add(t.key - 1, t);
-    if (shape_->closing && t.key == shape_->keys - 1) add(steps.turnedClosing(), t);
+    if (closing_ && t.key == steps_.keys - 1) add(steps_.turnedClosing(), t);
   }
+  return result;
 }
 
 // A whole turn of everything about an axis of its own, taken with the step's share: the identity at every key.
-Quaternion PatchMotion::addedTurn(const CurvePoint& point) const {
+Quaternion PatchMotion::addedTurn(const CurvePoint& point, const PatchTurns& turns) const {
   Quaternion turn = Quaternion::Identity();
   for (const StepShare& s : point.steps) {
-    if (turns_[s.step] == 0) continue;
-    Vec3 axis = axis_[s.step == KeySteps{shape_->keys}.turnedClosing() ? shape_->keys - 2 : s.step];
-    if (shape_->closing && !point.closes) axis = shape_->closing->power(s.period).rotation * axis;
-    turn = turn * expQuaternion(twoPi * turns_[s.step] * s.share * axis);
+    if (turns.whole[s.step] == 0) continue;
+    Vec3 axis = axis_[s.step == steps_.turnedClosing() ? steps_.keys - 2 : s.step];
+    if (closing_ && !point.closes) axis = closing_->power(s.period).rotation * axis;
+    turn = turn * expQuaternion(twoPi * turns.whole[s.step] * s.share * axis);
   }
   return turn;
 }
 
-void PatchMotion::at(const CurvePoint& point, Frames& frames) {
-  Solver& solver = point.closes ? loop_ : open_;
-  patches_.connection.at(point, connection_);
-  solver.system.solve(connection_, frameSteps, frames.rotation);
-  own_.at(point, path_);
-  Quaternion turn = solver.alignment.at(path_, frames.rotation);
-  if (shape_->closing && !point.closes) turn = shape_->closing->power(point.basePeriod).rotation * turn;
-  turn = addedTurn(point) * turn;
+void PatchMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Frames& frames) const {
+  const Solver& solver = point.closes ? *loop_ : *open_;
+  patches_.connection.at(point, turns.bridges, scratch.connection);
+  solver.system.solve(scratch.connection, frameSteps, scratch.turn, frames.rotation);
+  own_.at(point, {}, scratch.path);
+  Quaternion turn = solver.alignment.at(scratch.path, frames.rotation);
+  if (closing_ && !point.closes) turn = closing_->power(point.basePeriod).rotation * turn;
+  turn = addedTurn(point, turns) * turn;
   for (Quaternion& g : frames.rotation) g = (turn * g).normalized();
   frames.gradient.clear();
 }

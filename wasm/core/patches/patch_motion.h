@@ -2,29 +2,38 @@
 // to where the keys have it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "core/alignment.h"
-#include "core/frame_source.h"
-#include "core/options.h"
-#include "core/patch_coordinates.h"
-#include "core/patch_rotations.h"
+#include "core/lri/frames.h"
+#include "core/patches/global_alignment.h"
+#include "core/patches/patch_coordinates.h"
+#include "core/patches/patch_rotations.h"
 
 namespace shapespline {
 
-class PatchMotion final : public FrameSource {
+/// Whole turns that are added on the way to keys: to all patches, in each step, and to the components that bridges attach.
+struct PatchTurns {
+  std::vector<double> whole;
+  std::vector<WholeTurns> bridges;
+};
+
+/// Immutable.
+class PatchMotion {
  public:
-  PatchMotion() = default;
-  PatchMotion(const PatchMotion&) = delete;  // its systems hold on to its graph
-  PatchMotion& operator=(const PatchMotion&) = delete;
+  struct Scratch {
+    std::vector<Quaternion> connection, path;
+    PatchRotationSystem::Scratch turn;
+  };
 
-  /// Factorises the first system. The shape must outlive this object.
-  Status build(const WeldedShape& shape, PatchCoordinates coordinates);
+  /// Factorises the first system. Error: that of the solver.
+  static Result<PatchMotion> create(const WeldedShape& shape, PatchCoordinates coordinates);
 
-  void at(const CurvePoint& point, Frames& frames) override;
+  /// A turn's component is a component of the shape that the motion was made of. No turns: none.
+  PatchTurns addedTurns(const WeldedShape& shape, const std::vector<AddedTurns>& turns) const;
 
-  /// Adds whole turns on the way to keys; replaces those set before. A turn's component is a component of the shape here.
-  void setTurns(const std::vector<AddedTurns>& turns);
+  /// The frames at `point`: equal to the encoded ones at a key.
+  void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Frames& frames) const;
 
   const PatchCoordinates& coordinates() const { return patches_; }
   FramePoses poses() const { return {patches_.patches.ofFace, patches_.rotation}; }
@@ -38,22 +47,24 @@ class PatchMotion final : public FrameSource {
     PatchRotationSystem system;
     Alignment alignment;
   };
-  std::vector<int> stepsOf(bool loop) const;
-  Status buildSystem(Solver& solver, const std::vector<int>& steps);
-  void buildAlignment(Solver& solver, const std::vector<int>& steps);
-  void partWay(Solver& solver, int step, double share, std::vector<Quaternion>& rotation);
-  void findOwnIncrements(Solver& solver, int step);
+  explicit PatchMotion(PatchCoordinates coordinates) : patches_(std::move(coordinates)) {}
+  Status build(const WeldedShape& shape);
+  std::vector<int> stepsOf(const WeldedShape& shape, bool loop) const;
+  Result<Solver> makeSolver(const std::vector<int>& steps) const;
+  void partWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const;
+  void findOwnIncrements(const Solver& solver, int step);
+  Alignment makeAlignment(const Solver& solver, const std::vector<int>& steps) const;
   Vec3 worldTurn(int step) const;
-  Vec3 turnAxis(int step, std::size_t bridge) const;
-  Quaternion addedTurn(const CurvePoint& point) const;
+  Vec3 turnAxis(const WeldedShape& shape, int step, std::size_t bridge) const;
+  Quaternion addedTurn(const CurvePoint& point, const PatchTurns& turns) const;
 
-  const WeldedShape* shape_ = nullptr;
+  KeySteps steps_{0};
+  std::vector<StepPoses> posesOf_;      // at either end of each step
+  std::optional<RigidMotion> closing_;  // of a loop whose last key is the first one again
   PatchCoordinates patches_;
-  RotationPaths own_;                // the rotation of each patch by itself
-  Solver open_, loop_;
-  std::vector<double> turns_;        // added to the whole in each step
-  std::vector<Vec3> axis_;           // of each step, world, at the key where it begins
-  std::vector<Quaternion> connection_, path_;       // scratch
+  RotationPaths own_;                   // the rotation of each patch by itself
+  std::optional<Solver> open_, loop_;
+  std::vector<Vec3> axis_;              // of each step, world, at the key where it begins
 };
 
 }  // namespace shapespline

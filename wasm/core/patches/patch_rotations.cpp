@@ -1,4 +1,4 @@
-#include "core/patch_rotations.h"
+#include "core/patches/patch_rotations.h"
 
 namespace shapespline {
 
@@ -13,10 +13,16 @@ double power(double base, int exponent) {
 
 }  // namespace
 
-Status PatchRotationSystem::build(const PatchGraph& graph, PatchTree tree, std::vector<double> weight) {
-  graph_ = &graph;
-  tree_ = std::move(tree);
-  weight_ = std::move(weight);
+Result<PatchRotationSystem> PatchRotationSystem::create(const PatchGraph& graph, PatchTree tree, std::vector<double> weight) {
+  PatchRotationSystem system;
+  system.links_ = graph.links();
+  system.tree_ = std::move(tree);
+  system.weight_ = std::move(weight);
+  if (Status status = system.build(graph); !status) return status.error();
+  return system;
+}
+
+Status PatchRotationSystem::build(const PatchGraph& graph) {
   const int count = graph.patchCount();
   double total = 0;
   for (double a : graph.area()) total += a;
@@ -24,7 +30,7 @@ Status PatchRotationSystem::build(const PatchGraph& graph, PatchTree tree, std::
   for (double a : graph.area()) area_.push_back(a / total);
   std::vector<Triplet> entries;
   for (std::size_t l = 0; l < weight_.size(); ++l) {
-    const auto [i, j, edges] = graph.links()[l];
+    const auto [i, j, edges] = links_[l];
     entries.push_back({i, i, weight_[l]});
     entries.push_back({j, j, weight_[l]});
     entries.push_back({std::max(i, j), std::min(i, j), -weight_[l]});
@@ -44,35 +50,36 @@ void PatchRotationSystem::startOnTree(const std::vector<Quaternion>& connection,
   for (const int k : tree_.order) {
     const int parent = tree_.parent[k], link = tree_.link[k];
     if (parent < 0) rotation[k].setIdentity();
-    else if (graph_->links()[link].from == parent) rotation[k] = rotation[parent] * connection[link];
+    else if (links_[link].from == parent) rotation[k] = rotation[parent] * connection[link];
     else rotation[k] = rotation[parent] * connection[link].conjugate();
   }
 }
 
-void PatchRotationSystem::solve(const std::vector<Quaternion>& connection, std::span<const int> caution, std::vector<Quaternion>& rotation) {
+void PatchRotationSystem::solve(const std::vector<Quaternion>& connection, std::span<const int> caution, Scratch& scratch,
+                                std::vector<Quaternion>& rotation) const {
   rotation.resize(tree_.order.size());
   startOnTree(connection, rotation);
   if (!connection.empty())
-    for (const int c : caution) step(connection, c, rotation);
+    for (const int c : caution) step(connection, c, scratch, rotation);
 }
 
-void PatchRotationSystem::step(const std::vector<Quaternion>& connection, int caution, std::vector<Quaternion>& rotation) {
-  turn_.assign(laplacian_.paddedSize(), Vec4::Zero());
-  const std::vector<PatchLink>& links = graph_->links();
-  for (std::size_t l = 0; l < links.size(); ++l) {
-    const auto [i, j, edges] = links[l];
+void PatchRotationSystem::step(const std::vector<Quaternion>& connection, int caution, Scratch& scratch,
+                               std::vector<Quaternion>& rotation) const {
+  scratch.assign(laplacian_.paddedSize(), Eigen::Vector4d::Zero());
+  for (std::size_t l = 0; l < links_.size(); ++l) {
+    const auto [i, j, edges] = links_[l];
     // G_j (G_i C)^T = exp(r), q its quaternion: the sine of r, faded by powers of (1 + cos r) / 2 where maps disagree by much. No
     // logarithm, no branch cut, and no difference between q and -q.
     const Quaternion q = rotation[j] * (rotation[i] * connection[l]).conjugate();
     const Vec3 pull = weight_[l] * 2 * q.w() * power(q.w() * q.w(), caution) * q.vec();
-    turn_[position_[i]].head<3>() += pull;
-    turn_[position_[j]].head<3>() -= pull;
+    scratch[position_[i]].head<3>() += pull;
+    scratch[position_[j]].head<3>() -= pull;
   }
-  laplacian_.solve(turn_.data()->data());
+  laplacian_.solve(scratch.data()->data());
   Vec3 mean = Vec3::Zero();
-  for (std::size_t k = 0; k < rotation.size(); ++k) mean += area_[k] * turn_[position_[k]].head<3>();
+  for (std::size_t k = 0; k < rotation.size(); ++k) mean += area_[k] * scratch[position_[k]].head<3>();
   for (std::size_t k = 0; k < rotation.size(); ++k)
-    rotation[k] = (expQuaternion(turn_[position_[k]].head<3>() - mean) * rotation[k]).normalized();
+    rotation[k] = (expQuaternion(scratch[position_[k]].head<3>() - mean) * rotation[k]).normalized();
 }
 
 }  // namespace shapespline

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "core/cholesky.h"
-#include "core/patch_graph.h"
-#include "core/rotation.h"
+#include "core/patches/patch_graph.h"
+#include "core/rotation/rotation.h"
+#include "core/sparse/cholesky.h"
 
 namespace shapespline {
 
@@ -19,32 +19,34 @@ namespace shapespline {
 ///
 /// Steps are taken in the common frame (G <- exp(e) G): the normal matrix is the weighted Laplacian of the graph, constant, and a
 /// bridge of the graph keeps its map exactly.
+/// Immutable.
 class PatchRotationSystem {
  public:
-  PatchRotationSystem() = default;
+  /// What pulls each patch, then how it turns.
+  using Scratch = std::vector<Eigen::Vector4d, Eigen::aligned_allocator<Eigen::Vector4d>>;
 
-  /// graph: must outlive the system. weight: of each link, positive. Error: that of the solver.
-  Status build(const PatchGraph& graph, PatchTree tree, std::vector<double> weight);
+  /// weight: of each link of the graph, positive. Error: that of the solver.
+  static Result<PatchRotationSystem> create(const PatchGraph& graph, PatchTree tree, std::vector<double> weight);
 
   /// connection: C of each link. caution: one per step; a link whose maps disagree by an angle r pulls ((1 + cos r) / 2)^caution less.
   /// rotation: one per patch; resized. The tree's root stays near the identity.
-  void solve(const std::vector<Quaternion>& connection, std::span<const int> caution, std::vector<Quaternion>& rotation);
+  void solve(const std::vector<Quaternion>& connection, std::span<const int> caution, Scratch& scratch,
+             std::vector<Quaternion>& rotation) const;
 
   const PatchTree& tree() const { return tree_; }
 
  private:
+  PatchRotationSystem() = default;
+  Status build(const PatchGraph& graph);
   void startOnTree(const std::vector<Quaternion>& connection, std::vector<Quaternion>& rotation) const;
-  void step(const std::vector<Quaternion>& connection, int caution, std::vector<Quaternion>& rotation);
+  void step(const std::vector<Quaternion>& connection, int caution, Scratch& scratch, std::vector<Quaternion>& rotation) const;
 
-  const PatchGraph* graph_ = nullptr;
+  std::vector<PatchLink> links_;
   PatchTree tree_;
   std::vector<double> weight_;
   std::vector<double> area_;   // of each patch, over the whole
   Cholesky laplacian_;
   std::vector<int> position_;  // of each patch in the solver's vectors
-  // Scratch: what pulls each patch, then how it turns.
-  using Vec4 = Eigen::Vector4d;
-  std::vector<Vec4, Eigen::aligned_allocator<Vec4>> turn_;
 };
 
 }  // namespace shapespline

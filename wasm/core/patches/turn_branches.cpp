@@ -1,4 +1,4 @@
-#include "core/turn_branches.h"
+#include "core/patches/turn_branches.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/patch_rotations.h"
+#include "core/patches/patch_rotations.h"
 
 namespace shapespline {
 
@@ -83,12 +83,12 @@ class BranchSearch {
   }
 
   Status searchFrom(const PatchTree& tree) {
-    PatchRotationSystem system;
-    if (Status status = system.build(graph_, tree, weights()); !status) return status;
+    const Result<PatchRotationSystem> system = PatchRotationSystem::create(graph_, tree, weights());
+    if (!system) return system.error();
     std::vector<char> flip(count_, 0);
     for (int round = 0; round < mostRounds; ++round) {
       for (std::size_t l = 0; l < count_; ++l) half_[l] = from_[l] * expQuaternion(chosen(l, flip[l]) / 2);
-      system.solve(half_, robustSteps, rotation_);
+      system->solve(half_, robustSteps, scratch_, rotation_);
       std::vector<double> left(count_);
       double cost = 0;
       for (std::size_t l = 0; l < count_; ++l) {
@@ -120,6 +120,7 @@ class BranchSearch {
   const PatchGraph& graph_;
   const std::vector<Quaternion>& from_;
   std::vector<Quaternion> half_, rotation_;
+  PatchRotationSystem::Scratch scratch_;
   std::size_t count_;
   std::vector<Vec3> principal_, other_;
   std::vector<double> angle_;

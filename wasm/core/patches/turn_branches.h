@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "core/patch_graph.h"
-#include "core/rotation.h"
-#include "core/status.h"
+#include "core/base/status.h"
+#include "core/patches/patch_graph.h"
+#include "core/rotation/rotation.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/face_kernel.h"
+#include "core/reconstruct/face_kernel.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,10 +7,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/face_frame.h"
-#include "core/lanes.h"
-#include "core/rotation_series.h"
-#include "core/stretch_limits.h"
+#include "core/base/lanes.h"
+#include "core/lri/face_frame.h"
+#include "core/reconstruct/stretch_limits.h"
+#include "core/rotation/rotation_series.h"
 
 namespace shapespline {
 
@@ -270,28 +270,28 @@ std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>
 }  // namespace
 
 template <class Real>
-std::vector<int> FaceKernel<Real>::build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
-                                         const std::vector<int>& position, int dump, const FractionReport& onProgress) {
+FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
+                             const std::vector<int>& position, int dump, const FractionReport& onProgress)
+    : stretch_(stretch) {
   const std::vector<Triangle> corners = cornersOf(shape, frameOf, position, dump, partOf(onProgress, 0, 0.1));
   FaceHalves halves = halveFaces(corners, dump + 1, dump, partOf(onProgress, 0.1, 0.4));
-  const std::vector<int>& order = halves.order;
+  order_ = std::move(halves.order);
   const FractionReport onBlocks = partOf(onProgress, 0.4, 1);
-  stretch_ = stretch;
   ranges_ = halves.ranges;
-  blocks_.assign((order.size() + faceLanes - 1) / faceLanes, {});
+  blocks_.assign((order_.size() + faceLanes - 1) / faceLanes, {});
   const Positions& p = shape.poses[shape.reference];
   for (std::size_t i = 0; i < blocks_.size() * faceLanes; ++i) {
-    reportItem(onBlocks, i, order.size());
+    reportItem(onBlocks, i, order_.size());
     FaceBlock<Real>& block = blocks_[i / faceLanes];
     const int lane = static_cast<int>(i % faceLanes);
     for (int c = 0; c < 3; ++c) block.corner[c][lane] = dump;
-    if (i >= order.size() || frameOf[order[i]] < 0) continue;  // zero gradients contribute nothing
-    const Triangle& t = shape.faces[order[i]];
+    if (i >= order_.size() || frameOf[order_[i]] < 0) continue;  // zero gradients contribute nothing
+    const Triangle& t = shape.faces[order_[i]];
     const FaceFrame frame = faceFrame(p[t[0]], p[t[1]], p[t[2]]);
     for (int k = 0; k < 3; ++k) {
       block.tangent[k][lane] = static_cast<Real>(frame.basis(k, 0));
       block.tangent[3 + k][lane] = static_cast<Real>(frame.basis(k, 1));
-      block.corner[k][lane] = corners[order[i]][k];
+      block.corner[k][lane] = corners[order_[i]][k];
     }
     // area times gradient of a corner's hat function = half the opposite edge, turned by a quarter
     const Vec2 a = Vec2::Zero(), b = frame.edges.col(0), c = frame.edges.col(1);
@@ -300,16 +300,15 @@ std::vector<int> FaceKernel<Real>::build(const WeldedShape& shape, const std::ve
     block.gradient[0][lane] = static_cast<Real>(g1.x());  // -g0.x()
     block.gradient[1][lane] = static_cast<Real>(g0.y());
     block.gradient[2][lane] = static_cast<Real>(g1.y());
-    block.frame[lane] = frameOf[order[i]];
+    block.frame[lane] = frameOf[order_[i]];
   }
-  return std::move(halves.order);
 }
 
 template <class Real>
 IndefiniteFaces FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                                             const ColumnWeights<Real>& weights, Real* rhs, Crew* crew) const {
+                                             const ColumnWeights<Real>& weights, Real* rhs, ForkJoin* forkJoin) const {
   IndefiniteFaces found[3];
-  inTwo(crew, [&](int half) { found[half] = accumulateRange(ranges_[half], coordinates, frames, weights, rhs); });
+  inTwo(forkJoin, [&](int half) { found[half] = accumulateRange(ranges_[half], coordinates, frames, weights, rhs); });
   found[2] = accumulateRange(ranges_[2], coordinates, frames, weights, rhs);
   IndefiniteFaces all;
   for (const IndefiniteFaces& part : found) {

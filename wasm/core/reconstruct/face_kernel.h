@@ -5,13 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/crew.h"
-#include "core/face_coordinates.h"
-#include "core/face_halves.h"
-#include "core/options.h"
-#include "core/progress.h"
-#include "core/types.h"
-#include "core/welded_shape.h"
+#include "core/base/fork_join.h"
+#include "core/base/progress.h"
+#include "core/base/types.h"
+#include "core/lri/face_coordinates.h"
+#include "core/lri/welded_shape.h"
+#include "core/mesh/face_order.h"
 
 namespace shapespline {
 
@@ -37,23 +36,24 @@ struct IndefiniteFaces {
 template <class Real>
 class FaceKernel {
  public:
-  FaceKernel() = default;
-
   /// frameOf: frame of each face, or -1 for faces that take no part. position: where each vertex's right-hand side lies, or
-  /// `dump`, behind all others, for vertices that have none. Returns the order in which the faces are gone through and in
-  /// which their coordinates must lie.
-  std::vector<int> build(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
-                         const std::vector<int>& position, int dump, const FractionReport& onProgress = {});
+  /// `dump`, behind all others, for vertices that have none.
+  FaceKernel(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch, const std::vector<int>& position, int dump,
+             const FractionReport& onProgress = {});
+
+  /// The faces in the order in which they are gone through and in which their coordinates must lie.
+  const std::vector<int>& order() const { return order_; }
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
   /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: as the coordinates take them.
   IndefiniteFaces accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                             const ColumnWeights<Real>& weights, Real* rhs, Crew* crew = nullptr) const;
+                             const ColumnWeights<Real>& weights, Real* rhs, ForkJoin* forkJoin = nullptr) const;
 
  private:
   [[gnu::noinline]] IndefiniteFaces accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
                                                     const ColumnWeights<Real>& weights, Real* rhs) const;
 
+  std::vector<int> order_;
   std::vector<FaceBlock<Real>> blocks_;
   std::array<FaceRange, 3> ranges_;
   Stretch stretch_ = Stretch::Linear;

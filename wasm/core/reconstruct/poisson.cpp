@@ -1,12 +1,9 @@
-#include "core/poisson.h"
+#include "core/reconstruct/poisson.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-
-#include "core/assembly.h"
-#include "core/simd.h"
 
 namespace shapespline {
 
@@ -14,11 +11,6 @@ namespace {
 
 // Operations between two reports: well under a quarter of a second on a slow machine.
 constexpr std::int64_t flopsPerChunk = 100'000'000;
-
-// A correction leaves about 1e-5 of itself as error, so that the last one leaves less than 1e-11 of the extent.
-constexpr double smallCorrection = 1e-6;
-// Three are usual. More are needed for shapes so badly formed that single precision hardly solves them.
-constexpr int mostCorrections = 12;
 
 }  // namespace
 
@@ -103,10 +95,18 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
   return result;
 }
 
-Status PoissonSystem::order(const CotangentLaplacian& laplacian, Precision precision, const FractionReport& onProgress) {
-  precision_ = precision;
+Result<PoissonSystem> PoissonSystem::create(const CotangentLaplacian& laplacian, Precision precision, const FractionReport& ordering,
+                                            const FractionReport& factorising) {
+  PoissonSystem system;
+  Stopwatch watch;
   const Precision stored = precision == Precision::Double ? Precision::Double : Precision::Single;
-  return solver_.analyse(laplacian.matrix, laplacian.coordinates, stored, onProgress);
+  if (Status status = system.solver_.analyse(laplacian.matrix, laplacian.coordinates, stored, ordering); !status) return status.error();
+  reportFraction(ordering, 1);
+  system.times_.order = watch.lap();
+  if (Status status = system.factorise(laplacian, factorising); !status) return status.error();
+  if (precision == Precision::Exact) system.refinement_.emplace(laplacian.matrix, system.solver_);
+  system.times_.factor = watch.lap();
+  return system;
 }
 
 Status PoissonSystem::factorise(const CotangentLaplacian& laplacian, const FractionReport& onProgress) {
@@ -119,51 +119,7 @@ Status PoissonSystem::factorise(const CotangentLaplacian& laplacian, const Fract
   inBlocks({}, slot_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) slot_[v] = laplacian.unknown[v] >= 0 ? position[laplacian.unknown[v]] : dump();
   });
-  if (precision_ == Precision::Exact) keepMatrix(laplacian.matrix);
   return {};
-}
-
-void PoissonSystem::keepMatrix(const SymmetricMatrix& matrix) {
-  const auto position = solver_.eliminationPosition();
-  const EntryMap map = mapEntries(matrix, {position.begin(), position.end()});
-  bySlot_ = {matrix.size, map.start, map.row, {}};
-  for (int source : map.source) bySlot_.value.push_back(matrix.value[source]);
-  residual_.resize(4 * static_cast<std::size_t>(size()));
-  correction_.resize(residual_.size());
-}
-
-void PoissonSystem::residual(const double* b, const double* x) {
-  const auto at = [](auto* p, int i) { return p + 4 * static_cast<std::ptrdiff_t>(i); };
-  std::copy_n(b, residual_.size(), residual_.data());
-  for (int column = 0; column < bySlot_.size; ++column) {
-    const Double4 xc = Double4::load(at(x, column));
-    Double4 sum = Double4::zero();
-    for (int i = bySlot_.columnStart[column]; i < bySlot_.columnStart[column + 1]; ++i) {
-      const int row = bySlot_.row[i];
-      const Double4 value = Double4::splat(bySlot_.value[i]);
-      sum = sum + value * Double4::load(at(x, row));
-      if (row == column) continue;
-      double* r = at(residual_.data(), row);
-      (Double4::load(r) - value * xc).store(r);
-    }
-    double* r = at(residual_.data(), column);
-    (Double4::load(r) - sum).store(r);
-  }
-}
-
-void PoissonSystem::refine(const double* b, double* x, double extent, Crew* crew) {
-  for (int step = 0; step < mostCorrections; ++step) {
-    residual(b, x);
-    std::copy(residual_.begin(), residual_.end(), correction_.begin());
-    solve(correction_.data(), crew);
-    double largest = 0;
-    for (std::size_t i = 0; i < 4 * static_cast<std::size_t>(unknowns()); ++i) {
-      if (i % 4 == 3) continue;
-      x[i] += correction_[i];
-      largest = std::max(largest, std::abs(static_cast<double>(correction_[i])));
-    }
-    if (largest <= smallCorrection * extent) return;
-  }
 }
 
 }  // namespace shapespline

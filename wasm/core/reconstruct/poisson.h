@@ -2,12 +2,14 @@
 // Laplacian, constant for a sequence, so that a frame costs one back-substitution.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <vector>
 
-#include "core/cholesky.h"
-#include "core/mesh.h"
-#include "core/status.h"
+#include "core/base/status.h"
+#include "core/base/stopwatch.h"
+#include "core/mesh/mesh.h"
+#include "core/sparse/cholesky.h"
+#include "core/sparse/iterative_refinement.h"
 
 namespace shapespline {
 
@@ -22,14 +24,18 @@ struct CotangentLaplacian {
 CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const std::vector<char>& hasArea,
                                       const Pieces& pieces, const Positions& reference, const FractionReport& onProgress = {});
 
-/// The factored system and where each vertex lies in its vectors.
+/// The factored system and where each vertex lies in its vectors. Immutable.
 class PoissonSystem {
  public:
-  /// Finds the order of elimination. onProgress: called at least a few times a second on large meshes, as below.
-  Status order(const CotangentLaplacian& laplacian, Precision precision, const FractionReport& onProgress);
+  /// Wall times, ms.
+  struct Times {
+    double order = 0, factor = 0;
+  };
 
-  /// Factorises the matrix that was ordered.
-  Status factorise(const CotangentLaplacian& laplacian, const FractionReport& onProgress);
+  /// Finds the order of elimination, then factorises. The reports are called at least a few times a second on large meshes.
+  /// Error: that of the solver.
+  static Result<PoissonSystem> create(const CotangentLaplacian& laplacian, Precision precision, const FractionReport& ordering,
+                                      const FractionReport& factorising);
 
   /// Slot of each vertex in right-hand sides and solutions; dump() for tied and loose ones.
   const std::vector<int>& slot() const { return slot_; }
@@ -41,28 +47,27 @@ class PoissonSystem {
 
   /// In place; 4 * size() numbers.
   template <class Real>
-  void solve(Real* xyzp, Crew* crew = nullptr) const {
-    solver_.solve(xyzp, crew);
+  void solve(Real* xyzp, ForkJoin* forkJoin = nullptr) const {
+    solver_.solve(xyzp, forkJoin);
     for (int i = 0; i < 4; ++i) xyzp[4 * static_cast<std::size_t>(dump()) + i] = 0;
   }
 
-  /// Solves A x = b to double accuracy on a factor in single precision: residuals in double, corrections in single (Wilkinson
-  /// 1963), from the x given until a correction is small beside `extent`. 4 * size() numbers each; the pads of b must be
-  /// zero, those of x are kept. Only with Precision::Exact.
-  void refine(const double* b, double* x, double extent, Crew* crew = nullptr);
+  /// Likewise to double accuracy, from the x given (iterative_refinement.h); 4 * size() numbers each. Only with Precision::Exact.
+  void refine(const double* b, double* x, double extent, IterativeRefinement::Scratch& scratch, ForkJoin* forkJoin = nullptr) const {
+    refinement_->solve(solver_, b, x, extent, scratch, forkJoin);
+  }
 
   CholeskyStats stats() const { return solver_.stats(); }
+  const Times& times() const { return times_; }
 
  private:
-  void keepMatrix(const SymmetricMatrix& matrix);
-  void residual(const double* b, const double* x);
+  PoissonSystem() = default;
+  Status factorise(const CotangentLaplacian& laplacian, const FractionReport& onProgress);
 
   Cholesky solver_;
-  Precision precision_ = Precision::Single;
-  SymmetricMatrix bySlot_;         // with Precision::Exact: the matrix in elimination order
-  std::vector<double> residual_;   // scratch
-  std::vector<float, Eigen::aligned_allocator<float>> correction_;
+  std::optional<IterativeRefinement> refinement_;  // with Precision::Exact
   std::vector<int> slot_;
+  Times times_;
 };
 
 }  // namespace shapespline

@@ -1,14 +1,16 @@
-#include "core/embedding.h"
+#include "core/reconstruct/preview_embedding.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <tuple>
 
-#include "core/precision.h"
-#include "core/simd.h"
-#include "core/stretch_limits.h"
+#include "core/base/permutation.h"
+#include "core/base/simd.h"
+#include "core/reconstruct/stretch_limits.h"
+#include "core/sparse/precision.h"
 
 namespace shapespline {
 
@@ -52,7 +54,14 @@ Vec3 blendWay(const std::vector<Vec3>& keys, const PoseWeights& weights) {
 
 }  // namespace
 
-Status Embedding::build(const Input& input) {
+Result<PreviewEmbedding> PreviewEmbedding::create(const Input& input) {
+  PreviewEmbedding embedding;
+  if (Status status = embedding.build(input); !status) return status.error();
+  return embedding;
+}
+
+Status PreviewEmbedding::build(const Input& input) {
+  assert(isPermutation(input.placeOf));
   columns_ = input.shape.columns();
   vertexCount_ = input.shape.vertexCount();
   keyRotation_.resize(columns_);
@@ -85,7 +94,7 @@ Status Embedding::build(const Input& input) {
 }
 
 // Halves across the longest axis of the reference pose.
-void Embedding::divide(const Input& input, std::span<int> vertices, int limit) {
+void PreviewEmbedding::divide(const Input& input, std::span<int> vertices, int limit) {
   if (static_cast<int>(vertices.size()) <= limit) return addCell(input, vertices, -1);
   const Positions& p = input.shape.poses[input.shape.reference];
   Vec3 low = p[vertices[0]], high = low;
@@ -100,7 +109,7 @@ void Embedding::divide(const Input& input, std::span<int> vertices, int limit) {
 }
 
 // A cell's centre is the mean of its vertices: the mean of all vertices then depends on the centres alone.
-void Embedding::addCell(const Input& input, std::span<int> vertices, int anchor) {
+void PreviewEmbedding::addCell(const Input& input, std::span<int> vertices, int anchor) {
   std::sort(vertices.begin(), vertices.end(), [&](int a, int b) { return input.placeOf[a] < input.placeOf[b]; });
   const int face = input.faceOfVertex[vertices[0]], begin = static_cast<int>(vertex_.size());
   Cell cell{input.frameOf[face], anchor < 0 ? input.pieceOf[face] : -1, begin, 0, static_cast<int>(vertices.size()), {}};
@@ -118,7 +127,7 @@ void Embedding::addCell(const Input& input, std::span<int> vertices, int anchor)
   cells_.push_back(std::move(cell));
 }
 
-void Embedding::encodeVertices(const Input& input) {
+void PreviewEmbedding::encodeVertices(const Input& input) {
   const std::size_t blockSize = 12 * static_cast<std::size_t>(columns_);
   numbers_.assign(vertex_.size() / 4 * blockSize, 0.0f);
   mean_.assign(columns_, Vec3::Zero());
@@ -134,7 +143,7 @@ void Embedding::encodeVertices(const Input& input) {
     }
 }
 
-Embedding::Link Embedding::link(int from, int to, double weight, bool logarithmic) const {
+PreviewEmbedding::Link PreviewEmbedding::link(int from, int to, double weight, bool logarithmic) const {
   Link result{from, to, weight, {}, {}};
   for (int c = 0; c < columns_; ++c) {
     Vec3 offset = midway(keyRotation_[c][from], keyRotation_[c][to]).conjugate() * (keyCentre_[c][to] - keyCentre_[c][from]);
@@ -148,15 +157,15 @@ Embedding::Link Embedding::link(int from, int to, double weight, bool logarithmi
   return result;
 }
 
-Vec3 Embedding::way(const Link& link, const Quaternion& middle, const PoseWeights& weights) {
+Vec3 PreviewEmbedding::way(const Link& link, const Quaternion& middle, const PoseWeights& weights) {
   if (link.logLength.empty()) return middle * blendWay(link.offset, weights);
   const Vec3 direction = blend(link.offset, weights);
   const double length = direction.norm();
   return middle * (length > 0 ? Vec3(direction * (std::exp(blendLogLength(link.logLength, weights)) / length)) : direction);
 }
 
-Embedding::Hanger Embedding::hanger(const Input& input, int face, int from, int to, const std::vector<Vec3>& pivot) const {
-  Hanger result{from, to, input.frameOf[face], {}, {}, {}};
+PreviewEmbedding::Attachment PreviewEmbedding::attach(const Input& input, int face, int from, int to, const std::vector<Vec3>& pivot) const {
+  Attachment result{from, to, input.frameOf[face], {}, {}, {}};
   for (int c = 0; c < columns_; ++c) {
     result.turn.push_back(input.turn(face, c));
     const Quaternion rotation = input.frames[c][result.frame] * expQuaternion(result.turn.back());
@@ -168,7 +177,7 @@ Embedding::Hanger Embedding::hanger(const Input& input, int face, int from, int 
 }
 
 // Pairs of cells that an edge joins, ascending.
-std::vector<std::pair<int, int>> Embedding::neighbours(const Input& input, const std::vector<int>& cellOf) const {
+std::vector<std::pair<int, int>> PreviewEmbedding::neighbours(const Input& input, const std::vector<int>& cellOf) const {
   std::vector<std::pair<int, int>> pairs;
   for (int f = 0; f < input.shape.faceCount(); ++f) {
     if (input.frameOf[f] < 0) continue;
@@ -183,7 +192,7 @@ std::vector<std::pair<int, int>> Embedding::neighbours(const Input& input, const
   return pairs;
 }
 
-Status Embedding::buildLinks(const Input& input) {
+Status PreviewEmbedding::buildLinks(const Input& input) {
   const int count = static_cast<int>(cells_.size());
   std::vector<int> cellOf(vertexCount_);
   for (int k = 0; k < count; ++k)
@@ -207,52 +216,54 @@ Status Embedding::buildLinks(const Input& input) {
   for (int k = 0; k < count; ++k)
     if (find(k) == k) entries.push_back({k, k, 1.0});  // tied to zero
   for (const auto& [anchor, contact, pivot] : input.anchors)
-    hangers_.push_back(hanger(input, anchor, cellOf[input.shape.faces[anchor][0]], cellOf[input.shape.faces[contact][0]], pivot));
+    attachments_.push_back(attach(input, anchor, cellOf[input.shape.faces[anchor][0]], cellOf[input.shape.faces[contact][0]], pivot));
   for (int k = 0; k < count; ++k)
-    if (anchorOf_[k] >= 0) hangers_.push_back(hanger(input, anchorOf_[k], cellOf[input.shape.faces[anchorOf_[k]][0]], k, {}));
+    if (anchorOf_[k] >= 0) attachments_.push_back(attach(input, anchorOf_[k], cellOf[input.shape.faces[anchorOf_[k]][0]], k, {}));
   const SymmetricMatrix matrix = assembleSymmetric(count, entries);
   if (Status status = laplacian_.analyse(matrix, {}, Precision::Double); !status) return status;
-  solution_.resize(4 * static_cast<std::size_t>(laplacian_.paddedSize()));
-  centre_.resize(count);
-  rotation_.resize(count);
   return laplacian_.factorise(matrix);
 }
 
 // The cells' centres: neighbours as the keys have them, components and anchored vertices where their anchors have them.
-void Embedding::settle(const PoseWeights& weights, const std::vector<Quaternion>& frames) {
+void PreviewEmbedding::settle(const PoseWeights& weights, const std::vector<Quaternion>& frames, Scratch& scratch) const {
+  auto& [rotation, centre, solution] = scratch;
   const auto position = laplacian_.eliminationPosition();
-  const auto at = [&](int cell) { return Eigen::Map<Vec3>(&solution_[4 * static_cast<std::size_t>(position[cell])]); };
-  std::fill(solution_.begin(), solution_.end(), 0.0);
+  const auto at = [&](int cell) { return Eigen::Map<Vec3>(&solution[4 * static_cast<std::size_t>(position[cell])]); };
+  solution.assign(4 * static_cast<std::size_t>(laplacian_.paddedSize()), 0.0);
+  centre.resize(cells_.size());
   for (const Link& l : links_) {
-    const Vec3 pull = l.weight * way(l, midway(rotation_[l.from], rotation_[l.to]), weights);
+    const Vec3 pull = l.weight * way(l, midway(rotation[l.from], rotation[l.to]), weights);
     at(l.to) += pull;
     at(l.from) -= pull;
   }
-  laplacian_.solve(solution_.data());
-  for (std::size_t k = 0; k < cells_.size(); ++k) centre_[k] = at(static_cast<int>(k));
-  for (const Hanger& h : hangers_) {
-    const Quaternion rotation = frames[h.frame] * expQuaternion(blend(h.turn, weights));
-    const Vec3 shift = centre_[h.from] + rotation * blend(h.offset, weights) - centre_[h.to] - rotation_[h.to] * blend(h.reach, weights);
+  laplacian_.solve(solution.data());
+  for (std::size_t k = 0; k < cells_.size(); ++k) centre[k] = at(static_cast<int>(k));
+  for (const Attachment& h : attachments_) {
+    const Quaternion anchor = frames[h.frame] * expQuaternion(blend(h.turn, weights));
+    const Vec3 shift = centre[h.from] + anchor * blend(h.offset, weights) - centre[h.to] - rotation[h.to] * blend(h.reach, weights);
     const int piece = cells_[h.to].piece;
-    if (piece < 0) centre_[h.to] += shift;
+    if (piece < 0) centre[h.to] += shift;
     for (std::size_t k = 0; k < cells_.size() && piece >= 0; ++k)
-      if (cells_[k].piece == piece) centre_[k] += shift;
+      if (cells_[k].piece == piece) centre[k] += shift;
   }
   Vec3 mean = Vec3::Zero();
-  for (std::size_t k = 0; k < cells_.size(); ++k) mean += cells_[k].size * centre_[k] / vertexCount_;
+  for (std::size_t k = 0; k < cells_.size(); ++k) mean += cells_[k].size * centre[k] / vertexCount_;
   const Vec3 move = blend(mean_, weights) - mean;
-  for (Vec3& p : centre_) p += move;
+  for (Vec3& p : centre) p += move;
 }
 
-void Embedding::at(const PoseWeights& weights, const std::vector<Quaternion>& frames, std::vector<float>& places) {
+void PreviewEmbedding::at(const PoseWeights& weights, const std::vector<Quaternion>& frames, Scratch& scratch,
+                          std::vector<float>& places) const {
+  auto& rotation = scratch.rotation;
+  rotation.resize(cells_.size());
   for (std::size_t k = 0; k < cells_.size(); ++k)
-    rotation_[k] = frames[cells_[k].frame] * expQuaternion(blend(cells_[k].turn, weights));
-  settle(weights, frames);
+    rotation[k] = frames[cells_[k].frame] * expQuaternion(blend(cells_[k].turn, weights));
+  settle(weights, frames, scratch);
   places.resize(4 * static_cast<std::size_t>(vertexCount_));
   const float* number = numbers_.data();
   for (std::size_t k = 0; k < cells_.size(); ++k) {
-    const Eigen::Matrix3f g = rotation_[k].toRotationMatrix().cast<float>();
-    const Eigen::Vector3f centre = centre_[k].cast<float>();
+    const Eigen::Matrix3f g = rotation[k].toRotationMatrix().cast<float>();
+    const Eigen::Vector3f centre = scratch.centre[k].cast<float>();
     for (int i = cells_[k].begin; i < cells_[k].end; i += 4) {
       Float4 r[3] = {Float4::zero(), Float4::zero(), Float4::zero()};
       for (int c = 0; c < columns_; ++c, number += 12) {

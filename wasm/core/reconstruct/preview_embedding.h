@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "core/cholesky.h"
-#include "core/pose_weights.h"
-#include "core/rotation.h"
-#include "core/welded_shape.h"
+#include "core/lri/welded_shape.h"
+#include "core/rotation/rotation.h"
+#include "core/sparse/cholesky.h"
+#include "core/spline/pose_weights.h"
 
 namespace shapespline {
 
@@ -23,7 +23,7 @@ struct EmbeddedPlace {
 /// theirs (least squares over the graph of cells); a vertex from where the keys have it in its cell. All of that is splined with
 /// the curve's weights, so that every key is met. Between the keys the error is of second order in how much a
 /// cell bends within itself. No system of the mesh's size is solved.
-class Embedding {
+class PreviewEmbedding {
  public:
   struct Input {
     const WeldedShape& shape;
@@ -38,13 +38,22 @@ class Embedding {
     bool logarithmic;                                    ///< lengths are splined by their logarithms, as log S_f is
   };
 
+  struct Scratch {
+    std::vector<Quaternion> rotation;  // of each cell
+    std::vector<Vec3> centre;
+    std::vector<double, Eigen::aligned_allocator<double>> solution;
+  };
+
   /// Error: that of the solver.
-  Status build(const Input& input);
+  static Result<PreviewEmbedding> create(const Input& input);
 
   /// The shape at `weights`, with the frames' rotations there. places: (x, y, z, pad) of each vertex, in the order of placeOf.
-  void at(const PoseWeights& weights, const std::vector<Quaternion>& frames, std::vector<float>& places);
+  void at(const PoseWeights& weights, const std::vector<Quaternion>& frames, Scratch& scratch,
+          std::vector<float>& places) const;
 
  private:
+  PreviewEmbedding() = default;
+  Status build(const Input& input);
   // Vertices of one cell, four side by side: numbers_ holds x, y and z of each column for each block.
   struct Cell {
     int frame, piece;        // piece -1: anchored vertices
@@ -61,7 +70,7 @@ class Embedding {
   };
   // A component, or anchored vertices, at an anchor face: a point that lies at `offset` from one cell, seen from the face, and at
   // `reach` from the other, seen from that.
-  struct Hanger {
+  struct Attachment {
     int from, to, frame;
     std::vector<Vec3> turn, offset, reach;  // one per column
   };
@@ -70,11 +79,11 @@ class Embedding {
   void addCell(const Input& input, std::span<int> vertices, int anchor);
   void encodeVertices(const Input& input);
   Link link(int from, int to, double weight, bool logarithmic) const;
-  Hanger hanger(const Input& input, int face, int from, int to, const std::vector<Vec3>& pivot) const;
+  Attachment attach(const Input& input, int face, int from, int to, const std::vector<Vec3>& pivot) const;
   std::vector<std::pair<int, int>> neighbours(const Input& input, const std::vector<int>& cellOf) const;
   Status buildLinks(const Input& input);
   static Vec3 way(const Link& link, const Quaternion& middle, const PoseWeights& weights);
-  void settle(const PoseWeights& weights, const std::vector<Quaternion>& frames);
+  void settle(const PoseWeights& weights, const std::vector<Quaternion>& frames, Scratch& scratch) const;
 
   int columns_ = 0, vertexCount_ = 0;
   std::vector<Cell> cells_;
@@ -82,17 +91,13 @@ class Embedding {
   std::vector<float> numbers_;
   std::vector<Vec3> mean_;             // of all vertices, one a column
   std::vector<Link> links_;            // between neighbouring cells
-  std::vector<Hanger> hangers_;
+  std::vector<Attachment> attachments_;
   Cholesky laplacian_;
   // while it is built: the vertex at each of place_, each cell's anchor face or -1, and of the columns the rotation and
   // centre of each cell
   std::vector<int> vertex_, anchorOf_;
   std::vector<std::vector<Quaternion>> keyRotation_;
   std::vector<std::vector<Vec3>> keyCentre_;
-  // scratch
-  std::vector<Quaternion> rotation_;
-  std::vector<Vec3> centre_;
-  std::vector<double, Eigen::aligned_allocator<double>> solution_;
 };
 
 }  // namespace shapespline

@@ -5,18 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "core/embedding.h"
-#include "core/face_kernel.h"
-#include "core/frame_source.h"
-#include "core/lri.h"
-#include "core/poisson.h"
-#include "core/pose_weights.h"
-#include "core/sequence_stats.h"
+#include "core/lri/frames.h"
+#include "core/lri/lri.h"
+#include "core/reconstruct/face_kernel.h"
+#include "core/reconstruct/poisson.h"
+#include "core/reconstruct/preview_embedding.h"
+#include "core/spline/pose_weights.h"
 
 namespace shapespline {
-
-/// Called with a stage's name and the fraction of that stage that is done.
-using StageProgress = std::function<void(const char* stage, double fraction)>;
 
 /// A shape as it leaves the solver.
 template <class Real>
@@ -25,8 +21,14 @@ struct PlacedShape {
   Vec3 move = Vec3::Zero();  ///< what all of them are still to be moved by
 };
 
-/// Rebuilds shapes from blended coordinates. Holds the factored system and scratch space; not thread-safe, but every
-/// result depends on its arguments alone.
+/// What a reconstruction found, and the wall times of its parts, ms: splined faces and right-hand side; the solve; placing the vertices.
+struct Reconstruction {
+  int indefiniteFaces = 0;   ///< faces whose interpolated S_f is not positive definite
+  int indefiniteFace = -1;   ///< one of them
+  double facesMs = 0, solveMs = 0, placeMs = 0;
+};
+
+/// Rebuilds shapes from blended coordinates. Holds the factored system. Immutable.
 template <class Real>
 class Reconstructor {
  public:
@@ -34,30 +36,45 @@ class Reconstructor {
     const WeldedShape& shape;     ///< must outlive the reconstructor
     const ShapeParts& parts;
     std::span<const int> frameOf; ///< frame of each face; -1 where it has no area
-    FrameSource& frames;          ///< must outlive the reconstructor
     Stretch stretch;
     Precision precision;
   };
 
-  /// Orders and factorises the system and lays the faces' numbers out for it; the times of that go to stats.
-  Status build(const Input& input, LriCoordinates<Real> coordinates, SequenceStats& stats, const StageProgress& onProgress);
+  /// Overwritten by every reconstruction.
+  struct Scratch {
+    std::vector<Real> rightHandSide;  // with Precision::Exact
+    IterativeRefinement::Scratch refinement;
+    std::vector<Real> matrices;       // of the frames
+    PlacedShape<Real> placed;
+    std::vector<Vec3> shift;          // translation of each piece against the others
+    std::vector<Real> shiftLanes;     // the same as (x, y, z, 0)
+    std::vector<Vec3> loose;          // where each loose vertex lies
+  };
 
-  /// The shape at `point`, its mean position where the coordinates have it. Returns the number of faces whose interpolated
-  /// S_f is not positive definite. The parts' wall times go to stats, if there is one.
-  int reconstruct(const CurvePoint& point, PlacedShape<Real>& shape, SequenceStats* stats = nullptr, Crew* crew = nullptr);
+  /// Wall times, ms. Arranging lays the faces' numbers out in the order in which the system is eliminated.
+  struct Times {
+    double order = 0, factor = 0, arrange = 0;
+  };
 
-  /// The same as one position a welded vertex.
-  int reconstruct(const CurvePoint& point, Positions& positions);
+  /// Orders and factorises the system and lays the faces' numbers out for it. Error: that of the solver.
+  static Result<Reconstructor> create(const Input& input, LriCoordinates<Real> coordinates, const StageProgress& onProgress = {});
 
-  /// The shape at `point`, about (embedding.h), made for it when it is first asked for. poses: the frames that the
-  /// coordinates are in. Error: that of the embedding's solver.
-  Status preview(const CurvePoint& point, const FramePoses& poses, PlacedShape<float>& shape);
+  /// The shape at `point` in the frames there, its mean position where the coordinates have it.
+  Reconstruction reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch, PlacedShape<Real>& shape,
+                             ForkJoin* forkJoin = nullptr) const;
 
-  /// R_f of every face at `point`; the identity for faces without area.
-  void faceRotations(const CurvePoint& point, std::vector<Quaternion>& rotation);
+  /// The same as one position per welded vertex.
+  Reconstruction reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch, Positions& positions) const;
+
+  /// What makes the shape about, at a fraction of the cost. poses: the frames that the coordinates are in. Error: that of its solver.
+  Result<PreviewEmbedding> makePreview(const FramePoses& poses) const;
+
+  /// R_f of every face at `point` in the frames there; the identity for faces without area.
+  void faceRotations(const CurvePoint& point, const Frames& frames, std::vector<Quaternion>& rotation) const;
 
   const LriCoordinates<Real>& coordinates() const { return lri_; }
   CholeskyStats solverStats() const { return poisson_.stats(); }
+  const Times& times() const { return times_; }
 
   /// Component of each face, -1 without area.
   const std::vector<int>& pieceOfFace() const { return pieceOfFace_; }
@@ -67,46 +84,33 @@ class Reconstructor {
   const std::vector<int>& placeOf() const { return placeOf_; }
 
  private:
-  Quaternion faceRotation(int face, int frame, const PoseWeights& weights) const;
-  Status embed(const FramePoses& poses);
+  Reconstructor(const Input& input, LriCoordinates<Real> coordinates, PoissonSystem poisson, const FractionReport& onProgress);
+  Quaternion faceRotation(int face, int frame, const PoseWeights& weights, const Frames& frames) const;
   // x: (x, y, z, pad) of each slot; the right-hand side and then the solution.
-  int assemble(const PoseWeights& weights, Real* x, Crew* crew);
-  void solve(const PoseWeights& weights, Real* x, Crew* crew);
-  void startFromKey(const PoseWeights& weights, Real* x);
-  void placeComponents(const PoseWeights& weights, const Real* x);
-  void placeLoose(const PoseWeights& weights, const Real* x);
-  Vec3 meanMove(const PoseWeights& weights, const Real* x) const;
-  void slotsToPlaces(Real* x);
-  Vec3 placedVertex(int v, const Real* x) const;
-  Vec3 placedCentroid(int face, const Real* x) const;
+  IndefiniteFaces assemble(const PoseWeights& weights, const Frames& frames, Scratch& scratch, Real* x, ForkJoin* forkJoin) const;
+  void solve(const PoseWeights& weights, Scratch& scratch, Real* x, ForkJoin* forkJoin) const;
+  void startFromKey(const PoseWeights& weights, Scratch& scratch, Real* x) const;
+  void placeComponents(const PoseWeights& weights, const Frames& frames, Scratch& scratch, const Real* x) const;
+  void placeLoose(const PoseWeights& weights, const Frames& frames, Scratch& scratch, const Real* x) const;
+  Vec3 meanMove(const PoseWeights& weights, const Scratch& scratch, const Real* x) const;
+  void slotsToPlaces(Scratch& scratch, Real* x) const;
+  Vec3 placedVertex(int v, const Scratch& scratch, const Real* x) const;
+  Vec3 placedCentroid(int face, const Scratch& scratch, const Real* x) const;
 
-  const WeldedShape* shape_ = nullptr;
-  FrameSource* source_ = nullptr;
+  const WeldedShape* shape_;
+  Precision precision_;
+  Stretch stretch_;
+  std::vector<int> frameOf_;
   LriCoordinates<Real> lri_;
   PoissonSystem poisson_;
   FaceKernel<Real> kernel_;
-  Precision precision_ = Precision::Single;
-  Stretch stretch_ = Stretch::Linear;
   double extent_ = 0;  // diagonal of the reference pose
-  std::vector<int> frameOf_;
   std::vector<int> pieceOfVertex_;  // -1 for loose vertices
   std::vector<int> placeOf_;
   std::vector<int> pieceAt_;        // of the vertex at each place; 0 for loose vertices. Empty where there is one piece only
   std::vector<int> verticesOfPiece_;
   std::vector<int> pieceOfFace_;
-  std::optional<Embedding> embedding_;
-
-  std::vector<int> faceAt_;         // of each slot of the coordinates
-
-  // scratch, overwritten by every reconstruction
-  int indefiniteFace_ = -1;
-  std::vector<Real> rightHandSide_;  // with Precision::Exact
-  Frames frames_;
-  std::vector<Real> matrices_;
-  PlacedShape<Real> placed_;
-  std::vector<Vec3> shift_;       // translation of each piece against the others
-  std::vector<Real> shiftLanes_;  // the same as (x, y, z, 0)
-  std::vector<Vec3> loose_;       // where each loose vertex lies
+  Times times_;
 };
 
 }  // namespace shapespline

@@ -1,4 +1,4 @@
-#include "core/rigid_motion.h"
+#include "core/rotation/rigid_motion.h"
 
 #include <cmath>
 

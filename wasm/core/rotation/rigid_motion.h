@@ -1,7 +1,7 @@
 // A rotation and a shift together, and its powers: a walk that goes on, a loop that closes somewhere else.
 #pragma once
 
-#include "core/rotation.h"
+#include "core/rotation/rotation.h"
 
 namespace shapespline {
 

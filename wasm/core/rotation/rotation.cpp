@@ -1,11 +1,11 @@
-#include "core/rotation.h"
+#include "core/rotation/rotation.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <Eigen/Eigenvalues>
 
-#include "core/rotation_series.h"
+#include "core/rotation/rotation_series.h"
 
 namespace shapespline {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/types.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 

@@ -1,58 +1,14 @@
-#include "core/metrics.h"
+#include "core/sequence/gram_matrix.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
 
-#include "core/face_frame.h"
-#include "core/rotation.h"
+#include "core/lri/face_frame.h"
+#include "core/rotation/rotation.h"
 
 namespace shapespline {
-
-namespace {
-
-Vec3 centroidOf(const Positions& p) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& x : p) sum += x;
-  return sum / static_cast<double>(p.size());
-}
-
-Positions averageShape(const std::vector<Positions>& sequence) {
-  Positions average(sequence.front().size(), Vec3::Zero());
-  for (const Positions& frame : sequence)
-    for (std::size_t v = 0; v < average.size(); ++v) average[v] += frame[v];
-  for (Vec3& p : average) p /= static_cast<double>(sequence.size());
-  return average;
-}
-
-}  // namespace
-
-double enclosedVolume(const Positions& p, const std::vector<Triangle>& faces) {
-  const Vec3 origin = p.empty() ? Vec3(Vec3::Zero()) : p.front();  // near the shape, so that far ones keep their digits
-  double sum = 0;
-  for (const Triangle& f : faces) sum += (p[f[0]] - origin).dot((p[f[1]] - origin).cross(p[f[2]] - origin));
-  return sum / 6;
-}
-
-double surfaceArea(const Positions& p, const std::vector<Triangle>& faces) {
-  double sum = 0;
-  for (const Triangle& f : faces) sum += (p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]]).norm();
-  return sum / 2;
-}
-
-double kgError(const std::vector<Positions>& sequence, const std::vector<Positions>& other, KgCentre centre) {
-  const Positions average = centre == KgCentre::SequenceAverage ? averageShape(sequence) : Positions();
-  double difference = 0, spread = 0;
-  for (std::size_t k = 0; k < sequence.size(); ++k) {
-    const Vec3 middle = centroidOf(sequence[k]);
-    for (std::size_t v = 0; v < sequence[k].size(); ++v) {
-      difference += (sequence[k][v] - other[k][v]).squaredNorm();
-      spread += (sequence[k][v] - (average.empty() ? middle : average[v])).squaredNorm();
-    }
-  }
-  return spread > 0 ? 100 * std::sqrt(difference / spread) : (difference > 0 ? INFINITY : 0);
-}
 
 template <class Real>
 Eigen::MatrixXd gramMatrix(const PatchCoordinates& k, const LriCoordinates<Real>& x, const WeldedShape& shape,
@@ -109,16 +65,6 @@ PrincipalPlane::PrincipalPlane(const Eigen::MatrixXd& gram, int keys) : gram_(gr
 
 Vec2 PrincipalPlane::project(const Eigen::VectorXd& weights) const {
   return direction_.transpose() * (gram_ * (weights - mean_));
-}
-
-RigidFit fitRigid(const Positions& from, const Positions& to) {
-  const Vec3 a = centroidOf(from), b = centroidOf(to);
-  Mat3 covariance = Mat3::Zero();
-  for (std::size_t v = 0; v < from.size(); ++v) covariance += (to[v] - b) * (from[v] - a).transpose();
-  RigidFit fit{projectToRotation(covariance), 0};
-  for (std::size_t v = 0; v < from.size(); ++v)
-    fit.largestDistance = std::max(fit.largestDistance, (fit.rotation * (from[v] - a) - (to[v] - b)).norm());
-  return fit;
 }
 
 }  // namespace shapespline

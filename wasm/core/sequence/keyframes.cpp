@@ -1,16 +1,13 @@
-#include "core/keyframes.h"
+#include "core/sequence/keyframes.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/text.h"
+#include "core/base/format.h"
 
 namespace shapespline {
 
 namespace {
-
-// Of the whole time: closer keys leave no digits for the speeds between them.
-constexpr double closestTimes = 1e-12;
 
 std::string keyName(const std::string& name, int key) {
   const std::string number = "key " + std::to_string(key + 1);
@@ -85,25 +82,6 @@ Status validateArea(const Keyframes& k, int key) {
 
 }  // namespace
 
-Status validateTimes(const std::vector<double>& times, int keyCount) {
-  if (static_cast<int>(times.size()) != keyCount)
-    return Error{ErrorCode::TimeCountMismatch, "There are " + grouped(times.size()) + " key times for " +
-                                                   grouped(keyCount) + " keys. Give one time a key."};
-  for (int j = 0; j < keyCount; ++j) {
-    if (!std::isfinite(times[j]))
-      return Error{ErrorCode::NotFinite, "The time of key " + std::to_string(j + 1) + " is not a finite number.", j};
-    if (j > 0 && times[j] > times[j - 1] && !(times[j] - times[j - 1] > closestTimes * (times.back() - times.front())))
-      return Error{ErrorCode::TimesNotIncreasing,
-                   "Key " + std::to_string(j + 1) + " follows key " + std::to_string(j) + " by less than a millionth of a millionth of the whole "
-                   "time. Move the keys further apart.", j};
-    if (j > 0 && !(times[j] > times[j - 1]))
-      return Error{ErrorCode::TimesNotIncreasing,
-                   "Key " + std::to_string(j + 1) + " is at time " + shortNumber(times[j]) + ", not after key " +
-                       std::to_string(j) + " at " + shortNumber(times[j - 1]) + ". Key times must increase.", j};
-  }
-  return {};
-}
-
 Status validate(const Keyframes& k) {
   if (k.keyCount() < 2)
     return Error{ErrorCode::TooFewKeys, k.keyCount() == 0 ? "There are no keys. Give at least two poses of one mesh."
@@ -130,12 +108,6 @@ Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triang
                keyName(name, key) + ": face " + grouped(face) + " is " + faceText(*b) + ", but in key 1 it is " +
                    faceText(*a) + "." + sameTrianglesHint(first, other) +
                    " Export all keys from one mesh without reordering it.", key, -1, face};
-}
-
-std::vector<double> evenTimes(int keyCount) {
-  std::vector<double> times(keyCount);
-  for (int j = 0; j < keyCount; ++j) times[j] = keyCount > 1 ? static_cast<double>(j) / (keyCount - 1) : 0;
-  return times;
 }
 
 }  // namespace shapespline

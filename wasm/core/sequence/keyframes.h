@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/status.h"
-#include "core/types.h"
+#include "core/base/status.h"
+#include "core/base/types.h"
+#include "core/spline/key_times.h"
 
 namespace shapespline {
 
@@ -34,14 +35,8 @@ struct Keyframes {
 /// Errors name the key, and the vertex or face.
 Status validate(const Keyframes& keyframes);
 
-/// Checks times alone (count, finite, strictly increasing), for edits of the key times.
-Status validateTimes(const std::vector<double>& times, int keyCount);
-
 /// Compares the faces of key `key` with those of the first key. Error: FaceCountMismatch with both counts, or
 /// FaceMismatch with the first face that differs; says whether the triangles are the same set in another order or winding.
 Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triangle>& other, int key, const std::string& name);
-
-/// J times evenly spaced over [0, 1].
-std::vector<double> evenTimes(int keyCount);
 
 }  // namespace shapespline

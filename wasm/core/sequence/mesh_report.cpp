@@ -1,9 +1,9 @@
-#include "core/mesh_report.h"
+#include "core/sequence/mesh_report.h"
 
 #include <algorithm>
 
-#include "core/face_frame.h"
-#include "core/weld.h"
+#include "core/lri/face_frame.h"
+#include "core/mesh/weld.h"
 
 namespace shapespline {
 namespace {

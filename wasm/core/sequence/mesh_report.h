@@ -1,8 +1,8 @@
 // What is worth saying about a set of keys before anything is computed with them.
 #pragma once
 
-#include "core/keyframes.h"
-#include "core/mesh.h"
+#include "core/mesh/mesh.h"
+#include "core/sequence/keyframes.h"
 
 namespace shapespline {
 

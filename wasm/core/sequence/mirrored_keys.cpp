@@ -1,4 +1,4 @@
-#include "core/mirrored.h"
+#include "core/sequence/mirrored_keys.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "core/precision.h"
-#include "core/types.h"
+#include "core/base/types.h"
+#include "core/lri/face_frame.h"
+#include "core/lri/lri.h"
+#include "core/sparse/precision.h"
+#include "core/spline/rotation_spline.h"
+#include "core/spline/spline.h"
 
 namespace shapespline {
 
@@ -15,27 +19,6 @@ enum class Method {
   Geodesic,     ///< piecewise linear in LRI space (Kilian et al. 2007, as in Fig. 1)
   Linear,       ///< piecewise linear vertex positions: what morph targets do
   CubicVertex,  ///< cubic splines of the vertex positions
-};
-
-enum class BoundaryKind { Natural, Hermite, Periodic };
-
-/// How the symmetric factor S_f of a face is interpolated.
-enum class Stretch {
-  Linear,  ///< S_f itself (the paper); beyond the keys it eases off short of a lower limit and stays definite, a blend may not
-  Log,     ///< log S_f; cannot turn inside out, and beyond the keys eases towards limits (stretch_limits.h)
-};
-
-/// How the full-resolution shape follows a ghost mesh (paper section 4.3).
-enum class Transfer {
-  Exact,  ///< what the keys show beyond the ghost's motion is splined too: passes through every key
-  Paper,  ///< the reference's details follow the ghost; other keys are met up to their own details
-};
-
-/// Whole turns added on the way to a key, to the whole shape or to one component against the one that carries it.
-struct AddedTurns {
-  int key = 1;         ///< 0-based, at least 1: the turns happen between key - 1 and key
-  int turns = 0;       ///< whole turns about the axis of that increment; negative turns go the other way
-  int component = -1;  ///< 0-based, components counted by their first face in the file; -1: the whole shape
 };
 
 /// Choices that refit the spline only: changing them never encodes or factorises again.

@@ -1,8 +1,6 @@
 // What building and evaluating a sequence cost.
 #pragma once
 
-#include <chrono>
-
 namespace shapespline {
 
 /// How often the costly stages ran. Neither encodings nor factorisations move while t, the motion options or the key
@@ -25,22 +23,7 @@ struct SequenceStats {
   /// right-hand side; the full-resolution solve; placing the vertices; normals and what is drawn, in the order of the raw
   /// vertices.
   double framesMs = 0, facesMs = 0, solveMs = 0, placeMs = 0, normalsMs = 0;
-  int indefiniteFace = -1;  ///< of the last frame: one of the faces whose S_f is not positive definite, in the welded mesh
   double ghostMs = 0;  ///< wall time of the ghost's own last shape, from the spline to its vertices
-};
-
-class Stopwatch {
- public:
-  /// Milliseconds since the last lap.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now;
-    return ms;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace shapespline

@@ -1,4 +1,4 @@
-#include "core/turn_warnings.h"
+#include "core/sequence/turn_warnings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "core/lri.h"
-#include "core/options.h"
-#include "core/patch_motion.h"
-#include "core/warning.h"
+#include "core/base/warning.h"
+#include "core/lri/lri.h"
+#include "core/patches/patch_motion.h"
+#include "core/sequence/options.h"
 
 namespace shapespline {
 

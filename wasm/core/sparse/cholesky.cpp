@@ -1,15 +1,15 @@
-#include "core/cholesky.h"
+#include "core/sparse/cholesky.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 
-#include "core/graph.h"
-#include "core/multifrontal.h"
-#include "core/ordering.h"
-#include "core/panels.h"
-#include "core/symbolic.h"
+#include "core/sparse/graph.h"
+#include "core/sparse/multifrontal.h"
+#include "core/sparse/ordering.h"
+#include "core/sparse/panel_factor.h"
+#include "core/sparse/symbolic.h"
 
 namespace shapespline {
 
@@ -144,8 +144,8 @@ int Cholesky::paddedSize() const {
   return state_->precision == Precision::Single ? state_->single.paddedSize() : state_->full.paddedSize();
 }
 
-void Cholesky::solve(float* xyzp, Crew* crew) const { state_->single.solve(xyzp, crew); }
-void Cholesky::solve(double* xyzp, Crew* crew) const { state_->full.solve(xyzp, crew); }
+void Cholesky::solve(float* xyzp, ForkJoin* forkJoin) const { state_->single.solve(xyzp, forkJoin); }
+void Cholesky::solve(double* xyzp, ForkJoin* forkJoin) const { state_->full.solve(xyzp, forkJoin); }
 
 CholeskyStats Cholesky::stats() const {
   const bool isSingle = state_->precision == Precision::Single;

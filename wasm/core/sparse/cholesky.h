@@ -5,12 +5,12 @@
 #include <memory>
 #include <span>
 
-#include "core/crew.h"
-#include "core/precision.h"
-#include "core/progress.h"
-#include "core/sparse_matrix.h"
-#include "core/status.h"
-#include "core/types.h"
+#include "core/base/fork_join.h"
+#include "core/base/progress.h"
+#include "core/base/status.h"
+#include "core/base/types.h"
+#include "core/sparse/precision.h"
+#include "core/sparse/sparse_matrix.h"
 
 namespace shapespline {
 
@@ -36,7 +36,7 @@ class Cholesky {
   Cholesky& operator=(Cholesky&&) noexcept;
 
   /// Finds the elimination order and the factor's structure; drops any earlier factor. coordinates: one position an unknown, which
-  /// makes for a better order of a large mesh, or empty. Error if the matrix is malformed or not finite, or the
+  /// makes for a better order of a large system, or empty. Error if the matrix is malformed or not finite, or the
   /// coordinates are of another number. onProgress: fraction of the analysis, below 1.
   Status analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision,
                  const FractionReport& onProgress = {});
@@ -64,9 +64,9 @@ class Cholesky {
 
   /// Solves A x = b in place for three right-hand sides: (x, y, z, pad) of every unknown in elimination order,
   /// 4 * paddedSize() numbers, 16-byte aligned. Only for the precision given to analyse(), after a factorisation without error.
-  /// The pads are scratch. Allocates nothing and changes nothing but its argument, whatever the crew to the same bits.
-  void solve(float* xyzp, Crew* crew = nullptr) const;
-  void solve(double* xyzp, Crew* crew = nullptr) const;
+  /// The pads are scratch. Allocates nothing and changes nothing but its argument, in one thread or two to the same bits.
+  void solve(float* xyzp, ForkJoin* forkJoin = nullptr) const;
+  void solve(double* xyzp, ForkJoin* forkJoin = nullptr) const;
 
   CholeskyStats stats() const;
 

@@ -1,11 +1,11 @@
-#include "core/dense_front.h"
+#include "core/sparse/dense_front.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/out_of_line.h"
-#include "core/simd.h"
+#include "core/base/no_inline_call.h"
+#include "core/base/simd.h"
 
 namespace shapespline {
 

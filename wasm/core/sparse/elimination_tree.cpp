@@ -1,4 +1,4 @@
-#include "core/elimination_tree.h"
+#include "core/sparse/elimination_tree.h"
 
 #include <algorithm>
 #include <cstddef>

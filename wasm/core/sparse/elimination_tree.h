@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/graph.h"
-#include "core/progress.h"
+#include "core/base/progress.h"
+#include "core/sparse/graph.h"
 
 namespace shapespline {
 

@@ -1,32 +1,10 @@
-#include "core/assembly.h"
+#include "core/sparse/front_assembly.h"
 
 #include <algorithm>
 
-#include "core/dense_front.h"
+#include "core/sparse/dense_front.h"
 
 namespace shapespline {
-
-EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position) {
-  EntryMap map;
-  map.start.assign(static_cast<std::size_t>(matrix.size) + 1, 0);
-  const auto forEachEntry = [&](auto visit) {
-    for (int column = 0; column < matrix.size; ++column)
-      for (int i = matrix.columnStart[column]; i < matrix.columnStart[column + 1]; ++i) {
-        const int p = position[column], q = position[matrix.row[i]];
-        visit(std::min(p, q), std::max(p, q), i);
-      }
-  };
-  forEachEntry([&](int p, int, int) { ++map.start[p + 1]; });
-  for (int p = 0; p < matrix.size; ++p) map.start[p + 1] += map.start[p];
-  map.row.resize(matrix.row.size());
-  map.source.resize(matrix.row.size());
-  std::vector<int> next(map.start.begin(), map.start.end() - 1);
-  forEachEntry([&](int p, int q, int i) {
-    map.row[next[p]] = q;
-    map.source[next[p]++] = i;
-  });
-  return map;
-}
 
 Assembly planAssembly(const SymmetricMatrix& matrix, const SymbolicFactor& symbolic) {
   const EntryMap map = mapEntries(matrix, symbolic.position);

@@ -4,18 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/sparse_matrix.h"
-#include "core/symbolic.h"
+#include "core/sparse/sparse_matrix.h"
+#include "core/sparse/symbolic.h"
 
 namespace shapespline {
-
-/// Where the entries of a matrix go: those that column p of the factor starts from are entry i in
-/// [start[p], start[p + 1]): matrix.value[source[i]] at row position row[i] >= p.
-struct EntryMap {
-  std::vector<int> start, row, source;
-};
-
-EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position);
 
 /// What a front is the sum of: entries of the matrix, and its children's update matrices. Neither needs the numbers of unknowns.
 struct Assembly {

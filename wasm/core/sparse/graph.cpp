@@ -1,4 +1,4 @@
-#include "core/graph.h"
+#include "core/sparse/graph.h"
 
 #include <cstddef>
 

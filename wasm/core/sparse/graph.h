@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/sparse_matrix.h"
+#include "core/sparse/sparse_matrix.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/vertex_cut.h"
+#include "core/sparse/minimum_vertex_cut.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/graph.h"
+#include "core/sparse/graph.h"
 
 namespace shapespline {
 

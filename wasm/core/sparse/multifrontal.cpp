@@ -1,11 +1,11 @@
-#include "core/multifrontal.h"
+#include "core/sparse/multifrontal.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "core/dense_front.h"
-#include "core/out_of_line.h"
-#include "core/simd.h"
+#include "core/base/no_inline_call.h"
+#include "core/base/simd.h"
+#include "core/sparse/dense_front.h"
 
 namespace shapespline {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "core/assembly.h"
-#include "core/symbolic.h"
+#include "core/sparse/front_assembly.h"
+#include "core/sparse/symbolic.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/nested_dissection.h"
+#include "core/sparse/nested_dissection.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <numeric>
 #include <utility>
 
-#include "core/ordering.h"
-#include "core/separator.h"
+#include "core/sparse/minimum_degree.h"
+#include "core/sparse/separator.h"
 
 namespace shapespline {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "core/graph.h"
-#include "core/progress.h"
-#include "core/types.h"
+#include "core/base/progress.h"
+#include "core/base/types.h"
+#include "core/sparse/graph.h"
 
 namespace shapespline {
 

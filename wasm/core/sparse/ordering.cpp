@@ -1,32 +1,9 @@
-#include "core/ordering.h"
+#include "core/sparse/ordering.h"
 
-#include <algorithm>
-
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
-
-#include "core/nested_dissection.h"
+#include "core/sparse/minimum_degree.h"
+#include "core/sparse/nested_dissection.h"
 
 namespace shapespline {
-
-std::vector<int> minimumDegreeOrder(const Graph& graph) {
-  const int size = graph.size();
-  // Eigen wants each column with its diagonal entry; the values do not matter.
-  Eigen::SparseMatrix<signed char, Eigen::ColMajor, int> pattern(size, size);
-  pattern.resizeNonZeros(static_cast<Eigen::Index>(graph.neighbour.size()) + size);
-  int next = 0;
-  for (int v = 0; v < size; ++v) {
-    pattern.outerIndexPtr()[v] = next;
-    pattern.innerIndexPtr()[next++] = v;
-    for (int u : graph.neighbours(v)) pattern.innerIndexPtr()[next++] = u;
-  }
-  pattern.outerIndexPtr()[size] = next;
-  std::fill_n(pattern.valuePtr(), next, static_cast<signed char>(1));
-
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-  if (size > 0) Eigen::internal::minimum_degree_ordering(pattern, permutation);
-  return {permutation.indices().data(), permutation.indices().data() + size};
-}
 
 std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress) {
   // Below this nested dissection has no less fill than minimum degree.

@@ -4,14 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "core/graph.h"
-#include "core/progress.h"
-#include "core/types.h"
+#include "core/base/progress.h"
+#include "core/base/types.h"
+#include "core/sparse/graph.h"
 
 namespace shapespline {
-
-/// Approximate minimum degree (Amestoy, Davis and Duff 1996): order[p] is the node eliminated at position p.
-std::vector<int> minimumDegreeOrder(const Graph& graph);
 
 /// The order the solver uses: nested dissection for large graphs with coordinates, else minimum degree.
 /// coordinates: one position a node, or empty.

@@ -1,11 +1,11 @@
-#include "core/panels.h"
+#include "core/sparse/panel_factor.h"
 
 #include <algorithm>
 
-#include "core/dense_front.h"
-#include "core/out_of_line.h"
-#include "core/panel_kernels.h"
-#include "core/tree_cut.h"
+#include "core/base/no_inline_call.h"
+#include "core/sparse/dense_front.h"
+#include "core/sparse/panel_kernels.h"
+#include "core/sparse/subtree_partition.h"
 
 namespace shapespline {
 
@@ -71,10 +71,10 @@ void PanelFactor<Scalar>::backward(int part, Scalar* x) const {
 }
 
 template <class Scalar>
-void PanelFactor<Scalar>::solve(Scalar* x, Crew* crew) const {
+void PanelFactor<Scalar>::solve(Scalar* x, ForkJoin* forkJoin) const {
   const auto at = [x](int i) { return x + 4 * static_cast<std::ptrdiff_t>(i); };
   std::fill(at(size_), at(paddedSize()), Scalar(0));  // what the zero rows read and write, and what the second part adds to the top
-  inTwo(crew, [&](int part) { forward(part, x); });
+  inTwo(forkJoin, [&](int part) { forward(part, x); });
   const Scalar* copy = at(size_ + 2);
   for (int p : top_)
     for (int i = 0; i < 4; ++i) at(p)[i] += *copy++;
@@ -82,7 +82,7 @@ void PanelFactor<Scalar>::solve(Scalar* x, Crew* crew) const {
   backward(topPart, x);
   Scalar* out = at(size_ + 2);
   for (int p : top_) out = std::copy_n(at(p), 4, out);
-  inTwo(crew, [&](int part) { backward(part, x); });
+  inTwo(forkJoin, [&](int part) { backward(part, x); });
 }
 
 template class PanelFactor<float>;

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/crew.h"
-#include "core/panel_layout.h"
+#include "core/base/fork_join.h"
+#include "core/sparse/panel_layout.h"
 
 namespace shapespline {
 
@@ -26,7 +26,7 @@ class PanelFactor : public PanelLayout {
 
   /// Solves L Lᵀ x = b in place, (x, y, z, pad) an unknown in elimination order; the padding is scratch. `x` has
   /// length paddedSize() unknowns, those beyond the matrix's size are scratch.
-  void solve(Scalar* x, Crew* crew = nullptr) const;
+  void solve(Scalar* x, ForkJoin* forkJoin = nullptr) const;
 
   std::size_t entries() const { return values_.size(); }
 

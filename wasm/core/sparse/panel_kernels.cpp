@@ -1,9 +1,9 @@
-#include "core/panel_kernels.h"
+#include "core/sparse/panel_kernels.h"
 
 #include <algorithm>
 
-#include "core/out_of_line.h"
-#include "core/simd.h"
+#include "core/base/no_inline_call.h"
+#include "core/base/simd.h"
 
 // Loops here are as small as they can be. Browsers' optimising compilers move the loads of a loop body to its front, so
 // that an unrolled body runs out of registers: bodies of five loads ran twice as fast as bodies of fourteen.

@@ -1,9 +1,9 @@
-#include "core/panel_layout.h"
+#include "core/sparse/panel_layout.h"
 
 #include <numeric>
 
-#include "core/panel_kernels.h"
-#include "core/tree_cut.h"
+#include "core/sparse/panel_kernels.h"
+#include "core/sparse/subtree_partition.h"
 
 namespace shapespline {
 

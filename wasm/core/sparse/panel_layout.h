@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/dense_front.h"
-#include "core/symbolic.h"
+#include "core/sparse/dense_front.h"
+#include "core/sparse/symbolic.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/separator.h"
+#include "core/sparse/separator.h"
 
 #include <algorithm>
 #include <array>

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/graph.h"
-#include "core/types.h"
-#include "core/vertex_cut.h"
+#include "core/base/types.h"
+#include "core/sparse/graph.h"
+#include "core/sparse/minimum_vertex_cut.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "core/sparse_matrix.h"
+#include "core/sparse/sparse_matrix.h"
 
 #include <cmath>
 #include <cstddef>
@@ -74,6 +74,28 @@ Status checkSymmetric(const SymmetricMatrix& matrix) {
     }
   }
   return {};
+}
+
+EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position) {
+  EntryMap map;
+  map.start.assign(static_cast<std::size_t>(matrix.size) + 1, 0);
+  const auto forEachEntry = [&](auto visit) {
+    for (int column = 0; column < matrix.size; ++column)
+      for (int i = matrix.columnStart[column]; i < matrix.columnStart[column + 1]; ++i) {
+        const int p = position[column], q = position[matrix.row[i]];
+        visit(std::min(p, q), std::max(p, q), i);
+      }
+  };
+  forEachEntry([&](int p, int, int) { ++map.start[p + 1]; });
+  for (int p = 0; p < matrix.size; ++p) map.start[p + 1] += map.start[p];
+  map.row.resize(matrix.row.size());
+  map.source.resize(matrix.row.size());
+  std::vector<int> next(map.start.begin(), map.start.end() - 1);
+  forEachEntry([&](int p, int q, int i) {
+    map.row[next[p]] = q;
+    map.source[next[p]++] = i;
+  });
+  return map;
 }
 
 }  // namespace shapespline

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/status.h"
+#include "core/base/status.h"
 
 namespace shapespline {
 
@@ -33,5 +33,13 @@ SymmetricMatrix assembleSymmetric(int size, std::span<const Triplet> lowerTriple
 /// Error unless the matrix has the form that SymmetricMatrix promises and every value is finite;
 /// error.vertex is the offending row or column.
 Status checkSymmetric(const SymmetricMatrix& matrix);
+
+/// Where the entries of a matrix go: those that column p of the factor starts from are entry i in
+/// [start[p], start[p + 1]): matrix.value[source[i]] at row position row[i] >= p.
+struct EntryMap {
+  std::vector<int> start, row, source;
+};
+
+EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position);
 
 }  // namespace shapespline

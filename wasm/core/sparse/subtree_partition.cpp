@@ -1,4 +1,4 @@
-#include "core/tree_cut.h"
+#include "core/sparse/subtree_partition.h"
 
 #include <algorithm>
 #include <cstdint>

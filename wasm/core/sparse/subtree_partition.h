@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/symbolic.h"
+#include "core/sparse/symbolic.h"
 
 namespace shapespline {
 

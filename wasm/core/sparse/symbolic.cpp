@@ -1,10 +1,12 @@
-#include "core/symbolic.h"
+#include "core/sparse/symbolic.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <numeric>
 
-#include "core/elimination_tree.h"
+#include "core/base/permutation.h"
+#include "core/sparse/elimination_tree.h"
 
 namespace shapespline {
 
@@ -148,6 +150,7 @@ void collectRows(const Graph& graph, SymbolicFactor& factor, const FractionRepor
 }  // namespace
 
 SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order, const FractionReport& onProgress) {
+  assert(isPermutation(order));
   const int size = graph.size();
   // Renumber by a postorder of the elimination tree.
   const std::vector<int> parent =

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/graph.h"
-#include "core/progress.h"
+#include "core/base/progress.h"
+#include "core/sparse/graph.h"
 
 namespace shapespline {
 

@@ -1,11 +1,11 @@
-#include "core/discrete_spline.h"
+#include "core/spline/discrete_spline.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
 
-#include "core/text.h"
+#include "core/base/format.h"
 
 namespace shapespline {
 

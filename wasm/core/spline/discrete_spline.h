@@ -6,9 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "core/options.h"
-#include "core/spline.h"
-#include "core/status.h"
+#include "core/base/status.h"
+#include "core/spline/spline.h"
 
 namespace shapespline {
 

@@ -1,22 +1,20 @@
-#include "core/pose_weights.h"
+#include "core/spline/pose_weights.h"
 
 #include <cmath>
 
-#include "core/precision.h"
-
 namespace shapespline {
 
-PoseWeights poseWeights(const CurvePoint& point, const WeldedShape& shape) {
-  const Columns columns{shape.keys};
+PoseWeights poseWeights(const CurvePoint& point, const PoseRoles& roles) {
+  const Columns columns{roles.keys};
   const Weights& w = point.weights;
   PoseWeights result;
-  result.column.assign(w.data(), w.data() + shape.keys);
-  result.column.resize(shape.columns(), 0);
-  if (shape.startTangent >= 0) result.column[shape.startTangent] = w[columns.startTangent()];
-  if (shape.endTangent >= 0) result.column[shape.endTangent] = w[columns.endTangent()];
+  result.column.assign(w.data(), w.data() + roles.keys);
+  result.column.resize(roles.count(), 0);
+  if (roles.startTangent >= 0) result.column[roles.startTangent] = w[columns.startTangent()];
+  if (roles.endTangent >= 0) result.column[roles.endTangent] = w[columns.endTangent()];
   for (double& weight : result.column)
     if (std::abs(weight) < leastWeight<double>) weight = 0;
-  result.keys = shape.keys;
+  result.keys = roles.keys;
   result.beyond = point.beyond;
   return result;
 }

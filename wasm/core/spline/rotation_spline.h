@@ -2,12 +2,20 @@
 // often, which a splined rotation vector cannot say.
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "core/rotation.h"
-#include "core/spline.h"
+#include "core/rotation/rotation.h"
+#include "core/spline/spline.h"
 
 namespace shapespline {
+
+/// Whole turns added on the way to a key, to the whole shape or to one component against the one that carries it.
+struct AddedTurns {
+  int key = 1;         ///< 0-based, at least 1: the turns happen between key - 1 and key
+  int turns = 0;       ///< whole turns about the axis of that increment; negative turns go the other way
+  int component = -1;  ///< 0-based, components counted by their first face in the file; -1: the whole shape
+};
 
 /// Whole turns that one path takes in a step, on top of its increment: axis times angle, a multiple of 2 pi.
 struct WholeTurns {
@@ -22,10 +30,8 @@ struct RotationPaths {
   std::vector<std::vector<Quaternion>> key;     ///< key[column][path], unit
   std::vector<std::vector<Vec3>> increment;     ///< increment[step][path], radians; empty for steps that there are not
 
-  std::vector<WholeTurns> turns;
-
-  /// Every path at `point`. rotation: resized, unit.
-  void at(const CurvePoint& point, std::vector<Quaternion>& rotation) const;
+  /// Every path at `point`, with whole turns added. rotation: resized, unit.
+  void at(const CurvePoint& point, std::span<const WholeTurns> turns, std::vector<Quaternion>& rotation) const;
 };
 
 }  // namespace shapespline

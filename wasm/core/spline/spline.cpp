@@ -1,10 +1,10 @@
-#include "core/spline.h"
+#include "core/spline/spline.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/keyframes.h"
-#include "core/text.h"
+#include "core/base/format.h"
+#include "core/spline/key_times.h"
 
 namespace shapespline {
 

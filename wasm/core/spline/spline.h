@@ -2,14 +2,17 @@
 // coordinate vector (paper Eq. 1-2 and 6; section 3.2).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "core/options.h"
-#include "core/status.h"
+#include "core/base/status.h"
 
 namespace shapespline {
+
+/// What holds at the ends of the curve.
+enum class BoundaryKind { Natural, Hermite, Periodic };
 
 /// How a periodic curve closes.
 enum class Closing {

@@ -20,11 +20,11 @@ export function patchesCsv(patches: Int32Array, doc: Doc, version: string): stri
 }
 
 function preamble(doc: Doc, version: string): string[] {
-  const { motion, encoding, tension, bias, turns, partTurns } = doc;
+  const { keys, motion, encoding } = doc;
   return [
     `# shapespline ${version}`,
-    `# keys ${JSON.stringify(doc.keys.map(({ name, time }) => ({ name, time })))}`,
-    `# options ${JSON.stringify({ ...motion, ...encoding, tension, bias, turns, partTurns })}`,
+    `# keys ${JSON.stringify(keys.map(({ name, time, shaping }) => ({ name, time, ...shaping })))}`,
+    `# options ${JSON.stringify({ ...motion, ...encoding })}`,
   ];
 }
 

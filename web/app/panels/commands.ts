@@ -1,9 +1,12 @@
 /** What the controls do to the document, the time and the view. */
+import { PER_KEY } from '../../engine/api/option-table.ts';
 import type { Method } from '../../engine/api/types.ts';
-import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setPartTurns, setShaping } from '../../model/edits.ts';
+import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setShaping, setTurns } from '../../model/edits.ts';
+import { undoName } from '../../model/page-options.ts';
+import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
 import type { End } from '../../model/speeds.ts';
 import { SPEED_NAME } from '../../model/speeds.ts';
-import type { Doc, Encoding, LoopMode, Motion, Play, Shaping, View } from '../../model/state.ts';
+import type { Doc, Encoding, LoopMode, Motion, Play, View } from '../../model/state.ts';
 import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, GHOST_FACES, METHODS, SPEEDS, ignoresHermite } from '../../model/state.ts';
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -42,7 +45,8 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
   };
   const view = (change: Partial<View>): void => store.set({ view: { ...state().view, ...change } });
   const motion = (change: Partial<Motion>, merge?: string): void =>
-    store.edit(nameOf(change), (doc) => setMotion(doc, change), merge);
+    store.edit(undoName(change), (doc) => setMotion(doc, change), merge);
+  const encoding = (change: Partial<Encoding>): void => store.edit(undoName(change), (doc) => setEncoding(doc, change));
 
   const play = (change: Partial<Play>): void => store.set({ play: { ...state().play, ...change } });
   const between = (stretch: Range | null): void => play({ between: stretch && [stretch[0], stretch[1]] });
@@ -55,7 +59,7 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
     window,
     motion,
     endSpeed: (end: End, speed: number): void => motion({ [SPEED_NAME[end]]: speed }, SPEED_NAME[end]),
-    encoding: (change: Partial<Encoding>): void => store.edit(nameOf(change), (doc) => setEncoding(doc, change)),
+    encoding,
     toggleGhost: (): void => store.edit('ghost mesh', (doc) => setEncoding(doc, { ghostFaces: doc.encoding.ghostFaces > 0 ? 0 : GHOST_FACES })),
     resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, initial()?.motion ?? DEFAULT_MOTION)),
     resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, initial()?.encoding ?? DEFAULT_ENCODING)),
@@ -65,10 +69,14 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
     removeKey: (key: number): void => store.edit('remove a key', (doc) => removeKey(doc, key)),
     renameKey: (key: number, name: string): void => store.edit('rename a key', (doc) => renameKey(doc, key, name)),
     retimeKey: (key: number, time: number): void => store.edit('time of a key', (doc) => retimeKey(doc, key, time), `time ${key}`),
-    shaping: (key: number, name: Shaping, value: number): void => store.edit(name, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
-    partTurns: (key: number, component: number, turns: number): void =>
-      store.edit(`turns of component ${component + 1}`, (doc) => setPartTurns(doc, key, component, turns), `turns ${component} ${key}`),
-    reference: (key: number): void => store.edit('reference', (doc) => setEncoding(doc, { referencePose: doc.keys[key]?.pose ?? null })),
+    shaping: (key: number, name: ShapingNumber, value: number): void =>
+      store.edit(PER_KEY[name].undo, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
+    turns: (key: number, added: KeyTurns): void => {
+      const whose = added.component === undefined ? '' : ` of component ${added.component + 1}`;
+      const merge = `turns ${added.component} ${key}`;
+      store.edit(`${PER_KEY.turns.undo}${whose}`, (doc) => setTurns(doc, key, added), merge);
+    },
+    reference: (key: number): void => encoding({ referencePose: state().doc.keys[key]?.pose ?? null }),
 
     /** Takes the shape on the screen as a key at its own time. */
     async addCurrent(): Promise<void> {
@@ -123,11 +131,6 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
     },
     fit,
   };
-}
-
-/** What is changed, as undo calls it: "start speed" for { startSpeed }. */
-function nameOf(change: object): string {
-  return (Object.keys(change)[0] ?? '').replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`);
 }
 
 /** Why there can be no key at t, or null. */

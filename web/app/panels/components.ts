@@ -1,12 +1,11 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
 import type { Warning } from '../../engine/api/types.ts';
-import type { AppState, PartTurns } from '../../model/state.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION, SHAPINGS, isInLri, referenceKey } from '../../model/state.ts';
+import type { AppState } from '../../model/state.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../../model/state.ts';
 import { playRange } from '../../model/frames.ts';
 import { phaseOf } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { viridisGradient } from '../../plots/viridis.ts';
-import { partTurnsOf, shapingOf } from '../../model/edits.ts';
 import { createClockMenu } from '../../ui/clock-menu.ts';
 import { createColourBar } from '../../ui/colour-bar.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
@@ -20,6 +19,7 @@ import { createHeader } from '../../ui/header.ts';
 import { createHelp } from '../../ui/help.ts';
 import type { ShortcutLine } from '../../ui/help.ts';
 import { createKeyStrip } from '../../ui/key-strip.ts';
+import type { KeyItem } from '../../ui/key-strip.ts';
 import { createProblem, createProgress, createWelcome } from '../../ui/messages.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
@@ -108,7 +108,8 @@ export function createComponents(input: ComponentsInput): Components {
   const transport = createTransport(timeline.element, clockMenu.element, { onTogglePlay: commands.togglePlay, onLoop: commands.loop, onSpeed: commands.speed, onSeek: commands.seek });
   const keyStrip = createKeyStrip({
     onSeek: commands.seek, onMove: commands.moveKey, onRemove: commands.removeKey, onRetime: commands.retimeKey, onRename: commands.renameKey,
-    onShaping: commands.shaping, onPartTurns: commands.partTurns, onPart: input.marking.component, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
+    onShaping: commands.shaping, onTurns: commands.turns, onPart: input.marking.component, onReference: commands.reference,
+    onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
   });
   const motionPanel = createMotionPanel({ onMotion: commands.motion, onSpeed: commands.endSpeed, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
@@ -213,13 +214,7 @@ const itemsOf = (() => {
   };
 })();
 
-function makeItems(doc: AppState['doc'], thumbnails: ViewState['thumbnails']): { pose: number; name: string; time: number; tension: number; bias: number; turns: number; partTurns: readonly PartTurns[]; isReference: boolean; thumbnail: string | null }[] {
-  const [tension, bias, turns] = SHAPINGS.map((name) => shapingOf(doc, name)) as [number[], number[], number[]];
-  const parts = partTurnsOf(doc);
+function makeItems(doc: AppState['doc'], thumbnails: ViewState['thumbnails']): KeyItem[] {
   const reference = referenceKey(doc);
-  return doc.keys.map((key, index) => ({
-    pose: key.pose, name: key.name, time: key.time, tension: tension[index]!, bias: bias[index]!, turns: turns[index]!, partTurns: parts[index]!,
-    isReference: index === reference, thumbnail: thumbnails.get(key.pose) ?? null,
-  }));
+  return doc.keys.map((key, index) => ({ ...key, isReference: index === reference, thumbnail: thumbnails.get(key.pose) ?? null }));
 }
-

@@ -1,11 +1,12 @@
 /** What the document asks of the engine, as plain data: which keys, encoded how, moved how. */
 import { ENCODING_DEFAULTS } from '../../engine/api/types.ts';
-import type { AddedTurns, EncodingOptions, Method, MotionOptions } from '../../engine/api/types.ts';
-import { partTurnsOf, shapingOf } from '../../model/edits.ts';
+import type { ShapeName } from '../../engine/api/option-table.ts';
+import type { EncodingOptions, Method, MotionOptions } from '../../engine/api/types.ts';
+import { listsOf } from '../../model/shaping.ts';
 import type { Doc } from '../../model/state.ts';
 import { ignoresHermite, isInLri, referenceKey } from '../../model/state.ts';
 
-type Encoding = Pick<EncodingOptions, 'reference' | 'patches' | 'stretch' | 'ghostFaces' | 'transfer' | 'placement'>;
+type Encoding = Omit<EncodingOptions, ShapeName | 'precision'>;
 
 /** One of the motions that are shown side by side. */
 export interface Variant {
@@ -30,17 +31,17 @@ export interface Spec {
 export function specOf(doc: Doc, compare: readonly Method[], difference = false): Spec {
   const { keys, motion, encoding } = doc;
   const { method, ...rest } = motion;
-  const { patches, stretch, ghostFaces, transfer, placement } = encoding;
+  const { referencePose: _, startTangentPose, endTangentPose, ...plain } = encoding;
   const hermite = motion.boundary === 'hermite';
-  const ghost = ghostFaces > 0;
+  const ghost = plain.ghostFaces > 0;
   return {
     order: keys.map((key) => key.pose),
     names: keys.map((key) => key.name),
     times: keys.map((key) => key.time),
-    encoding: { reference: referenceKey(doc), patches, stretch, ghostFaces, transfer, placement },
-    startTangentPose: hermite ? encoding.startTangentPose : null,
-    endTangentPose: hermite ? encoding.endTangentPose : null,
-    motion: { ...rest, tension: orNone(doc.tension), bias: orNone(doc.bias), turns: addedTurns(doc), inPlace: false },
+    encoding: { reference: referenceKey(doc), ...plain },
+    startTangentPose: hermite ? startTangentPose : null,
+    endTangentPose: hermite ? endTangentPose : null,
+    motion: { ...rest, ...listsOf(keys.map((key) => key.shaping)), inPlace: false },
     variants: [
       { method, ghost },
       ...(ghost && difference && isInLri(method) ? [{ method, ghost: false }] : []),
@@ -58,18 +59,6 @@ export function encodingFor({ encoding }: Spec, { ghost }: Variant): Encoding {
 export function laneKey(spec: Spec, variant: Variant): string {
   const { order, startTangentPose, endTangentPose } = spec;
   return JSON.stringify([order, encodingFor(spec, variant), startTangentPose, endTangentPose]);
-}
-
-function addedTurns(doc: Doc): AddedTurns[] {
-  const parts = partTurnsOf(doc);
-  return shapingOf(doc, 'turns').flatMap((turns, key) => {
-    if (key === 0) return [];
-    return [...(turns === 0 ? [] : [{ key, turns }]), ...parts[key]!.map((part) => ({ key, ...part }))];
-  });
-}
-
-function orNone(values: number[]): number[] {
-  return values.some((value) => value !== 0) ? values : [];
 }
 
 /** The boundary that a method makes use of: straight motion has no end derivatives. */

@@ -2,6 +2,7 @@
 import type { Engine } from '../../engine/api/api.ts';
 import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.ts';
 import { addKey, setMotion } from '../../model/edits.ts';
+import { keptDoc } from '../../model/kept-document.ts';
 import type { Doc, Play, Source, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, EMPTY_STATE, SPEEDS, comfortableSpeed } from '../../model/state.ts';
 import { length } from '../../model/time-scale.ts';
@@ -177,13 +178,10 @@ export function createOpenFiles({
   };
 }
 
-/**
- * The poses that are not of the files come back first: the document's keys name them by their place. What the document of an
- * earlier version did not have starts as it is by default.
- */
+/** The poses that are not of the files come back first: the document's keys name them by their place. */
 function restored({ poses, state }: Remembered, pool: PosePool): Doc {
   for (const { name, positions } of poses.slice(pool.count - pool.imported)) pool.add(name, positions);
-  return { ...EMPTY_STATE.doc, ...state.doc };
+  return keptDoc(state.doc);
 }
 
 /** After the last key, as far from it as the keys are from each other on average. */

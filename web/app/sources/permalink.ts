@@ -2,20 +2,27 @@
  * The state of a built-in sample as a link's fragment, and back. Only what differs from the defaults is written. A link
  * comes from anywhere: whatever it holds that does not fit is left out.
  */
-import type { AppState, CameraPose, Colouring, Doc, Encoding, LoopMode, Motion, Shaping, View } from '../../model/state.ts';
-import { partTurnsOf, setPartTurns } from '../../model/edits.ts';
+import { ENCODING, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
+import type { Option } from '../../engine/api/option-table.ts';
+import { wrongWith } from '../../engine/api/options.ts';
+import type { AddedTurns } from '../../engine/api/types.ts';
+import { setShaping, setTurns } from '../../model/edits.ts';
 import { MAX_FPS } from '../../model/frames.ts';
-import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, DEFAULT_VIEW, MAX_TURNS, SHAPINGS, METHODS } from '../../model/state.ts';
+import { forPage, isPose, pageOptions } from '../../model/page-options.ts';
+import type { ShapingNumber } from '../../model/shaping.ts';
+import { SHAPING_NUMBERS, turnsOf } from '../../model/shaping.ts';
+import type { AppState, CameraPose, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
+import { DEFAULT_VIEW, MAX_TURNS, METHODS } from '../../model/state.ts';
 
 export interface Permalink {
   sample: string;
   /** [pose, time] of each key; null = the sample's own. */
   keys: [number, number][] | null;
-  tension: number[];
-  bias: number[];
+  /** One value per key. */
+  shaping: Record<ShapingNumber, number[]>;
+  /** Of the whole shape, one value per key. */
   turns: number[];
-  /** [key, component, turns] each. */
-  partTurns: [number, number, number][];
+  partTurns: Required<AddedTurns>[];
   motion: Partial<Motion>;
   encoding: Partial<Encoding>;
   view: Partial<View>;
@@ -37,18 +44,27 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   const { doc, view } = state;
   const params = new URLSearchParams({ sample: state.source.id });
   const put = (name: string, value: unknown, fallback: unknown): void => {
-    if (value !== fallback && value !== null) params.set(name, typeof value === 'number' ? shortest(value) : String(value));
+    if (value === fallback || value === null) return;
+    params.set(name, typeof value === 'string' ? value : shortest(Number(value)));
+  };
+  const putList = (name: string, values: number[], fallback: number): void => {
+    if (values.some((value) => value !== fallback)) params.set(name, values.map(shortest).join(','));
   };
   const keys = doc.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(',');
   put('keys', keys, initial.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(','));
-  for (const name of SHAPINGS) if (doc[name].some((value) => value !== 0)) params.set(name, doc[name].map(shortest).join(','));
-  const partTurns = partTurnsOf(doc).flatMap((list, key) => list.map(({ component, turns }) => `${key}:${component}:${turns}`));
+  const shapings = doc.keys.map((key) => key.shaping);
+  for (const name of SHAPING_NUMBERS) putList(name, shapings.map((shaping) => shaping[name]), PER_KEY[name].default);
+  putList('turns', shapings.map((shaping) => turnsOf(shaping)), 0);
+  const partTurns = shapings.flatMap(({ turns }, key) =>
+    turns.flatMap((one) => (one.component === undefined ? [] : [`${key}:${one.component}:${one.turns}`])));
   put('partTurns', partTurns.join(','), '');
-  for (const name of Object.keys(DEFAULT_MOTION) as (keyof Motion)[]) put(name, doc.motion[name], initial.motion[name]);
-  for (const name of Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]) put(name, doc.encoding[name], initial.encoding[name]);
+  const putOptions = (options: object, fallbacks: object): void =>
+    Object.entries(fallbacks).forEach(([name, fallback]) => put(name, options[name as never], fallback));
+  putOptions(doc.motion, initial.motion);
+  putOptions(doc.encoding, initial.encoding);
   put('colour', view.colouring, DEFAULT_VIEW.colouring);
   put('shading', view.shading, DEFAULT_VIEW.shading);
-  for (const name of FLAGS) put(name, Number(view[name]), Number(DEFAULT_VIEW[name]));
+  for (const name of FLAGS) put(name, view[name], DEFAULT_VIEW[name]);
   put('compare', view.compare.join(','), '');
   if (view.camera) params.set('camera', [...view.camera.position, ...view.camera.target].map((x) => x.toPrecision(5)).join(','));
   params.set('t', shortest(state.time));
@@ -67,27 +83,11 @@ export function readPermalink(fragment: string): Permalink | null {
   return {
     sample,
     keys: readKeys(params.get('keys')),
-    tension: numbers(params.get('tension')) ?? [],
-    bias: numbers(params.get('bias'))?.filter((value) => Math.abs(value) <= 1) ?? [],
+    shaping: readShaping(params),
     turns: numbers(params.get('turns'))?.filter((value) => Number.isInteger(value) && Math.abs(value) <= MAX_TURNS) ?? [],
     partTurns: readPartTurns(params.get('partTurns')),
-    motion: defined({
-      method: oneOf(params.get('method'), METHODS),
-      boundary: oneOf(params.get('boundary'), BOUNDARIES),
-      startSpeed: number(params.get('startSpeed')),
-      endSpeed: number(params.get('endSpeed')),
-      period: positive(params.get('period')),
-    }),
-    encoding: defined({
-      stretch: oneOf(params.get('stretch'), ['linear', 'log'] as const),
-      ghostFaces: ghostFaces(params.get('ghostFaces')),
-      transfer: oneOf(params.get('transfer'), ['exact', 'paper'] as const),
-      placement: oneOf(params.get('placement'), ['vertices', 'optimal'] as const),
-      patches: index(params.get('patches')),
-      referencePose: index(params.get('referencePose')),
-      startTangentPose: index(params.get('startTangentPose')),
-      endTangentPose: index(params.get('endTangentPose')),
-    }),
+    motion: defined(forPage(MOTION, ({ page, option }) => valueOf(option, params.get(page)))),
+    encoding: defined(forPage(ENCODING, ({ page, option }) => valueOf(option, params.get(page)))),
     view: readView(params),
     time: number(params.get('t')) ?? null,
     speed: positive(params.get('speed')) ?? null,
@@ -102,18 +102,36 @@ export function readPermalink(fragment: string): Permalink | null {
 export function applyPermalink(doc: Doc, link: Permalink, components = Infinity): Doc {
   const poses = doc.keys.length;
   const known = (pose: number | null | undefined): boolean => pose === null || pose === undefined || pose < poses;
-  const names = doc.keys.map((key) => key.name);
   const usable = link.keys !== null && link.keys.length >= 2 && link.keys.every(([pose]) => known(pose));
-  const keys = usable ? link.keys!.map(([pose, time]) => ({ pose, time, name: names[pose]! })) : doc.keys;
+  const keys = usable ? link.keys!.map(([pose, time]) => ({ ...doc.keys[pose]!, time })) : doc.keys;
   const encoding = { ...doc.encoding, ...link.encoding };
-  for (const name of ['referencePose', 'startTangentPose', 'endTangentPose'] as const) if (!known(encoding[name])) encoding[name] = null;
-  const shaping = (name: Shaping): number[] => (link[name].length === keys.length ? link[name] : doc[name]);
-  const start: Doc = {
-    keys, tension: shaping('tension'), bias: shaping('bias'), turns: shaping('turns'), partTurns: doc.partTurns, encoding,
-    motion: { ...doc.motion, ...link.motion },
+  for (const name of POSES) if (!known(encoding[name])) encoding[name] = null;
+  let next: Doc = { keys, encoding, motion: { ...doc.motion, ...link.motion } };
+  const each = (values: number[], set: (key: number, value: number) => void): void => {
+    if (values.length === keys.length) values.forEach((value, key) => set(key, value));
   };
-  return link.partTurns.filter(([key, component]) => key < keys.length && component < components)
-    .reduce((next, [key, component, turns]) => setPartTurns(next, key, component, turns), start);
+  for (const name of SHAPING_NUMBERS) {
+    each(link.shaping[name], (key, value) => { next = setShaping(next, name, key, value); });
+  }
+  each(link.turns, (key, turns) => { next = setTurns(next, key, { turns }); });
+  for (const { key, ...added } of link.partTurns) if (added.component < components) next = setTurns(next, key, added);
+  return next;
+}
+
+const POSES = pageOptions(ENCODING).flatMap(({ page, option }) =>
+  (isPose(option) ? [page as 'referencePose' | 'startTangentPose' | 'endTangentPose'] : []));
+
+/** The value of an option, where it is one that the option can have. */
+function valueOf(option: Option, text: string | null): unknown {
+  if (isPose(option)) return index(text);
+  const value = option.kind === 'choice' ? text : option.kind === 'flag' ? flag(text) : number(text);
+  return value !== undefined && value !== null && wrongWith(option, value) === null ? value : undefined;
+}
+
+function readShaping(params: URLSearchParams): Permalink['shaping'] {
+  const good = (name: ShapingNumber): number[] =>
+    numbers(params.get(name))?.filter((value) => wrongWith(PER_KEY[name], value) === null) ?? [];
+  return Object.fromEntries(SHAPING_NUMBERS.map((name) => [name, good(name)])) as Permalink['shaping'];
 }
 
 function readView(params: URLSearchParams): Partial<View> {
@@ -155,12 +173,13 @@ function readKeys(text: string | null): [number, number][] | null {
 }
 
 /** Those of the entries that can be meant. */
-function readPartTurns(text: string | null): [number, number, number][] {
+function readPartTurns(text: string | null): Required<AddedTurns>[] {
   const entries = (text ?? '').split(',').slice(0, MAX_PART_TURNS).map((entry) => entry.split(':').map(Number));
-  return entries.filter((entry): entry is [number, number, number] => {
+  return entries.filter((entry) => {
     const [key, component, turns] = entry;
-    return entry.length === 3 && entry.every(Number.isInteger) && key! >= 0 && component! >= 0 && Math.abs(turns!) <= MAX_TURNS;
-  });
+    const whole = entry.length === 3 && entry.every(Number.isInteger);
+    return whole && key! >= 0 && component! >= 0 && Math.abs(turns!) <= MAX_TURNS;
+  }).map(([key, component, turns]) => ({ key: key!, component: component!, turns: turns! }));
 }
 
 function numbers(text: string | null): number[] | undefined {
@@ -183,12 +202,6 @@ function positive(text: string | null): number | undefined {
 function index(text: string | null): number | undefined {
   const value = number(text);
   return value !== undefined && Number.isInteger(value) && value >= 0 ? value : undefined;
-}
-
-/** 0 = off, else at least a tetrahedron. */
-function ghostFaces(text: string | null): number | undefined {
-  const value = index(text);
-  return value === 0 || (value !== undefined && value >= 4) ? value : undefined;
 }
 
 function flag(text: string | null): boolean | undefined {

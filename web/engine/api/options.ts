@@ -3,34 +3,26 @@
  * code 'invalid-option' and the option's name, before anything is posted to a worker.
  */
 import { invalidOption } from './errors.ts';
+import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from './option-table.ts';
+import type { KeyOption, NumberOption, Option, OptionTable } from './option-table.ts';
 import {
-  EXPORT_DEFAULTS, IMPORT_DEFAULTS, SEQUENCE_DEFAULTS,
+  ENCODING_DEFAULTS, EXPORT_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS, SEQUENCE_DEFAULTS,
   type EncodingOptions, type ExportOptions, type ImportOptions, type MotionOptions, type SequenceOptions,
 } from './types.ts';
 
 /** What is wrong with a value, such as 'must be a number', or null. */
 type Check = (value: unknown) => string | null;
-type Checks<T> = { [K in keyof T]-?: Check };
+type Checks = Readonly<Record<string, Check>>;
 
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
-const isWhole = (value: unknown): value is number => isNumber(value) && Number.isInteger(value);
 
-const number: Check = (v) => (isNumber(v) ? null : 'must be a finite number');
-const positive: Check = (v) => (isNumber(v) && v > 0 ? null : 'must be a number above 0');
-const boolean: Check = (v) => (typeof v === 'boolean' ? null : 'must be true or false');
-const floats: Check = (v) => (v instanceof Float32Array ? null : 'must be a Float32Array of positions');
 /** Of what the core holds in 32 bits. */
 const MOST = 2 ** 31 - 1;
 const wholeFrom = (least: number): Check => (v) => {
-  if (!isWhole(v) || v < least) return `must be a whole number of at least ${least}`;
+  if (!isNumber(v) || !Number.isInteger(v) || v < least) return `must be a whole number of at least ${least}`;
   return v <= MOST ? null : `must be at most ${MOST}`;
 };
-const oneOf = (...names: string[]): Check => (v) =>
-  names.includes(v as string) ? null : `must be one of ${names.map((n) => `'${n}'`).join(', ')}`;
-const orNull = (check: Check): Check => (v) => (v === null ? null : check(v));
 const numbers: Check = (v) => (Array.isArray(v) && v.every(isNumber) ? null : 'must be an array of finite numbers');
-const range: Check = (v) =>
-  Array.isArray(v) && v.length === 2 && v.every(isNumber) && v[0] < v[1] ? null : 'must be [first, last] with first < last';
 
 const turns: Check = (v) => {
   const good = (entry: unknown): boolean => {
@@ -42,66 +34,90 @@ const turns: Check = (v) => {
     : 'must be an array of { key, turns, component? } with whole numbers, key at least 1 and component at least 0';
 };
 
-const animation: Check = (v) =>
-  typeof v === 'string' || !wholeFrom(0)(v) ? null : "must be an animation's name or index";
 const sample: Check = (v) => {
   if (!wholeFrom(2)(v)) return null;
   const increasing = Array.isArray(v) && v.length > 0 && v.every((t, i) => isNumber(t) && (i === 0 || t > v[i - 1]));
   return increasing ? null : 'must be increasing times in seconds, or how many (at least 2)';
 };
 
-const encodingChecks: Checks<EncodingOptions> = {
-  reference: wholeFrom(0),
-  patches: wholeFrom(0),
-  stretch: oneOf('linear', 'log'),
-  ghostFaces: (v) => (v === 0 ? null : wholeFrom(4)(v) && 'must be 0 (off) or a whole number of at least 4'),
-  transfer: oneOf('exact', 'paper'),
-  placement: oneOf('vertices', 'optimal'),
-  precision: oneOf('single', 'double', 'exact'),
-  startTangent: orNull(floats),
-  endTangent: orNull(floats),
-};
-
-const motionChecks: Checks<MotionOptions> = {
-  method: oneOf('lri', 'geodesic', 'linear', 'cubic-vertex'),
-  boundary: oneOf('natural', 'hermite', 'periodic'),
-  startSpeed: number,
-  endSpeed: number,
-  period: orNull(positive),
-  tension: numbers,
-  bias: (v) => numbers(v) ?? ((v as number[]).every((b) => Math.abs(b) <= 1) ? null : 'must hold numbers from -1 to 1'),
+const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
+  flag: (v) => (typeof v === 'boolean' ? null : 'must be true or false'),
+  key: wholeFrom(0),
+  shape: (v) => (v instanceof Float32Array ? null : 'must be a Float32Array of positions'),
   turns,
-  inPlace: boolean,
-};
-
-const importChecks: Checks<ImportOptions> = {
-  animation,
+  numbers,
+  range: (v) => (Array.isArray(v) && v.length === 2 && v.every(isNumber) && v[0] < v[1] ? null
+    : 'must be [first, last] with first < last'),
+  animation: (v) => (typeof v === 'string' || !wholeFrom(0)(v) ? null : "must be an animation's name or index"),
   sample,
-  keyTimes: numbers,
-  up: oneOf('y', 'z'),
-  unit: positive,
-  like: (v) => (v instanceof Uint32Array ? null : 'must be a Uint32Array of vertices'),
+  faces: (v) => (v instanceof Uint32Array ? null : 'must be a Uint32Array of vertices'),
 };
 
-const exportChecks: Checks<ExportOptions> = {
-  format: oneOf('glb', 'obj', 'ply'),
-  frames: wholeFrom(2),
-  range: orNull(range),
-  times: orNull((v) => numbers(v) ?? ((v as number[]).length > 0 ? null : 'must name at least one time')),
-  duration: orNull(positive),
-  pose: orNull(number),
-  inPlace: boolean,
-};
+/** What the option may be, in words. */
+function inWords({ whole, above, least, most }: NumberOption): string {
+  if (above !== undefined) return `a number above ${above}`;
+  if (least !== undefined && most !== undefined) return `a ${whole ? 'whole ' : ''}number from ${least} to ${most}`;
+  if (whole) return `a whole number${least === undefined ? '' : ` of at least ${least}`}`;
+  return least === undefined ? 'a finite number' : `a number of at least ${least}`;
+}
+
+function numberCheck(option: NumberOption): Check {
+  const { whole, above = -Infinity, least = -Infinity, zero } = option;
+  const most = option.most ?? (whole ? MOST : Infinity);
+  return (v) => {
+    if (v === 0 && zero !== undefined) return null;
+    const good = isNumber(v) && (!whole || Number.isInteger(v)) && v > above && v >= least;
+    if (!good) return `must be ${zero === undefined ? '' : `0 (${zero}) or `}${inWords(option)}`;
+    return v <= most ? null : `must be at most ${most}`;
+  };
+}
+
+function checkOf(option: Option): Check {
+  const { kind } = option;
+  if (kind === 'number') return numberCheck(option);
+  if (kind === 'choice') {
+    const { choices } = option;
+    const names = choices.map((name) => `'${name}'`).join(', ');
+    return (v) => (choices.includes(v as string) ? null : `must be one of ${names}`);
+  }
+  if (kind === 'numbers' && option.some) {
+    return (v) => numbers(v) ?? ((v as number[]).length > 0 ? null : 'must name at least one time');
+  }
+  return ofKind[kind];
+}
+
+/** What is wrong with an option's value, or null. */
+export function wrongWith(option: Option, value: unknown): string | null {
+  return value === null && option.default === null ? null : checkOf(option)(value);
+}
+
+/** Of the list with an option's values for the keys. */
+function listCheck(option: KeyOption): Check {
+  if (option.kind === 'turns') return turns;
+  const good = numberCheck(option);
+  return (v) => (Array.isArray(v) && v.every((one) => good(one) === null) ? null
+    : `must be an array with ${inWords(option)} per key`);
+}
+
+const checksOf = (table: OptionTable): Checks =>
+  Object.fromEntries(optionsIn(table).map(([name, option]) => [name, (value) => wrongWith(option, value)]));
+
+const encodingChecks = checksOf(ENCODING);
+const listChecks = Object.fromEntries(Object.entries(PER_KEY).map(([name, option]) => [name, listCheck(option)]));
+const motionChecks: Checks = { ...checksOf(MOTION), ...listChecks };
+const sequenceChecks: Checks = { ...encodingChecks, ...motionChecks };
+const importChecks = checksOf(IMPORT);
+const exportChecks = checksOf(EXPORT);
 
 /** The given options over the defaults; undefined means the default. */
-function checked<T extends object>(what: string, checks: Checks<T>, defaults: Readonly<T>, given: object | undefined): T {
+function checked<T extends object>(what: string, checks: Checks, defaults: Readonly<T>, given: object | undefined): T {
   const result: Record<string, unknown> = { ...defaults };
   for (const [name, value] of Object.entries(given ?? {})) {
     if (!Object.hasOwn(checks, name)) {
       throw invalidOption(`There is no ${what} option '${name}'; the names are ${Object.keys(checks).join(', ')}.`);
     }
     if (value === undefined) continue;
-    const wrong = checks[name as keyof T](value);
+    const wrong = checks[name]!(value);
     if (wrong) throw invalidOption(`The ${what} option '${name}' ${wrong}.`);
     result[name] = value;
   }
@@ -117,7 +133,7 @@ export function checkExportOptions(given?: object): ExportOptions {
 }
 
 export function checkSequenceOptions(given?: object): SequenceOptions {
-  return checked<SequenceOptions>('sequence', { ...encodingChecks, ...motionChecks }, SEQUENCE_DEFAULTS, given);
+  return checked('sequence', sequenceChecks, SEQUENCE_DEFAULTS, given);
 }
 
 /** A change of motion options over the present ones, and the key times taken out of it. */
@@ -132,13 +148,16 @@ export function checkUpdate(present: MotionOptions, change: object): { motion: M
 }
 
 export function motionOf(options: SequenceOptions): MotionOptions {
-  const { method, boundary, startSpeed, endSpeed, period, tension, bias, turns: added, inPlace } = options;
-  return { method, boundary, startSpeed, endSpeed, period, tension, bias, turns: added, inPlace };
+  return picked(options, MOTION_DEFAULTS);
 }
 
 export function encodingOf(options: SequenceOptions): EncodingOptions {
-  const { reference, patches, stretch, ghostFaces, transfer, placement, precision, startTangent, endTangent } = options;
-  return { reference, patches, stretch, ghostFaces, transfer, placement, precision, startTangent, endTangent };
+  return picked(options, ENCODING_DEFAULTS);
+}
+
+/** Of all options those that `like` has. */
+function picked<T extends object>(options: T, like: Readonly<T>): T {
+  return Object.fromEntries((Object.keys(like) as (keyof T)[]).map((name) => [name, options[name]])) as T;
 }
 
 /** Names of the call options, checked like the rest. */

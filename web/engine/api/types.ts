@@ -3,16 +3,8 @@
  *
  * Times are in seconds or any unit the user likes. Positions are in the unit of the input file. Indices are 0-based.
  */
-
-export type Method = 'lri' | 'geodesic' | 'linear' | 'cubic-vertex';
-export type Boundary = 'natural' | 'hermite' | 'periodic';
-export type Stretch = 'linear' | 'log';
-/** How the shape follows a ghost mesh (paper section 4.3): through every key, or from the reference's details alone. */
-export type Transfer = 'exact' | 'paper';
-/** Where the ghost's vertices stand: on vertices of the shape, or in each key where the error is least. */
-export type Placement = 'vertices' | 'optimal';
-/** 'exact': as accurate as 'double' in less memory; the solution is refined on a factor in single precision. */
-export type Precision = 'single' | 'double' | 'exact';
+import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, defaultsOf } from './option-table.ts';
+import type { AddedTurns, ValuesOf } from './option-table.ts';
 
 /** One dropped or named file. `name` may hold a path relative to the dropped folder; `bytes` are copied, never kept. */
 export interface InputFile {
@@ -20,98 +12,38 @@ export interface InputFile {
   bytes: Uint8Array;
 }
 
+export type { AddedTurns } from './option-table.ts';
+
 /** What to take from the files. */
-export interface ImportOptions {
-  /** Name or index of the animation to sample keys from; default: the first. */
-  animation?: string | number;
-  /** Times on the animation's own time line, in seconds, or how many evenly spaced ones; default 8. */
-  sample?: number[] | number;
-  /** Key times; default: the animation's own, else evenly over [0, 1]. */
-  keyTimes?: number[];
-  /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
-  up?: 'y' | 'z';
-  /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
-  unit?: number;
-  /** 3 x faces of a mesh that the files are further poses of: their polygons are cut into its triangles. */
-  like?: Uint32Array;
-}
+export type ImportOptions = Partial<ValuesOf<typeof IMPORT>>;
+export const IMPORT_DEFAULTS: Readonly<ImportOptions> = defaultsOf(IMPORT);
 
-export const IMPORT_DEFAULTS: Readonly<ImportOptions> = { up: 'y', unit: 1 };
-
-/** Whole turns on the way to a key, of the whole shape or of one component against the one that carries it. */
-export interface AddedTurns {
-  /** 0-based, at least 1. */
-  key: number;
-  /** Negative ones go the other way. */
-  turns: number;
-  /** 0-based, counted by the components' first faces in the file; absent: the whole shape. */
-  component?: number;
-}
+/** Lists of what is chosen for each key: numbers, empty or one per key, and the turns that there are. */
+export type PerKey = {
+  -readonly [N in keyof typeof PER_KEY]: (typeof PER_KEY)[N] extends { kind: 'number' } ? number[] : AddedTurns[]
+};
 
 /** Choices that refit the spline only: changing them never encodes or factorises again. */
-export interface MotionOptions {
-  method: Method;
-  boundary: Boundary;
-  /** Hermite: times the one-sided difference at the first key; 0 = ease. */
-  startSpeed: number;
-  /** Hermite: the same at the last key. */
-  endSpeed: number;
-  /** Periodic: the whole period in units of time; null = the default. */
-  period: number | null;
-  /** Empty, or one value a key: slope at the key = (1 - tension) times the C2 spline's own. */
-  tension: number[];
-  /** Empty, or one value a key in [-1, 1]: above 0 the slope goes over to the difference from the key before, below 0 to the key after. */
-  bias: number[];
-  /** Whole turns added on the way to a key. */
-  turns: AddedTurns[];
-  /** Take out the translation that accumulates along the sequence. */
-  inPlace: boolean;
-}
-
-export const MOTION_DEFAULTS: Readonly<MotionOptions> = {
-  method: 'lri',
-  boundary: 'natural',
-  startSpeed: 1,
-  endSpeed: 1,
-  period: null,
-  tension: [],
-  bias: [],
-  turns: [],
-  inPlace: false,
-};
+export type MotionOptions = ValuesOf<typeof MOTION> & PerKey;
+const NO_LISTS = Object.fromEntries(Object.keys(PER_KEY).map((name) => [name, []])) as unknown as PerKey;
+export const MOTION_DEFAULTS: Readonly<MotionOptions> = { ...defaultsOf(MOTION), ...NO_LISTS };
 
 /** Choices that change the encoding: a new sequence is built for them. */
-export interface EncodingOptions {
-  /** 0-based key that deformation gradients are measured from. */
-  reference: number;
-  /** Wanted number of patches; 0 = the default formula. */
-  patches: number;
-  stretch: Stretch;
-  /** 0 = off, else at least 4: the splines run on a ghost mesh of about so many faces, and the shape follows it. */
-  ghostFaces: number;
-  /** With a ghost mesh. */
-  transfer: Transfer;
-  placement: Placement;
-  precision: Precision;
-  /** Hermite: 3 x vertices positions of a shape that takes the neighbour key's place in the difference at that end. */
-  startTangent: Float32Array | null;
-  endTangent: Float32Array | null;
-}
-
-export const ENCODING_DEFAULTS: Readonly<EncodingOptions> = {
-  reference: 0,
-  patches: 0,
-  stretch: 'linear',
-  ghostFaces: 0,
-  transfer: 'exact',
-  placement: 'vertices',
-  precision: 'single',
-  startTangent: null,
-  endTangent: null,
-};
+export type EncodingOptions = ValuesOf<typeof ENCODING>;
+export const ENCODING_DEFAULTS: Readonly<EncodingOptions> = defaultsOf(ENCODING);
 
 export type SequenceOptions = EncodingOptions & MotionOptions;
 export const SEQUENCE_DEFAULTS: Readonly<SequenceOptions> = { ...ENCODING_DEFAULTS, ...MOTION_DEFAULTS };
+
+export type Method = MotionOptions['method'];
+export type Boundary = MotionOptions['boundary'];
+export type Stretch = EncodingOptions['stretch'];
+/** How the shape follows a ghost mesh (paper section 4.3): through every key, or from the reference's details alone. */
+export type Transfer = EncodingOptions['transfer'];
+/** Where the ghost's vertices stand: on vertices of the shape, or in each key where the error is least. */
+export type Placement = EncodingOptions['placement'];
+/** 'exact': as accurate as 'double' in less memory; the solution is refined on a factor in single precision. */
+export type Precision = EncodingOptions['precision'];
 
 /** Something the user should know that is no error. `code` is stable. */
 export interface Warning {
@@ -336,30 +268,8 @@ export interface ShapePlane {
   explained: number;
 }
 
-export interface ExportOptions {
-  format: 'glb' | 'obj' | 'ply';
-  /** Evenly spaced frames over the range; a GLB gets the keys inside it too, so that it passes through them. */
-  frames: number;
-  /** First and last time; default: first and last key. */
-  range: [number, number] | null;
-  /** These times instead of frames and range, in any order; a GLB gets the keys between them too. */
-  times: number[] | null;
-  /** Seconds that the exported animation plays; default: the length of the range. GLB only. */
-  duration: number | null;
-  /** One pose only, at this time: frames, range and duration are ignored. */
-  pose: number | null;
-  inPlace: boolean;
-}
-
-export const EXPORT_DEFAULTS: Readonly<ExportOptions> = {
-  format: 'glb',
-  frames: 60,
-  range: null,
-  times: null,
-  duration: null,
-  pose: null,
-  inPlace: false,
-};
+export type ExportOptions = ValuesOf<typeof EXPORT>;
+export const EXPORT_DEFAULTS: Readonly<ExportOptions> = defaultsOf(EXPORT);
 
 /** What an export will be, before it is made. */
 export interface ExportPlan {

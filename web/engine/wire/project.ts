@@ -3,6 +3,7 @@
  * keys, times and options. The core finds the keys in it (wasm/io/project.h), the options are read here. The text comes from
  * a file and is trusted in nothing.
  */
+import { SHAPES } from '../api/option-table.ts';
 import { checkSequenceOptions } from '../api/options.ts';
 import type { SequenceOptions } from '../api/types.ts';
 
@@ -16,10 +17,10 @@ export interface ProjectKeys {
   frames: readonly number[];
 }
 
-/** JSON holds end tangents as base64 of little-endian float32. */
-export function writeProject(keys: ProjectKeys, { startTangent, endTangent, ...rest }: SequenceOptions): string {
-  const options = { ...rest, startTangent: startTangent && toBase64(startTangent), endTangent: endTangent && toBase64(endTangent) };
-  return JSON.stringify({ version: VERSION, keys, options });
+/** JSON holds shapes as base64 of little-endian float32. */
+export function writeProject(keys: ProjectKeys, options: SequenceOptions): string {
+  const shapes = SHAPES.map((name) => [name, options[name] && toBase64(options[name])]);
+  return JSON.stringify({ version: VERSION, keys, options: { ...options, ...Object.fromEntries(shapes) } });
 }
 
 /** null where the text is of another version, broken, or made by hand and wrong. */
@@ -27,8 +28,9 @@ export function readOptions(text: string): SequenceOptions | null {
   try {
     const { version, options } = record(JSON.parse(text));
     if (version !== VERSION) return null;
-    const { startTangent, endTangent, ...rest } = record(options);
-    return checkSequenceOptions({ ...rest, startTangent: fromBase64(startTangent), endTangent: fromBase64(endTangent) });
+    const written = record(options);
+    const shapes = SHAPES.map((name) => [name, fromBase64(written[name])]);
+    return checkSequenceOptions({ ...written, ...Object.fromEntries(shapes) });
   } catch {
     return null;
   }

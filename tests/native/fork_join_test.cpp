@@ -1,5 +1,5 @@
 // Two threads give the bits of one, and no helper, a late one or a dead one changes anything.
-#include "core/crew.h"
+#include "core/base/fork_join.h"
 
 #include <doctest/doctest.h>
 
@@ -8,11 +8,11 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "core/face_halves.h"
-#include "core/graph.h"
-#include "core/ordering.h"
-#include "core/sequence.h"
-#include "core/tree_cut.h"
+#include "core/mesh/face_order.h"
+#include "core/sequence/sequence.h"
+#include "core/sparse/graph.h"
+#include "core/sparse/ordering.h"
+#include "core/sparse/subtree_partition.h"
 #include "laplacian_meshes.h"
 #include "samples/bench_mesh.h"
 #include "shapes.h"
@@ -105,12 +105,12 @@ TEST_CASE("face halves: every face once, by its last corner, no corner in both h
   }
 }
 
-TEST_CASE("crew: without a helper all is done by the caller") {
-  Crew crew;
+TEST_CASE("forkJoin: without a helper all is done by the caller") {
+  ForkJoin forkJoin;
   std::array<int, 2> done = {0, 0};
-  for (Crew* someone : {&crew, static_cast<Crew*>(nullptr)}) inTwo(someone, [&](int part) { ++done[part]; });
+  for (ForkJoin* someone : {&forkJoin, static_cast<ForkJoin*>(nullptr)}) inTwo(someone, [&](int part) { ++done[part]; });
   CHECK(done == std::array{2, 2});
-  CHECK(crew.helped() == 0);
+  CHECK(forkJoin.helped() == 0);
 }
 
 #if WITH_THREADS
@@ -120,20 +120,20 @@ namespace {
 // A helper for as long as it lives.
 class Helper {
  public:
-  explicit Helper(Crew& crew) : crew_(crew), thread_([&crew] {
+  explicit Helper(ForkJoin& forkJoin) : forkJoin_(forkJoin), thread_([&forkJoin] {
     try {
-      crew.serve();
+      forkJoin.serve();
     } catch (const std::exception&) {
-      crew.breakDown();
+      forkJoin.breakDown();
     }
   }) {}
   ~Helper() {
-    crew_.dismiss();
+    forkJoin_.dismiss();
     thread_.join();
   }
 
  private:
-  Crew& crew_;
+  ForkJoin& forkJoin_;
   std::thread thread_;
 };
 
@@ -149,82 +149,82 @@ Shape parts() {
 void checkSameBits(const Keyframes& keyframes, const EncodingOptions& encoding, int wantedHelp) {
   auto sequence = Sequence::create(keyframes, encoding, {});
   REQUIRE(sequence.ok());
-  Crew crew;
-  const Helper helper(crew);
+  ForkJoin forkJoin;
+  const Helper helper(forkJoin);
   Frame alone, together;
   bool same = true;
   // A busy machine may leave the helper waiting: then frames are made until it had its share.
-  for (int i = 0; i < 2000 && (i < 6 || crew.helped() < wantedHelp); ++i) {
+  for (int i = 0; i < 2000 && (i < 6 || forkJoin.helped() < wantedHelp); ++i) {
     const double t = -0.2 + 0.25 * (i % 6);
-    sequence->setCrew(nullptr);
+    sequence->setForkJoin(nullptr);
     REQUIRE(sequence->evaluate(t, alone).ok());
-    sequence->setCrew(&crew);
+    sequence->setForkJoin(&forkJoin);
     REQUIRE(sequence->evaluate(t, together).ok());
     same = same && alone.positions == together.positions && alone.normals == together.normals &&
            alone.lostDefiniteness == together.lostDefiniteness;
   }
   CHECK(same);
-  CHECK(crew.helped() >= wantedHelp);
+  CHECK(forkJoin.helped() >= wantedHelp);
 }
 
 }  // namespace
 
-TEST_CASE("crew: every part is done once, by one or the other") {
-  Crew crew;
-  const Helper helper(crew);
+TEST_CASE("forkJoin: every part is done once, by one or the other") {
+  ForkJoin forkJoin;
+  const Helper helper(forkJoin);
   std::array<std::vector<int>, 2> done;
   for (auto& list : done) list.reserve(20000);
-  for (int i = 0; i < 20000; ++i) inTwo(&crew, [&, i](int part) { done[part].push_back(i); });
+  for (int i = 0; i < 20000; ++i) inTwo(&forkJoin, [&, i](int part) { done[part].push_back(i); });
   std::vector<int> all(20000);
   std::iota(all.begin(), all.end(), 0);
   CHECK(done[0] == all);
   CHECK(done[1] == all);
   std::atomic<bool> began = false;
-  inTwo(&crew, [&](int part) {  // the caller waits for the helper to begin
+  inTwo(&forkJoin, [&](int part) {  // the caller waits for the helper to begin
     if (part == 1) began.store(true);
     else while (!began.load()) std::this_thread::yield();
   });
-  CHECK(crew.helped() > 0);
+  CHECK(forkJoin.helped() > 0);
 }
 
-TEST_CASE("crew: a helper that breaks down is told of, and the caller goes on alone") {
-  Crew crew;
-  const Helper helper(crew);
+TEST_CASE("forkJoin: a helper that breaks down is told of, and the caller goes on alone") {
+  ForkJoin forkJoin;
+  const Helper helper(forkJoin);
   std::atomic<bool> began = false;
-  CHECK_THROWS_AS(inTwo(&crew, [&](int part) {
+  CHECK_THROWS_AS(inTwo(&forkJoin, [&](int part) {
     while (part == 0 && !began.load()) std::this_thread::yield();
     if (part == 1) began.store(true), throw std::runtime_error("broken");
   }), std::runtime_error);
   std::array<int, 2> done = {0, 0};
-  inTwo(&crew, [&](int part) { ++done[part]; });
+  inTwo(&forkJoin, [&](int part) { ++done[part]; });
   CHECK(done == std::array{1, 1});
 }
 
-TEST_CASE("crew: a helper that breaks down before the caller is done is told of, too: its part is half written") {
-  Crew crew;
-  const Helper helper(crew);
-  CHECK_THROWS_AS(inTwo(&crew, [&](int part) {
-    if (part == 1 && !crew.lost()) throw std::runtime_error("broken");
-    while (!crew.lost()) std::this_thread::yield();
+TEST_CASE("forkJoin: a helper that breaks down before the caller is done is told of, too: its part is half written") {
+  ForkJoin forkJoin;
+  const Helper helper(forkJoin);
+  CHECK_THROWS_AS(inTwo(&forkJoin, [&](int part) {
+    if (part == 1 && !forkJoin.lost()) throw std::runtime_error("broken");
+    while (!forkJoin.lost()) std::this_thread::yield();
   }), std::runtime_error);
 }
 
-TEST_CASE("crew: a helper that never comes back is given up, and what it does later changes nothing") {
+TEST_CASE("forkJoin: a helper that never comes back is given up, and what it does later changes nothing") {
   std::atomic<bool> began = false, late = false;
   const auto stuck = [&](int part) {  // outlives the helper
     if (part == 1) began.store(true);
     while (part == 0 ? !began.load() : !late.load()) std::this_thread::yield();
   };
-  Crew crew(2);
-  const Helper helper(crew);
-  CHECK_THROWS_AS(inTwo(&crew, stuck), std::runtime_error);
+  ForkJoin forkJoin(2);
+  const Helper helper(forkJoin);
+  CHECK_THROWS_AS(inTwo(&forkJoin, stuck), std::runtime_error);
   std::array<int, 2> done = {0, 0};
   const auto count = [&](int part) { ++done[part]; };
-  inTwo(&crew, count);
+  inTwo(&forkJoin, count);
   late.store(true);
-  inTwo(&crew, count);
+  inTwo(&forkJoin, count);
   CHECK(done == std::array{2, 2});
-  CHECK(crew.helped() == 0);
+  CHECK(forkJoin.helped() == 0);
 }
 
 TEST_CASE("two threads give the bits of one: parts, degenerate faces, every precision") {

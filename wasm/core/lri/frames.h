@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "core/rotation.h"
-#include "core/spline.h"
-#include "core/types.h"
+#include "core/base/types.h"
+#include "core/rotation/rotation.h"
+#include "core/spline/spline.h"
 
 namespace shapespline {
 
@@ -20,14 +20,6 @@ struct FramePoses {
 struct Frames {
   std::vector<Quaternion> rotation;  ///< one a frame
   std::vector<Mat3> gradient;        ///< what faces are multiplied by, where that is more than the rotation; else empty
-};
-
-class FrameSource {
- public:
-  virtual ~FrameSource() = default;
-
-  /// The frames at `point`, where the keys have them: equal to the encoded ones at a key.
-  virtual void at(const CurvePoint& point, Frames& frames) = 0;
 };
 
 }  // namespace shapespline

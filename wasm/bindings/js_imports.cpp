@@ -1,4 +1,4 @@
-#include "bindings/host.h"
+#include "bindings/js_imports.h"
 
 #include <emscripten.h>
 

@@ -1,4 +1,4 @@
-#include "bindings/answer.h"
+#include "bindings/call_result.h"
 
 #include <string>
 
@@ -24,7 +24,7 @@ Json failure(const Error& error) {
 
 }  // namespace
 
-const char* keepAnswer(Result<Json> result) {
+const char* keepResult(Result<Json> result) {
   if (!result) return keep(failure(result.error()));
   (*result)["ok"] = true;
   return keep(*result);

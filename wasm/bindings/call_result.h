@@ -8,22 +8,22 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/status.h"
+#include "core/base/status.h"
 
 namespace shapespline::bindings {
 
 using Json = nlohmann::json;
 
 /// Text that stays where it is until the next answer.
-const char* keepAnswer(Result<Json> result);
+const char* keepResult(Result<Json> result);
 const char* keepOutOfMemory();
 const char* keepInternal(const char* what);
 
 /// Runs `work`, which returns Result<Json>, and turns whatever comes of it into an answer.
 template <class Work>
-const char* answer(Work&& work) {
+const char* callResult(Work&& work) {
   try {
-    return keepAnswer(work());
+    return keepResult(work());
   } catch (const std::bad_alloc&) {
     return keepOutOfMemory();
   } catch (const std::length_error&) {  // a container asked for more than it could ever hold

@@ -3,4 +3,4 @@
 
 #include <emscripten.h>
 
-#define ENTRY extern "C" EMSCRIPTEN_KEEPALIVE
+#define EXPORT extern "C" EMSCRIPTEN_KEEPALIVE

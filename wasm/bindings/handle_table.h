@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/sequence.h"
+#include "core/sequence/sequence.h"
 #include "io/import.h"
 
 namespace shapespline::bindings {
@@ -29,7 +29,7 @@ struct ImportObject {
 using Bytes = std::vector<std::uint8_t>;
 using Object = std::variant<SequenceObject, ImportObject, Bytes>;
 
-class Objects {
+class HandleTable {
  public:
   int add(Object object) {
     objects_.emplace(++last_, std::move(object));
@@ -53,6 +53,6 @@ class Objects {
   int last_ = 0;
 };
 
-Objects& objects();
+HandleTable& handleTable();
 
 }  // namespace shapespline::bindings

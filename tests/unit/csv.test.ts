@@ -1,0 +1,17 @@
+import { expect, it } from 'vitest';
+import { patchesCsv } from '../../web/app/export/csv.ts';
+import { ENCODING, MOTION, PER_KEY } from '../../web/engine/api/option-table.ts';
+import { pageOptions } from '../../web/model/page-options.ts';
+import { docOfKeys, keyRef } from './documents.ts';
+
+it('a table begins with every option that the page offers, those for keys beside their key', () => {
+  const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 2, { tension: 0.5, turns: [{ component: 3, turns: -1 }] }));
+  const [version, keys, options, ...rows] = patchesCsv(Int32Array.of(4, 5), doc, '1.2.3').split('\n');
+  expect(version).toBe('# shapespline 1.2.3');
+  const spelt = JSON.parse(keys!.replace('# keys ', '')) as object[];
+  expect(spelt[1]).toMatchObject({ name: 'b', time: 2, tension: 0.5, bias: 0, turns: [{ component: 3, turns: -1 }] });
+  for (const key of spelt) expect(Object.keys(key)).toEqual(['name', 'time', ...Object.keys(PER_KEY)]);
+  expect(Object.keys(JSON.parse(options!.replace('# options ', '')) as object))
+    .toEqual([...pageOptions(MOTION), ...pageOptions(ENCODING)].map(({ page }) => page));
+  expect(rows).toEqual(['face,patch', '0,4', '1,5', '']);
+});

@@ -1,0 +1,33 @@
+/** The README's list of options says what the table of options says. */
+import { readFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../../../web/engine/api/option-table.ts';
+import type { Option, OptionTable } from '../../../web/engine/api/option-table.ts';
+
+function entry([name, option]: [string, Option]): string {
+  const { flag, value, help, default: usual = null } = option;
+  const values = option.kind === 'choice' ? option.choices.map((choice) => `'${choice}'`).join(', ') : '';
+  const start = usual === null ? '' : ` = ${typeof usual === 'string' ? `'${usual}'` : usual}`;
+  const offered = values && ` (${values})`;
+  const word = flag === undefined ? '' : `, \`--${flag}${value === undefined ? '' : ` ${value}`}\``;
+  return `- \`${name}${start}\`${offered}${word}: ${help}`;
+}
+
+const listOf = (title: string, table: OptionTable): string => [`${title}:`, ...optionsIn(table).map(entry)].join('\n');
+
+const EXPECTED = [
+  listOf('`createSequence`, of the motion, which `update` changes', MOTION),
+  listOf('The same, for each key', PER_KEY),
+  listOf('`createSequence`, of the encoding', ENCODING),
+  listOf('`importKeyframes`', IMPORT),
+  listOf('`export`', EXPORT),
+].join('\n');
+
+/** Lines are broken anywhere. */
+const onOneLine = (text: string): string => text.replace(/\s+/g, ' ').trim();
+
+it('the list in the README agrees with the table', () => {
+  const readme = readFileSync(new URL('../../../web/engine/README.md', import.meta.url), 'utf8');
+  const [, listed] = readme.split('<!-- options -->');
+  expect(onOneLine(listed!)).toBe(onOneLine(EXPECTED));
+});

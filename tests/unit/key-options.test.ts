@@ -1,0 +1,53 @@
+/** A number that is chosen for a key goes wherever options go: nothing but the table has to know it. */
+import { describe, expect, it } from 'vitest';
+import { parseArguments } from '../../web/cli/arguments.ts';
+import { COMPLETE, sequenceOptions } from '../../web/cli/settings.ts';
+import { patchesCsv } from '../../web/app/export/csv.ts';
+import { docOf } from '../../web/app/session/document-from-import.ts';
+import { specOf } from '../../web/app/session/sequence-plan.ts';
+import type { PosePool } from '../../web/app/session/pose-pool.ts';
+import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
+import { PER_KEY } from '../../web/engine/api/option-table.ts';
+import type { NumberOption } from '../../web/engine/api/option-table.ts';
+import { checkSequenceOptions } from '../../web/engine/api/options.ts';
+import { readOptions, writeProject } from '../../web/engine/wire/project.ts';
+import type { KeysInfo } from '../../web/engine/api/types.ts';
+import { setShaping } from '../../web/model/edits.ts';
+import { SHAPING_NUMBERS } from '../../web/model/shaping.ts';
+import { EMPTY_STATE } from '../../web/model/state.ts';
+import { docOfKeys, keyRef } from './documents.ts';
+
+const initial = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.5), keyRef(2, 'c', 1));
+
+describe.each(SHAPING_NUMBERS)('%s of a key', (name) => {
+  const option: NumberOption & { default: number } = PER_KEY[name];
+  const value = (option.least ?? 0) + 0.125;
+  const list = [option.default, value, option.default];
+  const doc = setShaping(initial, name, 1, value);
+
+  it('is in the link', () => {
+    const link = writePermalink({ ...EMPTY_STATE, source: { kind: 'sample', id: 'x' }, doc }, initial)!;
+    expect(applyPermalink(initial, readPermalink(link)!)).toEqual(doc);
+  });
+
+  it('is in the project', () => {
+    const { times, names, motion } = specOf(doc, []);
+    expect(motion[name]).toEqual(list);
+    const project = readOptions(writeProject({ times, names, frames: [0, 1, 2] }, checkSequenceOptions(motion)));
+    expect(docOf({ names, times, project } as unknown as KeysInfo, {} as PosePool)).toEqual(doc);
+  });
+
+  it('is on the command line', () => {
+    const args = parseArguments([`--${option.flag}=${list.join(',')}`], COMPLETE);
+    expect(sequenceOptions(args)).toEqual({ [name]: list });
+  });
+
+  it('is in the head of a table', () => {
+    expect(patchesCsv(Int32Array.of(0), doc, '1')).toContain(`"${name}":${value}`);
+  });
+
+  it('is refused where it is no number, or out of bounds', () => {
+    expect(() => checkSequenceOptions({ [name]: ['x'] })).toThrow(`'${name}'`);
+    if (option.most !== undefined) expect(() => checkSequenceOptions({ [name]: [option.most! + 1] })).toThrow(`'${name}'`);
+  });
+});

@@ -1,0 +1,53 @@
+/** What older versions wrote opens with the same state: links, projects, and documents that a browser has kept. */
+import { describe, expect, it } from 'vitest';
+import { docOf } from '../../web/app/session/document-from-import.ts';
+import type { PosePool } from '../../web/app/session/pose-pool.ts';
+import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
+import { readOptions, writeProject } from '../../web/engine/wire/project.ts';
+import { SEQUENCE_DEFAULTS, type KeysInfo } from '../../web/engine/api/types.ts';
+import { keptDoc } from '../../web/model/kept-document.ts';
+import { turnsOf } from '../../web/model/shaping.ts';
+import { EMPTY_STATE } from '../../web/model/state.ts';
+import type { Doc } from '../../web/model/state.ts';
+import { docOfKeys, keyRef } from './documents.ts';
+import saved from './fixtures/saved.json';
+
+const initial = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.5), keyRef(2, 'c', 1));
+
+/** The document as the fixtures spell it, whatever it is made of. */
+function spelt(doc: Doc): object {
+  const keys = doc.keys.map(({ pose, name, time, shaping }) => ({
+    pose, name, time, tension: shaping.tension, bias: shaping.bias, turns: turnsOf(shaping),
+    partTurns: shaping.turns.filter(({ component }) => component !== undefined),
+  }));
+  return { keys, motion: doc.motion, encoding: doc.encoding };
+}
+
+/** Poses that a project brings along are numbered after its three keys. */
+function poolOf(): PosePool {
+  let last = 2;
+  return { add: () => ++last } as unknown as PosePool;
+}
+
+describe('what older versions saved', () => {
+  it.each(saved.links)('opens from the link $link', ({ link, ...expected }) => {
+    const doc = applyPermalink(initial, readPermalink(link)!);
+    expect(spelt(doc)).toEqual(expected);
+    expect(writePermalink({ ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, doc, time: 0.25 }, initial)).toBe(link);
+  });
+
+  it.each(saved.projects)('opens from a project: $text', ({ text, options: { startTangent, ...options }, ...expected }) => {
+    const project = readOptions(text)!;
+    expect(project).toEqual({ ...SEQUENCE_DEFAULTS, ...options, startTangent: startTangent && Float32Array.from(startTangent) });
+    const { keys } = JSON.parse(text) as { keys: { times: number[]; names: string[]; frames: number[] } };
+    expect(spelt(docOf({ names: keys.names, times: keys.times, project } as unknown as KeysInfo, poolOf()))).toEqual(expected);
+    expect(JSON.parse(writeProject(keys, project))).toMatchObject(JSON.parse(text) as object);
+  });
+
+  it.each(saved.documents)('opens as a browser has kept it: $document', ({ document, ...expected }) => {
+    const doc = keptDoc(document as Parameters<typeof keptDoc>[0]);
+    expect(spelt(doc)).toEqual(expected);
+    expect(Object.keys(doc)).toEqual(['keys', 'motion', 'encoding']);
+    expect(keptDoc(JSON.parse(JSON.stringify(doc)) as Doc)).toEqual(doc);
+  });
+});

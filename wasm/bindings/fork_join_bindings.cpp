@@ -1,0 +1,30 @@
+// The second thread, in a module whose memory is shared: it is an instance of its own, with its own stack, that only helps.
+#include "bindings/export.h"
+#include "bindings/fork_join.h"
+#include "bindings/handle_table.h"
+
+namespace shapespline::bindings {
+
+ForkJoin& forkJoin() {
+  static constinit ForkJoin instance;
+  return instance;
+}
+
+/// Called in the helper's instance: does second parts of frames, and never returns.
+EXPORT void shapespline_help() { forkJoin().serve(); }
+
+/// Called when the helper has trapped.
+EXPORT void shapespline_help_lost() { forkJoin().breakDown(); }
+
+/// Whether it has, or never came back: frames that it was to help with have failed.
+EXPORT int shapespline_is_help_lost() { return forkJoin().lost() ? 1 : 0; }
+
+/// Frames of this handle are made by one thread or by two from here on, to the same bits.
+EXPORT void shapespline_set_threads(int handle, int threads) {
+  handleTable().get<SequenceObject>(handle).sequence.setForkJoin(threads > 1 ? &forkJoin() : nullptr);
+}
+
+/// Parts of frames that the helper has done, for tests and measurements.
+EXPORT double shapespline_helped() { return static_cast<double>(forkJoin().helped()); }
+
+}  // namespace shapespline::bindings

@@ -1,0 +1,16 @@
+// Measures of one triangle.
+#pragma once
+
+#include "core/base/types.h"
+
+namespace shapespline {
+
+/// Twice the area over the squared longest edge below which a triangle has no usable normal. float32 input places a
+/// corner to about 1e-7 of the size, so that flatter triangles are noise.
+inline constexpr double degenerateFlatness = 1e-6;
+
+bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
+
+inline Vec3 centroidOf(const Positions& p, const Triangle& f) { return (p[f[0]] + p[f[1]] + p[f[2]]) / 3; }
+
+}  // namespace shapespline

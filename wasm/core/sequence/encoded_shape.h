@@ -1,0 +1,116 @@
+// The poses of a shape, encoded: what is costly to make and knows no time.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/warning.h"
+#include "core/ghost/ghost_motion.h"
+#include "core/mesh/vertex_normals.h"
+#include "core/patches/patch_motion.h"
+#include "core/reconstruct/reconstruct.h"
+#include "core/sequence/input_mesh.h"
+#include "core/sequence/keyframes.h"
+#include "core/sequence/options.h"
+#include "core/sequence/sequence_stats.h"
+
+namespace shapespline {
+
+/// The coarse mesh that leads the motion (paper section 4.3, Fig. 6), and how the input belongs to it.
+struct Ghost {
+  std::vector<Triangle> faces;       ///< of ghost vertices; none without a ghost
+  std::vector<int> vertexOf;         ///< of each ghost vertex: the corresponding vertex of the input
+  std::vector<int> ghostVertexOf;    ///< of each vertex of the input: the ghost vertex that it collapsed to, or -1
+  std::vector<int> ghostFaceOf;      ///< of each face of the input: the ghost face that it follows; -1 without area
+};
+
+/// What the frames of a shape are computed in.
+struct FramesScratch {
+  PatchMotion::Scratch patches;
+  GhostMotion::Scratch ghost;
+};
+
+/// Welded, partitioned and encoded poses with their factored systems (paper sections 4.2 and 4.3). Immutable; holds no pose of the input.
+class EncodedShape {
+ public:
+  /// progress: stages and fractions as in build_progress.h. Errors: those of validate(), InvalidOption, VertexCountMismatch and NotFinite
+  /// of tangent shapes, NoArea, and those of the solver.
+  static Result<EncodedShape> build(const Keyframes& keyframes, const EncodingOptions& options, const StageProgress& progress = {});
+
+  const WeldedShape& shape() const { return *shape_; }  ///< its mesh in canonical order
+  const InputMesh& input() const { return input_; }
+  const VertexNormals& normals() const { return *normals_; }
+  double diagonal() const { return diagonal_; }         ///< the largest of one pose
+
+  /// The patches that everything follows: of the ghost, with one.
+  const PatchMotion& patches() const { return ghost_ ? ghost_->patches() : *patches_; }
+  /// The ghost that leads the shape, or null.
+  const GhostMotion* ghostMotion() const { return ghost_ ? &*ghost_ : nullptr; }
+  const Ghost& ghost() const { return ghostOfInput_; }
+
+  /// The frames of the faces at `point`: of patches, or of the ghost's faces.
+  void framesAt(const CurvePoint& point, const PatchTurns& turns, FramesScratch& scratch, Frames& frames) const;
+  FramePoses framePoses() const { return ghost_ ? ghost_->poses() : patches_->poses(); }
+
+  /// Calls visit with the reconstructor, in whichever precision it is.
+  template <class Visit>
+  decltype(auto) withReconstructor(const Visit& visit) const {
+    return std::visit(visit, *reconstructor_);
+  }
+
+  const std::vector<Vec3>& meanPosition() const;  ///< one per column
+  const std::vector<int>& placeOf() const;        ///< reconstruct.h
+  const std::vector<AmbiguousFaces>& ambiguousFaces() const;  ///< one per interval between keys
+
+  /// Patch of each face of the welded mesh, and of the input; -1 where it has no area.
+  const std::vector<int>& patchOfFace() const { return patchOfFace_; }
+  const std::vector<int>& patchOfInputFace() const { return patchOfInputFace_; }
+  /// Component of each face of the input, numbered by their first faces there; -1 where it has no area.
+  const std::vector<int>& componentOfInputFace() const { return componentOfInputFace_; }
+  int componentCount() const { return static_cast<int>(firstFaceOf_.size()); }
+
+  /// Turns of the input's components, and of the whole, taken to the patches.
+  PatchTurns turnsOfPatches(std::vector<AddedTurns> turns) const;
+  /// The components as the patches count them: with a ghost both are its own.
+  std::vector<AddedTurns> turnsOfPatchPieces(std::vector<AddedTurns> turns) const;
+
+  /// Inner products of the columns in the metric of the coordinates (gram_matrix.h).
+  Eigen::MatrixXd gramMatrix() const;
+
+  /// What the keys say, whatever the motion.
+  const std::vector<Warning>& warnings() const { return warnings_; }
+  /// What the building cost; nothing of any frame.
+  const SequenceStats& stats() const { return stats_; }
+
+ private:
+  using AnyReconstructor = std::variant<Reconstructor<float>, Reconstructor<double>>;
+
+  EncodedShape() = default;
+  void weldKeys(const Keyframes& keyframes, const EncodingOptions& options, const FractionReport& onProgress);
+  Status encodePoses(const EncodingOptions& options, const StageProgress& progress);
+  template <class Real>
+  Status makeReconstructor(const ShapeParts& parts, const EncodingOptions& options, const StageProgress& progress);
+  void prepareNormals(const Positions& normals, const FractionReport& onProgress);
+  void describeGhost();
+  void numberComponents();
+  void collectWarnings(int wantedGhostFaces);
+
+  InputMesh input_;
+  std::unique_ptr<const WeldedShape> shape_;  // what follows refers to it
+  std::optional<PatchMotion> patches_;        // without a ghost
+  std::optional<GhostMotion> ghost_;
+  std::optional<AnyReconstructor> reconstructor_;
+  std::optional<VertexNormals> normals_;
+  Ghost ghostOfInput_;
+  std::vector<int> patchOfFace_, patchOfInputFace_, componentOfInputFace_;
+  std::vector<int> firstFaceOf_;              // of each component, in the welded mesh
+  double diagonal_ = 0;
+  std::vector<Warning> warnings_;
+  SequenceStats stats_;
+};
+
+}  // namespace shapespline

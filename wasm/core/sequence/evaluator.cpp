@@ -1,0 +1,169 @@
+#include "core/sequence/evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/stopwatch.h"
+
+namespace shapespline {
+
+namespace {
+
+bool moves(const RigidMotion& motion) { return motion.rotation.w() != 1 || motion.translation != Vec3::Zero(); }
+
+void blendVertices(const WeldedShape& shape, const CurvePoint& point, Positions& out) {
+  const PoseWeights w = poseWeights(point, shape.roles());
+  out.assign(shape.vertexCount(), Vec3::Zero());
+  for (int c = 0; c < shape.columns(); ++c)
+    for (std::size_t v = 0; v < out.size(); ++v) out[v] += w.column[c] * shape.poses[c][v];
+}
+
+}  // namespace
+
+void Evaluator::frame(const EncodedShape& encoded, const Motion& motion, double t, Frame& frame) {
+  const CurvePoint point = motion.at(t);
+  fill(encoded, motion, point, motion.globalMotion(encoded, t, point), frame);
+}
+
+void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& blend, Frame& frame) {
+  const Columns columns{encoded.shape().keys};
+  Weights weights = Weights::Zero(columns.count());
+  weights.head(columns.keys) = Eigen::Map<const Eigen::VectorXd>(blend.data(), columns.keys);
+  fill(encoded, motion, blendedPoint(weights, columns), {}, frame);
+}
+
+void Evaluator::fill(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, const RigidMotion& global,
+                     Frame& frame) {
+  const Reconstruction found = place(encoded, motion, point, placed_, forkJoin_);
+  stats_.facesMs = found.facesMs, stats_.solveMs = found.solveMs, stats_.placeMs = found.placeMs;
+  frame.lostDefiniteness = found.indefiniteFaces;
+  frame.lostFace = found.indefiniteFaces > 0 ? encoded.input().inputFaceOf[found.indefiniteFace] : -1;
+  draw(encoded, global, frame);
+}
+
+// Leaves the shape in `placed`.
+Reconstruction Evaluator::place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, PlacedShape<float>& placed,
+                                ForkJoin* forkJoin) {
+  stats_.framesMs = 0;
+  if (motion.blendsVertices()) return placeBlend(encoded, point, placed);
+  ++stats_.solves;
+  Stopwatch watch;
+  encoded.framesAt(point, motion.turns(), framesScratch_, frames_);
+  stats_.framesMs = watch.lap();
+  return encoded.withReconstructor([&]<class Real>(const Reconstructor<Real>& reconstructor) {
+    if constexpr (std::is_same_v<Real, float>) {
+      return reconstructor.reconstruct(point, frames_, single_, placed, forkJoin);
+    } else {
+      const Reconstruction found = reconstructor.reconstruct(point, frames_, double_, placedDouble_, forkJoin);
+      placed.places.assign(placedDouble_.places.begin(), placedDouble_.places.end());
+      placed.move = placedDouble_.move;
+      return found;
+    }
+  });
+}
+
+Reconstruction Evaluator::placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed) {
+  blendVertices(encoded.shape(), point, welded_);
+  placed.move = Vec3::Zero();
+  placed.places.resize(4 * welded_.size());
+  for (std::size_t v = 0; v < welded_.size(); ++v)
+    for (int k = 0; k < 3; ++k)
+      placed.places[4 * static_cast<std::size_t>(encoded.placeOf()[v]) + k] = static_cast<float>(welded_[v][k]);
+  return {};
+}
+
+void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, double t, Positions& positions) {
+  const CurvePoint point = motion.at(t);
+  if (motion.blendsVertices()) {
+    blendVertices(encoded.shape(), point, welded_);
+  } else {
+    ++stats_.solves;
+    encoded.framesAt(point, motion.turns(), framesScratch_, frames_);
+    encoded.withReconstructor([&](const auto& r) { r.reconstruct(point, frames_, scratch(r), welded_); });
+  }
+  const RigidMotion global = motion.globalMotion(encoded, t, point);
+  if (moves(global))
+    for (Vec3& p : welded_) p = global(p);
+  const std::vector<int>& weldedOf = encoded.input().welding.weldedOfRaw;
+  positions.resize(weldedOf.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = welded_[weldedOf[v]];
+}
+
+void Evaluator::embed(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, const CurvePoint& point,
+                      PlacedShape<float>& placed) {
+  encoded.framesAt(point, motion.turns(), framesScratch_, frames_);
+  embedding.at(poseWeights(point, encoded.shape().roles()), frames_.rotation, embeddingScratch_, placed.places);
+  placed.move = Vec3::Zero();
+}
+
+void Evaluator::preview(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t, Frame& frame) {
+  const CurvePoint point = motion.at(t);
+  frame.lostDefiniteness = 0;
+  frame.lostFace = -1;
+  stats_.framesMs = stats_.facesMs = stats_.solveMs = stats_.placeMs = 0;
+  embed(encoded, motion, embedding, point, placed_);
+  draw(encoded, motion.globalMotion(encoded, t, point), frame);
+}
+
+PreviewError Evaluator::previewError(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t) {
+  const CurvePoint point = motion.at(t);
+  PlacedShape<float> exact, about;
+  const double framesMs = stats_.framesMs;  // of the last frame
+  place(encoded, motion, point, exact, nullptr);
+  stats_.framesMs = framesMs;
+  embed(encoded, motion, embedding, point, about);
+  const auto at = [](const PlacedShape<float>& shape, int place) -> Vec3 {
+    const float* p = &shape.places[4 * static_cast<std::size_t>(place)];
+    return Vec3(p[0], p[1], p[2]) + shape.move;
+  };
+  const std::vector<int>& weldedOf = encoded.input().welding.weldedOfRaw;
+  PreviewError error;
+  for (int w : weldedOf) {
+    const int place = encoded.placeOf()[w];
+    const double distance = (at(exact, place) - at(about, place)).norm();
+    error.mean += distance / static_cast<double>(weldedOf.size());
+    error.largest = std::max(error.largest, distance);
+  }
+  const Positions* reference = &encoded.shape().poses[encoded.shape().reference];
+  const double size = boundingDiagonal({&reference, 1});
+  return {error.mean / size, error.largest / size};
+}
+
+// From `placed_` to what is drawn.
+void Evaluator::draw(const EncodedShape& encoded, const RigidMotion& global, Frame& frame) {
+  Stopwatch watch;
+  std::vector<float>& places = placed_.places;
+  if (moves(global)) {
+    for (std::size_t i = 0; i < places.size(); i += 4) {
+      const Vec3 p = global(Vec3(places[i], places[i + 1], places[i + 2]) + placed_.move);
+      for (int k = 0; k < 3; ++k) places[i + k] = static_cast<float>(p[k]);
+    }
+    placed_.move = Vec3::Zero();
+  }
+  stats_.placeMs += watch.lap();
+  encoded.normals().draw(places, placed_.move, normalsScratch_, frame.positions, frame.normals, forkJoin_);
+  stats_.normalsMs = watch.lap();
+}
+
+void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double t, std::vector<float>& positions) {
+  Stopwatch watch;
+  const GhostMotion& ghost = *encoded.ghostMotion();
+  const CurvePoint point = motion.at(t);
+  if (motion.blendsVertices()) blendVertices(ghost.shape(), point, welded_);
+  else ghost.positions(point, motion.turns(), framesScratch_.ghost, welded_);
+  stats_.ghostMs = watch.lap();
+  const RigidMotion global = motion.globalMotion(encoded, t, point);
+  positions.clear();
+  for (const Vec3& p : welded_)
+    for (const double x : global(p)) positions.push_back(static_cast<float>(x));
+}
+
+void Evaluator::patchRotations(const EncodedShape& encoded, const Motion& motion, double t, std::vector<Quaternion>& rotations) {
+  const CurvePoint point = motion.at(t);
+  encoded.patches().at(point, motion.turns(), framesScratch_.patches, frames_);
+  const Quaternion turn = motion.globalMotion(encoded, t, point).rotation;
+  rotations.clear();
+  for (const Quaternion& g : frames_.rotation) rotations.push_back(turn * g);
+}
+
+}  // namespace shapespline

@@ -1,0 +1,79 @@
+// Shapes of a motion at any time: what holds the scratch space. One per thread.
+#pragma once
+
+#include <vector>
+
+#include "core/base/fork_join.h"
+#include "core/reconstruct/preview_embedding.h"
+#include "core/sequence/encoded_shape.h"
+#include "core/sequence/motion.h"
+
+namespace shapespline {
+
+/// One shape of the sequence, in the input's own vertices.
+struct Frame {
+  std::vector<float> positions;  ///< 3n, xyz interleaved
+  std::vector<float> normals;    ///< 3n, unit, xyz interleaved
+  int lostDefiniteness = 0;      ///< faces whose interpolated S_f is not positive definite
+  int lostFace = -1;             ///< one of them, of the input; -1 where there is none
+};
+
+/// How far the preview's vertices are from the shape's, as a share of the reference pose's diagonal.
+struct PreviewError {
+  double mean = 0, largest = 0;
+};
+
+/// Every result is a pure function of its arguments, bit for bit. Times must be finite.
+class Evaluator {
+ public:
+  /// Frames are made by two from here on, to the same bits, or by one with null. It must outlive the evaluator.
+  void setForkJoin(ForkJoin* forkJoin) { forkJoin_ = forkJoin; }
+
+  /// The shape at time t, which may lie beyond the keys.
+  void frame(const EncodedShape& encoded, const Motion& motion, double t, Frame& frame);
+
+  /// The same as n positions in double. As exact as the encoding's precision.
+  void positions(const EncodedShape& encoded, const Motion& motion, double t, Positions& positions);
+
+  /// The shape at an affine combination of the keys, one weight per key.
+  void blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& weights, Frame& frame);
+
+  /// The shape at time t as it is embedded in its frames (preview_embedding.h); embedding: of the same shape.
+  void preview(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t, Frame& frame);
+
+  /// What that is off, over the input's vertices, which are what is seen.
+  PreviewError previewError(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t);
+
+  /// xyz of each vertex of the ghost at time t; there must be one.
+  void ghost(const EncodedShape& encoded, const Motion& motion, double t, std::vector<float>& positions);
+
+  /// The rotations G_k of the patches at time t, as the first system gives them and the whole is turned.
+  void patchRotations(const EncodedShape& encoded, const Motion& motion, double t, std::vector<Quaternion>& rotations);
+
+  /// What was counted and timed here: solves and the last frame's times.
+  const SequenceStats& stats() const { return stats_; }
+
+ private:
+  Reconstruction place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, PlacedShape<float>& placed, ForkJoin* forkJoin);
+  Reconstruction placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed);
+  void embed(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, const CurvePoint& point,
+             PlacedShape<float>& placed);
+  void fill(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, const RigidMotion& global, Frame& frame);
+  void draw(const EncodedShape& encoded, const RigidMotion& global, Frame& frame);
+  Reconstructor<float>::Scratch& scratch(const Reconstructor<float>&) { return single_; }
+  Reconstructor<double>::Scratch& scratch(const Reconstructor<double>&) { return double_; }
+
+  ForkJoin* forkJoin_ = nullptr;
+  SequenceStats stats_;
+  FramesScratch framesScratch_;
+  Frames frames_;
+  Reconstructor<float>::Scratch single_;
+  Reconstructor<double>::Scratch double_;
+  PreviewEmbedding::Scratch embeddingScratch_;
+  VertexNormals::Scratch normalsScratch_;
+  PlacedShape<float> placed_;
+  PlacedShape<double> placedDouble_;
+  Positions welded_;
+};
+
+}  // namespace shapespline

@@ -1,0 +1,75 @@
+#include "core/sequence/feature_curve.h"
+
+#include <algorithm>
+
+#include "core/sequence/gram_matrix.h"
+#include "core/spline/discrete_spline.h"
+
+namespace shapespline {
+
+// Takes weights over the curve's columns, as a row, to weights over the poses.
+Eigen::MatrixXd FeatureCurve::columnsToPoses() const {
+  const Columns columns{shape_.keys};
+  const int count = columns.count();
+  Eigen::MatrixXd map(count, shape_.columns());
+  for (int c = 0; c < count; ++c) {
+    const PoseWeights w = poseWeights(blendedPoint(Eigen::VectorXd::Unit(count, c), columns), shape_.roles());
+    map.row(c) = Eigen::Map<const Eigen::RowVectorXd>(w.column.data(), shape_.columns());
+  }
+  return map;
+}
+
+Eigen::VectorXd FeatureCurve::poseWeightsAt(double t) const {
+  const PoseWeights w = poseWeights(motion_.at(t), shape_.roles());
+  return Eigen::Map<const Eigen::VectorXd>(w.column.data(), static_cast<Eigen::Index>(w.column.size()));
+}
+
+ShapePlane FeatureCurve::plane(const std::vector<double>& times) const {
+  const PrincipalPlane plane(gram_, shape_.keys);
+  ShapePlane result;
+  result.explained = plane.explained();
+  const auto append = [](std::vector<double>& list, const Vec2& p) { list.insert(list.end(), {p.x(), p.y()}); };
+  for (int j = 0; j < shape_.keys; ++j) append(result.keys, plane.project(Eigen::VectorXd::Unit(shape_.columns(), j)));
+  for (double t : times) append(result.curve, plane.project(poseWeightsAt(t)));
+  return result;
+}
+
+Result<DiscretePath> FeatureCurve::discretePath(int samples) const {
+  const Result<DiscreteSpline> spline = DiscreteSpline::fit(motion_.keyTimes(), motion_.options().boundary, motion_.curve(), samples);
+  if (!spline) return spline.error();
+  const PrincipalPlane plane(gram_, shape_.keys);
+  const Eigen::MatrixXd toPoses = columnsToPoses(), columnGram = toPoses * gram_ * toPoses.transpose();
+  Eigen::MatrixXd curve(samples, toPoses.rows());
+  DiscretePath path;
+  path.times = spline->times();
+  for (int i = 0; i < samples; ++i) {
+    curve.row(i) = motion_.curve().weights(path.times[i]).transpose();
+    const Eigen::VectorXd weights = (spline->weights().row(i) * toPoses).transpose();
+    path.weights.insert(path.weights.end(), weights.begin(), weights.end());
+    const Vec2 p = plane.project(weights);
+    path.plane.insert(path.plane.end(), {p.x(), p.y()});
+  }
+  path.energy = spline->energy(spline->weights(), columnGram);
+  path.curveEnergy = spline->energy(curve, columnGram);
+  return path;
+}
+
+std::vector<double> FeatureCurve::bendingEnergy(const std::vector<double>& times) const {
+  const auto energy = [&](const Eigen::VectorXd& w) { return std::max(0.0, w.dot(gram_ * w)); };
+  double average = 0;
+  for (int j = 1; j < shape_.keys; ++j) {
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(shape_.columns());
+    step[j] = 1, step[j - 1] = -1;
+    average += energy(step) / (shape_.keys - 1);
+  }
+  const double h = (motion_.curve().end() - motion_.curve().start()) / 100;
+  std::vector<double> result;
+  for (double t : times) {
+    const Eigen::VectorXd second =
+        (poseWeightsAt(t - h) - 2 * poseWeightsAt(t) + poseWeightsAt(t + h)) / (h * h);
+    result.push_back(average > 0 ? energy(second) / average : 0);
+  }
+  return result;
+}
+
+}  // namespace shapespline

@@ -1,0 +1,55 @@
+// The motion as a curve of feature vectors: its plane, its bending energy, and the minimisation that it solves.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/sequence/motion.h"
+
+namespace shapespline {
+
+/// Where the shapes of a sequence lie in the plane of the two leading principal components (Fig. 2b).
+struct ShapePlane {
+  std::vector<double> keys;   ///< 2J
+  std::vector<double> curve;  ///< 2 values for each of the asked times
+  double explained = 0;       ///< share of the keys' variance that the plane holds, in [0, 1]
+};
+
+/// Samples of the feature curve that minimise the bending energy with the keys held (paper Eq. 1-2, Fig. 2; discrete_spline.h).
+struct DiscretePath {
+  std::vector<double> times;    ///< K; of a periodic motion those of one period
+  std::vector<double> weights;  ///< K rows: a weight for each key, then for each tangent shape
+  std::vector<double> plane;    ///< 2K: where the samples lie in the plane of ShapePlane
+  double energy = 0;            ///< of the samples, in the metric of the feature vector; per unit of time cubed
+  double curveEnergy = 0;       ///< of the curve's own shapes at the same times
+};
+
+/// What can be said of a motion from the inner products of its coordinates alone.
+class FeatureCurve {
+ public:
+  /// gram: EncodedShape::gramMatrix(). All must outlive the curve.
+  FeatureCurve(const EncodedShape& encoded, const Motion& motion, const Eigen::MatrixXd& gram)
+      : shape_(encoded.shape()), motion_(motion), gram_(gram) {}
+
+  ShapePlane plane(const std::vector<double>& times) const;
+
+  /// The minimisation that the splines solve in closed form, done by K samples. With tensions, biases or a linear method the curve is
+  /// another one than its limit. Error: InvalidOption (too few samples or too many).
+  Result<DiscretePath> discretePath(int samples) const;
+
+  /// Bending energy density |x''(t)|^2 of the feature curve at each time (Eq. 6, Fig. 9), by second differences over a
+  /// hundredth of the range and normalised by the average deformation energy |x_j - x_(j-1)|^2 between keys. Corners of a
+  /// piecewise linear curve show as peaks.
+  std::vector<double> bendingEnergy(const std::vector<double>& times) const;
+
+ private:
+  Eigen::MatrixXd columnsToPoses() const;
+  Eigen::VectorXd poseWeightsAt(double t) const;
+
+  const WeldedShape& shape_;
+  const Motion& motion_;
+  const Eigen::MatrixXd& gram_;
+};
+
+}  // namespace shapespline

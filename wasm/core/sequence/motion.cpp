@@ -1,0 +1,86 @@
+#include "core/sequence/motion.h"
+
+#include <string>
+
+#include "core/base/format.h"
+#include "core/sequence/turn_warnings.h"
+
+namespace shapespline {
+
+namespace {
+
+constexpr int mostTurns = 1000;
+
+Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int components) {
+  const auto number = [](int index) { return std::to_string(static_cast<std::int64_t>(index) + 1); };  // counted from 1
+  for (const AddedTurns& t : turns) {
+    if (t.key < 1 || t.key >= keyCount || t.turns < -mostTurns || t.turns > mostTurns)
+      return Error{ErrorCode::InvalidOption, "Whole turns can be added to keys 2 to " + std::to_string(keyCount) + ", up to " +
+                                                 grouped(mostTurns) + " each; got " + std::to_string(t.turns) + " for key " + number(t.key) + "."};
+    if (t.component < -1 || t.component >= components)
+      return Error{ErrorCode::InvalidOption, "Whole turns are added to component " + number(t.component) + ", but the shape has " +
+                                                 grouped(components) + "."};
+  }
+  return {};
+}
+
+CurveOptions curveOptions(const WeldedShape& shape, const MotionOptions& o) {
+  return {.linear = o.method == Method::Geodesic || o.method == Method::Linear,
+          .boundary = o.boundary,
+          .startSpeed = o.startSpeed,
+          .endSpeed = o.endSpeed,
+          .startShape = shape.startTangent >= 0,
+          .endShape = shape.endTangent >= 0,
+          .closing = shape.closing ? Closing::LastKey : Closing::Extra,
+          .period = o.period,
+          .tension = o.tension,
+          .bias = o.bias};
+}
+
+}  // namespace
+
+Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyTimes, const MotionOptions& options) {
+  const WeldedShape& shape = encoded.shape();
+  if (Status status = validateTimes(keyTimes, shape.keys); !status) return status.error();
+  if (Status status = checkTurns(options.turns, shape.keys, encoded.componentCount()); !status) return status.error();
+  Result<Curve> curve = Curve::fit(keyTimes, curveOptions(shape, options));
+  if (!curve) return curve.error();
+  Motion motion(std::move(*curve), std::move(keyTimes), options);
+  motion.turns_ = encoded.turnsOfPatches(options.turns);
+  motion.collectWarnings(encoded);
+  return motion;
+}
+
+void Motion::collectWarnings(const EncodedShape& encoded) {
+  const bool closes = options_.boundary == BoundaryKind::Periodic && !curve_.closesOnLastKey();
+  if (!blendsVertices()) {
+    warnings_ = turnWarnings(encoded.shape(), encoded.patches(), encoded.ambiguousFaces(), encoded.patchOfFace(),
+                             encoded.turnsOfPatchPieces(options_.turns), closes);
+    for (Warning& w : warnings_)
+      if (w.face >= 0) w.face = encoded.input().inputFaceOf[w.face];
+  }
+  warnings_.insert(warnings_.begin(), encoded.warnings().begin(), encoded.warnings().end());
+}
+
+// Every period of a loop that ends elsewhere is one more of the rigid motion that takes the first key to the last; so are the keys of
+// other periods that the curve feels.
+RigidMotion Motion::globalMotion(const EncodedShape& encoded, double t, const CurvePoint& point) const {
+  RigidMotion global;
+  const std::vector<Vec3>& mean = encoded.meanPosition();
+  if (curve_.closesOnLastKey()) {
+    const RigidMotion& closing = *encoded.shape().closing;
+    for (const KeyWeight& k : point.unrolled)
+      if (k.period != 0) global.translation += k.weight * (closing.power(k.period)(mean[k.key]) - mean[k.key]);
+    double exponent = curve_.wrap(t).periods;
+    if (options_.inPlace) exponent -= (t - curve_.start()) / (curve_.end() - curve_.start());
+    const RigidMotion further = closing.power(exponent);
+    return {further.rotation, further(global.translation)};
+  }
+  if (options_.inPlace && !curve_.periodic()) {
+    const double span = times_.back() - times_.front();
+    global.translation -= (t - times_.front()) / span * (mean[encoded.shape().keys - 1] - mean[0]);
+  }
+  return global;
+}
+
+}  // namespace shapespline

@@ -1,0 +1,54 @@
+// A motion through an encoded shape's keys: what time means. Made in microseconds.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/warning.h"
+#include "core/rotation/rigid_motion.h"
+#include "core/sequence/encoded_shape.h"
+#include "core/sequence/options.h"
+#include "core/spline/spline.h"
+
+namespace shapespline {
+
+/// The curve through the keys at their times, what turns are added, and how the whole is moved along. Immutable.
+class Motion {
+ public:
+  /// Errors: InvalidOption, NotFinite, TimesNotIncreasing, TimeCountMismatch.
+  static Result<Motion> fit(const EncodedShape& encoded, std::vector<double> keyTimes, const MotionOptions& options);
+
+  const MotionOptions& options() const { return options_; }
+  const std::vector<double>& keyTimes() const { return times_; }
+  const Curve& curve() const { return curve_; }
+  const PatchTurns& turns() const { return turns_; }
+
+  /// First and last time at which the curve is defined by keys (for periodic: one whole period).
+  std::pair<double, double> range() const { return {curve_.start(), curve_.end()}; }
+
+  /// The point of the curve at any time.
+  CurvePoint at(double t) const { return curve_.at(curve_.wrap(t).time); }
+
+  /// What the shape at `t` is moved by after its reconstruction; point: at(t).
+  RigidMotion globalMotion(const EncodedShape& encoded, double t, const CurvePoint& point) const;
+
+  /// Whether every vertex moves on its own: the baselines.
+  bool blendsVertices() const { return options_.method == Method::Linear || options_.method == Method::CubicVertex; }
+
+  /// Those of the encoded shape, and what this motion's keys leave open.
+  const std::vector<Warning>& warnings() const { return warnings_; }
+
+ private:
+  Motion(Curve curve, std::vector<double> times, const MotionOptions& options)
+      : curve_(std::move(curve)), times_(std::move(times)), options_(options) {}
+  void collectWarnings(const EncodedShape& encoded);
+
+  Curve curve_;
+  std::vector<double> times_;
+  MotionOptions options_;
+  PatchTurns turns_;
+  std::vector<Warning> warnings_;
+};
+
+}  // namespace shapespline

@@ -1,0 +1,33 @@
+// Solutions to double accuracy on a factor in single precision.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/sparse/cholesky.h"
+
+namespace shapespline {
+
+/// Iterative refinement (Wilkinson 1963): residuals in double, corrections in single. Immutable.
+class IterativeRefinement {
+ public:
+  struct Scratch {
+    std::vector<double> residual;
+    std::vector<float, Eigen::aligned_allocator<float>> correction;
+  };
+
+  /// matrix: what the solver has factorised, in single precision.
+  IterativeRefinement(const SymmetricMatrix& matrix, const Cholesky& solver);
+
+  /// Solves A x = b from the x given until a correction is small beside `extent`. b and x: (x, y, z, pad) of every unknown in elimination
+  /// order, 4 * solver.paddedSize() numbers each. The pads of b must be zero, those of x are kept.
+  void solve(const Cholesky& solver, const double* b, double* x, double extent, Scratch& scratch, ForkJoin* forkJoin = nullptr) const;
+
+ private:
+  void subtractProduct(const double* x, double* residual) const;
+
+  SymmetricMatrix matrix_;  // in elimination order
+};
+
+}  // namespace shapespline

@@ -1,0 +1,42 @@
+#include "core/spline/key_times.h"
+
+#include <cmath>
+#include <string>
+
+#include "core/base/format.h"
+
+namespace shapespline {
+
+namespace {
+
+// Of the whole time: closer keys leave no digits for the speeds between them.
+constexpr double closestTimes = 1e-12;
+
+}  // namespace
+
+Status validateTimes(const std::vector<double>& times, int keyCount) {
+  if (static_cast<int>(times.size()) != keyCount)
+    return Error{ErrorCode::TimeCountMismatch, "There are " + grouped(times.size()) + " key times for " +
+                                                   grouped(keyCount) + " keys. Give one time a key."};
+  for (int j = 0; j < keyCount; ++j) {
+    if (!std::isfinite(times[j]))
+      return Error{ErrorCode::NotFinite, "The time of key " + std::to_string(j + 1) + " is not a finite number.", j};
+    if (j > 0 && times[j] > times[j - 1] && !(times[j] - times[j - 1] > closestTimes * (times.back() - times.front())))
+      return Error{ErrorCode::TimesNotIncreasing,
+                   "Key " + std::to_string(j + 1) + " follows key " + std::to_string(j) + " by less than a millionth of a millionth of the whole "
+                   "time. Move the keys further apart.", j};
+    if (j > 0 && !(times[j] > times[j - 1]))
+      return Error{ErrorCode::TimesNotIncreasing,
+                   "Key " + std::to_string(j + 1) + " is at time " + shortNumber(times[j]) + ", not after key " +
+                       std::to_string(j) + " at " + shortNumber(times[j - 1]) + ". Key times must increase.", j};
+  }
+  return {};
+}
+
+std::vector<double> evenTimes(int keyCount) {
+  std::vector<double> times(keyCount);
+  for (int j = 0; j < keyCount; ++j) times[j] = keyCount > 1 ? static_cast<double>(j) / (keyCount - 1) : 0;
+  return times;
+}
+
+}  // namespace shapespline

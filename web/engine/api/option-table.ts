@@ -1,0 +1,271 @@
+/**
+ * Every option of the engine, described once: what it may be, its default, its flag on the command line, its name in
+ * the page. From these tables come the types and defaults (types.ts), the checks (options.ts), project files, the command
+ * line with its help, the page's document with links, undo and CSV, and the list in the README. Plain data; imports
+ * nothing.
+ */
+
+/** Whole turns on the way to a key, of the whole shape or of one component against the one that carries it. */
+export interface AddedTurns {
+  /** 0-based, at least 1. */
+  key: number;
+  /** Negative ones go the other way. */
+  turns: number;
+  /** 0-based, counted by the components' first faces in the file; absent: the whole shape. */
+  component?: number;
+}
+
+/** The values of each kind, where the kind alone says it. */
+interface Values {
+  number: number;
+  flag: boolean;
+  /** Index of a key; the command line counts from 1. */
+  key: number;
+  /** 3 x vertices positions; a file on the command line, base64 in a project. */
+  shape: Float32Array;
+  turns: AddedTurns[];
+  numbers: number[];
+  /** First and last of a stretch of numbers. */
+  range: [number, number];
+  /** Name or index of an animation. */
+  animation: string | number;
+  /** Increasing times, or how many evenly spaced ones. */
+  sample: number[] | number;
+  /** 3 x faces. */
+  faces: Uint32Array;
+}
+
+interface Described {
+  /** What the help of the command line and the README say. */
+  help: string;
+  /** On the command line: the flag without its dashes, and what stands for its value. */
+  flag?: string;
+  value?: string;
+  /** In the page: name in the document and in links. Absent: the page does not offer it. */
+  page?: string;
+  /** In the page: what undo calls a change. */
+  undo?: string;
+}
+
+export interface NumberOption extends Described {
+  kind: 'number';
+  /** null: it may be null. Absent: it may be absent. */
+  default?: number | null;
+  whole?: true;
+  /** Bounds; `above` is not reached itself. */
+  above?: number;
+  least?: number;
+  most?: number;
+  /** What the command line calls 0, which is allowed besides what lies within the bounds. */
+  zero?: string;
+}
+
+export interface ChoiceOption extends Described {
+  kind: 'choice';
+  choices: readonly string[];
+  default?: string;
+}
+
+export interface OtherOption extends Described {
+  kind: Exclude<keyof Values, 'number'>;
+  default?: null | boolean | number;
+  /** Of numbers: at least one. */
+  some?: true;
+}
+
+export type Option = NumberOption | ChoiceOption | OtherOption;
+export type OptionTable = Readonly<Record<string, Option>>;
+/** What can be chosen for each key: one number, or whole turns. */
+export type KeyOption =
+  | (NumberOption & { default: number; undo: string })
+  | (OtherOption & { kind: 'turns'; undo: string });
+
+/** The type of an option's value. */
+export type ValueOf<O> =
+  | (O extends { choices: readonly (infer C)[] } ? C
+    : O extends { kind: infer K extends keyof Values } ? Values[K] : never)
+  | (O extends { default: null } ? null : never);
+export type ValuesOf<T> = { -readonly [N in keyof T]: ValueOf<T[N]> };
+
+/** Choices that refit the spline only: changing them never encodes or factorises again. */
+export const MOTION = {
+  method: {
+    kind: 'choice', choices: ['lri', 'geodesic', 'linear', 'cubic-vertex'], default: 'lri',
+    flag: 'method', help: 'the method, or one of those that it is compared with', page: 'method', undo: 'method',
+  },
+  boundary: {
+    kind: 'choice', choices: ['natural', 'hermite', 'periodic'], default: 'natural',
+    flag: 'boundary', help: 'no bending at the ends, speeds at the ends, or a loop', page: 'boundary', undo: 'boundary',
+  },
+  /** Hermite: times the one-sided difference at the first key; 0 = ease. */
+  startSpeed: {
+    kind: 'number', default: 1, flag: 'start-speed', value: 'S',
+    help: "hermite: times the keys' own speed at the first key; 0 eases",
+    page: 'startSpeed', undo: 'start speed',
+  },
+  /** Hermite: the same at the last key. */
+  endSpeed: {
+    kind: 'number', default: 1, flag: 'end-speed', value: 'S', help: 'hermite: the same at the last key',
+    page: 'endSpeed', undo: 'end speed',
+  },
+  /** Periodic: the whole period in units of time; null = the default. */
+  period: {
+    kind: 'number', above: 0, default: null, flag: 'period', value: 'P', help: 'periodic: length of one whole period',
+    page: 'period', undo: 'period',
+  },
+  /** Take out the translation that accumulates along the sequence. */
+  inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'without the motion of the whole' },
+} as const satisfies OptionTable;
+
+/**
+ * Chosen for each key, refitting the spline only. A key of the page's document carries its own; the engine takes lists:
+ * of numbers, empty or one per key, and of the turns that there are.
+ */
+export const PER_KEY = {
+  /** Slope at the key = (1 - tension) times the C2 spline's own. */
+  tension: {
+    kind: 'number', default: 0, flag: 'tension', value: 'X,X,...', help: 'for each key: 0 as it is, 1 stops there',
+    undo: 'tension',
+  },
+  /** Above 0 the slope goes over to the difference from the key before, below 0 to that to the key after. */
+  bias: {
+    kind: 'number', least: -1, most: 1, default: 0, flag: 'bias', value: 'X,X,...',
+    help: 'for each key, from -1 to 1: below 0 its slope leans towards that to the key after it, above 0 towards that '
+      + 'from the key before',
+    undo: 'bias',
+  },
+  /** Whole turns added on the way to the key. */
+  turns: {
+    kind: 'turns', flag: 'turns', value: 'KEY:N[@COMPONENT],...',
+    help: 'whole turns added on the way to a key: of the whole, or of one of its separate parts, counted from 1 as '
+      + 'their faces come in the file',
+    undo: 'turns',
+  },
+} as const satisfies Readonly<Record<string, KeyOption>>;
+
+/** Choices that change the encoding: a new sequence is built for them. */
+export const ENCODING = {
+  /** 0-based key that deformation gradients are measured from. */
+  reference: {
+    kind: 'key', default: 0, flag: 'reference', value: 'KEY', help: 'key that the others are measured against',
+    page: 'referencePose', undo: 'reference pose',
+  },
+  /** Wanted number of patches; 0 = the default formula. */
+  patches: {
+    kind: 'number', whole: true, least: 0, default: 0, flag: 'patches', value: 'N',
+    help: 'default: about the square root of the number of faces', page: 'patches', undo: 'patches',
+  },
+  stretch: {
+    kind: 'choice', choices: ['linear', 'log'], default: 'linear',
+    flag: 'stretch', help: 'how stretch is interpolated; log never turns inside out', page: 'stretch', undo: 'stretch',
+  },
+  /** 0 = off, else at least 4: the splines run on a ghost mesh of about so many faces, and the shape follows it. */
+  ghostFaces: {
+    kind: 'number', whole: true, least: 4, zero: 'off', default: 0, flag: 'ghost-faces', value: 'N|off',
+    help: 'let a coarse mesh of N faces lead the shape; default off', page: 'ghostFaces', undo: 'ghost faces',
+  },
+  /** With a ghost mesh. */
+  transfer: {
+    kind: 'choice', choices: ['exact', 'paper'], default: 'exact',
+    flag: 'transfer', help: 'with it: through every key (default), or as published', page: 'transfer', undo: 'transfer',
+  },
+  placement: {
+    kind: 'choice', choices: ['vertices', 'optimal'], default: 'vertices',
+    flag: 'placement', help: 'of the coarse mesh; default: on vertices of the shape', page: 'placement',
+    undo: 'placement',
+  },
+  precision: {
+    kind: 'choice', choices: ['single', 'double', 'exact'], default: 'single',
+    flag: 'precision', help: 'exact: as accurate as double, in less memory',
+  },
+  /** Hermite: a shape that takes the neighbour key's place in the difference at that end. */
+  startTangent: {
+    kind: 'shape', default: null, flag: 'start-tangent', value: 'FILE',
+    help: 'hermite: a shape that the motion comes from',
+    page: 'startTangentPose', undo: 'start tangent pose',
+  },
+  endTangent: {
+    kind: 'shape', default: null, flag: 'end-tangent', value: 'FILE', help: 'hermite: a shape that the motion goes to',
+    page: 'endTangentPose', undo: 'end tangent pose',
+  },
+} as const satisfies OptionTable;
+
+/** What to take from the files. */
+export const IMPORT = {
+  /** Key times; default: the animation's own, else evenly over [0, 1]. */
+  keyTimes: {
+    kind: 'numbers', flag: 'key-times', value: 'T,T,...',
+    help: "default: evenly over [0,1], or the animation's own times",
+  },
+  /** Name or index of the animation to sample keys from; default: the first. */
+  animation: {
+    kind: 'animation', flag: 'animation', value: 'NAME|INDEX',
+    help: 'take the keys from this animation of the one file',
+  },
+  /** Times on the animation's own time line, in seconds, or how many evenly spaced ones; default 8. */
+  sample: {
+    kind: 'sample', flag: 'sample', value: 'T,T,...|N',
+    help: 'at these seconds of it, or N evenly spaced (default 8)',
+  },
+  /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
+  up: {
+    kind: 'choice', choices: ['y', 'z'], default: 'y', flag: 'up',
+    help: 'axis that points up in .obj, .ply and .off files',
+  },
+  /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
+  unit: {
+    kind: 'number', above: 0, default: 1, flag: 'unit', value: 'METRES',
+    help: 'metres per unit of .obj, .ply and .off files',
+  },
+  /** 3 x faces of a mesh that the files are further poses of: their polygons are cut into its triangles. */
+  like: {
+    kind: 'faces',
+    help: 'faces of a mesh that the files are further poses of; their polygons are cut into its triangles',
+  },
+} as const satisfies OptionTable;
+
+export const EXPORT = {
+  format: {
+    kind: 'choice', choices: ['glb', 'obj', 'ply'], default: 'glb',
+    help: 'one file with an animation, or a file for each shape',
+  },
+  /** These times instead of frames and range, in any order; a GLB gets the keys between them too. */
+  times: {
+    kind: 'numbers', some: true, default: null, flag: 'at', value: 'T,T,...',
+    help: 'these times, which may lie beyond the keys: --at=-0.3,1.3',
+  },
+  /** Evenly spaced frames over the range; a GLB gets the keys inside it too, so that it passes through them. */
+  frames: {
+    kind: 'number', whole: true, least: 2, default: 60, flag: 'frames', value: 'K',
+    help: 'or K evenly spaced ones; default 60',
+  },
+  /** First and last time; default: first and last key. */
+  range: {
+    kind: 'range', default: null, flag: 'range', value: 'A:B',
+    help: 'from A to B; default: over the keys; may lie beyond them: --range=-0.3:1.3',
+  },
+  /** Seconds that the exported animation plays; default: the length of the range. GLB only. */
+  duration: {
+    kind: 'number', above: 0, default: null, flag: 'duration', value: 'SECONDS',
+    help: 'of the exported animation; its times start at 0 and include the keys in range',
+  },
+  /** One pose only, at this time: frames, range and duration are ignored. */
+  pose: { kind: 'number', default: null, help: 'one pose only, at this time' },
+  inPlace: { kind: 'flag', default: false, help: 'without the motion of the whole' },
+} as const satisfies OptionTable;
+
+/** The entries of a table, with the type that every option has. */
+export function optionsIn(table: OptionTable): [name: string, option: Option][] {
+  return Object.entries(table);
+}
+
+export function defaultsOf<T extends OptionTable>(table: T): ValuesOf<T> {
+  const known = optionsIn(table).filter(([, option]) => option.default !== undefined);
+  return Object.fromEntries(known.map(([name, option]) => [name, option.default])) as ValuesOf<T>;
+}
+
+/** The options whose value is a shape: read from a file, written in a form of their own. */
+export type ShapeName = {
+  [N in keyof typeof ENCODING]: (typeof ENCODING)[N] extends { kind: 'shape' } ? N : never
+}[keyof typeof ENCODING];
+export const SHAPES = optionsIn(ENCODING).filter(([, { kind }]) => kind === 'shape').map(([name]) => name as ShapeName);

@@ -1,0 +1,29 @@
+/**
+ * Documents as a browser has kept them between visits. Earlier versions held what is chosen for each key in lists
+ * beside the keys.
+ */
+import type { Doc } from './state.ts';
+import { EMPTY_STATE } from './state.ts';
+import type { Shaping } from './shaping.ts';
+import { DEFAULT_SHAPING, shapingOf, withTurns } from './shaping.ts';
+
+interface KeptDoc extends Partial<Omit<Doc, 'keys'>> {
+  keys: { pose: number; name: string; time: number; shaping?: Partial<Shaping> }[];
+  tension?: number[];
+  bias?: number[];
+  turns?: number[];
+  partTurns?: { component: number; turns: number }[][];
+}
+
+/** What the document of an earlier version did not have starts as it is by default. */
+export function keptDoc({ keys, motion, encoding, tension, bias, turns, partTurns }: KeptDoc): Doc {
+  const empty = EMPTY_STATE.doc;
+  const before = (key: number): Shaping =>
+    [{ turns: turns?.[key] ?? 0 }, ...(partTurns?.[key] ?? [])].reduce(withTurns, shapingOf({ tension, bias }, key));
+  return {
+    keys: keys.map(({ shaping, ...key }, index) =>
+      ({ ...key, shaping: shaping ? { ...DEFAULT_SHAPING, ...shaping } : before(index) })),
+    motion: { ...empty.motion, ...motion },
+    encoding: { ...empty.encoding, ...encoding },
+  };
+}

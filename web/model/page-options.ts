@@ -1,0 +1,44 @@
+/**
+ * The engine's options that the page offers, under their names in the document and in links. Where the engine takes a
+ * key or a shape, the document names one of the import's poses; null stands for none of its own.
+ */
+import { ENCODING, MOTION, optionsIn } from '../engine/api/option-table.ts';
+import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';
+
+export type PageOptions<T> = {
+  -readonly [N in keyof T as T[N] extends { page: infer P extends string } ? P : never]:
+    T[N] extends { kind: 'key' | 'shape' } ? number | null : ValueOf<T[N]>
+};
+
+interface PageOption {
+  /** Of the engine. */
+  name: string;
+  page: string;
+  option: Option;
+}
+
+export function pageOptions(table: OptionTable): PageOption[] {
+  return optionsIn(table).flatMap(([name, option]) =>
+    (option.page === undefined ? [] : [{ name, page: option.page, option }]));
+}
+
+/** Its value in the document is a pose. */
+export function isPose({ kind }: Option): boolean {
+  return kind === 'key' || kind === 'shape';
+}
+
+/** A value for each of the table's options that the page offers. */
+export function forPage<T extends OptionTable>(table: T, value: (entry: PageOption) => unknown): PageOptions<T> {
+  return Object.fromEntries(pageOptions(table).map((entry) => [entry.page, value(entry)])) as PageOptions<T>;
+}
+
+export function pageDefaults<T extends OptionTable>(table: T): PageOptions<T> {
+  return forPage(table, ({ option }) => (isPose(option) ? null : option.default));
+}
+
+const UNDO_NAMES = new Map([MOTION, ENCODING].flatMap(pageOptions).map(({ page, option }) => [page, option.undo]));
+
+/** What undo calls a change of the document's options: that of the first. */
+export function undoName(change: object): string {
+  return UNDO_NAMES.get(Object.keys(change)[0] ?? '') ?? '';
+}

@@ -1,0 +1,51 @@
+/**
+ * What is chosen for each key. In the document it belongs to its key and goes wherever that goes; the engine takes
+ * lists, and only here the one becomes the other.
+ */
+import { PER_KEY } from '../engine/api/option-table.ts';
+import type { AddedTurns, PerKey } from '../engine/api/types.ts';
+
+/** Whole turns on the way to the key that has them; the first key has no way to it. */
+export type KeyTurns = Omit<AddedTurns, 'key'>;
+export type Shaping = { readonly [N in keyof PerKey]: PerKey[N] extends number[] ? number : readonly KeyTurns[] };
+/** The options that are one number for each key. */
+export type ShapingNumber = { [N in keyof PerKey]: PerKey[N] extends number[] ? N : never }[keyof PerKey];
+
+export const SHAPING_NUMBERS = (Object.keys(PER_KEY) as (keyof PerKey)[])
+  .filter((name): name is ShapingNumber => PER_KEY[name].kind === 'number');
+
+function shapingWith(number: (name: ShapingNumber) => number, turns: readonly KeyTurns[]): Shaping {
+  const numbers = Object.fromEntries(SHAPING_NUMBERS.map((name) => [name, number(name)]));
+  return { ...(numbers as Record<ShapingNumber, number>), turns };
+}
+
+export const DEFAULT_SHAPING: Shaping = shapingWith((name) => PER_KEY[name].default, []);
+
+/** Of one key, out of the engine's lists. */
+export function shapingOf(lists: Partial<PerKey>, index: number): Shaping {
+  const turns = (lists.turns ?? []).filter(({ key }) => key === index).map(({ key: _, ...rest }) => rest);
+  return shapingWith((name) => lists[name]?.[index] ?? PER_KEY[name].default, turns);
+}
+
+/** The engine's lists; one of numbers is empty where all are the default. */
+export function listsOf(shapings: readonly Shaping[]): PerKey {
+  const numbers = SHAPING_NUMBERS.map((name) => {
+    const values = shapings.map((shaping) => shaping[name]);
+    return [name, values.every((value) => value === PER_KEY[name].default) ? [] : values];
+  });
+  const turns = shapings.flatMap((shaping, key) => (key === 0 ? [] : shaping.turns.map((one) => ({ key, ...one }))));
+  return { ...(Object.fromEntries(numbers) as Record<ShapingNumber, number[]>), turns };
+}
+
+/** Turns of one component, or without one of the whole shape. */
+export function turnsOf({ turns }: Shaping, component?: number): number {
+  return turns.find((one) => one.component === component)?.turns ?? 0;
+}
+
+/** With these turns instead of those that the same component had; 0 takes them away. The whole shape comes first. */
+export function withTurns(shaping: Shaping, { component, turns }: KeyTurns): Shaping {
+  const others = shaping.turns.filter((one) => one.component !== component);
+  const added = component === undefined ? { turns } : { component, turns };
+  const order = (one: KeyTurns): number => one.component ?? -1;
+  return { ...shaping, turns: turns === 0 ? others : [...others, added].sort((a, b) => order(a) - order(b)) };
+}
