@@ -44,7 +44,7 @@ test('axe finds nothing serious at 360 px, in any sheet', async ({ app }) => {
   await app.page.setViewportSize({ width: 360, height: 740 });
   await app.open();
   await expectAccessible(app);
-  for (const tab of ['tab-keys', 'tab-motion', 'tab-shape', 'tab-see']) {
+  for (const tab of ['tab-keys', 'tab-motion', 'tab-shape', 'tab-analysis']) {
     await app.by(tab).click();
     await expectAccessible(app);
   }
@@ -136,7 +136,7 @@ test.describe('at 360 px', () => {
     await app.by('boundary-periodic').check();
     await app.settled();
     expect((await app.state()).doc.motion.boundary).toBe('periodic');
-    for (const tab of ['shape', 'see', 'motion']) {
+    for (const tab of ['shape', 'analysis', 'motion']) {
       await app.by(`tab-${tab}`).tap();
       await expect(app.by(`panel-${tab}`)).toBeVisible();
       expect(await overflow()).toBeLessThanOrEqual(0);

@@ -1,5 +1,5 @@
 /**
- * A shape that is about right while it moves, exact when it rests. By itself the page draws so what is too large for 30 exact
+ * A shape that is a preview while it moves, exact when it rests. By itself the page draws so what is too large for 30 exact
  * frames a second on the machine at hand (tests/unit/pump); here its address asks for it.
  */
 import { poseFiles } from '../engine/support/glb.ts';
@@ -19,15 +19,15 @@ interface Collected {
   texts: string[];
 }
 
-/** Keeps some of the shapes on the screen that are about right, and all that the status line says, until it is asked for them. */
+/** Keeps some of the previews on the screen, and all that the status line says, until it is asked for them. */
 async function collect(app: App): Promise<void> {
   await app.page.evaluate(() => {
     const hook = window.__shapespline!;
     const collected: Collected = { samples: [], texts: [] };
     const status = document.querySelector('[data-testid="status-ms"]')!;
     const look = (): void => {
-      const { time, about } = hook.shown;
-      if (about && collected.samples.length < 6 && collected.samples.at(-1)?.time !== time) collected.samples.push({ time, positions: hook.positions() });
+      const { time, preview } = hook.shown;
+      if (preview && collected.samples.length < 6 && collected.samples.at(-1)?.time !== time) collected.samples.push({ time, positions: hook.positions() });
       const text = status.textContent!.replace(/[\d.]+/, 'N');
       if (collected.texts.at(-1) !== text) collected.texts.push(text);
       requestAnimationFrame(look);
@@ -75,15 +75,15 @@ function distanceAtRest(app: App): Promise<number> {
   });
 }
 
-const shown = (app: App): Promise<{ time: number; about: boolean }> => app.page.evaluate(() => window.__shapespline!.shown);
+const shown = (app: App): Promise<{ time: number; preview: boolean }> => app.page.evaluate(() => window.__shapespline!.shown);
 
-test('a shape is about right while it is dragged or plays, and exact when it rests', async ({ app }) => {
+test('a shape is a preview while it is dragged or plays, and exact when it rests', async ({ app }) => {
   await app.open({ search: '?moving=about' });
   await app.openGenerated(FACES);
   const status = app.by('status-ms');
   for (const t of [0.2, 0.3, 0.25]) await app.setTime(t);
-  expect(await shown(app)).toEqual({ time: 0.25, about: false });
-  await expect(status).toHaveText(/ms a frame, exact$/);
+  expect(await shown(app)).toEqual({ time: 0.25, preview: false });
+  await expect(status).toHaveText(/ms per frame, exact$/);
 
   // Easing needs motion to be welcome.
   await app.page.emulateMedia({ reducedMotion: 'no-preference' });
@@ -98,9 +98,9 @@ test('a shape is about right while it is dragged or plays, and exact when it res
   await app.page.mouse.up();
   await app.settled();
   const { time } = await app.state();
-  expect(await shown(app)).toEqual({ time, about: false });
+  expect(await shown(app)).toEqual({ time, preview: false });
   expect(await distanceAtRest(app)).toBe(0);
-  await expect(status).toHaveText(/ms a frame, exact$/);
+  await expect(status).toHaveText(/ms per frame, exact$/);
 
   const found = await distances(app);
   expect(found.length).toBeGreaterThanOrEqual(4);
@@ -110,7 +110,7 @@ test('a shape is about right while it is dragged or plays, and exact when it res
     expect(worst).toBeLessThan(0.5);
   }
   const texts = await app.page.evaluate(() => (window as unknown as { collected: Collected }).collected.texts);
-  expect(texts).toContain('N ms a frame, about right');
+  expect(texts).toContain('N ms per frame, preview');
 
   // What was eased in is drawn as what is shown at once.
   const eased = await app.picture();
@@ -121,11 +121,11 @@ test('a shape is about right while it is dragged or plays, and exact when it res
 
   const before = await app.positions();
   await app.by('play').click();
-  await expect.poll(async () => (await shown(app)).about).toBe(true);
+  await expect.poll(async () => (await shown(app)).preview).toBe(true);
   await expect.poll(async () => (await shown(app)).time).not.toBe(time);
   await app.by('play').click();
   await app.settled();
-  expect(await shown(app)).toEqual({ time: (await app.state()).time, about: false });
+  expect(await shown(app)).toEqual({ time: (await app.state()).time, preview: false });
   expect(await distanceAtRest(app)).toBe(0);
   expect(difference(await app.positions(), before)).toBeGreaterThan(0);
   await app.expectNoProblems();
@@ -141,12 +141,12 @@ async function openRolledUp(app: App): Promise<void> {
 }
 
 /** Drags to and fro between two moments and says what was on the screen meanwhile; ends at rest. */
-async function drag(app: App, from: number, to: number): Promise<{ time: number; about: boolean }[]> {
+async function drag(app: App, from: number, to: number): Promise<{ time: number; preview: boolean }[]> {
   await app.page.evaluate(() => {
-    const seen: { time: number; about: boolean }[] = [];
+    const seen: { time: number; preview: boolean }[] = [];
     const look = (): void => {
-      const { time, about } = window.__shapespline!.shown;
-      if (seen.at(-1)?.time !== time || seen.at(-1)?.about !== about) seen.push({ time, about });
+      const { time, preview } = window.__shapespline!.shown;
+      if (seen.at(-1)?.time !== time || seen.at(-1)?.preview !== preview) seen.push({ time, preview });
       if ((window as { seen?: unknown }).seen === seen) requestAnimationFrame(look);
     };
     Object.assign(window, { seen });
@@ -160,25 +160,25 @@ async function drag(app: App, from: number, to: number): Promise<{ time: number;
   for (let k = 0; k <= 32; k += 1) await app.page.mouse.move(x(from + (to - from) * (1 - Math.abs(k / 16 - 1))), y);
   await app.page.mouse.up();
   await app.settled();
-  const seen = await app.page.evaluate(() => (window as unknown as { seen: { time: number; about: boolean }[] }).seen);
+  const seen = await app.page.evaluate(() => (window as unknown as { seen: { time: number; preview: boolean }[] }).seen);
   return seen.filter(({ time }) => time > from && time < to);
 }
 
-test('a moving shape is drawn about right only where that was measured to be close', async ({ app }) => {
+test('a moving shape is a preview only where that was measured to be close', async ({ app }) => {
   await app.open({ search: '?moving=close' });
   await openRolledUp(app);
   // Measured while nothing moves, from the moment on the screen outwards: where the later stretch is known, so is the earlier one.
   await expect(async () => {
     await app.setTime(0.25);
     await app.page.waitForTimeout(1000);
-    expect((await drag(app, 0.55, 0.95)).some(({ about }) => about)).toBe(true);
+    expect((await drag(app, 0.55, 0.95)).some(({ preview }) => preview)).toBe(true);
   }).toPass({ timeout: 60_000 });
 
   const far = await drag(app, 0.05, 0.45);
   expect(new Set(far.map(({ time }) => time)).size).toBeGreaterThan(3);
-  expect(far.filter(({ about }) => about)).toEqual([]);
-  expect((await drag(app, 0.55, 0.95)).some(({ about }) => about)).toBe(true);
-  expect(await shown(app)).toEqual({ time: (await app.state()).time, about: false });
+  expect(far.filter(({ preview }) => preview)).toEqual([]);
+  expect((await drag(app, 0.55, 0.95)).some(({ preview }) => preview)).toBe(true);
+  expect(await shown(app)).toEqual({ time: (await app.state()).time, preview: false });
   expect(await distanceAtRest(app)).toBe(0);
   await app.expectNoProblems();
 });
@@ -187,6 +187,6 @@ test('and always where the address asks for it', async ({ app }) => {
   await app.open({ search: '?moving=about' });
   await openRolledUp(app);
   await app.setTime(0.25);
-  expect((await drag(app, 0.05, 0.45)).some(({ about }) => about)).toBe(true);
+  expect((await drag(app, 0.05, 0.45)).some(({ preview }) => preview)).toBe(true);
   await app.expectNoProblems();
 });

@@ -69,7 +69,7 @@ async function show(app: App, patience = 0): Promise<Shown> {
     isolated: await app.page.evaluate(() => crossOriginIsolated),
     helper: app.page.workers().some((worker) => worker.url().includes('helper')),
     threads: (await app.stats()).threads,
-    said: await app.by('mesh-report').locator('dt:text-is("Threads at work") + dd').textContent(),
+    said: await app.by('mesh-report').locator('dt:text-is("Threads") + dd').textContent(),
     positions: frames.map((frame) => Float32Array.from(frame)),
   };
 }

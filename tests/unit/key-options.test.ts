@@ -5,7 +5,7 @@ import { COMPLETE, sequenceOptions } from '../../web/cli/settings.ts';
 import { patchesCsv } from '../../web/app/export/csv.ts';
 import { docOf } from '../../web/app/session/document-from-import.ts';
 import { specOf } from '../../web/app/session/sequence-plan.ts';
-import type { PosePool } from '../../web/app/session/workspace.ts';
+import type { PosePool } from '../../web/app/session/pose-pool.ts';
 import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { PER_KEY } from '../../web/engine/api/option-table.ts';
 import type { NumberOption } from '../../web/engine/api/option-table.ts';

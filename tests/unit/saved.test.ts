@@ -1,7 +1,7 @@
 /** What older versions wrote opens with the same state: links, projects, and documents that a browser has kept. */
 import { describe, expect, it } from 'vitest';
 import { docOf } from '../../web/app/session/document-from-import.ts';
-import type { PosePool } from '../../web/app/session/workspace.ts';
+import type { PosePool } from '../../web/app/session/pose-pool.ts';
 import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { readOptions, writeProject } from '../../web/engine/wire/project.ts';
 import { SEQUENCE_DEFAULTS, type KeysInfo } from '../../web/engine/api/types.ts';

@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import { docOf } from '../../web/app/session/document-from-import.ts';
 import { specOf } from '../../web/app/session/sequence-plan.ts';
-import type { PosePool } from '../../web/app/session/workspace.ts';
+import type { PosePool } from '../../web/app/session/pose-pool.ts';
 import type { AddedTurns, KeysInfo } from '../../web/engine/api/types.ts';
 import { setTurns } from '../../web/model/edits.ts';
 import type { Doc } from '../../web/model/state.ts';

@@ -1,345 +1,221 @@
-/** The composition root: puts state, engine, viewer and components together and says who hears of what. */
+/** The composition root: makes every part, gives it what it needs, and says who hears of what. */
 import { createEngine } from '../engine/index.ts';
-import type { Warning } from '../engine/api/types.ts';
-import type { AppState, Doc, View } from '../model/state.ts';
-import { EMPTY_STATE, tangentKeys } from '../model/state.ts';
+import type { Sequence } from '../engine/api/api.ts';
+import type { Progress } from '../engine/api/types.ts';
+import { EMPTY_STATE } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { clampTime } from '../model/time-scale.ts';
+import { createToast } from '../ui/messages.ts';
+import { plural } from '../ui/status-line.ts';
 import { createTheme } from '../ui/theme.ts';
-import { createCommands } from './panels/commands.ts';
-import type { Context } from './context.ts';
-import { createExporting } from './export/export-controller.ts';
-import { createGhostStudy } from './panels/ghost-study-panel.ts';
-import { installHook } from './test-hook.ts';
-import { createInsightPanel } from './panels/analysis-panel.ts';
-import type { InsightInput } from './panels/analysis-panel.ts';
-import { createInterface } from './panels/components.ts';
-import { createShortcuts, listenToArrows, listenToCamera } from './panels/keyboard.ts';
-import { isCancelled } from './session/sequence-set.ts';
+import { analysisInput } from './analysis/analysis.ts';
+import { AnalysisCache } from './analysis/analysis-cache.ts';
 import { createMarking } from './drawing/marking.ts';
-import { createMemory } from './sources/remembered-files.ts';
-import { createOpening } from './sources/open-files.ts';
-import { readPermalink, writePermalink } from './sources/permalink.ts';
-import { Picture } from './drawing/scene-controller.ts';
-import { Player } from './playback/player.ts';
-import { problemOf } from './panels/error-message.ts';
-import { Pace, readMoving } from './playback/preview-policy.ts';
-import { Pump } from './playback/frame-loop.ts';
-import { EMPTY_RUNTIME } from './panels/view-state.ts';
-import type { Runtime } from './panels/view-state.ts';
-import { fetchSamples } from './sources/samples.ts';
-import { createShell } from './panels/layout.ts';
-import { listen, shortcutLines } from './panels/shortcuts.ts';
-import { specOf } from './session/sequence-plan.ts';
-import { createStore } from './session/store.ts';
+import { SceneController } from './drawing/scene-controller.ts';
 import { createThumbnails } from './drawing/thumbnails.ts';
+import { createExportController } from './export/export-controller.ts';
+import { videoType } from './export/video-recorder.ts';
+import { createCommands } from './panels/commands.ts';
+import { errorMessageOf } from './panels/error-message.ts';
+import { createLayout } from './panels/layout.ts';
+import { createPage } from './panels/page.ts';
+import { createViewState, openedView, shownView } from './panels/view-state.ts';
+import { listenToNetwork, listenToPointer, reducedMotion } from './panels/window-events.ts';
+import type { FrameSet } from './playback/frame-set.ts';
+import { createPlayback } from './playback/playback.ts';
+import { readMoving } from './playback/preview-policy.ts';
+import { motionRange } from './session/motion-range.ts';
+import { isCancelled } from './session/sequence-set.ts';
+import { specOf } from './session/sequence-plan.ts';
+import { ServedDocument } from './session/served-document.ts';
+import { changesBetween } from './session/state-changes.ts';
+import { createStore } from './session/store.ts';
+import { WorkerRestart } from './session/worker-restart.ts';
 import { Workspace } from './session/workspace.ts';
-
-const LINK_DELAY_MS = 300;
-const SAME_DEATH_MS = 1000;
-const NEXT_DEATH_MS = 10_000;
+import { createOpenFiles } from './sources/open-files.ts';
+import type { OpenedFiles } from './sources/open-files.ts';
+import { openFirst } from './sources/open-first.ts';
+import { createPageLink } from './sources/page-link.ts';
+import { createRememberedFiles } from './sources/remembered-files.ts';
+import type { Sample } from './sources/samples.ts';
+import { createTestHook, installTestHook } from './test-hook.ts';
 
 export function startApp(root: HTMLElement): void {
-  const engine = createEngine({ onLost: () => void restart() });
   const store = createStore(EMPTY_STATE);
-  const theme = createTheme(() => { applyLook(); render(); });
-  const shell = createShell();
-  let runtime: Runtime = { ...EMPTY_RUNTIME, welcome: true };
-  let good: { doc: Doc; view: Pick<View, 'compare' | 'ghostDifference'> } | null = null;
-  let drawnState = store.get();
-  let restartedAt = -Infinity;
+  const layout = createLayout();
+  const toast = createToast();
+  const viewState = createViewState(() => page.redraw());
+  const sequence = (): Sequence | undefined => workspace.sequences[0]?.sequence;
+  const range = (): Range => motionRange(store.get().doc, workspace.range);
+  const { say } = toast;
+  const onError = (error: unknown): void => {
+    if (!isCancelled(error)) viewState.change({ errorMessage: errorMessageOf(error) });
+  };
+  const onStart = (): void => viewState.change({ errorMessage: null });
+  const onWorking = (working: Progress | null): void => viewState.change({ working });
 
-  const picture = new Picture(shell.picture, {
-    onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
-    onResize: () => render(),
-    covered: (views) => shell.covered(views),
-    onContextLost: () => context.say('The graphics card was taken away. The picture comes back by itself.'),
-    onContextRestored: () => void pump.request(store.get().time),
+  // Session: what is open.
+  const restart = new WorkerRestart(() => {
+    say('The browser stopped the computation. Restarting it; nothing was lost.');
+    void frameLoop.request(store.get().time);
   });
-
+  const engine = createEngine({ onLost: () => void restart.tryAgain() });
+  const served = new ServedDocument(store);
   const workspace = new Workspace(engine, {
-    onProgress: (working) => context.inform({ working }),
-    onReady: () => served(),
+    onProgress: onWorking,
+    onReady: () => onServed(),
     onRefused: (error) => {
-      context.fail(error);
-      goBack();
+      onError(error);
+      served.goBack();
     },
   });
 
-  const pump = new Pump({
-    lanes: () => workspace.lanes,
-    async show(shapes, eased) {
-      await picture.show(shapes, store.get(), context.range(), eased && !context.reducedMotion());
-      const { about, frames: [first] } = shapes;
-      if (about) context.inform({ aboutMs: first?.ms ?? null });
-      else context.inform({ ms: first?.ms ?? null, threads: first?.threads ?? null, aboutMs: null, lost: first?.lostDefiniteness ?? 0, lostFace: first?.lostFace ?? -1 });
+  // Drawing and playback: what is on the screen, and when.
+  const scene = new SceneController(layout.viewport, {
+    onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
+    onResize: () => page.redraw(),
+    covered: (views) => layout.covered(views),
+    onContextLost: () => say('The graphics card was taken away. The picture comes back by itself.'),
+    onContextRestored: () => void frameLoop.request(store.get().time),
+  });
+  const { frameLoop, follow: play } = createPlayback({
+    store, range, moving: readMoving(location.search), sequences: () => workspace.sequences,
+    screen: {
+      show: (frames, eased) => show(frames, eased),
+      drawn: () => scene.viewer.drawn(),
+      onError: (error) => { if (!restart.takesUp(error)) onError(error); },
     },
-    drawn: () => picture.viewer.drawn(),
-    onError: (error) => { if (!restarts(error)) context.fail(error); },
-  }, new Pace(readMoving(location.search)));
+  });
+  const thumbnails = createThumbnails({
+    store, workspace, scene, idle: () => frameLoop.idle(), has: (pose) => viewState.get().thumbnails.has(pose),
+    onThumbnail: (pose, url) => viewState.change({ thumbnails: new Map(viewState.get().thumbnails).set(pose, url) }),
+  });
+  const commands = createCommands({
+    store, range, pool: () => workspace.pool, initial: () => viewState.get().initial,
+    async exactShape(t) {
+      await frameLoop.request(t);
+      return scene.viewer.positions(0);
+    },
+    fit: (view) => scene.fit(view, !reducedMotion()),
+    onUse: () => viewState.change({ welcome: false }),
+  });
+  const marking = createMarking({
+    scene, sequence, range, onError, seek: commands.seek, warnings: () => viewState.get().warnings,
+    keyTimes: () => store.get().doc.keys.map(({ time }) => time),
+    onWarning: (shownWarning) => viewState.change({ shownWarning }),
+  });
 
-  const player = new Player(
-    () => ({ time: store.get().time, play: store.get().play, range: context.range(), periodic: store.get().doc.motion.boundary === 'periodic' }),
-    (time, playing) => store.set({ time, play: { ...store.get().play, playing } }),
-    () => pump.advance(),
+  // Ways in and out.
+  const files = createOpenFiles({
+    engine, store, workspace, reducedMotion, onStart, onError, samples: () => viewState.get().samples,
+    onOpened: (opened) => onOpened(opened), onWorking,
+  });
+  const remembered = createRememberedFiles({
+    store, workspace, say, onError, onChange: (kept) => viewState.change({ remembered: kept }),
+  });
+  const link = createPageLink({
+    store, say, initial: () => viewState.get().initial, onLink: (to) => void files.sample(to.sample, to),
+  });
+  const analysis = new AnalysisCache(
+    () => analysisInput(workspace.sequences, store.get().doc, range(), viewState.get().ms ?? 1), onAnalysisError,
   );
-
-  const context: Context = {
-    engine, store, workspace, picture, pump,
-    runtime: () => runtime,
-    inform(change) {
-      runtime = { ...runtime, ...change };
-      render();
-    },
-    range: () => rangeOf(store.get(), runtime),
-    reducedMotion: () => window.matchMedia('(prefers-reduced-motion: reduce)').matches,
-    say: (text) => ui.say(text),
-    fail(error) {
-      if (!isCancelled(error)) context.inform({ problem: problemOf(error) });
-    },
-  };
-
-  const thumbnails = createThumbnails(context);
-  const commands = createCommands(context);
-  const marking = createMarking(context, commands.seek);
-  const opening = createOpening(context);
-  const memory = createMemory(context);
-  const insight = createInsightPanel(insightInput, {
-    onSeek: commands.seek, onSpeed: commands.endSpeed,
-    onError: (error) => { if (restarts(error)) insight.invalidate(); else context.fail(error); },
+  const exporting = createExportController({
+    store, scene, analysis, sequence, range, say, onStart, onError, onWorking,
+    drawExactly: (t) => frameLoop.request(t), idle: () => frameLoop.idle(),
+    onPlan: (planned) => viewState.change({ exporting: planned }),
   });
-  const exporting = createExporting(context, insight);
-  const ghostStudy = createGhostStudy(context);
-  const cancel = (): void => {
-    exporting.cancel();
-    workspace.cancel();
-    goBack();
-  };
-  const shortcuts = createShortcuts(context, commands, {
-    openFiles: () => ui.openFiles(), openExport: () => { if (runtime.info) ui.openExport(); }, openHelp: () => ui.openHelp(),
-    toggleLook: () => ui.toggleLook(), toggleClock: () => ui.toggleClock(), nextTheme: theme.next, undo: store.undo, redo: store.redo,
-    escape: () => (runtime.working ? cancel() : context.inform({ problem: null })),
-  });
-  const ui = createInterface({
-    shell, root, commands, opening, insight, ghostStudy, marking, lostFace: () => runtime.lostFace, shortcuts: shortcutLines(shortcuts),
-    onUndo: store.undo, onRedo: store.redo, onTheme: theme.next, onCancel: cancel,
-    onLink: () => void copyLink(),
-    onRemember: () => void memory.toggle().catch(context.fail),
-    onCloseProblem: () => context.inform({ problem: null }),
-    onSingleKeys: (singleKeys) => context.inform({ singleKeys }),
-    onExportOpen: () => exporting.plan(),
-    onExportChange: (request) => exporting.plan(request),
+
+  const theme = createTheme(() => { applyLook(); page.redraw(); });
+  const page = createPage({
+    root, layout, toast: toast.element, engine, store, viewState, workspace, scene, analysis, commands, marking, files, theme,
+    range, onError, onAnalysisError, videoReason: videoType() ? null : 'This browser cannot write videos.',
+    onLink: () => void link.copy(),
+    onRemember: () => void remembered.toggle().catch(onError),
+    onExportPlan: exporting.plan,
     onExport: (request) => void exporting.run(request),
+    onCancel() {
+      exporting.cancel();
+      workspace.cancel();
+      served.goBack();
+    },
   });
-  window.addEventListener('pointerdown', () => store.hold(true), { capture: true });
-  for (const end of ['pointerup', 'pointercancel'] as const) {
-    window.addEventListener(end, () => {
-      store.hold(false);
-      pump.settle();
-    }, { capture: true });
-  }
-  listen(shortcuts, () => runtime.singleKeys);
-  listenToArrows(context, commands, shell.picture);
-  listenToCamera(context, shell.picture);
-
-  // Everything below reacts to changes.
-
-  let frame = 0;
-  function render(): void {
-    if (frame === 0) frame = requestAnimationFrame(draw);
-  }
-
-  function draw(): void {
-    frame = 0;
-    ui.update({
-      state: store.get(), runtime, range: context.range(), theme: theme.theme(), labels: picture.labels, colourBar: picture.colourBar,
-      undo: store.undoLabel(), redo: store.redoLabel(),
-    });
-  }
 
   function applyLook(): void {
-    picture.setLook(store.get().view, theme.isDark());
+    scene.setLook(store.get().view, theme.isDark());
   }
 
-  /** The lanes now follow the document. */
-  function served(): void {
-    const { doc, view } = store.get();
-    good = { doc, view: { compare: view.compare, ghostDifference: view.ghostDifference } };
-    const main = workspace.lanes[0]?.sequence;
+  async function show(frames: FrameSet, eased: boolean): Promise<void> {
+    await scene.show(frames, store.get(), range(), eased && !reducedMotion());
+    viewState.change(shownView(frames.frames[0], frames.preview));
+  }
+
+  function onOpened(opened: OpenedFiles): void {
+    const { info, pool, source, doc, camera } = opened;
+    scene.setImport(info, pool, camera);
+    viewState.change(openedView(opened, viewState.get()));
+    if (source.kind !== 'files') return;
+    say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
+  }
+
+  /** The sequences follow the document now. */
+  function onServed(): void {
+    served.note(store.get());
+    const main = sequence();
     if (!main) return;
-    context.inform({ range: main.range, warnings: distinct([...(runtime.info?.warnings ?? []), ...main.warnings]) });
+    viewState.change({ warnings: workspace.warnings });
     marking.follow();
-    main.stats().then((stats) => context.inform({ stats }), context.fail);
-    pump.follow(store.get().time);
-    insight.invalidate();
+    main.stats().then((stats) => viewState.change({ stats }), onError);
+    frameLoop.follow(store.get().time);
+    analysis.invalidate();
     thumbnails.refresh();
   }
 
-  function insightInput(): InsightInput {
-    const [main] = workspace.lanes;
-    const { doc } = store.get();
-    return {
-      lanes: workspace.lanes.filter((lane) => lane === main || lane.ghost === main?.ghost),
-      keyTimes: doc.keys.map((key) => key.time), range: context.range(), ms: runtime.ms ?? 1, towards: tangentKeys(doc),
-    };
+  function onAnalysisError(error: unknown): void {
+    if (restart.takesUp(error)) analysis.invalidate();
+    else onError(error);
   }
 
-  /** A worker has died: the engine starts another for the next shape that is asked for. Returns whether that is worth a try. */
-  function restart(): boolean {
-    const since = performance.now() - restartedAt;
-    // One death is told by everyone who waited for an answer; another soon after it is a matter of the shape.
-    if (since < SAME_DEATH_MS) return true;
-    if (since < NEXT_DEATH_MS) return false;
-    restartedAt = performance.now();
-    context.say('The browser has ended the computation. It is started again; nothing is lost.');
-    void pump.request(store.get().time);
-    return true;
-  }
-
-  function restarts(error: unknown): boolean {
-    return error instanceof Error && 'code' in error && error.code === 'crashed' && restart();
-  }
-
-  /** After a refused or cancelled edit the document is again what the sequences serve. */
-  function goBack(): void {
-    if (!good) return;
-    if (showsOtherMotions(store.get().view, good.view)) store.set({ view: { ...store.get().view, ...good.view } });
-    if (store.get().doc !== good.doc) store.revert(good.doc);
-  }
-
+  let before = store.get();
   store.subscribe((state) => {
-    const before = drawnState;
-    drawnState = state;
-    const otherMotions = state.doc !== before.doc || showsOtherMotions(state.view, before.view);
-    if (otherMotions) workspace.want(specOf(state.doc, state.view.compare, state.view.ghostDifference));
-    if (lookOf(state) !== lookOf(before)) applyLook();
-    if (drawsOtherwise(state, before)) void pump.request(state.time);
-    else if (state.time !== before.time && !state.play.playing) pump.follow(state.time);
-    if (state.play.playing && !before.play.playing) {
-      pump.play(player);
-      player.start();
-    }
-    if (!state.play.playing && before.play.playing) {
-      player.stop();
-      pump.pause();
-      pump.follow(state.time);
-    }
-    if (state.source === before.source && otherMotions) context.inform({ welcome: false });
+    const changed = changesBetween(before, state);
+    before = state;
+    if (changed.motions) workspace.want(specOf(state.doc, state.view.compare, state.view.ghostDifference));
+    if (changed.look) applyLook();
+    play(state, changed);
+    if (changed.motions && !changed.opened) viewState.change({ welcome: false });
     if (!state.play.playing) {
-      saveLink();
-      memory.follow();
+      link.follow();
+      remembered.follow();
     }
-    render();
+    page.redraw();
   });
 
-  let linkTimer = 0;
-  function saveLink(): void {
-    window.clearTimeout(linkTimer);
-    linkTimer = window.setTimeout(() => {
-      const { initial } = runtime;
-      const link = initial && writePermalink(store.get(), initial);
-      history.replaceState(null, '', link ? `#${link}` : location.pathname + location.search);
-    }, LINK_DELAY_MS);
-  }
-
-  async function copyLink(): Promise<void> {
-    const link = runtime.initial && writePermalink(store.get(), runtime.initial);
-    if (!link) return;
-    const url = new URL(`#${link}`, location.href).href;
-    try {
-      await navigator.clipboard.writeText(url);
-      context.say('Link copied.');
-    } catch {
-      history.replaceState(null, '', url);
-      context.say('The link is in the address bar now.');
-    }
-  }
-
-  window.addEventListener('hashchange', () => {
-    const link = readPermalink(location.hash);
-    if (link) void opening.sample(link.sample, link);
+  listenToPointer((down) => {
+    store.hold(down);
+    if (!down) frameLoop.settle();
   });
-  window.addEventListener('offline', () => context.inform({ offline: true }));
-  window.addEventListener('online', () => context.inform({ offline: false }));
+  listenToNetwork((offline) => viewState.change({ offline }));
 
-  const ready = start();
-  ready.catch(context.fail);
-  installHook({
-    ready,
-    async setTime(t) {
-      const time = clampTime(t, context.range());
+  const onSamples = (samples: readonly Sample[]): void => viewState.change({ samples, offline: !navigator.onLine });
+  const ready = openFirst({ files, remembered, onSamples }).then(() => frameLoop.idle());
+  ready.catch(onError);
+  installTestHook(createTestHook({
+    ready, sequence, viewer: scene.viewer,
+    state: () => store.get(),
+    shown: () => frameLoop.shown,
+    difference: () => scene.difference?.percent ?? null,
+    async seekExactly(t) {
+      const time = clampTime(t, range());
       store.set({ time, play: { ...store.get().play, playing: false } });
-      await pump.request(time);
+      await frameLoop.request(time);
     },
-    settled: () => settled(),
-    get state() { return structuredClone(store.get()); },
-    stats: async () => (await workspace.lanes[0]?.sequence.stats()) ?? null,
-    async evaluate(t) {
-      const [frame] = (await workspace.lanes[0]?.sequence.evaluateMany([t])) ?? [];
-      const positions = frame?.positions.slice() ?? new Float32Array();
-      frame?.release();
-      return positions;
-    },
-    async ghost() {
-      const sequence = workspace.lanes[0]?.sequence;
-      const mesh = (await sequence?.ghost()) ?? null;
-      return mesh && { ...mesh, positions: await sequence!.ghostPositions(store.get().time) };
-    },
-    get shown() { return { time: pump.shown.t, about: pump.shown.about }; },
-    difference: () => picture.difference?.percent.slice() ?? null,
-    positions: (view = 0) => picture.viewer.positions(view),
-    project: (points, view = 0) => picture.viewer.project(Float32Array.from(points), view),
-  });
-  applyLook();
-  render();
-
-  async function start(): Promise<void> {
-    const link = readPermalink(location.hash);
-    const [samples, left] = await Promise.all([fetchSamples(), link ? null : memory.recall()]);
-    context.inform({ samples, offline: !navigator.onLine });
-    if (left && await opening.again(left)) return pump.idle();
-    const first = runtime.samples.find(({ id }) => id === link?.sample) ?? runtime.samples[0];
-    if (!first) throw new Error('There are no samples beside this page. Open files of your own.');
-    await opening.sample(first.id, first.id === link?.sample ? link : null);
-    await pump.idle();
-  }
-
-  async function settled(): Promise<void> {
-    do {
-      await opening.idle();
+    async idle() {
+      await files.idle();
       await workspace.idle();
-      await pump.idle();
-      await picture.viewer.drawn();
-      // What the last frame changed is shown by the components on the next one.
-      await new Promise((resolve) => requestAnimationFrame(resolve));
-    } while (opening.busy || (pump.busy && !store.get().play.playing));
-  }
-}
-
-/** Where the keys define the motion. Only the engine knows the period of a closed motion that does not close by itself. */
-function rangeOf({ doc }: AppState, runtime: Runtime): Range {
-  const first = doc.keys[0]?.time ?? 0;
-  const last = doc.keys.at(-1)?.time ?? 1;
-  if (doc.motion.boundary !== 'periodic') return [first, last];
-  return doc.motion.period !== null ? [first, first + doc.motion.period] : runtime.range;
-}
-
-/** Changes that the viewer draws without asking for another shape. */
-function lookOf({ view }: AppState): string {
-  return `${view.colouring} ${view.shading} ${view.wireframe} ${view.floor}`;
-}
-
-function drawsOtherwise({ view }: AppState, before: AppState): boolean {
-  return (['onion', 'film', 'colouring', 'ghostWire', 'ghostBeside'] as const).some((name) => view[name] !== before.view[name]);
-}
-
-/** Changes of the view that need other sequences. */
-function showsOtherMotions(view: Pick<View, 'compare' | 'ghostDifference'>, before: Pick<View, 'compare' | 'ghostDifference'>): boolean {
-  return view.compare !== before.compare || view.ghostDifference !== before.ghostDifference;
-}
-
-/** The import and the sequence may say the same; the same of two places is said twice. */
-function distinct(warnings: readonly Warning[]): Warning[] {
-  const words = warnings.map((warning) => JSON.stringify(warning));
-  return warnings.filter((_, index) => words.indexOf(words[index]!) === index);
+      await frameLoop.idle();
+    },
+    busy: () => files.busy || (frameLoop.busy && !store.get().play.playing),
+  }));
+  applyLook();
+  page.redraw();
 }

@@ -10,7 +10,7 @@ function start(element: HTMLElement): void {
   try {
     startApp(element);
   } catch (error) {
-    // Before there is an interface nothing else can say it.
+    // Before there are components nothing else can say it.
     const message = document.createElement('p');
     message.setAttribute('role', 'alert');
     message.textContent = `This page needs WebGL 2, which this browser does not offer now. Try another browser, or switch hardware acceleration on. (${error instanceof Error ? error.message : String(error)})`;

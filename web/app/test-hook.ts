@@ -2,8 +2,10 @@
  * `window.__shapespline`, for tests of pages that use the app, in the production build too. Everything is plain data;
  * times are in the unit of the key times, positions xyz interleaved.
  */
+import type { Sequence } from '../engine/api/api.ts';
 import type { Ghost, SequenceStats } from '../engine/api/types.ts';
 import type { AppState } from '../model/state.ts';
+import type { Viewer } from '../viewer/viewer.ts';
 
 export interface TestHook {
   /** Resolves when the first shape is on the screen. */
@@ -13,15 +15,15 @@ export interface TestHook {
   /** Resolves when nothing is under way: no import, no build, no frame. */
   settled(): Promise<void>;
   readonly state: AppState;
-  /** The moment on the screen, which follows that of the state; `about` while what moves is drawn about right (Sequence.preview). */
-  readonly shown: { time: number; about: boolean };
+  /** The time on the screen, which follows that of the state; `preview` while the frame is one of Sequence.preview. */
+  readonly shown: { time: number; preview: boolean };
   /** Counters of the main sequence: encodings, factorisations, solves. */
   stats(): Promise<SequenceStats | null>;
   /** The engine's own answer for a moment, 3 x vertices, without drawing it. */
   evaluate(t: number): Promise<Float32Array>;
   /** The main motion's ghost mesh with 3 x ghost vertices of the present moment; null without one. */
   ghost(): Promise<(Ghost & { positions: Float32Array }) | null>;
-  /** What is shown as colours now: of each vertex, how far it is from where it would be without a ghost, in % of the diagonal. */
+  /** What is shown as colours now: per vertex the distance to the shape without a ghost, in % of the diagonal. */
   difference(): Float32Array | null;
   /** What is drawn now in a view, 3 x vertices, copied. */
   positions(view?: number): Float32Array;
@@ -35,6 +37,57 @@ declare global {
   }
 }
 
-export function installHook(hook: TestHook): void {
+export interface TestHookParts {
+  ready: Promise<void>;
+  viewer: Viewer;
+  /** The first running sequence. */
+  sequence(): Sequence | undefined;
+  state(): AppState;
+  shown(): { t: number; preview: boolean };
+  difference(): Float32Array | null;
+  /** Stops what plays and draws the exact shape of a moment. */
+  seekExactly(t: number): Promise<void>;
+  /** One round of waiting: what ends may start something else. */
+  idle(): Promise<void>;
+  busy(): boolean;
+}
+
+export function createTestHook(parts: TestHookParts): TestHook {
+  const { viewer, sequence, state } = parts;
+  return {
+    ready: parts.ready,
+    setTime: parts.seekExactly,
+    async settled() {
+      do {
+        await parts.idle();
+        await viewer.drawn();
+        // What the last frame changed is shown by the components on the next one.
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+      } while (parts.busy());
+    },
+    get state() { return structuredClone(state()); },
+    stats: async () => (await sequence()?.stats()) ?? null,
+    async evaluate(t) {
+      const [frame] = (await sequence()?.evaluateMany([t])) ?? [];
+      const positions = frame?.positions.slice() ?? new Float32Array();
+      frame?.release();
+      return positions;
+    },
+    async ghost() {
+      const of = sequence();
+      const mesh = (await of?.ghost()) ?? null;
+      return mesh && { ...mesh, positions: await of!.ghostPositions(state().time) };
+    },
+    get shown() {
+      const { t, preview } = parts.shown();
+      return { time: t, preview };
+    },
+    difference: () => parts.difference()?.slice() ?? null,
+    positions: (view = 0) => viewer.positions(view),
+    project: (points, view = 0) => viewer.project(Float32Array.from(points), view),
+  };
+}
+
+export function installTestHook(hook: TestHook): void {
   window.__shapespline = hook;
 }

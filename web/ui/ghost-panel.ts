@@ -39,7 +39,7 @@ export function createGhostPanel(events: GhostPanelEvents, study: HTMLElement): 
     label: `Set the faces back to ${GHOST_FACES.toLocaleString('en')}`, testId: 'ghost-faces-reset', icon: 'reset',
     onClick: () => events.onEncoding({ ghostFaces: GHOST_FACES }),
   });
-  const transfer = segments<Transfer>('How the shape follows', 'transfer', TRANSFERS, (value) => events.onEncoding({ transfer: value }));
+  const transfer = segments<Transfer>('Transfer', 'transfer', TRANSFERS, (value) => events.onEncoding({ transfer: value }));
   const placement = checkbox('Ghost may leave the surface', 'placement', (on) => events.onEncoding({ placement: on ? 'optimal' : DEFAULT_ENCODING.placement }));
   const wire = checkbox('Wireframe', 'ghost-wire', (on) => events.onView({ ghostWire: on }));
   const beside = checkbox('Beside the shape', 'ghost-beside', (on) => events.onView({ ghostBeside: on }));

@@ -79,15 +79,15 @@ const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStat
   const { report } = info;
   const rows: [string, number, boolean][] = [
     ['Vertices', report.vertices, true],
-    ['Vertices, seams joined', report.weldedVertices, report.weldedVertices !== report.vertices],
+    ['Welded vertices', report.weldedVertices, report.weldedVertices !== report.vertices],
     ['Triangles', report.faces, true],
-    ['Separate parts', report.components, report.components > 1],
-    ['Edges at a boundary', report.boundaryEdges, report.boundaryEdges > 0],
-    ['Edges with three or more faces', report.nonManifoldEdges, report.nonManifoldEdges > 0],
-    ['Edges wound both ways', report.inconsistentEdges, report.inconsistentEdges > 0],
-    ['Triangles without area', report.degenerateFaces, report.degenerateFaces > 0],
-    ['Triangles given twice', report.duplicateFaces, report.duplicateFaces > 0],
-    ['Vertices without a triangle', report.unreferencedVertices, report.unreferencedVertices > 0],
+    ['Components', report.components, report.components > 1],
+    ['Boundary edges', report.boundaryEdges, report.boundaryEdges > 0],
+    ['Non-manifold edges', report.nonManifoldEdges, report.nonManifoldEdges > 0],
+    ['Inconsistently oriented edges', report.inconsistentEdges, report.inconsistentEdges > 0],
+    ['Degenerate triangles', report.degenerateFaces, report.degenerateFaces > 0],
+    ['Duplicate triangles', report.duplicateFaces, report.duplicateFaces > 0],
+    ['Unreferenced vertices', report.unreferencedVertices, report.unreferencedVertices > 0],
   ];
   const entries = rows.filter(([, , shown]) => shown).map(([label, value]) => [label, value.toLocaleString('en')]);
   if (stats) {
@@ -95,6 +95,6 @@ const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStat
     entries.push(['Encoding', `${stats.encodeMs.toFixed(0)} ms`], ['Factorisation', `${(stats.orderMs + stats.factorMs + stats.arrangeMs).toFixed(0)} ms`],
       ['Factor', `${(stats.factorBytes / 1e6).toFixed(1)} MB`]);
   }
-  if (threads) entries.push(['Threads at work', String(threads)]);
+  if (threads) entries.push(['Threads', String(threads)]);
   list.replaceChildren(...entries.flatMap(([label, value]) => [h('dt', {}, label), h('dd', {}, value)]));
 };

@@ -8,8 +8,8 @@ export interface StatusProps {
   faces: number;
   /** Milliseconds of the last frame in the worker, or null before the first. */
   ms: number | null;
-  /** That frame is about right, as long as something moves. */
-  about: boolean;
+  /** That frame is a preview, as long as something moves. */
+  preview: boolean;
   warnings: number;
   offline: boolean;
 }
@@ -21,7 +21,7 @@ export function createStatusLine(onWarnings: (from: HTMLElement) => void): { ele
   const faces = h('span', { 'data-testid': 'status-faces' });
   const ms = h('span', {
     'data-testid': 'status-ms', class: 'ms',
-    title: 'Time to compute the shape on the screen. Where that is long, a moving shape is drawn about right, and exactly when it rests',
+    title: 'Time to compute the shape on the screen. Slow shapes are shown as previews while they move, exactly at rest',
   });
   const offline = h('span', { hidden: true }, 'offline');
   const count = h('span', {});
@@ -31,7 +31,7 @@ export function createStatusLine(onWarnings: (from: HTMLElement) => void): { ele
   }, icon('warning'), count);
   const element = h('footer', { class: 'status-line', 'data-testid': 'status' }, keys, vertices, faces, ms, warnings, offline);
 
-  const drawCounts = memo((props: Omit<StatusProps, 'ms' | 'about'>) => {
+  const drawCounts = memo((props: Omit<StatusProps, 'ms' | 'preview'>) => {
     setText(keys, plural(props.keys, 'key', 'keys'));
     setText(vertices, plural(props.vertices, 'vertex', 'vertices'));
     setText(faces, plural(props.faces, 'face', 'faces'));
@@ -43,9 +43,10 @@ export function createStatusLine(onWarnings: (from: HTMLElement) => void): { ele
 
   return {
     element,
-    update({ ms: time, about, ...rest }) {
+    update({ ms: time, preview, ...rest }) {
       drawCounts(rest);
-      setText(ms, time === null ? '' : `${time < 9.95 ? time.toFixed(1) : time.toFixed(0)} ms a frame, ${about ? 'about right' : 'exact'}`);
+      const digits = time !== null && time < 9.95 ? 1 : 0;
+      setText(ms, time === null ? '' : `${time.toFixed(digits)} ms per frame, ${preview ? 'preview' : 'exact'}`);
     },
   };
 }

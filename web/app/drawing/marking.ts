@@ -1,62 +1,74 @@
-/** What is marked on the shape: the place of a warning, a separate part, or where faces have turned inside out. */
+/** What is marked on the shape: the place of a warning, a component, or where faces are indefinite. */
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Warning } from '../../engine/api/types.ts';
 import { keysInWords, keysOf } from '../../engine/api/warning-keys.ts';
 import { length } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { WarningItem } from '../../ui/warnings.ts';
-import type { Context } from '../context.ts';
+import type { SceneController } from './scene-controller.ts';
+
+export interface MarkingParts {
+  scene: SceneController;
+  /** The first running sequence. */
+  sequence(): Sequence | undefined;
+  warnings(): readonly Warning[];
+  keyTimes(): number[];
+  range(): Range;
+  seek(t: number): void;
+  /** Which warning's place is marked now. */
+  onWarning(index: number | null): void;
+  onError(error: unknown): void;
+}
 
 export interface Marking {
   /** Marks the place of a warning and goes to its moment; null ends that. */
   warning(index: number | null): void;
   /** Marks a component; null ends that. */
-  part(component: number | null): void;
+  component(component: number | null): void;
   /** Marks what moves with a face. */
   around(face: number): void;
-  /** The motion is another one now: a place that was marked may be none any more. Parts stay what they are. */
+  /** The motion is another one now: a place that was marked may be none any more. Components stay what they are. */
   follow(): void;
 }
 
 type Find = (sequence: Sequence) => Promise<number[]>;
 
-export function createMarking(context: Context, seek: (t: number) => void): Marking {
-  const { picture, workspace } = context;
+export function createMarking({ scene, sequence, warnings, keyTimes, range, seek, onWarning, onError }: MarkingParts): Marking {
   let newest = 0;
-  let ofPart = false;
+  let ofComponent = false;
 
   const mark = (find: Find | null): void => {
     newest += 1;
     const mine = newest;
-    const [lane] = workspace.lanes;
-    if (!find || !lane) return picture.viewer.setMark(null);
-    find(lane.sequence).then((faces) => {
-      if (mine === newest && workspace.lanes[0]?.sequence === lane.sequence) picture.viewer.setMark(faces.length > 0 ? faces : null);
-    }).catch(context.fail);
+    const asked = sequence();
+    if (!find || !asked) return scene.viewer.setMark(null);
+    find(asked).then((faces) => {
+      if (mine === newest && sequence() === asked) scene.viewer.setMark(faces.length > 0 ? faces : null);
+    }).catch(onError);
   };
 
   return {
     warning(index) {
-      const warning = index === null ? undefined : context.runtime().warnings[index];
-      context.inform({ shownWarning: warning ? index : null });
-      ofPart = false;
-      mark(warning && hasPlace(warning) ? (sequence) => facesOf(sequence, warning.patches, warning.face) : null);
-      const t = warning && momentOf(warning, context.store.get().doc.keys.map(({ time }) => time), context.range());
+      const warning = index === null ? undefined : warnings()[index];
+      onWarning(warning ? index : null);
+      ofComponent = false;
+      mark(warning && hasPlace(warning) ? (of) => facesOf(of, warning.patches, warning.face) : null);
+      const t = warning && momentOf(warning, keyTimes(), range());
       if (t !== undefined && t !== null) seek(t);
     },
-    part(component) {
-      context.inform({ shownWarning: null });
-      ofPart = component !== null;
-      mark(component === null ? null : async (sequence) => where(await sequence.components(), (part) => part === component));
+    component(component) {
+      onWarning(null);
+      ofComponent = component !== null;
+      mark(component === null ? null : async (of) => where(await of.components(), (value) => value === component));
     },
     around(face) {
-      context.inform({ shownWarning: null });
-      ofPart = false;
-      mark((sequence) => facesOf(sequence, [], face));
+      onWarning(null);
+      ofComponent = false;
+      mark((of) => facesOf(of, [], face));
     },
     follow() {
-      if (ofPart) return;
-      context.inform({ shownWarning: null });
+      if (ofComponent) return;
+      onWarning(null);
       mark(null);
     },
   };

@@ -1,4 +1,4 @@
-/** Further shapes in the picture: onion skins around the moment, or a film strip of evenly spaced ones. */
+/** Further shapes in the viewport: onion skins around the time, or a film strip of evenly spaced ones. */
 import type { Frame } from '../../engine/api/types.ts';
 import { length, phaseOf } from '../../model/time-scale.ts';
 import type { PhaseKind, Range } from '../../model/time-scale.ts';
@@ -15,18 +15,18 @@ const ONION_SKINS: readonly { steps: number; opacity: number }[] = [
 const FILM_STEPS = 6;
 const FILM_BEYOND = 1;
 
-export interface ExtrasInput {
+export interface OnionSkinInput {
   t: number;
   keys: readonly { time: number; name: string }[];
   range: Range;
   periodic: boolean;
 }
 
-export function onionTimes({ t, range }: ExtrasInput): number[] {
+export function onionTimes({ t, range }: OnionSkinInput): number[] {
   return ONION_SKINS.map(({ steps }) => t + steps * ONION_STEP * length(range));
 }
 
-export function onionSkins(input: ExtrasInput, frames: readonly Frame[]): Extra[] {
+export function onionSkins(input: OnionSkinInput, frames: readonly Frame[]): Extra[] {
   return frames.map((frame, index) => ({
     positions: frame.positions, normals: frame.normals, offset: 0,
     opacity: ONION_SKINS[index]?.opacity ?? 0.1, colour: colourAt(frame.t, input, 0.01),
@@ -34,13 +34,13 @@ export function onionSkins(input: ExtrasInput, frames: readonly Frame[]): Extra[
 }
 
 /** Evenly over the keys, and a little beyond both ends. */
-export function filmTimes({ range, periodic }: ExtrasInput): number[] {
+export function filmTimes({ range, periodic }: OnionSkinInput): number[] {
   const beyond = periodic ? 0 : FILM_BEYOND;
   return Array.from({ length: FILM_STEPS + 1 + 2 * beyond }, (_, index) => range[0] + ((index - beyond) / FILM_STEPS) * length(range));
 }
 
 /** Side by side along x, as far apart as the widest needs. */
-export function filmStrip(input: ExtrasInput, frames: readonly Frame[]): Extra[] {
+export function filmStrip(input: OnionSkinInput, frames: readonly Frame[]): Extra[] {
   const boxes = frames.map((frame) => widthOf(frame.positions));
   const spacing = 1.08 * Math.max(...boxes.map(([low, high]) => high - low), 0);
   return frames.map((frame, index) => {
@@ -53,7 +53,7 @@ export function filmStrip(input: ExtrasInput, frames: readonly Frame[]): Extra[]
   });
 }
 
-function colourAt(t: number, { keys, range, periodic }: ExtrasInput, tolerance: number): string {
+function colourAt(t: number, { keys, range, periodic }: OnionSkinInput, tolerance: number): string {
   return PHASE_COLOURS[phaseOf({ t, keys, range, periodic, tolerance }).kind];
 }
 

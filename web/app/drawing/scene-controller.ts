@@ -1,4 +1,4 @@
-/** Between the sequences and the viewer: what is drawn for a moment, for a document, for a look. */
+/** Between the sequences and the viewer: what is drawn for a time, for a document, for a look. */
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
 import type { AppState, View } from '../../model/state.ts';
@@ -12,14 +12,14 @@ import type { Extra, Rect } from '../../viewer/types.ts';
 import { Viewer } from '../../viewer/viewer.ts';
 import type { ViewerEvents } from '../../viewer/viewer.ts';
 import { PHASE_COLOURS, filmStrip, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
-import type { ExtrasInput } from './onion-skin.ts';
+import type { OnionSkinInput } from './onion-skin.ts';
 import { differenceOf, heatColours, roundTop } from './difference.ts';
 import type { Difference } from './difference.ts';
 import { boundsOf, measure, patchColours, samplePoints } from './bounds.ts';
 import type { Measure } from './bounds.ts';
-import type { Lane } from '../session/sequence-set.ts';
-import type { Shapes } from '../playback/frame-set.ts';
-import type { PosePool } from '../session/workspace.ts';
+import type { FrameSet } from '../playback/frame-set.ts';
+import type { PosePool } from '../session/pose-pool.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
 
 /** While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then. */
 export const PLAYING_TOLERANCE = 0.006;
@@ -31,7 +31,7 @@ const ONION = 'onion';
 const BESIDE = 1.12;
 const THUMBNAIL = { width: 88, height: 60 };
 
-export class Picture {
+export class SceneController {
   readonly viewer: Viewer;
   labels: TileLabel[] = [];
   colourBar: ColourBarProps | null = null;
@@ -98,21 +98,21 @@ export class Picture {
     this.viewer.fit(view, eased);
   }
 
-  /** Copies the shapes of a moment to the screen, with what belongs to it; measures and skins wait for the exact ones. */
-  async show({ t, frames, lanes, about }: Shapes, state: AppState, range: Range, eased: boolean): Promise<void> {
-    const input = extrasInput(t, state, range);
+  /** Copies the frames of a time to the screen, with what belongs to it; measures and onion skins wait for the exact ones. */
+  async show({ t, frames, sequences, preview }: FrameSet, state: AppState, range: Range, eased: boolean): Promise<void> {
+    const input = onionSkinInput(t, state, range);
     const phase = phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
-    if (this.viewer.views !== lanes.length) this.setViews(lanes.length);
+    if (this.viewer.views !== sequences.length) this.setViews(sequences.length);
     frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind], eased));
-    if (about) {
+    if (preview) {
       if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'of the moment when it rests' };
-      return this.showGhost(t, lanes[0], state.view);
+      return this.showGhost(t, sequences[0], state.view);
     }
-    this.labels = lanes.length > 1 ? this.tileLabels(frames, lanes) : [];
-    this.showDifference(frames, lanes, state.view);
-    await this.showGhost(t, lanes[0], state.view);
-    await this.showExtras(input, lanes[0]?.sequence, state);
-    await this.showPatches(lanes[0]?.sequence, state.view);
+    this.labels = sequences.length > 1 ? this.tileLabels(frames, sequences) : [];
+    this.showDifference(frames, sequences, state.view);
+    await this.showGhost(t, sequences[0], state.view);
+    await this.showOnionSkins(input, sequences[0]?.sequence, state);
+    await this.showPatches(sequences[0]?.sequence, state.view);
   }
 
   setLook(view: View, dark: boolean): void {
@@ -140,11 +140,11 @@ export class Picture {
     this.viewer.fit(null, false);
   }
 
-  private tileLabels(frames: readonly Frame[], lanes: readonly Lane[]): TileLabel[] {
+  private tileLabels(frames: readonly Frame[], sequences: readonly RunningSequence[]): TileLabel[] {
     const rects = this.viewer.rects();
-    return lanes.map((lane, index) => {
+    return sequences.map((running, index) => {
       const rect = rects[index] ?? { x: 0, y: 0, width: 0 };
-      return { title: titleOf(lane), detail: this.measureText(frames[index]), x: rect.x, y: rect.y, width: rect.width };
+      return { title: titleOf(running), detail: this.measureText(frames[index]), x: rect.x, y: rect.y, width: rect.width };
     });
   }
 
@@ -155,7 +155,7 @@ export class Picture {
     return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)}`;
   }
 
-  private async showExtras(input: ExtrasInput, sequence: Sequence | undefined, { view, doc }: AppState): Promise<void> {
+  private async showOnionSkins(input: OnionSkinInput, sequence: Sequence | undefined, { view, doc }: AppState): Promise<void> {
     if (!sequence || (!view.onion && !view.film)) {
       if (this.filmKey === null) return;
       this.viewer.setExtras([]);
@@ -167,24 +167,24 @@ export class Picture {
     // The strip does not depend on the moment: it is made once for a document.
     if (view.film && this.filmKey === doc) return;
     const frames = await sequence.evaluateMany(view.film ? filmTimes(input) : onionTimes(input));
-    const extras = view.film ? filmStrip(input, frames) : onionSkins(input, frames);
-    this.viewer.setExtras(extras, view.film);
-    if (view.film) this.fitTo(extras);
+    const skins = view.film ? filmStrip(input, frames) : onionSkins(input, frames);
+    this.viewer.setExtras(skins, view.film);
+    if (view.film) this.fitTo(skins);
     this.filmKey = view.film ? doc : ONION;
     for (const frame of frames) frame.release();
   }
 
-  private fitTo(extras: readonly Extra[]): void {
-    const placed = extras.map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
+  private fitTo(skins: readonly Extra[]): void {
+    const placed = skins.map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
     this.film = placed;
     this.viewer.setExtent(boundsOf(placed), samplePoints(placed));
     this.viewer.fit('front', true);
   }
 
   /** Colours the first shape where one without a ghost stands beside it. */
-  private showDifference(frames: readonly Frame[], lanes: readonly Lane[], view: View): void {
-    const [main] = lanes;
-    const other = lanes.findIndex((lane) => main?.ghost && !lane.ghost);
+  private showDifference(frames: readonly Frame[], sequences: readonly RunningSequence[], view: View): void {
+    const [main] = sequences;
+    const other = sequences.findIndex((running) => main?.ghost && !running.ghost);
     if (!main || other < 0 || !view.ghostDifference || view.film || !this.info) return this.clearDifference();
     const difference = differenceOf(frames[0]!.positions, frames[other]!.positions, this.info.report.diagonal, this.difference?.percent);
     const before = this.heat?.of === main.sequence ? this.heat.top : 0;
@@ -207,9 +207,9 @@ export class Picture {
     this.colourBar = null;
   }
 
-  private async showGhost(t: number, lane: Lane | undefined, { ghostWire, ghostBeside, film }: View): Promise<void> {
-    const wanted = (ghostWire || ghostBeside) && !film && lane !== undefined && lane.ghost && isInLri(lane.method);
-    if (wanted && this.ghost?.of !== lane.sequence) this.ghost = { of: lane.sequence, mesh: await lane.sequence.ghost() };
+  private async showGhost(t: number, running: RunningSequence | undefined, { ghostWire, ghostBeside, film }: View): Promise<void> {
+    const wanted = (ghostWire || ghostBeside) && !film && running !== undefined && running.ghost && isInLri(running.method);
+    if (wanted && this.ghost?.of !== running.sequence) this.ghost = { of: running.sequence, mesh: await running.sequence.ghost() };
     const mesh = wanted ? this.ghost?.mesh : null;
     const offset = mesh && ghostBeside ? this.width * BESIDE : null;
     if (mesh) {
@@ -241,10 +241,10 @@ function besideOf(rect: Rect): { x: number; y: number } {
   return { x: rect.x, y: rect.y + rect.height / 2 };
 }
 
-function titleOf({ method, ghost }: Lane): string {
+function titleOf({ method, ghost }: RunningSequence): string {
   return `${METHOD_WORDS[method].label}${ghost ? ', ghost mesh' : ''}`;
 }
 
-export function extrasInput(t: number, { doc }: AppState, range: Range): ExtrasInput {
+export function onionSkinInput(t: number, { doc }: AppState, range: Range): OnionSkinInput {
   return { t, keys: doc.keys, range, periodic: doc.motion.boundary === 'periodic' };
 }

@@ -1,5 +1,17 @@
 /** Small pictures of the keys, made one after the other when there is nothing else to draw. */
-import type { Context } from '../context.ts';
+import type { Store } from '../session/store.ts';
+import type { Workspace } from '../session/workspace.ts';
+import type { SceneController } from './scene-controller.ts';
+
+export interface ThumbnailParts {
+  store: Store;
+  workspace: Workspace;
+  scene: SceneController;
+  /** Resolves when nothing else is to be drawn. */
+  idle(): Promise<void>;
+  has(pose: number): boolean;
+  onThumbnail(pose: number, url: string): void;
+}
 
 export interface Thumbnails {
   /** Makes those that are missing. */
@@ -8,23 +20,19 @@ export interface Thumbnails {
 
 const MAX_KEYS = 64;
 
-export function createThumbnails(context: Context): Thumbnails {
-  const { store, workspace, picture, pump } = context;
+export function createThumbnails({ store, workspace, scene, idle, has, onThumbnail }: ThumbnailParts): Thumbnails {
   let running = false;
 
   const next = async (): Promise<boolean> => {
-    const sequence = workspace.lanes[0]?.sequence;
+    const sequence = workspace.sequences[0]?.sequence;
     const { pool } = workspace;
-    const key = store.get().doc.keys.slice(0, MAX_KEYS).find(({ pose }) => !context.runtime().thumbnails.has(pose));
+    const key = store.get().doc.keys.slice(0, MAX_KEYS).find(({ pose }) => !has(pose));
     if (!sequence || !key || !sequence.keyTimes.includes(key.time)) return false;
     const [frame] = await sequence.evaluateMany([key.time]);
     if (!frame) return false;
-    await pump.idle();
+    await idle();
     const stillOpen = workspace.pool === pool;
-    if (stillOpen) {
-      const thumbnails = new Map(context.runtime().thumbnails).set(key.pose, picture.thumbnail(frame));
-      context.inform({ thumbnails });
-    }
+    if (stillOpen) onThumbnail(key.pose, scene.thumbnail(frame));
     frame.release();
     return stillOpen;
   };

@@ -1,9 +1,9 @@
 /** The plotted numbers as a table: comment lines with version and options first, then one row a time or a face. */
 import type { Doc } from '../../model/state.ts';
-import type { Insight } from '../panels/analysis-panel.ts';
+import type { Analysis } from '../analysis/analysis.ts';
 
-export function measuresCsv(insight: Insight, doc: Doc, version: string): string {
-  const columns = insight.lanes.flatMap(({ method, volume, area, bending, plane }) => [
+export function measuresCsv(analysis: Analysis, doc: Doc, version: string): string {
+  const columns = analysis.motions.flatMap(({ method, volume, area, bending, plane }) => [
     { name: `${method} volume`, values: volume },
     { name: `${method} area`, values: area },
     ...(bending ? [{ name: `${method} bending energy`, values: bending }] : []),
@@ -11,7 +11,7 @@ export function measuresCsv(insight: Insight, doc: Doc, version: string): string
       { name: `${method} plane x`, values: every(plane, 0) },
       { name: `${method} plane y`, values: every(plane, 1) }] : []),
   ]);
-  const rows = insight.times.map((t, index) => [t, ...columns.map(({ values }) => values[index] ?? NaN)].join(','));
+  const rows = analysis.times.map((t, index) => [t, ...columns.map(({ values }) => values[index] ?? NaN)].join(','));
   return [...preamble(doc, version), ['time', ...columns.map(({ name }) => name)].join(','), ...rows, ''].join('\n');
 }
 

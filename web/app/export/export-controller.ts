@@ -1,79 +1,111 @@
 /** The export dialog's side of things: the plan while it is open, the work and its cancel afterwards. */
-import type { AppState } from '../../model/state.ts';
+import type { Sequence } from '../../engine/api/api.ts';
+import type { Progress } from '../../engine/api/types.ts';
 import { playRange } from '../../model/frames.ts';
+import type { AppState } from '../../model/state.ts';
+import type { Range } from '../../model/time-scale.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
+import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
-import type { Context } from '../context.ts';
-import { describeExport, runExport } from './export-job.ts';
-import type { Stretch } from './export-job.ts';
-import type { InsightPanel } from '../panels/analysis-panel.ts';
+import type { AnalysisCache } from '../analysis/analysis-cache.ts';
+import type { SceneController } from '../drawing/scene-controller.ts';
 import { isCancelled } from '../session/sequence-set.ts';
+import type { Store } from '../session/store.ts';
+import { describeExport, runExport } from './export-job.ts';
+import type { ExportPlan, Stretch } from './export-job.ts';
 
-export interface Exporting {
-  /** Works out the size of what is asked for. */
+export interface ExportParts {
+  store: Store;
+  scene: SceneController;
+  analysis: AnalysisCache;
+  /** The first running sequence. */
+  sequence(): Sequence | undefined;
+  range(): Range;
+  /** Draws the exact shape of a moment; resolves when it is on the screen. */
+  drawExactly(t: number): Promise<void>;
+  /** Resolves when the shape on the screen is the exact one. */
+  idle(): Promise<void>;
+  /** What is asked for now, and what that would be; null while it is being computed. */
+  onPlan(planned: { request: ExportRequest; plan: ExportPlan | null }): void;
+  /** Something else is asked for: what went wrong before is of no interest. */
+  onStart(): void;
+  onWorking(working: Progress | null): void;
+  say(text: string): void;
+  onError(error: unknown): void;
+}
+
+export interface ExportController {
+  /** Works out the size of what is asked for; without a request that of the last one. */
   plan(request?: ExportRequest): void;
   run(request: ExportRequest): Promise<void>;
   cancel(): void;
 }
 
-export function createExporting(context: Context, insight: InsightPanel): Exporting {
-  const { store, workspace, picture, pump } = context;
+export function createExportController(parts: ExportParts): ExportController {
+  const { store, scene: { viewer }, scene, sequence } = parts;
   let abort: AbortController | null = null;
+  let last: ExportRequest = DEFAULT_REQUEST;
   let planned = 0;
 
   const stretch = (): Stretch => {
     const { between, fps } = store.get().play;
-    return { range: playRange(between, context.range()), fps };
+    return { range: playRange(between, parts.range()), fps };
   };
 
   const show = async (t: number): Promise<void> => {
     store.set({ time: t });
-    await pump.request(t);
+    await parts.drawExactly(t);
   };
 
   const turned = (): ((share: number) => Promise<void>) => {
-    let last = 0;
+    let before = 0;
     return async (share) => {
-      picture.viewer.orbit((share - last) * 2 * Math.PI, 0);
-      last = share;
-      await picture.viewer.drawn();
+      viewer.orbit((share - before) * 2 * Math.PI, 0);
+      before = share;
+      await viewer.drawn();
     };
   };
 
+  const runJob = (request: ExportRequest, of: Sequence, before: AppState, signal: AbortSignal): Promise<void> => {
+    const { doc, time, source } = before;
+    return runExport(request, {
+      sequence: of, signal, doc, time, name: fileStem(source), stretch: stretch(), canvas: viewer.canvas,
+      show, turn: turned(), analysis: () => parts.analysis.get(), png: () => scene.png(),
+      backdrop: (on) => viewer.setBackdrop(on ? stageColour() : null),
+      onProgress: (working) => { if (!signal.aborted) parts.onWorking(working); },
+    });
+  };
+
   return {
-    plan(request = context.runtime().exporting.request) {
-      const sequence = workspace.lanes[0]?.sequence;
+    plan(request = last) {
+      last = request;
       planned += 1;
       const mine = planned;
-      context.inform({ exporting: { request, plan: null } });
-      if (!sequence) return;
-      describeExport(request, sequence, store.get().time, stretch()).then(
-        (plan) => { if (mine === planned) context.inform({ exporting: { request, plan } }); },
-        (error: unknown) => { if (mine === planned) context.inform({ exporting: { request, plan: { text: error instanceof Error ? error.message : '', warnings: [] } } }); },
-      );
+      const tell = (plan: ExportPlan | null): void => { if (mine === planned) parts.onPlan({ request, plan }); };
+      const of = sequence();
+      tell(null);
+      if (!of) return;
+      describeExport(request, of, store.get().time, stretch())
+        .then(tell, (error: unknown) => tell({ text: error instanceof Error ? error.message : '', warnings: [] }));
     },
     async run(request) {
-      const sequence = workspace.lanes[0]?.sequence;
-      if (!sequence || abort) return;
+      const of = sequence();
+      if (!of || abort) return;
       abort = new AbortController();
       const { signal } = abort;
       const before = store.get();
       store.set({ play: { ...before.play, playing: false } });
-      context.inform({ problem: null });
+      parts.onStart();
       try {
-        // What moved or played until now may be on the screen about right only.
-        await pump.idle();
-        await runExport(request, {
-          sequence, signal, show, doc: before.doc, name: fileStem(before), time: before.time, stretch: stretch(),
-          canvas: picture.viewer.canvas, insight: () => insight.data(), turn: turned(), picture: () => picture.png(), backdrop: (on) => picture.viewer.setBackdrop(on ? stageColour() : null),
-          onProgress: (working) => { if (!signal.aborted) context.inform({ working }); },
-        });
-        context.say('Saved to your downloads.');
+        // What moved or played until now may be on the screen as a preview.
+        await parts.idle();
+        await runJob(request, of, before, signal);
+        parts.say('Saved to your downloads.');
       } catch (error) {
-        if (!isCancelled(error) && !signal.aborted) context.fail(error);
+        if (!isCancelled(error) && !signal.aborted) parts.onError(error);
       } finally {
         abort = null;
-        context.inform({ working: null });
+        parts.onWorking(null);
         store.set({ time: before.time });
       }
     },
@@ -91,7 +123,7 @@ function stageColour(): string {
   return color;
 }
 
-function fileStem({ source }: AppState): string {
+function fileStem(source: AppState['source']): string {
   if (source.kind === 'sample') return source.id;
   const first = source.kind === 'files' ? leadingName(source.names) : '';
   return first.replace(/^.*[/\\]/, '').replace(/\.[a-z]+$/i, '') || 'shapespline';

@@ -9,11 +9,11 @@ import type { ExportRequest } from '../../ui/export-dialog.ts';
 import { MAX_FRAMES, bytesText, framesWanted } from '../../ui/export-dialog.ts';
 import { measuresCsv, patchesCsv } from './csv.ts';
 import { download } from './download.ts';
-import type { Insight } from '../panels/analysis-panel.ts';
+import type { Analysis } from '../analysis/analysis.ts';
 import { record } from './video-recorder.ts';
 import { zip } from './zip.ts';
 
-export interface ExportContext {
+export interface ExportJob {
   sequence: Sequence;
   doc: Doc;
   /** Stem of the file's name. */
@@ -21,12 +21,13 @@ export interface ExportContext {
   time: number;
   stretch: Stretch;
   canvas: HTMLCanvasElement;
-  insight(): Promise<Insight | null>;
+  analysis(): Promise<Analysis | null>;
   /** Shows the moment and resolves when it is drawn. */
   show(t: number): Promise<void>;
   /** Turns the view to a share of a whole turn about the upright axis. */
   turn(share: number): Promise<void>;
-  picture(): Promise<Blob>;
+  /** A PNG of the view. */
+  png(): Promise<Blob>;
   /** Puts the page's colour behind the shape, or takes it away. */
   backdrop(on: boolean): void;
   onProgress(progress: Progress | null): void;
@@ -60,8 +61,13 @@ function gridOf(request: ExportRequest, { range, fps }: Stretch): Partial<Export
   return times.length > 1 ? { times } : { frames: framesWanted(request, [start, end], fps), range: [start, end] };
 }
 
-/** In words, before anything is made. */
-export async function describeExport(request: ExportRequest, sequence: Sequence, time: number, stretch: Stretch): Promise<{ text: string; warnings: string[] }> {
+/** What would be made, in words. */
+export interface ExportPlan {
+  text: string;
+  warnings: string[];
+}
+
+export async function describeExport(request: ExportRequest, sequence: Sequence, time: number, stretch: Stretch): Promise<ExportPlan> {
   const options = engineOptions(request, time, stretch);
   if (options) {
     const plan = await sequence.planExport(options);
@@ -75,19 +81,19 @@ export async function describeExport(request: ExportRequest, sequence: Sequence,
   return { text: request.kind === 'picture' ? 'A picture' : 'A table', warnings: [] };
 }
 
-export async function runExport(request: ExportRequest, context: ExportContext): Promise<void> {
-  const { name } = context;
+export async function runExport(request: ExportRequest, job: ExportJob): Promise<void> {
+  const { name } = job;
   if (request.kind === 'picture') {
-    if (request.picture === 'png') return download(await context.picture(), `${name}.png`);
-    return video(request, context, (share) => context.turn(share));
+    if (request.picture === 'png') return download(await job.png(), `${name}.png`);
+    return video(request, job, (share) => job.turn(share));
   }
-  if (request.kind === 'numbers') return table(request, context);
+  if (request.kind === 'numbers') return table(request, job);
   if (request.kind === 'animation' && request.animation === 'webm') {
-    const [start, end] = request.range ?? context.stretch.range;
-    return video(request, context, (share) => context.show(start + share * (end - start)));
+    const [start, end] = request.range ?? job.stretch.range;
+    return video(request, job, (share) => job.show(start + share * (end - start)));
   }
-  const options = engineOptions(request, context.time, context.stretch)!;
-  const files = await context.sequence.export(options, { signal: context.signal, onProgress: context.onProgress });
+  const options = engineOptions(request, job.time, job.stretch)!;
+  const files = await job.sequence.export(options, { signal: job.signal, onProgress: job.onProgress });
   const [first] = files;
   if (!first) return;
   if (files.length > 1) return download(zip(files), `${name}.zip`);
@@ -95,24 +101,24 @@ export async function runExport(request: ExportRequest, context: ExportContext):
   download(new Blob([first.bytes as Uint8Array<ArrayBuffer>], { type: extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream' }), `${name}.${extension}`);
 }
 
-async function video(request: ExportRequest, context: ExportContext, draw: (share: number) => Promise<void>): Promise<void> {
-  context.backdrop(true);
+async function video(request: ExportRequest, job: ExportJob, draw: (share: number) => Promise<void>): Promise<void> {
+  job.backdrop(true);
   const { blob, extension } = await record({
-    canvas: context.canvas, seconds: videoSeconds(request, context.stretch), framesPerSecond: Math.min(context.stretch.fps ?? VIDEO_FPS, MAX_VIDEO_FPS), draw, signal: context.signal,
-    onProgress: (fraction) => context.onProgress({ stage: 'recording', fraction }),
-  }).finally(() => context.backdrop(false));
-  download(blob, `${context.name}.${extension}`);
+    canvas: job.canvas, seconds: videoSeconds(request, job.stretch), framesPerSecond: Math.min(job.stretch.fps ?? VIDEO_FPS, MAX_VIDEO_FPS), draw, signal: job.signal,
+    onProgress: (fraction) => job.onProgress({ stage: 'recording', fraction }),
+  }).finally(() => job.backdrop(false));
+  download(blob, `${job.name}.${extension}`);
 }
 
-async function table(request: ExportRequest, context: ExportContext): Promise<void> {
+async function table(request: ExportRequest, job: ExportJob): Promise<void> {
   const version = packageJson.version;
   if (request.numbers === 'patches') {
-    const text = patchesCsv(await context.sequence.patches(), context.doc, version);
-    return download(new Blob([text], { type: 'text/csv' }), `${context.name}-patches.csv`);
+    const text = patchesCsv(await job.sequence.patches(), job.doc, version);
+    return download(new Blob([text], { type: 'text/csv' }), `${job.name}-patches.csv`);
   }
-  const insight = await context.insight();
-  if (!insight) throw new Error('There is nothing to tabulate yet. Open some shapes first.');
-  download(new Blob([measuresCsv(insight, context.doc, version)], { type: 'text/csv' }), `${context.name}-measures.csv`);
+  const analysis = await job.analysis();
+  if (!analysis) throw new Error('There is nothing to tabulate yet. Open some shapes first.');
+  download(new Blob([measuresCsv(analysis, job.doc, version)], { type: 'text/csv' }), `${job.name}-measures.csv`);
 }
 
 function videoSeconds(request: ExportRequest, stretch: Stretch): number {

@@ -1,163 +1,92 @@
-/** "What it sees": the shape plane, bending energy, volume and area of the methods on the screen, worked out when idle. */
+/** The Analysis panel: shape plane, volume, area and bending energy of the shown motions, computed when idle. */
 import type { Method } from '../../engine/api/types.ts';
-import { plottedTimes } from '../../model/time-scale.ts';
 import type { End } from '../../model/speeds.ts';
-import { isInLri } from '../../model/state.ts';
-import type { Range } from '../../model/time-scale.ts';
 import { createLineChart, make } from '../../plots/line-chart.ts';
 import type { LineChart } from '../../plots/line-chart.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
-import { isCancelled } from '../session/sequence-set.ts';
-import type { Lane } from '../session/sequence-set.ts';
-import { createPlaneFigure } from './shape-plane-figure.ts';
-import type { PlaneFigure, PlaneInput } from './shape-plane-figure.ts';
+import { relativeToFirstKey } from '../analysis/analysis.ts';
+import type { Analysis, MotionAnalysis } from '../analysis/analysis.ts';
+import type { AnalysisCache } from '../analysis/analysis-cache.ts';
+import { createShapePlaneFigure } from './shape-plane-figure.ts';
+import type { ShapePlaneFigure } from './shape-plane-figure.ts';
 
-/** Everything that is plotted, and what the CSV holds. */
-export interface Insight {
-  times: number[];
-  keyTimes: readonly number[];
-  range: Range;
-  lanes: LaneInsight[];
-}
-
-export interface LaneInsight {
-  method: Method;
-  volume: number[];
-  area: number[];
-  /** LRI spline only. */
-  bending: number[] | null;
-  /** 2 numbers for each time; methods of LRI space only. */
-  plane: number[] | null;
-  planeKeys: number[] | null;
-  explained: number;
-}
-
-export interface InsightInput extends PlaneInput {
-  /** Milliseconds a frame takes: the slower, the fewer points are computed. */
-  ms: number;
-}
-
-export interface InsightEvents {
+export interface AnalysisPanelEvents {
   onSeek(t: number): void;
   onSpeed(end: End, speed: number): void;
   onError(error: unknown): void;
 }
 
-export interface InsightPanel {
+export interface AnalysisPanel {
   element: HTMLElement;
-  /** Something has changed: what is plotted is worked out anew as soon as the panel can be seen. */
-  invalidate(): void;
   setCursor(t: number): void;
-  setSpeeds: PlaneFigure['setSpeeds'];
-  /** The numbers, worked out now if they are not there yet; null without a motion. */
-  data(): Promise<Insight | null>;
+  setSpeeds: ShapePlaneFigure['setSpeeds'];
 }
 
+/** While edits follow each other nothing is computed. */
 const DELAY_MS = 200;
-const BUDGET_MS = 1200;
+const RELATIVE = '% of the first key';
+const BENDING = 'times the mean deformation energy between keys, per time⁴';
 
-export function createInsightPanel(input: () => InsightInput | null, { onSeek, onSpeed, onError }: InsightEvents): InsightPanel {
-  const plane = createPlaneFigure(input, { onSpeed, onError });
-  const volume = chart('Volume', '% of the first key', 'plot-volume', onSeek);
-  const area = chart('Area', '% of the first key', 'plot-area', onSeek);
-  const bending = chart('Bending energy', 'times the mean deformation energy between keys, per time⁴', 'plot-bending', onSeek);
+export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelEvents): AnalysisPanel {
+  const { onSeek, onSpeed, onError } = events;
+  const plane = createShapePlaneFigure(cache.input, { onSpeed, onError });
+  const volume = chart('Volume', RELATIVE, 'plot-volume', onSeek);
+  const area = chart('Area', RELATIVE, 'plot-area', onSeek);
+  const bending = chart('Bending energy', BENDING, 'plot-bending', onSeek);
   const legend = h('div', { class: 'legend' });
-  const element = h('section', { class: 'panel', 'aria-labelledby': 'see-title', 'data-testid': 'panel-see' },
-    h('header', {}, h('h2', { id: 'see-title' }, 'What it sees')), legend, plane.element, volume.element, area.element, bending.element);
-
-  let shown: Insight | null = null;
-  let stale = true;
+  const element = h('section', { class: 'panel', 'aria-labelledby': 'analysis-title', 'data-testid': 'panel-analysis' },
+    h('header', {}, h('h2', { id: 'analysis-title' }, 'Analysis')),
+    legend, plane.element, volume.element, area.element, bending.element);
   let visible = false;
   let timer = 0;
-  let running: Promise<Insight | null> | null = null;
   let cursor = 0;
-
-  const work = async (): Promise<Insight | null> => {
-    const asked = input();
-    if (!asked || asked.lanes.length === 0) return null;
-    stale = false;
-    try {
-      const result = await compute(asked);
-      shown = result;
-      if (!stale) draw(result);
-      return result;
-    } catch (error) {
-      if (!isCancelled(error)) onError(error);
-      return null;
-    }
-  };
-
-  const refresh = (): Promise<Insight | null> => {
-    running ??= work().finally(() => {
-      running = null;
-      if (stale) schedule();
-    });
-    return running;
-  };
-
-  const schedule = (): void => {
-    window.clearTimeout(timer);
-    if (visible && stale) timer = window.setTimeout(() => void refresh(), DELAY_MS);
-  };
-
-  const draw = ({ times, keyTimes, range, lanes }: Insight): void => {
-    const series = (pick: (lane: LaneInsight) => number[] | null): { label: string; values: number[]; style: string }[] =>
-      lanes.flatMap((lane) => { const values = pick(lane); return values ? [{ label: METHOD_WORDS[lane.method].label, values, style: lane.method }] : []; });
-    const common = { times, keyTimes, range };
-    volume.draw({ ...common, series: series((lane) => relative(lane.volume, times, keyTimes)), include: 100, leastSpan: 4 });
-    area.draw({ ...common, series: series((lane) => relative(lane.area, times, keyTimes)), include: 100, leastSpan: 4 });
-    bending.draw({ ...common, series: series((lane) => lane.bending), include: 0 });
-    drawLegend(legend, lanes.map((lane) => lane.method));
-    setCursor(cursor);
-  };
 
   const setCursor = (t: number): void => {
     cursor = t;
     plane.setCursor(t);
-    for (const one of [volume, area, bending]) one.setCursor(t);
+    for (const figure of [volume, area, bending]) figure.setCursor(t);
   };
+
+  const draw = (analysis: Analysis): void => {
+    const { times, keyTimes, range, motions } = analysis;
+    const series = (pick: (motion: MotionAnalysis) => number[] | null): Series[] => motions.flatMap((motion) => {
+      const values = pick(motion);
+      return values ? [{ label: METHOD_WORDS[motion.method].label, values, style: motion.method }] : [];
+    });
+    const common = { times, keyTimes, range };
+    const relative = { ...common, include: 100, leastSpan: 4 };
+    volume.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.volume, analysis)) });
+    area.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.area, analysis)) });
+    bending.draw({ ...common, series: series((motion) => motion.bending), include: 0 });
+    drawLegend(legend, motions.map(({ method }) => method));
+    setCursor(cursor);
+  };
+
+  const computeSoon = (): void => {
+    window.clearTimeout(timer);
+    if (visible && cache.stale) timer = window.setTimeout(() => void cache.refresh(), DELAY_MS);
+  };
+
+  cache.observe({
+    onChange: () => { if (visible) plane.refresh(); },
+    onStale: computeSoon,
+    onFresh: draw,
+  });
 
   new IntersectionObserver(([entry]) => {
     visible = entry?.isIntersecting ?? false;
-    if (visible && stale) plane.refresh();
-    schedule();
+    if (visible && cache.stale) plane.refresh();
+    computeSoon();
   }).observe(element);
 
-  return {
-    element,
-    invalidate() {
-      stale = true;
-      if (visible) plane.refresh();
-      if (!running) schedule();
-    },
-    setCursor,
-    setSpeeds: plane.setSpeeds,
-    data: async () => {
-      if (running) await running;
-      return stale || !shown ? refresh() : shown;
-    },
-  };
+  return { element, setCursor, setSpeeds: plane.setSpeeds };
 }
 
-async function compute({ lanes, keyTimes, range, ms }: InsightInput): Promise<Insight> {
-  const count = Math.round(Math.min(Math.max(BUDGET_MS / Math.max(ms * lanes.length, 0.1), 13), 97));
-  const times = plottedTimes(range, keyTimes, count);
-  const results = await Promise.all(lanes.map((lane) => computeLane(lane, times)));
-  return { times, keyTimes, range, lanes: results };
-}
-
-async function computeLane({ method, sequence }: Lane, times: number[]): Promise<LaneInsight> {
-  const { volume, area } = await sequence.measures(times);
-  const plane = isInLri(method) ? await sequence.shapePlane(times) : null;
-  const bending = method === 'lri' ? await sequence.bendingEnergy(times) : null;
-  return { method, volume, area, bending, plane: plane?.curve ?? null, planeKeys: plane?.keys ?? null, explained: plane?.explained ?? 0 };
-}
-
-/** In percent of the value at the first key. A surface without volume has no percentage of it. */
-function relative(values: readonly number[], times: readonly number[], keyTimes: readonly number[]): number[] {
-  const base = values[times.indexOf(keyTimes[0] ?? 0)] ?? NaN;
-  return values.map((value) => (base === 0 ? NaN : (100 * value) / base));
+interface Series {
+  label: string;
+  values: number[];
+  style: string;
 }
 
 interface Figure extends Pick<LineChart, 'setCursor'> {

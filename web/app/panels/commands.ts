@@ -6,27 +6,42 @@ import { undoName } from '../../model/page-options.ts';
 import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
 import type { End } from '../../model/speeds.ts';
 import { SPEED_NAME } from '../../model/speeds.ts';
-import type { Encoding, LoopMode, Motion, Play, View } from '../../model/state.ts';
+import type { Doc, Encoding, LoopMode, Motion, Play, View } from '../../model/state.ts';
 import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, GHOST_FACES, METHODS, SPEEDS, ignoresHermite } from '../../model/state.ts';
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { loopRange, withEnd } from '../../model/frames.ts';
 import { windowOf, zoomed } from '../../model/time-window.ts';
-import type { Context } from '../context.ts';
+import type { PosePool } from '../session/pose-pool.ts';
+import type { Store } from '../session/store.ts';
 
 const LOOPS: readonly LoopMode[] = ['bounce', 'loop', 'once'];
 
 export type Commands = ReturnType<typeof createCommands>;
 
-export function createCommands(context: Context) {
-  const { store, workspace, pump, picture } = context;
+export interface CommandParts {
+  store: Store;
+  pool(): PosePool | null;
+  range(): Range;
+  /** The document that the open files started with. */
+  initial(): Doc | null;
+  /** The exact shape of a moment, drawn and copied. */
+  exactShape(t: number): Promise<Float32Array>;
+  fit(view: FittedView): void;
+  /** The visitor has found out how to move through time. */
+  onUse(): void;
+}
+
+type FittedView = 'home' | 'front' | 'top' | 'right' | null;
+
+export function createCommands({ store, pool, range, initial, exactShape, fit, onUse }: CommandParts) {
   const state = store.get;
   const times = (): number[] => state().doc.keys.map((key) => key.time);
 
   const seek = (t: number): void => {
     if (!Number.isFinite(t)) return;
-    store.set({ time: clampTime(t, context.range()), play: { ...state().play, playing: false } });
-    context.inform({ welcome: false });
+    store.set({ time: clampTime(t, range()), play: { ...state().play, playing: false } });
+    onUse();
   };
   const view = (change: Partial<View>): void => store.set({ view: { ...state().view, ...change } });
   const motion = (change: Partial<Motion>, merge?: string): void =>
@@ -46,8 +61,8 @@ export function createCommands(context: Context) {
     endSpeed: (end: End, speed: number): void => motion({ [SPEED_NAME[end]]: speed }, SPEED_NAME[end]),
     encoding,
     toggleGhost: (): void => store.edit('ghost mesh', (doc) => setEncoding(doc, { ghostFaces: doc.encoding.ghostFaces > 0 ? 0 : GHOST_FACES })),
-    resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, context.runtime().initial?.motion ?? DEFAULT_MOTION)),
-    resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, context.runtime().initial?.encoding ?? DEFAULT_ENCODING)),
+    resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, initial()?.motion ?? DEFAULT_MOTION)),
+    resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, initial()?.encoding ?? DEFAULT_ENCODING)),
     compare: (methods: Method[]): void => view({ compare: methods }),
 
     moveKey: (from: number, to: number): void => store.edit('order of keys', (doc) => moveKey(doc, from, to)),
@@ -57,7 +72,7 @@ export function createCommands(context: Context) {
     shaping: (key: number, name: ShapingNumber, value: number): void =>
       store.edit(PER_KEY[name].undo, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
     turns: (key: number, added: KeyTurns): void => {
-      const whose = added.component === undefined ? '' : ` of part ${added.component + 1}`;
+      const whose = added.component === undefined ? '' : ` of component ${added.component + 1}`;
       const merge = `turns ${added.component} ${key}`;
       store.edit(`${PER_KEY.turns.undo}${whose}`, (doc) => setTurns(doc, key, added), merge);
     },
@@ -65,21 +80,20 @@ export function createCommands(context: Context) {
 
     /** Takes the shape on the screen as a key at its own time. */
     async addCurrent(): Promise<void> {
-      const { pool } = workspace;
+      const into = pool();
       const t = state().time;
-      if (!pool || addReason(times(), t, context.range()) !== null) return;
-      await pump.request(t);
-      const positions = picture.viewer.positions(0);
-      if (workspace.pool !== pool || positions.length === 0) return;
-      const name = `at ${formatTime(t, context.range())}`;
-      const pose = pool.add(name, positions);
+      if (!into || addReason(times(), t, range()) !== null) return;
+      const positions = await exactShape(t);
+      if (pool() !== into || positions.length === 0) return;
+      const name = `at ${formatTime(t, range())}`;
+      const pose = into.add(name, positions);
       store.edit('add a key', (doc) => addKey(doc, { pose, name, time: t }));
     },
 
     togglePlay(): void {
       const { playing } = state().play;
       play({ playing: !playing });
-      if (playing) context.inform({ welcome: false });
+      if (playing) onUse();
     },
     loop: (loop: LoopMode): void => play({ loop }),
     nextLoop: (): void => play({ loop: LOOPS[(LOOPS.indexOf(state().play.loop) + 1) % LOOPS.length]! }),
@@ -91,18 +105,19 @@ export function createCommands(context: Context) {
     fps: (fps: number | null): void => play({ fps }),
     /** Playing starts or ends at t; null = at the moment on the screen. */
     loopEnd: (end: 'start' | 'end', t: number | null): void => {
-      const range = context.range();
+      const whole = range();
       const { fps, between: now } = state().play;
-      between(withEnd(loopRange(now, range), range, end, t ?? state().time, fps === null ? 0.001 * length(range) : 1 / fps));
+      const least = fps === null ? 0.001 * length(whole) : 1 / fps;
+      between(withEnd(loopRange(now, whole), whole, end, t ?? state().time, least));
     },
     /** Zooms the timeline about the playhead, or about its middle where that is out of sight. */
     zoomTime: (factor: number): void => {
-      const range = context.range();
-      const part = windowOf(state().view.window, range);
+      const whole = range();
+      const part = windowOf(state().view.window, whole);
       const t = state().time;
-      window(zoomed(part, range, factor, t >= part[0] && t <= part[1] ? t : (part[0] + part[1]) / 2));
+      window(zoomed(part, whole, factor, t >= part[0] && t <= part[1] ? t : (part[0] + part[1]) / 2));
     },
-    jumpKey: (direction: 1 | -1): void => seek(neighbourKey(state().time, times(), direction, context.range())),
+    jumpKey: (direction: 1 | -1): void => seek(neighbourKey(state().time, times(), direction, range())),
 
     nextMethod: (): void => {
       const { method, boundary } = state().doc.motion;
@@ -114,7 +129,7 @@ export function createCommands(context: Context) {
       const usable = BOUNDARIES.filter((one) => one !== 'hermite' || !ignoresHermite(method));
       motion({ boundary: usable[(usable.indexOf(boundary) + 1) % usable.length]! });
     },
-    fit: (name: 'home' | 'front' | 'top' | 'right' | null): void => picture.fit(name, !context.reducedMotion()),
+    fit,
   };
 }
 

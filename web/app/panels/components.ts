@@ -20,7 +20,7 @@ import { createHelp } from '../../ui/help.ts';
 import type { ShortcutLine } from '../../ui/help.ts';
 import { createKeyStrip } from '../../ui/key-strip.ts';
 import type { KeyItem } from '../../ui/key-strip.ts';
-import { createProblem, createProgress, createToast, createWelcome } from '../../ui/messages.ts';
+import { createProblem, createProgress, createWelcome } from '../../ui/messages.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
 import { createStatusLine } from '../../ui/status-line.ts';
@@ -33,27 +33,30 @@ import { createPhaseLabel, createTileLabels, createViewBar } from '../../ui/view
 import type { TileLabel } from '../../ui/view-bar.ts';
 import { addReason } from './commands.ts';
 import type { Commands } from './commands.ts';
-import type { GhostStudyView } from './ghost-study-panel.ts';
-import type { InsightPanel } from './analysis-panel.ts';
-import type { Opening } from '../sources/open-files.ts';
+import type { GhostStudyPanel } from './ghost-study-panel.ts';
+import type { AnalysisPanel } from './analysis-panel.ts';
 import { warningItems } from '../drawing/marking.ts';
 import type { Marking } from '../drawing/marking.ts';
 import { hasTexture } from '../sources/open-files.ts';
+import type { OpenFiles } from '../sources/open-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
-import { videoType } from '../export/video-recorder.ts';
-import type { Runtime } from './view-state.ts';
-import type { Shell } from './layout.ts';
+import type { ViewState } from './view-state.ts';
+import type { Layout } from './layout.ts';
 
-export interface InterfaceInput {
-  shell: Shell;
+export interface ComponentsInput {
+  layout: Layout;
   root: HTMLElement;
+  /** Where short news appear. */
+  toast: HTMLElement;
   commands: Commands;
-  opening: Opening;
-  insight: InsightPanel;
-  ghostStudy: GhostStudyView;
+  files: OpenFiles;
+  analysis: AnalysisPanel;
+  ghostStudy: GhostStudyPanel;
   marking: Marking;
-  /** Of the shape on the screen: a face that has turned inside out. */
-  lostFace(): number;
+  /** An indefinite face of the shape on the screen. */
+  indefiniteFace(): number;
+  /** Why no video can be written, or null. */
+  videoReason: string | null;
   shortcuts: readonly ShortcutLine[];
   onUndo(): void;
   onRedo(): void;
@@ -61,7 +64,7 @@ export interface InterfaceInput {
   onRemember(): void;
   onTheme(): void;
   onCancel(): void;
-  onCloseProblem(): void;
+  onCloseError(): void;
   onSingleKeys(on: boolean): void;
   onExportOpen(): void;
   onExportChange(request: ExportRequest): void;
@@ -70,7 +73,7 @@ export interface InterfaceInput {
 
 export interface Shown {
   state: AppState;
-  runtime: Runtime;
+  viewState: ViewState;
   range: Range;
   theme: Theme;
   undo: string | null;
@@ -79,25 +82,23 @@ export interface Shown {
   colourBar: ColourBarProps | null;
 }
 
-export interface Interface {
+export interface Components {
   update(shown: Shown): void;
-  say(text: string): void;
   openFiles(): void;
   openExport(): void;
   openHelp(): void;
   toggleLook(): void;
   toggleClock(): void;
-  timeline: HTMLElement;
 }
 
-export function createInterface(input: InterfaceInput): Interface {
-  const { commands, opening, insight, ghostStudy, shell } = input;
-  const openFiles = (files: PickedFile[] | Promise<PickedFile[]>): void => void opening.files(files);
+export function createComponents(input: ComponentsInput): Components {
+  const { commands, files, analysis, ghostStudy, layout, videoReason } = input;
+  const openFiles = (picked: PickedFile[] | Promise<PickedFile[]>): void => void files.files(picked);
   const picker = createPicker('file-input', openFiles);
-  const keyPicker = createPicker('key-file-input', (files) => void opening.addKeys(files));
+  const keyPicker = createPicker('key-file-input', (picked) => void files.addKeys(picked));
   const dropZone = createDropZone(openFiles);
   const header = createHeader({
-    onSample: (id) => void opening.sample(id), onOpen: picker.open, onUndo: input.onUndo, onRedo: input.onRedo,
+    onSample: (id) => void files.sample(id), onOpen: picker.open, onUndo: input.onUndo, onRedo: input.onRedo,
     onExport: () => openExport(), onLink: input.onLink, onRemember: input.onRemember, onHelp: () => help.open(), onTheme: input.onTheme,
   });
   const timeline = createTimeline({ onSeek: commands.seek, onRetime: commands.retimeKey, onBetween: commands.between, onWindow: commands.window, onSpeed: commands.endSpeed });
@@ -107,43 +108,42 @@ export function createInterface(input: InterfaceInput): Interface {
   const transport = createTransport(timeline.element, clockMenu.element, { onTogglePlay: commands.togglePlay, onLoop: commands.loop, onSpeed: commands.speed, onSeek: commands.seek });
   const keyStrip = createKeyStrip({
     onSeek: commands.seek, onMove: commands.moveKey, onRemove: commands.removeKey, onRetime: commands.retimeKey, onRename: commands.renameKey,
-    onShaping: commands.shaping, onTurns: commands.turns, onPart: input.marking.part, onReference: commands.reference, onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
+    onShaping: commands.shaping, onTurns: commands.turns, onPart: input.marking.component, onReference: commands.reference,
+    onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
   });
   const motionPanel = createMotionPanel({ onMotion: commands.motion, onSpeed: commands.endSpeed, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
-  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void opening.resample(animation, times), onOrient: (orientation) => void opening.reorient(orientation) });
+  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void files.resample(animation, times), onOrient: (orientation) => void files.reorient(orientation) });
   const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
-  const phaseLabel = createPhaseLabel(() => input.marking.around(input.lostFace()));
+  const phaseLabel = createPhaseLabel(() => input.marking.around(input.indefiniteFace()));
   const tileLabels = createTileLabels();
   const colourBar = createColourBar(viridisGradient('to top'));
   const warnings = createWarnings(input.marking.warning);
   const status = createStatusLine(warnings.toggle);
   const progress = createProgress(input.onCancel);
-  const problem = createProblem(input.onCloseProblem);
+  const errorMessage = createProblem(input.onCloseError);
   const welcome = createWelcome(picker.open);
-  const toast = createToast();
   const exporting = createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
   const help = createHelp(input.shortcuts, input.onSingleKeys);
-  const videoReason = videoType() ? null : 'This browser cannot write videos.';
   const openExport = (): void => { input.onExportOpen(); exporting.open(); };
 
-  shell.mount(input.root, {
+  layout.mount(input.root, {
     header: header.element, transport: transport.element, keyStrip: keyStrip.element, warnings: warnings.element, status: status.element,
     overlays: [tileLabels.element, colourBar.element, welcome.element, phaseLabel.element, viewBar.element],
-    messages: [problem.element, progress.element],
-    panels: [motionPanel.element, shapePanel.element, insight.element],
-    floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, toast.element],
+    messages: [errorMessage.element, progress.element],
+    panels: [motionPanel.element, shapePanel.element, analysis.element],
+    floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, input.toast],
   });
 
-  const update = ({ state, runtime, range, theme, undo, redo, labels, colourBar: heat }: Shown): void => {
+  const update = ({ state, viewState, range, theme, undo, redo, labels, colourBar: heat }: Shown): void => {
     const { doc, play, time, view, source } = state;
-    const { info } = runtime;
+    const { info } = viewState;
     const disabled = info === null;
     const periodic = doc.motion.boundary === 'periodic';
     const phase = phaseOf({ t: time, keys: doc.keys, range, periodic, tolerance: play.playing ? PLAYING_TOLERANCE : undefined });
     header.update({
-      samples: runtime.samples, sample: source.kind === 'sample' ? source.id : null, theme, undo, redo,
-      fileName: source.kind === 'files' ? sourceName(source.names) : '', canExport: !disabled, own: source.kind === 'files', remembered: runtime.remembered,
+      samples: viewState.samples, sample: source.kind === 'sample' ? source.id : null, theme, undo, redo,
+      fileName: source.kind === 'files' ? sourceName(source.names) : '', canExport: !disabled, own: source.kind === 'files', remembered: viewState.remembered,
     });
     const { fps, between, playing } = play;
     const speeds = doc.motion.boundary === 'hermite' && !disabled ? { start: doc.motion.startSpeed, end: doc.motion.endSpeed } : null;
@@ -151,40 +151,44 @@ export function createInterface(input: InterfaceInput): Interface {
     clockMenu.update({ range, time, fps, between, window: view.window, disabled });
     transport.update({ play, time, range, periodic, disabled });
     keyStrip.update({
-      keys: keyItems(state, runtime), time, range, disabled, canRemove: doc.keys.length > 2, components: runtime.stats?.components ?? 1,
+      keys: keyItems(state, viewState), time, range, disabled, canRemove: doc.keys.length > 2, components: viewState.stats?.components ?? 1,
       addReason: addReason(doc.keys.map((key) => key.time), time, range),
     });
     motionPanel.update({
       motion: doc.motion, encoding: doc.encoding, compare: view.compare, keys: doc.keys, period: range[1] - range[0], disabled,
-      defaults: runtime.initial?.motion ?? DEFAULT_MOTION,
+      defaults: viewState.initial?.motion ?? DEFAULT_MOTION,
     });
     shapePanel.update({
-      encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: runtime.stats, threads: runtime.threads,
-      canSample: source.kind === 'files', orientation: runtime.orientation, disabled,
-      defaults: runtime.initial?.encoding ?? DEFAULT_ENCODING, lriMethod: isInLri(doc.motion.method),
+      encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: viewState.stats, threads: viewState.threads,
+      canSample: source.kind === 'files', orientation: viewState.orientation, disabled,
+      defaults: viewState.initial?.encoding ?? DEFAULT_ENCODING, lriMethod: isInLri(doc.motion.method),
     });
     ghostPanel.update({
-      encoding: doc.encoding, view, faces: info?.report.faces ?? 0, stats: runtime.stats, lriMethod: isInLri(doc.motion.method), disabled,
+      encoding: doc.encoding, view, faces: info?.report.faces ?? 0, stats: viewState.stats, lriMethod: isInLri(doc.motion.method), disabled,
     });
     ghostStudy.update();
     viewBar.update({ view, hasTexture: hasTexture(info), disabled });
-    phaseLabel.update(disabled ? null : phase, { share: runtime.lost / Math.max(info?.report.faces ?? 0, 1), hasPlace: runtime.lostFace >= 0 });
+    phaseLabel.update(disabled ? null : phase, { share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1), hasPlace: viewState.indefiniteFace >= 0 });
     tileLabels.update(labels);
     colourBar.update(heat);
     status.update({
       keys: doc.keys.length, vertices: info?.report.vertices ?? 0, faces: info?.report.faces ?? 0,
-      ms: runtime.aboutMs ?? runtime.ms, about: runtime.aboutMs !== null, warnings: runtime.warnings.length, offline: runtime.offline,
+      ms: viewState.previewMs ?? viewState.ms, preview: viewState.previewMs !== null,
+      warnings: viewState.warnings.length, offline: viewState.offline,
     });
-    warnings.update({ items: itemsOf(runtime.warnings, doc.keys.length), shown: runtime.shownWarning });
-    progress.update(runtime.working);
-    problem.update(runtime.problem);
-    welcome.update(runtime.welcome, heat !== null || labels.length > 0 || runtime.problem !== null || runtime.working !== null);
-    exporting.update({ ...runtime.exporting, range: playRange(between, range), fps, videoReason });
-    help.update(runtime.singleKeys);
-    insight.setCursor(time);
-    insight.setSpeeds(speeds);
+    warnings.update({ items: itemsOf(viewState.warnings, doc.keys.length), shown: viewState.shownWarning });
+    progress.update(viewState.working);
+    errorMessage.update(viewState.errorMessage);
+    const covered = heat !== null || labels.length > 0 || viewState.errorMessage !== null || viewState.working !== null;
+    welcome.update(viewState.welcome, covered);
+    exporting.update({ ...viewState.exporting, range: playRange(between, range), fps, videoReason });
+    help.update(viewState.singleKeys);
+    analysis.setCursor(time);
+    analysis.setSpeeds(speeds);
   };
-  return { update, say: toast.say, openFiles: picker.open, openExport, openHelp: help.open, toggleLook: viewBar.toggleLook, toggleClock: clockMenu.toggle, timeline: timeline.slider };
+  return {
+    update, openFiles: picker.open, openExport, openHelp: help.open, toggleLook: viewBar.toggleLook, toggleClock: clockMenu.toggle,
+  };
 }
 
 function sourceName(names: readonly string[]): string {
@@ -195,7 +199,7 @@ function sourceName(names: readonly string[]): string {
 /** The same list as long as nothing in it changes, so that the strip is not drawn anew on every frame. */
 const keyItems = (() => {
   let last: { doc: unknown; thumbnails: unknown; items: ReturnType<typeof makeItems> } | null = null;
-  return ({ doc }: AppState, { thumbnails }: Runtime): ReturnType<typeof makeItems> => {
+  return ({ doc }: AppState, { thumbnails }: ViewState): ReturnType<typeof makeItems> => {
     if (last?.doc !== doc || last.thumbnails !== thumbnails) last = { doc, thumbnails, items: makeItems(doc, thumbnails) };
     return last.items;
   };
@@ -210,7 +214,7 @@ const itemsOf = (() => {
   };
 })();
 
-function makeItems(doc: AppState['doc'], thumbnails: Runtime['thumbnails']): KeyItem[] {
+function makeItems(doc: AppState['doc'], thumbnails: ViewState['thumbnails']): KeyItem[] {
   const reference = referenceKey(doc);
   return doc.keys.map((key, index) => ({ ...key, isReference: index === reference, thumbnail: thumbnails.get(key.pose) ?? null }));
 }

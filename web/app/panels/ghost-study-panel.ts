@@ -1,23 +1,33 @@
 /** "Compare sizes": error and time over sizes of the ghost mesh, worked out when asked for, in workers of its own. */
+import type { Engine } from '../../engine/api/api.ts';
 import type { GhostStudy } from '../../study/ghost-study.ts';
 import type { Transfer } from '../../engine/api/types.ts';
 import { button } from '../../ui/controls.ts';
+import type { Range } from '../../model/time-scale.ts';
 import { h, setHidden, setStyle, setText, svg } from '../../ui/dom.ts';
-import type { Context } from '../context.ts';
 import { isCancelled } from '../session/sequence-set.ts';
 import { encodingFor, motionFor, specOf } from '../session/sequence-plan.ts';
-import type { PosePool } from '../session/workspace.ts';
+import type { PosePool } from '../session/pose-pool.ts';
+import type { Store } from '../session/store.ts';
 
 const FRAMES = 24;
 const NAMES: Record<Transfer, string> = { exact: 'Exact', paper: 'As published' };
 
-export interface GhostStudyView {
+export interface GhostStudyParts {
+  engine: Engine;
+  store: Store;
+  pool(): PosePool | null;
+  range(): Range;
+  onError(error: unknown): void;
+}
+
+export interface GhostStudyPanel {
   element: HTMLElement;
   /** The document may have changed: what was measured for another one goes. */
   update(): void;
 }
 
-export function createGhostStudy(context: Context): GhostStudyView {
+export function createGhostStudyPanel({ engine, store, pool, range, onError }: GhostStudyParts): GhostStudyPanel {
   const start = button({ label: 'Compare sizes of the ghost mesh', testId: 'study-start', icon: 'chart', text: 'Compare sizes', kind: 'plain', onClick: () => void run() });
   const stage = h('span', { class: 'muted stage', role: 'status' });
   const bar = h('div', { class: 'bar' });
@@ -31,25 +41,25 @@ export function createGhostStudy(context: Context): GhostStudyView {
   let of: { pool: PosePool; subject: string } | null = null;
 
   const run = async (): Promise<void> => {
-    const { pool } = context.workspace;
-    if (!pool || abort) return;
-    const spec = specOf(context.store.get().doc, []);
+    const poses = pool();
+    if (!poses || abort) return;
+    const spec = specOf(store.get().doc, []);
     const [variant] = spec.variants;
     const own = new AbortController();
     abort = own;
-    of = { pool, subject: subject() };
+    of = { pool: poses, subject: subject() };
     show(null);
-    const keys = pool.keys.arrange(spec.order, spec.times, spec.names);
+    const keys = poses.keys.arrange(spec.order, spec.times, spec.names);
     try {
       const { studyGhosts } = await import('../../study/ghost-study.ts');
-      const range = context.range();
-      const times = Array.from({ length: FRAMES }, (_, i) => range[0] + ((i + 0.5) / FRAMES) * (range[1] - range[0]));
-      const pose = (index: number | null): Float32Array | null => (index === null ? null : pool.keys.positions(index));
+      const [start, end] = range();
+      const times = Array.from({ length: FRAMES }, (_, i) => start + ((i + 0.5) / FRAMES) * (end - start));
+      const pose = (index: number | null): Float32Array | null => (index === null ? null : poses.keys.positions(index));
       const options = {
         ...encodingFor(spec, variant!), placement: spec.encoding.placement, ...motionFor(spec, variant!.method),
         startTangent: pose(spec.startTangentPose), endTangent: pose(spec.endTangentPose),
       };
-      const study = await studyGhosts(context.engine, keys, options, {
+      const study = await studyGhosts(engine, keys, options, {
         times, signal: own.signal,
         onProgress: (progress) => {
           setText(stage, progress.stage);
@@ -58,7 +68,7 @@ export function createGhostStudy(context: Context): GhostStudyView {
       });
       if (!own.signal.aborted) await draw(study);
     } catch (error) {
-      if (!isCancelled(error)) context.fail(error);
+      if (!isCancelled(error)) onError(error);
     } finally {
       keys.dispose();
       abort = null;
@@ -106,7 +116,7 @@ export function createGhostStudy(context: Context): GhostStudyView {
 
   /** What a study depends on: the motion as it is without a ghost. */
   const subject = (): string => {
-    const { doc, source } = context.store.get();
+    const { doc, source } = store.get();
     const { encoding: { ghostFaces, transfer, ...encoding }, variants, ...rest } = specOf(doc, []);
     return JSON.stringify([source, doc.motion.method, encoding, rest]);
   };
@@ -114,8 +124,8 @@ export function createGhostStudy(context: Context): GhostStudyView {
   return {
     element,
     update() {
-      start.disabled = context.runtime().info === null;
-      if (!of || (of.pool === context.workspace.pool && of.subject === subject())) return;
+      start.disabled = pool() === null;
+      if (!of || (of.pool === pool() && of.subject === subject())) return;
       of = null;
       abort?.abort();
       result.replaceChildren();

@@ -2,7 +2,9 @@
 import { clampTime } from '../../model/time-scale.ts';
 import { keyboardStep } from '../../ui/timeline.ts';
 import type { Commands } from './commands.ts';
-import type { Context } from '../context.ts';
+import type { Range } from '../../model/time-scale.ts';
+import type { Viewer } from '../../viewer/viewer.ts';
+import type { Store } from '../session/store.ts';
 import type { Shortcut } from './shortcuts.ts';
 import { usesArrows } from './shortcuts.ts';
 
@@ -19,7 +21,7 @@ export interface KeyboardTargets {
   escape(): void;
 }
 
-export function createShortcuts({ store }: Context, commands: Commands, targets: KeyboardTargets): Shortcut[] {
+export function createShortcuts(store: Store, commands: Commands, targets: KeyboardTargets): Shortcut[] {
   const toggle = (name: 'wireframe' | 'floor' | 'onion' | 'film') => (): void => {
     const { view } = store.get();
     const other = name === 'onion' ? { film: false } : name === 'film' ? { onion: false } : {};
@@ -65,11 +67,21 @@ export function createShortcuts({ store }: Context, commands: Commands, targets:
   ];
 }
 
+export interface ArrowParts {
+  store: Store;
+  commands: Commands;
+  /** Has its own use for arrows. */
+  viewport: HTMLElement;
+  range(): Range;
+  /** Whether there is anything to move through. */
+  isOpen(): boolean;
+}
+
 /** Arrow keys, Home and End move through time wherever the focus is, unless a control has its own use for them. */
-export function listenToArrows({ store, range, runtime }: Context, commands: Commands, picture: HTMLElement): void {
+export function listenToArrows({ store, commands, viewport, range, isOpen }: ArrowParts): void {
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || usesArrows(event.target)) return;
-    if (runtime().info === null || event.target === picture || document.querySelector('dialog[open]')) return;
+    if (!isOpen() || event.target === viewport || document.querySelector('dialog[open]')) return;
     const time = keyboardStep(event, store.get().time, range(), store.get().play.fps);
     if (time === null) return;
     event.preventDefault();
@@ -81,9 +93,9 @@ const TURN = Math.PI / 36;
 const SHIFT = 0.06;
 const ZOOM = 1.1;
 
-/** The focused picture: arrows turn it, with Shift they move it, plus and minus zoom. */
-export function listenToCamera({ picture: { viewer } }: Context, picture: HTMLElement): void {
-  picture.addEventListener('keydown', (event) => {
+/** The focused viewport: arrows turn it, with Shift they move it, plus and minus zoom. */
+export function listenToCamera(viewer: Viewer, viewport: HTMLElement): void {
+  viewport.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const move = (right: number, up: number): void => {
       if (event.shiftKey) viewer.pan(right * SHIFT, up * SHIFT);

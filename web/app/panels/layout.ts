@@ -3,9 +3,9 @@ import { h, setAttribute } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
 import type { IconName } from '../../ui/icons.ts';
 
-export interface ShellParts {
+export interface LayoutParts {
   header: HTMLElement;
-  /** What lies over the picture. */
+  /** What lies over the viewport. */
   overlays: HTMLElement[];
   /** Progress and errors, on top of everything in the viewport. */
   messages: HTMLElement[];
@@ -18,11 +18,11 @@ export interface ShellParts {
   floating: HTMLElement[];
 }
 
-export interface Shell {
+export interface Layout {
   /** The viewer puts its canvas in here; takes the keyboard. */
-  picture: HTMLElement;
-  mount(root: HTMLElement, parts: ShellParts): void;
-  /** Pixels that bars and words take at the top and the bottom of each of so many views in the picture. */
+  viewport: HTMLElement;
+  mount(root: HTMLElement, parts: LayoutParts): void;
+  /** Pixels that bars and words take at the top and the bottom of each of so many views. */
   covered(views: number): { top: number; bottom: number };
 }
 
@@ -32,22 +32,22 @@ const PHASE_PX = 34;
 /** A panel's heading this near to the top is where one is. */
 const NEAR_PX = 24;
 
-type Sheet = 'keys' | 'motion' | 'shape' | 'see';
+type Sheet = 'keys' | 'motion' | 'shape' | 'analysis';
 
 const SHEETS: readonly { name: Sheet; label: string; icon: IconName }[] = [
   { name: 'keys', label: 'Keys', icon: 'keys' },
   { name: 'motion', label: 'Motion', icon: 'motion' },
   { name: 'shape', label: 'Shape', icon: 'shape' },
-  { name: 'see', label: 'See', icon: 'chart' },
+  { name: 'analysis', label: 'Analysis', icon: 'chart' },
 ];
 
-export function createShell(): Shell {
-  const picture = h('div', {
+export function createLayout(): Layout {
+  const viewport = h('div', {
     class: 'picture', tabindex: 0, role: 'application', 'data-testid': 'viewport',
     'aria-label': 'The shape. Arrow keys turn it, plus and minus zoom, Shift with arrows moves it.',
   });
   const covered = (views: number): { top: number; bottom: number } => {
-    const host = picture.getBoundingClientRect();
+    const host = viewport.getBoundingClientRect();
     const height = (selector: string, from: (box: DOMRect) => number): number => {
       const box = document.querySelector(selector)?.getBoundingClientRect();
       return box && box.height > 0 ? Math.max(from(box), 0) : 0;
@@ -59,11 +59,11 @@ export function createShell(): Shell {
     return { top: Math.max(status + (views > 1 ? TILE_LABEL_PX : 0), welcome), bottom: buttons + (small ? PHASE_PX : 0) };
   };
   return {
-    picture,
+    viewport,
     covered,
     mount(root, parts) {
       const app = h('div', { class: 'app' }, parts.header,
-        h('main', { class: 'viewport', 'aria-label': 'Viewport' }, picture, ...parts.overlays, h('div', { class: 'overlay-top' }, ...parts.messages)),
+        h('main', { class: 'viewport', 'aria-label': 'Viewport' }, viewport, ...parts.overlays, h('div', { class: 'overlay-top' }, ...parts.messages)),
         createSide(parts.panels),
         h('div', { class: 'deck' }, parts.keyStrip, parts.transport, parts.warnings), parts.status);
       app.append(createTabs(app));
@@ -92,9 +92,9 @@ function createSide(panels: HTMLElement[]): HTMLElement {
 }
 
 function createTabs(app: HTMLElement): HTMLElement {
-  const buttons = SHEETS.map(({ name, label, icon: picture }) => h('button', {
+  const buttons = SHEETS.map(({ name, label, icon: symbol }) => h('button', {
     type: 'button', 'data-testid': `tab-${name}`, 'aria-pressed': 'false', onclick: () => show(app.dataset['sheet'] === name ? null : name),
-  }, icon(picture), h('span', {}, label)));
+  }, icon(symbol), h('span', {}, label)));
   const show = (sheet: Sheet | null): void => {
     setAttribute(app, 'data-sheet', sheet);
     SHEETS.forEach(({ name }, index) => setAttribute(buttons[index]!, 'aria-pressed', String(name === sheet)));

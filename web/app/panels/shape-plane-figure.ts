@@ -1,33 +1,21 @@
-/** The shape plane in "What it sees": the curve is a matter of a millisecond and follows whatever changes it at once. */
+/** The figure of the shape plane: its curve takes a millisecond to compute and follows every change at once. */
 import { DEFAULT_SPEED, MAX_SPEED, formatSpeed, offeredSpeed } from '../../model/speeds.ts';
 import type { End } from '../../model/speeds.ts';
-import { isInLri } from '../../model/state.ts';
-import { plottedTimes } from '../../model/time-scale.ts';
-import type { Range } from '../../model/time-scale.ts';
 import { createShapePlane } from '../../plots/shape-plane.ts';
-import type { ShapePlaneData } from '../../plots/shape-plane.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { SPEED_WORDS, typedSpeed } from '../../ui/speed-handles.ts';
-import { isCancelled } from '../session/sequence-set.ts';
-import type { Lane } from '../session/sequence-set.ts';
+import { computeShapePlanes } from '../analysis/shape-plane.ts';
+import type { ShapePlaneInput } from '../analysis/shape-plane.ts';
 
 export type Speeds = Readonly<Record<End, number>>;
 
-export interface PlaneInput {
-  lanes: readonly Lane[];
-  keyTimes: readonly number[];
-  range: Range;
-  /** Hermite: the key that tells the direction at an end, null where none does; null = another boundary. */
-  towards: Readonly<Record<End, number | null>> | null;
-}
-
-export interface PlaneFigureEvents {
+export interface ShapePlaneFigureEvents {
   onSpeed(end: End, speed: number): void;
   onError(error: unknown): void;
 }
 
-export interface PlaneFigure {
+export interface ShapePlaneFigure {
   element: HTMLElement;
   /** The curve has changed. */
   refresh(): void;
@@ -36,10 +24,11 @@ export interface PlaneFigure {
   setSpeeds(speeds: Speeds | null): void;
 }
 
-const POINTS = 97;
-const TITLE = 'All keys as points in the plane that tells them apart best; distances in it are distances between shapes';
+const TITLE = 'The plane of the keys\' two leading principal components; distances in it are those between shapes';
 
-export function createPlaneFigure(input: () => PlaneInput | null, { onSpeed, onError }: PlaneFigureEvents): PlaneFigure {
+export function createShapePlaneFigure(
+  input: () => ShapePlaneInput | null, { onSpeed, onError }: ShapePlaneFigureEvents,
+): ShapePlaneFigure {
   let speeds: Speeds | null = null;
   let cursor = 0;
   let stale = false;
@@ -68,17 +57,17 @@ export function createPlaneFigure(input: () => PlaneInput | null, { onSpeed, onE
   const work = async (): Promise<void> => {
     const asked = input();
     if (!asked) return;
-    const { keyTimes, range, towards } = asked;
-    const lanes = asked.lanes.filter(({ method }) => isInLri(method));
-    setHidden(element, lanes.length === 0);
-    const times = plottedTimes(range, keyTimes, POINTS);
-    const planes = await Promise.all(lanes.map(({ sequence }) => sequence.shapePlane(times)));
+    const { times, range, planes, tangents } = await computeShapePlanes(asked);
     const [main] = planes;
+    setHidden(element, !main);
     if (!main) return;
-    setText(explained, `holds ${(100 * main.explained).toFixed(0)} % of what differs between the keys`);
+    const percent = (100 * main.plane.explained).toFixed(0);
+    setText(explained, `Principal plane of the keys, explains ${percent} % of the variance`);
     plot.draw({
-      times, range, keys: main.keys, tangents: towards && tangentsOf(main.keys, towards),
-      curves: planes.map(({ curve }, index) => ({ label: METHOD_WORDS[lanes[index]!.method].label, points: curve, style: lanes[index]!.method })),
+      times, range, keys: main.plane.keys, tangents,
+      curves: planes.map(({ method, plane }) => ({
+        label: METHOD_WORDS[method].label, points: plane.curve, style: method,
+      })),
     });
     plot.setSpeeds(speeds);
     plot.setCursor(cursor);
@@ -88,7 +77,7 @@ export function createPlaneFigure(input: () => PlaneInput | null, { onSpeed, onE
     running = true;
     while (stale) {
       stale = false;
-      await work().catch((error: unknown) => { if (!isCancelled(error)) onError(error); });
+      await work().catch(onError);
     }
     running = false;
   };
@@ -108,11 +97,4 @@ export function createPlaneFigure(input: () => PlaneInput | null, { onSpeed, onE
       plot.setSpeeds(next);
     },
   };
-}
-
-/** A cubic of slope m over a time h has its second Bézier point a third of h m from its first: that is how far a handle goes. */
-function tangentsOf(keys: readonly number[], towards: Readonly<Record<End, number | null>>): ShapePlaneData['tangents'] {
-  const from = (key: number, target: number | null): [number, number] | null =>
-    (target === null ? null : [0, 1].map((axis) => (keys[2 * target + axis]! - keys[2 * key + axis]!) / 3) as [number, number]);
-  return { start: from(0, towards.start), end: from(keys.length / 2 - 1, towards.end) };
 }

@@ -1,13 +1,14 @@
-/** What the page shows besides the state: work under way, what was found, pictures. It is never saved. */
-import type { KeysInfo, SequenceStats, Warning } from '../../engine/api/types.ts';
+/** What the page shows besides the state: work under way, what was found, thumbnails. It is never saved. */
+import type { Frame, KeysInfo, SequenceStats, Warning } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
 import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
 import type { Problem, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../ui/orientation.ts';
+import type { OpenedFiles } from '../sources/open-files.ts';
 import type { Sample } from '../sources/samples.ts';
 
-export interface Runtime {
+export interface ViewState {
   samples: readonly Sample[];
   info: KeysInfo | null;
   /** How the open files were read where they do not say it themselves, else null. */
@@ -18,19 +19,17 @@ export interface Runtime {
   /** Index of the warning whose place is marked on the shape, or null. */
   shownWarning: number | null;
   working: Working | null;
-  problem: Problem | null;
+  errorMessage: Problem | null;
   stats: SequenceStats | null;
-  /** The range of the running sequence. */
-  range: readonly [number, number];
-  /** Of the last exact shape. */
+  /** Milliseconds of the last exact frame. */
   ms: number | null;
-  /** That work on an exact shape; null before the first. */
+  /** Threads that work on an exact frame; null before the first. */
   threads: number | null;
-  /** Of the shape on the screen where that is about right only, else null. */
-  aboutMs: number | null;
-  /** Faces of that shape that have turned inside out, and one of them; -1 where none is known. */
-  lost: number;
-  lostFace: number;
+  /** Milliseconds of the frame on the screen where that is a preview, else null. */
+  previewMs: number | null;
+  /** Indefinite faces of the last exact frame, and one of them; -1 where none is known. */
+  indefinite: number;
+  indefiniteFace: number;
   /** By pose. */
   thumbnails: ReadonlyMap<number, string>;
   welcome: boolean;
@@ -41,7 +40,43 @@ export interface Runtime {
   exporting: { request: ExportRequest; plan: { text: string; warnings: readonly string[] } | null };
 }
 
-export const EMPTY_RUNTIME: Runtime = {
-  samples: [], info: null, orientation: null, initial: null, warnings: [], shownWarning: null, working: null, problem: null, stats: null, range: [0, 1], ms: null, threads: null, aboutMs: null, lost: 0, lostFace: -1,
-  thumbnails: new Map(), welcome: false, offline: false, remembered: false, singleKeys: true, exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
+export interface ViewStateHolder {
+  get(): ViewState;
+  change(part: Partial<ViewState>): void;
+}
+
+/** What other files bring with them. */
+export function openedView(opened: OpenedFiles, before: ViewState): Partial<ViewState> {
+  const { info, initial, orientation, source } = opened;
+  return {
+    info, initial, orientation, warnings: info.warnings, thumbnails: new Map(), stats: null, shownWarning: null,
+    indefinite: 0, indefiniteFace: -1, ms: null, threads: null, welcome: before.welcome && source.kind === 'sample',
+  };
+}
+
+/** What is to be said of the frame on the screen. */
+export function shownView(frame: Frame | undefined, preview: boolean): Partial<ViewState> {
+  if (preview) return { previewMs: frame?.ms ?? null };
+  return {
+    ms: frame?.ms ?? null, threads: frame?.threads ?? null, previewMs: null,
+    indefinite: frame?.lostDefiniteness ?? 0, indefiniteFace: frame?.lostFace ?? -1,
+  };
+}
+
+export function createViewState(onChange: () => void): ViewStateHolder {
+  let viewState = EMPTY_VIEW_STATE;
+  return {
+    get: () => viewState,
+    change(part) {
+      viewState = { ...viewState, ...part };
+      onChange();
+    },
+  };
+}
+
+const EMPTY_VIEW_STATE: ViewState = {
+  samples: [], info: null, orientation: null, initial: null, warnings: [], shownWarning: null, working: null,
+  errorMessage: null, stats: null, ms: null, threads: null, previewMs: null, indefinite: 0, indefiniteFace: -1,
+  thumbnails: new Map(), welcome: true, offline: false, remembered: false, singleKeys: true,
+  exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

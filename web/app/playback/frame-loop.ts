@@ -1,20 +1,18 @@
 /**
- * Asks for shapes and puts them on the screen: one at a time, always the newest moment, all views together. What moves is
- * drawn about right where exact shapes are slow and the cheap ones known to be close, and exactly as soon as it rests; what plays
- * is computed ahead.
+ * Asks for frames and puts them on the screen: one time after another, all views together, as the demand says.
+ * What plays is computed ahead.
  */
 import type { AheadOptions } from '../../engine/api/api.ts';
-import { Pace } from './preview-policy.ts';
-import { Playback } from './look-ahead.ts';
-import type { Clock } from './look-ahead.ts';
+import type { Demand, Shown, Wanted } from './demand.ts';
 import { gather } from './frame-set.ts';
-import type { Shapes } from './frame-set.ts';
-import type { Lane } from '../session/sequence-set.ts';
+import type { FrameSet } from './frame-set.ts';
+import { LookAhead } from './look-ahead.ts';
+import type { Clock } from './look-ahead.ts';
+import { PreviewSurvey } from './preview-survey.ts';
 
-export interface PumpTarget {
-  lanes(): readonly Lane[];
-  /** Copies the shapes to the screen; they are released afterwards. `eased`: from those on the screen, about right at this moment. */
-  show(shapes: Shapes, eased: boolean): void | Promise<void>;
+export interface Screen {
+  /** Copies the frames to the screen; they are released afterwards. `eased`: from their previews, shown now. */
+  show(frames: FrameSet, eased: boolean): void | Promise<void>;
   /** Resolves when what was shown has been drawn, and none is being eased. */
   drawn(): Promise<void>;
   onError(error: unknown): void;
@@ -22,70 +20,61 @@ export interface PumpTarget {
 
 interface Waiting {
   resolve(): void;
-  ticket: number;
+  number: number;
 }
 
-/** What moves rests when no newer moment has come for so long. */
-const REST_MS = 80;
-/** The first cheap shape takes a moment: it is made before it is needed, when nothing else is asked for. */
-const PREPARE_MS = 300;
-
-export class Pump {
-  private wanted = 0;
-  private ticket = 0;
-  /** The newest tickets that were served about right, and exactly. */
-  private about = 0;
-  private exact = 0;
-  private restsAt = -Infinity;
-  private screen: Pick<Shapes, 't' | 'lanes' | 'about'> = { t: NaN, lanes: [], about: false };
+export class FrameLoop {
   private drawing: Promise<void> = Promise.resolve();
-  private playback: Playback | null = null;
+  private lookAhead: LookAhead | null = null;
   private running: Promise<void> | null = null;
   private waiting: Waiting[] = [];
   private calls: (() => void)[] = [];
-  private preparing: ReturnType<typeof setTimeout> | undefined;
-  private measuring = false;
+  private readonly survey: PreviewSurvey;
 
-  constructor(private readonly target: PumpTarget, private readonly pace = new Pace()) {}
+  constructor(private readonly screen: Screen, private readonly demand: Demand) {
+    this.survey = new PreviewSurvey(demand, () => !this.running);
+  }
 
   get busy(): boolean {
-    return this.exact < this.ticket;
+    return this.demand.open;
   }
 
-  /** What is on the screen. */
-  get shown(): { t: number; about: boolean } {
-    return this.screen;
+  get shown(): Shown {
+    return this.demand.shown;
   }
 
-  /** The exact shape. Resolves when this moment, or a newer one that overtook it, has been drawn. */
+  /** The exact frame. Resolves when this time, or a newer one that overtook it, has been drawn. */
   request(t: number): Promise<void> {
-    this.want(t, -Infinity);
+    this.demand.want(t);
+    this.begin();
     return this.idle();
   }
 
-  /**
-   * For while the time or the motion changes: about right where exact shapes are slow, and exact when it rests. A motion that
-   * plays goes on.
-   */
+  /** While the time or the motion changes: a preview where the policy allows, exact at rest. What plays goes on. */
   follow(t: number): void {
-    if (this.playback) {
-      this.playback.discard();
+    if (this.lookAhead) {
+      this.lookAhead.discard();
       this.wake();
-    } else this.want(t, performance.now() + REST_MS);
+      return;
+    }
+    this.demand.follow(t);
+    this.begin();
   }
 
   /** What moved has come to rest, as when a pointer is lifted. */
   settle(): void {
-    if (performance.now() >= this.restsAt) return;
-    this.restsAt = -Infinity;
-    this.wake();
+    if (this.demand.settle()) this.wake();
   }
 
   /** Shows what plays, until `pause`. The clock calls `advance` when its tick has changed. */
   play(clock: Clock): void {
-    this.playback?.discard();
-    const source = { evaluateAhead: (t: number, options: AheadOptions) => this.ahead(t, options) };
-    this.playback = new Playback(clock, source, (error) => this.target.onError(error));
+    this.lookAhead?.discard();
+    this.lookAhead = new LookAhead({
+      clock,
+      source: { evaluateAhead: (t, options) => this.ahead(t, options) },
+      frameMs: (t) => this.demand.policy.typicalMs(this.demand.sequences(), t),
+      onError: (error) => this.screen.onError(error),
+    });
     this.start();
   }
 
@@ -94,29 +83,26 @@ export class Pump {
   }
 
   pause(): void {
-    this.playback?.discard();
-    this.playback = null;
+    this.lookAhead?.discard();
+    this.lookAhead = null;
     this.wake();
   }
 
   /** Resolves when what has been asked for so far is drawn exactly; a motion that plays is not waited for. */
   idle(): Promise<void> {
     if (!this.busy) return Promise.resolve();
-    return new Promise((resolve) => this.waiting.push({ resolve, ticket: this.ticket }));
+    return new Promise((resolve) => this.waiting.push({ resolve, number: this.demand.wanted.number }));
   }
 
-  private want(t: number, restsAt: number): void {
-    this.wanted = t;
-    this.ticket += 1;
-    this.restsAt = restsAt;
+  private begin(): void {
     // Computed ahead for a motion that may be another one now.
-    this.playback?.discard();
+    this.lookAhead?.discard();
     this.wake();
     this.start();
   }
 
   private start(): void {
-    clearTimeout(this.preparing);
+    this.survey.cancel();
     this.running ??= this.run();
   }
 
@@ -131,146 +117,104 @@ export class Pump {
   private async run(): Promise<void> {
     // Whoever waits for a frame may ask for the next one at once: that the work has ended must be known by then.
     await Promise.resolve();
-    while (this.busy || this.playback) {
-      if (this.busy) await this.serve();
-      else await this.playOn();
+    while (this.busy || this.lookAhead) {
+      const next = this.demand.next();
+      if (!next) await this.playOn();
+      else if ('restsIn' in next) await this.sleep(next.restsIn);
+      else await this.serve(next.wanted, next.preview);
     }
     this.running = null;
-    this.preparing = setTimeout(() => void this.prepare(), PREPARE_MS);
+    this.survey.schedule();
   }
 
-  /** The newest ticket: about right while it moves, where that is worth it; else exactly, which ends it. */
-  private async serve(): Promise<void> {
-    const { ticket, wanted } = this;
-    const rest = this.restsAt - performance.now();
-    const about = rest > 0 && this.pace.about(this.target.lanes(), this.wanted);
-    if (about && this.about === ticket) return this.sleep(rest);
+  private async serve(wanted: Wanted, preview: boolean): Promise<void> {
     try {
-      const drawn = await this.frame(wanted, ticket, about);
-      if (!drawn) return;
+      if (!await this.draw(wanted, preview)) return;
     } catch (error) {
-      this.target.onError(error);
+      this.screen.onError(error);
     }
-    this.about = ticket;
-    if (about) return;
-    this.exact = ticket;
-    this.waiting = this.waiting.filter(({ resolve, ticket: mine }) => {
-      if (mine <= ticket) resolve();
-      return mine > ticket;
+    this.demand.close(wanted, preview);
+    if (preview) return;
+    this.waiting = this.waiting.filter(({ resolve, number }) => {
+      if (number <= wanted.number) resolve();
+      return number > wanted.number;
     });
   }
 
-  /** False where the sequences were exchanged meanwhile, or a newer moment came before an eased shape was there. */
-  private async frame(t: number, ticket: number, about: boolean): Promise<boolean> {
-    const shapes = await this.ask(t, about);
-    if (!shapes) return false;
+  /** False where the sequences were exchanged meanwhile, or a newer time came before an eased frame was there. */
+  private async draw(wanted: Wanted, preview: boolean): Promise<boolean> {
+    const frames = await this.ask(wanted.t, preview);
+    if (!frames) return false;
     try {
-      const eased = !about && this.screen.about && this.screen.t === t && this.screen.lanes === shapes.lanes;
-      if (eased && ticket !== this.ticket) return false;
-      await this.show(shapes, eased);
-      // While a shape that is about right is drawn, the next one is computed.
-      if (about) {
-        void this.drawing.then(() => this.awaitRest(ticket));
-        return true;
-      }
-      if (eased) return await this.drawnBefore(ticket);
-      await this.drawing;
+      const eased = this.demand.eases(frames);
+      if (eased && !this.demand.isNewest(wanted)) return false;
+      await this.show(frames, eased);
+      // While a preview is drawn, the next frame is computed.
+      if (preview) void this.drawing.then(() => this.demand.noteDrawn(wanted));
+      else if (eased) return await this.drawnBeforeNewer(wanted);
+      else await this.drawing;
       return true;
     } finally {
-      shapes.release();
+      frames.release();
     }
   }
 
-  /** To draw may take long, and nobody heard of a newer moment meanwhile: it rests so long after that. */
-  private awaitRest(ticket: number): void {
-    if (ticket === this.ticket && this.restsAt !== -Infinity) this.restsAt = performance.now() + REST_MS;
-  }
-
-  /** A sequence that was exchanged meanwhile answers no more: null, the same moment is to be asked of its successor. */
-  private async ask(t: number, about: boolean): Promise<Shapes | null> {
-    const lanes = this.target.lanes();
+  /** A sequence that was exchanged meanwhile answers no more: null, the same time is to be asked of its successor. */
+  private async ask(t: number, preview: boolean): Promise<FrameSet | null> {
+    const sequences = this.demand.sequences();
     try {
-      const shapes = await gather(lanes, t, about, (sequence) => (about ? sequence.preview(t) : sequence.evaluate(t)));
-      if (shapes) this.pace.note(shapes);
-      if (lanes === this.target.lanes()) return shapes;
-      shapes?.release();
+      const frames = await gather(sequences, t, preview,
+        (sequence) => (preview ? sequence.preview(t) : sequence.evaluate(t)));
+      if (frames) this.demand.policy.noteCost(frames);
+      if (this.demand.isCurrent({ sequences })) return frames;
+      frames?.release();
       return null;
     } catch (error) {
-      if (lanes === this.target.lanes()) throw error;
+      if (this.demand.isCurrent({ sequences })) throw error;
       return null;
     }
   }
 
-  /** Waits until what is shown has been drawn; false as soon as a newer moment is asked for. */
-  private async drawnBefore(ticket: number): Promise<boolean> {
+  /** Waits until what is shown has been drawn; false as soon as a newer time is asked for. */
+  private async drawnBeforeNewer(wanted: Wanted): Promise<boolean> {
     let drawn = false;
     const drawing = this.drawing.then(() => { drawn = true; });
-    while (!drawn && ticket === this.ticket) await Promise.race([drawing, this.called()]);
+    while (!drawn && this.demand.isNewest(wanted)) await Promise.race([drawing, this.called()]);
     if (!drawn) this.drawing = Promise.resolve();
     return drawn;
   }
 
   private async playOn(): Promise<void> {
-    const shapes = this.playback?.take();
-    if (!shapes) return this.called();
+    const frames = this.lookAhead?.take();
+    if (!frames) return this.called();
     try {
-      if (shapes.lanes !== this.target.lanes()) this.playback?.discard();
-      else await this.show(shapes, false);
+      if (this.demand.isCurrent(frames)) await this.show(frames, false);
+      else this.lookAhead?.discard();
     } catch (error) {
-      this.target.onError(error);
+      this.screen.onError(error);
     } finally {
-      shapes.release();
+      frames.release();
     }
     await this.drawing;
   }
 
-  private async show(shapes: Shapes, eased: boolean): Promise<void> {
+  private async show(frames: FrameSet, eased: boolean): Promise<void> {
     await this.drawing;
-    await this.target.show(shapes, eased);
-    this.screen = { t: shapes.t, lanes: shapes.lanes, about: shapes.about };
-    this.drawing = this.target.drawn();
+    await this.screen.show(frames, eased);
+    this.demand.noteShown(frames);
+    this.drawing = this.screen.drawn();
   }
 
-  private async ahead(t: number, { signal }: AheadOptions): Promise<Shapes> {
-    const lanes = this.target.lanes();
-    const preview = this.pace.about(lanes, t);
+  private async ahead(t: number, { signal }: AheadOptions): Promise<FrameSet> {
+    const { policy } = this.demand;
+    const sequences = this.demand.sequences();
+    const preview = this.demand.previewsAt(t);
     // What plays never rests: where nothing is known it goes on exactly and waits a little for that to change.
-    void this.measure(t, () => this.playback !== null && this.pace.doubts(lanes, t));
-    const shapes = await gather(lanes, t, preview, (sequence) => sequence.evaluateAhead(t, { preview, signal }));
-    if (!shapes) throw new Error('A frame that was fetched ahead was overtaken.');
-    this.pace.note(shapes);
-    return shapes;
-  }
-
-  private async prepare(): Promise<void> {
-    const t = this.wanted;
-    if (this.pace.untried(this.target.lanes())) await this.tryCheap(t);
-    await this.measure(t, () => !this.running);
-  }
-
-  /** Finds out what cheap shapes take, and makes what they need; a failure is left to whoever asks for one. */
-  private async tryCheap(t: number): Promise<void> {
-    const lanes = this.target.lanes();
-    for (let times = 0; times < 2 && !this.running && lanes === this.target.lanes(); times += 1) {
-      const shapes = await gather(lanes, t, true, (sequence) => sequence.evaluateAhead(t, { preview: true })).catch(() => null);
-      if (!shapes) return;
-      this.pace.note(shapes);
-      shapes.release();
-    }
-  }
-
-  /** Finds out where cheap shapes are close, nearest to t first and as long as `wanted`; a failure is left to whoever asks for a shape. */
-  private async measure(t: number, wanted: () => boolean): Promise<void> {
-    if (this.measuring) return;
-    this.measuring = true;
-    const lanes = this.target.lanes();
-    while (wanted() && lanes === this.target.lanes()) {
-      const sample = this.pace.unmeasured(lanes, t);
-      const errors = sample && await Promise.all(lanes.map(({ sequence }) => sequence.previewError(sample.t))).catch(() => null);
-      if (!sample || !errors) break;
-      this.pace.measured(lanes, sample, errors);
-    }
-    this.measuring = false;
+    void this.survey.measure(t, () => this.lookAhead !== null && policy.doubts(sequences, t));
+    const frames = await gather(sequences, t, preview, (sequence) => sequence.evaluateAhead(t, { preview, signal }));
+    if (!frames) throw new Error('A frame that was fetched ahead was overtaken.');
+    policy.noteCost(frames);
+    return frames;
   }
 
   private sleep(ms: number): Promise<void> {

@@ -1,9 +1,9 @@
-/** Shapes computed ahead of the clock while the motion plays; what was computed for another motion is given back. */
+/** Frames computed ahead of the clock while the motion plays; what was computed for another motion is given back. */
 import { FramePlayer } from '../../engine/caller/frame-player.ts';
 import type { FrameSource } from '../../engine/caller/frame-player.ts';
-import type { Shapes } from './frame-set.ts';
+import type { FrameSet } from './frame-set.ts';
 
-/** The time that plays, in ticks: about one a screen refresh. */
+/** The time that plays, in ticks: about one per screen refresh. */
 export interface Clock {
   readonly tick: number;
   /** Where the time will be at a tick. */
@@ -11,24 +11,32 @@ export interface Clock {
   tickSeconds(): number;
 }
 
-export class Playback {
-  private player: FramePlayer<Shapes> | null = null;
+export interface LookAheadParts {
+  clock: Clock;
+  source: FrameSource<FrameSet>;
+  /** What a frame costs at a time, in milliseconds; 0 where that is not known yet. */
+  frameMs(t: number): number;
+  onError(error: unknown): void;
+}
 
-  constructor(
-    private readonly clock: Clock, private readonly source: FrameSource<Shapes>, private readonly onError: (error: unknown) => void,
-  ) {}
+export class LookAhead {
+  private player: FramePlayer<FrameSet> | null = null;
 
-  /** The newest shapes that are due and were not taken yet. */
-  take(): Shapes | null {
-    this.player ??= new FramePlayer(this.source, {
-      timeOf: (tick) => this.clock.timeOf(tick),
-      tickSeconds: () => this.clock.tickSeconds(),
+  constructor(private readonly parts: LookAheadParts) {}
+
+  /** The newest frames that are due and were not taken yet. */
+  take(): FrameSet | null {
+    const { clock, source, frameMs, onError } = this.parts;
+    this.player ??= new FramePlayer(source, {
+      timeOf: (tick) => clock.timeOf(tick),
+      tickSeconds: () => clock.tickSeconds(),
+      frameMs: () => frameMs(clock.timeOf(clock.tick)),
       onError: (error) => {
         this.player = null;
-        this.onError(error);
+        onError(error);
       },
     });
-    return this.player.take(this.clock.tick);
+    return this.player.take(clock.tick);
   }
 
   discard(): void {

@@ -1,20 +1,20 @@
 /**
- * Whether shapes are drawn about right while they move. Measured, not guessed from their size: only where exact ones are too
- * slow for a smooth motion, the cheap ones are much faster, and close at that moment. The page's address may ask for the one or
- * the other.
+ * Whether previews are drawn while shapes move. Measured, not guessed from their size: only where exact frames are too
+ * slow for a smooth motion, previews are much faster, and close at that time. The page's address may ask for either.
  */
 import type { PreviewError } from '../../engine/api/types.ts';
 import { isInLri } from '../../model/state.ts';
-import type { Lane } from '../session/sequence-set.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
+import { FrameCost } from './frame-cost.ts';
+import type { FrameSet } from './frame-set.ts';
 import { PreviewTrust } from './preview-trust.ts';
 import type { Sample, TimeLine } from './preview-trust.ts';
-import type { Shapes } from './frame-set.ts';
 
 const MOVING = ['measured', 'close', 'about', 'exact'] as const;
 
 /**
- * How shapes are drawn while they move: as measured; about right where that is close, however fast exact ones are; always about
- * right; always exactly.
+ * How shapes are drawn while they move: as measured; by previews where they are close, however fast exact frames are;
+ * always by previews; always exactly.
  */
 export type Moving = (typeof MOVING)[number];
 
@@ -24,59 +24,57 @@ export function readMoving(search: string): Moving {
   return MOVING.find((moving) => moving === asked) ?? 'measured';
 }
 
-/** Milliseconds in the worker: 30 exact shapes a second need nothing cheaper. */
+/** Milliseconds in the worker: 30 exact frames a second need nothing cheaper. */
 const SLOW_MS = 30;
-/** The cheap shape must take at most this share of the exact one's time. */
+/** A preview must take at most this share of the exact frame's time. */
 const WORTH = 0.7;
-/** The least of so many counts: the machine may have been busy with something else. */
-const SAMPLES = 3;
 
-export class Pace {
-  private lanes: readonly Lane[] = [];
-  private exact: number[] = [];
-  private cheap: number[] = [];
-  /** The first cheap shape makes what all need, and says nothing of the time that they take. */
-  private prepared = false;
+export class PreviewPolicy {
+  private sequences: readonly RunningSequence[] = [];
+  private cost = new FrameCost();
   private trust: PreviewTrust | null = null;
 
   constructor(private readonly moving: Moving = 'measured') {}
 
-  note({ lanes, about, ms }: Shapes): void {
-    this.follow(lanes);
-    const samples = about ? this.cheap : this.exact;
-    if (!about || this.prepared) samples.push(ms);
-    if (samples.length > SAMPLES) samples.shift();
-    this.prepared ||= about;
+  noteCost(frames: FrameSet): void {
+    this.follow(frames.sequences);
+    this.cost.note(frames);
   }
 
-  about(lanes: readonly Lane[], t: number): boolean {
-    this.follow(lanes);
+  /** Whether a preview is drawn at t while the shape moves. */
+  allows(sequences: readonly RunningSequence[], t: number): boolean {
+    this.follow(sequences);
     return this.worthwhile && (this.moving === 'about' || this.trust?.closeAt(t) === true);
   }
 
-  /** Cheap shapes are wanted, or exact ones seem slow, and no cheap one was made yet. */
-  untried(lanes: readonly Lane[]): boolean {
-    this.follow(lanes);
-    if (this.prepared) return false;
+  /** What a frame that plays at t costs, in milliseconds; 0 where that is not known yet. */
+  typicalMs(sequences: readonly RunningSequence[], t: number): number {
+    return this.cost.typical(this.allows(sequences, t));
+  }
+
+  /** Previews are wanted, or exact frames seem slow, and no preview was made yet. */
+  untried(sequences: readonly RunningSequence[]): boolean {
+    this.follow(sequences);
+    if (this.cost.hasPreviews) return false;
     return this.moving === 'measured' ? this.slow : this.moving !== 'exact' && this.possible;
   }
 
-  /** A cheap shape would be drawn at t if it was known to be close. */
-  doubts(lanes: readonly Lane[], t: number): boolean {
-    this.follow(lanes);
+  /** A preview would be drawn at t if it was known to be close. */
+  doubts(sequences: readonly RunningSequence[], t: number): boolean {
+    this.follow(sequences);
     return this.measures && this.trust?.closeAt(t) === undefined;
   }
 
-  /** Where to measure next what cheap shapes are off, nearest to t first; null where that is known, or does not matter. */
-  unmeasured(lanes: readonly Lane[], t: number): Sample | null {
-    this.follow(lanes);
+  /** Where to measure the error of previews next, nearest to t first; null where that is known, or does not matter. */
+  unmeasured(sequences: readonly RunningSequence[], t: number): Sample | null {
+    this.follow(sequences);
     return this.measures ? this.trust?.next(t) ?? null : null;
   }
 
-  /** What the cheap shape of each lane is off. Not noted where the motion is another one now. */
-  measured(lanes: readonly Lane[], sample: Sample, errors: readonly PreviewError[]): void {
-    if (lanes !== this.lanes) return;
-    const most = (of: (error: PreviewError) => number): number => errors.reduce((value, error) => Math.max(value, of(error)), 0);
+  /** The errors of the sequences' previews. Not noted where the motion is another one now. */
+  noteErrors(sequences: readonly RunningSequence[], sample: Sample, errors: readonly PreviewError[]): void {
+    if (sequences !== this.sequences) return;
+    const most = (of: (error: PreviewError) => number): number => Math.max(0, ...errors.map(of));
     this.trust?.note(sample, { mean: most(({ mean }) => mean), largest: most(({ largest }) => largest) });
   }
 
@@ -84,39 +82,32 @@ export class Pace {
     return this.worthwhile && this.moving !== 'about';
   }
 
-  /** Cheap shapes are wanted as far as their cost is concerned. The first frames of a sequence are slow: one alone does not tell. */
+  /** Previews are wanted as far as their cost is concerned. */
   private get worthwhile(): boolean {
     if (this.moving !== 'measured') return this.moving !== 'exact' && this.possible;
-    return this.exact.length > 1 && this.slow && least(this.cheap) <= WORTH * least(this.exact);
+    return this.cost.knowsExact && this.slow && this.cost.least(true) <= WORTH * this.cost.least(false);
   }
 
   private get slow(): boolean {
-    return this.possible && least(this.exact) > SLOW_MS;
+    return this.possible && this.cost.least(false) > SLOW_MS;
   }
 
   private get possible(): boolean {
-    return this.lanes.some(({ method }) => isInLri(method));
+    return this.sequences.some(({ method }) => isInLri(method));
   }
 
   /** Other sequences have other costs; the same ones keep theirs when they are refitted, but the motion is another. */
-  private follow(lanes: readonly Lane[]): void {
-    if (lanes === this.lanes) return;
-    const same = lanes.length === this.lanes.length && lanes.every(({ sequence }, index) => sequence === this.lanes[index]!.sequence);
-    this.lanes = lanes;
-    const [main] = lanes;
+  private follow(sequences: readonly RunningSequence[]): void {
+    if (sequences === this.sequences) return;
+    const same = sequences.length === this.sequences.length
+      && sequences.every(({ sequence }, index) => sequence === this.sequences[index]!.sequence);
+    this.sequences = sequences;
+    const [main] = sequences;
     this.trust = main ? new PreviewTrust(lineOf(main)) : null;
-    if (same) return;
-    this.exact = [];
-    this.cheap = [];
-    this.prepared = false;
+    if (!same) this.cost = new FrameCost();
   }
 }
 
-function lineOf({ sequence: { keyTimes, range, options } }: Lane): TimeLine {
+function lineOf({ sequence: { keyTimes, range, options } }: RunningSequence): TimeLine {
   return { keyTimes, range, periodic: options.boundary === 'periodic' };
-}
-
-/** 0 where nothing was measured yet. */
-function least(samples: readonly number[]): number {
-  return samples.length > 0 ? Math.min(...samples) : 0;
 }

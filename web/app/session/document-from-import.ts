@@ -6,7 +6,7 @@ import type { PageOptions } from '../../model/page-options.ts';
 import { forPage } from '../../model/page-options.ts';
 import { shapingOf } from '../../model/shaping.ts';
 import type { Doc } from '../../model/state.ts';
-import type { PosePool } from './workspace.ts';
+import type { PosePool } from './pose-pool.ts';
 
 export function docOf(info: KeysInfo, pool: PosePool): Doc {
   const project = info.project ?? {};

@@ -1,10 +1,10 @@
-/** The running sequences: one lane for each motion that is shown. Follows the wanted spec, the newest one wins. */
+/** The running sequences: one per motion that is shown. Follows the wanted plan, the newest one wins. */
 import type { Engine, Keys, Sequence } from '../../engine/api/api.ts';
 import type { EncodingOptions, Progress } from '../../engine/api/types.ts';
 import type { Spec, Variant } from './sequence-plan.ts';
 import { encodingFor, laneKey, motionFor } from './sequence-plan.ts';
 
-export interface Lane extends Variant {
+export interface RunningSequence extends Variant {
   /** What the sequence was built for (laneKey). */
   key: string;
   sequence: Sequence;
@@ -12,25 +12,25 @@ export interface Lane extends Variant {
   keys: Keys;
 }
 
-export interface LanesEvents {
+export interface SequenceSetEvents {
   onProgress(progress: Progress | null): void;
-  /** The lanes now serve this spec: draw again. */
+  /** The sequences now serve this spec: draw again. */
   onReady(spec: Spec): void;
-  /** The wanted spec was refused; the lanes still serve `current`, if there is one. */
+  /** The wanted spec was refused; the sequences still serve `current`, if there is one. */
   onRefused(error: unknown, current: Spec | null): void;
 }
 
-export class Lanes {
-  private lanes: Lane[] = [];
+export class SequenceSet {
+  private sequences: RunningSequence[] = [];
   private served: Spec | null = null;
   private wanted: Spec | null = null;
   private building: { shape: string; abort: AbortController } | null = null;
   private running: Promise<void> | null = null;
 
-  constructor(private readonly engine: Engine, private readonly pool: { readonly keys: Keys }, private readonly events: LanesEvents) {}
+  constructor(private readonly engine: Engine, private readonly pool: { readonly keys: Keys }, private readonly events: SequenceSetEvents) {}
 
-  get all(): readonly Lane[] {
-    return this.lanes;
+  get all(): readonly RunningSequence[] {
+    return this.sequences;
   }
 
   get spec(): Spec | null {
@@ -58,8 +58,8 @@ export class Lanes {
   dispose(): void {
     this.wanted = null;
     this.building?.abort.abort();
-    disposeAll(this.lanes);
-    this.lanes = [];
+    disposeAll(this.sequences);
+    this.sequences = [];
   }
 
   private async run(): Promise<void> {
@@ -81,23 +81,23 @@ export class Lanes {
   }
 
   private async serve(spec: Spec): Promise<void> {
-    const spare = [...this.lanes];
-    const kept = spec.variants.map((variant) => takeWhere(spare, (lane) => lane.key === laneKey(spec, variant)));
+    const spare = [...this.sequences];
+    const kept = spec.variants.map((variant) => takeWhere(spare, (running) => running.key === laneKey(spec, variant)));
     const missing = spec.variants.filter((_, index) => !kept[index]);
     const added = missing.length > 0 ? await this.build(spec, missing) : [];
     try {
-      await Promise.all(kept.map((lane, index) => lane && refit(lane, spec, spec.variants[index]!)));
+      await Promise.all(kept.map((running, index) => running && refit(running, spec, spec.variants[index]!)));
     } catch (error) {
       disposeAll(added);
       throw error;
     }
     disposeAll(spare);
-    this.lanes = kept.map((lane) => lane ?? added.shift()!);
+    this.sequences = kept.map((running) => running ?? added.shift()!);
   }
 
-  private async build(spec: Spec, variants: readonly Variant[]): Promise<Lane[]> {
+  private async build(spec: Spec, variants: readonly Variant[]): Promise<RunningSequence[]> {
     const abort = new AbortController();
-    const built: Lane[] = [];
+    const built: RunningSequence[] = [];
     this.building = { shape: buildKey(spec), abort };
     try {
       for (const [index, variant] of variants.entries()) {
@@ -135,13 +135,13 @@ function takeWhere<T>(list: T[], fits: (item: T) => boolean): T | undefined {
   return index < 0 ? undefined : list.splice(index, 1)[0];
 }
 
-async function refit(lane: Lane, spec: Spec, { method }: Variant): Promise<void> {
-  await lane.sequence.update({ ...motionFor(spec, method), keyTimes: spec.times });
-  lane.method = method;
+async function refit(running: RunningSequence, spec: Spec, { method }: Variant): Promise<void> {
+  await running.sequence.update({ ...motionFor(spec, method), keyTimes: spec.times });
+  running.method = method;
 }
 
-function disposeAll(lanes: readonly Lane[]): void {
-  for (const { sequence, keys } of lanes) {
+function disposeAll(sequences: readonly RunningSequence[]): void {
+  for (const { sequence, keys } of sequences) {
     sequence.dispose();
     keys.dispose();
   }

@@ -1,10 +1,12 @@
 /** What is open: the poses, the sequences made of them, and the way a new import takes the place of the old one. */
 import type { Engine, Keys } from '../../engine/api/api.ts';
-import type { ImportOptions, InputFile, KeysInfo, Progress } from '../../engine/api/types.ts';
+import type { ImportOptions, InputFile, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
+import type { Range } from '../../model/time-scale.ts';
 import { docOf } from './document-from-import.ts';
-import { Lanes, isCancelled } from './sequence-set.ts';
-import type { Lane } from './sequence-set.ts';
+import { SequenceSet, isCancelled } from './sequence-set.ts';
+import type { RunningSequence } from './sequence-set.ts';
+import { PosePool } from './pose-pool.ts';
 import type { Spec } from './sequence-plan.ts';
 import { specOf } from './sequence-plan.ts';
 
@@ -20,7 +22,8 @@ export interface WorkspaceEvents {
 }
 
 interface Current {
-  lanes: Lanes;
+  info: KeysInfo;
+  set: SequenceSet;
   pool: PosePool;
   input: InputFile[];
   options: ImportOptions;
@@ -29,32 +32,11 @@ interface Current {
 /** Files, or where they come from: `report` hears the share that is there. */
 export type Input = InputFile[] | ((report: (fraction: number) => void, signal: AbortSignal) => Promise<InputFile[]>);
 
-/** How much of the bar reading takes, and of that the way of the bytes into memory; the rest is encoding and factorising. */
+/** Reading's share of the bar, and of that the share of the bytes' way into memory; the rest is encoding and factorising. */
 const READING = 0.3;
 const FETCHING = 0.3;
-const NO_LANES: readonly Lane[] = [];
-
-/** The poses of an import and those taken from shapes since; an index into it never changes its meaning. */
-export class PosePool {
-  count: number;
-  /** How many of them are the import's own. */
-  readonly imported: number;
-
-  constructor(public keys: Keys) {
-    this.imported = keys.info.times.length;
-    this.count = this.imported;
-  }
-
-  /** Returns the new pose's index. */
-  add(name: string, positions: Float32Array): number {
-    const last = this.keys.info.times.at(-1) ?? 0;
-    const before = this.keys;
-    this.keys = before.withPose(name, last + 1, positions);
-    before.dispose();
-    this.count += 1;
-    return this.count - 1;
-  }
-}
+const NOTHING_RUNNING: readonly RunningSequence[] = [];
+const UNIT_RANGE: Range = [0, 1];
 
 export class Workspace {
   private current: Current | null = null;
@@ -62,8 +44,25 @@ export class Workspace {
 
   constructor(private readonly engine: Engine, private readonly events: WorkspaceEvents) {}
 
-  get lanes(): readonly Lane[] {
-    return this.current?.lanes.all ?? NO_LANES;
+  get sequences(): readonly RunningSequence[] {
+    return this.current?.set.all ?? NOTHING_RUNNING;
+  }
+
+  /** Of the first running sequence. */
+  get range(): Range {
+    return this.sequences[0]?.sequence.range ?? UNIT_RANGE;
+  }
+
+  /** What the import found. */
+  get info(): KeysInfo | null {
+    return this.current?.info ?? null;
+  }
+
+  /** Of the import and of the first running sequence, each once: the same of two places is two warnings. */
+  get warnings(): Warning[] {
+    const all = [...(this.info?.warnings ?? []), ...(this.sequences[0]?.sequence.warnings ?? [])];
+    const texts = all.map((warning) => JSON.stringify(warning));
+    return all.filter((_, index) => texts.indexOf(texts[index]!) === index);
   }
 
   get pool(): PosePool | null {
@@ -101,9 +100,9 @@ export class Workspace {
       const { info } = keys;
       const pool = new PosePool(keys);
       const doc = adjust(docOf(info, pool), pool);
-      const lanes = await this.firstLanes(pool, specOf(doc, []), abort);
+      const set = await this.firstSet(pool, specOf(doc, []), abort);
       this.close();
-      this.current = { lanes, pool, input, options };
+      this.current = { info, set, pool, input, options };
       return { info, doc };
     } catch (error) {
       keys?.dispose();
@@ -116,27 +115,27 @@ export class Workspace {
   }
 
   want(spec: Spec): void {
-    this.current?.lanes.want(spec);
+    this.current?.set.want(spec);
   }
 
   /** Ends what is under way; what is open stays. */
   cancel(): void {
     this.opening?.abort();
-    this.current?.lanes.cancel();
+    this.current?.set.cancel();
   }
 
   async idle(): Promise<void> {
-    await this.current?.lanes.idle();
+    await this.current?.set.idle();
   }
 
   private progress(abort: AbortController, progress: Progress | null): void {
     if (this.opening === abort) this.events.onProgress(progress);
   }
 
-  private async firstLanes(pool: PosePool, spec: Spec, abort: AbortController): Promise<Lanes> {
+  private async firstSet(pool: PosePool, spec: Spec, abort: AbortController): Promise<SequenceSet> {
     let failure: unknown = null;
     let open = false;
-    const lanes = new Lanes(this.engine, pool, {
+    const set = new SequenceSet(this.engine, pool, {
       onProgress: (progress) => {
         if (open) this.events.onProgress(progress);
         else if (progress) this.progress(abort, { ...progress, fraction: READING + (1 - READING) * progress.fraction });
@@ -147,21 +146,21 @@ export class Workspace {
         if (open) this.events.onRefused(error, current);
       },
     });
-    const stop = (): void => lanes.cancel();
+    const stop = (): void => set.cancel();
     abort.signal.addEventListener('abort', stop);
-    lanes.want(spec);
-    await lanes.idle();
+    set.want(spec);
+    await set.idle();
     abort.signal.removeEventListener('abort', stop);
-    if (abort.signal.aborted || lanes.spec === null) {
-      lanes.dispose();
+    if (abort.signal.aborted || set.spec === null) {
+      set.dispose();
       throw failure ?? abort.signal.reason;
     }
     open = true;
-    return lanes;
+    return set;
   }
 
   private close(): void {
-    this.current?.lanes.dispose();
+    this.current?.set.dispose();
     this.current?.pool.keys.dispose();
     this.current = null;
   }

@@ -1,23 +1,52 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
-import type { ImportOptions, KeysInfo } from '../../engine/api/types.ts';
+import type { Engine } from '../../engine/api/api.ts';
+import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.ts';
 import { addKey, setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
 import type { Doc, Play, Source, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, SPEEDS, comfortableSpeed } from '../../model/state.ts';
+import { DEFAULT_VIEW, EMPTY_STATE, SPEEDS, comfortableSpeed } from '../../model/state.ts';
 import { length } from '../../model/time-scale.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Orientation } from '../../ui/orientation.ts';
-import { plural } from '../../ui/status-line.ts';
-import type { Context } from '../context.ts';
+import type { PosePool } from '../session/pose-pool.ts';
+import type { Store } from '../session/store.ts';
+import type { Input, Opened, Workspace } from '../session/workspace.ts';
 import type { Remembered } from './remembered-files.ts';
-import type { Input, PosePool } from '../session/workspace.ts';
 import { importPoses, readFiles } from './input-files.ts';
 import { applyPermalink } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
 import { fetchSample } from './samples.ts';
 
-export interface Opening {
+/** What is open now, while the state does not say so yet. */
+export interface OpenedFiles {
+  info: KeysInfo;
+  pool: PosePool;
+  source: Source;
+  doc: Doc;
+  /** The document that the files start with when nothing else is known: links are written against it. */
+  initial: Doc;
+  /** How the files were read where they do not say it themselves. */
+  orientation: Orientation | null;
+  /** Of a link or an earlier visit. */
+  camera: View['camera'];
+}
+
+export interface OpenFilesParts {
+  engine: Engine;
+  store: Store;
+  workspace: Workspace;
+  samples(): readonly Sample[];
+  reducedMotion(): boolean;
+  /** Something else is asked for: what went wrong before is of no interest. */
+  onStart(): void;
+  onOpened(opened: OpenedFiles): void;
+  /** Of reading further poses; an import is told of by the workspace. */
+  onWorking(working: Progress | null): void;
+  onError(error: unknown): void;
+}
+
+export interface OpenFiles {
   /** Resolve to whether what was asked for is open now. */
   sample(id: string, link?: Permalink | null): Promise<boolean>;
   files(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean>;
@@ -44,14 +73,15 @@ interface Request {
   left?: Remembered;
 }
 
-export function createOpening(context: Context): Opening {
-  const { store, workspace, picture } = context;
+export function createOpenFiles({
+  engine, store, workspace, samples, reducedMotion, onStart, onOpened, onWorking, onError,
+}: OpenFilesParts): OpenFiles {
   let fetching = new AbortController();
   const running = new Set<Promise<unknown>>();
 
   const open = async ({ input, options, source, adjust, link, left }: Request): Promise<boolean> => {
-    context.inform({ problem: null });
-    let initial: Doc | null = null;
+    onStart();
+    let initial = EMPTY_STATE.doc;
     const opened = await workspace.open(input, options, (doc, pool) => {
       initial = adjust(doc);
       if (left) return restored(left, pool);
@@ -60,20 +90,28 @@ export function createOpening(context: Context): Opening {
     if (!opened) return false;
     const { info, doc } = opened;
     const view = left ? { ...DEFAULT_VIEW, ...left.state.view } : openingView(store.get().view, info, link);
-    picture.setImport(info, workspace.pool!, view.camera);
-    context.inform({
-      info, initial, orientation: orientationOf(source, options), warnings: info.warnings, thumbnails: new Map(), stats: null, shownWarning: null, lost: 0, lostFace: -1, ms: null, threads: null,
-      range: workspace.lanes[0]?.sequence.range ?? [0, 1], welcome: context.runtime().welcome && source.kind === 'sample',
+    onOpened({
+      info, pool: workspace.pool!, source, doc, initial, orientation: orientationOf(source, options), camera: view.camera,
     });
-    if (source.kind === 'files') context.say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
-    const play = left ? { ...left.state.play, playing: false } : openingPlay(context, info, doc, source, link);
-    store.reset({ source, doc, view, play, time: left?.state.time ?? link?.time ?? doc.keys[0]?.time ?? 0 });
+    const time = left?.state.time ?? link?.time ?? doc.keys[0]?.time ?? 0;
+    store.reset({ source, doc, view, play: left ? { ...left.state.play, playing: false } : openingPlay(opened, source, link), time });
     return true;
+  };
+
+  /** Samples start moving slowly by themselves, unless the visitor wants no motion or came by a link to a moment. */
+  const openingPlay = ({ info, doc }: Opened, source: Source, link: Permalink | null): Play => {
+    const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
+    const own = info.animation >= 0 && source.kind === 'files' ? 1 : comfortableSpeed(length(range));
+    const speed = SPEEDS.find((known) => known === link?.speed) ?? own;
+    const playing = (link ? link.playing : source.kind === 'sample') && !reducedMotion();
+    if (link) return { playing, speed, loop: link.loop ?? store.get().play.loop, between: link.between, fps: link.fps };
+    const { loop, fps } = store.get().play;
+    return { playing, speed, loop, between: null, fps };
   };
 
   const guarded = (work: () => Promise<boolean>): Promise<boolean> => {
     const task = work().catch((error: unknown) => {
-      context.fail(error);
+      onError(error);
       return false;
     });
     running.add(task);
@@ -81,24 +119,24 @@ export function createOpening(context: Context): Opening {
   };
 
   const addKeys = async (files: PickedFile[]): Promise<boolean> => {
-    const { info } = context.runtime();
-    const { pool } = workspace;
+    const { info, pool } = workspace;
     if (!info || !pool) return false;
-    context.inform({ problem: null, working: { stage: 'reading', fraction: 0 } });
+    onStart();
+    onWorking({ stage: 'reading', fraction: 0 });
     try {
-      const poses = await importPoses(context.engine, await readFiles(files), info, workspace.options);
+      const poses = await importPoses(engine, await readFiles(files), info, workspace.options);
       if (workspace.pool !== pool) return false;
       const added = poses.map(({ name, positions }) => ({ name: name.replace(/\.[a-z]+$/i, ''), pose: pool.add(name, positions) }));
       store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => added.reduce(appendKey, doc));
       return true;
     } finally {
-      context.inform({ working: null });
+      onWorking(null);
     }
   };
 
   return {
     sample: (id, link = null) => guarded(async () => {
-      const sample = context.runtime().samples.find((one) => one.id === id);
+      const sample = samples().find((one) => one.id === id);
       if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
       fetching.abort();
       fetching = new AbortController();
@@ -174,14 +212,3 @@ function orientationOf(source: Source, { up = 'y', unit = 1 }: ImportOptions): O
 export function hasTexture(info: KeysInfo | null): boolean {
   return info !== null && (info.materials.length > 0 || info.colors !== null);
 }
-
-/** Samples start moving slowly by themselves, unless the visitor wants no motion or came by a link to a moment. */
-function openingPlay(context: Context, info: KeysInfo, doc: Doc, source: Source, link: Permalink | null): Play {
-  const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
-  const own = info.animation >= 0 && source.kind === 'files' ? 1 : comfortableSpeed(length(range));
-  const speed = SPEEDS.find((known) => known === link?.speed) ?? own;
-  const before = context.store.get().play;
-  const playing = link ? link.playing : source.kind === 'sample' && !context.reducedMotion();
-  return { playing: playing && !context.reducedMotion(), speed, loop: link?.loop ?? before.loop, between: link?.between ?? null, fps: link ? link.fps : before.fps };
-}
-

@@ -2,7 +2,8 @@
 import { clear, createStore, get, setMany } from 'idb-keyval';
 import type { ImportOptions, InputFile } from '../../engine/api/types.ts';
 import type { AppState } from '../../model/state.ts';
-import type { Context } from '../context.ts';
+import type { Store } from '../session/store.ts';
+import type { Workspace } from '../session/workspace.ts';
 import type { NewPose } from './input-files.ts';
 
 /** Everything that opens the files again as they were left. */
@@ -14,7 +15,16 @@ export interface Remembered {
   state: AppState;
 }
 
-export interface Memory {
+export interface RememberedFilesParts {
+  store: Store;
+  workspace: Workspace;
+  /** Whether the files are kept for the next visit. */
+  onChange(remembered: boolean): void;
+  say(text: string): void;
+  onError(error: unknown): void;
+}
+
+export interface RememberedFiles {
   /** Remembers what is open, or forgets everything. */
   toggle(): Promise<void>;
   /** The state has changed. */
@@ -27,10 +37,16 @@ const SAVE_DELAY_MS = 500;
 /** Raised when older visits can no longer be read. */
 const FORMAT = 1;
 
-export function createMemory({ store, workspace, runtime, inform, say, fail }: Context): Memory {
+export function createRememberedFiles({ store, workspace, onChange, say, onError }: RememberedFilesParts): RememberedFiles {
   const shelf = createStore('shapespline', 'remembered');
   let saved: InputFile[] | null = null;
   let timer = 0;
+  let remembered = false;
+
+  const change = (now: boolean): void => {
+    remembered = now;
+    onChange(now);
+  };
 
   const save = async (): Promise<void> => {
     const state = store.get();
@@ -47,37 +63,37 @@ export function createMemory({ store, workspace, runtime, inform, say, fail }: C
   const forget = async (): Promise<void> => {
     window.clearTimeout(timer);
     saved = null;
-    inform({ remembered: false });
+    change(false);
     await clear(shelf);
   };
 
   return {
     async toggle() {
-      if (runtime().remembered) {
+      if (remembered) {
         await forget();
         say('Forgotten: the next visit starts with a sample.');
         return;
       }
       try {
         await save();
-        inform({ remembered: true });
+        change(true);
         say('Remembered on this computer: the next visit starts with these files.');
       } catch {
         await forget().catch(() => undefined);
-        fail(new Error('This browser has no room for these files, or keeps nothing in a private window. Export saves them as a project.'));
+        onError(new Error('This browser has no room for these files, or keeps nothing in a private window. Export saves them as a project.'));
       }
     },
     follow() {
-      if (!runtime().remembered) return;
+      if (!remembered) return;
       window.clearTimeout(timer);
-      timer = window.setTimeout(() => void save().catch(() => forget().catch(fail)), SAVE_DELAY_MS);
+      timer = window.setTimeout(() => void save().catch(() => forget().catch(onError)), SAVE_DELAY_MS);
     },
     async recall() {
       // A browser that keeps nothing has nothing to recall.
       const [format, files, rest] = await Promise.all(['format', 'files', 'rest'].map((key) => get<unknown>(key, shelf)))
         .catch(() => []);
       if (format !== FORMAT || !files || !rest) return null;
-      inform({ remembered: true });
+      change(true);
       return { files: files as InputFile[], ...(rest as Omit<Remembered, 'files'>) };
     },
   };

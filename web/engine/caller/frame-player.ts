@@ -13,6 +13,8 @@ export interface PlayerOptions {
   tickSeconds: () => number;
   /** Frames under way or waiting to be shown; default 4. */
   ahead?: number;
+  /** Milliseconds that a frame costs now, where the caller measures that itself; default: the mean of those that came. */
+  frameMs?: () => number;
   /** Called once with what went wrong; the player has stopped then. */
   onError?: (error: unknown) => void;
 }
@@ -43,7 +45,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
 
   constructor(source: FrameSource<F>, options: PlayerOptions) {
     this.source = source;
-    this.options = { ahead: 4, onError: () => undefined, ...options };
+    this.options = { ahead: 4, frameMs: () => this.meanMs, onError: () => undefined, ...options };
   }
 
   /** The newest frame that is due at this tick and was not taken yet, or null: then the one on show stays. */
@@ -79,7 +81,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
   /** The next tick that shows another moment; null where that is far off. */
   private next(now: number): { tick: number; t: number } | null {
     // In ticks: what one frame costs.
-    const stride = Math.max(1, Math.ceil(this.meanMs / 1000 / this.options.tickSeconds()));
+    const stride = Math.max(1, Math.ceil(this.options.frameMs() / 1000 / this.options.tickSeconds()));
     const late = this.asked.tick < now;
     const first = this.asked.tick === -Infinity ? now : (late ? now : this.asked.tick) + stride;
     for (let tick = first; tick < first + FARTHEST; ++tick) {

@@ -1,7 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { Lane } from '../../web/app/session/sequence-set.ts';
-import { Pace, readMoving, type Moving } from '../../web/app/playback/preview-policy.ts';
-import { Pump } from '../../web/app/playback/frame-loop.ts';
+import type { RunningSequence } from '../../web/app/session/sequence-set.ts';
+import { Demand } from '../../web/app/playback/demand.ts';
+import { PreviewPolicy, readMoving, type Moving } from '../../web/app/playback/preview-policy.ts';
+import { FrameLoop } from '../../web/app/playback/frame-loop.ts';
 import type { AheadOptions } from '../../web/engine/api/api.ts';
 import type { Frame, Method, PreviewError } from '../../web/engine/api/types.ts';
 
@@ -10,7 +11,7 @@ afterEach(() => { vi.useRealTimers(); });
 
 interface Open {
   t: number;
-  about: boolean;
+  preview: boolean;
   resolve(frame: Frame | null): void;
   reject(error: unknown): void;
 }
@@ -27,20 +28,20 @@ function setUp({
   const screen = { easing: false, slow: false, drawn: [] as (() => void)[] };
   let released = 0;
   let frames = 0;
-  const frame = (t: number, about: boolean): Frame => {
+  const frame = (t: number, preview: boolean): Frame => {
     frames += 1;
-    const ms = about ? cheapMs : exactMs;
+    const ms = preview ? cheapMs : exactMs;
     return { t, positions: new Float32Array(), normals: new Float32Array(), ms, threads: 1, lostDefiniteness: 0, release: () => { released += 1; } };
   };
-  const asked = (t: number, about: boolean, signal?: AbortSignal): Promise<Frame | null> => new Promise((resolve, reject) => {
-    const one: Open = { t, about, resolve, reject };
+  const asked = (t: number, preview: boolean, signal?: AbortSignal): Promise<Frame | null> => new Promise((resolve, reject) => {
+    const one: Open = { t, preview, resolve, reject };
     open.push(one);
     signal?.addEventListener('abort', () => {
       if (open.includes(one)) open.splice(open.indexOf(one), 1);
       reject(new Error('taken back'));
     });
   });
-  const lane = (): Lane => ({
+  const running = (): RunningSequence => ({
     method,
     sequence: {
       keyTimes: [0, 0.5, 1], range: [0, 1], options: { boundary: 'natural' },
@@ -52,30 +53,29 @@ function setUp({
       preview: (t: number) => asked(t, true),
       evaluateAhead: (t: number, { preview = false, signal }: AheadOptions) => asked(t, preview, signal),
     },
-  } as unknown as Lane);
-  let lanes: readonly Lane[] = Array.from({ length: count }, lane);
-  const pump = new Pump({
-    lanes: () => lanes,
-    show: ({ t, about }, eased) => {
-      shown.push(`${about ? 'about ' : ''}${t}${eased ? ' eased' : ''}`);
+  } as unknown as RunningSequence);
+  let sequences: readonly RunningSequence[] = Array.from({ length: count }, running);
+  const loop = new FrameLoop({
+    show: ({ t, preview }, eased) => {
+      shown.push(`${preview ? 'preview ' : ''}${t}${eased ? ' eased' : ''}`);
       screen.easing = eased;
     },
     // An eased shape is drawn when the test says so, as is every one on a slow screen.
     drawn: () => (screen.easing || screen.slow ? new Promise((resolve) => screen.drawn.push(resolve)) : Promise.resolve()),
     onError: (error) => errors.push(error),
-  }, new Pace(moving));
+  }, new Demand(() => sequences, new PreviewPolicy(moving)));
   const pass = async (ms = 0): Promise<void> => { await vi.advanceTimersByTimeAsync(ms); };
   const answer = async (): Promise<void> => {
     const next = open.shift()!;
-    next.resolve(frame(next.t, next.about));
+    next.resolve(frame(next.t, next.preview));
     await pass();
   };
   /** Exact shapes have been asked for and answered: their time is known. */
   const learn = async (): Promise<void> => {
     for (const t of [0.91, 0.92]) {
-      void pump.request(t);
+      void loop.request(t);
       await pass();
-      for (let lane = 0; lane < count; lane += 1) await answer();
+      for (let index = 0; index < count; index += 1) await answer();
     }
     shown.length = 0;
   };
@@ -91,19 +91,19 @@ function setUp({
     await pass();
   };
   return {
-    pump, open, shown, errors, measured, screen, pass, answer, learn, ready, draw,
-    wanted: () => open.map(({ t, about }) => `${about ? 'about ' : ''}${t}`),
-    balance: () => frames - released, exchange: () => { lanes = [lane()]; }, refit: () => { lanes = [...lanes]; },
+    loop, open, shown, errors, measured, screen, pass, answer, learn, ready, draw,
+    wanted: () => open.map(({ t, preview }) => `${preview ? 'preview ' : ''}${t}`),
+    balance: () => frames - released, exchange: () => { sequences = [running()]; }, refit: () => { sequences = [...sequences]; },
   };
 }
 
-describe('the pump', () => {
+describe('the frame loop', () => {
   it('asks for one moment at a time and skips those that were overtaken', async () => {
-    const { pump, shown, answer, balance, pass, wanted } = setUp();
-    const all = [0.1, 0.2, 0.3].map((t) => pump.request(t));
+    const { loop, shown, answer, balance, pass, wanted } = setUp();
+    const all = [0.1, 0.2, 0.3].map((t) => loop.request(t));
     await pass();
     expect(wanted()).toEqual(['0.3']);
-    const newer = pump.request(0.4);
+    const newer = loop.request(0.4);
     await answer();
     await Promise.all(all);
     expect(wanted()).toEqual(['0.4']);
@@ -111,12 +111,12 @@ describe('the pump', () => {
     await newer;
     expect(shown).toEqual(['0.3', '0.4']);
     expect(balance()).toBe(0);
-    expect(pump.busy).toBe(false);
+    expect(loop.busy).toBe(false);
   });
 
-  it('shows all lanes together', async () => {
-    const { pump, shown, answer, pass } = setUp({ count: 2 });
-    const done = pump.request(0.5);
+  it('shows all sequences together', async () => {
+    const { loop, shown, answer, pass } = setUp({ count: 2 });
+    const done = loop.request(0.5);
     await pass();
     await answer();
     expect(shown).toEqual([]);
@@ -126,8 +126,8 @@ describe('the pump', () => {
   });
 
   it('asks the successor when the sequence is exchanged meanwhile', async () => {
-    const { pump, shown, answer, exchange, balance, pass, wanted } = setUp();
-    const done = pump.request(0.5);
+    const { loop, shown, answer, exchange, balance, pass, wanted } = setUp();
+    const done = loop.request(0.5);
     await pass();
     exchange();
     await answer();
@@ -140,14 +140,14 @@ describe('the pump', () => {
   });
 
   it('reports a failure once and goes on with the next moment', async () => {
-    const { pump, open, shown, errors, answer, pass } = setUp();
-    const failed = pump.request(0.5);
+    const { loop, open, shown, errors, answer, pass } = setUp();
+    const failed = loop.request(0.5);
     await pass();
     open.shift()!.reject(new Error('worker ended'));
     await failed;
     await pass();
     expect(errors).toHaveLength(1);
-    const next = pump.request(0.6);
+    const next = loop.request(0.6);
     await pass();
     await answer();
     await next;
@@ -155,20 +155,20 @@ describe('the pump', () => {
   });
 
   it('takes up what is asked for the moment that a frame is done', async () => {
-    const { pump, shown, answer, pass } = setUp();
-    const both = pump.request(0.1).then(() => pump.request(0.2));
+    const { loop, shown, answer, pass } = setUp();
+    const both = loop.request(0.1).then(() => loop.request(0.2));
     await pass();
     await answer();
     await answer();
     await both;
     expect(shown).toEqual(['0.1', '0.2']);
-    expect(pump.busy).toBe(false);
+    expect(loop.busy).toBe(false);
   });
 
-  it('ends without lanes', async () => {
-    const { pump } = setUp({ count: 0 });
-    await pump.request(0.5);
-    expect(pump.busy).toBe(false);
+  it('ends without sequences', async () => {
+    const { loop } = setUp({ count: 0 });
+    await loop.request(0.5);
+    expect(loop.busy).toBe(false);
   });
 });
 
@@ -179,33 +179,33 @@ describe('while the time moves', () => {
     ['small shapes are exact, and asked for once', { exactMs: 29 }],
     ['large shapes are exact where the address asks for it, and no cheap one is made', { ...slow, moving: 'exact' as const }],
   ])('%s', async (_, settings) => {
-    const { pump, shown, learn, answer, pass, wanted } = setUp(settings);
+    const { loop, shown, learn, answer, pass, wanted } = setUp(settings);
     await learn();
-    pump.follow(0.5);
+    loop.follow(0.5);
     await pass();
     await answer();
     await pass(1000);
     expect(shown).toEqual(['0.5']);
     expect(wanted()).toEqual([]);
-    expect(pump.busy).toBe(false);
+    expect(loop.busy).toBe(false);
   });
 
-  it('small shapes are about right, too, where the address asks for it, and exact when they rest', async () => {
-    const { pump, shown, answer, pass, draw } = setUp({ moving: 'about' });
-    pump.follow(0.5);
+  it('small shapes are previews, too, where the address asks for it, and exact when they rest', async () => {
+    const { loop, shown, answer, pass, draw } = setUp({ moving: 'about' });
+    loop.follow(0.5);
     await pass();
     await answer();
-    expect(shown).toEqual(['about 0.5']);
+    expect(shown).toEqual(['preview 0.5']);
     await pass(100);
     await answer();
     await draw();
-    expect(shown).toEqual(['about 0.5', '0.5 eased']);
-    expect(pump.busy).toBe(false);
+    expect(shown).toEqual(['preview 0.5', '0.5 eased']);
+    expect(loop.busy).toBe(false);
   });
 
   it('methods that blend positions are exact whatever the address asks for', async () => {
-    const { pump, shown, answer, pass } = setUp({ moving: 'about', method: 'linear' });
-    pump.follow(0.5);
+    const { loop, shown, answer, pass } = setUp({ moving: 'about', method: 'linear' });
+    loop.follow(0.5);
     await pass();
     await answer();
     expect(shown).toEqual(['0.5']);
@@ -215,28 +215,28 @@ describe('while the time moves', () => {
     expect(['', '?moving=about', '?a=b&moving=exact', '?moving=fast', '?moving'].map(readMoving)).toEqual(['measured', 'about', 'exact', 'measured', 'measured']);
   });
 
-  it('large shapes are about right, the newest one at a time', async () => {
-    const { pump, shown, ready, answer, pass, wanted, balance } = setUp(slow);
+  it('large shapes are previews, the newest one at a time', async () => {
+    const { loop, shown, ready, answer, pass, wanted, balance } = setUp(slow);
     await ready();
-    pump.follow(0.1);
+    loop.follow(0.1);
     await pass();
-    for (const t of [0.2, 0.3, 0.4]) pump.follow(t);
-    expect(wanted()).toEqual(['about 0.1']);
+    for (const t of [0.2, 0.3, 0.4]) loop.follow(t);
+    expect(wanted()).toEqual(['preview 0.1']);
     await answer();
-    expect(wanted()).toEqual(['about 0.4']);
+    expect(wanted()).toEqual(['preview 0.4']);
     await answer();
-    expect(shown).toEqual(['about 0.1', 'about 0.4']);
-    expect(pump.shown).toMatchObject({ t: 0.4, about: true });
-    expect(pump.busy).toBe(true);
+    expect(shown).toEqual(['preview 0.1', 'preview 0.4']);
+    expect(loop.shown).toMatchObject({ t: 0.4, preview: true });
+    expect(loop.busy).toBe(true);
     expect(balance()).toBe(0);
   });
 
   it('the exact shape is eased in when no newer moment has come for a while', async () => {
-    const { pump, shown, ready, answer, pass, wanted, draw } = setUp(slow);
+    const { loop, shown, ready, answer, pass, wanted, draw } = setUp(slow);
     await ready();
-    pump.follow(0.4);
+    loop.follow(0.4);
     const idle = vi.fn();
-    void pump.idle().then(idle);
+    void loop.idle().then(idle);
     await pass();
     await answer();
     await pass(70);
@@ -244,20 +244,20 @@ describe('while the time moves', () => {
     await pass(20);
     expect(wanted()).toEqual(['0.4']);
     await answer();
-    expect(shown).toEqual(['about 0.4', '0.4 eased']);
+    expect(shown).toEqual(['preview 0.4', '0.4 eased']);
     expect(idle).not.toHaveBeenCalled();
     await draw();
     expect(idle).toHaveBeenCalled();
-    expect(pump.busy).toBe(false);
+    expect(loop.busy).toBe(false);
     await pass(1000);
     expect(wanted()).toEqual([]);
   });
 
   it('on a slow screen not before there was a chance to hear of a newer moment', async () => {
-    const { pump, screen, ready, answer, pass, wanted, draw } = setUp(slow);
+    const { loop, screen, ready, answer, pass, wanted, draw } = setUp(slow);
     await ready();
     screen.slow = true;
-    pump.follow(0.4);
+    loop.follow(0.4);
     await pass();
     await answer();
     await pass(50);
@@ -269,90 +269,90 @@ describe('while the time moves', () => {
   });
 
   it('and at once when the pointer is lifted', async () => {
-    const { pump, ready, answer, pass, wanted } = setUp(slow);
+    const { loop, ready, answer, pass, wanted } = setUp(slow);
     await ready();
-    pump.follow(0.4);
+    loop.follow(0.4);
     await pass();
     await answer();
-    pump.settle();
+    loop.settle();
     await pass();
     expect(wanted()).toEqual(['0.4']);
   });
 
   it('a request is answered exactly, in the middle of a drag too', async () => {
-    const { pump, shown, ready, answer, pass, wanted } = setUp(slow);
+    const { loop, shown, ready, answer, pass, wanted } = setUp(slow);
     await ready();
-    pump.follow(0.4);
+    loop.follow(0.4);
     await pass();
     const done = vi.fn();
-    void pump.request(0.6).then(done);
+    void loop.request(0.6).then(done);
     await answer();
     expect(done).not.toHaveBeenCalled();
     expect(wanted()).toEqual(['0.6']);
     await answer();
     expect(done).toHaveBeenCalled();
     // Another moment is no reason to ease.
-    expect(shown).toEqual(['about 0.4', '0.6']);
+    expect(shown).toEqual(['preview 0.4', '0.6']);
   });
 
   it('a drag that goes on while the exact shape is computed or eased is followed at once', async () => {
-    const { pump, shown, ready, answer, pass, wanted, draw, balance } = setUp(slow);
+    const { loop, shown, ready, answer, pass, wanted, draw, balance } = setUp(slow);
     await ready();
-    pump.follow(0.4);
+    loop.follow(0.4);
     await pass();
     await answer();
     await pass(90);
-    pump.follow(0.5);
+    loop.follow(0.5);
     await answer();
-    expect(shown).toEqual(['about 0.4']);
-    expect(wanted()).toEqual(['about 0.5']);
+    expect(shown).toEqual(['preview 0.4']);
+    expect(wanted()).toEqual(['preview 0.5']);
     await answer();
     await pass(90);
     await answer();
     expect(shown.at(-1)).toBe('0.5 eased');
-    pump.follow(0.6);
+    loop.follow(0.6);
     await pass();
-    expect(wanted()).toEqual(['about 0.6']);
+    expect(wanted()).toEqual(['preview 0.6']);
     await answer();
-    expect(shown.at(-1)).toBe('about 0.6');
-    pump.settle();
+    expect(shown.at(-1)).toBe('preview 0.6');
+    loop.settle();
     await pass();
     await answer();
     await draw();
-    expect(pump.busy).toBe(false);
+    expect(loop.busy).toBe(false);
     expect(balance()).toBe(0);
   });
 
-  it('all lanes are about right together', async () => {
-    const { pump, shown, ready, answer, pass, wanted } = setUp({ ...slow, count: 2 });
+  it('all sequences are previews together', async () => {
+    const { loop, shown, ready, answer, pass, wanted } = setUp({ ...slow, count: 2 });
     await ready();
-    pump.follow(0.4);
+    loop.follow(0.4);
     await pass();
-    expect(wanted()).toEqual(['about 0.4', 'about 0.4']);
+    expect(wanted()).toEqual(['preview 0.4', 'preview 0.4']);
     await answer();
     expect(shown).toEqual([]);
     await answer();
-    expect(shown).toEqual(['about 0.4']);
+    expect(shown).toEqual(['preview 0.4']);
   });
 
   it('blends of vertices have no cheaper shape', async () => {
-    const { pump, learn, pass, wanted } = setUp({ ...slow, method: 'linear' });
+    const { loop, learn, pass, wanted } = setUp({ ...slow, method: 'linear' });
     await learn();
-    pump.follow(0.4);
+    loop.follow(0.4);
     await pass();
     expect(wanted()).toEqual(['0.4']);
   });
 
   it('a cheap shape that is hardly cheaper is made before it is needed, and then left', async () => {
-    const { pump, shown, learn, answer, pass, wanted, balance } = setUp({ exactMs: 50, cheapMs: 45 });
+    const { loop, shown, learn, answer, pass, wanted, balance } = setUp({ exactMs: 50, cheapMs: 45 });
     await learn();
     await pass(400);
-    expect(wanted()).toEqual(['about 0.92']);
+    expect(wanted()).toEqual(['preview 0.92']);
     await answer();
     await answer();
     expect(wanted()).toEqual([]);
     expect(shown).toEqual([]);
-    pump.follow(0.4);
+    loop.follow(0.4);
     await pass();
     expect(wanted()).toEqual(['0.4']);
     await answer();
@@ -360,26 +360,26 @@ describe('while the time moves', () => {
   });
 
   it('one slow frame does not make a large shape: the first of a sequence is always slow', async () => {
-    const { pump, answer, pass, wanted } = setUp(slow);
-    void pump.request(0.3);
+    const { loop, answer, pass, wanted } = setUp(slow);
+    void loop.request(0.3);
     await pass();
     await answer();
-    pump.follow(0.4);
+    loop.follow(0.4);
     await pass();
     expect(wanted()).toEqual(['0.4']);
     await answer();
-    pump.follow(0.5);
+    loop.follow(0.5);
     await pass();
     await answer();
     await pass(500);
-    expect(wanted()).toEqual(['about 0.5']);
+    expect(wanted()).toEqual(['preview 0.5']);
   });
 
   it('other sequences are measured anew', async () => {
-    const { pump, ready, pass, wanted, exchange } = setUp(slow);
+    const { loop, ready, pass, wanted, exchange } = setUp(slow);
     await ready();
     exchange();
-    pump.follow(0.4);
+    loop.follow(0.4);
     await pass();
     expect(wanted()).toEqual(['0.4']);
   });
@@ -391,25 +391,25 @@ describe('a cheap shape that is not close', () => {
   const off = (t: number): PreviewError => ({ mean: 0.0005, largest: t > 0.5 && t <= 1 ? 0.006 : 0.004 });
 
   it('is not drawn where it was measured to be off', async () => {
-    const { pump, ready, answer, pass, wanted } = setUp({ ...slow, off });
+    const { loop, ready, answer, pass, wanted } = setUp({ ...slow, off });
     await ready();
-    for (const [t, words] of [[0.3, 'about 0.3'], [0.7, '0.7'], [1.2, 'about 1.2']] as const) {
-      pump.follow(t);
+    for (const [t, words] of [[0.3, 'preview 0.3'], [0.7, '0.7'], [1.2, 'preview 1.2']] as const) {
+      loop.follow(t);
       await pass();
       expect(wanted()).toEqual([words]);
       await answer();
-      pump.settle();
+      loop.settle();
       await pass();
       while (wanted().length > 0) await answer();
     }
   });
 
   it('is not drawn before that is known, and not measured while anything is asked for', async () => {
-    const { pump, measured, learn, answer, pass, wanted, refit } = setUp(slow);
+    const { loop, measured, learn, answer, pass, wanted, refit } = setUp(slow);
     await learn();
     await pass(400);
     await answer();
-    pump.follow(0.3);
+    loop.follow(0.3);
     await pass();
     await answer();
     expect(measured).toEqual([]);
@@ -417,63 +417,63 @@ describe('a cheap shape that is not close', () => {
     await answer();
     await pass(400);
     expect(measured.slice(0, 3)).toEqual([0.25, 0.125, 0.375]);
-    pump.follow(0.3);
+    loop.follow(0.3);
     await pass();
-    expect(wanted()).toEqual(['about 0.3']);
+    expect(wanted()).toEqual(['preview 0.3']);
     await answer();
     // Another motion of the same sequence.
     refit();
-    pump.follow(0.2);
+    loop.follow(0.2);
     await pass();
     expect(wanted()).toEqual(['0.2']);
   });
 
-  it('decides for all lanes', async () => {
+  it('decides for all sequences', async () => {
     let calls = 0;
-    const { pump, ready, pass, wanted } = setUp({ ...slow, count: 2, off: () => ({ mean: 0, largest: calls++ % 2 === 0 ? 0 : 1 }) });
+    const { loop, ready, pass, wanted } = setUp({ ...slow, count: 2, off: () => ({ mean: 0, largest: calls++ % 2 === 0 ? 0 : 1 }) });
     await ready();
-    pump.follow(0.3);
+    loop.follow(0.3);
     await pass();
     expect(wanted()).toEqual(['0.3', '0.3']);
   });
 
   it('is drawn where the address asks for it, and nothing is measured then', async () => {
-    const { pump, measured, ready, pass, wanted } = setUp({ ...slow, moving: 'about', off });
+    const { loop, measured, ready, pass, wanted } = setUp({ ...slow, moving: 'about', off });
     await ready();
-    pump.follow(0.7);
+    loop.follow(0.7);
     await pass();
-    expect(wanted()).toEqual(['about 0.7']);
+    expect(wanted()).toEqual(['preview 0.7']);
     expect(measured).toEqual([]);
   });
 
   it('of a small shape is drawn where the address asks for what is close', async () => {
-    const { pump, ready, answer, pass, wanted } = setUp({ moving: 'close', off });
+    const { loop, ready, answer, pass, wanted } = setUp({ moving: 'close', off });
     await ready();
-    pump.follow(0.7);
+    loop.follow(0.7);
     await pass();
     expect(wanted()).toEqual(['0.7']);
     await answer();
-    pump.follow(0.3);
+    loop.follow(0.3);
     await pass();
-    expect(wanted()).toEqual(['about 0.3']);
+    expect(wanted()).toEqual(['preview 0.3']);
   });
 
   it('is found out while the motion plays, which never rests', async () => {
-    const { pump, open, measured, ready, refit, answer, pass, wanted } = setUp({ ...slow, off });
+    const { loop, open, measured, ready, refit, answer, pass, wanted } = setUp({ ...slow, off });
     await ready();
     refit();
     measured.length = 0;
     const time = { tick: 0, timeOf: (tick: number) => 0.3 + tick / 1000, tickSeconds: () => 1 / 60 };
-    pump.play(time);
+    loop.play(time);
     await pass();
     expect(wanted()[0]).toBe('0.3');
     expect(measured).toEqual([0.25, 0.125, 0.375]);
     while (open.length > 0) await answer();
     time.tick = 20;
-    pump.advance();
+    loop.advance();
     await pass();
-    expect(wanted()[0]).toMatch(/^about /);
-    pump.pause();
+    expect(wanted()[0]).toMatch(/^preview /);
+    loop.pause();
   });
 });
 
@@ -481,33 +481,33 @@ describe('while the motion plays', () => {
   const clock = () => ({ tick: 0, timeOf: (tick: number) => tick / 10, tickSeconds: () => 1 / 60 });
 
   it('shapes are computed ahead and shown when they are due', async () => {
-    const { pump, shown, answer, pass, wanted, balance } = setUp();
+    const { loop, shown, answer, pass, wanted, balance } = setUp();
     const time = clock();
-    pump.play(time);
+    loop.play(time);
     await pass();
     expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
     for (let k = 0; k < 4; k += 1) await answer();
     expect(shown).toEqual([]);
-    pump.advance();
+    loop.advance();
     await pass();
     expect(shown).toEqual(['0']);
     time.tick = 2;
-    pump.advance();
+    loop.advance();
     await pass();
     expect(shown).toEqual(['0', '0.2']);
     expect(wanted()).toEqual(['0.4', '0.5', '0.6']);
-    pump.pause();
+    loop.pause();
     await pass();
     expect(balance()).toBe(0);
   });
 
   it('a scrub takes back what was asked for ahead', async () => {
-    const { pump, open, shown, errors, answer, pass } = setUp();
-    pump.play(clock());
+    const { loop, open, shown, errors, answer, pass } = setUp();
+    loop.play(clock());
     await pass();
     expect(open).toHaveLength(4);
-    pump.pause();
-    pump.follow(0.7);
+    loop.pause();
+    loop.follow(0.7);
     await pass();
     expect(open).toHaveLength(1);
     await answer();
@@ -515,44 +515,44 @@ describe('while the motion plays', () => {
     expect(errors).toEqual([]);
   });
 
-  it('large shapes are about right, and exact when it pauses', async () => {
-    const { pump, shown, ready, answer, pass, wanted } = setUp({ exactMs: 90, cheapMs: 25 });
+  it('large shapes are previews, and exact when it pauses', async () => {
+    const { loop, shown, ready, answer, pass, wanted } = setUp({ exactMs: 90, cheapMs: 25 });
     await ready();
     const time = clock();
-    pump.play(time);
+    loop.play(time);
     await pass();
-    expect(wanted()[0]).toBe('about 0');
+    expect(wanted()[0]).toBe('preview 0');
     await answer();
-    pump.advance();
+    loop.advance();
     await pass();
-    expect(shown).toEqual(['about 0']);
-    pump.pause();
-    pump.follow(0.05);
+    expect(shown).toEqual(['preview 0']);
+    loop.pause();
+    loop.follow(0.05);
     await pass();
     await answer();
     await pass(90);
     await answer();
-    expect(shown).toEqual(['about 0', 'about 0.05', '0.05 eased']);
+    expect(shown).toEqual(['preview 0', 'preview 0.05', '0.05 eased']);
   });
 
   it('goes on after a failure', async () => {
-    const { pump, open, errors, pass, wanted } = setUp();
-    pump.play(clock());
+    const { loop, open, errors, pass, wanted } = setUp();
+    loop.play(clock());
     await pass();
     for (const one of open.splice(0)) one.reject(new Error('worker ended'));
     await pass();
     expect(errors).toHaveLength(1);
-    pump.advance();
+    loop.advance();
     await pass();
     expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
   });
 
   it('what was computed for another motion is not shown', async () => {
-    const { pump, shown, answer, pass, wanted, balance } = setUp();
-    pump.play(clock());
+    const { loop, shown, answer, pass, wanted, balance } = setUp();
+    loop.play(clock());
     await pass();
     for (let k = 0; k < 4; k += 1) await answer();
-    pump.follow(0);
+    loop.follow(0);
     await pass();
     expect(shown).toEqual([]);
     expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
@@ -560,32 +560,32 @@ describe('while the motion plays', () => {
   });
 
   it('nor what sequences gave that were exchanged since', async () => {
-    const { pump, shown, answer, exchange, pass, wanted, balance } = setUp();
-    pump.play(clock());
+    const { loop, shown, answer, exchange, pass, wanted, balance } = setUp();
+    loop.play(clock());
     await pass();
     for (let k = 0; k < 4; k += 1) await answer();
     exchange();
-    pump.advance();
+    loop.advance();
     await pass();
     expect(shown).toEqual([]);
-    pump.advance();
+    loop.advance();
     await pass();
     expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
     await answer();
-    pump.advance();
+    loop.advance();
     await pass();
     expect(shown).toEqual(['0']);
-    pump.pause();
+    loop.pause();
     await pass();
     expect(balance()).toBe(0);
   });
 
   it('what is asked for meanwhile is shown exactly, and what plays goes on from there', async () => {
-    const { pump, shown, answer, pass, wanted } = setUp();
-    pump.play(clock());
+    const { loop, shown, answer, pass, wanted } = setUp();
+    loop.play(clock());
     await pass();
     for (let k = 0; k < 4; k += 1) await answer();
-    void pump.request(0.7);
+    void loop.request(0.7);
     await pass();
     expect(wanted()).toEqual(['0.7']);
     await answer();

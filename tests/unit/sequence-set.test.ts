@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Lanes } from '../../web/app/session/sequence-set.ts';
+import { SequenceSet } from '../../web/app/session/sequence-set.ts';
 import type { Spec } from '../../web/app/session/sequence-plan.ts';
 import { specOf } from '../../web/app/session/sequence-plan.ts';
 import type { Engine, Keys, Sequence } from '../../web/engine/api/api.ts';
@@ -43,79 +43,79 @@ function setUp() {
   const fake = fakeEngine();
   const ready: Spec[] = [];
   const refused: string[] = [];
-  const lanes = new Lanes(fake.engine, fake.pool, {
+  const set = new SequenceSet(fake.engine, fake.pool, {
     onProgress: () => undefined, onReady: (spec) => ready.push(spec), onRefused: (error) => refused.push((error as Error).message),
   });
   const tick = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
   const build = async (): Promise<void> => { await tick(); fake.builds.shift()!.resolve(); await tick(); };
-  return { ...fake, lanes, ready, refused, tick, build };
+  return { ...fake, set, ready, refused, tick, build };
 }
 
-describe('lanes', () => {
+describe('sequence sets', () => {
   it('build once and refit for other times and boundaries', async () => {
-    const { lanes, log, build, ready } = setUp();
-    lanes.want(specOf(doc, []));
+    const { set, log, build, ready } = setUp();
+    set.want(specOf(doc, []));
     await build();
-    lanes.want(specOf(setMotion(doc, { boundary: 'periodic' }), []));
-    await lanes.idle();
-    lanes.want(specOf(retimeKey(doc, 1, 3), []));
-    await lanes.idle();
+    set.want(specOf(setMotion(doc, { boundary: 'periodic' }), []));
+    await set.idle();
+    set.want(specOf(retimeKey(doc, 1, 3), []));
+    await set.idle();
     expect(log).toEqual(['build lri linear', 'update lri periodic 0,1', 'update lri natural 0,3']);
     expect(ready).toHaveLength(3);
   });
 
   it('build again for another encoding and dispose of the old sequence only then', async () => {
-    const { lanes, log, build, alive, tick } = setUp();
-    lanes.want(specOf(doc, []));
+    const { set, log, build, alive, tick } = setUp();
+    set.want(specOf(doc, []));
     await build();
-    const before = lanes.all;
-    lanes.want(specOf(setEncoding(doc, { stretch: 'log' }), []));
+    const before = set.all;
+    set.want(specOf(setEncoding(doc, { stretch: 'log' }), []));
     await tick();
-    expect(lanes.all).toBe(before);
+    expect(set.all).toBe(before);
     expect(alive()).toBe(1);
     await build();
-    await lanes.idle();
+    await set.idle();
     expect(log).toEqual(['build lri linear', 'build lri log']);
-    expect(lanes.all).not.toBe(before);
+    expect(set.all).not.toBe(before);
     expect(alive()).toBe(1);
   });
 
-  it('add a lane for a compared method and keep the first', async () => {
-    const { lanes, log, build, alive } = setUp();
-    lanes.want(specOf(doc, []));
+  it('add a sequence for a compared method and keep the first', async () => {
+    const { set, log, build, alive } = setUp();
+    set.want(specOf(doc, []));
     await build();
-    const first = lanes.all[0];
-    lanes.want(specOf(doc, ['linear']));
+    const first = set.all[0];
+    set.want(specOf(doc, ['linear']));
     await build();
-    await lanes.idle();
-    expect(lanes.all[0]).toBe(first);
-    expect(lanes.all.map((lane) => lane.method)).toEqual(['lri', 'linear']);
+    await set.idle();
+    expect(set.all[0]).toBe(first);
+    expect(set.all.map(({ method }) => method)).toEqual(['lri', 'linear']);
     expect(log.filter((line) => line.startsWith('build'))).toEqual(['build lri linear', 'build linear linear']);
-    lanes.want(specOf(doc, []));
-    await lanes.idle();
+    set.want(specOf(doc, []));
+    await set.idle();
     expect(alive()).toBe(1);
   });
 
   it('put the motion without a ghost mesh beside the first, and keep what serves on', async () => {
-    const { lanes, log, build, alive } = setUp();
+    const { set, log, build, alive } = setUp();
     const led = setEncoding(doc, { ghostFaces: 2000 });
-    lanes.want(specOf(doc, []));
+    set.want(specOf(doc, []));
     await build();
-    const [full] = lanes.all;
-    lanes.want(specOf(led, [], true));
+    const [full] = set.all;
+    set.want(specOf(led, [], true));
     await build();
-    await lanes.idle();
-    expect(lanes.all.map(({ method, ghost }) => [method, ghost])).toEqual([['lri', true], ['lri', false]]);
-    expect(lanes.all[1]!.sequence).toBe(full!.sequence);
-    lanes.want(specOf(setEncoding(led, { transfer: 'paper' }), ['geodesic'], true));
+    await set.idle();
+    expect(set.all.map(({ method, ghost }) => [method, ghost])).toEqual([['lri', true], ['lri', false]]);
+    expect(set.all[1]!.sequence).toBe(full!.sequence);
+    set.want(specOf(setEncoding(led, { transfer: 'paper' }), ['geodesic'], true));
     await build();
     await build();
-    await lanes.idle();
-    expect(lanes.all.map(({ method, ghost }) => [method, ghost])).toEqual([['lri', true], ['lri', false], ['geodesic', true]]);
-    expect(lanes.all[1]!.sequence).toBe(full!.sequence);
-    lanes.want(specOf(doc, [], true));
-    await lanes.idle();
-    expect(lanes.all.map(({ sequence }) => sequence)).toEqual([full!.sequence]);
+    await set.idle();
+    expect(set.all.map(({ method, ghost }) => [method, ghost])).toEqual([['lri', true], ['lri', false], ['geodesic', true]]);
+    expect(set.all[1]!.sequence).toBe(full!.sequence);
+    set.want(specOf(doc, [], true));
+    await set.idle();
+    expect(set.all.map(({ sequence }) => sequence)).toEqual([full!.sequence]);
     expect(alive()).toBe(1);
     expect(log.filter((line) => line.startsWith('build'))).toHaveLength(4);
   });
@@ -126,71 +126,71 @@ describe('lanes', () => {
   });
 
   it('give up a build that is no longer wanted', async () => {
-    const { lanes, log, build, refused, builds, tick, alive } = setUp();
-    lanes.want(specOf(doc, []));
+    const { set, log, build, refused, builds, tick, alive } = setUp();
+    set.want(specOf(doc, []));
     await tick();
-    lanes.want(specOf(setEncoding(doc, { stretch: 'log' }), []));
+    set.want(specOf(setEncoding(doc, { stretch: 'log' }), []));
     await tick();
     expect(builds).toHaveLength(2);
     builds.shift();
     await build();
-    await lanes.idle();
+    await set.idle();
     expect(log).toEqual(['build lri linear', 'build lri log']);
     expect(refused).toEqual([]);
     expect(alive()).toBe(1);
   });
 
   it('fit key times that moved during a build in afterwards', async () => {
-    const { lanes, log, build } = setUp();
-    lanes.want(specOf(doc, []));
-    lanes.want(specOf(retimeKey(doc, 1, 2), []));
+    const { set, log, build } = setUp();
+    set.want(specOf(doc, []));
+    set.want(specOf(retimeKey(doc, 1, 2), []));
     await build();
-    await lanes.idle();
+    await set.idle();
     expect(log[0]).toBe('build lri linear');
-    expect(lanes.spec?.times).toEqual([0, 2]);
+    expect(set.spec?.times).toEqual([0, 2]);
   });
 
   it('serve on what they served when a build is cancelled or refused', async () => {
-    const { lanes, build, refused, builds, tick } = setUp();
-    lanes.want(specOf(doc, []));
+    const { set, build, refused, builds, tick } = setUp();
+    set.want(specOf(doc, []));
     await build();
-    const before = lanes.all;
-    const spec = lanes.spec;
-    lanes.want(specOf(setEncoding(doc, { patches: 9 }), []));
+    const before = set.all;
+    const spec = set.spec;
+    set.want(specOf(setEncoding(doc, { patches: 9 }), []));
     await tick();
-    lanes.cancel();
-    await lanes.idle();
-    expect(lanes.all).toBe(before);
+    set.cancel();
+    await set.idle();
+    expect(set.all).toBe(before);
     expect(refused).toEqual([]);
-    lanes.want(specOf(setEncoding(doc, { patches: 10 }), []));
+    set.want(specOf(setEncoding(doc, { patches: 10 }), []));
     await tick();
     builds.at(-1)!.reject(new EngineError('out-of-memory', 'Too large.'));
-    await lanes.idle();
+    await set.idle();
     expect(refused).toEqual(['Too large.']);
-    expect(lanes.all).toBe(before);
-    expect(lanes.spec).toBe(spec);
+    expect(set.all).toBe(before);
+    expect(set.spec).toBe(spec);
   });
 
   it('report a refused refit and can be asked for something else afterwards', async () => {
-    const { lanes, build, refused } = setUp();
-    lanes.want(specOf(doc, []));
+    const { set, build, refused } = setUp();
+    set.want(specOf(doc, []));
     await build();
-    lanes.want(specOf(retimeKey(doc, 1, 99), []));
-    await lanes.idle();
+    set.want(specOf(retimeKey(doc, 1, 99), []));
+    await set.idle();
     expect(refused).toEqual(['Refused.']);
-    lanes.want(specOf(retimeKey(doc, 1, 5), []));
-    await lanes.idle();
-    expect(lanes.spec?.times).toEqual([0, 5]);
+    set.want(specOf(retimeKey(doc, 1, 5), []));
+    await set.idle();
+    expect(set.spec?.times).toEqual([0, 5]);
   });
 
   it('leave nothing behind', async () => {
-    const { lanes, build, alive } = setUp();
-    lanes.want(specOf(doc, ['linear']));
+    const { set, build, alive } = setUp();
+    set.want(specOf(doc, ['linear']));
     await build();
     await build();
-    await lanes.idle();
+    await set.idle();
     expect(alive()).toBe(2);
-    lanes.dispose();
+    set.dispose();
     expect(alive()).toBe(0);
   });
 });

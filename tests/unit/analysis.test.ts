@@ -1,0 +1,90 @@
+import { describe, expect, it } from 'vitest';
+import { AnalysisCache } from '../../web/app/analysis/analysis-cache.ts';
+import { analysisInput, relativeToFirstKey } from '../../web/app/analysis/analysis.ts';
+import { computeShapePlanes } from '../../web/app/analysis/shape-plane.ts';
+import type { RunningSequence } from '../../web/app/session/sequence-set.ts';
+import type { Method } from '../../web/engine/api/types.ts';
+import { docOfKeys, keyRef } from './documents.ts';
+
+const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
+
+/** A sequence of constant measures that counts how often it is asked. */
+function running(method: Method, asked: string[], ghost = false): RunningSequence {
+  const sequence = {
+    measures: async (times: number[]) => {
+      asked.push(method);
+      return { volume: times.map(() => 2), area: times.map(() => 3) };
+    },
+    bendingEnergy: async (times: number[]) => times.map(() => 4),
+    shapePlane: async (times: number[]) => ({ keys: [0, 0, 6, 3], curve: times.flatMap((t) => [t, 0]), explained: 1 }),
+  };
+  return { method, ghost, sequence } as unknown as RunningSequence;
+}
+
+function setUp(...methods: Method[]) {
+  const asked: string[] = [];
+  const heard: string[] = [];
+  const errors: unknown[] = [];
+  const sequences = methods.map((method) => running(method, asked));
+  const cache = new AnalysisCache(() => analysisInput(sequences, doc, [0, 1], 1), (error) => errors.push(error));
+  cache.observe({ onChange: () => heard.push('change'), onStale: () => heard.push('stale'), onFresh: () => heard.push('fresh') });
+  return { cache, asked, heard, errors, sequences };
+}
+
+describe('the analysis', () => {
+  it('has the bending energy of the spline alone and the plane of what is in LRI space', async () => {
+    const { cache } = setUp('lri', 'linear');
+    const motions = (await cache.get())!.motions.map(({ bending, plane }) => [bending !== null, plane !== null]);
+    expect(motions).toEqual([[true, true], [false, false]]);
+  });
+
+  it('is computed once for all who want it, and anew when the motions have changed', async () => {
+    const { cache, asked, heard } = setUp('lri');
+    const [one, other] = await Promise.all([cache.get(), cache.get()]);
+    expect(one).toBe(other);
+    expect([asked.length, cache.stale]).toEqual([1, false]);
+    cache.invalidate();
+    expect(heard).toEqual(['fresh', 'change', 'stale']);
+    expect(await cache.get()).not.toBe(one);
+    expect(asked).toHaveLength(2);
+  });
+
+  it('of motions that changed meanwhile is not fresh, and somebody is told when it has ended', async () => {
+    const { cache, heard } = setUp('lri');
+    const first = cache.refresh();
+    cache.invalidate();
+    await first;
+    expect(heard).toEqual(['change', 'stale']);
+    expect(cache.stale).toBe(true);
+  });
+
+  it('is none where nothing is open, and after a failure that is reported', async () => {
+    expect(await setUp().cache.get()).toBeNull();
+    const { cache, errors, sequences } = setUp('lri');
+    Object.assign(sequences[0]!.sequence, { measures: () => Promise.reject(new Error('worker ended')) });
+    expect(await cache.get()).toBeNull();
+    expect(errors).toHaveLength(1);
+  });
+
+  it('leaves out the motion without a ghost mesh beside one with it', () => {
+    const both = [running('lri', [], true), running('lri', []), running('geodesic', [], true)];
+    expect(analysisInput(both, doc, [0, 1], 1).sequences).toEqual([both[0], both[2]]);
+  });
+
+  it('is relative to the first key, where that has a measure', () => {
+    const common = { times: [-1, 0, 1], keyTimes: [0, 1], range: [0, 1] as const, motions: [] };
+    expect(relativeToFirstKey([1, 2, 3], common)).toEqual([50, 100, 150]);
+    expect(relativeToFirstKey([1, 0, 3], common)).toEqual([NaN, NaN, NaN]);
+  });
+});
+
+describe('shape planes', () => {
+  it('are those of LRI space, with handles a third of the way to the keys that tell the direction', async () => {
+    const sequences = [running('lri', []), running('linear', [])];
+    const input = { sequences, keyTimes: [0, 1], range: [0, 1] as const, towards: { start: 1, end: null } };
+    const { planes, tangents } = await computeShapePlanes(input);
+    expect(planes.map(({ method }) => method)).toEqual(['lri']);
+    expect(tangents).toEqual({ start: [2, 1], end: null });
+    expect((await computeShapePlanes({ ...input, towards: null })).tangents).toBeNull();
+  });
+});

@@ -1,0 +1,67 @@
+/** The newest analysis, computed when somebody wants it and once for all who do. */
+import type { Analysis, AnalysisInput } from './analysis.ts';
+import { analyse } from './analysis.ts';
+
+export interface AnalysisObserver {
+  /** The motions have changed. */
+  onChange(): void;
+  /** What is known is out of date, and nothing is under way that would change that. */
+  onStale(): void;
+  /** A new analysis of the motions as they still are. */
+  onFresh(analysis: Analysis): void;
+}
+
+export class AnalysisCache {
+  private analysis: Analysis | null = null;
+  private outOfDate = true;
+  private running: Promise<Analysis | null> | null = null;
+  private observer: AnalysisObserver | null = null;
+
+  /** `input` gives what to analyse now, null where nothing is open. */
+  constructor(readonly input: () => AnalysisInput | null, private readonly onError: (error: unknown) => void) {}
+
+  get stale(): boolean {
+    return this.outOfDate;
+  }
+
+  observe(observer: AnalysisObserver): void {
+    this.observer = observer;
+  }
+
+  /** The motions have changed. */
+  invalidate(): void {
+    this.outOfDate = true;
+    this.observer?.onChange();
+    if (!this.running) this.observer?.onStale();
+  }
+
+  /** Computes unless that is under way; null without a motion or after a failure. */
+  refresh(): Promise<Analysis | null> {
+    this.running ??= this.compute().finally(() => {
+      this.running = null;
+      if (this.outOfDate) this.observer?.onStale();
+    });
+    return this.running;
+  }
+
+  /** Of the motions as they are now, computed if it is not there yet; null without a motion or after a failure. */
+  async get(): Promise<Analysis | null> {
+    if (this.running) await this.running;
+    return this.outOfDate || !this.analysis ? this.refresh() : this.analysis;
+  }
+
+  private async compute(): Promise<Analysis | null> {
+    const input = this.input();
+    if (!input || input.sequences.length === 0) return null;
+    this.outOfDate = false;
+    try {
+      const analysis = await analyse(input);
+      this.analysis = analysis;
+      if (!this.outOfDate) this.observer?.onFresh(analysis);
+      return analysis;
+    } catch (error) {
+      this.onError(error);
+      return null;
+    }
+  }
+}

@@ -1,0 +1,64 @@
+/** Volume, area, bending energy and shape plane of the motions on the screen, as numbers over time. */
+import type { Method } from '../../engine/api/types.ts';
+import { isInLri, tangentKeys } from '../../model/state.ts';
+import type { Doc } from '../../model/state.ts';
+import { plottedTimes } from '../../model/time-scale.ts';
+import type { Range } from '../../model/time-scale.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
+import type { ShapePlaneInput } from './shape-plane.ts';
+
+/** Everything that is plotted, and what the CSV holds. */
+export interface Analysis {
+  times: number[];
+  keyTimes: readonly number[];
+  range: Range;
+  motions: MotionAnalysis[];
+}
+
+export interface MotionAnalysis {
+  method: Method;
+  volume: number[];
+  area: number[];
+  /** LRI spline only. */
+  bending: number[] | null;
+  /** 2 numbers per time; methods of LRI space only. */
+  plane: number[] | null;
+}
+
+export interface AnalysisInput extends ShapePlaneInput {
+  /** Milliseconds per frame: the slower, the fewer times are computed. */
+  ms: number;
+}
+
+/** Motions with and without a ghost mesh are not compared: those like the first one are analysed. */
+export function analysisInput(running: readonly RunningSequence[], doc: Doc, range: Range, ms: number): AnalysisInput {
+  const [main] = running;
+  return {
+    sequences: running.filter((one) => one === main || one.ghost === main?.ghost), range, ms,
+    keyTimes: doc.keys.map((key) => key.time), towards: tangentKeys(doc),
+  };
+}
+
+const BUDGET_MS = 1200;
+const LEAST_TIMES = 13;
+const MOST_TIMES = 97;
+
+export async function analyse({ sequences, keyTimes, range, ms }: AnalysisInput): Promise<Analysis> {
+  const affordable = BUDGET_MS / Math.max(ms * sequences.length, 0.1);
+  const times = plottedTimes(range, keyTimes, Math.round(Math.min(Math.max(affordable, LEAST_TIMES), MOST_TIMES)));
+  const motions = await Promise.all(sequences.map((running) => analyseMotion(running, times)));
+  return { times, keyTimes, range, motions };
+}
+
+async function analyseMotion({ method, sequence }: RunningSequence, times: number[]): Promise<MotionAnalysis> {
+  const { volume, area } = await sequence.measures(times);
+  const plane = isInLri(method) ? (await sequence.shapePlane(times)).curve : null;
+  const bending = method === 'lri' ? await sequence.bendingEnergy(times) : null;
+  return { method, volume, area, bending, plane };
+}
+
+/** In percent of the value at the first key; NaN where that is 0, as the volume of a flat surface. */
+export function relativeToFirstKey(values: readonly number[], { times, keyTimes }: Analysis): number[] {
+  const base = values[times.indexOf(keyTimes[0] ?? 0)] ?? NaN;
+  return values.map((value) => (base === 0 ? NaN : (100 * value) / base));
+}

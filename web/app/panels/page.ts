@@ -1,0 +1,92 @@
+/** The page: its components with their commands, the keyboard, and one redrawing per animation frame. */
+import type { Engine } from '../../engine/api/api.ts';
+import type { Range } from '../../model/time-scale.ts';
+import type { ExportRequest } from '../../ui/export-dialog.ts';
+import type { ThemeSwitch } from '../../ui/theme.ts';
+import type { AnalysisCache } from '../analysis/analysis-cache.ts';
+import type { Marking } from '../drawing/marking.ts';
+import type { SceneController } from '../drawing/scene-controller.ts';
+import type { Store } from '../session/store.ts';
+import type { Workspace } from '../session/workspace.ts';
+import type { OpenFiles } from '../sources/open-files.ts';
+import { createAnalysisPanel } from './analysis-panel.ts';
+import type { Commands } from './commands.ts';
+import { createComponents } from './components.ts';
+import { createGhostStudyPanel } from './ghost-study-panel.ts';
+import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
+import type { Layout } from './layout.ts';
+import { listen, shortcutLines } from './shortcuts.ts';
+import type { ViewStateHolder } from './view-state.ts';
+
+export interface PageParts {
+  root: HTMLElement;
+  layout: Layout;
+  toast: HTMLElement;
+  engine: Engine;
+  store: Store;
+  viewState: ViewStateHolder;
+  workspace: Workspace;
+  scene: SceneController;
+  analysis: AnalysisCache;
+  commands: Commands;
+  marking: Marking;
+  files: OpenFiles;
+  theme: ThemeSwitch;
+  range(): Range;
+  videoReason: string | null;
+  onLink(): void;
+  onRemember(): void;
+  /** Ends the work under way. */
+  onCancel(): void;
+  onExportPlan(request?: ExportRequest): void;
+  onExport(request: ExportRequest): void;
+  onError(error: unknown): void;
+  /** The analysis failed. */
+  onAnalysisError(error: unknown): void;
+}
+
+export interface Page {
+  /** Something that the components show has changed. */
+  redraw(): void;
+}
+
+export function createPage(parts: PageParts): Page {
+  const { layout, engine, store, viewState, workspace, scene, commands, theme, range, onCancel, onError } = parts;
+  const closeError = (): void => viewState.change({ errorMessage: null });
+  const shortcuts = createShortcuts(store, commands, {
+    openFiles: () => components.openFiles(),
+    openExport: () => { if (viewState.get().info) components.openExport(); },
+    openHelp: () => components.openHelp(),
+    toggleLook: () => components.toggleLook(),
+    toggleClock: () => components.toggleClock(),
+    nextTheme: theme.next,
+    undo: store.undo,
+    redo: store.redo,
+    escape: () => (viewState.get().working ? onCancel() : closeError()),
+  });
+  const components = createComponents({
+    root: parts.root, layout, toast: parts.toast, commands, files: parts.files, marking: parts.marking,
+    analysis: createAnalysisPanel(parts.analysis, {
+      onSeek: commands.seek, onSpeed: commands.endSpeed, onError: parts.onAnalysisError,
+    }),
+    ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),
+    indefiniteFace: () => viewState.get().indefiniteFace, videoReason: parts.videoReason,
+    shortcuts: shortcutLines(shortcuts), onUndo: store.undo, onRedo: store.redo, onTheme: theme.next, onCancel,
+    onLink: parts.onLink, onRemember: parts.onRemember,
+    onCloseError: closeError, onSingleKeys: (singleKeys) => viewState.change({ singleKeys }),
+    onExportOpen: () => parts.onExportPlan(), onExportChange: parts.onExportPlan, onExport: parts.onExport,
+  });
+  listen(shortcuts, () => viewState.get().singleKeys);
+  listenToArrows({ store, commands, viewport: layout.viewport, range, isOpen: () => viewState.get().info !== null });
+  listenToCamera(scene.viewer, layout.viewport);
+
+  let frame = 0;
+  const draw = (): void => {
+    frame = 0;
+    components.update({
+      state: store.get(), viewState: viewState.get(), range: range(), theme: theme.theme(), labels: scene.labels,
+      colourBar: scene.colourBar, undo: store.undoLabel(), redo: store.redoLabel(),
+    });
+  };
+  return { redraw: () => { if (frame === 0) frame = requestAnimationFrame(draw); } };
+}

@@ -1,0 +1,54 @@
+/** What changes in the state becomes what is asked of the frame loop and of the clock that plays. */
+import type { AppState } from '../../model/state.ts';
+import type { Range } from '../../model/time-scale.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
+import type { StateChanges } from '../session/state-changes.ts';
+import type { Store } from '../session/store.ts';
+import { Demand } from './demand.ts';
+import { FrameLoop } from './frame-loop.ts';
+import type { Screen } from './frame-loop.ts';
+import { Player } from './player.ts';
+import { PreviewPolicy } from './preview-policy.ts';
+import type { Moving } from './preview-policy.ts';
+
+export interface PlaybackParts {
+  store: Store;
+  screen: Screen;
+  moving: Moving;
+  sequences(): readonly RunningSequence[];
+  range(): Range;
+}
+
+export interface Playback {
+  frameLoop: FrameLoop;
+  /** The state has changed. */
+  follow(state: AppState, changed: StateChanges): void;
+}
+
+export function createPlayback({ store, screen, moving, sequences, range }: PlaybackParts): Playback {
+  const frameLoop = new FrameLoop(screen, new Demand(sequences, new PreviewPolicy(moving)));
+  const player = new Player(
+    () => {
+      const { time, play, doc } = store.get();
+      return { time, play, range: range(), periodic: doc.motion.boundary === 'periodic' };
+    },
+    (time, playing) => store.set({ time, play: { ...store.get().play, playing } }),
+    () => frameLoop.advance(),
+  );
+  return {
+    frameLoop,
+    follow({ time, play: { playing } }, changed) {
+      if (changed.drawing) void frameLoop.request(time);
+      else if (changed.time && !playing) frameLoop.follow(time);
+      if (changed.started) {
+        frameLoop.play(player);
+        player.start();
+      }
+      if (changed.stopped) {
+        player.stop();
+        frameLoop.pause();
+        frameLoop.follow(time);
+      }
+    },
+  };
+}

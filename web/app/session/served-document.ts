@@ -1,0 +1,24 @@
+/** The document that the running sequences serve: an edit that is refused or cancelled is taken back to it. */
+import type { AppState, Doc } from '../../model/state.ts';
+import type { ShownMotions } from './state-changes.ts';
+import { showsOtherMotions } from './state-changes.ts';
+import type { Store } from './store.ts';
+
+export class ServedDocument {
+  private served: { doc: Doc; view: ShownMotions } | null = null;
+
+  constructor(private readonly store: Store) {}
+
+  /** The sequences serve this state now. */
+  note({ doc, view: { compare, ghostDifference } }: AppState): void {
+    this.served = { doc, view: { compare, ghostDifference } };
+  }
+
+  goBack(): void {
+    if (!this.served) return;
+    const { doc, view } = this.served;
+    const before = this.store.get();
+    if (showsOtherMotions(before.view, view)) this.store.set({ view: { ...before.view, ...view } });
+    if (before.doc !== doc) this.store.revert(doc);
+  }
+}

@@ -1,0 +1,39 @@
+/** What of the state has changed, as those tell it apart who follow it. */
+import type { AppState, View } from '../../model/state.ts';
+
+export interface StateChanges {
+  /** Other sequences are needed, or the same ones refitted. */
+  motions: boolean;
+  /** The viewer draws otherwise without asking for another frame. */
+  look: boolean;
+  /** The frame that is shown is to be drawn anew, exactly. */
+  drawing: boolean;
+  time: boolean;
+  started: boolean;
+  stopped: boolean;
+  /** Other files are open. */
+  opened: boolean;
+}
+
+export type ShownMotions = Pick<View, 'compare' | 'ghostDifference'>;
+
+const LOOK = ['colouring', 'shading', 'wireframe', 'floor'] as const;
+const DRAWING = ['onion', 'film', 'colouring', 'ghostWire', 'ghostBeside'] as const;
+
+export function changesBetween(before: AppState, after: AppState): StateChanges {
+  const otherView = (names: readonly (keyof View)[]): boolean =>
+    names.some((name) => after.view[name] !== before.view[name]);
+  return {
+    motions: after.doc !== before.doc || showsOtherMotions(after.view, before.view),
+    look: otherView(LOOK),
+    drawing: otherView(DRAWING),
+    time: after.time !== before.time,
+    started: after.play.playing && !before.play.playing,
+    stopped: !after.play.playing && before.play.playing,
+    opened: after.source !== before.source,
+  };
+}
+
+export function showsOtherMotions(view: ShownMotions, before: ShownMotions): boolean {
+  return view.compare !== before.compare || view.ghostDifference !== before.ghostDifference;
+}

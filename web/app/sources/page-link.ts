@@ -1,0 +1,58 @@
+/** The state in the page's address: written while nothing plays, read when somebody changes it, copied on demand. */
+import type { Doc } from '../../model/state.ts';
+import type { Store } from '../session/store.ts';
+import { readPermalink, writePermalink } from './permalink.ts';
+import type { Permalink } from './permalink.ts';
+
+export interface PageLinkParts {
+  store: Store;
+  /** The document that the open files started with: links are written against it. */
+  initial(): Doc | null;
+  say(text: string): void;
+  /** The address names another state. */
+  onLink(link: Permalink): void;
+}
+
+export interface PageLink {
+  /** The state has changed. */
+  follow(): void;
+  copy(): Promise<void>;
+}
+
+const WRITE_DELAY_MS = 300;
+
+export function createPageLink({ store, initial, say, onLink }: PageLinkParts): PageLink {
+  let timer = 0;
+
+  const text = (): string | null => {
+    const doc = initial();
+    return doc && writePermalink(store.get(), doc);
+  };
+
+  window.addEventListener('hashchange', () => {
+    const link = readPermalink(location.hash);
+    if (link) onLink(link);
+  });
+
+  return {
+    follow() {
+      window.clearTimeout(timer);
+      timer = window.setTimeout(() => {
+        const link = text();
+        history.replaceState(null, '', link ? `#${link}` : location.pathname + location.search);
+      }, WRITE_DELAY_MS);
+    },
+    async copy() {
+      const link = text();
+      if (!link) return;
+      const url = new URL(`#${link}`, location.href).href;
+      try {
+        await navigator.clipboard.writeText(url);
+        say('Link copied.');
+      } catch {
+        history.replaceState(null, '', url);
+        say('The link is in the address bar now.');
+      }
+    },
+  };
+}
