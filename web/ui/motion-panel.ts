@@ -43,9 +43,8 @@ export interface MotionPanelEvents {
 
 export function createMotionPanel(events: MotionPanelEvents): { element: HTMLElement; update(props: MotionPanelProps): void } {
   const method = select<Method>('Method', 'method', METHODS.map((value) => ({ value, ...METHOD_WORDS[value] })),
-    (value) => events.onMotion(forMethod(value, motion)), 'M');
+    (value) => events.onMotion({ method: value }), 'M');
   const methodHint = h('p', { class: 'hint', 'data-testid': 'method-hint' });
-  let motion: Motion = DEFAULT_MOTION;
   let compared: readonly Method[] = [];
   const others = METHODS.map((value) => ({
     value,
@@ -72,7 +71,7 @@ export function createMotionPanel(events: MotionPanelEvents): { element: HTMLEle
     boundary.element, boundaryHint, hermite, periodic);
 
   const draw = memo((props: MotionPanelProps) => {
-    motion = props.motion;
+    const { motion } = props;
     compared = props.compare;
     method.update(motion.method);
     setText(methodHint, METHOD_WORDS[motion.method].hint);
@@ -98,11 +97,6 @@ export function createMotionPanel(events: MotionPanelEvents): { element: HTMLEle
     setAttribute(reset, 'data-idle', !touched);
   });
   return { element, update: draw };
-}
-
-/** A method that has no use for Hermite takes natural ends. */
-function forMethod(method: Method, motion: Motion): Partial<Motion> {
-  return ignoresHermite(method) && motion.boundary === 'hermite' ? { method, boundary: 'natural' } : { method };
 }
 
 function speedSlider(label: string, testId: string, onInput: (value: number) => void): ReturnType<typeof slider> {

@@ -45,7 +45,7 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
   };
   const view = (change: Partial<View>): void => store.set({ view: { ...state().view, ...change } });
   const motion = (change: Partial<Motion>, merge?: string): void =>
-    store.edit(undoName(change), (doc) => setMotion(doc, change), merge);
+    store.edit(undoName(change), (doc) => setMotion(doc, withBoundary(change, doc.motion)), merge);
   const encoding = (change: Partial<Encoding>): void => store.edit(undoName(change), (doc) => setEncoding(doc, change));
 
   const play = (change: Partial<Play>): void => store.set({ play: { ...state().play, ...change } });
@@ -120,9 +120,8 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
     jumpKey: (direction: 1 | -1): void => seek(neighbourKey(state().time, times(), direction, range())),
 
     nextMethod: (): void => {
-      const { method, boundary } = state().doc.motion;
-      const next = METHODS[(METHODS.indexOf(method) + 1) % METHODS.length]!;
-      motion({ method: next, ...(ignoresHermite(next) && boundary === 'hermite' ? { boundary: 'natural' } : {}) });
+      const { method } = state().doc.motion;
+      motion({ method: METHODS[(METHODS.indexOf(method) + 1) % METHODS.length]! });
     },
     nextBoundary: (): void => {
       const { method, boundary } = state().doc.motion;
@@ -131,6 +130,12 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
     },
     fit,
   };
+}
+
+/** A method that has no use for Hermite takes natural ends. */
+function withBoundary(change: Partial<Motion>, { boundary }: Motion): Partial<Motion> {
+  const straight = change.method !== undefined && ignoresHermite(change.method);
+  return straight && boundary === 'hermite' ? { ...change, boundary: 'natural' } : change;
 }
 
 /** Why there can be no key at t, or null. */
