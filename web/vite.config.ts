@@ -12,7 +12,9 @@ const repository = fileURLToPath(new URL('..', import.meta.url));
 const forReaders: Plugin = {
   name: 'shapespline-for-readers',
   apply: 'build',
-  closeBundle: () => { for (const name of ['README.md', 'picture.png']) rmSync(`${repository}dist/${name}`, { force: true }); },
+  closeBundle: () => {
+    for (const name of ['README.md', 'picture.png']) rmSync(`${repository}dist/${name}`, { force: true });
+  },
 };
 
 export default defineConfig({

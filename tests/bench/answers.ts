@@ -9,9 +9,13 @@ export interface Answers {
 }
 
 /** The program ends with the work. An answer that never comes because it has ended before is an error. */
-export async function withProgram<T>(program: string, args: string[], work: (answers: Answers) => Promise<T>): Promise<T> {
+export async function withProgram<T>(
+  program: string,
+  args: string[],
+  work: (answers: Answers) => Promise<T>,
+): Promise<T> {
   const child = spawn(program, args, { stdio: ['pipe', 'pipe', 'inherit'] });
-  child.stdin.on('error', () => undefined);  // one that has ended is noticed by its answer
+  child.stdin.on('error', () => undefined); // one that has ended is noticed by its answer
   const ended = new Promise((end) => child.once('close', end));
   const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
   const next = async (): Promise<unknown> => {

@@ -11,7 +11,7 @@ export async function bandwidthReader(bytes: BufferSource): Promise<ReadBandwidt
   const { instance } = await WebAssembly.instantiate(bytes, {});
   const { size, fill, readAll } = instance.exports as unknown as Exports;
   fill();
-  readAll();  // leaves the baseline compiler
+  readAll(); // leaves the baseline compiler
   return () => {
     const start = performance.now();
     readAll();

@@ -11,10 +11,11 @@ import type { Place } from './place.ts';
 // The address of a worker within a worker stays as it was written.
 const helperAddress: Plugin = {
   name: 'helper-address',
-  setup: ({ onLoad }) => onLoad({ filter: /engine\.worker\.ts$/ }, async ({ path: file }) => {
-    const text = await readFile(file, 'utf8');
-    return { contents: text.replace('helper.worker.ts', 'helper.worker.js'), loader: 'ts' };
-  }),
+  setup: ({ onLoad }) =>
+    onLoad({ filter: /engine\.worker\.ts$/ }, async ({ path: file }) => {
+      const text = await readFile(file, 'utf8');
+      return { contents: text.replace('helper.worker.ts', 'helper.worker.js'), loader: 'ts' };
+    }),
 };
 
 // Page and worker at the depth below the repository at which the path to the wasm module is the engine's own.
@@ -50,9 +51,15 @@ export async function browserPlace(repository: string): Promise<Place> {
   await page.goto(`${url}tests/bench/page.html`);
   const addressOf = (file: string): string => url + path.relative(repository, file).split(path.sep).join('/');
   // Functions among the words, such as runEigen, run here when the page calls them.
-  const call = <T>(name: string, ...words: unknown[]): Promise<T> => page.evaluate(
-    ([program, exported, args]) => import(program).then((bundled) => (bundled as Record<string, (...args: unknown[]) => Promise<unknown>>)[exported]!(...args)),
-    [`${url}build/bench-page/page.js`, name, words] as const, { exposeFunctions: true }) as Promise<T>;
+  const call = <T>(name: string, ...words: unknown[]): Promise<T> =>
+    page.evaluate(
+      ([program, exported, args]) =>
+        import(program).then((bundled) =>
+          (bundled as Record<string, (...args: unknown[]) => Promise<unknown>>)[exported]!(...args),
+        ),
+      [`${url}build/bench-page/page.js`, name, words] as const,
+      { exposeFunctions: true },
+    ) as Promise<T>;
   return {
     name: `Chromium ${browser.version()}`,
     measure: (mesh, runEigen) => call('measureFile', addressOf(mesh), runEigen),

@@ -50,18 +50,28 @@ interface Built {
   processBytes: number;
 }
 
-async function build(engine: Engine, keys: Keys, processBytes: () => number): Promise<{ sequence: Sequence; built: Built }> {
+async function build(
+  engine: Engine,
+  keys: Keys,
+  processBytes: () => number,
+): Promise<{ sequence: Sequence; built: Built }> {
   const start = performance.now();
   const listener = new Listener();
   const sequence = await engine.createSequence(keys, {}, { onProgress: listener.onProgress });
   listener.hear('end');
   const buildMs = performance.now() - start;
-  return { sequence, built: { stats: await sequence.stats(), buildMs, silence: listener.silence, processBytes: processBytes() } };
+  return {
+    sequence,
+    built: { stats: await sequence.stats(), buildMs, silence: listener.silence, processBytes: processBytes() },
+  };
 }
 
 /** `use` is asked to work with each of them. Returns the last of them alive. */
 export async function buildRepeatedly(
-  engine: Engine, keys: Keys, processBytes: () => number, use: (sequence: Sequence) => Promise<void>,
+  engine: Engine,
+  keys: Keys,
+  processBytes: () => number,
+  use: (sequence: Sequence) => Promise<void>,
 ): Promise<{ sequence: Sequence; builds: Builds }> {
   let { sequence, built } = await build(engine, keys, processBytes);
   const all = [built];
@@ -72,7 +82,8 @@ export async function buildRepeatedly(
     all.push(built);
     await use(sequence);
   }
-  const stage = (of: 'weldMs' | 'encodeMs' | 'orderMs' | 'factorMs' | 'arrangeMs'): number => quantile(all.map(({ stats }) => stats[of]));
+  const stage = (of: 'weldMs' | 'encodeMs' | 'orderMs' | 'factorMs' | 'arrangeMs'): number =>
+    quantile(all.map(({ stats }) => stats[of]));
   const heaps = all.map(({ stats }) => stats.heapBytes);
   const silences = all.map(({ silence }) => silence).sort((a, b) => a.ms - b.ms);
   return {

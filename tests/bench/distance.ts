@@ -7,8 +7,10 @@ export interface Distance {
 /** 3 numbers a vertex; where the first has more vertices, those that both have are compared. */
 export function distanceOf(positions: ArrayLike<number>, reference: ArrayLike<number>): Distance {
   if (positions.length < reference.length) throw new Error('the reference belongs to another mesh');
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  let sum = 0, largest = 0;
+  const low = [Infinity, Infinity, Infinity],
+    high = [-Infinity, -Infinity, -Infinity];
+  let sum = 0,
+    largest = 0;
   for (let v = 0; v < reference.length; v += 3) {
     let squared = 0;
     for (let k = 0; k < 3; ++k) {

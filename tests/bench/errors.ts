@@ -25,12 +25,18 @@ async function withFrame<T>(answer: Promise<Frame | null>, use: (positions: Floa
 }
 
 export async function errorsOf(sequence: Sequence, led: Sequence | null, reference: Reference): Promise<Errors> {
-  const double: DistanceAt[] = [], preview: DistanceAt[] = [], ghost: DistanceAt[] = [];
+  const double: DistanceAt[] = [],
+    preview: DistanceAt[] = [],
+    ghost: DistanceAt[] = [];
   for (const [k, t] of SWEEP.entries()) {
     const exact = await frameOf(sequence.evaluate(t));
     double.push({ t, ...distanceOf(exact.positions, await reference(k)) });
-    preview.push({ t, ...await withFrame(sequence.preview(t), (positions) => distanceOf(positions, exact.positions)) });
-    if (led) ghost.push({ t, ...await withFrame(led.evaluate(t), (positions) => distanceOf(positions, exact.positions)) });
+    preview.push({
+      t,
+      ...(await withFrame(sequence.preview(t), (positions) => distanceOf(positions, exact.positions))),
+    });
+    if (led)
+      ghost.push({ t, ...(await withFrame(led.evaluate(t), (positions) => distanceOf(positions, exact.positions))) });
     exact.release();
   }
   return { double: sweptParts(double), preview: sweptParts(preview), ghost: led ? sweptParts(ghost) : null };

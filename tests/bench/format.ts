@@ -22,5 +22,7 @@ export const both = ({ median, slow }: Spread): string => `${msText(median)} / $
 export function table(titles: string[], rows: string[][]): string {
   const widths = titles.map((title, i) => Math.max(title.length, ...rows.map((row) => row[i]!.length)));
   const line = (cells: string[]): string => `| ${cells.map((cell, i) => cell.padStart(widths[i]!)).join(' | ')} |`;
-  return [line(titles), `|${widths.map((width) => `${'-'.repeat(width + 1)}:`).join('|')}|`, ...rows.map(line)].join('\n');
+  return [line(titles), `|${widths.map((width) => `${'-'.repeat(width + 1)}:`).join('|')}|`, ...rows.map(line)].join(
+    '\n',
+  );
 }

@@ -53,7 +53,8 @@ export interface CheapFrames {
 }
 
 /** What the last exact frame took from its frames (of patches or of a ghost's faces) to what is drawn. */
-export const fromFramesMs = ({ facesMs, solveMs, placeMs, normalsMs }: SequenceStats): number => facesMs + solveMs + placeMs + normalsMs;
+export const fromFramesMs = ({ facesMs, solveMs, placeMs, normalsMs }: SequenceStats): number =>
+  facesMs + solveMs + placeMs + normalsMs;
 
 /** All its stages. */
 export const stagesMs = (stats: SequenceStats): number => stats.framesMs + fromFramesMs(stats);
@@ -78,7 +79,10 @@ export async function msOf(answer: Promise<Frame | null>): Promise<number> {
 export async function roundOf(sequence: Sequence, readBandwidth: ReadBandwidth, runEigen: RunEigen): Promise<Round> {
   const firstMs = await msOf(sequence.evaluate(0));
   const eigen = await runEigen();
-  const ms: number[] = [], cheapMs: number[] = [], stats: SequenceStats[] = [], bandwidths: number[] = [];
+  const ms: number[] = [],
+    cheapMs: number[] = [],
+    stats: SequenceStats[] = [],
+    bandwidths: number[] = [];
   const read = (): void => {
     for (let pass = 0; pass < BANDWIDTH_PASSES; ++pass) bandwidths.push(readBandwidth());
   };
@@ -95,15 +99,23 @@ export async function roundOf(sequence: Sequence, readBandwidth: ReadBandwidth, 
 
 export function exactFrames(rounds: readonly Round[]): ExactFrames {
   const stats = rounds.flatMap((round) => round.stats);
-  const part = (of: 'framesMs' | 'facesMs' | 'solveMs' | 'placeMs' | 'normalsMs'): Spread => spread(stats.map((one) => one[of]));
+  const part = (of: 'framesMs' | 'facesMs' | 'solveMs' | 'placeMs' | 'normalsMs'): Spread =>
+    spread(stats.map((one) => one[of]));
   return {
     firstMs: rounds[0]!.firstMs,
-    frames: part('framesMs'), faces: part('facesMs'), solve: part('solveMs'), place: part('placeMs'), normals: part('normalsMs'),
+    frames: part('framesMs'),
+    faces: part('facesMs'),
+    solve: part('solveMs'),
+    place: part('placeMs'),
+    normals: part('normalsMs'),
     stages: spread(stats.map(stagesMs)),
     frame: spread(rounds.flatMap(({ ms }) => ms)),
     rounds: rounds.map((round) => ({
-      factorMs: round.stats[0]!.factorMs, solveMs: quantile(round.stats.map(({ solveMs }) => solveMs)), frameMs: quantile(round.ms),
-      eigen: round.eigen, bandwidth: round.bandwidth,
+      factorMs: round.stats[0]!.factorMs,
+      solveMs: quantile(round.stats.map(({ solveMs }) => solveMs)),
+      frameMs: quantile(round.ms),
+      eigen: round.eigen,
+      bandwidth: round.bandwidth,
     })),
   };
 }

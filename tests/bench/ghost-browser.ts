@@ -28,16 +28,37 @@ export async function benchGhostInBrowser({ sizes }: Wanted): Promise<void> {
   }
   const folder = await mkdtemp(path.join(tmpdir(), 'shapespline-bench-'));
   const port = await freePort();
-  const server = spawn(process.execPath, [path.join(dist, '../wasm/toolchain/serve.mjs'), dist, '--port', String(port)], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const server = spawn(
+    process.execPath,
+    [path.join(dist, '../wasm/toolchain/serve.mjs'), dist, '--port', String(port)],
+    { stdio: ['ignore', 'pipe', 'inherit'] },
+  );
   await new Promise((listening) => server.stdout.once('data', listening));
-  const args = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...(process.getuid?.() === 0 ? ['--no-sandbox'] : [])];
+  const args = [
+    '--use-angle=swiftshader',
+    '--enable-unsafe-swiftshader',
+    ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
+  ];
   try {
     for (const { faces } of sizes ?? DEFAULT_SIZES) {
-      execFileSync(process.execPath, [generator, '--bench', String(faces), folder], { stdio: ['ignore', 'ignore', 'inherit'] });
+      execFileSync(process.execPath, [generator, '--bench', String(faces), folder], {
+        stdio: ['ignore', 'ignore', 'inherit'],
+      });
       const browser = await chromium.launchServer({ executablePath: findBrowser(chromium) ?? undefined, args });
       try {
         const page = await (await chromium.connect(browser.wsEndpoint())).newPage();
-        console.log(JSON.stringify(await measure(page, `http://localhost:${port}/`, path.join(folder, `bench-${faces}.glb`), browser.process().pid!), null, 2));
+        console.log(
+          JSON.stringify(
+            await measure(
+              page,
+              `http://localhost:${port}/`,
+              path.join(folder, `bench-${faces}.glb`),
+              browser.process().pid!,
+            ),
+            null,
+            2,
+          ),
+        );
       } finally {
         await browser.close();
       }
@@ -80,7 +101,9 @@ async function measure(page: Page, url: string, file: string, pid: number): Prom
   const scrub = await page.evaluate(async (moves) => {
     const hook = window.__shapespline!;
     const tasks: number[] = [];
-    const observer = new PerformanceObserver((list) => tasks.push(...list.getEntries().map(({ duration }) => duration)));
+    const observer = new PerformanceObserver((list) =>
+      tasks.push(...list.getEntries().map(({ duration }) => duration)),
+    );
     observer.observe({ type: 'longtask' });
     const answers: number[] = [];
     for (let i = 0; i < moves; i += 1) {
@@ -97,10 +120,14 @@ async function measure(page: Page, url: string, file: string, pid: number): Prom
   const stats = (await page.evaluate(() => window.__shapespline!.stats()))!;
   const round = (ms: number | undefined): number => Math.round(10 * (ms ?? 0)) / 10;
   return {
-    file: path.basename(file), ghostFaces: stats.ghostFaces, openMs: round(openMs), ghostMs: round(ghostMs),
+    file: path.basename(file),
+    ghostFaces: stats.ghostFaces,
+    openMs: round(openMs),
+    ghostMs: round(ghostMs),
     answerMs: { median: round(scrub.answers[MOVES / 2]), slowest: round(scrub.answers.at(-1)) },
     longTasks: { over50: scrub.tasks.length, longestMs: round(scrub.tasks[0]) },
-    heapMB: Math.round(stats.heapBytes / 2 ** 20), tabPeakMB: peakOf(pid),
+    heapMB: Math.round(stats.heapBytes / 2 ** 20),
+    tabPeakMB: peakOf(pid),
   };
 }
 
@@ -108,10 +135,20 @@ async function measure(page: Page, url: string, file: string, pid: number): Prom
 function peakOf(pid: number): number | null {
   if (!existsSync('/proc/self/status')) return null;
   const statusOf = (id: string): string => {
-    try { return readFileSync(`/proc/${id}/status`, 'utf8'); } catch { return ''; }
+    try {
+      return readFileSync(`/proc/${id}/status`, 'utf8');
+    } catch {
+      return '';
+    }
   };
-  const parentOf = new Map(readdirSync('/proc').filter((id) => /^\d+$/.test(id)).map((id) => [Number(id), Number(/^PPid:\s+(\d+)/m.exec(statusOf(id))?.[1] ?? 0)]));
+  const parentOf = new Map(
+    readdirSync('/proc')
+      .filter((id) => /^\d+$/.test(id))
+      .map((id) => [Number(id), Number(/^PPid:\s+(\d+)/m.exec(statusOf(id))?.[1] ?? 0)]),
+  );
   const isOurs = (id: number): boolean => id === pid || (id > 1 && isOurs(parentOf.get(id) ?? 0));
-  const peaks = [...parentOf.keys()].filter((id) => id !== pid && isOurs(id)).map((id) => Number(/^VmHWM:\s+(\d+)/m.exec(statusOf(String(id)))?.[1] ?? 0));
+  const peaks = [...parentOf.keys()]
+    .filter((id) => id !== pid && isOurs(id))
+    .map((id) => Number(/^VmHWM:\s+(\d+)/m.exec(statusOf(String(id)))?.[1] ?? 0));
   return Math.round(Math.max(0, ...peaks) / 1024);
 }

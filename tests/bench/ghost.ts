@@ -13,7 +13,10 @@ import { msText, studyGhosts, verdictOf, type GhostStudy } from '../../web/study
 import { createEngine } from '../../web/engine/node.ts';
 import type { ImportOptions } from '../../web/engine/api/types.ts';
 
-const DEFAULT_MESHES = [{ faces: 85_000, keys: 10 }, { faces: 330_000, keys: 3 }];
+const DEFAULT_MESHES = [
+  { faces: 85_000, keys: 10 },
+  { faces: 330_000, keys: 3 },
+];
 const USUAL_KEYS = 3;
 const FRAMES = 24;
 const GHOST_FACES = 2000;
@@ -29,7 +32,9 @@ export async function benchGhost({ sizes }: Wanted): Promise<void> {
   const folder = await mkdtemp(path.join(tmpdir(), 'shapespline-bench-'));
   try {
     for (const { faces, keys } of sizes ?? DEFAULT_MESHES) {
-      execFileSync(process.execPath, [generator, '--bench', String(faces), String(keys ?? USUAL_KEYS), folder], { stdio: ['ignore', 'ignore', 'inherit'] });
+      execFileSync(process.execPath, [generator, '--bench', String(faces), String(keys ?? USUAL_KEYS), folder], {
+        stdio: ['ignore', 'ignore', 'inherit'],
+      });
       await bench(`generated, ${faces} faces`, path.join(folder, `bench-${faces}.glb`), { sample: keys ?? USUAL_KEYS });
     }
   } finally {
@@ -41,10 +46,15 @@ async function bench(name: string, file: string, options: ImportOptions = {}): P
   const engine = createEngine();
   try {
     const start = performance.now();
-    const keys = await engine.importKeyframes([{ name: path.basename(file), bytes: new Uint8Array(await readFile(file)) }], options);
+    const keys = await engine.importKeyframes(
+      [{ name: path.basename(file), bytes: new Uint8Array(await readFile(file)) }],
+      options,
+    );
     const importMs = performance.now() - start;
     const { vertices, faces } = keys.info.report;
-    console.log(`\n${name}: ${vertices} vertices, ${faces} faces, ${keys.info.times.length} keys; import ${msText(importMs)}\n`);
+    console.log(
+      `\n${name}: ${vertices} vertices, ${faces} faces, ${keys.info.times.length} keys; import ${msText(importMs)}\n`,
+    );
     if (faces <= STUDIED_FACES) await study(engine, keys);
     await large(engine, keys);
   } finally {
@@ -56,14 +66,34 @@ async function study(engine: Engine, keys: Keys): Promise<void> {
   const { times } = keys.info;
   const at = Array.from({ length: FRAMES }, (_, i) => times[0]! + ((i + 0.5) / FRAMES) * (times.at(-1)! - times[0]!));
   const result = await studyGhosts(engine, keys, {}, { times: at });
-  print(['ghost', 'transfer', 'KG %', 'frame ms', 'simplify ms', 'encode ms', 'transfer ms', 'order + factor ms', 'build ms'], linesOf(result));
+  print(
+    [
+      'ghost',
+      'transfer',
+      'KG %',
+      'frame ms',
+      'simplify ms',
+      'encode ms',
+      'transfer ms',
+      'order + factor ms',
+      'build ms',
+    ],
+    linesOf(result),
+  );
   console.log(`\n${verdictOf(result)}\n`);
 }
 
 function linesOf({ rows, ms, buildMs }: GhostStudy): Line[] {
   const lines = rows.map(({ faces, transfer, kg, ms: frame, buildMs: build, stats: s }) => [
-    String(faces), transfer, kg.toFixed(3), frame.toFixed(2), s.simplifyMs.toFixed(0), s.encodeMs.toFixed(0), s.transferMs.toFixed(0),
-    (s.orderMs + s.factorMs + s.arrangeMs).toFixed(0), build.toFixed(0),
+    String(faces),
+    transfer,
+    kg.toFixed(3),
+    frame.toFixed(2),
+    s.simplifyMs.toFixed(0),
+    s.encodeMs.toFixed(0),
+    s.transferMs.toFixed(0),
+    (s.orderMs + s.factorMs + s.arrangeMs).toFixed(0),
+    build.toFixed(0),
   ]);
   return [...lines, ['none', '-', '0', ms.toFixed(2), '-', '-', '-', '-', buildMs.toFixed(0)]];
 }
@@ -75,13 +105,17 @@ async function large(engine: Engine, keys: Keys): Promise<void> {
     const start = performance.now();
     let last = start;
     let silence = { ms: 0, stage: '' };
-    const sequence = await engine.createSequence(keys, { ghostFaces }, {
-      onProgress: ({ stage }) => {
-        const now = performance.now();
-        if (now - last > silence.ms) silence = { ms: now - last, stage };
-        last = now;
+    const sequence = await engine.createSequence(
+      keys,
+      { ghostFaces },
+      {
+        onProgress: ({ stage }) => {
+          const now = performance.now();
+          if (now - last > silence.ms) silence = { ms: now - last, stage };
+          last = now;
+        },
       },
-    });
+    );
     const buildMs = performance.now() - start;
     const [first, end] = sequence.range;
     const ms: number[] = [];
@@ -94,15 +128,38 @@ async function large(engine: Engine, keys: Keys): Promise<void> {
     ms.sort((a, b) => a - b);
     const s = await sequence.stats();
     lines.push([
-      ghostFaces > 0 ? String(s.ghostFaces) : 'none', ...[s.weldMs, s.simplifyMs, s.encodeMs, s.transferMs, s.orderMs, s.factorMs, buildMs].map((value) => value.toFixed(0)),
-      ms[FRAMES / 2]!.toFixed(1), ms.at(-1)!.toFixed(1), `${silence.ms.toFixed(0)} (${silence.stage})`, (s.heapBytes / 2 ** 20).toFixed(0),
+      ghostFaces > 0 ? String(s.ghostFaces) : 'none',
+      ...[s.weldMs, s.simplifyMs, s.encodeMs, s.transferMs, s.orderMs, s.factorMs, buildMs].map((value) =>
+        value.toFixed(0),
+      ),
+      ms[FRAMES / 2]!.toFixed(1),
+      ms.at(-1)!.toFixed(1),
+      `${silence.ms.toFixed(0)} (${silence.stage})`,
+      (s.heapBytes / 2 ** 20).toFixed(0),
     ]);
     sequence.dispose();
   }
-  print(['ghost', 'weld', 'simplify', 'encode', 'transfer', 'order', 'factor', 'build ms', 'answer ms', 'slowest', 'longest silence ms', 'heap MB'], lines);
+  print(
+    [
+      'ghost',
+      'weld',
+      'simplify',
+      'encode',
+      'transfer',
+      'order',
+      'factor',
+      'build ms',
+      'answer ms',
+      'slowest',
+      'longest silence ms',
+      'heap MB',
+    ],
+    lines,
+  );
 }
 
 function print(titles: Line, lines: Line[]): void {
   const widths = titles.map((title, column) => Math.max(title.length, ...lines.map((line) => line[column]!.length)));
-  for (const line of [titles, ...lines]) console.log(line.map((cell, column) => cell.padStart(widths[column]!)).join('  '));
+  for (const line of [titles, ...lines])
+    console.log(line.map((cell, column) => cell.padStart(widths[column]!)).join('  '));
 }

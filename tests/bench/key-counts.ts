@@ -70,7 +70,14 @@ async function round({ sequence, ms, stats }: Measured): Promise<void> {
 
 function costOf({ keys, buildMs, ms, stats }: Measured): KeysCost {
   const part = (of: 'framesMs' | 'facesMs'): Spread => spread(stats.map((one) => one[of]));
-  return { keys, buildMs, frame: spread(ms.flat()), frames: part('framesMs'), faces: part('facesMs'), heapBytes: stats.at(-1)!.heapBytes };
+  return {
+    keys,
+    buildMs,
+    frame: spread(ms.flat()),
+    frames: part('framesMs'),
+    faces: part('facesMs'),
+    heapBytes: stats.at(-1)!.heapBytes,
+  };
 }
 
 /** Median over the rounds of how much longer a frame takes: each of them has both. */
@@ -79,8 +86,14 @@ export function ratioOf(few: readonly number[][], many: readonly number[][]): nu
 }
 
 /** Meshes with FEW_KEYS and with `count` keys. */
-export async function compareKeys(engine: Engine, fewKeys: Uint8Array, manyKeys: Uint8Array, count: number): Promise<KeysRun> {
-  const few = await build(engine, fewKeys, FEW_KEYS), many = await build(engine, manyKeys, count);
+export async function compareKeys(
+  engine: Engine,
+  fewKeys: Uint8Array,
+  manyKeys: Uint8Array,
+  count: number,
+): Promise<KeysRun> {
+  const few = await build(engine, fewKeys, FEW_KEYS),
+    many = await build(engine, manyKeys, count);
   for (let k = 0; k < ROUNDS; ++k) {
     await round(few);
     await round(many);

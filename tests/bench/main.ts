@@ -28,12 +28,16 @@ const reader = path.join(repository, 'build/cmake-wasm/shapespline_bench_read.wa
 
 const DEFAULT_FACES = [10_000, 32_000, 80_000, 332_000, 1_300_000];
 /** Larger meshes are not made in parts, or with many keys. */
-const LARGEST_PARTS = 400_000, LARGEST_MANY_KEYS = 100_000;
+const LARGEST_PARTS = 400_000,
+  LARGEST_MANY_KEYS = 100_000;
 
 const facesOf = ({ sizes }: Wanted): number[] => sizes?.map(({ faces }) => faces) ?? DEFAULT_FACES;
 
 /** Path of a generated mesh; `kind` is one of the generator's. */
-function meshOf(faces: number, { kind = '', keys = FEW_KEYS }: { kind?: '' | '-split' | '-parts'; keys?: number } = {}): string {
+function meshOf(
+  faces: number,
+  { kind = '', keys = FEW_KEYS }: { kind?: '' | '-split' | '-parts'; keys?: number } = {},
+): string {
   const into = path.join(folder, `keys-${keys}`);
   const words = [generator, `--bench${kind}`, String(faces), String(keys), into];
   execFileSync(process.execPath, words, { stdio: ['ignore', 'ignore', 'inherit'] });
@@ -51,14 +55,22 @@ function machine(): string {
 }
 
 /** The smallest and the largest. */
-const endsOf = (sizes: number[]): number[] => [...new Set(sizes.length > 0 ? [Math.min(...sizes), Math.max(...sizes)] : [])];
+const endsOf = (sizes: number[]): number[] => [
+  ...new Set(sizes.length > 0 ? [Math.min(...sizes), Math.max(...sizes)] : []),
+];
 
 async function runAll(place: Place, sizes: number[]): Promise<Results> {
   const results: Results = { where: `${place.name}, ${machine()}`, sizes: [], motions: [], resolutions: [], keys: [] };
   const measure = async (family: Family, faces: number): Promise<void> => {
     say(`${faces} faces${family === 'parts' ? ' in parts' : ''}`);
     const mesh = meshOf(faces, { kind: family === 'parts' ? '-parts' : '' });
-    results.sizes.push(await withNative(mesh, async (native, runEigen) => ({ family, native, run: await place.measure(mesh, runEigen) })));
+    results.sizes.push(
+      await withNative(mesh, async (native, runEigen) => ({
+        family,
+        native,
+        run: await place.measure(mesh, runEigen),
+      })),
+    );
   };
   for (const faces of sizes) await measure('smooth', faces);
   for (const faces of sizes.filter((one) => one <= LARGEST_PARTS)) await measure('parts', faces);

@@ -8,7 +8,8 @@ import { cheapFrames, exactFrames, roundOf, type CheapFrames, type ExactFrames, 
 import { createLed, ledRun, type LedRun } from './led.ts';
 
 /** The paper's ghost, and shapes to take its time from. */
-const GHOST_FACES = 2000, GHOST_SHAPES = 12;
+const GHOST_FACES = 2000,
+  GHOST_SHAPES = 12;
 
 /** Milliseconds and bytes. */
 export interface Run {
@@ -39,7 +40,10 @@ export interface Input {
   processBytes: () => number;
 }
 
-export async function measure(engine: Engine, { name, mesh, reference, reader, runEigen, processBytes }: Input): Promise<Run> {
+export async function measure(
+  engine: Engine,
+  { name, mesh, reference, reader, runEigen, processBytes }: Input,
+): Promise<Run> {
   const start = performance.now();
   const listener = new Listener();
   const keys = await engine.importKeyframes([{ name, bytes: mesh }], {}, { onProgress: listener.onProgress });
@@ -56,13 +60,21 @@ export async function measure(engine: Engine, { name, mesh, reference, reader, r
   const growth = await refitGrowth(sequence);
   const { heapBytes, factorBytes } = await sequence.stats();
   sequence.dispose();
-  const ledTimes = led && { ...await ledRun(led, GHOST_SHAPES), shapes: GHOST_SHAPES };
+  const ledTimes = led && { ...(await ledRun(led, GHOST_SHAPES)), shapes: GHOST_SHAPES };
   led?.sequence.dispose();
   return {
-    faces, vertices, importMs, importSilence: listener.silence, builds, exact: exactFrames(rounds), cheap: cheapFrames(rounds),
-    led: ledTimes, refitGrowth: growth,
+    faces,
+    vertices,
+    importMs,
+    importSilence: listener.silence,
+    builds,
+    exact: exactFrames(rounds),
+    cheap: cheapFrames(rounds),
+    led: ledTimes,
+    refitGrowth: growth,
     // The import's memory was the first build's heap.
     heapBytes: Math.max(builds.heapBytes, heapBytes),
-    factorBytes, errors,
+    factorBytes,
+    errors,
   };
 }

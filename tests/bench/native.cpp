@@ -1,6 +1,7 @@
-// shapespline_bench_native FILE.glb REFERENCE T...: the file's second system, native, as lines of JSON on stdout. The shape at the k-th
-// time, computed in double, is written to REFERENCE followed by k, from 0 on: 3 doubles a vertex. The first line has our own solver in
-// both precisions; then each line on stdin is answered with a factorisation and a solve by Eigen, until stdin ends.
+// shapespline_bench_native FILE.glb REFERENCE T...: the file's second system, native, as lines of JSON on stdout. The
+// shape at the k-th time, computed in double, is written to REFERENCE followed by k, from 0 on: 3 doubles a vertex. The
+// first line has our own solver in both precisions; then each line on stdin is answered with a factorisation and a
+// solve by Eigen, until stdin ends.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -34,7 +35,8 @@ std::vector<std::uint8_t> bytesOf(const char* name) {
   std::FILE* file = std::fopen(name, "rb");
   if (!file) return bytes;
   std::uint8_t buffer[1 << 16];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, file)) > 0;) bytes.insert(bytes.end(), buffer, buffer + n);
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, file)) > 0;)
+    bytes.insert(bytes.end(), buffer, buffer + n);
   std::fclose(file);
   return bytes;
 }
@@ -77,8 +79,8 @@ struct KnownSystem {
 
 Eigen::SparseMatrix<double> lowerTriangle(const SymmetricMatrix& matrix) {
   using Map = Eigen::Map<const Eigen::SparseMatrix<double>>;
-  return Map(matrix.size, matrix.size, static_cast<Eigen::Index>(matrix.row.size()), matrix.columnStart.data(), matrix.row.data(),
-             matrix.value.data());
+  return Map(matrix.size, matrix.size, static_cast<Eigen::Index>(matrix.row.size()), matrix.columnStart.data(),
+             matrix.row.data(), matrix.value.data());
 }
 
 KnownSystem knownSystemOf(const CotangentLaplacian& laplacian) {
@@ -99,7 +101,8 @@ double errorOf(const Eigen::MatrixX3d& solution, const Eigen::MatrixX3d& places)
 template <class Real>
 Eigen::MatrixX3d solveOwn(const Cholesky& cholesky, const Eigen::MatrixX3d& b, double& ms) {
   const auto position = cholesky.eliminationPosition();
-  std::vector<Real, Eigen::aligned_allocator<Real>> start(4 * static_cast<std::size_t>(cholesky.paddedSize()), Real(0)), x;
+  std::vector<Real, Eigen::aligned_allocator<Real>> start(4 * static_cast<std::size_t>(cholesky.paddedSize()), Real(0)),
+      x;
   for (Eigen::Index i = 0; i < b.rows(); ++i)
     for (int k = 0; k < 3; ++k) start[4 * static_cast<std::size_t>(position[i]) + k] = static_cast<Real>(b(i, k));
   std::vector<double> times;
@@ -128,9 +131,10 @@ bool benchOwn(const CotangentLaplacian& laplacian, const KnownSystem& system) {
     if (!good) return false;
     double solveMs = 0;
     const bool isSingle = precision == Precision::Single;
-    const Eigen::MatrixX3d x = isSingle ? solveOwn<float>(own, system.b, solveMs) : solveOwn<double>(own, system.b, solveMs);
-    std::printf(",\"%s\":{\"orderMs\":%.3f,\"factorMs\":%.3f,\"solveMs\":%.4f,\"error\":%.3g}", isSingle ? "single" : "double", orderMs,
-                factorMs, solveMs, errorOf(x, system.places));
+    const Eigen::MatrixX3d x =
+        isSingle ? solveOwn<float>(own, system.b, solveMs) : solveOwn<double>(own, system.b, solveMs);
+    std::printf(",\"%s\":{\"orderMs\":%.3f,\"factorMs\":%.3f,\"solveMs\":%.4f,\"error\":%.3g}",
+                isSingle ? "single" : "double", orderMs, factorMs, solveMs, errorOf(x, system.places));
   }
   return true;
 }

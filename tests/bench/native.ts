@@ -27,10 +27,14 @@ export interface NativeRun {
 }
 
 /** The double solutions lie beside the mesh during `work`, which may ask for rounds of Eigen on the mesh's system. */
-export async function withNative<T>(mesh: string, work: (native: NativeRun, runEigen: RunEigen) => Promise<T>): Promise<T> {
+export async function withNative<T>(
+  mesh: string,
+  work: (native: NativeRun, runEigen: RunEigen) => Promise<T>,
+): Promise<T> {
   try {
     return await withProgram(program, [mesh, mesh + REFERENCE, ...SWEEP.map(String)], async ({ next, ask }) =>
-      work(await next() as NativeRun, async () => await ask() as EigenRound));
+      work((await next()) as NativeRun, async () => (await ask()) as EigenRound),
+    );
   } finally {
     await Promise.all(SWEEP.map((_, k) => rm(mesh + REFERENCE + k, { force: true })));
   }

@@ -17,14 +17,25 @@ export function nodePlace(reader: string): Place {
   const bytesOf = (file: string): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(file));
   return {
     name: `Node ${process.version}`,
-    measure: (mesh, runEigen) => withEngine((engine) => measure(engine, {
-      name: path.basename(mesh), mesh: bytesOf(mesh),
-      reference: (k) => Promise.resolve(new Float64Array(bytesOf(mesh + REFERENCE + k).buffer)),
-      reader: bytesOf(reader), runEigen, processBytes: () => process.memoryUsage().rss,
-    }), ONE_THREAD),
-    motion: (mesh, motion) => withEngine((engine) => runMotion(engine, path.basename(mesh), bytesOf(mesh), motion), ONE_THREAD),
-    resolutions: (coarse, fine) => withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine)), ONE_THREAD),
-    keys: (few, many, count) => withEngine((engine) => compareKeys(engine, bytesOf(few), bytesOf(many), count), ONE_THREAD),
+    measure: (mesh, runEigen) =>
+      withEngine(
+        (engine) =>
+          measure(engine, {
+            name: path.basename(mesh),
+            mesh: bytesOf(mesh),
+            reference: (k) => Promise.resolve(new Float64Array(bytesOf(mesh + REFERENCE + k).buffer)),
+            reader: bytesOf(reader),
+            runEigen,
+            processBytes: () => process.memoryUsage().rss,
+          }),
+        ONE_THREAD,
+      ),
+    motion: (mesh, motion) =>
+      withEngine((engine) => runMotion(engine, path.basename(mesh), bytesOf(mesh), motion), ONE_THREAD),
+    resolutions: (coarse, fine) =>
+      withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine)), ONE_THREAD),
+    keys: (few, many, count) =>
+      withEngine((engine) => compareKeys(engine, bytesOf(few), bytesOf(many), count), ONE_THREAD),
     threads: (mesh) => withEngine((one) => withEngine((two) => compareThreads([one, two], bytesOf(mesh))), ONE_THREAD),
     close: () => Promise.resolve(),
   };

@@ -27,7 +27,8 @@ async function fetchBytes(url: string): Promise<ArrayBuffer> {
 const beside = (file: string): string => new URL(file, new URL('../', import.meta.url)).href;
 const meshOf = async (url: string): Promise<Uint8Array> => new Uint8Array(await fetchBytes(url));
 
-const compile = async (name: string): Promise<WebAssembly.Module> => WebAssembly.compile(await fetchBytes(beside(`wasm/${name}.wasm`)));
+const compile = async (name: string): Promise<WebAssembly.Module> =>
+  WebAssembly.compile(await fetchBytes(beside(`wasm/${name}.wasm`)));
 
 /** The goals are those of one thread. */
 async function withEngine<T>(work: (engine: Engine) => Promise<T>, threads: 1 | 2 = 1): Promise<T> {
@@ -41,15 +42,17 @@ async function withEngine<T>(work: (engine: Engine) => Promise<T>, threads: 1 | 
 }
 
 export function measureFile(mesh: string, runEigen: RunEigen): Promise<Run> {
-  return withEngine(async (engine) => measure(engine, {
-    name: 'bench.glb',
-    mesh: await meshOf(mesh),
-    reference: async (k) => new Float64Array(await fetchBytes(mesh + REFERENCE + k)),
-    reader: await fetchBytes(beside('cmake-wasm/shapespline_bench_read.wasm')),
-    runEigen,
-    // No page can tell.
-    processBytes: () => NaN,
-  }));
+  return withEngine(async (engine) =>
+    measure(engine, {
+      name: 'bench.glb',
+      mesh: await meshOf(mesh),
+      reference: async (k) => new Float64Array(await fetchBytes(mesh + REFERENCE + k)),
+      reader: await fetchBytes(beside('cmake-wasm/shapespline_bench_read.wasm')),
+      runEigen,
+      // No page can tell.
+      processBytes: () => NaN,
+    }),
+  );
 }
 
 export function motionOf(mesh: string, motion: Motion): Promise<MotionRun> {

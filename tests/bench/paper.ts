@@ -34,10 +34,38 @@ export interface Table2Row extends Motion {
 
 /** The paper does not say how many faces the horse has: one of its shapes takes a little longer than the cactus'. */
 export const TABLE_2: readonly Table2Row[] = [
-  { model: 'Cactus', faces: 10_000, shapes: 20, fraction: 0.05, other: { ir: 1.7, ts: 1.7, o: 83 }, paper: { ir: 0.16, ts: 1, o: 4.35 } },
-  { model: 'Cactus', faces: 10_000, shapes: 170, fraction: 0.05, other: { ir: 22, ts: 14, o: 762 }, paper: { ir: 0.31, ts: 3.2, o: 23.9 } },
-  { model: 'Horse', faces: 12_000, shapes: 40, fraction: 0.1, other: { ir: 22, ts: 5, o: 238 }, paper: { ir: 0.35, ts: 2.2, o: 11.4 } },
-  { model: 'Armadillo', faces: 332_000, shapes: 50, fraction: 0.006, other: { ir: 80, ts: 200, o: NaN }, paper: { ir: 1.34, ts: 47.2, o: 258.6 } },
+  {
+    model: 'Cactus',
+    faces: 10_000,
+    shapes: 20,
+    fraction: 0.05,
+    other: { ir: 1.7, ts: 1.7, o: 83 },
+    paper: { ir: 0.16, ts: 1, o: 4.35 },
+  },
+  {
+    model: 'Cactus',
+    faces: 10_000,
+    shapes: 170,
+    fraction: 0.05,
+    other: { ir: 22, ts: 14, o: 762 },
+    paper: { ir: 0.31, ts: 3.2, o: 23.9 },
+  },
+  {
+    model: 'Horse',
+    faces: 12_000,
+    shapes: 40,
+    fraction: 0.1,
+    other: { ir: 22, ts: 5, o: 238 },
+    paper: { ir: 0.35, ts: 2.2, o: 11.4 },
+  },
+  {
+    model: 'Armadillo',
+    faces: 332_000,
+    shapes: 50,
+    fraction: 0.006,
+    other: { ir: 80, ts: 200, o: NaN },
+    paper: { ir: 1.34, ts: 47.2, o: 258.6 },
+  },
 ];
 
 /** Milliseconds of one shape out of so many. */
@@ -59,30 +87,59 @@ export function table1(runs: Run[]): string | null {
     return run ? [{ model: row.model, paper: inMs(row), run }] : [];
   });
   if (columns.length === 0) return null;
-  const ours = columns.map(({ run: { led, exact } }): Times => ({
-    ...(led ? partsOf(led, led.shapes) : { ir: NaN, ts: NaN }), o: exact.stages.median,
-  }));
+  const ours = columns.map(
+    ({ run: { led, exact } }): Times => ({
+      ...(led ? partsOf(led, led.shapes) : { ir: NaN, ts: NaN }),
+      o: exact.stages.median,
+    }),
+  );
   const rows = (name: string, of: (times: Times) => number): string[][] => [
     [`${name}, paper`, ...columns.map(({ paper }) => msText(of(paper)))],
     [`${name}, here`, ...ours.map((times) => msText(of(times)))],
   ];
-  const faster = (of: (times: Times) => number): string[] =>
-    ['paper / here', ...columns.map(({ paper }, i) => timesFaster(of(paper), of(ours[i]!)))];
+  const faster = (of: (times: Times) => number): string[] => [
+    'paper / here',
+    ...columns.map(({ paper }, i) => timesFaster(of(paper), of(ours[i]!))),
+  ];
   const led = ({ ir, ts }: Times): number => ir + ts;
-  return table(['', ...columns.map(({ model }) => model)], [
-    ...rows('t_ir', ({ ir }) => ir), ...rows('t_ts', ({ ts }) => ts), ...rows('t_ir + t_ts', led), faster(led),
-    ...rows('t_o', ({ o }) => o), faster(({ o }) => o),
-  ]);
+  return table(
+    ['', ...columns.map(({ model }) => model)],
+    [
+      ...rows('t_ir', ({ ir }) => ir),
+      ...rows('t_ts', ({ ts }) => ts),
+      ...rows('t_ir + t_ts', led),
+      faster(led),
+      ...rows('t_o', ({ o }) => o),
+      faster(({ o }) => o),
+    ],
+  );
 }
 
 /** Whole motions. Milliseconds. */
 export function table2(results: { row: Table2Row; run: MotionRun }[]): string {
   const three = ({ ir, ts, o }: Times): string[] => [ir, ts, o].map(msText);
   return table(
-    ['Model (K, γ)', 'in [2]: t_ir', 't_ts', 't_o', 'paper: t_ir', 't_ts', 't_o', 'here: t_ir', 't_ts', 't_o', 'built once, with ghost', 'without'],
+    [
+      'Model (K, γ)',
+      'in [2]: t_ir',
+      't_ts',
+      't_o',
+      'paper: t_ir',
+      't_ts',
+      't_o',
+      'here: t_ir',
+      't_ts',
+      't_o',
+      'built once, with ghost',
+      'without',
+    ],
     results.map(({ row, run: { led, buildMs, wholeMs } }) => [
-      `${row.model} (${row.shapes}, ${row.fraction})`, ...three(inMs(row.other)), ...three(inMs(row.paper)),
-      ...three({ ...partsOf(led, 1), o: wholeMs }), msText(led.buildMs), msText(buildMs),
+      `${row.model} (${row.shapes}, ${row.fraction})`,
+      ...three(inMs(row.other)),
+      ...three(inMs(row.paper)),
+      ...three({ ...partsOf(led, 1), o: wholeMs }),
+      msText(led.buildMs),
+      msText(buildMs),
     ]),
   );
 }

@@ -16,12 +16,19 @@ export interface Resolutions {
 export async function compareResolutions(engine: Engine, coarse: Uint8Array, fine: Uint8Array): Promise<Resolutions> {
   const few = await shapesOf(engine, coarse, Infinity);
   const many = await shapesOf(engine, fine, few.shapes[0]!.length);
-  const distance = few.shapes.reduce((far: Distance, shape, k) => worse(far, distanceOf(many.shapes[k]!, shape)), NO_DISTANCE);
+  const distance = few.shapes.reduce(
+    (far: Distance, shape, k) => worse(far, distanceOf(many.shapes[k]!, shape)),
+    NO_DISTANCE,
+  );
   return { coarseFaces: few.faces, fineFaces: many.faces, distance };
 }
 
 /** The first `numbers` of each shape. */
-async function shapesOf(engine: Engine, mesh: Uint8Array, numbers: number): Promise<{ faces: number; shapes: Float32Array[] }> {
+async function shapesOf(
+  engine: Engine,
+  mesh: Uint8Array,
+  numbers: number,
+): Promise<{ faces: number; shapes: Float32Array[] }> {
   const keys = await engine.importKeyframes([{ name: 'bench.glb', bytes: mesh }]);
   const sequence = await engine.createSequence(keys);
   const shapes: Float32Array[] = [];

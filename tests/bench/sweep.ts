@@ -41,10 +41,18 @@ export const isInside = (t: number): boolean => t >= 0 && t <= 1;
 function over(distances: readonly DistanceAt[]): Swept {
   const means = distances.map(({ mean }) => mean);
   const worst = distances.reduce((a, b) => (b.worst > a.worst ? b : a));
-  return { mean: means.reduce((a, b) => a + b) / means.length, largestMean: Math.max(...means), worst: worst.worst, at: worst.t };
+  return {
+    mean: means.reduce((a, b) => a + b) / means.length,
+    largestMean: Math.max(...means),
+    worst: worst.worst,
+    at: worst.t,
+  };
 }
 
 /** Of distances on both sides of the first and last key. */
 export function sweptParts(distances: readonly DistanceAt[]): SweptParts {
-  return { inside: over(distances.filter(({ t }) => isInside(t))), margins: over(distances.filter(({ t }) => !isInside(t))) };
+  return {
+    inside: over(distances.filter(({ t }) => isInside(t))),
+    margins: over(distances.filter(({ t }) => !isInside(t))),
+  };
 }

@@ -4,7 +4,15 @@ import { both, msText, short, table } from './format.ts';
 import type { KeysCost, KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
 import type { NativeRun } from './native.ts';
-import { boundMs, eigenOverFactor, eigenOverSolve, frameOverSolve, ofRounds, solveOverBound, steady } from './ratios.ts';
+import {
+  boundMs,
+  eigenOverFactor,
+  eigenOverSolve,
+  frameOverSolve,
+  ofRounds,
+  solveOverBound,
+  steady,
+} from './ratios.ts';
 import type { Swept, SweptParts } from './sweep.ts';
 
 /** One closed smooth body, or several parts with open boundaries. */
@@ -19,95 +27,193 @@ export interface Result {
 const MB = 2 ** 20;
 const percent = (share: number): string => short(100 * share);
 
-export const meshName = ({ family, run }: Result): string => `${run.faces} faces${family === 'parts' ? ' in parts' : ''}`;
+export const meshName = ({ family, run }: Result): string =>
+  `${run.faces} faces${family === 'parts' ? ' in parts' : ''}`;
 
 export function buildTable(results: Result[]): string {
   const titles = ['mesh', 'vertices', 'import', 'weld', 'encode', 'order', 'factor', 'arrange', 'whole', 'silent'];
-  return table(titles, results.map((result) => {
-    const { run, run: { builds } } = result;
-    return [
-      meshName(result), String(run.vertices),
-      ...[run.importMs, builds.weldMs, builds.encodeMs, builds.orderMs, builds.factorMs, builds.arrangeMs, builds.buildMs].map(msText),
-      [builds.silence, run.importSilence].map(({ ms, stage }) => `${msText(ms)} (${stage})`).join(', import '),
-    ];
-  }));
+  return table(
+    titles,
+    results.map((result) => {
+      const {
+        run,
+        run: { builds },
+      } = result;
+      return [
+        meshName(result),
+        String(run.vertices),
+        ...[
+          run.importMs,
+          builds.weldMs,
+          builds.encodeMs,
+          builds.orderMs,
+          builds.factorMs,
+          builds.arrangeMs,
+          builds.buildMs,
+        ].map(msText),
+        [builds.silence, run.importSilence].map(({ ms, stage }) => `${msText(ms)} (${stage})`).join(', import '),
+      ];
+    }),
+  );
 }
 
 export function memoryTable(results: Result[]): string {
-  const titles = ['mesh', 'heap MB', 'fifth build / second', 'after ten refits / one', 'process grew by MB', 'factor MB'];
-  return table(titles, results.map((result) => {
-    const { run, run: { builds } } = result;
-    return [
-      meshName(result), (run.heapBytes / MB).toFixed(0), short(builds.heapGrowth), short(run.refitGrowth),
-      Number.isFinite(builds.processGrowth) ? String(Math.round(builds.processGrowth / MB) + 0) : '-', (run.factorBytes / 1e6).toFixed(1),
-    ];
-  }));
+  const titles = [
+    'mesh',
+    'heap MB',
+    'fifth build / second',
+    'after ten refits / one',
+    'process grew by MB',
+    'factor MB',
+  ];
+  return table(
+    titles,
+    results.map((result) => {
+      const {
+        run,
+        run: { builds },
+      } = result;
+      return [
+        meshName(result),
+        (run.heapBytes / MB).toFixed(0),
+        short(builds.heapGrowth),
+        short(run.refitGrowth),
+        Number.isFinite(builds.processGrowth) ? String(Math.round(builds.processGrowth / MB) + 0) : '-',
+        (run.factorBytes / 1e6).toFixed(1),
+      ];
+    }),
+  );
 }
 
 export function frameTable(results: Result[]): string {
   const titles = [
-    'mesh', 'first frame', 'patches', 'faces', 'solve', 'place', 'normals', 'frame', 'frame / solve',
-    'read GB/s', 'read bound', 'solve / read bound',
+    'mesh',
+    'first frame',
+    'patches',
+    'faces',
+    'solve',
+    'place',
+    'normals',
+    'frame',
+    'frame / solve',
+    'read GB/s',
+    'read bound',
+    'solve / read bound',
   ];
-  return table(titles, results.map((result) => {
-    const { run, run: { exact } } = result;
-    const bandwidth = ofRounds(run, (_, round) => round.bandwidth);
-    return [
-      meshName(result), msText(exact.firstMs),
-      ...[exact.frames, exact.faces, exact.solve, exact.place, exact.normals, exact.frame].map(both),
-      steady(run, frameOverSolve), short(bandwidth / 1e9), msText(boundMs(run, bandwidth)), steady(run, solveOverBound),
-    ];
-  }));
+  return table(
+    titles,
+    results.map((result) => {
+      const {
+        run,
+        run: { exact },
+      } = result;
+      const bandwidth = ofRounds(run, (_, round) => round.bandwidth);
+      return [
+        meshName(result),
+        msText(exact.firstMs),
+        ...[exact.frames, exact.faces, exact.solve, exact.place, exact.normals, exact.frame].map(both),
+        steady(run, frameOverSolve),
+        short(bandwidth / 1e9),
+        msText(boundMs(run, bandwidth)),
+        steady(run, solveOverBound),
+      ];
+    }),
+  );
 }
 
 export function cheapTable(results: Result[]): string {
-  return table(['mesh', 'first', 'preview', 'exact'], results.map((result) => {
-    const { cheap, exact } = result.run;
-    return [meshName(result), msText(cheap.firstMs), both(cheap.preview), both(exact.frame)];
-  }));
+  return table(
+    ['mesh', 'first', 'preview', 'exact'],
+    results.map((result) => {
+      const { cheap, exact } = result.run;
+      return [meshName(result), msText(cheap.firstMs), both(cheap.preview), both(exact.frame)];
+    }),
+  );
 }
 
-const sweptCells = ({ mean, largestMean, worst, at }: Swept): string[] => [...[mean, largestMean, worst].map(percent), at.toFixed(2)];
+const sweptCells = ({ mean, largestMean, worst, at }: Swept): string[] => [
+  ...[mean, largestMean, worst].map(percent),
+  at.toFixed(2),
+];
 
 /** In % of the diagonal. */
 export function errorTable(results: Result[]): string {
   const four = ['of one shape', 'worst', 'at t'];
   const titles = ['mesh', 'the exact frame and', 'between the keys: mean', ...four, 'in the margins: mean', ...four];
-  return table(titles, results.flatMap((result) => {
-    const { double, preview, ghost } = result.run.errors;
-    const row = (what: string, { inside, margins }: SweptParts): string[] =>
-      [meshName(result), what, ...sweptCells(inside), ...sweptCells(margins)];
-    return [row('double', double), row('preview', preview), ...(ghost ? [row('led by a ghost', ghost)] : [])];
-  }));
+  return table(
+    titles,
+    results.flatMap((result) => {
+      const { double, preview, ghost } = result.run.errors;
+      const row = (what: string, { inside, margins }: SweptParts): string[] => [
+        meshName(result),
+        what,
+        ...sweptCells(inside),
+        ...sweptCells(margins),
+      ];
+      return [row('double', double), row('preview', preview), ...(ghost ? [row('led by a ghost', ghost)] : [])];
+    }),
+  );
 }
 
 const ofEigen = (run: Run, value: keyof EigenRound): number => ofRounds(run, (_, { eigen }) => eigen[value]);
 
 export function solverTable(results: Result[]): string {
   const titles = [
-    'mesh', 'unknowns', 'Eigen order', 'factor', 'solve', 'error', 'ours, native: order', 'factor', 'solve', 'error',
-    'in wasm: factor', 'solve', 'Eigen / in wasm: factor', 'solve',
+    'mesh',
+    'unknowns',
+    'Eigen order',
+    'factor',
+    'solve',
+    'error',
+    'ours, native: order',
+    'factor',
+    'solve',
+    'error',
+    'in wasm: factor',
+    'solve',
+    'Eigen / in wasm: factor',
+    'solve',
   ];
-  return table(titles, results.map((result) => {
-    const { run, native: { unknowns, eigenOrderMs, single } } = result;
-    return [
-      meshName(result), String(unknowns),
-      ...[eigenOrderMs, ofEigen(run, 'factorMs'), ofEigen(run, 'solveMs')].map(msText), ofEigen(run, 'error').toExponential(1),
-      ...[single.orderMs, single.factorMs, single.solveMs].map(msText), single.error.toExponential(1),
-      msText(run.builds.factorMs), msText(run.exact.solve.median), steady(run, eigenOverFactor), steady(run, eigenOverSolve),
-    ];
-  }));
+  return table(
+    titles,
+    results.map((result) => {
+      const {
+        run,
+        native: { unknowns, eigenOrderMs, single },
+      } = result;
+      return [
+        meshName(result),
+        String(unknowns),
+        ...[eigenOrderMs, ofEigen(run, 'factorMs'), ofEigen(run, 'solveMs')].map(msText),
+        ofEigen(run, 'error').toExponential(1),
+        ...[single.orderMs, single.factorMs, single.solveMs].map(msText),
+        single.error.toExponential(1),
+        msText(run.builds.factorMs),
+        msText(run.exact.solve.median),
+        steady(run, eigenOverFactor),
+        steady(run, eigenOverSolve),
+      ];
+    }),
+  );
 }
 
 /** Each mesh with few keys, and with more and more of them. */
 export function keysTable(runs: KeysRun[]): string {
   const titles = ['mesh', 'keys', 'build', 'patches', 'faces', 'frame', 'frame / with few', 'keys / few', 'heap MB'];
   const row = (faces: number, cost: KeysCost, ratio: number, keys: number): string[] => [
-    `${faces} faces`, String(cost.keys), msText(cost.buildMs), ...[cost.frames, cost.faces, cost.frame].map(both),
-    short(ratio), short(keys), (cost.heapBytes / MB).toFixed(0),
+    `${faces} faces`,
+    String(cost.keys),
+    msText(cost.buildMs),
+    ...[cost.frames, cost.faces, cost.frame].map(both),
+    short(ratio),
+    short(keys),
+    (cost.heapBytes / MB).toFixed(0),
   ];
-  return table(titles, runs.flatMap(({ faces, few, many, ratio }, k) => [
-    ...(faces === runs[k - 1]?.faces ? [] : [row(faces, few, 1, 1)]),
-    row(faces, many, ratio, many.keys / few.keys),
-  ]));
+  return table(
+    titles,
+    runs.flatMap(({ faces, few, many, ratio }, k) => [
+      ...(faces === runs[k - 1]?.faces ? [] : [row(faces, few, 1, 1)]),
+      row(faces, many, ratio, many.keys / few.keys),
+    ]),
+  );
 }

@@ -30,7 +30,8 @@ export function targetsOf(mesh: string, run: Run): Target[] {
     targets.push(target(mesh, what, value, limit, atLeast));
   };
   const { builds, exact, cheap, errors } = run;
-  const medium = run.vertices > 160_000 && run.vertices < 600_000, large = run.vertices >= 600_000;
+  const medium = run.vertices > 160_000 && run.vertices < 600_000,
+    large = run.vertices >= 600_000;
   if (medium || large) {
     add('solve / read bound', ofRounds(run, solveOverBound), 1.8);
     add('frame / solve', ofRounds(run, frameOverSolve), 2.5);
@@ -51,7 +52,8 @@ export function targetsOf(mesh: string, run: Run): Target[] {
   add('heap, fifth sequence / second', builds.heapGrowth, SAME_MEMORY);
   add('heap after ten refits / one', run.refitGrowth, SAME_MEMORY);
   // One heap that is not given back each time would make it three.
-  if (Number.isFinite(builds.processGrowth)) add('process, second sequence to fifth, heaps', builds.processGrowth / builds.heapBytes, 1);
+  if (Number.isFinite(builds.processGrowth))
+    add('process, second sequence to fifth, heaps', builds.processGrowth / builds.heapBytes, 1);
   return targets;
 }
 
@@ -67,8 +69,10 @@ export function keysTarget({ faces, few, many, ratio }: KeysRun): Target {
 const limitText = ({ atLeast, limit }: Target): string => `${atLeast ? 'at least' : 'at most'} ${short(limit)}`;
 
 export function targetTable(targets: Target[]): string {
-  return table(['mesh', 'target', 'limit', 'reached', ''], targets.map((one) =>
-    [one.mesh, one.what, limitText(one), short(one.value), one.met ? 'met' : 'MISSED']));
+  return table(
+    ['mesh', 'target', 'limit', 'reached', ''],
+    targets.map((one) => [one.mesh, one.what, limitText(one), short(one.value), one.met ? 'met' : 'MISSED']),
+  );
 }
 
 /** One sentence, which names what was missed. */

@@ -26,7 +26,10 @@ async function frameMs(sequence: Sequence, k: number): Promise<number> {
 /** The first engine has no second thread. */
 export async function compareThreads(engines: readonly [Engine, Engine], mesh: Uint8Array): Promise<ThreadsRun> {
   const sequences: Sequence[] = [];
-  for (const engine of engines) sequences.push(await engine.createSequence(await engine.importKeyframes([{ name: 'bench.glb', bytes: mesh.slice() }])));
+  for (const engine of engines)
+    sequences.push(
+      await engine.createSequence(await engine.importKeyframes([{ name: 'bench.glb', bytes: mesh.slice() }])),
+    );
   const times: [number[], number[]] = [[], []];
   for (let k = -WARM_UP; k < FRAMES; ++k) {
     for (const [i, sequence] of sequences.entries()) {
@@ -39,6 +42,8 @@ export async function compareThreads(engines: readonly [Engine, Engine], mesh: U
 }
 
 export function threadsLine({ vertices, one, two, threads }: ThreadsRun): string {
-  return `${vertices} vertices: a frame by one thread ${short(one)} ms, with a second at hand ${short(two)} ms `
-    + `(${short(one / two)} times faster; ${threads === 2 ? 'both work' : 'one was found to be faster'})`;
+  return (
+    `${vertices} vertices: a frame by one thread ${short(one)} ms, with a second at hand ${short(two)} ms ` +
+    `(${short(one / two)} times faster; ${threads === 2 ? 'both work' : 'one was found to be faster'})`
+  );
 }

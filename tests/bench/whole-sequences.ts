@@ -17,7 +17,12 @@ export interface MotionRun {
   wholeMs: number;
 }
 
-export async function runMotion(engine: Engine, name: string, mesh: Uint8Array, { shapes, fraction }: Motion): Promise<MotionRun> {
+export async function runMotion(
+  engine: Engine,
+  name: string,
+  mesh: Uint8Array,
+  { shapes, fraction }: Motion,
+): Promise<MotionRun> {
   const keys = await engine.importKeyframes([{ name, bytes: mesh }]);
   const start = performance.now();
   const sequence = await engine.createSequence(keys);

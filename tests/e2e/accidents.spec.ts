@@ -21,7 +21,7 @@ test('a worker that the browser ends is started again with all that there was', 
   const { doc } = await app.state();
   const before = await app.positionsAt(0.3);
   await killWorkers(app);
-  await expect(app.by('toast')).toContainText('nothing is lost');
+  await expect(app.by('toast')).toContainText('nothing was lost');
   expect(await app.positionsAt(0.3)).toEqual(before);
   expect((await app.state()).doc).toEqual(doc);
   expect(difference(await app.positionsAt(0.8), before)).toBeGreaterThan(0);
@@ -36,21 +36,24 @@ test('a worker that ends while the motion plays comes back by itself', async ({ 
   const before = await app.positionsAt(0.3);
   await app.by('play').click();
   await killWorkers(app);
-  await expect(app.by('toast')).toContainText('nothing is lost');
+  await expect(app.by('toast')).toContainText('nothing was lost');
   await expect.poll(async () => difference(await app.positions(), before)).toBeGreaterThan(0);
   await app.by('play').click();
   expect(await app.positionsAt(0.3)).toEqual(before);
   await expect(app.by('error')).toBeHidden();
 });
 
-test('a worker that ends is noticed on a page without https, too, where there are no locks', async ({ app, baseURL }) => {
+test('a worker that ends is noticed on a page without https, too, where there are no locks', async ({
+  app,
+  baseURL,
+}) => {
   await app.page.goto(`http://insecure.test:${new URL(baseURL!).port}${new URL(baseURL!).pathname}`);
   await app.page.waitForFunction(() => window.__shapespline !== undefined);
   await app.page.evaluate(() => window.__shapespline!.ready);
   expect(await app.page.evaluate(() => [isSecureContext, 'locks' in navigator])).toEqual([false, false]);
   const before = await app.positionsAt(0.3);
   await killWorkers(app);
-  await expect(app.by('toast')).toContainText('nothing is lost');
+  await expect(app.by('toast')).toContainText('nothing was lost');
   expect(await app.positionsAt(0.3)).toEqual(before);
   expect(difference(await app.positionsAt(0.8), before)).toBeGreaterThan(0);
   await expect(app.by('error')).toBeHidden();
@@ -67,53 +70,65 @@ interface Big {
 
 /** Gives the page a file that is made inside it, and counts its heartbeats until `done`. */
 async function openBig(app: App, kind: 'model' | 'junk', size: number): Promise<void> {
-  await app.page.evaluate(([what, bytes]) => {
-    const file = (): File => {
-      if (what === 'junk') return new File([new Uint8Array(bytes as number).fill(65)], 'big.glb');
-      // One triangle strip and a bend of it, in a buffer that holds far more than they need.
-      const points = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0.3, 1, 2, 0.3];
-      const moved = points.map((_, i) => (i % 3 === 2 ? points[i - 1]! * 0.4 : 0));
-      const faces = [0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5];
-      const head = new Uint8Array(72 + 72 + 24);
-      new Float32Array(head.buffer, 0, 18).set(points);
-      new Float32Array(head.buffer, 72, 18).set(moved);
-      new Uint16Array(head.buffer, 144, 12).set(faces);
-      const json = {
-        asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
-        meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 2, targets: [{ POSITION: 1 }] }] }],
-        buffers: [{ byteLength: bytes }],
-        bufferViews: [{ buffer: 0, byteLength: 72 }, { buffer: 0, byteOffset: 72, byteLength: 72 }, { buffer: 0, byteOffset: 144, byteLength: 24 }],
-        accessors: [
-          { bufferView: 0, componentType: 5126, count: 6, type: 'VEC3', min: [0, 0, 0], max: [1, 2, 0.3] },
-          { bufferView: 1, componentType: 5126, count: 6, type: 'VEC3', min: [0, 0, 0], max: [0, 0, 0.8] },
-          { bufferView: 2, componentType: 5123, count: 12, type: 'SCALAR' },
-        ],
+  await app.page.evaluate(
+    ([what, bytes]) => {
+      const file = (): File => {
+        if (what === 'junk') return new File([new Uint8Array(bytes as number).fill(65)], 'big.glb');
+        // One triangle strip and a bend of it, in a buffer that holds far more than they need.
+        const points = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0.3, 1, 2, 0.3];
+        const moved = points.map((_, i) => (i % 3 === 2 ? points[i - 1]! * 0.4 : 0));
+        const faces = [0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5];
+        const head = new Uint8Array(72 + 72 + 24);
+        new Float32Array(head.buffer, 0, 18).set(points);
+        new Float32Array(head.buffer, 72, 18).set(moved);
+        new Uint16Array(head.buffer, 144, 12).set(faces);
+        const json = {
+          asset: { version: '2.0' },
+          scene: 0,
+          scenes: [{ nodes: [0] }],
+          nodes: [{ mesh: 0 }],
+          meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 2, targets: [{ POSITION: 1 }] }] }],
+          buffers: [{ byteLength: bytes }],
+          bufferViews: [
+            { buffer: 0, byteLength: 72 },
+            { buffer: 0, byteOffset: 72, byteLength: 72 },
+            { buffer: 0, byteOffset: 144, byteLength: 24 },
+          ],
+          accessors: [
+            { bufferView: 0, componentType: 5126, count: 6, type: 'VEC3', min: [0, 0, 0], max: [1, 2, 0.3] },
+            { bufferView: 1, componentType: 5126, count: 6, type: 'VEC3', min: [0, 0, 0], max: [0, 0, 0.8] },
+            { bufferView: 2, componentType: 5123, count: 12, type: 'SCALAR' },
+          ],
+        };
+        let text = JSON.stringify(json);
+        while (text.length % 4 !== 0) text += ' ';
+        const chunk = new TextEncoder().encode(text);
+        const header = new DataView(new ArrayBuffer(20));
+        [0x46546c67, 2, 20 + chunk.length + 8 + (bytes as number), chunk.length, 0x4e4f534a].forEach((word, i) =>
+          header.setUint32(4 * i, word, true),
+        );
+        const second = new DataView(new ArrayBuffer(8));
+        [bytes as number, 0x004e4942].forEach((word, i) => second.setUint32(4 * i, word, true));
+        return new File([header, chunk, second, head, new Uint8Array((bytes as number) - head.length)], 'big.glb');
       };
-      let text = JSON.stringify(json);
-      while (text.length % 4 !== 0) text += ' ';
-      const chunk = new TextEncoder().encode(text);
-      const header = new DataView(new ArrayBuffer(20));
-      [0x46546c67, 2, 20 + chunk.length + 8 + (bytes as number), chunk.length, 0x4e4f534a].forEach((word, i) => header.setUint32(4 * i, word, true));
-      const second = new DataView(new ArrayBuffer(8));
-      [bytes as number, 0x004e4942].forEach((word, i) => second.setUint32(4 * i, word, true));
-      return new File([header, chunk, second, head, new Uint8Array((bytes as number) - head.length)], 'big.glb');
-    };
-    const transfer = new DataTransfer();
-    transfer.items.add(file());
-    const input = document.querySelector<HTMLInputElement>('[data-testid="file-input"]')!;
-    input.files = transfer.files;
-    const heart = { beats: 0, longest: 0, progress: false };
-    const progress = document.querySelector('[data-testid="progress"]')!;
-    let last = performance.now();
-    setInterval(() => {
-      heart.beats += 1;
-      heart.longest = Math.max(heart.longest, performance.now() - last);
-      last = performance.now();
-      heart.progress ||= progress.checkVisibility();
-    }, 20);
-    Object.assign(window, { heart });
-    input.dispatchEvent(new Event('change'));
-  }, [kind, size] as const);
+      const transfer = new DataTransfer();
+      transfer.items.add(file());
+      const input = document.querySelector<HTMLInputElement>('[data-testid="file-input"]')!;
+      input.files = transfer.files;
+      const heart = { beats: 0, longest: 0, progress: false };
+      const progress = document.querySelector('[data-testid="progress"]')!;
+      let last = performance.now();
+      setInterval(() => {
+        heart.beats += 1;
+        heart.longest = Math.max(heart.longest, performance.now() - last);
+        last = performance.now();
+        heart.progress ||= progress.checkVisibility();
+      }, 20);
+      Object.assign(window, { heart });
+      input.dispatchEvent(new Event('change'));
+    },
+    [kind, size] as const,
+  );
 }
 
 const heart = (app: App): Promise<Big> => app.page.evaluate(() => (window as unknown as { heart: Big }).heart);

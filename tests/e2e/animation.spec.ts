@@ -7,14 +7,21 @@ import type { App } from './support.ts';
 
 type Upload = { name: string; mimeType: string; buffer: Buffer };
 
-const upload = (name: string, bytes: Uint8Array): Upload => ({ name, mimeType: 'model/gltf-binary', buffer: Buffer.from(bytes) });
+const upload = (name: string, bytes: Uint8Array): Upload => ({
+  name,
+  mimeType: 'model/gltf-binary',
+  buffer: Buffer.from(bytes),
+});
 
 async function dropped(app: App, { name, buffer }: Upload): Promise<void> {
-  const transfer = await app.page.evaluateHandle(([file, text]) => {
-    const data = new DataTransfer();
-    data.items.add(new File([Uint8Array.from(atob(text!), (c) => c.charCodeAt(0))], file!));
-    return data;
-  }, [name, buffer.toString('base64')]);
+  const transfer = await app.page.evaluateHandle(
+    ([file, text]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(atob(text!), (c) => c.charCodeAt(0))], file!));
+      return data;
+    },
+    [name, buffer.toString('base64')],
+  );
   await app.page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
   await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'files', names: [name] });
   await app.settled();
@@ -32,12 +39,26 @@ async function takeAt(app: App, animation: string, times: number[]): Promise<voi
 }
 
 const inputs = [
-  { what: 'a generated rig', file: async () => upload('rig.glb', (await rigFile()).bytes), animation: /^nod/, times: [0, 0.4, 1.1, 2.2, 3], middle: 1.6 },
-  { what: 'CesiumMan', file: async () => realFile('skin/CesiumMan.glb'), animation: /./, times: [0.1, 0.4, 0.9, 1.2, 1.8], middle: 0.65 },
+  {
+    what: 'a generated rig',
+    file: async () => upload('rig.glb', (await rigFile()).bytes),
+    animation: /^nod/,
+    times: [0, 0.4, 1.1, 2.2, 3],
+    middle: 1.6,
+  },
+  {
+    what: 'CesiumMan',
+    file: async () => realFile('skin/CesiumMan.glb'),
+    animation: /./,
+    times: [0.1, 0.4, 0.9, 1.2, 1.8],
+    middle: 0.65,
+  },
 ];
 
 for (const { what, file, animation, times, middle } of inputs) {
-  test(`${what}: choose its animation, take five keys, play, export, open the export as the same project`, async ({ app }) => {
+  test(`${what}: choose its animation, take five keys, play, export, open the export as the same project`, async ({
+    app,
+  }) => {
     const found = await file();
     test.skip(found === null, 'the real inputs are not there');
     await app.open();
@@ -65,7 +86,9 @@ for (const { what, file, animation, times, middle } of inputs) {
     await app.answered();
     const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
     const bytes = readFileSync(await download.path());
-    const { extras } = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString()) as { extras: { shapespline: { keys: { times: number[] } } } };
+    const { extras } = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString()) as {
+      extras: { shapespline: { keys: { times: number[] } } };
+    };
     expect(extras.shapespline.keys.times).toEqual(times);
 
     await dropped(app, upload('again.glb', bytes));
@@ -105,7 +128,11 @@ test('sample times are spread, typed, added by a click on the time line, moved a
   const added = Number((await field.inputValue()).split(', ')[1]);
   expect(Math.abs(added - 0.5)).toBeLessThan(0.1);
 
-  for (const [text, says] of [['0, one, 2', 'Time 2'], ['0, 2.5', 'outside'], ['1', 'two times']] as const) {
+  for (const [text, says] of [
+    ['0, one, 2', 'Time 2'],
+    ['0, 2.5', 'outside'],
+    ['1', 'two times'],
+  ] as const) {
     await field.fill(text);
     await field.press('Enter');
     await expect(app.by('sample-reason')).toContainText(says);

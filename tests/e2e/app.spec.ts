@@ -12,20 +12,24 @@ test('shows the first sample with its counts and a picture that is not flat', { 
   await expect(app.by('status-ms')).toHaveText(/^\d+(\.\d)? ms per frame, exact$/);
   expect(positions.every(Number.isFinite)).toBe(true);
 
-  const spread = await app.page.evaluate(async (text) => {
-    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-    context.drawImage(bitmap, 0, 0);
-    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    const colours = new Set<number>();
-    let shape = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      colours.add((data[i]! << 16) | (data[i + 1]! << 8) | data[i + 2]!);
-      if (Math.max(data[i]!, data[i + 1]!, data[i + 2]!) - Math.min(data[i]!, data[i + 1]!, data[i + 2]!) > 40) shape += 4;
-    }
-    return { colours: colours.size, shape: shape / data.length };
-  }, (await app.picture()).toString('base64'));
+  const spread = await app.page.evaluate(
+    async (text) => {
+      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      const colours = new Set<number>();
+      let shape = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        colours.add((data[i]! << 16) | (data[i + 1]! << 8) | data[i + 2]!);
+        if (Math.max(data[i]!, data[i + 1]!, data[i + 2]!) - Math.min(data[i]!, data[i + 1]!, data[i + 2]!) > 40)
+          shape += 4;
+      }
+      return { colours: colours.size, shape: shape / data.length };
+    },
+    (await app.picture()).toString('base64'),
+  );
   // A lit shape has many shades of its colour and fills a good part of the picture.
   expect(spread.colours).toBeGreaterThan(100);
   expect(spread.shape).toBeGreaterThan(0.02);
@@ -34,7 +38,10 @@ test('shows the first sample with its counts and a picture that is not flat', { 
 
 test('every sample opens without a complaint', { tag: '@server' }, async ({ app }) => {
   await app.open();
-  const ids = await app.by('sample').locator('option').evaluateAll((options) => options.map((o) => (o as HTMLOptionElement).value));
+  const ids = await app
+    .by('sample')
+    .locator('option')
+    .evaluateAll((options) => options.map((o) => (o as HTMLOptionElement).value));
   expect(ids.length).toBeGreaterThanOrEqual(3);
   for (const id of ids) {
     await app.by('sample').selectOption(id);

@@ -24,7 +24,11 @@ test('axe finds nothing serious on a wide page, with everything open', async ({ 
 test('axe finds nothing serious in the dialogs and messages', async ({ app }) => {
   await app.page.emulateMedia({ colorScheme: 'dark' });
   await app.open();
-  for (const [opener, closer] of [['export', 'export-close'], ['help', 'help-close'], ['key-0-edit', 'key-editor-close']] as const) {
+  for (const [opener, closer] of [
+    ['export', 'export-close'],
+    ['help', 'help-close'],
+    ['key-0-edit', 'key-editor-close'],
+  ] as const) {
     await app.by(opener).click();
     await expectAccessible(app);
     await app.by(closer).click();
@@ -33,7 +37,9 @@ test('axe finds nothing serious in the dialogs and messages', async ({ app }) =>
   await expect(app.by('clock')).toBeVisible();
   await expectAccessible(app);
   await app.page.keyboard.press('Escape');
-  await app.by('file-input').setInputFiles({ name: 'bad.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('<html>') });
+  await app
+    .by('file-input')
+    .setInputFiles({ name: 'bad.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('<html>') });
   await expect(app.by('error')).toBeVisible();
   await expectAccessible(app);
   await app.page.emulateMedia({ colorScheme: 'light' });
@@ -53,13 +59,18 @@ test('axe finds nothing serious at 360 px, in any sheet', async ({ app }) => {
 test('works with the keyboard alone, and the focus can always be seen', async ({ app }) => {
   await app.open();
   const { page } = app;
-  const focused = (): Promise<{ id: string; outline: boolean }> => page.evaluate(() => {
-    const element = document.activeElement as HTMLElement;
-    // The visible part of a radio button is the label's text after it.
-    const shown = element instanceof HTMLInputElement && element.type === 'radio' ? element.nextElementSibling! : element;
-    const style = getComputedStyle(shown);
-    return { id: element.dataset['testid'] ?? element.tagName, outline: style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2 };
-  });
+  const focused = (): Promise<{ id: string; outline: boolean }> =>
+    page.evaluate(() => {
+      const element = document.activeElement as HTMLElement;
+      // The visible part of a radio button is the label's text after it.
+      const shown =
+        element instanceof HTMLInputElement && element.type === 'radio' ? element.nextElementSibling! : element;
+      const style = getComputedStyle(shown);
+      return {
+        id: element.dataset['testid'] ?? element.tagName,
+        outline: style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2,
+      };
+    });
   const reach = async (id: string): Promise<void> => {
     for (let presses = 0; presses < 90; presses += 1) {
       const now = await focused();
@@ -121,7 +132,8 @@ test.describe('at 360 px', () => {
   test('everything is there and fits', async ({ app }) => {
     await app.open();
     const { page } = app;
-    const overflow = (): Promise<number> => page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+    const overflow = (): Promise<number> =>
+      page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
     expect(await overflow()).toBeLessThanOrEqual(0);
     const slider = (await app.by('timeline').boundingBox())!;
     expect(slider.width).toBeGreaterThan(280);
@@ -153,12 +165,14 @@ test.describe('at 360 px', () => {
 
   test('a message covers no half of a line', async ({ app }) => {
     await app.open();
-    await app.by('file-input').setInputFiles({ name: 'broken.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('glTF') });
+    await app
+      .by('file-input')
+      .setInputFiles({ name: 'broken.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('glTF') });
     await expect(app.by('error')).toBeVisible();
     const [status, message] = [(await app.by('status').boundingBox())!, (await app.by('error').boundingBox())!];
     expect(status.y + status.height).toBeLessThanOrEqual(message.y + 1);
     await app.by('error-close').tap();
-    await app.by('timeline').tap();  // the welcome goes, too
+    await app.by('timeline').tap(); // the welcome goes, too
     await expect(app.by('status-ms')).toBeVisible();
   });
 });
@@ -176,7 +190,10 @@ test('asks no other host for anything, under a policy that forbids inline script
     const script = document.createElement('script');
     script.textContent = 'window.injected = true';
     document.head.append(script);
-    const elsewhere = await fetch('https://example.invalid/').then(() => true, () => false);
+    const elsewhere = await fetch('https://example.invalid/').then(
+      () => true,
+      () => false,
+    );
     return { script: 'injected' in window, elsewhere };
   });
   expect(ran).toEqual({ script: false, elsewhere: false });
@@ -193,7 +210,7 @@ test('works offline after the first visit', async ({ app, context }, info) => {
     return (await Promise.all(caches.map((cache) => cache.keys()))).flat().map(({ url }) => url);
   });
   expect(kept.filter((url) => /shapespline-[^/]*\.wasm$/.test(url))).toHaveLength(1);
-  expect(kept.filter((url) => /\/picture\.png$|\.md$/.test(url))).toEqual([]);  // for readers of the repository
+  expect(kept.filter((url) => /\/picture\.png$|\.md$/.test(url))).toEqual([]); // for readers of the repository
   await context.setOffline(true);
   await app.open();
   expect((await app.positions()).length).toBeGreaterThan(0);

@@ -27,16 +27,20 @@ async function centreOf(app: App, selector: string): Promise<number> {
 
 /** Collects the times that are shown while the page plays. */
 async function timesWhilePlaying(page: Page, ms: number): Promise<number[]> {
-  return page.evaluate((span) => new Promise<number[]>((done) => {
-    const times: number[] = [];
-    const start = performance.now();
-    const look = (): void => {
-      times.push(window.__shapespline!.state.time);
-      if (performance.now() - start < span) requestAnimationFrame(look);
-      else done(times);
-    };
-    look();
-  }), ms);
+  return page.evaluate(
+    (span) =>
+      new Promise<number[]>((done) => {
+        const times: number[] = [];
+        const start = performance.now();
+        const look = (): void => {
+          times.push(window.__shapespline!.state.time);
+          if (performance.now() - start < span) requestAnimationFrame(look);
+          else done(times);
+        };
+        look();
+      }),
+    ms,
+  );
 }
 
 test('two handles are dragged, and playing stays between them', async ({ app }) => {
@@ -46,7 +50,9 @@ test('two handles are dragged, and playing stays between them', async ({ app }) 
     const box = (await app.by(handle).boundingBox())!;
     await page.mouse.move(box.x + box.width / 2, box.y + 12);
     await page.mouse.down();
-    await page.mouse.move(box.x + box.width / 2 + (await xOf(app, to)) - (await xOf(app, from)), box.y + 12, { steps: 6 });
+    await page.mouse.move(box.x + box.width / 2 + (await xOf(app, to)) - (await xOf(app, from)), box.y + 12, {
+      steps: 6,
+    });
     await page.mouse.up();
   };
   await app.by('timeline').hover();
@@ -103,7 +109,8 @@ test('the wheel zooms about the pointer; ticks, playhead and margins follow', as
   await app.setTime(0.5);
   const x = await xOf(app, 0.5);
   const { y, width } = await track(app);
-  const gap = async (): Promise<number> => (await centreOf(app, '[data-testid="tick-1"]')) - (await centreOf(app, '[data-testid="tick-0"]'));
+  const gap = async (): Promise<number> =>
+    (await centreOf(app, '[data-testid="tick-1"]')) - (await centreOf(app, '[data-testid="tick-0"]'));
   expect(await gap()).toBeCloseTo((0.5 / 1.8) * width, 0);
   await page.mouse.move(x, y);
   await page.mouse.wheel(0, -200);
@@ -113,7 +120,10 @@ test('the wheel zooms about the pointer; ticks, playhead and margins follow', as
   // The key under the pointer stays there, the distances grow by the zoom.
   expect(await centreOf(app, '[data-testid="tick-1"]')).toBeCloseTo(x, 0);
   expect(await gap()).toBeCloseTo((0.5 / (high - low)) * width, 0);
-  expect((await app.page.locator('.margin.before').boundingBox())!.width).toBeCloseTo(((0 - low) / (high - low)) * width, 0);
+  expect((await app.page.locator('.margin.before').boundingBox())!.width).toBeCloseTo(
+    ((0 - low) / (high - low)) * width,
+    0,
+  );
   await expect(page.locator('.ruler .mark').first()).toBeVisible();
   for (let step = 0; step < 20; step += 1) await page.mouse.wheel(0, -400);
   await expect.poll(async () => 1.8 / ((await windowOf(app))[1] - (await windowOf(app))[0])).toBeGreaterThan(20);
@@ -144,7 +154,9 @@ test('the wheel zooms about the pointer; ticks, playhead and margins follow', as
   await app.expectNoProblems();
 });
 
-test('zoomed in, the timeline follows the playhead, and a dragged key moves by what the pointer covers', async ({ app }) => {
+test('zoomed in, the timeline follows the playhead, and a dragged key moves by what the pointer covers', async ({
+  app,
+}) => {
   await app.open();
   const { page } = app;
   await app.setTime(0.5);
@@ -160,7 +172,12 @@ test('zoomed in, the timeline follows the playhead, and a dragged key moves by w
   await page.mouse.up();
   expect((await app.state()).doc.keys[1]!.time).toBeCloseTo(0.5 + (60 / width) * (high - low), 3);
   await app.setTime(0.97);
-  await expect.poll(async () => { const [a, b] = await windowOf(app); return a <= 0.97 && b >= 0.97; }).toBe(true);
+  await expect
+    .poll(async () => {
+      const [a, b] = await windowOf(app);
+      return a <= 0.97 && b >= 0.97;
+    })
+    .toBe(true);
   await expect(page.locator('.knob')).toBeVisible();
   await expect(app.by('overview')).toBeVisible();
 });
@@ -226,7 +243,10 @@ test('what plays is what an export holds', async ({ app }) => {
   await expect(app.by('export-size')).toHaveText(/^5 frames/);
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
   const glb = await readFile(await download.path());
-  const json = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString()) as { accessors: { max?: number[] }[]; animations: { samplers: { input: number }[] }[] };
+  const json = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString()) as {
+    accessors: { max?: number[] }[];
+    animations: { samplers: { input: number }[] }[];
+  };
   expect(json.accessors[json.animations[0]!.samplers[0]!.input]!.max![0]).toBeCloseTo(0.5, 6);
 });
 

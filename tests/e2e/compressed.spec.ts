@@ -5,15 +5,25 @@ import { bar, bent } from '../engine/support/shapes.ts';
 import { expect, test } from './support.ts';
 
 const mesh = bar();
-const plain = poseFiles(mesh, [0, 60, 120].map((degrees) => bent(mesh, degrees)));
+const plain = poseFiles(
+  mesh,
+  [0, 60, 120].map((degrees) => bent(mesh, degrees)),
+);
 const vertices = `${mesh.positions.length / 3} vertices`;
 
-for (const [name, compress, decoder] of [['Draco', draco, /draco_decoder.*\.wasm/], ['meshopt', meshopt, /meshopt(imizer)?_decoder/]] as const) {
+for (const [name, compress, decoder] of [
+  ['Draco', draco, /draco_decoder.*\.wasm/],
+  ['meshopt', meshopt, /meshopt(imizer)?_decoder/],
+] as const) {
   test(`poses compressed with ${name} open`, { tag: '@server' }, async ({ app }) => {
     const files = await compress(plain);
     await app.open();
     expect(app.requests.filter((url) => decoder.test(url))).toEqual([]);
-    const upload = files.map((file) => ({ name: file.name, mimeType: 'model/gltf-binary', buffer: Buffer.from(file.bytes) }));
+    const upload = files.map((file) => ({
+      name: file.name,
+      mimeType: 'model/gltf-binary',
+      buffer: Buffer.from(file.bytes),
+    }));
     await app.by('file-input').setInputFiles(upload);
     await expect.poll(async () => (await app.state()).source.kind).toBe('files');
     await app.settled();

@@ -4,7 +4,10 @@ import type { Download } from '@playwright/test';
 import { diagonal, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-async function exported(app: App, choose: () => Promise<void>): Promise<{ download: Download; bytes: Buffer; stated: string }> {
+async function exported(
+  app: App,
+  choose: () => Promise<void>,
+): Promise<{ download: Download; bytes: Buffer; stated: string }> {
   await app.by('export').click();
   await choose();
   await app.answered();
@@ -59,7 +62,11 @@ test('frames come as OBJ files in a zip', async ({ app }) => {
   expect(bytes.toString('latin1').match(/\d{4}\.obj/g)!.length).toBe(2 * 3);
 });
 
-for (const [format, start] of [['glb', 'glTF'], ['obj', ''], ['ply', 'ply']] as const) {
+for (const [format, start] of [
+  ['glb', 'glTF'],
+  ['obj', ''],
+  ['ply', 'ply'],
+] as const) {
   test(`the current pose is saved as ${format.toUpperCase()}`, async ({ app }) => {
     await app.open();
     const positions = await app.positionsAt(0.3);
@@ -70,7 +77,11 @@ for (const [format, start] of [['glb', 'glTF'], ['obj', ''], ['ply', 'ply']] as 
     expect(download.suggestedFilename()).toBe(`cactus.${format}`);
     expect(bytes.toString('latin1').startsWith(start)).toBe(true);
     if (format !== 'obj') return;
-    const vertices = bytes.toString().split('\n').filter((line) => line.startsWith('v ')).flatMap((line) => line.split(' ').slice(1, 4).map(Number));
+    const vertices = bytes
+      .toString()
+      .split('\n')
+      .filter((line) => line.startsWith('v '))
+      .flatMap((line) => line.split(' ').slice(1, 4).map(Number));
     expect(difference(vertices, positions)).toBeLessThan(1e-5 * diagonal(positions));
   });
 }
@@ -119,7 +130,11 @@ test('the patch of every face is saved as CSV', async ({ app }) => {
     await app.by('export-kind-numbers').check();
     await app.by('export-numbers-patches').check();
   });
-  const rows = bytes.toString().trim().split('\n').filter((line) => /^\d/.test(line));
+  const rows = bytes
+    .toString()
+    .trim()
+    .split('\n')
+    .filter((line) => /^\d/.test(line));
   const faces = Number((await app.by('status-faces').innerText()).replace(/\D/g, ''));
   expect(rows.length).toBe(faces);
   expect(new Set(rows.map((row) => row.split(',')[1])).size).toBe((await app.stats()).patches);
@@ -156,5 +171,7 @@ test('a link brings the whole view back', async ({ app, page }) => {
   expect(again.doc).toEqual(state.doc);
   expect(again.time).toBe(0.37);
   expect(await app.positions()).toEqual(positions);
-  again.view.camera!.position.forEach((value, axis) => expect(value).toBeCloseTo(state.view.camera!.position[axis]!, 3));
+  again.view.camera!.position.forEach((value, axis) =>
+    expect(value).toBeCloseTo(state.view.camera!.position[axis]!, 3),
+  );
 });

@@ -8,7 +8,9 @@ import type { App } from './support.ts';
 
 const cactus = ['cactus/cactus-3.glb', 'cactus/cactus-1.glb', 'cactus/cactus-2.glb'].map(realFile);
 
-test('three files become three keys in natural order of name, and are scrubbed past both ends', { tag: '@server' }, async ({ app }) => {
+test('three files become three keys in natural order of name, and are scrubbed past both ends', {
+  tag: '@server',
+}, async ({ app }) => {
   test.skip(cactus.includes(null), 'the real inputs are not there');
   await app.open();
   await app.by('file-input').setInputFiles(cactus as string[]);
@@ -59,7 +61,11 @@ test('an animation is sampled anew with as many keys as are asked for', { tag: '
 const broken: { what: string; name: string; bytes: Buffer }[] = [
   { what: 'a page saved as a model', name: 'model.glb', bytes: Buffer.from('<!doctype html><title>Not found</title>') },
   { what: 'an empty file', name: 'empty.glb', bytes: Buffer.alloc(0) },
-  { what: 'a GLB that claims to be longer than it is', name: 'cut.glb', bytes: Buffer.from('676c544602000000ffffff7f', 'hex') },
+  {
+    what: 'a GLB that claims to be longer than it is',
+    name: 'cut.glb',
+    bytes: Buffer.from('676c544602000000ffffff7f', 'hex'),
+  },
   { what: 'JSON that is no glTF', name: 'other.gltf', bytes: Buffer.from('{"asset":{}}') },
 ];
 
@@ -101,14 +107,17 @@ test('files are dropped anywhere on the page, which answers while they hover', a
   const files = cactus.map((file, index) => ({ name: `pose-${index}.glb`, text: bytesOf(file!).toString('base64') }));
   const transfer = await app.page.evaluateHandle((list) => {
     const data = new DataTransfer();
-    for (const { name, text } of list) data.items.add(new File([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], name));
+    for (const { name, text } of list)
+      data.items.add(new File([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], name));
     return data;
   }, files);
   await app.page.dispatchEvent('body', 'dragenter', { dataTransfer: transfer });
   await expect(app.by('drop-zone')).toBeVisible();
   await app.page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
   await expect(app.by('drop-zone')).toBeHidden();
-  await expect.poll(async () => (await app.state()).doc.keys.map((key) => key.name)).toEqual(['pose-0', 'pose-1', 'pose-2']);
+  await expect
+    .poll(async () => (await app.state()).doc.keys.map((key) => key.name))
+    .toEqual(['pose-0', 'pose-1', 'pose-2']);
   await app.settled();
   await expect(app.by('status-vertices')).toHaveText('5,261 vertices');
 });
@@ -117,42 +126,57 @@ test('files are dropped anywhere on the page, which answers while they hover', a
 async function drop(app: App, files: string[]): Promise<void> {
   const session = await app.page.context().newCDPSession(app.page);
   const data = { items: [], files, dragOperationsMask: 1 };
-  for (const type of ['dragEnter', 'dragOver', 'drop'] as const) await session.send('Input.dispatchDragEvent', { type, x: 400, y: 300, data });
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
+    await session.send('Input.dispatchDragEvent', { type, x: 400, y: 300, data });
   await session.detach();
 }
 
-test('a folder is dropped: the poses in it and in its folders are opened, with the textures that they name', { tag: '@server' }, async ({ app }, testInfo) => {
-  const folder = testInfo.outputPath('many poses');
-  mkdirSync(path.join(folder, 'materials', 'images'), { recursive: true });
-  const pose = (bend: number): string => `mtllib materials/paint.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 ${bend}\nv 0 1 ${bend}\nvt 0 0\nusemtl paint\nf 1/1 2/1 3/1 4/1\n`;
-  // More than a browser hands out at once.
-  const count = 120;
-  for (let i = 1; i <= count; i += 1) writeFileSync(path.join(folder, `pose-${i}.obj`), pose(i / count));
-  writeFileSync(path.join(folder, 'materials', 'paint.mtl'), 'newmtl paint\nmap_Kd images/red.png\n');
-  writeFileSync(path.join(folder, 'materials', 'images', 'red.png'), columns([[255, 0, 0]]));
-  for (const rubbish of ['.DS_Store', 'notes.docx', 'scene.blend']) writeFileSync(path.join(folder, rubbish), 'not a model');
-  await app.open();
-  await drop(app, [folder]);
-  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
-  await app.settled();
-  const { doc, source } = await app.state();
-  expect(doc.keys.map((key) => key.name)).toEqual(Array.from({ length: count }, (_, i) => `pose-${i + 1}`));
-  expect(source.kind === 'files' && source.names).toContain('many poses/materials/images/red.png');
-  await expect(app.by('warning-count')).toBeHidden();
-  await expect(app.by('colouring-texture')).toBeEnabled();
-  await app.expectNoProblems();
-});
+test(
+  'a folder is dropped: the poses in it and in its folders are opened, with the textures that they name',
+  { tag: '@server' },
+  async ({ app }, testInfo) => {
+    const folder = testInfo.outputPath('many poses');
+    mkdirSync(path.join(folder, 'materials', 'images'), { recursive: true });
+    const pose = (bend: number): string =>
+      `mtllib materials/paint.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 ${bend}\nv 0 1 ${bend}\nvt 0 0\nusemtl paint\nf 1/1 2/1 3/1 4/1\n`;
+    // More than a browser hands out at once.
+    const count = 120;
+    for (let i = 1; i <= count; i += 1) writeFileSync(path.join(folder, `pose-${i}.obj`), pose(i / count));
+    writeFileSync(path.join(folder, 'materials', 'paint.mtl'), 'newmtl paint\nmap_Kd images/red.png\n');
+    writeFileSync(path.join(folder, 'materials', 'images', 'red.png'), columns([[255, 0, 0]]));
+    for (const rubbish of ['.DS_Store', 'notes.docx', 'scene.blend'])
+      writeFileSync(path.join(folder, rubbish), 'not a model');
+    await app.open();
+    await drop(app, [folder]);
+    await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+    await app.settled();
+    const { doc, source } = await app.state();
+    expect(doc.keys.map((key) => key.name)).toEqual(Array.from({ length: count }, (_, i) => `pose-${i + 1}`));
+    expect(source.kind === 'files' && source.names).toContain('many poses/materials/images/red.png');
+    await expect(app.by('warning-count')).toBeHidden();
+    await expect(app.by('colouring-texture')).toBeEnabled();
+    await app.expectNoProblems();
+  },
+);
 
-test('a folder without a model is refused in a sentence, and files without a folder drop the same way', async ({ app }, testInfo) => {
+test('a folder without a model is refused in a sentence, and files without a folder drop the same way', async ({
+  app,
+}, testInfo) => {
   const folder = testInfo.outputPath('photos');
   mkdirSync(folder, { recursive: true });
   writeFileSync(path.join(folder, 'letter.docx'), 'not a model');
   await app.open();
   await drop(app, [folder]);
-  await expect(app.by('error-message')).toHaveText('There is no model in photos. Drop a folder with glTF, OBJ, PLY or OFF files.');
+  await expect(app.by('error-message')).toHaveText(
+    'There is no model in photos. Drop a folder with glTF, OBJ, PLY or OFF files.',
+  );
   expect((await app.state()).source.kind).toBe('sample');
-  for (const bend of [1, 2]) writeFileSync(path.join(folder, `${bend}.obj`), `v 0 0 0\nv 1 0 0\nv 1 ${bend} 0\nf 1 2 3\n`);
-  await drop(app, [1, 2].map((bend) => path.join(folder, `${bend}.obj`)));
+  for (const bend of [1, 2])
+    writeFileSync(path.join(folder, `${bend}.obj`), `v 0 0 0\nv 1 0 0\nv 1 ${bend} 0\nf 1 2 3\n`);
+  await drop(
+    app,
+    [1, 2].map((bend) => path.join(folder, `${bend}.obj`)),
+  );
   await expect.poll(async () => (await app.state()).doc.keys.map((key) => key.name)).toEqual(['1', '2']);
   await expect(app.by('error')).toBeHidden();
   await app.settled();
@@ -162,13 +186,17 @@ test('ten files dropped twice are opened once, and nothing is left behind', asyn
   test.skip(cactus.includes(null), 'the real inputs are not there');
   await app.open();
   const poses = Array.from({ length: 10 }, (_, index) => ({
-    name: `pose-${index + 1}.glb`, mimeType: 'model/gltf-binary', buffer: bytesOf(cactus[index % 3]!),
+    name: `pose-${index + 1}.glb`,
+    mimeType: 'model/gltf-binary',
+    buffer: bytesOf(cactus[index % 3]!),
   }));
   await app.by('file-input').setInputFiles(poses);
   await app.by('file-input').setInputFiles(poses);
   await expect.poll(async () => (await app.state()).doc.keys.length).toBe(10);
   await app.settled();
-  expect((await app.state()).doc.keys.map((key) => key.name)).toEqual(poses.map(({ name }) => name.replace('.glb', '')));
+  expect((await app.state()).doc.keys.map((key) => key.name)).toEqual(
+    poses.map(({ name }) => name.replace('.glb', '')),
+  );
   await expect(app.by('progress')).toBeHidden();
   await expect(app.by('error')).toBeHidden();
   await app.expectNoProblems();
@@ -184,13 +212,19 @@ test('a key of the same mesh is added from a file; another mesh is refused', asy
   await app.by('key-file-input').setInputFiles(cactus[0]!);
   await expect.poll(async () => (await app.state()).doc.keys.length).toBe(3);
   await app.settled();
-  expect((await app.state()).doc.keys.map(({ name, time }) => [name, time])).toEqual([['cactus-1', 0], ['cactus-2', 1], ['cactus-3', 2]]);
+  expect((await app.state()).doc.keys.map(({ name, time }) => [name, time])).toEqual([
+    ['cactus-1', 0],
+    ['cactus-2', 1],
+    ['cactus-3', 2],
+  ]);
   await app.by('key-file-input').setInputFiles(horse!);
   await expect(app.by('error-message')).toContainText('same mesh');
   expect((await app.state()).doc.keys.length).toBe(3);
 });
 
-test('a key with polygons is added however it would be cut by itself, and the files lie as they are said to', async ({ app }) => {
+test('a key with polygons is added however it would be cut by itself, and the files lie as they are said to', async ({
+  app,
+}) => {
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
   const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
   await app.open();
@@ -208,7 +242,9 @@ test('a key with polygons is added however it would be cut by itself, and the fi
   await app.by('key-file-input').setInputFiles(given('c.obj', -0.5));
   await expect.poll(async () => (await app.state()).doc.keys.map(({ name }) => name)).toEqual(['a', 'b', 'c']);
   await app.settled();
-  expect(difference(await app.positionsAt(2), [0, 0, 0, 0.01, 0, 0, 0.005, 0.01, 0, -0.005, 0.01, 0])).toBeLessThan(1e-6);
+  expect(difference(await app.positionsAt(2), [0, 0, 0, 0.01, 0, 0, 0.005, 0.01, 0, -0.005, 0.01, 0])).toBeLessThan(
+    1e-6,
+  );
   await expect(app.by('up-axis-z')).toBeChecked();
   await app.expectNoProblems();
 });
@@ -235,14 +271,24 @@ test('files are remembered only where the user says so, with all that was done t
   await app.by('boundary-hermite').check();
   await app.settled();
   const before = { ...(await app.state()), shape: await app.positionsAt(0.2) };
-  await expect.poll(() => app.page.evaluate(() => new Promise<number>((resolve, reject) => {
-    const open = indexedDB.open('shapespline');
-    open.onerror = () => reject(open.error);
-    open.onsuccess = () => {
-      const rest = open.result.transaction('remembered').objectStore('remembered').get('rest');
-      rest.onsuccess = () => { open.result.close(); resolve(rest.result.state.time); };
-    };
-  }))).toBe(0.2);
+  await expect
+    .poll(() =>
+      app.page.evaluate(
+        () =>
+          new Promise<number>((resolve, reject) => {
+            const open = indexedDB.open('shapespline');
+            open.onerror = () => reject(open.error);
+            open.onsuccess = () => {
+              const rest = open.result.transaction('remembered').objectStore('remembered').get('rest');
+              rest.onsuccess = () => {
+                open.result.close();
+                resolve(rest.result.state.time);
+              };
+            };
+          }),
+      ),
+    )
+    .toBe(0.2);
 
   await app.page.reload();
   await app.open();

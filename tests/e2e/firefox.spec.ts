@@ -11,14 +11,23 @@ test('the page works in Firefox ESR', async ({}, info) => {
   const firefox = await Firefox.start(program!);
   try {
     await firefox.open(info.project.use.baseURL!);
-    const hasWebGl = await firefox.run<boolean>(`return document.createElement('canvas').getContext('webgl2') !== null;`);
+    const hasWebGl = await firefox.run<boolean>(
+      `return document.createElement('canvas').getContext('webgl2') !== null;`,
+    );
     if (!hasWebGl) {
       // Without a screen there is none in software: then the page must say so, and that is all there is to see.
       const alert = await firefox.run<string>(`return document.querySelector('[role=alert]').textContent;`);
       expect(alert).toContain('WebGL 2');
       test.skip(true, 'this Firefox has no WebGL without a screen; install Xvfb');
     }
-    const seen = await firefox.run<{ keys: number; finite: boolean; moved: number; exact: number; problem: boolean; policy: string[] }>(`
+    const seen = await firefox.run<{
+      keys: number;
+      finite: boolean;
+      moved: number;
+      exact: number;
+      problem: boolean;
+      policy: string[];
+    }>(`
       const refused = [];
       document.addEventListener('securitypolicyviolation', (event) => refused.push(event.violatedDirective + ' ' + event.blockedURI));
       while (!window.__shapespline) await new Promise((resolve) => setTimeout(resolve, 50));

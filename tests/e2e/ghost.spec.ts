@@ -3,26 +3,36 @@ import { AxeBuilder } from '@axe-core/playwright';
 import { changedShare, diagonal, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-interface Hue { share: number; count: number }
+interface Hue {
+  share: number;
+  count: number;
+}
 
 /** Pixels of a colour, by a test in the page on red, green and blue. */
 async function pixels(app: App, kind: 'accent' | 'purple' | 'green'): Promise<Hue> {
   const picture = (await app.picture()).toString('base64');
-  return app.page.evaluate(async ([text, name]) => {
-    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-    context.drawImage(bitmap, 0, 0);
-    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    let count = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      const [r, g, b] = [data[i]!, data[i + 1]!, data[i + 2]!];
-      const hit = name === 'accent' ? b > 150 && b - g > 60 && b - r > 60
-        : name === 'purple' ? r > g + 12 && b > g + 25 && g < 110 : g > r + 40 && g > b + 10;
-      count += hit ? 1 : 0;
-    }
-    return { count, share: count / (data.length / 4) };
-  }, [picture, kind] as const);
+  return app.page.evaluate(
+    async ([text, name]) => {
+      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        const [r, g, b] = [data[i]!, data[i + 1]!, data[i + 2]!];
+        const hit =
+          name === 'accent'
+            ? b > 150 && b - g > 60 && b - r > 60
+            : name === 'purple'
+              ? r > g + 12 && b > g + 25 && g < 110
+              : g > r + 40 && g > b + 10;
+        count += hit ? 1 : 0;
+      }
+      return { count, share: count / (data.length / 4) };
+    },
+    [picture, kind] as const,
+  );
 }
 
 /** Distances of the first two views' vertices in percent of the diagonal over all keys, as the engine has them. */
@@ -30,7 +40,9 @@ async function apart(app: App): Promise<{ percent: number[]; shown: number[] }> 
   return app.page.evaluate(() => {
     const hook = window.__shapespline!;
     const [a, b] = [hook.positions(0), hook.positions(1)];
-    const percent = Array.from({ length: a.length / 3 }, (_, v) => Math.hypot(a[3 * v]! - b[3 * v]!, a[3 * v + 1]! - b[3 * v + 1]!, a[3 * v + 2]! - b[3 * v + 2]!));
+    const percent = Array.from({ length: a.length / 3 }, (_, v) =>
+      Math.hypot(a[3 * v]! - b[3 * v]!, a[3 * v + 1]! - b[3 * v + 1]!, a[3 * v + 2]! - b[3 * v + 2]!),
+    );
     return { percent, shown: Array.from(hook.difference() ?? []) };
   });
 }
@@ -87,7 +99,9 @@ test('size, transfer and placement change the ghost, and a link brings them back
   await app.expectNoProblems();
 });
 
-test('its wireframe lies over the shape, and it stands beside the shape with lines to its vertices', async ({ app }) => {
+test('its wireframe lies over the shape, and it stands beside the shape with lines to its vertices', async ({
+  app,
+}) => {
   await app.open();
   await app.setTime(0.2);
   await app.by('ghost').check();
@@ -150,7 +164,9 @@ test('the difference to no ghost is shown as colours, with its range', async ({ 
   await app.expectNoProblems();
 });
 
-test('sizes are compared when asked for, with a sentence that holds the numbers; the slider stays free', async ({ app }) => {
+test('sizes are compared when asked for, with a sentence that holds the numbers; the slider stays free', async ({
+  app,
+}) => {
   test.slow();
   await app.open();
   await app.by('study-start').click();
@@ -181,22 +197,27 @@ test('sizes are compared when asked for, with a sentence that holds the numbers;
 
 test('a comparison can be cancelled, and so can a ghost that is being made', async ({ app }) => {
   await app.open();
-  await app.openGenerated(80_000);  // a sample's ghost may be there before the page has drawn that it is being made
+  await app.openGenerated(80_000); // a sample's ghost may be there before the page has drawn that it is being made
   const before = await app.positionsAt(0.2);
   await app.by('study-start').click();
   await app.by('study-cancel').click();
   await expect(app.by('study-start')).toBeVisible();
   await expect(app.by('study')).toBeHidden();
-  await app.page.evaluate(() => new Promise<void>((done) => {
-    new MutationObserver((_, observer) => {
-      const button = document.querySelector<HTMLElement>('[data-testid="progress"]:not([hidden]) [data-testid="cancel"]');
-      if (!button) return;
-      observer.disconnect();
-      button.click();
-      done();
-    }).observe(document.body, { subtree: true, attributes: true, childList: true });
-    document.querySelector<HTMLElement>('[data-testid="ghost"]')!.click();
-  }));
+  await app.page.evaluate(
+    () =>
+      new Promise<void>((done) => {
+        new MutationObserver((_, observer) => {
+          const button = document.querySelector<HTMLElement>(
+            '[data-testid="progress"]:not([hidden]) [data-testid="cancel"]',
+          );
+          if (!button) return;
+          observer.disconnect();
+          button.click();
+          done();
+        }).observe(document.body, { subtree: true, attributes: true, childList: true });
+        document.querySelector<HTMLElement>('[data-testid="ghost"]')!.click();
+      }),
+  );
   await app.settled();
   expect((await app.state()).doc.encoding.ghostFaces).toBe(0);
   expect(await app.positionsAt(0.2)).toEqual(before);
@@ -215,7 +236,7 @@ test('methods that blend positions have no ghost', async ({ app }) => {
   await app.expectNoProblems();
 });
 
-test('axe finds nothing serious with the ghost\'s section, its colours and its plots', async ({ app }) => {
+test("axe finds nothing serious with the ghost's section, its colours and its plots", async ({ app }) => {
   test.slow();
   await app.open();
   await app.by('ghost').check();

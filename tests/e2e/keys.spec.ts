@@ -6,7 +6,10 @@ test('every key has its own picture', async ({ app }) => {
   const { keys } = (await app.state()).doc;
   const image = (index: number): string => `[data-testid="key-${index}"] img[src^="data:image/png"]`;
   for (const index of keys.keys()) await expect(app.page.locator(image(index))).toBeVisible();
-  const sources = await app.by('keys').locator('img').evaluateAll((images) => images.map((one) => (one as HTMLImageElement).src));
+  const sources = await app
+    .by('keys')
+    .locator('img')
+    .evaluateAll((images) => images.map((one) => (one as HTMLImageElement).src));
   expect(new Set(sources).size).toBe(keys.length);
 });
 
@@ -107,9 +110,10 @@ test('methods stand side by side with one camera and one clock', async ({ app })
   expect(await changedShare(app.page, alone, await app.picture())).toBeGreaterThan(0.01);
   await expect(app.by('tile-0')).toContainText('LRI spline');
   await expect(app.by('tile-1')).toContainText('Linear vertices');
-  const volume = async (tile: number): Promise<number> => Number(/volume ([\d.]+)\s%/.exec(await app.by(`tile-${tile}`).innerText())![1]);
+  const volume = async (tile: number): Promise<number> =>
+    Number(/volume ([\d.]+)\s%/.exec(await app.by(`tile-${tile}`).innerText())![1]);
   // What the method is for: the spline keeps more of the volume than a blend of positions.
-  expect(Math.abs(await volume(0) - 100)).toBeLessThan(Math.abs(await volume(1) - 100));
+  expect(Math.abs((await volume(0)) - 100)).toBeLessThan(Math.abs((await volume(1)) - 100));
   await app.setTime(0.6);
   expect(difference(await app.positions(1), linear)).toBeGreaterThan(1e-3 * diagonal(spline));
   await app.by('compare-linear').uncheck();

@@ -10,11 +10,20 @@ import path from 'node:path';
 const START_MS = 60_000;
 
 const PREFERENCES = [
-  ['marionette.port', 0], ['app.update.enabled', false], ['datareporting.policy.dataSubmissionEnabled', false],
-  ['browser.shell.checkDefaultBrowser', false], ['browser.startup.homepage_override.mstone', 'ignore'], ['toolkit.telemetry.enabled', false],
-  ['network.captive-portal-service.enabled', false], ['network.connectivity-service.enabled', false], ['app.normandy.enabled', false],
+  ['marionette.port', 0],
+  ['app.update.enabled', false],
+  ['datareporting.policy.dataSubmissionEnabled', false],
+  ['browser.shell.checkDefaultBrowser', false],
+  ['browser.startup.homepage_override.mstone', 'ignore'],
+  ['toolkit.telemetry.enabled', false],
+  ['network.captive-portal-service.enabled', false],
+  ['network.connectivity-service.enabled', false],
+  ['app.normandy.enabled', false],
   // WebGL without a graphics card.
-  ['webgl.force-enabled', true], ['webgl.forbid-software', false], ['webgl.out-of-process', false], ['ui.prefersReducedMotion', 1],
+  ['webgl.force-enabled', true],
+  ['webgl.forbid-software', false],
+  ['webgl.out-of-process', false],
+  ['ui.prefersReducedMotion', 1],
 ] as const;
 
 /** Path of the system's Firefox ESR, or null. */
@@ -23,14 +32,17 @@ export function findFirefox(): string | null {
 }
 
 function find(program: string): string | null {
-  const found = (process.env['PATH'] ?? '').split(path.delimiter).map((folder) => path.join(folder, program)).find((file) => {
-    try {
-      accessSync(file, constants.X_OK);
-      return true;
-    } catch {
-      return false;
-    }
-  });
+  const found = (process.env['PATH'] ?? '')
+    .split(path.delimiter)
+    .map((folder) => path.join(folder, program))
+    .find((file) => {
+      try {
+        accessSync(file, constants.X_OK);
+        return true;
+      } catch {
+        return false;
+      }
+    });
   return found ?? null;
 }
 
@@ -43,7 +55,9 @@ interface Display {
 async function startDisplay(): Promise<Display | null> {
   const program = find('Xvfb');
   if (!program) return null;
-  const server = spawn(program, ['-displayfd', '3', '-screen', '0', '1280x900x24', '-nolisten', 'tcp'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] });
+  const server = spawn(program, ['-displayfd', '3', '-screen', '0', '1280x900x24', '-nolisten', 'tcp'], {
+    stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
+  });
   const number = await new Promise<string | null>((resolve) => {
     server.stdio[3]?.once('data', (data: Buffer) => resolve(data.toString().trim()));
     server.once('error', () => resolve(null));
@@ -57,7 +71,12 @@ export class Firefox {
   private readonly waiting = new Map<number, { resolve(value: unknown): void; reject(error: Error): void }>();
   private lastId = 0;
 
-  private constructor(private readonly browser: ChildProcess, private readonly socket: Socket, private readonly profile: string, private readonly display: Display | null) {
+  private constructor(
+    private readonly browser: ChildProcess,
+    private readonly socket: Socket,
+    private readonly profile: string,
+    private readonly display: Display | null,
+  ) {
     socket.on('data', (chunk) => this.receive(chunk));
     socket.on('error', (error) => this.fail(error));
     socket.on('close', () => this.fail(new Error('Firefox has closed the connection.')));
@@ -65,11 +84,25 @@ export class Firefox {
 
   static async start(program: string): Promise<Firefox> {
     const profile = mkdtempSync(path.join(tmpdir(), 'shapespline-firefox-'));
-    writeFileSync(path.join(profile, 'user.js'), PREFERENCES.map(([name, value]) => `user_pref(${JSON.stringify(name)}, ${JSON.stringify(value)});\n`).join(''));
+    writeFileSync(
+      path.join(profile, 'user.js'),
+      PREFERENCES.map(([name, value]) => `user_pref(${JSON.stringify(name)}, ${JSON.stringify(value)});\n`).join(''),
+    );
     const display = await startDisplay();
-    const browser = spawn(program, [...(display ? [] : ['--headless']), '--no-remote', '--marionette', '--profile', profile], {
-      stdio: 'ignore', env: { ...process.env, HOME: profile, MOZ_CRASHREPORTER_DISABLE: '1', LIBGL_ALWAYS_SOFTWARE: '1', ...(display ? { DISPLAY: display.name } : {}) },
-    });
+    const browser = spawn(
+      program,
+      [...(display ? [] : ['--headless']), '--no-remote', '--marionette', '--profile', profile],
+      {
+        stdio: 'ignore',
+        env: {
+          ...process.env,
+          HOME: profile,
+          MOZ_CRASHREPORTER_DISABLE: '1',
+          LIBGL_ALWAYS_SOFTWARE: '1',
+          ...(display ? { DISPLAY: display.name } : {}),
+        },
+      },
+    );
     try {
       const port = await portOf(profile, browser);
       const socket = connect(port, '127.0.0.1');
@@ -93,7 +126,12 @@ export class Firefox {
   async run<T>(body: string, ...args: unknown[]): Promise<T> {
     const script = `const done = arguments[arguments.length - 1]; const args = Array.from(arguments).slice(0, -1);
       (async (...args) => { ${body} })(...args).then((value) => done({ value }), (error) => done({ error: String(error) }));`;
-    const { value } = (await this.command('WebDriver:ExecuteAsyncScript', { script, args, newSandbox: false, sandbox: null })) as { value: { value?: T; error?: string } };
+    const { value } = (await this.command('WebDriver:ExecuteAsyncScript', {
+      script,
+      args,
+      newSandbox: false,
+      sandbox: null,
+    })) as { value: { value?: T; error?: string } };
     if (value.error) throw new Error(value.error);
     return value.value as T;
   }
@@ -146,7 +184,7 @@ export class Firefox {
 /** Firefox writes the port that it has chosen into its profile. */
 async function portOf(profile: string, browser: ChildProcess): Promise<number> {
   const file = path.join(profile, 'MarionetteActivePort');
-  for (const end = Date.now() + START_MS; Date.now() < end;) {
+  for (const end = Date.now() + START_MS; Date.now() < end; ) {
     const port = existsSync(file) ? Number(readFileSync(file, 'utf8')) : 0;
     if (port > 0) return port;
     if (browser.exitCode !== null) throw new Error(`Firefox ended with code ${browser.exitCode}.`);

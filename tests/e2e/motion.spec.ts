@@ -20,7 +20,11 @@ async function expectChange(app: App, before: Shown, after: Shown): Promise<void
 test('the boundary changes the motion between the keys, not the keys', async ({ app }) => {
   await app.open();
   const keys = (await app.state()).doc.keys;
-  const exact = await Promise.all([]).then(async () => { const all: number[][] = []; for (const key of keys) all.push(await app.positionsAt(key.time)); return all; });
+  const exact = await Promise.all([]).then(async () => {
+    const all: number[][] = [];
+    for (const key of keys) all.push(await app.positionsAt(key.time));
+    return all;
+  });
   const size = diagonal(exact[0]!);
   const counters = await app.stats();
   const natural = await shownAt(app, 0.2);
@@ -29,7 +33,8 @@ test('the boundary changes the motion between the keys, not the keys', async ({ 
     await app.settled();
     expect((await app.state()).doc.motion.boundary).toBe(boundary);
     await expectChange(app, natural, await shownAt(app, 0.2));
-    for (const [index, key] of keys.entries()) expect(difference(await app.positionsAt(key.time), exact[index]!)).toBeLessThan(1e-5 * size);
+    for (const [index, key] of keys.entries())
+      expect(difference(await app.positionsAt(key.time), exact[index]!)).toBeLessThan(1e-5 * size);
   }
   await app.by('boundary-natural').check();
   await app.settled();
@@ -112,14 +117,18 @@ test('a periodic motion closes without a seam', async ({ app }) => {
   await app.by('boundary-periodic').check();
   await app.settled();
   const first = await app.positionsAt(0);
-  const period = await app.page.evaluate(() => Number((document.querySelector('[data-testid="period"]') as HTMLInputElement).value));
+  const period = await app.page.evaluate(() =>
+    Number((document.querySelector('[data-testid="period"]') as HTMLInputElement).value),
+  );
   expect(period).toBeGreaterThan(1);
   const size = diagonal(first);
   expect(difference(await app.positionsAt(period), first)).toBeLessThan(1e-4 * size);
   await expect(app.by('timeline')).toHaveAttribute('data-periodic', '');
 });
 
-test('stretch, reference and patches change the encoding, and the old shape stays until the new one is there', async ({ app }) => {
+test('stretch, reference and patches change the encoding, and the old shape stays until the new one is there', async ({
+  app,
+}) => {
   await app.open();
   const patches = await app.stats();
   const before = await shownAt(app, 1.4);
@@ -161,7 +170,10 @@ test('whole turns are added on the way to a key, and come back from a link', asy
   expect(difference(await app.positionsAt(0.25), turned)).toBeLessThan(1e-5 * diagonal(turned));
 });
 
-for (const [name, value] of [['tension', '1'], ['bias', '-1']] as const) {
+for (const [name, value] of [
+  ['tension', '1'],
+  ['bias', '-1'],
+] as const) {
   test(`the ${name} of a key changes the motion about it and not the key`, async ({ app }) => {
     await app.open();
     const [near, key] = [await app.positionsAt(0.45), await app.positionsAt(0.5)];

@@ -14,56 +14,59 @@ interface Overlap {
 async function overlap(app: App, t: number, drawn = t): Promise<Overlap> {
   await app.setTime(drawn);
   const picture = (await app.picture()).toString('base64');
-  return app.page.evaluate(async ([time, text]) => {
-    const hook = window.__shapespline!;
-    const places = hook.project(await hook.evaluate(time));
-    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const { width, height } = bitmap;
-    const context = new OffscreenCanvas(width, height).getContext('2d')!;
-    context.drawImage(bitmap, 0, 0);
-    const { data } = context.getImageData(0, 0, width, height);
-    // The shape is the only thing with a strong colour; floor, shadow and background are grey.
-    const shape = new Uint8Array(width * height);
-    for (let i = 0; i < shape.length; i += 1) {
-      const [r, g, b] = [data[4 * i]!, data[4 * i + 1]!, data[4 * i + 2]!];
-      shape[i] = Math.max(r, g, b) - Math.min(r, g, b) > 36 ? 1 : 0;
-    }
-    const grow = (mask: Uint8Array, radius: number): Uint8Array => {
-      const grown = new Uint8Array(mask.length);
-      for (let y = 0; y < height; y += 1) {
-        for (let x = 0; x < width; x += 1) {
-          if (!mask[y * width + x]) continue;
-          for (let dy = -radius; dy <= radius; dy += 1) {
-            for (let dx = -radius; dx <= radius; dx += 1) {
-              const [px, py] = [x + dx, y + dy];
-              if (px >= 0 && py >= 0 && px < width && py < height) grown[py * width + px] = 1;
+  return app.page.evaluate(
+    async ([time, text]) => {
+      const hook = window.__shapespline!;
+      const places = hook.project(await hook.evaluate(time));
+      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const { width, height } = bitmap;
+      const context = new OffscreenCanvas(width, height).getContext('2d')!;
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      // The shape is the only thing with a strong colour; floor, shadow and background are grey.
+      const shape = new Uint8Array(width * height);
+      for (let i = 0; i < shape.length; i += 1) {
+        const [r, g, b] = [data[4 * i]!, data[4 * i + 1]!, data[4 * i + 2]!];
+        shape[i] = Math.max(r, g, b) - Math.min(r, g, b) > 36 ? 1 : 0;
+      }
+      const grow = (mask: Uint8Array, radius: number): Uint8Array => {
+        const grown = new Uint8Array(mask.length);
+        for (let y = 0; y < height; y += 1) {
+          for (let x = 0; x < width; x += 1) {
+            if (!mask[y * width + x]) continue;
+            for (let dy = -radius; dy <= radius; dy += 1) {
+              for (let dx = -radius; dx <= radius; dx += 1) {
+                const [px, py] = [x + dx, y + dy];
+                if (px >= 0 && py >= 0 && px < width && py < height) grown[py * width + px] = 1;
+              }
             }
           }
         }
+        return grown;
+      };
+      const dots = new Uint8Array(width * height);
+      const nearShape = grow(shape, 2);
+      let inside = 0;
+      let seen = 0;
+      for (let i = 0; i < places.length; i += 2) {
+        const [x, y] = [Math.round(places[i]!), Math.round(places[i + 1]!)];
+        if (x < 0 || y < 0 || x >= width || y >= height) continue;
+        seen += 1;
+        inside += nearShape[y * width + x]!;
+        dots[y * width + x] = 1;
       }
-      return grown;
-    };
-    const dots = new Uint8Array(width * height);
-    const nearShape = grow(shape, 2);
-    let inside = 0;
-    let seen = 0;
-    for (let i = 0; i < places.length; i += 2) {
-      const [x, y] = [Math.round(places[i]!), Math.round(places[i + 1]!)];
-      if (x < 0 || y < 0 || x >= width || y >= height) continue;
-      seen += 1;
-      inside += nearShape[y * width + x]!;
-      dots[y * width + x] = 1;
-    }
-    const nearDots = grow(dots, 9);
-    let pixels = 0;
-    let covered = 0;
-    shape.forEach((on, i) => {
-      pixels += on;
-      covered += on && nearDots[i]! ? 1 : 0;
-    });
-    return { verticesOnShape: inside / seen, shapeNearVertices: covered / pixels, shapePixels: pixels };
-  }, [t, picture] as const);
+      const nearDots = grow(dots, 9);
+      let pixels = 0;
+      let covered = 0;
+      shape.forEach((on, i) => {
+        pixels += on;
+        covered += on && nearDots[i]! ? 1 : 0;
+      });
+      return { verticesOnShape: inside / seen, shapeNearVertices: covered / pixels, shapePixels: pixels };
+    },
+    [t, picture] as const,
+  );
 }
 
 test('the drawn silhouette is that of the engine’s vertices, at three times', async ({ app }) => {
@@ -84,20 +87,28 @@ test('key, between and beyond have their own colours', async ({ app }) => {
   const hues: number[] = [];
   for (const t of [0, 0.25, 1.3]) {
     await app.setTime(t);
-    hues.push(await app.page.evaluate(async (text) => {
-      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-      context.drawImage(bitmap, 0, 0);
-      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-      const sum = [0, 0, 0];
-      for (let i = 0; i < data.length; i += 4) {
-        const rgb = [data[i]!, data[i + 1]!, data[i + 2]!];
-        if (Math.max(...rgb) - Math.min(...rgb) > 60) rgb.forEach((value, c) => { sum[c]! += value; });
-      }
-      const [r, g, b] = sum as [number, number, number];
-      return ((Math.atan2(Math.sqrt(3) * (g - b), 2 * r - g - b) * 180) / Math.PI + 360) % 360;
-    }, (await app.picture()).toString('base64')));
+    hues.push(
+      await app.page.evaluate(
+        async (text) => {
+          const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+          const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+          const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+          context.drawImage(bitmap, 0, 0);
+          const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+          const sum = [0, 0, 0];
+          for (let i = 0; i < data.length; i += 4) {
+            const rgb = [data[i]!, data[i + 1]!, data[i + 2]!];
+            if (Math.max(...rgb) - Math.min(...rgb) > 60)
+              rgb.forEach((value, c) => {
+                sum[c]! += value;
+              });
+          }
+          const [r, g, b] = sum as [number, number, number];
+          return ((Math.atan2(Math.sqrt(3) * (g - b), 2 * r - g - b) * 180) / Math.PI + 360) % 360;
+        },
+        (await app.picture()).toString('base64'),
+      ),
+    );
   }
   const [blue, green, yellow] = hues as [number, number, number];
   expect(blue).toBeGreaterThan(190);
@@ -115,8 +126,10 @@ test('the look changes the picture and not the shape', async ({ app }) => {
   await app.by('look-toggle').click();
   let before = await app.picture();
   for (const [what, change] of [
-    ['flat', () => app.by('shading-flat').check()], ['wireframe', () => app.by('wireframe').check()],
-    ['floor', () => app.by('floor').uncheck()], ['patches', () => app.by('colouring-patches').check()],
+    ['flat', () => app.by('shading-flat').check()],
+    ['wireframe', () => app.by('wireframe').check()],
+    ['floor', () => app.by('floor').uncheck()],
+    ['patches', () => app.by('colouring-patches').check()],
     ['onion', () => app.by('onion').check()],
   ] as const) {
     await change();
@@ -144,7 +157,10 @@ test('the film strip shows the motion in a row, and goes away again', async ({ a
 test('standard views, fit, orbit, pan and zoom move one camera', async ({ app }) => {
   await app.open();
   const poses = new Set<string>();
-  const pose = async (): Promise<string> => { await app.settled(); return JSON.stringify((await app.state()).view.camera); };
+  const pose = async (): Promise<string> => {
+    await app.settled();
+    return JSON.stringify((await app.state()).view.camera);
+  };
   for (const view of ['view-front', 'view-top', 'view-right']) {
     await app.by(view).click();
     poses.add(await pose());
@@ -181,7 +197,8 @@ test('standard views, fit, orbit, pan and zoom move one camera', async ({ app })
 
 test('dark and light look different, and the choice is kept', async ({ app }) => {
   await app.open();
-  const background = (): Promise<string> => app.page.evaluate(() => getComputedStyle(document.querySelector('.deck')!).backgroundColor);
+  const background = (): Promise<string> =>
+    app.page.evaluate(() => getComputedStyle(document.querySelector('.deck')!).backgroundColor);
   await app.page.emulateMedia({ colorScheme: 'light' });
   const light = await background();
   await app.page.emulateMedia({ colorScheme: 'dark' });
@@ -215,7 +232,11 @@ test('a lost graphics context comes back with the same picture', async ({ app })
 test('a resize while playing loses nothing', async ({ app }) => {
   await app.open();
   await app.by('play').click();
-  for (const [width, height] of [[900, 700], [360, 640], [1400, 900]] as const) {
+  for (const [width, height] of [
+    [900, 700],
+    [360, 640],
+    [1400, 900],
+  ] as const) {
     await app.page.setViewportSize({ width, height });
     const { time } = await app.state();
     await expect.poll(async () => (await app.state()).time).not.toBe(time);

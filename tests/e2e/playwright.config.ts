@@ -26,12 +26,25 @@ const args = [
 ];
 // Every window of Chromium loads two pages for its own address bar, almost a second of work in each test. Only the last such list
 // counts and Playwright has no way to add to its own: the rest is that.
-args.push(`--disable-features=${[
-  'WebUIOmniboxAimPopup', 'WebUIOmniboxPopup',
-  'AimEnabled', 'AvoidCorsURLLoaderRestartOnRedirect', 'AvoidUnnecessaryBeforeUnloadCheckSync', 'DestroyProfileOnBrowserClose',
-  'HttpsFirstBalancedModeAutoEnable', 'HttpsUpgrades', 'LensOverlay', 'MediaRouter', 'NetworkTimeServiceQuerying', 'OptimizationHints',
-  'PaintHolding', 'PreconnectToSearch', 'ThirdPartyStoragePartitioning',
-]}`);
+args.push(
+  `--disable-features=${[
+    'WebUIOmniboxAimPopup',
+    'WebUIOmniboxPopup',
+    'AimEnabled',
+    'AvoidCorsURLLoaderRestartOnRedirect',
+    'AvoidUnnecessaryBeforeUnloadCheckSync',
+    'DestroyProfileOnBrowserClose',
+    'HttpsFirstBalancedModeAutoEnable',
+    'HttpsUpgrades',
+    'LensOverlay',
+    'MediaRouter',
+    'NetworkTimeServiceQuerying',
+    'OptimizationHints',
+    'PaintHolding',
+    'PreconnectToSearch',
+    'ThirdPartyStoragePartitioning',
+  ]}`,
+);
 if (process.getuid?.() === 0) args.push('--no-sandbox');
 
 const project = (name: string, baseURL: string) => ({ name, use: { ...devices['Desktop Chrome'], baseURL } });

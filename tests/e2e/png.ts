@@ -16,7 +16,12 @@ function file(width: number, height: number, depth: number, colourType: number, 
   header.writeUInt32BE(height, 4);
   header.set([depth, colourType], 8);
   const signature = Buffer.from('\x89PNG\r\n\x1a\n', 'latin1');
-  return Buffer.concat([signature, chunk('IHDR', header), chunk('IDAT', deflateSync(rows)), chunk('IEND', Buffer.alloc(0))]);
+  return Buffer.concat([
+    signature,
+    chunk('IHDR', header),
+    chunk('IDAT', deflateSync(rows)),
+    chunk('IEND', Buffer.alloc(0)),
+  ]);
 }
 
 /** `colours` from left to right, each a column of 16 x 64 pixels. */

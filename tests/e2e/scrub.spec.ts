@@ -27,7 +27,8 @@ async function collect(app: App): Promise<void> {
     const status = document.querySelector('[data-testid="status-ms"]')!;
     const look = (): void => {
       const { time, preview } = hook.shown;
-      if (preview && collected.samples.length < 6 && collected.samples.at(-1)?.time !== time) collected.samples.push({ time, positions: hook.positions() });
+      if (preview && collected.samples.length < 6 && collected.samples.at(-1)?.time !== time)
+        collected.samples.push({ time, positions: hook.positions() });
       const text = status.textContent!.replace(/[\d.]+/, 'N');
       if (collected.texts.at(-1) !== text) collected.texts.push(text);
       requestAnimationFrame(look);
@@ -71,11 +72,14 @@ function distanceAtRest(app: App): Promise<number> {
     const hook = window.__shapespline!;
     const exact = await hook.evaluate(hook.state.time);
     const drawn = hook.positions();
-    return exact.length === drawn.length ? exact.reduce((most, value, i) => Math.max(most, Math.abs(value - drawn[i]!)), 0) : NaN;
+    return exact.length === drawn.length
+      ? exact.reduce((most, value, i) => Math.max(most, Math.abs(value - drawn[i]!)), 0)
+      : NaN;
   });
 }
 
-const shown = (app: App): Promise<{ time: number; preview: boolean }> => app.page.evaluate(() => window.__shapespline!.shown);
+const shown = (app: App): Promise<{ time: number; preview: boolean }> =>
+  app.page.evaluate(() => window.__shapespline!.shown);
 
 test('a shape is a preview while it is dragged or plays, and exact when it rests', async ({ app }) => {
   await app.open({ search: '?moving=about' });
@@ -92,7 +96,12 @@ test('a shape is a preview while it is dragged or plays, and exact when it rests
   const y = box.y + box.height / 2 - 22;
   await app.page.mouse.move(box.x + 0.3 * box.width, y);
   await app.page.mouse.down();
-  for (let k = 0; k < 400 && (await app.page.evaluate(() => (window as unknown as { collected: Collected }).collected.samples.length)) < 4; k += 1) {
+  for (
+    let k = 0;
+    k < 400 &&
+    (await app.page.evaluate(() => (window as unknown as { collected: Collected }).collected.samples.length)) < 4;
+    k += 1
+  ) {
     await app.page.mouse.move(box.x + (0.1 + 0.8 * ((k * 0.013) % 1)) * box.width, y);
   }
   await app.page.mouse.up();
@@ -134,8 +143,15 @@ test('a shape is a preview while it is dragged or plays, and exact when it rests
 /** Keys at 0, 0.5 and 1. Previews are off by 0.2 % of the diagonal before the middle key, 0.05 % after it (tests/engine/preview). */
 async function openRolledUp(app: App): Promise<void> {
   const mesh = bar();
-  const files = poseFiles(mesh, [0, 420, 430].map((degrees) => bent(mesh, degrees)));
-  await app.by('file-input').setInputFiles(files.map(({ name, bytes }) => ({ name, mimeType: 'model/gltf-binary', buffer: Buffer.from(bytes) })));
+  const files = poseFiles(
+    mesh,
+    [0, 420, 430].map((degrees) => bent(mesh, degrees)),
+  );
+  await app
+    .by('file-input')
+    .setInputFiles(
+      files.map(({ name, bytes }) => ({ name, mimeType: 'model/gltf-binary', buffer: Buffer.from(bytes) })),
+    );
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.settled();
 }
@@ -160,7 +176,9 @@ async function drag(app: App, from: number, to: number): Promise<{ time: number;
   for (let k = 0; k <= 32; k += 1) await app.page.mouse.move(x(from + (to - from) * (1 - Math.abs(k / 16 - 1))), y);
   await app.page.mouse.up();
   await app.settled();
-  const seen = await app.page.evaluate(() => (window as unknown as { seen: { time: number; preview: boolean }[] }).seen);
+  const seen = await app.page.evaluate(
+    () => (window as unknown as { seen: { time: number; preview: boolean }[] }).seen,
+  );
   return seen.filter(({ time }) => time > from && time < to);
 }
 

@@ -21,7 +21,10 @@ async function openHermite(app: App, hash = ''): Promise<void> {
   await app.open({ hash: `#sample=cactus&boundary=hermite${hash}` });
 }
 
-const ENDS = [{ end: 'start', inward: 1, at: 0.1, panel: 0 }, { end: 'end', inward: -1, at: 0.9, panel: 1 }] as const;
+const ENDS = [
+  { end: 'start', inward: 1, at: 0.1, panel: 0 },
+  { end: 'end', inward: -1, at: 0.9, panel: 1 },
+] as const;
 
 test('handles stand at the first and last key with Hermite alone', async ({ app }) => {
   await app.open();
@@ -29,7 +32,7 @@ test('handles stand at the first and last key with Hermite alone', async ({ app 
   await app.by('boundary-hermite').check();
   const track = (await app.by('timeline').locator('.track').boundingBox())!;
   for (const { end, inward } of ENDS) {
-    const key = track.x + track.width * (end === 'start' ? 0.4 : 1.4) / 1.8;
+    const key = track.x + (track.width * (end === 'start' ? 0.4 : 1.4)) / 1.8;
     const grip = (await app.by(`${end}-speed-handle`).boundingBox())!;
     const reach = (grip.x + grip.width / 2 - key) * inward;
     expect(reach).toBeGreaterThan(10);
@@ -41,7 +44,9 @@ test('handles stand at the first and last key with Hermite alone', async ({ app 
 });
 
 for (const { end, inward, at, panel } of ENDS) {
-  test(`the handle at the ${end} is dragged: the motion there changes at once, and is undone as a whole`, async ({ app }) => {
+  test(`the handle at the ${end} is dragged: the motion there changes at once, and is undone as a whole`, async ({
+    app,
+  }) => {
     await openHermite(app);
     const before = await app.positionsAt(at);
     const key = await app.positionsAt(end === 'start' ? 0 : 1);
@@ -69,7 +74,10 @@ for (const { end, inward, at, panel } of ENDS) {
   test(`the handle at the ${end} is worked by the keyboard, and goes back by a double click`, async ({ app }) => {
     await openHermite(app);
     const handle = app.by(`${end}-speed-handle`);
-    const pressed = async (key: string): Promise<number> => { await handle.press(key); return (await speeds(app))[panel]; };
+    const pressed = async (key: string): Promise<number> => {
+      await handle.press(key);
+      return (await speeds(app))[panel];
+    };
     expect(await pressed('ArrowUp')).toBe(1.05);
     expect(await pressed(inward > 0 ? 'ArrowRight' : 'ArrowLeft')).toBe(1.1);
     expect(await pressed('Shift+ArrowDown')).toBe(0.6);
@@ -88,7 +96,10 @@ for (const { end, inward, at, panel } of ENDS) {
 test('the handles can be dragged at 360 px, and stay apart at their longest', async ({ app }) => {
   await app.page.setViewportSize({ width: 360, height: 740 });
   await openHermite(app, '&startSpeed=4&endSpeed=4');
-  const [start, end] = [(await app.by('start-speed-handle').boundingBox())!, (await app.by('end-speed-handle').boundingBox())!];
+  const [start, end] = [
+    (await app.by('start-speed-handle').boundingBox())!,
+    (await app.by('end-speed-handle').boundingBox())!,
+  ];
   expect(start.x + start.width).toBeLessThanOrEqual(end.x + 12);
   await pull(app, app.by('start-speed-handle'), -30);
   await app.page.mouse.up();
@@ -105,10 +116,18 @@ test('a handle in the shape plane bends the curve along its tangent', async ({ a
   await expect(curve).toBeVisible();
   const [before, shape] = [await curve.getAttribute('d'), await app.positionsAt(0.1)];
   const grip = app.by('plane-start-speed').locator('.grip-mark');
-  const stem = await app.by('plane-start-speed').locator('.stem').evaluate((line) => {
-    const [x1, y1, x2, y2] = ['x1', 'y1', 'x2', 'y2'].map((name) => Number(line.getAttribute(name))) as [number, number, number, number];
-    return [x2 - x1, y2 - y1] as const;
-  });
+  const stem = await app
+    .by('plane-start-speed')
+    .locator('.stem')
+    .evaluate((line) => {
+      const [x1, y1, x2, y2] = ['x1', 'y1', 'x2', 'y2'].map((name) => Number(line.getAttribute(name))) as [
+        number,
+        number,
+        number,
+        number,
+      ];
+      return [x2 - x1, y2 - y1] as const;
+    });
   const scale = (await app.by('plot-plane').locator('svg').boundingBox())!.width / 272;
   await pull(app, grip, stem[0] * scale, stem[1] * scale);
   await app.page.mouse.up();
@@ -129,16 +148,24 @@ test('a handle in the shape plane bends the curve along its tangent', async ({ a
 test('a shape that is taken as end tangent turns the handle towards it', async ({ app }) => {
   await openHermite(app);
   await app.by('plot-plane').scrollIntoViewIfNeeded();
-  const tip = (): Promise<[number, number]> => app.by('plane-end-speed').locator('.stem').evaluate((line) =>
-    [Number(line.getAttribute('x2')) - Number(line.getAttribute('x1')), Number(line.getAttribute('y2')) - Number(line.getAttribute('y1'))]);
+  const tip = (): Promise<[number, number]> =>
+    app
+      .by('plane-end-speed')
+      .locator('.stem')
+      .evaluate((line) => [
+        Number(line.getAttribute('x2')) - Number(line.getAttribute('x1')),
+        Number(line.getAttribute('y2')) - Number(line.getAttribute('y1')),
+      ]);
   await expect.poll(async () => Math.hypot(...(await tip()))).toBeGreaterThan(1);
   const [x, y] = await tip();
   const shape = await app.positionsAt(0.8);
   await app.by('end-tangent').selectOption({ index: 1 });
   await app.settled();
   expect(difference(await app.positionsAt(0.8), shape)).toBeGreaterThan(1e-3 * diagonal(shape));
-  await expect.poll(async () => {
-    const [u, v] = await tip();
-    return Math.abs(u * y - v * x) / (Math.hypot(u, v) * Math.hypot(x, y));
-  }).toBeGreaterThan(0.2);
+  await expect
+    .poll(async () => {
+      const [u, v] = await tip();
+      return Math.abs(u * y - v * x) / (Math.hypot(u, v) * Math.hypot(x, y));
+    })
+    .toBeGreaterThan(0.2);
 });

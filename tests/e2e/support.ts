@@ -32,7 +32,8 @@ export class App {
 
   constructor(readonly page: Page) {
     page.on('console', (message) => {
-      if (message.type() === 'error' || message.type() === 'warning') this.problems.push(`${message.type()}: ${message.text()}`);
+      if (message.type() === 'error' || message.type() === 'warning')
+        this.problems.push(`${message.type()}: ${message.text()}`);
     });
     page.on('pageerror', (error) => this.problems.push(`exception: ${error.message}`));
     page.on('request', (request) => this.requests.push(request.url()));
@@ -70,7 +71,12 @@ export class App {
 
   /** The page answers a choice with its next frame; before that its controls say what was. */
   answered(): Promise<void> {
-    return this.page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(() => done())); }));
+    return this.page.evaluate(
+      () =>
+        new Promise((done) => {
+          requestAnimationFrame(() => requestAnimationFrame(() => done()));
+        }),
+    );
   }
 
   state(): Promise<AppState> {
@@ -98,7 +104,9 @@ export class App {
   /** The canvas as it is on the screen, without what lies over it. */
   async picture(): Promise<Buffer> {
     await this.settled();
-    await this.page.addStyleTag({ content: '.viewport > :not(.picture), .toast { visibility: hidden !important; transition: none !important }' });
+    await this.page.addStyleTag({
+      content: '.viewport > :not(.picture), .toast { visibility: hidden !important; transition: none !important }',
+    });
     const clip = (await this.by('viewport').boundingBox())!;
     const shot = await this.page.screenshot({ clip });
     await this.page.evaluate(() => document.head.lastElementChild!.remove());
@@ -132,26 +140,28 @@ export function diagonal(positions: readonly number[]): number {
   return Math.hypot(...size);
 }
 
-
 /** Decodes two pictures of the same size in the page and counts pixels that differ by more than a little. */
 export async function changedShare(page: Page, before: Buffer, after: Buffer): Promise<number> {
-  return page.evaluate(async ([a, b]) => {
-    const read = async (text: string): Promise<ImageData> => {
-      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-      context.drawImage(bitmap, 0, 0);
-      return context.getImageData(0, 0, bitmap.width, bitmap.height);
-    };
-    const [one, other] = [await read(a!), await read(b!)];
-    if (one.width !== other.width || one.height !== other.height) return 1;
-    let changed = 0;
-    for (let i = 0; i < one.data.length; i += 4) {
-      const step = [0, 1, 2].reduce((most, c) => Math.max(most, Math.abs(one.data[i + c]! - other.data[i + c]!)), 0);
-      if (step > 6) changed += 1;
-    }
-    return changed / (one.data.length / 4);
-  }, [before.toString('base64'), after.toString('base64')]);
+  return page.evaluate(
+    async ([a, b]) => {
+      const read = async (text: string): Promise<ImageData> => {
+        const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+        const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+        context.drawImage(bitmap, 0, 0);
+        return context.getImageData(0, 0, bitmap.width, bitmap.height);
+      };
+      const [one, other] = [await read(a!), await read(b!)];
+      if (one.width !== other.width || one.height !== other.height) return 1;
+      let changed = 0;
+      for (let i = 0; i < one.data.length; i += 4) {
+        const step = [0, 1, 2].reduce((most, c) => Math.max(most, Math.abs(one.data[i + c]! - other.data[i + c]!)), 0);
+        if (step > 6) changed += 1;
+      }
+      return changed / (one.data.length / 4);
+    },
+    [before.toString('base64'), after.toString('base64')],
+  );
 }
 
 export function bytesOf(file: string): Buffer {

@@ -13,23 +13,34 @@ const BLUE = [0, 0, 255] as const;
 /** Which colour is strongest on the screen at points of the shape. */
 async function coloursAt(app: App, points: number[]): Promise<Colour[]> {
   const picture = (await app.picture()).toString('base64');
-  return app.page.evaluate(async ([places, text]) => {
-    const at = window.__shapespline!.project(places);
-    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-    context.drawImage(bitmap, 0, 0);
-    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    return Array.from({ length: at.length / 2 }, (_, i): Colour => {
-      const start = 4 * (Math.round(at[2 * i + 1]!) * bitmap.width + Math.round(at[2 * i]!));
-      const [r, g, b] = data.subarray(start, start + 3) as unknown as [number, number, number];
-      const [most, ...rest] = [{ c: 'red' as const, v: r }, { c: 'green' as const, v: g }, { c: 'blue' as const, v: b }].sort((x, y) => y.v - x.v);
-      return most!.v > rest[0]!.v + 60 ? most!.c : 'none';
-    });
-  }, [points, picture] as const);
+  return app.page.evaluate(
+    async ([places, text]) => {
+      const at = window.__shapespline!.project(places);
+      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      return Array.from({ length: at.length / 2 }, (_, i): Colour => {
+        const start = 4 * (Math.round(at[2 * i + 1]!) * bitmap.width + Math.round(at[2 * i]!));
+        const [r, g, b] = data.subarray(start, start + 3) as unknown as [number, number, number];
+        const [most, ...rest] = [
+          { c: 'red' as const, v: r },
+          { c: 'green' as const, v: g },
+          { c: 'blue' as const, v: b },
+        ].sort((x, y) => y.v - x.v);
+        return most!.v > rest[0]!.v + 60 ? most!.c : 'none';
+      });
+    },
+    [points, picture] as const,
+  );
 }
 
-async function openTextured(app: App, files: { name: string; mimeType: string; buffer: Buffer }[], keys: number): Promise<void> {
+async function openTextured(
+  app: App,
+  files: { name: string; mimeType: string; buffer: Buffer }[],
+  keys: number,
+): Promise<void> {
   const before = (await app.state()).source;
   await app.by('file-input').setInputFiles(files);
   await expect.poll(async () => (await app.state()).source).not.toEqual(before);
@@ -43,15 +54,41 @@ async function openTextured(app: App, files: { name: string; mimeType: string; b
   await app.settled();
 }
 
-const given = (name: string, content: string | Buffer): { name: string; mimeType: string; buffer: Buffer } =>
-  ({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) });
+const given = (name: string, content: string | Buffer): { name: string; mimeType: string; buffer: Buffer } => ({
+  name,
+  mimeType: 'application/octet-stream',
+  buffer: Buffer.from(content),
+});
 
 /** Two squares beside each other in the plane z = 0, or bent; they share an edge, but not where it lies in the texture. */
 function squares(bend: number): string {
-  const places = [[-1, -1, 0], [0, -1, 0], [1, -1, bend], [1, 1, bend], [0, 1, 0], [-1, 1, 0]];
-  const coordinates = [[0.05, 0], [0.2, 0], [0.2, 1], [0.05, 1], [0.8, 0], [0.95, 0], [0.95, 1], [0.8, 1]];
-  return ['mtllib paint.mtl', ...places.map((p) => `v ${p.join(' ')}`), ...coordinates.map((c) => `vt ${c.join(' ')}`),
-    'usemtl paint', 'f 1/1 2/2 5/3 6/4', 'f 2/5 3/6 4/7 5/8', ''].join('\n');
+  const places = [
+    [-1, -1, 0],
+    [0, -1, 0],
+    [1, -1, bend],
+    [1, 1, bend],
+    [0, 1, 0],
+    [-1, 1, 0],
+  ];
+  const coordinates = [
+    [0.05, 0],
+    [0.2, 0],
+    [0.2, 1],
+    [0.05, 1],
+    [0.8, 0],
+    [0.95, 0],
+    [0.95, 1],
+    [0.8, 1],
+  ];
+  return [
+    'mtllib paint.mtl',
+    ...places.map((p) => `v ${p.join(' ')}`),
+    ...coordinates.map((c) => `vt ${c.join(' ')}`),
+    'usemtl paint',
+    'f 1/1 2/2 5/3 6/4',
+    'f 2/5 3/6 4/7 5/8',
+    '',
+  ].join('\n');
 }
 
 /** Along both squares and close to both sides of their common edge. */
@@ -60,8 +97,12 @@ const SIDES: Colour[] = ['red', 'red', 'red', 'blue', 'blue', 'blue'];
 
 test('an OBJ whose texture has seams shows it right on both sides, and so does what is exported', async ({ app }) => {
   await app.open();
-  const files = [given('pose-1.obj', squares(0)), given('pose-2.obj', squares(0.4)), given('paint.mtl', 'newmtl paint\nmap_Kd paint.png\n'),
-    given('paint.png', columns([RED, GREEN, GREEN, BLUE]))];
+  const files = [
+    given('pose-1.obj', squares(0)),
+    given('pose-2.obj', squares(0.4)),
+    given('paint.mtl', 'newmtl paint\nmap_Kd paint.png\n'),
+    given('paint.png', columns([RED, GREEN, GREEN, BLUE])),
+  ];
   await openTextured(app, files, 2);
   await expect(app.by('status-vertices')).toHaveText('6 vertices');
   await app.setTime(0);
@@ -90,15 +131,28 @@ test('an OBJ whose texture has seams shows it right on both sides, and so does w
 async function sampledSquare(sampler: { wrap: 10497 | 33071 | 33648; image: Buffer }): Promise<Buffer> {
   const document = new Document();
   const buffer = document.createBuffer();
-  const accessor = (values: number[], type: 'VEC3' | 'VEC2') => document.createAccessor().setArray(Float32Array.from(values)).setType(type).setBuffer(buffer);
+  const accessor = (values: number[], type: 'VEC3' | 'VEC2') =>
+    document.createAccessor().setArray(Float32Array.from(values)).setType(type).setBuffer(buffer);
   const texture = document.createTexture().setImage(new Uint8Array(sampler.image)).setMimeType('image/png');
   const material = document.createMaterial().setBaseColorTexture(texture).setMetallicFactor(0);
   material.getBaseColorTextureInfo()!.setWrapS(sampler.wrap).setWrapT(sampler.wrap);
-  const primitive = document.createPrimitive().setMaterial(material)
-    .setIndices(document.createAccessor().setArray(Uint16Array.of(0, 1, 2, 0, 2, 3)).setType('SCALAR').setBuffer(buffer))
+  const primitive = document
+    .createPrimitive()
+    .setMaterial(material)
+    .setIndices(
+      document
+        .createAccessor()
+        .setArray(Uint16Array.of(0, 1, 2, 0, 2, 3))
+        .setType('SCALAR')
+        .setBuffer(buffer),
+    )
     .setAttribute('POSITION', accessor([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], 'VEC3'))
     .setAttribute('TEXCOORD_0', accessor([0, 0.5, 2, 0.5, 2, 0.5, 0, 0.5], 'VEC2'))
-    .addTarget(document.createPrimitiveTarget().setAttribute('POSITION', accessor([0, 0, 0, 0, 0, 0, 0, 0, 0.5, 0, 0, 0.5], 'VEC3')));
+    .addTarget(
+      document
+        .createPrimitiveTarget()
+        .setAttribute('POSITION', accessor([0, 0, 0, 0, 0, 0, 0, 0, 0.5, 0, 0, 0.5], 'VEC3')),
+    );
   document.createScene().addChild(document.createNode().setMesh(document.createMesh().addPrimitive(primitive)));
   return Buffer.from(await new WebIO().writeBinary(document));
 }
@@ -107,7 +161,9 @@ test('a texture repeats, stops or is mirrored as its sampler says', async ({ app
   await app.open();
   const places = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [x, 0, 0]); // at u = 0.25, 0.75, 1.25, 1.75
   const ways: [10497 | 33071 | 33648, Colour[]][] = [
-    [10497, ['red', 'blue', 'red', 'blue']], [33071, ['red', 'blue', 'blue', 'blue']], [33648, ['red', 'blue', 'blue', 'red']],
+    [10497, ['red', 'blue', 'red', 'blue']],
+    [33071, ['red', 'blue', 'blue', 'blue']],
+    [33648, ['red', 'blue', 'blue', 'red']],
   ];
   for (const [wrap, colours] of ways) {
     await openTextured(app, [given(`wrap-${wrap}.glb`, await sampledSquare({ wrap, image: columns([RED, BLUE]) }))], 2);
@@ -119,12 +175,15 @@ test('a texture repeats, stops or is mirrored as its sampler says', async ({ app
 
 test('colours of the vertices are shown where the file has some', async ({ app }) => {
   await app.open();
-  const ply = (z: number): string => `ply\nformat ascii 1.0\nelement vertex 6\n${['x', 'y', 'z'].map((c) => `property float ${c}\n`).join('')}`
-    + `${['red', 'green', 'blue'].map((c) => `property uchar ${c}\n`).join('')}element face 2\nproperty list uchar int vertex_indices\nend_header\n`
-    + `-1 -1 0 255 0 0\n0 -1 0 255 0 0\n0 1 ${z} 255 0 0\n0 -1 0 0 0 255\n1 -1 0 0 0 255\n0 1 ${z} 0 0 255\n3 0 1 2\n3 3 4 5\n`;
+  const ply = (z: number): string =>
+    `ply\nformat ascii 1.0\nelement vertex 6\n${['x', 'y', 'z'].map((c) => `property float ${c}\n`).join('')}` +
+    `${['red', 'green', 'blue'].map((c) => `property uchar ${c}\n`).join('')}element face 2\nproperty list uchar int vertex_indices\nend_header\n` +
+    `-1 -1 0 255 0 0\n0 -1 0 255 0 0\n0 1 ${z} 255 0 0\n0 -1 0 0 0 255\n1 -1 0 0 0 255\n0 1 ${z} 0 0 255\n3 0 1 2\n3 3 4 5\n`;
   await openTextured(app, [given('a.ply', ply(0)), given('b.ply', ply(0.5))], 2);
   await app.setTime(0);
-  await expect.poll(() => coloursAt(app, [-0.3, -0.5, 0, -0.05, 0.5, 0, 0.05, 0.5, 0, 0.3, -0.5, 0])).toEqual(['red', 'red', 'blue', 'blue']);
+  await expect
+    .poll(() => coloursAt(app, [-0.3, -0.5, 0, -0.05, 0.5, 0, 0.05, 0.5, 0, 0.3, -0.5, 0]))
+    .toEqual(['red', 'red', 'blue', 'blue']);
   await app.expectNoProblems();
 });
 

@@ -5,7 +5,7 @@ import { App, expect, test } from './support.ts';
 
 const BUILT = fileURLToPath(new URL('../../dist', import.meta.url));
 
-const FACES = 84_000;  // 42,002 vertices: above what threads are tried for
+const FACES = 84_000; // 42,002 vertices: above what threads are tried for
 const PLAIN = `http://localhost:${process.env['SHAPESPLINE_BUILT_PORT'] ?? '5274'}/some/sub/path/`;
 const HELPER = /helper\.worker-[\w-]+\.js/g;
 /** What the browser says where a test keeps service workers out. */
@@ -26,22 +26,25 @@ function slowAlone(): void {
   type Kernels = Record<'shapespline_set_threads' | 'shapespline_evaluate', (...args: number[]) => number>;
   const now = performance.now.bind(performance);
   const instantiate = WebAssembly.instantiate.bind(WebAssembly);
-  let late = 0, threads = 1;
+  let late = 0,
+    threads = 1;
   performance.now = () => now() + late;
   WebAssembly.instantiate = async (module: WebAssembly.Module, imports?: WebAssembly.Imports) => {
     const instance = await instantiate(module, imports);
     const kernels = instance.exports as Kernels;
-    return { exports: {
-      ...kernels,
-      shapespline_set_threads: (...args: number[]) => {
-        threads = args[1]!;
-        return kernels.shapespline_set_threads(...args);
+    return {
+      exports: {
+        ...kernels,
+        shapespline_set_threads: (...args: number[]) => {
+          threads = args[1]!;
+          return kernels.shapespline_set_threads(...args);
+        },
+        shapespline_evaluate: (...args: number[]) => {
+          if (threads === 1) late += 1000;
+          return kernels.shapespline_evaluate(...args);
+        },
       },
-      shapespline_evaluate: (...args: number[]) => {
-        if (threads === 1) late += 1000;
-        return kernels.shapespline_evaluate(...args);
-      },
-    } } as never;
+    } as never;
   };
 }
 
@@ -57,12 +60,17 @@ async function changeWorker(app: App, change: (text: string) => string): Promise
     ones, and looks at some. */
 async function show(app: App, patience = 0): Promise<Shown> {
   await app.openGenerated(FACES);
-  const frames = await app.page.evaluate(async ([times, more]) => {
-    const list: number[][] = [];
-    for (let round = 0; round < 4; ++round) for (const t of times) list[times.indexOf(t)] = Array.from(await window.__shapespline!.evaluate(t));
-    for (let i = 0; i < more && (await window.__shapespline!.stats())!.threads === 1; ++i) await window.__shapespline!.evaluate(0.2);
-    return list;
-  }, [TIMES, patience] as const);
+  const frames = await app.page.evaluate(
+    async ([times, more]) => {
+      const list: number[][] = [];
+      for (let round = 0; round < 4; ++round)
+        for (const t of times) list[times.indexOf(t)] = Array.from(await window.__shapespline!.evaluate(t));
+      for (let i = 0; i < more && (await window.__shapespline!.stats())!.threads === 1; ++i)
+        await window.__shapespline!.evaluate(0.2);
+      return list;
+    },
+    [TIMES, patience] as const,
+  );
   await app.setTime(0.4);
   await app.by('mesh-report').locator('summary').click();
   return {
@@ -74,15 +82,18 @@ async function show(app: App, patience = 0): Promise<Shown> {
   };
 }
 
-test('an isolated page that was opened once works without a network, with two threads once it had them', async ({ browser }) => {
+test('an isolated page that was opened once works without a network, with two threads once it had them', async ({
+  browser,
+}) => {
   test.setTimeout(240_000);
   const port = await freePort();
   const host = async (): Promise<() => Promise<void>> => {
     const { server } = await serve(BUILT, { port, tries: 1, isolated: true });
-    return () => new Promise((gone) => {
-      server.close(() => gone());
-      server.closeAllConnections();
-    });
+    return () =>
+      new Promise((gone) => {
+        server.close(() => gone());
+        server.closeAllConnections();
+      });
   };
   const app = new App(await browser.newPage({ reducedMotion: 'reduce', baseURL: `http://localhost:${port}/` }));
   const visit = async (): Promise<Shown> => {
@@ -107,13 +118,16 @@ test('an isolated page that was opened once works without a network, with two th
 });
 
 test.describe('with files that are changed or stopped on their way', () => {
-  test.use({ serviceWorkers: 'block' });  // whose requests cannot be stopped here
+  test.use({ serviceWorkers: 'block' }); // whose requests cannot be stopped here
 
-  test('on an isolated page two threads work on a large shape where that is faster, and make the frames of a page without', async ({ app, browser }) => {
+  test('on an isolated page two threads work on a large shape where that is faster, and make the frames of a page without', async ({
+    app,
+    browser,
+  }) => {
     test.setTimeout(240_000);
     await changeWorker(app, (text) => `(${slowAlone.toString()})();\n${text}`);
     await app.open();
-    const isolated = await show(app, 600);  // the second thread may take a while to get ready
+    const isolated = await show(app, 600); // the second thread may take a while to get ready
     expect(app.problems).toEqual([BLOCKED]);
     const plainPage = new App(await browser.newPage({ reducedMotion: 'reduce', baseURL: PLAIN }));
     await plainPage.open();
@@ -136,7 +150,8 @@ test.describe('with files that are changed or stopped on their way', () => {
 
   test('an isolated page works without the second thread itself', async ({ app }) => {
     test.setTimeout(240_000);
-    await changeWorker(app, (text) => {  // requests of workers themselves cannot be stopped
+    await changeWorker(app, (text) => {
+      // requests of workers themselves cannot be stopped
       expect(text).toMatch(HELPER);
       return text.replaceAll(HELPER, 'no-such-file.js');
     });

@@ -19,7 +19,11 @@ test('is dragged past both ends, where it says so in colour and words', async ({
   const seen = new Map<string, number[]>();
   await app.page.mouse.move(await xOf(app, 0.3), y);
   await app.page.mouse.down();
-  for (const [t, phase] of [[0.3, 'between'], [-0.3, 'beyond'], [1.3, 'beyond']] as const) {
+  for (const [t, phase] of [
+    [0.3, 'between'],
+    [-0.3, 'beyond'],
+    [1.3, 'beyond'],
+  ] as const) {
     await app.page.mouse.move(await xOf(app, t), y, { steps: 4 });
     await app.settled();
     expect((await app.state()).time).toBeCloseTo(t, 1);
@@ -68,7 +72,10 @@ test('is worked by the keyboard', async ({ app }) => {
   const slider = app.by('timeline');
   await app.setTime(0.3);
   await slider.focus();
-  const press = async (key: string): Promise<number> => { await app.page.keyboard.press(key); return (await app.state()).time; };
+  const press = async (key: string): Promise<number> => {
+    await app.page.keyboard.press(key);
+    return (await app.state()).time;
+  };
   expect(await press('Home')).toBe(0);
   expect(await press('ArrowRight')).toBeCloseTo(0.01, 9);
   expect(await press('Shift+ArrowRight')).toBeCloseTo(0.11, 9);

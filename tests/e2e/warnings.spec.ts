@@ -5,15 +5,33 @@ import type { Warning } from '../../web/engine/api/types.ts';
 import { changedShare, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-const LONG = 'Neighbouring parts turn by more than 150 degrees against each other. Add a key in between if they go the wrong way.';
+const LONG =
+  'Neighbouring parts turn by more than 150 degrees against each other. Add a key in between if they go the wrong way.';
 const WARNINGS: Warning[] = [
-  { code: 'ambiguous-part-turn', message: LONG, count: 2, key: 1, face: 40, patches: Array.from({ length: 40 }, (_, patch) => patch) },
+  {
+    code: 'ambiguous-part-turn',
+    message: LONG,
+    count: 2,
+    key: 1,
+    face: 40,
+    patches: Array.from({ length: 40 }, (_, patch) => patch),
+  },
   { code: 'mirrored-pose', message: 'Key 3 is mirrored.', count: 0, key: 2, face: -1, patches: [] },
-  { code: 'winding', message: 'Some parts turn on by a whole turn in each period.', count: 0, key: -1, face: -1, patches: [] },
+  {
+    code: 'winding',
+    message: 'Some parts turn on by a whole turn in each period.',
+    count: 0,
+    key: -1,
+    face: -1,
+    patches: [],
+  },
 ];
 
 /** Adds to what the workers answer, before the page hears it. */
-async function answering(page: Page, change: { warnings?: Warning[]; lost?: number; lostFace?: number }): Promise<void> {
+async function answering(
+  page: Page,
+  change: { warnings?: Warning[]; lost?: number; lostFace?: number },
+): Promise<void> {
   await page.addInitScript(({ warnings, lost, lostFace }) => {
     const Original = window.Worker;
     window.Worker = class extends Original {
@@ -23,7 +41,8 @@ async function answering(page: Page, change: { warnings?: Warning[]; lost?: numb
           const { value } = data;
           if (!value) return;
           if (warnings && 'range' in value) value['warnings'] = structuredClone(warnings);
-          if (lost !== undefined && 'lostDefiniteness' in value) Object.assign(value, { lostDefiniteness: lost, lostFace });
+          if (lost !== undefined && 'lostDefiniteness' in value)
+            Object.assign(value, { lostDefiniteness: lost, lostFace });
         });
       }
     };
@@ -40,7 +59,8 @@ async function markedShare(app: App): Promise<number> {
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
     let marked = 0;
-    for (let i = 0; i < data.length; i += 4) if (data[i]! - data[i + 1]! > 60 && data[i + 2]! - data[i + 1]! > 25) marked += 1;
+    for (let i = 0; i < data.length; i += 4)
+      if (data[i]! - data[i + 1]! > 60 && data[i + 2]! - data[i + 1]! > 25) marked += 1;
     return marked / (data.length / 4);
   }, shot.toString('base64'));
 }
@@ -54,7 +74,10 @@ async function expectWithin(inner: Locator, outer: Locator): Promise<void> {
   expect(a.x + a.width).toBeLessThanOrEqual(b.x + b.width + 0.5);
 }
 
-for (const [width, height] of [[1280, 800], [360, 740]] as const) {
+for (const [width, height] of [
+  [1280, 800],
+  [360, 740],
+] as const) {
   test(`warnings can be read at ${width} px`, async ({ app }) => {
     await app.page.setViewportSize({ width, height });
     await answering(app.page, { warnings: WARNINGS });
@@ -117,7 +140,9 @@ test('faces that have turned inside out are spoken of where they can be seen, on
   await answering(app.page, { lost: 200, lostFace: 40 });
   await app.open();
   await app.setTime(0.25);
-  await expect(app.by('lost')).toContainText(/^\d+\s% of the triangles have turned inside out\. A key in between helps\./);
+  await expect(app.by('lost')).toContainText(
+    /^\d+\s% of the triangles have turned inside out\. A key in between helps\./,
+  );
   await expect(app.page.getByText('inside out')).toHaveCount(1);
   const before = await app.picture();
   await app.by('lost-show').click();
@@ -142,7 +167,7 @@ function bars(turn: number): Buffer {
   for (const x of [-1, 1]) {
     for (let ring = 0; ring <= 6; ring += 1) {
       for (let corner = 0; corner < 6; corner += 1) {
-        const angle = (corner * Math.PI) / 3 + (x > 0 ? turn * ring / 6 : 0);
+        const angle = (corner * Math.PI) / 3 + (x > 0 ? (turn * ring) / 6 : 0);
         lines.push(`v ${x + 0.4 * Math.cos(angle)} ${ring / 2} ${0.4 * Math.sin(angle)}`);
       }
     }
@@ -158,7 +183,9 @@ function bars(turn: number): Buffer {
   return Buffer.from(lines.join('\n'));
 }
 
-test('whole turns are given to the shape or to one of its parts, which is marked, undone, and comes back from a project', async ({ app }) => {
+test('whole turns are given to the shape or to one of its parts, which is marked, undone, and comes back from a project', async ({
+  app,
+}) => {
   const turns = async () => (await app.state()).doc.keys.map(({ shaping }) => shaping.turns);
   await app.open();
   await app.by('key-1-edit').click();
@@ -166,7 +193,11 @@ test('whole turns are given to the shape or to one of its parts, which is marked
   await expect(app.by('key-turns-part')).toBeHidden();
   await app.by('key-editor-close').click();
 
-  const poses = [0, 0.5, 1].map((turn, index) => ({ name: `bars-${index}.obj`, mimeType: 'text/plain', buffer: bars(turn) }));
+  const poses = [0, 0.5, 1].map((turn, index) => ({
+    name: `bars-${index}.obj`,
+    mimeType: 'text/plain',
+    buffer: bars(turn),
+  }));
   await app.by('file-input').setInputFiles(poses);
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.settled();
@@ -192,7 +223,9 @@ test('whole turns are given to the shape or to one of its parts, which is marked
   await app.page.keyboard.press('Control+z');
   await app.settled();
   expect((await turns()).flat()).toEqual([]);
-  await app.by('file-input').setInputFiles({ name: 'saved.glb', mimeType: 'model/gltf-binary', buffer: readFileSync(saved) });
+  await app
+    .by('file-input')
+    .setInputFiles({ name: 'saved.glb', mimeType: 'model/gltf-binary', buffer: readFileSync(saved) });
   await expect.poll(turns).toEqual(doc.keys.map(({ shaping }) => shaping.turns));
   await app.settled();
   await app.expectNoProblems();

@@ -21,7 +21,9 @@ describe('the bindings', () => {
     const { module } = await localCore();
     const source = await readFile(new URL('../../web/engine/worker/wasm-module.ts', import.meta.url), 'utf8');
     const declared = [...source.matchAll(/^ {2}(_\w+)\(/gm)].map(([, name]) => name).sort();
-    const exported = Object.keys(module).filter((name) => /^_(shapespline_|malloc|free)/.test(name)).sort();
+    const exported = Object.keys(module)
+      .filter((name) => /^_(shapespline_|malloc|free)/.test(name))
+      .sort();
     expect(declared.length).toBeGreaterThan(10);
     expect(exported).toEqual(declared);
   });
@@ -77,9 +79,17 @@ describe('the bindings', () => {
     };
     const shape = bent(bar(), 90);
     const all = [
-      far({}), far({ reference: 2 }), far({ patches: 3 }), far({ stretch: 'log' }), far({ precision: 'double' }), far({}, 'hermite'),
-      far({ ghostFaces: 80 }), far({ ghostFaces: 80, transfer: 'paper' }), far({ ghostFaces: 80, placement: 'optimal' }),
-      far({ startTangent: shape }, 'hermite'), far({ endTangent: shape }, 'hermite'),
+      far({}),
+      far({ reference: 2 }),
+      far({ patches: 3 }),
+      far({ stretch: 'log' }),
+      far({ precision: 'double' }),
+      far({}, 'hermite'),
+      far({ ghostFaces: 80 }),
+      far({ ghostFaces: 80, transfer: 'paper' }),
+      far({ ghostFaces: 80, placement: 'optimal' }),
+      far({ startTangent: shape }, 'hermite'),
+      far({ endTangent: shape }, 'hermite'),
     ];
     expect(new Set(all).size).toBe(all.length);
   });

@@ -23,7 +23,8 @@ async function json(place: string): Promise<Record<string, never>> {
 
 async function objOf(place: string): Promise<{ positions: Float32Array; faces: number[] }> {
   const lines = (await readFile(path.join(folder, place), 'utf8')).split('\n').map((line) => line.split(' '));
-  const numbers = (kind: string): number[] => lines.filter(([first]) => first === kind).flatMap(([, ...rest]) => rest.map(Number));
+  const numbers = (kind: string): number[] =>
+    lines.filter(([first]) => first === kind).flatMap(([, ...rest]) => rest.map(Number));
   return { positions: Float32Array.from(numbers('v')), faces: numbers('f').map((v) => v - 1) };
 }
 
@@ -45,7 +46,11 @@ describe('inspect', () => {
     const { code, stdout, stderr } = await runCli(folder, 'inspect', ...names);
     expect([code, stderr]).toEqual([0, '']);
     expect(JSON.parse(stdout)).toMatchObject({
-      keys: [{ name: 'pose-1', time: 0 }, { name: 'pose-2', time: 0.5 }, { name: 'pose-3', time: 1 }],
+      keys: [
+        { name: 'pose-1', time: 0 },
+        { name: 'pose-2', time: 0.5 },
+        { name: 'pose-3', time: 1 },
+      ],
       vertices: { raw: mesh.positions.length / 3, welded: mesh.positions.length / 3 },
       faces: mesh.indices.length / 3,
       components: 1,
@@ -59,17 +64,27 @@ describe('inspect', () => {
     const { code, stdout } = await runCli(where, 'inspect', 'a.gltf', 'b.gltf');
     expect(code).toBe(0);
     expect((JSON.parse(stdout) as { keys: object[] }).keys).toHaveLength(2);
-    const outside = await runCli(path.dirname(where), 'inspect', `${path.basename(where)}/a.gltf`, path.join(where, 'b.gltf'));
+    const outside = await runCli(
+      path.dirname(where),
+      'inspect',
+      `${path.basename(where)}/a.gltf`,
+      path.join(where, 'b.gltf'),
+    );
     expect(outside.code).toBe(0);
   });
 
   it('reads the materials that an OBJ names, and their images', async () => {
     const text = (content: string): Uint8Array => new TextEncoder().encode(content);
     const faces = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3\n';
-    const png = Uint8Array.from(atob('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=='), (c) => c.charCodeAt(0));
+    const png = Uint8Array.from(
+      atob('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=='),
+      (c) => c.charCodeAt(0),
+    );
     const where = await folderOf([
-      { name: 'a.obj', bytes: text(`mtllib a.mtl\r\n${faces}`) }, { name: 'b.obj', bytes: text(faces) },
-      { name: 'a.mtl', bytes: text('newmtl red\nKd 1 0 0\nmap_Kd -s 1 1 1 -clamp on dark red.png\r\n') }, { name: 'dark red.png', bytes: png },
+      { name: 'a.obj', bytes: text(`mtllib a.mtl\r\n${faces}`) },
+      { name: 'b.obj', bytes: text(faces) },
+      { name: 'a.mtl', bytes: text('newmtl red\nKd 1 0 0\nmap_Kd -s 1 1 1 -clamp on dark red.png\r\n') },
+      { name: 'dark red.png', bytes: png },
     ]);
     const { code, stdout } = await runCli(where, 'inspect', 'a.obj', 'b.obj');
     expect([code, (JSON.parse(stdout) as { warnings: object[] }).warnings]).toEqual([0, []]);
@@ -88,8 +103,26 @@ describe('inspect', () => {
 
 describe('complete', () => {
   it('writes an animation that holds the keys and plays the asked range', async () => {
-    const { code, stdout, stderr } = await runCli(folder, 'complete', ...names, '--output', 'out.glb', '--report', 'r.json',
-      '--key-times', '0,0.4,1', '--frames', '9', '--range=-0.3:1.3', '--duration', '2', '--boundary', 'hermite', '--start-speed', '0');
+    const { code, stdout, stderr } = await runCli(
+      folder,
+      'complete',
+      ...names,
+      '--output',
+      'out.glb',
+      '--report',
+      'r.json',
+      '--key-times',
+      '0,0.4,1',
+      '--frames',
+      '9',
+      '--range=-0.3:1.3',
+      '--duration',
+      '2',
+      '--boundary',
+      'hermite',
+      '--start-speed',
+      '0',
+    );
     expect([code, stderr]).toEqual([0, '']);
     expect(stdout).toMatch(/^out\.glb: \d+ shapes, \d+ bytes\n$/);
     const player = await threePlayer(await readFile(path.join(folder, 'out.glb')));
@@ -103,12 +136,26 @@ describe('complete', () => {
       version: packageJson.version,
       files: names,
       output: { path: 'out.glb', files: 1 },
-      options: { sequence: { boundary: 'hermite', startSpeed: 0, endSpeed: 1, method: 'lri', keyTimes: [0, 0.4, 1] }, export: { duration: 2 } },
+      options: {
+        sequence: { boundary: 'hermite', startSpeed: 0, endSpeed: 1, method: 'lri', keyTimes: [0, 0.4, 1] },
+        export: { duration: 2 },
+      },
       counts: { encodings: expect.any(Number), factorisations: expect.any(Number) },
       range: [0, 1],
       warnings: [],
     });
-    for (const stage of ['read', 'import', 'build', 'weld', 'encode', 'order', 'factor', 'export', 'measure', 'total']) {
+    for (const stage of [
+      'read',
+      'import',
+      'build',
+      'weld',
+      'encode',
+      'order',
+      'factor',
+      'export',
+      'measure',
+      'total',
+    ]) {
       expect(report.timings[stage]).toBeGreaterThanOrEqual(0);
     }
     const { times, volume, area } = report.measures as { times: number[]; volume: number[]; area: number[] };
@@ -117,7 +164,7 @@ describe('complete', () => {
     expect(volume[times.indexOf(0)]).toBeCloseTo(10, 4);
   });
 
-  it('writes a folder of OBJ files in the input\'s own order, one for each asked time', async () => {
+  it("writes a folder of OBJ files in the input's own order, one for each asked time", async () => {
     const { code } = await runCli(folder, 'complete', ...names, '--output', 'frames/', '--at', '-0.3,0.5,1.3');
     expect(code).toBe(0);
     expect(await listed(path.join(folder, 'frames'))).toEqual(['0000.obj', '0001.obj', '0002.obj']);
@@ -142,8 +189,22 @@ describe('complete', () => {
 
   it('says the size of a large export first, and only of one', async () => {
     const fine = bar(8, 120);
-    const where = await folderOf(poseFiles(fine, [0, 60].map((degrees) => bent(fine, degrees))));
-    const { code, stderr } = await runCli(where, 'complete', 'pose-1.glb', 'pose-2.glb', '--output', 'large.glb', '--frames', '1300');
+    const where = await folderOf(
+      poseFiles(
+        fine,
+        [0, 60].map((degrees) => bent(fine, degrees)),
+      ),
+    );
+    const { code, stderr } = await runCli(
+      where,
+      'complete',
+      'pose-1.glb',
+      'pose-2.glb',
+      '--output',
+      'large.glb',
+      '--frames',
+      '1300',
+    );
     expect([code, stderr]).toEqual([0, expect.stringMatching(/^large\.glb will take about \d{3} MB\n/)]);
     const written = (await readFile(path.join(where, 'large.glb'))).length;
     expect(Math.abs(Number(/about (\d+)/.exec(stderr)![1]) * 1e6 - written)).toBeLessThan(0.1 * written);
@@ -151,7 +212,16 @@ describe('complete', () => {
 
   it('takes tangent shapes', async () => {
     const shape = async (...words: string[]): Promise<Float32Array> => {
-      const { code } = await runCli(folder, 'complete', ...names, '--output', 't.obj', '--at=0.2', '--boundary=hermite', ...words);
+      const { code } = await runCli(
+        folder,
+        'complete',
+        ...names,
+        '--output',
+        't.obj',
+        '--at=0.2',
+        '--boundary=hermite',
+        ...words,
+      );
       expect(code).toBe(0);
       return (await objOf('t.obj')).positions;
     };
@@ -160,20 +230,43 @@ describe('complete', () => {
     // The neighbour key itself is what the tangent is taken from without the option.
     expect(largestDistance(await shape('--start-tangent', 'pose-2.glb'), plain)).toBeLessThan(1e-5 * diagonal(plain));
     const other = await folderOf([{ name: 'other.glb', bytes: meshGlb(bar(2, 10)) }]);
-    const { code, stderr } = await runCli(folder, 'complete', ...names, '--output', 'x.glb', '--end-tangent', path.join(other, 'other.glb'));
+    const { code, stderr } = await runCli(
+      folder,
+      'complete',
+      ...names,
+      '--output',
+      'x.glb',
+      '--end-tangent',
+      path.join(other, 'other.glb'),
+    );
     expect([code, stderr]).toEqual([1, expect.stringMatching(/other\.glb has \d+ vertices, the keys have \d+/)]);
   });
 
   it('opens what it wrote, with its options', async () => {
-    expect((await runCli(folder, 'complete', ...names, '--output', 'p.glb', '--boundary=periodic', '--period=3')).code).toBe(0);
+    expect(
+      (await runCli(folder, 'complete', ...names, '--output', 'p.glb', '--boundary=periodic', '--period=3')).code,
+    ).toBe(0);
     expect((await runCli(folder, 'complete', 'p.glb', '--output', 'p2.glb', '--report', 'p2.json')).code).toBe(0);
-    expect(await json('p2.json')).toMatchObject({ options: { sequence: { boundary: 'periodic', period: 3, keyTimes: [0, 0.5, 1] } }, isProject: true });
+    expect(await json('p2.json')).toMatchObject({
+      options: { sequence: { boundary: 'periodic', period: 3, keyTimes: [0, 0.5, 1] } },
+      isProject: true,
+    });
   });
 });
 
 describe('complete with a ghost mesh', () => {
   const report = async (...words: string[]): Promise<Record<string, never>> => {
-    const { code, stderr } = await runCli(folder, 'complete', ...names, '--output', 'g.glb', '--report', 'g.json', '--frames=9', ...words);
+    const { code, stderr } = await runCli(
+      folder,
+      'complete',
+      ...names,
+      '--output',
+      'g.glb',
+      '--report',
+      'g.json',
+      '--frames=9',
+      ...words,
+    );
     expect([code, stderr]).toEqual([0, '']);
     return json('g.json');
   };
@@ -182,15 +275,22 @@ describe('complete with a ghost mesh', () => {
     const exact = await report('--ghost-faces', '80');
     expect(exact).toMatchObject({
       options: { sequence: { ghostFaces: 80, transfer: 'exact', placement: 'vertices' } },
-      ghost: { faces: expect.any(Number), vertices: expect.any(Number), joinedComponents: 0, transfer: 'exact', placement: 'vertices' },
+      ghost: {
+        faces: expect.any(Number),
+        vertices: expect.any(Number),
+        joinedComponents: 0,
+        transfer: 'exact',
+        placement: 'vertices',
+      },
     });
     const { faces, vertices, kg } = exact.ghost as Record<string, number>;
     expect(faces).toBeGreaterThan(40);
     expect(faces).toBeLessThanOrEqual(80);
-    expect(faces).toBe(2 * vertices! - 4);  // closed, of genus 0
+    expect(faces).toBe(2 * vertices! - 4); // closed, of genus 0
     expect(kg).toBeGreaterThan(0);
     expect(kg).toBeLessThan(5);
-    for (const stage of ['weld', 'simplify', 'encode', 'transfer', 'order', 'factor', 'compare']) expect(exact.timings[stage]).toBeGreaterThan(0);
+    for (const stage of ['weld', 'simplify', 'encode', 'transfer', 'order', 'factor', 'compare'])
+      expect(exact.timings[stage]).toBeGreaterThan(0);
     const paper = await report('--ghost-faces=80', '--transfer=paper', '--placement=optimal');
     expect(paper).toMatchObject({ ghost: { transfer: 'paper', placement: 'optimal' } });
     expect((paper.ghost as Record<string, number>).kg).not.toBe(kg);
@@ -200,7 +300,9 @@ describe('complete with a ghost mesh', () => {
     expect((await report()).ghost).toBeNull();
     await report('--ghost-faces=80');
     const opened = async (...words: string[]): Promise<unknown> => {
-      expect((await runCli(folder, 'complete', 'g.glb', '--output', 'h.glb', '--report', 'h.json', ...words)).code).toBe(0);
+      expect(
+        (await runCli(folder, 'complete', 'g.glb', '--output', 'h.glb', '--report', 'h.json', ...words)).code,
+      ).toBe(0);
       return (await json('h.json')).options;
     };
     expect(await opened()).toMatchObject({ sequence: { ghostFaces: 80 } });
@@ -249,7 +351,15 @@ describe('bad input', () => {
     await writeFile(path.join(folder, 'page.glb'), '<!DOCTYPE html><title>404</title>');
     const before = await listed(folder);
     for (const output of ['bad.glb', 'bad/', 'new/folder/bad.glb']) {
-      const { code, stdout, stderr } = await runCli(folder, 'complete', ...words, '--output', output, '--report', 'bad.json');
+      const { code, stdout, stderr } = await runCli(
+        folder,
+        'complete',
+        ...words,
+        '--output',
+        output,
+        '--report',
+        'bad.json',
+      );
       expect([code, stdout]).toEqual([1, '']);
       expect(stderr).toMatch(/^shapespline: [^\n]+\n$/);
       expect(stderr).toMatch(says);

@@ -11,15 +11,18 @@ const plain = poseFiles(mesh, poses);
 const engine = testEngine();
 
 /** Corners in the order of the faces: what remains of a mesh whose vertices were numbered anew. */
-const cornersOf = (positions: Float32Array, indices: Uint32Array): string[] => Array.from(indices, (v) =>
-  Array.from(positions.subarray(3 * v, 3 * v + 3), (value) => value.toFixed(2)).join()).sort();
+const cornersOf = (positions: Float32Array, indices: Uint32Array): string[] =>
+  Array.from(indices, (v) =>
+    Array.from(positions.subarray(3 * v, 3 * v + 3), (value) => value.toFixed(2)).join(),
+  ).sort();
 
 /** Each face from its least corner on: meshopt may begin a face at another corner, its order and winding stay. */
-const facesOf = (indices: Uint32Array): string[] => Array.from({ length: indices.length / 3 }, (_, f) => {
-  const [a, b, c] = indices.subarray(3 * f, 3 * f + 3) as unknown as [number, number, number];
-  const turned = a < b && a < c ? [a, b, c] : b < c ? [b, c, a] : [c, a, b];
-  return turned.join();
-});
+const facesOf = (indices: Uint32Array): string[] =>
+  Array.from({ length: indices.length / 3 }, (_, f) => {
+    const [a, b, c] = indices.subarray(3 * f, 3 * f + 3) as unknown as [number, number, number];
+    const turned = a < b && a < c ? [a, b, c] : b < c ? [b, c, a] : [c, a, b];
+    return turned.join();
+  });
 
 describe('compressed meshes', () => {
   it('with EXT_meshopt_compression are read bit for bit', async () => {
@@ -41,9 +44,12 @@ describe('compressed meshes', () => {
   });
 
   it('find their buffers as other files do, and miss only the buffers', async () => {
-    const [{ bytes }, second] = await meshopt(plain) as [InputFile, InputFile];
+    const [{ bytes }, second] = (await meshopt(plain)) as [InputFile, InputFile];
     const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
-    const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as { buffers: { uri?: string }[]; images?: object[] };
+    const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as {
+      buffers: { uri?: string }[];
+      images?: object[];
+    };
     const binary = { name: 'the mesh.bin', bytes: bytes.slice(28 + length) };
     const gltf = (uri: string): InputFile => {
       json.buffers[0]!.uri = uri;
@@ -55,18 +61,27 @@ describe('compressed meshes', () => {
       expect(keys.positions(0)).toEqual(poses[0]);
     }
     const refused = async (uri: string) => failureOf(engine.importKeyframes([gltf(uri), second]));
-    expect(await refused('the%20mesh.bin')).toMatchObject({ code: 'missing-resource', message: expect.stringMatching(/^a\.gltf needs the file .*\.$/) as string });
-    expect(await refused('https://example.com/m.bin')).toMatchObject({ code: 'external-resource', message: expect.stringMatching(/ever fetched.*\.$/) as string });
+    expect(await refused('the%20mesh.bin')).toMatchObject({
+      code: 'missing-resource',
+      message: expect.stringMatching(/^a\.gltf needs the file .*\.$/) as string,
+    });
+    expect(await refused('https://example.com/m.bin')).toMatchObject({
+      code: 'external-resource',
+      message: expect.stringMatching(/ever fetched.*\.$/) as string,
+    });
   });
 
   it('that are cut off are refused as other files are', async () => {
     for (const files of [await meshopt(plain), await draco(plain)]) {
       const cut = { name: 'cut.glb', bytes: files[1]!.bytes.slice(0, -100) };
-      expect(await failureOf(engine.importKeyframes([files[0]!, cut]))).toMatchObject({ code: 'truncated-file', message: expect.stringMatching(/^cut\.glb .*cut off/) as string });
+      expect(await failureOf(engine.importKeyframes([files[0]!, cut]))).toMatchObject({
+        code: 'truncated-file',
+        message: expect.stringMatching(/^cut\.glb .*cut off/) as string,
+      });
     }
   });
 
-  it('that are broken are refused with the file\'s name', async () => {
+  it("that are broken are refused with the file's name", async () => {
     for (const files of [await meshopt(plain), await draco(plain)]) {
       const bytes = files[1]!.bytes;
       bytes.fill(0xee, bytes.length - 400);

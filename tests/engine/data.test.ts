@@ -8,37 +8,71 @@ import { expectPlayed } from './support/exported.ts';
 import { diagonal, largestDistance } from './support/shapes.ts';
 
 const engine = testEngine();
-const load = (names: string[], options?: ImportOptions): Promise<Keys> => engine.importKeyframes(names.map(dataFile), options);
+const load = (names: string[], options?: ImportOptions): Promise<Keys> =>
+  engine.importKeyframes(names.map(dataFile), options);
 
-const inputs: [string, string[], ImportOptions, { vertices: number; weldedVertices?: number; faces: number }, number][] = [
-  ['three poses', ['cactus/cactus-1.glb', 'cactus/cactus-2.glb', 'cactus/cactus-3.glb'], {}, { vertices: 5261, faces: 10518 }, 3],
+const inputs: [
+  string,
+  string[],
+  ImportOptions,
+  { vertices: number; weldedVertices?: number; faces: number },
+  number,
+][] = [
+  [
+    'three poses',
+    ['cactus/cactus-1.glb', 'cactus/cactus-2.glb', 'cactus/cactus-3.glb'],
+    {},
+    { vertices: 5261, faces: 10518 },
+    3,
+  ],
   ['morph targets with an animation', ['cactus/cactus-morph.glb'], {}, { vertices: 5261, faces: 10518 }, 3],
-  ['morph targets with many key times', ['morph/Horse.glb'], {}, { vertices: 796, weldedVertices: 494, faces: 984 }, NaN],
-  ['a buffer beside the file', ['morph/AnimatedMorphSphere.gltf', 'morph/AnimatedMorphSphere.bin'], {}, { vertices: 1876, faces: 960 }, NaN],
+  [
+    'morph targets with many key times',
+    ['morph/Horse.glb'],
+    {},
+    { vertices: 796, weldedVertices: 494, faces: 984 },
+    NaN,
+  ],
+  [
+    'a buffer beside the file',
+    ['morph/AnimatedMorphSphere.gltf', 'morph/AnimatedMorphSphere.bin'],
+    {},
+    { vertices: 1876, faces: 960 },
+    NaN,
+  ],
   ['two primitives', ['morph/MorphStressTest.gltf'], {}, { vertices: 1528, faces: 2412 }, NaN],
   ['a skin', ['skin/CesiumMan.glb'], { sample: 5 }, { vertices: 3273, weldedVertices: 2338, faces: 4672 }, 5],
-  ['a chosen animation', ['skin/Fox.glb'], { animation: 1, sample: [0, 0.2, 0.4] }, { vertices: 1728, weldedVertices: 290, faces: 576 }, 3],
+  [
+    'a chosen animation',
+    ['skin/Fox.glb'],
+    { animation: 1, sample: [0, 0.2, 0.4] },
+    { vertices: 1728, weldedVertices: 290, faces: 576 },
+    3,
+  ],
   ['many parts', ['skin/Soldier.glb'], { sample: 3 }, { vertices: 7434, faces: 11376 }, 3],
 ];
 
 describe.skipIf(!hasData)('real files', () => {
-  it.each(inputs)('with %s import, the motion passes through their keys, and three.js plays the valid export', async (_, names, options, report, count) => {
-    const keys = await load(names, options);
-    expect(keys.info.report).toMatchObject(report);
-    if (!Number.isNaN(count)) expect(keys.info.times).toHaveLength(count);
-    const sequence = await engine.createSequence(keys);
-    for (const [key, t] of keys.info.times.entries()) {
-      const pose = keys.positions(key);
-      expect(largestDistance((await frameAt(sequence, t)).positions, pose)).toBeLessThan(1e-5 * diagonal(pose));
-    }
-    const [first, last] = sequence.range;
-    for (const t of [first - 0.4 * (last - first), 0.7 * first + 0.3 * last, last + 0.4 * (last - first)]) {
-      const { positions, normals } = await frameAt(sequence, t);
-      expect(positions.every(Number.isFinite) && normals.every(Number.isFinite)).toBe(true);
-    }
-    await expectPlayed(sequence, { frames: 4 });
-    sequence.dispose();
-  });
+  it.each(inputs)(
+    'with %s import, the motion passes through their keys, and three.js plays the valid export',
+    async (_, names, options, report, count) => {
+      const keys = await load(names, options);
+      expect(keys.info.report).toMatchObject(report);
+      if (!Number.isNaN(count)) expect(keys.info.times).toHaveLength(count);
+      const sequence = await engine.createSequence(keys);
+      for (const [key, t] of keys.info.times.entries()) {
+        const pose = keys.positions(key);
+        expect(largestDistance((await frameAt(sequence, t)).positions, pose)).toBeLessThan(1e-5 * diagonal(pose));
+      }
+      const [first, last] = sequence.range;
+      for (const t of [first - 0.4 * (last - first), 0.7 * first + 0.3 * last, last + 0.4 * (last - first)]) {
+        const { positions, normals } = await frameAt(sequence, t);
+        expect(positions.every(Number.isFinite) && normals.every(Number.isFinite)).toBe(true);
+      }
+      await expectPlayed(sequence, { frames: 4 });
+      sequence.dispose();
+    },
+  );
 
   it('as OBJ poses import in the order given', async () => {
     for (const folder of ['obj/wolf', 'obj/lowpoly-cat']) {
@@ -60,7 +94,9 @@ describe.skipIf(!hasData)('malformed files', () => {
 
   it.each(names)('import or are refused with a code and a sentence: %s', async (name) => {
     const started = performance.now();
-    const beside = dataFiles(name.slice(0, name.lastIndexOf('/'))).filter((other) => /\.(bin|png|jpg|jpeg)$/.test(other));
+    const beside = dataFiles(name.slice(0, name.lastIndexOf('/'))).filter((other) =>
+      /\.(bin|png|jpg|jpeg)$/.test(other),
+    );
     const outcome = await load([name, ...beside]).catch((error: unknown) => error);
     expect(performance.now() - started).toBeLessThan(5000);
     if (!(outcome instanceof Error)) return;

@@ -26,7 +26,7 @@ describe('an animated GLB', () => {
     const player = await threePlayer(bytes);
     expect(player.duration).toBeCloseTo(4, 6);
     expect(player.times).toHaveLength(times.length);
-    expect(times).toHaveLength(23);  // the three keys are not on this grid
+    expect(times).toHaveLength(23); // the three keys are not on this grid
     for (const [index, t] of times.entries()) {
       const computed = (await frameAt(bend.sequence, t)).positions;
       expect(largestDistance(player.positionsAt(player.times[index]!), computed)).toBeLessThan(1e-4 * size());
@@ -45,7 +45,7 @@ describe('an animated GLB', () => {
     const sequence = await engine.createSequence(keys);
     const bytes = await expectPlayed(sequence, { frames: 6, range: [sequence.range[0] - 0.2, sequence.range[1]] });
     const again = (await engine.importKeyframes([{ name: 'again.glb', bytes }])).info;
-    const plain = keys.info.materials.length === 0;  // then the export has one that says so
+    const plain = keys.info.materials.length === 0; // then the export has one that says so
     if (!plain) expect(again.materials).toEqual(keys.info.materials);
     expect(again.groups).toEqual(keys.info.groups.map((group) => (plain ? { ...group, material: 0 } : group)));
     expect(again.images).toEqual(keys.info.images);
@@ -60,8 +60,18 @@ describe('an animated GLB', () => {
   });
 
   it('opens again as the same project, also where the range leaves keys out', async () => {
-    const { sequence } = await bendSequence(engine, { boundary: 'hermite', startSpeed: 0, stretch: 'log', endTangent: bend.poses[0]! });
-    await sequence.update({ keyTimes: [2, 3, 7], tension: [0, 0.5, 0], bias: [0, -0.5, 0], turns: [{ key: 1, turns: 1 }] });
+    const { sequence } = await bendSequence(engine, {
+      boundary: 'hermite',
+      startSpeed: 0,
+      stretch: 'log',
+      endTangent: bend.poses[0]!,
+    });
+    await sequence.update({
+      keyTimes: [2, 3, 7],
+      tension: [0, 0.5, 0],
+      bias: [0, -0.5, 0],
+      turns: [{ key: 1, turns: 1 }],
+    });
     for (const range of [null, [2.5, 4] as [number, number]]) {
       const bytes = await exported(sequence, { frames: 9, range, duration: 2 });
       await expectValid(bytes);
@@ -84,12 +94,16 @@ describe('an animated GLB', () => {
     const keys = await engine.importKeyframes([await rigFile()], { animation: 'nod', sample: [0, 0.4, 1.1, 2.2, 3] });
     for (const precision of ['single', 'double'] as const) {
       const sequence = await engine.createSequence(keys, { precision });
-      const file = await engine.importKeyframes([{ name: 'project.glb', bytes: await exported(sequence, { frames: 12 }) }]);
+      const file = await engine.importKeyframes([
+        { name: 'project.glb', bytes: await exported(sequence, { frames: 12 }) },
+      ]);
       const again = await engine.createSequence(file, { ...file.info.project });
       for (const t of [0.2, 0.65, 1.6, 2.5]) {
         const [a, b] = [await frameAt(sequence, t), await frameAt(again, t)];
         // The keys themselves differ by 1.5e-7 in single precision, 2e-8 in double.
-        expect(largestDistance(a.positions, b.positions)).toBeLessThan((precision === 'single' ? 2e-6 : 2e-7) * keys.info.report.diagonal);
+        expect(largestDistance(a.positions, b.positions)).toBeLessThan(
+          (precision === 'single' ? 2e-6 : 2e-7) * keys.info.report.diagonal,
+        );
       }
       sequence.dispose();
       again.dispose();
@@ -120,14 +134,20 @@ describe('an animated GLB', () => {
   });
 
   it('draws a warning above 256 targets', async () => {
-    const codes = async (frames: number) => (await bend.sequence.planExport({ frames })).warnings.map(({ code }) => code);
+    const codes = async (frames: number) =>
+      (await bend.sequence.planExport({ frames })).warnings.map(({ code }) => code);
     expect([await codes(257), await codes(259)]).toEqual([[], ['many-targets']]);
   });
 
   it('in place has no motion of the whole', async () => {
-    const centre = (positions: Float32Array): number => positions.reduce((sum, value, i) => (i % 3 === 1 ? sum + value : sum), 0);
+    const centre = (positions: Float32Array): number =>
+      positions.reduce((sum, value, i) => (i % 3 === 1 ? sum + value : sum), 0);
     const keys = bend.keys.arrange([0, 0], [0, 1]);
-    const lifted = keys.withPose('lifted', 2, bend.poses[0]!.map((value, i) => (i % 3 === 1 ? value + 20 : value)));
+    const lifted = keys.withPose(
+      'lifted',
+      2,
+      bend.poses[0]!.map((value, i) => (i % 3 === 1 ? value + 20 : value)),
+    );
     const sequence = await engine.createSequence(lifted);
     const lift = async (inPlace: boolean): Promise<number> => {
       const player = await threePlayer(await exported(sequence, { frames: 3, inPlace }));
@@ -143,7 +163,9 @@ describe('an animated GLB', () => {
 describe('the largest animation', () => {
   it('opens again, and a larger one is refused before any work', async () => {
     const box = bar(1, 1);
-    const sequence = await engine.createSequence(await engine.importKeyframes(poseFiles(box, [box.positions, bent(box, 30)])));
+    const sequence = await engine.createSequence(
+      await engine.importKeyframes(poseFiles(box, [box.positions, bent(box, 30)])),
+    );
     const bytes = await exported(sequence, { frames: 4000 });
     const again = await engine.importKeyframes([{ name: 'long.glb', bytes }]);
     expect([again.info.times, again.info.animations]).toMatchObject([[0, 1], [{ keys: 4000 }]]);
@@ -151,11 +173,16 @@ describe('the largest animation', () => {
     expect(largestDistance(sampled.positions(1), (await frameAt(sequence, 0.5)).positions)).toBeLessThan(1e-2);
 
     const stages: string[] = [];
-    for (const refused of [sequence.planExport({ frames: 4001 }), sequence.export({ frames: 4001 }, { onProgress: ({ stage }) => stages.push(stage) })]) {
+    for (const refused of [
+      sequence.planExport({ frames: 4001 }),
+      sequence.export({ frames: 4001 }, { onProgress: ({ stage }) => stages.push(stage) }),
+    ]) {
       const failure = await failureOf(refused);
       expect(failure.code).toBe('too-large');
-      expect(failure.message).toBe('An animation of 4,001 frames would not open again: its 4,000 morph targets need more than 16,000,000 weights. '
-        + 'Export fewer frames, or an OBJ sequence.');
+      expect(failure.message).toBe(
+        'An animation of 4,001 frames would not open again: its 4,000 morph targets need more than 16,000,000 weights. ' +
+          'Export fewer frames, or an OBJ sequence.',
+      );
     }
     expect(stages).toEqual([]);
     expect((await sequence.planExport({ frames: 4001, format: 'obj' })).times).toHaveLength(4001);
@@ -170,7 +197,10 @@ describe('single shapes and series of files', () => {
     for (const format of ['glb', 'obj', 'ply'] as const) {
       const bytes = await exported(bend.sequence, { format, pose: t });
       if (format === 'glb') await expectValid(bytes);
-      const files = [{ name: `a.${format}`, bytes }, { name: `b.${format}`, bytes }];
+      const files = [
+        { name: `a.${format}`, bytes },
+        { name: `b.${format}`, bytes },
+      ];
       const keys = await engine.importKeyframes(files);
       expect(largestDistance(keys.positions(0), wanted)).toBeLessThan(1e-6);
       expect(keys.info.indices).toEqual(bend.mesh.indices);

@@ -29,14 +29,19 @@ describe('a ghost mesh', () => {
     expect(ghost.ghostFaceOf).toHaveLength(mesh.indices.length / 3);
     for (const face of ghost.ghostFaceOf) expect(face >= 0 && face < ghostFaces).toBe(true);
     for (const [key, t] of [0, 0.5, 1].entries()) {
-      expect(largestDistance(await sequence.ghostPositions(t), pick(poses[key]!, ghost.vertexOf))).toBeLessThan(1e-5 * diagonal(poses[key]!));
+      expect(largestDistance(await sequence.ghostPositions(t), pick(poses[key]!, ghost.vertexOf))).toBeLessThan(
+        1e-5 * diagonal(poses[key]!),
+      );
     }
     sequence.dispose();
   });
 
   it('may stand beside the vertices', async () => {
     const { sequence, poses } = await bendSequence(engine, { ghostFaces: 80, placement: 'optimal' });
-    const distance = largestDistance(await sequence.ghostPositions(1), pick(poses[2]!, (await sequence.ghost())!.vertexOf));
+    const distance = largestDistance(
+      await sequence.ghostPositions(1),
+      pick(poses[2]!, (await sequence.ghost())!.vertexOf),
+    );
     expect(distance).toBeGreaterThan(1e-4 * diagonal(poses[2]!));
     expect(distance).toBeLessThan(0.1 * diagonal(poses[2]!));
     sequence.dispose();
@@ -71,9 +76,17 @@ describe('a ghost mesh', () => {
   it('reports its making in rising fractions', async () => {
     const { keys } = await bendKeys(engine, bar(6, 60));
     const seen: Progress[] = [];
-    (await engine.createSequence(keys, { ghostFaces: 500 }, { onProgress: (progress) => seen.push(progress) })).dispose();
-    expect(seen.map(({ stage }) => stage).filter((stage, i, all) => stage !== all[i - 1]))
-      .toEqual(['welding', 'simplifying', 'matching', 'encoding', 'ordering', 'factorising']);
+    (
+      await engine.createSequence(keys, { ghostFaces: 500 }, { onProgress: (progress) => seen.push(progress) })
+    ).dispose();
+    expect(seen.map(({ stage }) => stage).filter((stage, i, all) => stage !== all[i - 1])).toEqual([
+      'welding',
+      'simplifying',
+      'matching',
+      'encoding',
+      'ordering',
+      'factorising',
+    ]);
     expect(seen.map(({ fraction }) => fraction)).toEqual(seen.map(({ fraction }) => fraction).sort((a, b) => a - b));
     expect(seen.at(-1)!.fraction).toBe(1);
   });
@@ -84,14 +97,18 @@ describe('a ghost mesh', () => {
     const { positions } = await frameAt(served, 0.3);
     const abort = new AbortController();
     let asked = Infinity;
-    const made = engine.createSequence(keys, { ghostFaces: 2000 }, {
-      signal: abort.signal,
-      onProgress: ({ stage }) => {
-        if (stage !== 'simplifying' || abort.signal.aborted) return;
-        asked = performance.now();
-        abort.abort();
+    const made = engine.createSequence(
+      keys,
+      { ghostFaces: 2000 },
+      {
+        signal: abort.signal,
+        onProgress: ({ stage }) => {
+          if (stage !== 'simplifying' || abort.signal.aborted) return;
+          asked = performance.now();
+          abort.abort();
+        },
       },
-    });
+    );
     expect((await failureOf(made)).code).toBe('cancelled');
     expect(performance.now() - asked).toBeLessThan(1000);
     expect((await frameAt(served, 0.3)).positions).toEqual(positions);
@@ -116,12 +133,22 @@ describe('the KG error', () => {
 });
 
 describe('a study of ghosts', () => {
-  it('holds every size below the shape\'s in both ways of transfer', async () => {
+  it("holds every size below the shape's in both ways of transfer", async () => {
     const { keys } = await bendKeys(engine);
     const fractions: number[] = [];
-    const study = await studyGhosts(engine, keys, {}, { times: between, sizes: [60, 120, 500], onProgress: ({ fraction }) => fractions.push(fraction) });
+    const study = await studyGhosts(
+      engine,
+      keys,
+      {},
+      { times: between, sizes: [60, 120, 500], onProgress: ({ fraction }) => fractions.push(fraction) },
+    );
     expect(study.faces).toBe(336);
-    expect(study.rows.map(({ wanted, transfer }) => [wanted, transfer])).toEqual([[60, 'exact'], [60, 'paper'], [120, 'exact'], [120, 'paper']]);
+    expect(study.rows.map(({ wanted, transfer }) => [wanted, transfer])).toEqual([
+      [60, 'exact'],
+      [60, 'paper'],
+      [120, 'exact'],
+      [120, 'paper'],
+    ]);
     for (const { wanted, faces, kg, ms } of study.rows) {
       expect(faces).toBeLessThanOrEqual(wanted);
       expect(kg).toBeGreaterThan(0);
@@ -136,7 +163,9 @@ describe('a study of ghosts', () => {
   it('can be cancelled', async () => {
     const { keys } = await bendKeys(engine);
     const abort = new AbortController();
-    const onProgress = ({ fraction }: Progress): void => { if (fraction > 0.4) abort.abort(); };
+    const onProgress = ({ fraction }: Progress): void => {
+      if (fraction > 0.4) abort.abort();
+    };
     const work = studyGhosts(engine, keys, {}, { times: between, sizes: [60, 120], signal: abort.signal, onProgress });
     expect((await failureOf(work)).code).toBe('cancelled');
   });
@@ -147,7 +176,10 @@ async function check(keys: Keys, options: Partial<SequenceOptions>): Promise<voi
   const { times } = keys.info;
   const at = between.map((share) => times[0]! + share * (times.at(-1)! - times[0]!));
   const full = await engine.createSequence(keys, options);
-  for (const [transfer, limit] of [['exact', 1], ['paper', 5]] as const) {
+  for (const [transfer, limit] of [
+    ['exact', 1],
+    ['paper', 5],
+  ] as const) {
     const sequence = await engine.createSequence(keys, { ...options, ghostFaces: 2000, transfer });
     expect(sequence.warnings.map(({ code }) => code)).not.toContain('ghost-off');
     expect(await kgBetween(full, sequence, at), transfer).toBeLessThanOrEqual(limit);
@@ -161,16 +193,24 @@ async function check(keys: Keys, options: Partial<SequenceOptions>): Promise<voi
 }
 
 const samples = new URL('../../public/samples/', import.meta.url);
-interface SampleEntry { id: string; files: string[]; times: number[]; boundary: SequenceOptions['boundary'] }
+interface SampleEntry {
+  id: string;
+  files: string[];
+  times: number[];
+  boundary: SequenceOptions['boundary'];
+}
 
 describe('2,000 ghost faces', () => {
   const list = JSON.parse(readFileSync(new URL('samples.json', samples), 'utf8')) as SampleEntry[];
 
-  it.each(list.map((sample) => [sample.id, sample] as const))('keep close to the motion without them on the sample %s', async (_, { files, times, boundary }) => {
-    const inputs = files.map((name): InputFile => ({ name, bytes: readFileSync(new URL(name, samples)) }));
-    const keys = await engine.importKeyframes(inputs, { keyTimes: times });
-    if (keys.info.report.faces > 2000) await check(keys, { boundary });
-  });
+  it.each(list.map((sample) => [sample.id, sample] as const))(
+    'keep close to the motion without them on the sample %s',
+    async (_, { files, times, boundary }) => {
+      const inputs = files.map((name): InputFile => ({ name, bytes: readFileSync(new URL(name, samples)) }));
+      const keys = await engine.importKeyframes(inputs, { keyTimes: times });
+      if (keys.info.report.faces > 2000) await check(keys, { boundary });
+    },
+  );
 
   it.skipIf(!hasData)('keep close to it on the cactus', async () => {
     await check(await engine.importKeyframes([1, 2, 3].map((i) => dataFile(`cactus/cactus-${i}.glb`))), {});

@@ -14,7 +14,9 @@ async function differenceToThree(file: InputFile, animation: number, times: numb
   const keys = await engine.importKeyframes([file], { animation, sample: times });
   const poser = await threePoser(file.bytes, animation);
   // What has no name is called by its number here and there.
-  expect(keys.info.animations.map(({ name }) => name.replace(' ', '_'))).toEqual(poser.names.map((name) => name.replace(' ', '_')));
+  expect(keys.info.animations.map(({ name }) => name.replace(' ', '_'))).toEqual(
+    poser.names.map((name) => name.replace(' ', '_')),
+  );
   expect(keys.info.animation).toBe(animation);
   expect(keys.info.times).toEqual(times);
   const differences = times.map((t, key) => largestDistance(keys.positions(key), poser.positionsAt(t)));
@@ -25,7 +27,9 @@ describe('keys of an animation are what three.js shows', () => {
   it('with skin, morph weights and node transforms at once, in LINEAR, STEP and CUBICSPLINE', async () => {
     const file = await rigFile();
     // Before, at and between the keys of the samplers, which begin and end at different times.
-    expect(await differenceToThree(file, 0, [0, 0.1, 0.2, 0.5, 0.69, 0.7, 0.9, 1, 1.3, 1.4, 1.75, 1.9, 2])).toBeLessThan(1e-5);
+    expect(
+      await differenceToThree(file, 0, [0, 0.1, 0.2, 0.5, 0.69, 0.7, 0.9, 1, 1.3, 1.4, 1.75, 1.9, 2]),
+    ).toBeLessThan(1e-5);
     expect(await differenceToThree(file, 1, [0, 0.4, 2.2, 3])).toBeLessThan(1e-5);
   });
 
@@ -33,12 +37,22 @@ describe('keys of an animation are what three.js shows', () => {
     const keys = await engine.importKeyframes([await rigFile()], { animation: 'everything', sample: 6 });
     expect(keys.info.times).toEqual([0, 0.4, 0.8, 1.2, 1.6, 2]);
     for (let key = 1; key < 6; key += 1) {
-      expect(largestDistance(keys.positions(key), keys.positions(key - 1))).toBeGreaterThan(0.02 * diagonal(keys.positions(0)));
+      expect(largestDistance(keys.positions(key), keys.positions(key - 1))).toBeGreaterThan(
+        0.02 * diagonal(keys.positions(0)),
+      );
     }
   });
 
-  const real = [['skin/CesiumMan.glb', 0], ['skin/Fox.glb', 0], ['skin/Fox.glb', 1], ['skin/Fox.glb', 2], ['skin/Soldier.glb', 0],
-    ['skin/Soldier.glb', 1], ['skin/Soldier.glb', 3], ['morph/Horse.glb', 0]] as const;
+  const real = [
+    ['skin/CesiumMan.glb', 0],
+    ['skin/Fox.glb', 0],
+    ['skin/Fox.glb', 1],
+    ['skin/Fox.glb', 2],
+    ['skin/Soldier.glb', 0],
+    ['skin/Soldier.glb', 1],
+    ['skin/Soldier.glb', 3],
+    ['morph/Horse.glb', 0],
+  ] as const;
 
   it.skipIf(!hasData).each(real)('in %s, animation %i', async (name, animation) => {
     const file = dataFile(name);

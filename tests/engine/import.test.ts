@@ -30,16 +30,46 @@ function otherFaces({ indices }: Mesh, face: number): Uint32Array {
 const bad: [string, InputFile, string, RegExp][] = [
   ['an empty file', named('empty.glb', new Uint8Array(0)), 'empty-file', /empty/],
   ['a cut file', named('cut.glb', good[1]!.bytes.slice(0, 4000)), 'truncated-file', /cut/],
-  ['an HTML page', named('page.glb', text('<!DOCTYPE html><html><body>Not found</body></html>')), 'not-recognised', /page/],
-  ['no glTF at all', named('noise.glb', Uint8Array.from({ length: 999 }, (_, i) => (i * 7919) % 251)), 'not-recognised', /noise/],
+  [
+    'an HTML page',
+    named('page.glb', text('<!DOCTYPE html><html><body>Not found</body></html>')),
+    'not-recognised',
+    /page/,
+  ],
+  [
+    'no glTF at all',
+    named(
+      'noise.glb',
+      Uint8Array.from({ length: 999 }, (_, i) => (i * 7919) % 251),
+    ),
+    'not-recognised',
+    /noise/,
+  ],
   ['no mesh', named('none.glb', glb({ asset: { version: '2.0' } })), 'no-triangles', /none/],
   ['another vertex count', named('other.glb', meshGlb(bar(2, 10))), 'vertex-count-mismatch', /90 vertices.* 170|162/],
-  ['another face', named('faces.glb', meshGlb({ ...mesh, indices: otherFaces(mesh, 5) }, curved)), 'face-mismatch', /faces/],
+  [
+    'another face',
+    named('faces.glb', meshGlb({ ...mesh, indices: otherFaces(mesh, 5) }, curved)),
+    'face-mismatch',
+    /faces/,
+  ],
   ['a coordinate that is no number', named('nan.glb', meshGlb(mesh, withNaN())), 'not-finite', /nan/],
-  ['an external buffer', named('far.gltf', text(JSON.stringify({
-    asset: { version: '2.0' }, buffers: [{ uri: 'https://example.com/a.bin', byteLength: 4 }],
-    bufferViews: [{ buffer: 0, byteLength: 4 }], accessors: [{ bufferView: 0, componentType: 5126, count: 1, type: 'SCALAR' }],
-  }))), 'external-resource', /example\.com/],
+  [
+    'an external buffer',
+    named(
+      'far.gltf',
+      text(
+        JSON.stringify({
+          asset: { version: '2.0' },
+          buffers: [{ uri: 'https://example.com/a.bin', byteLength: 4 }],
+          bufferViews: [{ buffer: 0, byteLength: 4 }],
+          accessors: [{ bufferView: 0, componentType: 5126, count: 1, type: 'SCALAR' }],
+        }),
+      ),
+    ),
+    'external-resource',
+    /example\.com/,
+  ],
 ];
 
 describe('importing', () => {
@@ -50,21 +80,38 @@ describe('importing', () => {
     expect(keys.positions(0)).toEqual(curved);
     expect(keys.info.indices).toEqual(mesh.indices);
     expect(keys.info.report).toMatchObject({
-      vertices: straight.length / 3, weldedVertices: straight.length / 3, faces: mesh.indices.length / 3, components: 1,
-      boundaryEdges: 0, nonManifoldEdges: 0, degenerateFaces: 0, duplicateFaces: 0, unreferencedVertices: 0, inconsistentEdges: 0,
+      vertices: straight.length / 3,
+      weldedVertices: straight.length / 3,
+      faces: mesh.indices.length / 3,
+      components: 1,
+      boundaryEdges: 0,
+      nonManifoldEdges: 0,
+      degenerateFaces: 0,
+      duplicateFaces: 0,
+      unreferencedVertices: 0,
+      inconsistentEdges: 0,
     });
     expect(keys.info.project).toBeNull();
   });
 
   it('reads a mesh and its morph targets', async () => {
-    const keys = await engine.importKeyframes([named('morph.glb', meshGlb(mesh, straight, [bent(mesh, 30), curved]))], { keyTimes: [0, 1, 5] });
+    const keys = await engine.importKeyframes([named('morph.glb', meshGlb(mesh, straight, [bent(mesh, 30), curved]))], {
+      keyTimes: [0, 1, 5],
+    });
     expect(keys.info.times).toEqual([0, 1, 5]);
     keys.positions(2).forEach((value, i) => expect(value).toBeCloseTo(curved[i]!, 5));
   });
 
   it('reports named stages, never falling, and can be cancelled at any of them', async () => {
     const fine = bar(4, 40);
-    const morph = named('morph.glb', meshGlb(fine, fine.positions, [20, 40, 60, 80].map((degrees) => bent(fine, degrees))));
+    const morph = named(
+      'morph.glb',
+      meshGlb(
+        fine,
+        fine.positions,
+        [20, 40, 60, 80].map((degrees) => bent(fine, degrees)),
+      ),
+    );
     for (const files of [[morph], good, await meshopt(good)]) {
       const heard: Progress[] = [];
       await engine.importKeyframes(files, {}, { onProgress: (progress) => heard.push(progress) });
@@ -98,7 +145,9 @@ describe('importing', () => {
       positions: Float32Array.from([...straight, ...straight.map((v, i) => (i % 3 === 0 ? v + 3 : v)), 9, 9, 9]),
       indices: Uint32Array.from([...mesh.indices, ...[...mesh.indices].slice(3).map((v) => v + straight.length / 3)]),
     };
-    const { info } = await engine.importKeyframes(poseFiles(twice, [twice.positions, twice.positions.map((v) => 2 * v)]));
+    const { info } = await engine.importKeyframes(
+      poseFiles(twice, [twice.positions, twice.positions.map((v) => 2 * v)]),
+    );
     expect(info.report).toMatchObject({ components: 2, boundaryEdges: 3, unreferencedVertices: 1 });
   });
 
@@ -119,22 +168,30 @@ describe('importing', () => {
   it('names vertex and face of what is wrong', async () => {
     const at = async (file: InputFile) => (await failureOf(engine.importKeyframes([first, file]))).place;
     expect(await at(named('nan.glb', meshGlb(mesh, withNaN())))).toMatchObject({ key: 1, vertex: 17 });
-    expect(await at(named('faces.glb', meshGlb({ ...mesh, indices: otherFaces(mesh, 5) }, curved)))).toMatchObject({ key: 1, face: 5 });
+    expect(await at(named('faces.glb', meshGlb({ ...mesh, indices: otherFaces(mesh, 5) }, curved)))).toMatchObject({
+      key: 1,
+      face: 5,
+    });
   });
 
   it('imports the mended twin after a refusal', async () => {
     await failureOf(engine.importKeyframes([first, named('nan.glb', meshGlb(mesh, withNaN()))]));
-    expect((await engine.importKeyframes([first, named('mended.glb', meshGlb(mesh, curved))])).info.names).toEqual(['pose-1', 'mended']);
+    expect((await engine.importKeyframes([first, named('mended.glb', meshGlb(mesh, curved))])).info.names).toEqual([
+      'pose-1',
+      'mended',
+    ]);
   });
 
   it('refuses one key, wrong times, and calls that are not right', async () => {
-    const refused = async (...args: Parameters<typeof engine.importKeyframes>) => (await failureOf(engine.importKeyframes(...args))).code;
+    const refused = async (...args: Parameters<typeof engine.importKeyframes>) =>
+      (await failureOf(engine.importKeyframes(...args))).code;
     expect(await refused([first])).toBe('too-few-keys');
     expect(await refused(good, { keyTimes: [1, 1] })).toBe('times-not-increasing');
     expect(await refused(good, { keyTimes: [0, 1, 2] })).toBe('time-count-mismatch');
     expect(await refused([])).toBe('invalid-option');
     expect(await refused([{ name: 'a', bytes: 'text' } as unknown as InputFile])).toBe('invalid-option');
     expect(await refused(good, { upp: 'y' } as object)).toBe('invalid-option');
-    for (const options of [{ animation: 0 }, { sample: 3 }, { sample: [0, 1] }]) expect(await refused(good, options)).toBe('invalid-option');
+    for (const options of [{ animation: 0 }, { sample: 3 }, { sample: [0, 1] }])
+      expect(await refused(good, options)).toBe('invalid-option');
   });
 });

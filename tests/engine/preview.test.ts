@@ -4,7 +4,8 @@ import { bendSequence, failureOf, frameAt, testEngine } from './support/engines.
 import { poseFiles } from './support/glb.ts';
 import { bar, bent, diagonal } from './support/shapes.ts';
 
-const farthest = (a: Float32Array, b: Float32Array): number => a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i]!)), 0);
+const farthest = (a: Float32Array, b: Float32Array): number =>
+  a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i]!)), 0);
 
 describe('preview', () => {
   it('is close to the exact shape, meets the keys, and evaluate stays what it was', async () => {
@@ -22,7 +23,11 @@ describe('preview', () => {
 
   it('gives way to a newer request', async () => {
     const { sequence } = await bendSequence(testEngine());
-    const [, overtaken, shown] = await Promise.all([sequence.preview(0.1), sequence.preview(0.2), sequence.evaluate(0.3)]);
+    const [, overtaken, shown] = await Promise.all([
+      sequence.preview(0.1),
+      sequence.preview(0.2),
+      sequence.evaluate(0.3),
+    ]);
     expect(overtaken).toBeNull();
     expect(shown?.t).toBe(0.3);
   });
@@ -32,8 +37,10 @@ describe('preview', () => {
     const cheap = (await sequence.preview(0.4))!;
     const abort = new AbortController();
     const [ahead, , late] = await Promise.allSettled([
-      sequence.evaluateAhead(0.4, { preview: true }), sequence.evaluateAhead(0.5),
-      sequence.evaluateAhead(0.6, { preview: true, signal: abort.signal }), abort.abort(),
+      sequence.evaluateAhead(0.4, { preview: true }),
+      sequence.evaluateAhead(0.5),
+      sequence.evaluateAhead(0.6, { preview: true, signal: abort.signal }),
+      abort.abort(),
     ]);
     expect(ahead).toMatchObject({ status: 'fulfilled', value: { t: 0.4, positions: cheap.positions } });
     expect(late).toMatchObject({ status: 'rejected', reason: { code: 'cancelled' } });
@@ -51,15 +58,24 @@ describe('preview', () => {
     const engine = testEngine();
     const mesh = bar();
     // tests/e2e/scrub drags over the same.
-    const keys = await engine.importKeyframes(poseFiles(mesh, [0, 420, 430].map((degrees) => bent(mesh, degrees))));
+    const keys = await engine.importKeyframes(
+      poseFiles(
+        mesh,
+        [0, 420, 430].map((degrees) => bent(mesh, degrees)),
+      ),
+    );
     const sequence = await engine.createSequence(keys);
     for (const t of sequence.keyTimes) expect((await sequence.previewError(t)).largest).toBeLessThan(1e-5);
 
     const error = await sequence.previewError(0.3);
     const exact = await frameAt(sequence, 0.3);
     const cheap = (await sequence.preview(0.3))!;
-    const distances = Array.from({ length: exact.positions.length / 3 }, (_, v) =>
-      Math.hypot(...[0, 1, 2].map((k) => exact.positions[3 * v + k]! - cheap.positions[3 * v + k]!)) / diagonal(keys.positions(0)));
+    const distances = Array.from(
+      { length: exact.positions.length / 3 },
+      (_, v) =>
+        Math.hypot(...[0, 1, 2].map((k) => exact.positions[3 * v + k]! - cheap.positions[3 * v + k]!)) /
+        diagonal(keys.positions(0)),
+    );
     expect(error.largest).toBeCloseTo(Math.max(...distances), 6);
     expect(error.mean).toBeCloseTo(distances.reduce((sum, d) => sum + d, 0) / distances.length, 6);
 

@@ -32,7 +32,9 @@ describe('a worker', () => {
   it('that cannot be started gives an error with a code', async () => {
     const missing = new URL('./support/no-such-worker.mjs', import.meta.url);
     const engine = testEngine({ workerUrl: missing });
-    expect((await failureOf(engine.importKeyframes(poseFiles(bar(), [bent(bar(), 0), bent(bar(), 9)])))).code).toBe('crashed');
+    expect((await failureOf(engine.importKeyframes(poseFiles(bar(), [bent(bar(), 0), bent(bar(), 9)])))).code).toBe(
+      'crashed',
+    );
   });
 
   it('without its wasm gives an error with a code', async () => {
@@ -46,14 +48,16 @@ describe('cancelling', () => {
     const engine = testEngine();
     const { sequence } = await bendSequence(engine);
     const before = (await frameAt(sequence, 0.4)).positions;
-    const large = bar(60, 600);  // 151,200 faces
+    const large = bar(60, 600); // 151,200 faces
     const { keys } = await bendKeys(engine, large);
     const controller = new AbortController();
     const begun = new Promise<void>((resolve) => {
-      void failureOf(engine.createSequence(keys, {}, { signal: controller.signal, onProgress: () => resolve() })).then((error) => {
-        expect(error.code).toBe('cancelled');
-        ended = performance.now();
-      });
+      void failureOf(engine.createSequence(keys, {}, { signal: controller.signal, onProgress: () => resolve() })).then(
+        (error) => {
+          expect(error.code).toBe('cancelled');
+          ended = performance.now();
+        },
+      );
     });
     let ended = Infinity;
     await begun;
@@ -69,7 +73,10 @@ describe('cancelling', () => {
     const { sequence, mesh, poses } = await bendSequence(engine);
     const controller = new AbortController();
     const options = { signal: controller.signal };
-    const works = [engine.importKeyframes(poseFiles(mesh, poses), {}, options), sequence.export({ frames: 200 }, options)].map(failureOf);
+    const works = [
+      engine.importKeyframes(poseFiles(mesh, poses), {}, options),
+      sequence.export({ frames: 200 }, options),
+    ].map(failureOf);
     controller.abort();
     for (const work of works) expect((await work).code).toBe('cancelled');
     expect(await frameAt(sequence, 0.4)).toBeTruthy();

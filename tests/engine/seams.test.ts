@@ -12,15 +12,20 @@ const mesh = bar(2, 8);
 const vertices = mesh.positions.length / 3;
 const PNG = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==';
 const text = (name: string, content: string): InputFile => ({ name, bytes: new TextEncoder().encode(content) });
-const paint = [text('paint.mtl', 'newmtl paint\nmap_Kd paint.png\n'), { name: 'paint.png', bytes: Uint8Array.from(atob(PNG), (c) => c.charCodeAt(0)) }];
+const paint = [
+  text('paint.mtl', 'newmtl paint\nmap_Kd paint.png\n'),
+  { name: 'paint.png', bytes: Uint8Array.from(atob(PNG), (c) => c.charCodeAt(0)) },
+];
 
 /** Every second face lies elsewhere in the texture; `shift` moves all of it. */
 function objOf(name: string, positions: Float32Array, shift = 0): InputFile {
   const lines = ['mtllib paint.mtl', 'usemtl paint'];
   for (let i = 0; i < positions.length; i += 3) lines.push(`v ${positions.slice(i, i + 3).join(' ')}`);
-  for (let i = 0; i < 2 * vertices; i += 1) lines.push(`vt ${(i % vertices) / vertices + shift} ${i < vertices ? 0.25 : 0.75}`);
+  for (let i = 0; i < 2 * vertices; i += 1)
+    lines.push(`vt ${(i % vertices) / vertices + shift} ${i < vertices ? 0.25 : 0.75}`);
   const corner = (vertex: number, face: number): string => `${vertex + 1}/${vertex + 1 + (face % 2) * vertices}`;
-  for (let f = 0; f < mesh.indices.length / 3; f += 1) lines.push(`f ${Array.from(mesh.indices.subarray(3 * f, 3 * f + 3), (v) => corner(v, f)).join(' ')}`);
+  for (let f = 0; f < mesh.indices.length / 3; f += 1)
+    lines.push(`f ${Array.from(mesh.indices.subarray(3 * f, 3 * f + 3), (v) => corner(v, f)).join(' ')}`);
   return text(name, lines.join('\n'));
 }
 
@@ -35,7 +40,10 @@ function corners({ info }: Keys): number[] {
 
 /** The drawn vertices' places. */
 function drawn(positions: Float32Array, { info }: Keys): Float32Array {
-  return Float32Array.from([...positions, ...Array.from(info.seams!.copyOf).flatMap((v) => [...positions.subarray(3 * v, 3 * v + 3)])]);
+  return Float32Array.from([
+    ...positions,
+    ...Array.from(info.seams!.copyOf).flatMap((v) => [...positions.subarray(3 * v, 3 * v + 3)]),
+  ]);
 }
 
 describe('an OBJ whose texture has seams', () => {
@@ -48,7 +56,10 @@ describe('an OBJ whose texture has seams', () => {
     const { copyOf, indices } = info.seams!;
     expect(info.uvs).toHaveLength(2 * (vertices + copyOf.length));
     expect(Array.from(indices, (v) => (v < vertices ? v : copyOf[v - vertices]!))).toEqual(Array.from(mesh.indices));
-    const wanted = Array.from(mesh.indices).flatMap((v, i) => [Math.fround(v / vertices), Math.floor(i / 3) % 2 ? 0.25 : 0.75]);
+    const wanted = Array.from(mesh.indices).flatMap((v, i) => [
+      Math.fround(v / vertices),
+      Math.floor(i / 3) % 2 ? 0.25 : 0.75,
+    ]);
     expect(corners(await engine.importKeyframes([...files, ...paint]))).toEqual(wanted);
   });
 
@@ -64,7 +75,9 @@ describe('an OBJ whose texture has seams', () => {
     for (const [index, t] of times.entries()) {
       const { positions } = await frameAt(sequence, t);
       expect(positions).toHaveLength(3 * vertices);
-      expect(largestDistance(player.positionsAt(player.times[index]!), drawn(positions, keys))).toBeLessThan(1e-4 * diagonal(positions));
+      expect(largestDistance(player.positionsAt(player.times[index]!), drawn(positions, keys))).toBeLessThan(
+        1e-4 * diagonal(positions),
+      );
     }
     const again = await engine.importKeyframes([{ name: 'again.glb', bytes }]);
     expect(again.info.report).toEqual({ ...keys.info.report, diagonal: expect.closeTo(keys.info.report.diagonal, 4) });
@@ -73,7 +86,9 @@ describe('an OBJ whose texture has seams', () => {
     expect(corners(again)).toEqual(corners(keys));
     expect(again.info.project).toEqual(sequence.options);
     const other = await engine.createSequence(again, { ...again.info.project });
-    expect(largestDistance((await frameAt(other, 0.3)).positions, (await frameAt(sequence, 0.3)).positions)).toBeLessThan(1e-5 * diagonal(poses[0]!));
+    expect(
+      largestDistance((await frameAt(other, 0.3)).positions, (await frameAt(sequence, 0.3)).positions),
+    ).toBeLessThan(1e-5 * diagonal(poses[0]!));
     // A pose from a file of its own is one of the same mesh, whatever it came as.
     const [pose] = await other.export({ format: 'glb', pose: 0.3 });
     expect((await engine.importKeyframes([pose!, files[0]!])).info.report.vertices).toBe(vertices);

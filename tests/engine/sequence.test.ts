@@ -11,7 +11,8 @@ beforeAll(async () => {
   bend = await bendSequence(engine);
 });
 
-const positionsAt = async (sequence: Sequence, t: number): Promise<Float32Array> => (await frameAt(sequence, t)).positions;
+const positionsAt = async (sequence: Sequence, t: number): Promise<Float32Array> =>
+  (await frameAt(sequence, t)).positions;
 
 describe('a sequence', () => {
   it('passes through its keys, to 1e-5 of the diagonal in float32', async () => {
@@ -99,7 +100,10 @@ describe('a sequence', () => {
   it('moves its keys in time', async () => {
     const sequence = await engine.createSequence(bend.keys, { boundary: 'hermite' });
     await sequence.update({ keyTimes: [-1, 3, 4] });
-    expect([sequence.keyTimes, sequence.range]).toEqual([[-1, 3, 4], [-1, 4]]);
+    expect([sequence.keyTimes, sequence.range]).toEqual([
+      [-1, 3, 4],
+      [-1, 4],
+    ]);
     expect(largestDistance(await positionsAt(sequence, 3), bend.poses[1]!)).toBeLessThan(1e-4);
     sequence.dispose();
   });
@@ -107,13 +111,30 @@ describe('a sequence', () => {
   it('keeps its motion when an update is refused', async () => {
     const before = await positionsAt(bend.sequence, 0.7);
     const refused = [
-      { keyTimes: [0, 0, 1] }, { keyTimes: [0, 1] }, { tension: [1] }, { bias: [0, 1] }, { turns: [{ key: 9, turns: 1 }] },
+      { keyTimes: [0, 0, 1] },
+      { keyTimes: [0, 1] },
+      { tension: [1] },
+      { bias: [0, 1] },
+      { turns: [{ key: 9, turns: 1 }] },
       { boundary: 'periodic' as const, period: 0.5 },
     ];
     const codes = [];
     for (const change of refused) codes.push((await failureOf(bend.sequence.update(change))).code);
-    expect(codes).toEqual(['times-not-increasing', 'time-count-mismatch', 'invalid-option', 'invalid-option', 'invalid-option', 'invalid-option']);
-    expect(bend.sequence.options).toMatchObject({ boundary: 'natural', tension: [], bias: [], turns: [], period: null });
+    expect(codes).toEqual([
+      'times-not-increasing',
+      'time-count-mismatch',
+      'invalid-option',
+      'invalid-option',
+      'invalid-option',
+      'invalid-option',
+    ]);
+    expect(bend.sequence.options).toMatchObject({
+      boundary: 'natural',
+      tension: [],
+      bias: [],
+      turns: [],
+      period: null,
+    });
     expect(await positionsAt(bend.sequence, 0.7)).toEqual(before);
   });
 
@@ -154,15 +175,22 @@ describe('a sequence', () => {
       return [...moved(wheel, (x, y, z) => [c * x - s * y + 2, s * x + c * y, z + 4])];
     };
     const pose = (degrees: number): Float32Array => Float32Array.from([...body.positions, ...turned(degrees)]);
-    const mesh: Mesh = { positions: pose(0), indices: Uint32Array.from([...body.indices, ...[...wheel.indices].map((v) => v + shift)]) };
+    const mesh: Mesh = {
+      positions: pose(0),
+      indices: Uint32Array.from([...body.indices, ...[...wheel.indices].map((v) => v + shift)]),
+    };
     const sequence = await engine.createSequence(await engine.importKeyframes(poseFiles(mesh, [pose(0), pose(60)])));
     expect((await sequence.stats()).components).toBe(2);
     const components = await sequence.components();
-    expect([...components]).toEqual(Array.from({ length: mesh.indices.length / 3 }, (_, f) => (3 * f < body.indices.length ? 0 : 1)));
+    expect([...components]).toEqual(
+      Array.from({ length: mesh.indices.length / 3 }, (_, f) => (3 * f < body.indices.length ? 0 : 1)),
+    );
 
     const expectTurned = async (t: number, degrees: number): Promise<void> => {
       // The point about which it turns is found from the keys, to about so much.
-      expect(largestDistance(await positionsAt(sequence, t), pose(degrees))).toBeLessThan(1e-3 * diagonal(mesh.positions));
+      expect(largestDistance(await positionsAt(sequence, t), pose(degrees))).toBeLessThan(
+        1e-3 * diagonal(mesh.positions),
+      );
     };
     await expectTurned(0.5, 30);
     await sequence.update({ turns: [{ key: 1, turns: 1, component: 1 }] });
@@ -170,7 +198,9 @@ describe('a sequence', () => {
     await expectTurned(1, 60);
     await sequence.update({ turns: [{ key: 1, turns: -1, component: 1 }] });
     await expectTurned(0.5, -150);
-    expect((await failureOf(sequence.update({ turns: [{ key: 1, turns: 1, component: 2 }] }))).code).toBe('invalid-option');
+    expect((await failureOf(sequence.update({ turns: [{ key: 1, turns: 1, component: 2 }] }))).code).toBe(
+      'invalid-option',
+    );
     await expectTurned(0.5, -150);
     sequence.dispose();
   });
@@ -226,7 +256,11 @@ describe('arranged keys', () => {
     const arranged = keys.arrange([2, 0], [0, 1]).withPose('last', 2, poses[1]!);
     keys.dispose();
     const sequence = await engine.createSequence(arranged);
-    for (const [t, pose] of [[0, 2], [1, 0], [2, 1]] as const) {
+    for (const [t, pose] of [
+      [0, 2],
+      [1, 0],
+      [2, 1],
+    ] as const) {
       expect(largestDistance(await positionsAt(sequence, t), poses[pose]!)).toBeLessThan(1e-4);
     }
     sequence.dispose();

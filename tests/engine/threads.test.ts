@@ -23,7 +23,10 @@ afterEach(async () => {
   await Promise.all(helpers.splice(0).map((helper) => helper.terminate()));
 });
 
-async function started(create: CreateWasmModule, name: string): Promise<{ core: WasmCore; module: WasmModule; compiled: WebAssembly.Module }> {
+async function started(
+  create: CreateWasmModule,
+  name: string,
+): Promise<{ core: WasmCore; module: WasmModule; compiled: WebAssembly.Module }> {
   const compiled = await WebAssembly.compile(await readFile(new URL(`../../build/wasm/${name}.wasm`, import.meta.url)));
   let module: WasmModule | null = null;
   const core = await WasmCore.start(async (settings) => (module = await create(settings)), compiled);
@@ -33,7 +36,9 @@ async function started(create: CreateWasmModule, name: string): Promise<{ core: 
 /** A core with a second thread that is ready to help. */
 async function withHelper(): Promise<{ core: WasmCore; module: WasmModule; helper: Worker }> {
   const { core, module, compiled } = await started(createThreaded, 'shapespline_threads');
-  const helper = new Worker(new URL('../../build/node/node-helper.mjs', import.meta.url), { workerData: core.helperStart(compiled) });
+  const helper = new Worker(new URL('../../build/node/node-helper.mjs', import.meta.url), {
+    workerData: core.helperStart(compiled),
+  });
   helpers.push(helper);
   await new Promise((resolve, reject) => helper.once('message', resolve).once('error', reject));
   return { core, module, helper };
@@ -70,12 +75,14 @@ describe('two threads', () => {
 
 describe('a large sequence', () => {
   it('has the same frames while both are tried, with and without the threaded module', async () => {
-    const large = bar(40, 250);  // 43,202 vertices
-    const [one, two] = await Promise.all([testEngine({ threadsUrl: null }), testEngine()].map(async (engine) => {
-      const { keys } = await bendKeys(engine, large);
-      expect(keys.info.report.vertices).toBeGreaterThan(40_000);
-      return engine.createSequence(keys);
-    }));
+    const large = bar(40, 250); // 43,202 vertices
+    const [one, two] = await Promise.all(
+      [testEngine({ threadsUrl: null }), testEngine()].map(async (engine) => {
+        const { keys } = await bendKeys(engine, large);
+        expect(keys.info.report.vertices).toBeGreaterThan(40_000);
+        return engine.createSequence(keys);
+      }),
+    );
     for (let i = 0; i < 20; ++i) {
       const t = TIMES[i % TIMES.length]!;
       expect(bytes(await frameAt(two!, t)).equals(bytes(await frameAt(one!, t)))).toBe(true);
@@ -97,8 +104,11 @@ describe('a large sequence', () => {
 
   it('whose second thread breaks down in the middle of a frame fails once, and is then made by one thread to the same bits', async () => {
     const large = bar(40, 250);
-    const [one, two] = await Promise.all([testEngine({ threadsUrl: null }), testEngine({ workerUrl: faultyWorker })].map(async (engine) =>
-      engine.createSequence((await bendKeys(engine, large)).keys)));
+    const [one, two] = await Promise.all(
+      [testEngine({ threadsUrl: null }), testEngine({ workerUrl: faultyWorker })].map(async (engine) =>
+        engine.createSequence((await bendKeys(engine, large)).keys),
+      ),
+    );
     const expected = bytes(await frameAt(one!, 0.3));
     // A second thread that comes late has nothing left to break: then frames are made until it had a part of one.
     let outcome: unknown = null;
@@ -123,5 +133,7 @@ describe('a large sequence', () => {
 });
 
 function bytes({ positions, normals }: { positions: Float32Array; normals: Float32Array }): Buffer {
-  return Buffer.concat([positions, normals].map((array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength)));
+  return Buffer.concat(
+    [positions, normals].map((array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength)),
+  );
 }

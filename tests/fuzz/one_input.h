@@ -1,5 +1,5 @@
-// What is done with every input of a fuzzer, and with every file of the corpus: import it alone and as both of two keys,
-// and write what comes of it. Aborts where a promise of import.h or export.h is broken.
+// What is done with every input of a fuzzer, and with every file of the corpus: import it alone and as both of two
+// keys, and write what comes of it. Aborts where a promise of import.h or export.h is broken.
 #pragma once
 
 #include <cmath>
@@ -27,12 +27,15 @@ inline void checkImport(const Import& import) {
   const std::size_t n = k.vertexCount();
   promise(k.normals.empty() || k.normals.size() == n, "a normal for every vertex, or none");
   const Seams& seams = import.scene.seams;
-  promise(import.scene.uvs.empty() || import.scene.uvs.size() == 2 * (n + seams.copyOf.size()), "coordinates for every drawn vertex, or none");
-  promise(seams.faces.size() == (seams.copyOf.empty() ? 0 : k.faces.size()), "a drawn face for every face where there are copies");
+  promise(import.scene.uvs.empty() || import.scene.uvs.size() == 2 * (n + seams.copyOf.size()),
+          "coordinates for every drawn vertex, or none");
+  promise(seams.faces.size() == (seams.copyOf.empty() ? 0 : k.faces.size()),
+          "a drawn face for every face where there are copies");
   for (std::size_t f = 0; f < seams.faces.size(); ++f)
     for (int c = 0; c < 3; ++c) {
       const std::size_t v = seams.faces[f][c];
-      promise(v < n + seams.copyOf.size() && k.faces[f][c] == (v < n ? static_cast<int>(v) : seams.copyOf[v - n]), "drawn faces lie on faces");
+      promise(v < n + seams.copyOf.size() && k.faces[f][c] == (v < n ? static_cast<int>(v) : seams.copyOf[v - n]),
+              "drawn faces lie on faces");
     }
   promise(import.scene.colors.empty() || import.scene.colors.size() == 4 * n, "a colour for every vertex, or none");
   for (float v : import.scene.uvs) promise(std::isfinite(v), "finite coordinates");

@@ -1,5 +1,5 @@
-// How near the motion comes to the truth: skinned animations of real characters sampled densely, every n-th sample a key, the others
-// what should be there.
+// How near the motion comes to the truth: skinned animations of real characters sampled densely, every n-th sample a
+// key, the others what should be there.
 #include <doctest/doctest.h>
 
 #include "core/mesh/measures.h"
@@ -24,9 +24,9 @@ struct Reached {
 };
 
 const std::vector<Reached> table = {
-    {"skin/CesiumMan.glb", "", 1.02759, 0.147005},         {"skin/Fox.glb", "Survey", 0.216084, 0.0460273},
-    {"skin/Fox.glb", "Walk", 5.68227, 1.72695},            {"skin/Fox.glb", "Run", 4.19104, 1.26184},
-    {"skin/Soldier.glb", "Idle", 0.0446155, 0.00632313},   {"skin/Soldier.glb", "Run", 8.47452, 1.81853},
+    {"skin/CesiumMan.glb", "", 1.02759, 0.147005},       {"skin/Fox.glb", "Survey", 0.216084, 0.0460273},
+    {"skin/Fox.glb", "Walk", 5.68227, 1.72695},          {"skin/Fox.glb", "Run", 4.19104, 1.26184},
+    {"skin/Soldier.glb", "Idle", 0.0446155, 0.00632313}, {"skin/Soldier.glb", "Run", 8.47452, 1.81853},
     {"skin/Soldier.glb", "Walk", 2.55835, 0.559573},
 };
 // What is reached may be missed by this share.
@@ -74,11 +74,12 @@ void check(const Reached& reached) {
   for (const auto& [every, limit] : {std::pair{10, reached.every10th}, std::pair{5, reached.every5th}}) {
     Sequence sequence = sequenceOf(everyNth(dense, every), {});
     const double error = errorOf(sequence, dense);
-    MESSAGE("KG | " << reached.file << " | " << reached.animation << " | " << dense.keyCount() << " frames, every " << every << "th a key | " << error
-                    << " | reached before: " << limit);
+    MESSAGE("KG | " << reached.file << " | " << reached.animation << " | " << dense.keyCount() << " frames, every "
+                    << every << "th a key | " << error << " | reached before: " << limit);
     if (sweepsArePrinted())
       MESSAGE("KG of others | geodesic " << errorOf(sequence, dense, Method::Geodesic) << ", cubic blend of vertices "
-                                         << errorOf(sequence, dense, Method::CubicVertex) << ", linear blend " << errorOf(sequence, dense, Method::Linear));
+                                         << errorOf(sequence, dense, Method::CubicVertex) << ", linear blend "
+                                         << errorOf(sequence, dense, Method::Linear));
     CHECK(error <= (1 + allowance) * limit);
   }
 }

@@ -55,14 +55,17 @@ std::vector<Positions> posesOf(const Keyframes& k) {
 /// Without any symmetry.
 Positions bumpy(const Positions& positions, double size = 0.03) {
   return mapped(positions, [=](const Vec3& p) -> Vec3 {
-    const Vec3 bump(std::sin(3 * p.y() + p.z()), std::cos(2 * p.x() - 1.3 * p.z()), std::sin(1.7 * p.x() + 2.1 * p.y() + 0.4 * p.z()));
+    const Vec3 bump(std::sin(3 * p.y() + p.z()), std::cos(2 * p.x() - 1.3 * p.z()),
+                    std::sin(1.7 * p.x() + 2.1 * p.y() + 0.4 * p.z()));
     return p + size * bump;
   });
 }
 
-/// A bent bar, open at a few places and cut along seams whose copies lie together, with two balls of other kinds beside it.
+/// A bent bar, open at a few places and cut along seams whose copies lie together, with two balls of other kinds beside
+/// it.
 Keyframes severalParts() {
-  Shape shape = joined(joined(box(1, 1, 10, 3, 4, 30), sphere({1.3, 0.1, 4}, 0.4, 8, 11)), sphere({0.2, 1.4, 8}, 0.3, 7, 9));
+  Shape shape =
+      joined(joined(box(1, 1, 10, 3, 4, 30), sphere({1.3, 0.1, 4}, 0.4, 8, 11)), sphere({0.2, 1.4, 8}, 0.3, 7, 9));
   shape.faces.erase(shape.faces.begin() + 100, shape.faces.begin() + 106);
   for (int f = 300; f < 420; ++f)
     for (int& v : shape.faces[f]) {
@@ -70,14 +73,17 @@ Keyframes severalParts() {
       v = static_cast<int>(shape.positions.size()) - 1;
     }
   shape.positions = bumpy(shape.positions);
-  return keyframes(shape, {bend(0), bend(radians(70)), [](const Vec3& p) { return bend(radians(-40))(twist(radians(60))(p)); }});
+  return keyframes(
+      shape, {bend(0), bend(radians(70)), [](const Vec3& p) { return bend(radians(-40))(twist(radians(60))(p)); }});
 }
 
 void checkSameMesh(const Keyframes& k, std::uint32_t seed) {
   const Shuffled other = shuffled(k, seed);
-  const MeshOrder a = canonicalOrder(k.faces, posesOf(k)), b = canonicalOrder(other.keyframes.faces, posesOf(other.keyframes));
+  const MeshOrder a = canonicalOrder(k.faces, posesOf(k)),
+                  b = canonicalOrder(other.keyframes.faces, posesOf(other.keyframes));
   CHECK(a.apply(k.faces) == b.apply(other.keyframes.faces));
-  for (int j = 0; j < k.keyCount(); ++j) CHECK(a.apply(k.keys[j].positions) == b.apply(other.keyframes.keys[j].positions));
+  for (int j = 0; j < k.keyCount(); ++j)
+    CHECK(a.apply(k.keys[j].positions) == b.apply(other.keyframes.keys[j].positions));
 }
 
 /// Evaluates both and compares every vertex, and the patches.
@@ -153,8 +159,7 @@ TEST_CASE("a mesh of any kind has one order, whatever the file's") {
   odd.faces.push_back({side[1], side[2], side[2]});
   odd.faces.push_back({side[1], side[1], side[1]});
   for (int f = 20; f < 30; ++f) std::swap(odd.faces[f][0], odd.faces[f][1]);
-  for (std::uint32_t seed = 1; seed <= 5; ++seed)
-    checkSameMesh(keyframes(odd, {bend(0), bend(0.3), twist(1)}), seed);
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) checkSameMesh(keyframes(odd, {bend(0), bend(0.3), twist(1)}), seed);
 }
 
 TEST_CASE("parts that only their faces far from the first tell apart are told apart") {
@@ -162,7 +167,8 @@ TEST_CASE("parts that only their faces far from the first tell apart are told ap
   part.positions = mapped(bumpy(part.positions), [](const Vec3& p) -> Vec3 { return p + Vec3(2, 1, 0); });
   Shape other = part;
   other.positions = mapped(part.positions, [](const Vec3& p) -> Vec3 { return {-p.x(), -p.y(), p.z()}; });
-  const Triangle a = other.faces[20], b = other.faces[21];  // (0, 1, 2) and (0, 2, 3), or (0, 1, 3) and (1, 2, 3): cut the other way
+  const Triangle a = other.faces[20],
+                 b = other.faces[21];  // (0, 1, 2) and (0, 2, 3), or (0, 1, 3) and (1, 2, 3): cut the other way
   const bool fromFirst = a[0] == b[0];
   const int q[] = {a[0], a[1], fromFirst ? a[2] : b[1], fromFirst ? b[2] : a[2]};
   other.faces[20] = fromFirst ? Triangle{q[0], q[1], q[3]} : Triangle{q[0], q[1], q[2]};
@@ -178,7 +184,8 @@ TEST_CASE("a symmetric shape is ordered, too: by what its symmetry leaves") {
   const Keyframes k = keyframes(ball, {turn(Vec3::UnitZ(), 0), stretched});
   for (std::uint32_t seed = 1; seed <= 3; ++seed) {
     const Shuffled other = shuffled(k, seed);
-    const MeshOrder a = canonicalOrder(k.faces, posesOf(k)), b = canonicalOrder(other.keyframes.faces, posesOf(other.keyframes));
+    const MeshOrder a = canonicalOrder(k.faces, posesOf(k)),
+                    b = canonicalOrder(other.keyframes.faces, posesOf(other.keyframes));
     CHECK(a.apply(k.faces) == b.apply(other.keyframes.faces));
     for (int j = 0; j < 2; ++j)
       CHECK(fitRigid(a.apply(k.keys[j].positions), b.apply(other.keyframes.keys[j].positions)).largestDistance < 1e-12);

@@ -134,8 +134,10 @@ TEST_CASE("cholesky: random definite matrices agree with Eigen") {
       const Eigen::MatrixX3d b = randomRightHandSide(size, random);
       const Eigen::MatrixX3d expected = eigenSolution(matrix, b);
       const double scale = expected.cwiseAbs().maxCoeff();
-      CHECK((solve<double>(factorised(matrix, {}, Precision::Double), b) - expected).cwiseAbs().maxCoeff() < 1e-13 * scale);
-      CHECK((solve<float>(factorised(matrix, {}, Precision::Single), b) - expected).cwiseAbs().maxCoeff() < 1e-5 * scale);
+      CHECK((solve<double>(factorised(matrix, {}, Precision::Double), b) - expected).cwiseAbs().maxCoeff() <
+            1e-13 * scale);
+      CHECK((solve<float>(factorised(matrix, {}, Precision::Single), b) - expected).cwiseAbs().maxCoeff() <
+            1e-5 * scale);
     }
 }
 
@@ -229,7 +231,8 @@ TEST_CASE("cholesky: slivers") {
   const double eigenError = relativeError(eigenSolution(matrix, b), positions);
   const double fullError = relativeError(solve<double>(full, b), positions);
   const double singleError = relativeError(solve<float>(single, b), positions);
-  MESSAGE("sliver sheet, error relative to the extent: Eigen " << eigenError << ", double " << fullError << ", single " << singleError);
+  MESSAGE("sliver sheet, error relative to the extent: Eigen " << eigenError << ", double " << fullError << ", single "
+                                                               << singleError);
   CHECK(full.stats().regularisedPivots == 0);
   CHECK(fullError < 10.0 * eigenError + 1e-12);
 }
@@ -264,7 +267,8 @@ TEST_CASE("cholesky: a floating component is regularised and reported, and diffe
   const SymmetricMatrix zero = assembleSymmetric(3, {});
   CHECK(factorised(zero, {}, Precision::Single).stats().regularisedPivots == 3);
   // One over the smallest numbers is no number.
-  const SymmetricMatrix tiny = assembleSymmetric(3, std::vector<Triplet>{{0, 0, 1e-310}, {1, 1, 1e-310}, {2, 2, 1}, {1, 0, -1e-310}});
+  const SymmetricMatrix tiny =
+      assembleSymmetric(3, std::vector<Triplet>{{0, 0, 1e-310}, {1, 1, 1e-310}, {2, 2, 1}, {1, 0, -1e-310}});
   const Cholesky tied = factorised(tiny, {}, Precision::Double);
   CHECK(tied.stats().regularisedPivots == 2);
   CHECK(solve<double>(tied, Eigen::MatrixX3d::Ones(3, 3)).allFinite());

@@ -17,7 +17,8 @@ std::vector<fs::path> filesUnder(const fs::path& folder) {
   std::vector<fs::path> files;
   if (!fs::exists(folder)) return files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && entry.path().extension() != ".md" && entry.path().extension() != ".mjs") files.push_back(entry.path());
+    if (entry.is_regular_file() && entry.path().extension() != ".md" && entry.path().extension() != ".mjs")
+      files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -34,7 +34,8 @@ DiscreteSpline fit(const CurveOptions& options, const std::vector<double>& times
 
 MatrixXd sampled(const Curve& curve, const std::vector<double>& times) {
   MatrixXd rows(static_cast<Eigen::Index>(times.size()), curve.weights(curve.start()).size());
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) rows.row(i) = curve.weights(times[static_cast<std::size_t>(i)]).transpose();
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    rows.row(i) = curve.weights(times[static_cast<std::size_t>(i)]).transpose();
   return rows;
 }
 
@@ -58,7 +59,9 @@ const std::vector<CurveOptions> boundaries = {
 };
 
 // Intervals between samples, of which a periodic path has as many as samples.
-int samplesFor(const CurveOptions& options, int intervals) { return options.boundary == BoundaryKind::Periodic ? intervals : intervals + 1; }
+int samplesFor(const CurveOptions& options, int intervals) {
+  return options.boundary == BoundaryKind::Periodic ? intervals : intervals + 1;
+}
 
 }  // namespace
 
@@ -103,7 +106,8 @@ TEST_CASE("discrete spline: its energy is the least of all paths that hold the k
       const auto held = [&](const MatrixXd& change) -> MatrixXd {
         return change - c.transpose() * (c * c.transpose()).ldlt().solve(c * change);
       };
-      const MatrixXd bend = spline.gradient(path), anywhere = spline.gradient(path + 0.01 * held(noise(path.rows(), path.cols())));
+      const MatrixXd bend = spline.gradient(path),
+                     anywhere = spline.gradient(path + 0.01 * held(noise(path.rows(), path.cols())));
       CHECK(held(bend).norm() < 1e-9 * anywhere.norm());
       for (const double size : {1e-3, 0.1, 1.0}) {
         CHECK(spline.energy(path + size * held(noise(path.rows(), path.cols())), gram) > least);
@@ -135,7 +139,9 @@ TEST_CASE("discrete spline: the energy is the integral of the second derivative'
 
 TEST_CASE("discrete spline: counts of samples that cannot work are refused") {
   const Curve curve = curveOf({}, unevenly);
-  for (const int samples : {-1, 0, 3, 10, 1001}) CHECK(DiscreteSpline::fit(unevenly, BoundaryKind::Natural, curve, samples).error().code == ErrorCode::InvalidOption);
+  for (const int samples : {-1, 0, 3, 10, 1001})
+    CHECK(DiscreteSpline::fit(unevenly, BoundaryKind::Natural, curve, samples).error().code ==
+          ErrorCode::InvalidOption);
   CHECK(DiscreteSpline::fit(unevenly, BoundaryKind::Natural, curve, 11).ok());  // the shortest interval is 0.55 of 5
 }
 
@@ -151,7 +157,8 @@ TEST_CASE("discrete path: the feature vector of a sequence tends to the spline i
   for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
     MotionOptions motion;
     motion.boundary = boundary;
-    auto s = Sequence::create(keyframes(box(1, 1, 6, 2, 2, 12), {bend(0), bend(1), twist(1)}), doublePrecision(), motion);
+    auto s =
+        Sequence::create(keyframes(box(1, 1, 6, 2, 2, 12), {bend(0), bend(1), twist(1)}), doublePrecision(), motion);
     REQUIRE(s.ok());
     CHECK(s->shapePlane({}).explained == doctest::Approx(1));  // three keys: the plane holds the whole metric
     const auto distance = [&](int intervals) {
@@ -165,7 +172,8 @@ TEST_CASE("discrete path: the feature vector of a sequence tends to the spline i
       const ShapePlane plane = s->shapePlane(path->times);
       REQUIRE(plane.curve.size() == path->plane.size());
       double largest = 0;
-      for (std::size_t i = 0; i < plane.curve.size(); ++i) largest = std::max(largest, std::abs(plane.curve[i] - path->plane[i]));
+      for (std::size_t i = 0; i < plane.curve.size(); ++i)
+        largest = std::max(largest, std::abs(plane.curve[i] - path->plane[i]));
       return largest;
     };
     const double coarse = distance(60), fine = distance(240);

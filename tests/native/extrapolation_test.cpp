@@ -65,7 +65,8 @@ Keyframes randomStretches(unsigned seed) {
   return keyframes(box(1, 1, 4, 3, 3, 12), maps);
 }
 
-// What no shape is to pass: the first key, against which stretch is measured, times the limit of the face that stretches most.
+// What no shape is to pass: the first key, against which stretch is measured, times the limit of the face that
+// stretches most.
 double boundOf(const Keyframes& k) {
   double largest = 0;
   const Positions& first = k.keys[0].positions;
@@ -91,7 +92,8 @@ TEST_CASE("beyond the keys linear stretch keeps above its lower limit: no face i
       CHECK(enclosedVolume(toPositions(frame.positions), k.faces) > 2.6);  // the limit's: 8/3
       // 0.4 - 0.6 (t - 1) eases towards 0.4 / 1.5.
       const double change = 0.6 * (t - 1), room = 0.4 - 0.4 / 1.5;
-      CHECK(lengthOf(shapeAt(s, t)) == doctest::Approx(10 * (0.4 - eased(change / room) * change)).epsilon(precision == Precision::Single ? 1e-4 : 1e-9));
+      CHECK(lengthOf(shapeAt(s, t)) == doctest::Approx(10 * (0.4 - eased(change / room) * change))
+                                           .epsilon(precision == Precision::Single ? 1e-4 : 1e-9));
     }
     CHECK(lengthOf(shapeAt(s, -1)) == doctest::Approx(16).epsilon(1e-5));  // upwards it has none
     // A blend is what was asked for, also outside the keys, and says what it loses.
@@ -142,9 +144,11 @@ TEST_CASE("the motion is C2 where it goes on beyond the keys") {
         // The difference of the two sides' second derivatives, by differences of second order: it falls as h^2.
         const auto jump = [&](double h) {
           const auto second = [&](double side) {
-            const Positions a = shapeAt(s, end), b = shapeAt(s, end + side * h), c = shapeAt(s, end + 2 * side * h), d = shapeAt(s, end + 3 * side * h);
+            const Positions a = shapeAt(s, end), b = shapeAt(s, end + side * h), c = shapeAt(s, end + 2 * side * h),
+                            d = shapeAt(s, end + 3 * side * h);
             Positions result;
-            for (std::size_t v = 0; v < a.size(); ++v) result.push_back((2 * a[v] - 5 * b[v] + 4 * c[v] - d[v]) / (h * h));
+            for (std::size_t v = 0; v < a.size(); ++v)
+              result.push_back((2 * a[v] - 5 * b[v] + 4 * c[v] - d[v]) / (h * h));
             return result;
           };
           return largestDistance(second(1), second(-1));
@@ -161,7 +165,8 @@ TEST_CASE("within the keys nothing is limited, to the bit") {
   for (const Stretch stretch : {Stretch::Linear, Stretch::Log})
     for (const int ghostFaces : {0, 300}) {
       Sequence s = make(k, stretch, ghostFaces, Precision::Single);
-      for (const double t : {0.0, 0.125, 0.5, 0.875, 1.0}) CHECK(frameAt(s, t).positions == blendOf(s, {1 - t, t}).positions);
+      for (const double t : {0.0, 0.125, 0.5, 0.875, 1.0})
+        CHECK(frameAt(s, t).positions == blendOf(s, {1 - t, t}).positions);
       CHECK(frameAt(s, 1.5).positions != blendOf(s, {-0.5, 1.5}).positions);
     }
 }

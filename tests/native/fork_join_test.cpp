@@ -50,7 +50,8 @@ TEST_CASE("tree cut: the parts have no column in common and share rows in the to
   const int offset = static_cast<int>(two.positions.size());
   two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
   for (const Triangle& f : other.faces) two.faces.push_back({f[0] + offset, f[1] + offset, f[2] + offset});
-  for (const testing::PlainMesh& mesh : {testing::bumpySphere(2, random), testing::irregularSheet(61, 47, random), two}) {
+  for (const testing::PlainMesh& mesh :
+       {testing::bumpySphere(2, random), testing::irregularSheet(61, 47, random), two}) {
     const SymbolicFactor factor = factorOf(mesh);
     const std::vector<int> part = cutTree(factor);
     std::vector<int> partOfColumn(factor.size());
@@ -108,7 +109,8 @@ TEST_CASE("face halves: every face once, by its last corner, no corner in both h
 TEST_CASE("forkJoin: without a helper all is done by the caller") {
   ForkJoin forkJoin;
   std::array<int, 2> done = {0, 0};
-  for (ForkJoin* someone : {&forkJoin, static_cast<ForkJoin*>(nullptr)}) inTwo(someone, [&](int part) { ++done[part]; });
+  for (ForkJoin* someone : {&forkJoin, static_cast<ForkJoin*>(nullptr)})
+    inTwo(someone, [&](int part) { ++done[part]; });
   CHECK(done == std::array{2, 2});
   CHECK(forkJoin.helped() == 0);
 }
@@ -120,13 +122,14 @@ namespace {
 // A helper for as long as it lives.
 class Helper {
  public:
-  explicit Helper(ForkJoin& forkJoin) : forkJoin_(forkJoin), thread_([&forkJoin] {
-    try {
-      forkJoin.serve();
-    } catch (const std::exception&) {
-      forkJoin.breakDown();
-    }
-  }) {}
+  explicit Helper(ForkJoin& forkJoin)
+      : forkJoin_(forkJoin), thread_([&forkJoin] {
+          try {
+            forkJoin.serve();
+          } catch (const std::exception&) {
+            forkJoin.breakDown();
+          }
+        }) {}
   ~Helper() {
     forkJoin_.dismiss();
     thread_.join();
@@ -139,8 +142,9 @@ class Helper {
 
 Shape parts() {
   Shape shape = joined(joined(box(1, 1, 4, 5, 6, 20), sphere({0, 3, 5}, 1)), sphere({2, 0, 1}, 0.5));
-  shape.faces.push_back({0, 0, 1});                                      // degenerate
-  shape.faces.push_back({3, 4, static_cast<int>(shape.positions.size())});  // of no area: its third corner lies on the second
+  shape.faces.push_back({0, 0, 1});  // degenerate
+  shape.faces.push_back(
+      {3, 4, static_cast<int>(shape.positions.size())});  // of no area: its third corner lies on the second
   shape.positions.push_back(shape.positions[4]);
   shape.positions.push_back({9, 9, 9});  // unreferenced
   return shape;
@@ -182,7 +186,8 @@ TEST_CASE("forkJoin: every part is done once, by one or the other") {
   std::atomic<bool> began = false;
   inTwo(&forkJoin, [&](int part) {  // the caller waits for the helper to begin
     if (part == 1) began.store(true);
-    else while (!began.load()) std::this_thread::yield();
+    else
+      while (!began.load()) std::this_thread::yield();
   });
   CHECK(forkJoin.helped() > 0);
 }
@@ -191,10 +196,12 @@ TEST_CASE("forkJoin: a helper that breaks down is told of, and the caller goes o
   ForkJoin forkJoin;
   const Helper helper(forkJoin);
   std::atomic<bool> began = false;
-  CHECK_THROWS_AS(inTwo(&forkJoin, [&](int part) {
-    while (part == 0 && !began.load()) std::this_thread::yield();
-    if (part == 1) began.store(true), throw std::runtime_error("broken");
-  }), std::runtime_error);
+  CHECK_THROWS_AS(inTwo(&forkJoin,
+                        [&](int part) {
+                          while (part == 0 && !began.load()) std::this_thread::yield();
+                          if (part == 1) began.store(true), throw std::runtime_error("broken");
+                        }),
+                  std::runtime_error);
   std::array<int, 2> done = {0, 0};
   inTwo(&forkJoin, [&](int part) { ++done[part]; });
   CHECK(done == std::array{1, 1});
@@ -203,10 +210,12 @@ TEST_CASE("forkJoin: a helper that breaks down is told of, and the caller goes o
 TEST_CASE("forkJoin: a helper that breaks down before the caller is done is told of, too: its part is half written") {
   ForkJoin forkJoin;
   const Helper helper(forkJoin);
-  CHECK_THROWS_AS(inTwo(&forkJoin, [&](int part) {
-    if (part == 1 && !forkJoin.lost()) throw std::runtime_error("broken");
-    while (!forkJoin.lost()) std::this_thread::yield();
-  }), std::runtime_error);
+  CHECK_THROWS_AS(inTwo(&forkJoin,
+                        [&](int part) {
+                          if (part == 1 && !forkJoin.lost()) throw std::runtime_error("broken");
+                          while (!forkJoin.lost()) std::this_thread::yield();
+                        }),
+                  std::runtime_error);
 }
 
 TEST_CASE("forkJoin: a helper that never comes back is given up, and what it does later changes nothing") {
@@ -239,8 +248,6 @@ TEST_CASE("two threads give the bits of one: parts, degenerate faces, every prec
   checkSameBits(k, withGhost, 1);
 }
 
-TEST_CASE("two threads give the bits of one: a large mesh") {
-  checkSameBits(makeBenchKeyframes(90000, 2, 1), {}, 10);
-}
+TEST_CASE("two threads give the bits of one: a large mesh") { checkSameBits(makeBenchKeyframes(90000, 2, 1), {}, 10); }
 
 #endif

@@ -36,7 +36,8 @@ GltfMaker skinnedFile() {
   std::vector<float> weights;
   for (int v = 0; v < 8; ++v) {
     const bool upper = v & 4;
-    for (int k = 0; k < 4; ++k) joints.push_back(k == 0 ? upper : k == 1 ? !upper : 0), weights.push_back(k == 0 ? 0.75f : k == 1 ? 0.25f : 0);
+    for (int k = 0; k < 4; ++k)
+      joints.push_back(k == 0 ? upper : k == 1 ? !upper : 0), weights.push_back(k == 0 ? 0.75f : k == 1 ? 0.25f : 0);
   }
   std::vector<float> inverse(32, 0);
   for (int j = 0; j < 2; ++j)
@@ -79,7 +80,7 @@ TEST_CASE("linear, step and cubic samplers") {
   CHECK(at("STEP", 1.5) == 0);
   CHECK(at("STEP", 2.999) == 0);
   CHECK(at("STEP", 3) == doctest::Approx(8));
-  CHECK(at("LINEAR", 0) == 0);   // held before the first key
+  CHECK(at("LINEAR", 0) == 0);  // held before the first key
   CHECK(at("LINEAR", 50) == doctest::Approx(8));
   // s = 1/4, length 2: h00 * 0 + h10 * 2 * 2 + h01 * 8 + h11 * 2 * -1
   const double s = 0.25, h10 = s * s * s - 2 * s * s + s, h01 = 3 * s * s - 2 * s * s * s, h11 = s * s * s - s * s;
@@ -94,19 +95,22 @@ TEST_CASE("rotations are interpolated on the sphere, the short way, also from no
   const auto expected = moved(Eigen::Affine3d(Eigen::AngleAxisd(std::numbers::pi / 6, Vec3::UnitZ())), boxPose());
   for (float sign : {1.0f, -1.0f}) {
     GltfMaker file = maker;
-    file.animation("turn", 0, "rotation", times, file.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, sign * h, sign * h}, "VEC4", 4, kFloat32));
+    file.animation("turn", 0, "rotation", times,
+                   file.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, sign * h, sign * h}, "VEC4", 4, kFloat32));
     CHECK(distance(sampled(file, {1 / 3.0, 1}).keyframes.keys[0].positions, expected) < kFloatError);
   }
   GltfMaker file = maker;
   const std::int16_t q = static_cast<std::int16_t>(std::lround(32767 * h));
-  file.animation("turn", 0, "rotation", times, file.accessor(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, q, q}, "VEC4", 4, kInt16, true));
+  file.animation("turn", 0, "rotation", times,
+                 file.accessor(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, q, q}, "VEC4", 4, kInt16, true));
   CHECK(distance(sampled(file, {1 / 3.0, 1}).keyframes.keys[0].positions, expected) < 1e-4);  // 15 bits
 }
 
 TEST_CASE("a skin: joints count, the mesh node's own transform does not") {
   GltfMaker maker = skinnedFile();
   const float h = std::sqrt(0.5f);
-  maker.animation("bend", 1, "rotation", maker.scalars({0, 2}), maker.accessor(std::vector<float>{0, 0, 0, 1, h, 0, 0, h}, "VEC4", 4, kFloat32));
+  maker.animation("bend", 1, "rotation", maker.scalars({0, 2}),
+                  maker.accessor(std::vector<float>{0, 0, 0, 1, h, 0, 0, h}, "VEC4", 4, kFloat32));
   const Import import = sampled(maker, {0, 1});
   const Eigen::Affine3d tip = Eigen::Translation3d(0, 0, 2) * Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX());
   CHECK(distance(import.keyframes.keys[0].positions, boxPose()) < kFloatError);
@@ -116,7 +120,8 @@ TEST_CASE("a skin: joints count, the mesh node's own transform does not") {
 TEST_CASE("skin, node transform and morph weights move together") {
   GltfMaker maker = skinnedFile();
   const json target = {{"POSITION", maker.vectors(Positions(8, Vec3(0, 1, 0)))}};
-  maker.doc["meshes"][0]["primitives"][0]["targets"] = json::array({target});  // {target} alone is a copy to some compilers
+  maker.doc["meshes"][0]["primitives"][0]["targets"] =
+      json::array({target});  // {target} alone is a copy to some compilers
   const int times = maker.scalars({0, 1});
   const int animation = maker.animation("all", 0, "weights", times, maker.scalars({0, 1}));
   const auto channel = [&](int node, const char* path, int values) {
@@ -174,7 +179,8 @@ TEST_CASE("more than four joints a vertex") {
 
 TEST_CASE("an animated node with a matrix starts from the matrix") {
   GltfMaker maker = boxFile();
-  const Eigen::Affine3d start = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * Eigen::Scaling(Vec3(1, 2, 0.5));
+  const Eigen::Affine3d start = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) *
+                                Eigen::Scaling(Vec3(1, 2, 0.5));
   maker.doc["nodes"][0]["matrix"] = std::vector<double>(start.matrix().data(), start.matrix().data() + 16);
   maker.animation("move", 0, "translation", maker.scalars({0, 1}), maker.vectors({{1, 2, 3}, {5, 2, 3}}));
   const Import import = sampled(maker, {0, 1});
@@ -209,7 +215,8 @@ TEST_CASE("several files are keys themselves: nothing is sampled, and that is sa
 }
 
 TEST_CASE("an import reports its stages") {
-  for (const Files& files : {Files().add("a.glb", boxFile().glb()).add("b.glb", boxFile(1).glb()), Files().add("m.glb", morphFile({0, 1, 2}).glb())}) {
+  for (const Files& files : {Files().add("a.glb", boxFile().glb()).add("b.glb", boxFile(1).glb()),
+                             Files().add("m.glb", morphFile({0, 1, 2}).glb())}) {
     std::vector<NamedBytes> named;
     for (std::size_t i = 0; i < files.names.size(); ++i) named.push_back({files.names[i], files.bytes[i]});
     std::vector<double> fractions;

@@ -14,7 +14,8 @@ using namespace shapespline::test;
 namespace {
 
 // Refused alone and as key 2, with the same code.
-void checkRefused(const Bytes& broken, ErrorCode code, const std::string& says = "", const Files& beside = {}, const char* name = "bad.glb") {
+void checkRefused(const Bytes& broken, ErrorCode code, const std::string& says = "", const Files& beside = {},
+                  const char* name = "bad.glb") {
   Files alone = Files().add(name, broken);
   Files second = Files().add("good.glb", boxFile().glb()).add(name, broken);
   for (std::size_t i = 0; i < beside.names.size(); ++i) {
@@ -36,7 +37,9 @@ void checkRefused(const Bytes& broken, ErrorCode code, const std::string& says =
   CHECK(both.error().message.find(std::string(name) + " (key 2)") != std::string::npos);
 }
 
-void checkRefused(const GltfMaker& broken, ErrorCode code, const std::string& says = "") { checkRefused(broken.glb(), code, says); }
+void checkRefused(const GltfMaker& broken, ErrorCode code, const std::string& says = "") {
+  checkRefused(broken.glb(), code, says);
+}
 
 void checkMended(const GltfMaker& mended) {
   const auto result = Files().add("a.glb", boxFile().glb()).add("b.glb", mended.glb()).import();
@@ -94,7 +97,8 @@ TEST_CASE("broken JSON") {
   checkRefused(json("{\"asset\": {\"version\": \"1.0\"}}"), ErrorCode::Unsupported, "1.0");
   checkRefused(json("{\"asset\": {\"version\": \"2.0\", \"minVersion\": \"2.1\"}}"), ErrorCode::Unsupported, "2.1");
   checkRefused(json("{\"asset\": {\"version\": \"2.0\"}, \"x\": 1e999}"), ErrorCode::MalformedFile, "out of range");
-  checkRefused(json(std::string("{\"asset\": {\"version\": \"2.0\"}, \"x\": \"") + "\xff\"}"), ErrorCode::MalformedFile);
+  checkRefused(json(std::string("{\"asset\": {\"version\": \"2.0\"}, \"x\": \"") + "\xff\"}"),
+               ErrorCode::MalformedFile);
   checkRefused(json("{\"asset\": {\"version\": \"2.0\"}}"), ErrorCode::NoTriangles, "no mesh");
   std::string deep = "{\"asset\": {\"version\": \"2.0\"}, \"extras\": ";
   for (int i = 0; i < 200000; ++i) deep += "[";
@@ -114,14 +118,16 @@ TEST_CASE("wrong types and values in the JSON") {
   checkRefused(with("/accessors/0/count", "8"), ErrorCode::MalformedFile, "whole number");
   checkRefused(with("/accessors/0/count", 8.5), ErrorCode::MalformedFile, "whole number");
   checkRefused(with("/accessors/0/count", 4294967304ull), ErrorCode::MalformedFile, "more than can be held");
-  checkRefused(with("/accessors/0/byteOffset", 18446744073709551604ull), ErrorCode::MalformedFile, "more than can be held");
+  checkRefused(with("/accessors/0/byteOffset", 18446744073709551604ull), ErrorCode::MalformedFile,
+               "more than can be held");
   checkRefused(with("/accessors/0/componentType", 5124), ErrorCode::MalformedFile, "component type");
   checkRefused(with("/accessors/0/type", "VEC2"), ErrorCode::MalformedFile, "3 components");
   checkRefused(with("/accessors/0/type", "VEC9"), ErrorCode::MalformedFile);
   checkRefused(with("/accessors/0/bufferView", 9), ErrorCode::MalformedFile, "buffer view that is not there");
   checkRefused(with("/bufferViews/0/buffer", 3), ErrorCode::MalformedFile, "buffer that is not there");
   checkRefused(with("/bufferViews/0/byteStride", 8), ErrorCode::MalformedFile, "stride");
-  checkRefused(with("/meshes/0/primitives/0/attributes/POSITION", 5), ErrorCode::MalformedFile, "accessor that is not there");
+  checkRefused(with("/meshes/0/primitives/0/attributes/POSITION", 5), ErrorCode::MalformedFile,
+               "accessor that is not there");
   checkRefused(with("/meshes/0/primitives/0/attributes/POSITION", "0"), ErrorCode::MalformedFile, "whole number");
   checkRefused(with("/meshes/0/primitives/0/attributes", json::object()), ErrorCode::MalformedFile, "no positions");
   checkRefused(with("/meshes/0/primitives/0/attributes", 3), ErrorCode::MalformedFile);
@@ -303,7 +309,9 @@ TEST_CASE("sparse accessors out of bounds") {
   const auto sparse = [](const json& change) {
     GltfMaker maker = boxFile();
     const int places = maker.view(std::vector<std::uint8_t>{4, 8}), values = maker.view(std::vector<float>(6, 1));
-    json description = {{"count", 1}, {"indices", {{"bufferView", places}, {"componentType", kUInt8}}}, {"values", {{"bufferView", values}}}};
+    json description = {{"count", 1},
+                        {"indices", {{"bufferView", places}, {"componentType", kUInt8}}},
+                        {"values", {{"bufferView", values}}}};
     description.merge_patch(change);
     maker.doc["accessors"][0]["sparse"] = description;
     return maker;
@@ -336,7 +344,8 @@ TEST_CASE("node graphs that are no trees") {
     GltfMaker chain;
     const int mesh = chain.mesh({{"POSITION", chain.vectors(boxPose())}}, chain.indices(boxFaces()));
     const int length = 100000;
-    for (int i = 0; i < length; ++i) chain.add("nodes", i + 1 < length ? json{{"children", {i + 1}}} : json{{"mesh", mesh}});
+    for (int i = 0; i < length; ++i)
+      chain.add("nodes", i + 1 < length ? json{{"children", {i + 1}}} : json{{"mesh", mesh}});
     chain.doc["scenes"][0]["nodes"] = {0};
     checkMended(chain);
   }
@@ -362,8 +371,10 @@ TEST_CASE("skins that do not fit") {
   const auto skinned = [](int joint, int joints, json skin) {
     GltfMaker maker = boxFile();
     auto& attributes = maker.doc["meshes"][0]["primitives"][0]["attributes"];
-    attributes["JOINTS_0"] = maker.accessor(std::vector<std::uint8_t>(32, static_cast<std::uint8_t>(joint)), "VEC4", 4, kUInt8);
-    attributes["WEIGHTS_0"] = maker.accessor(std::vector<float>(4 * static_cast<std::size_t>(joints), 0.25f), "VEC4", 4, kFloat32);
+    attributes["JOINTS_0"] =
+        maker.accessor(std::vector<std::uint8_t>(32, static_cast<std::uint8_t>(joint)), "VEC4", 4, kUInt8);
+    attributes["WEIGHTS_0"] =
+        maker.accessor(std::vector<float>(4 * static_cast<std::size_t>(joints), 0.25f), "VEC4", 4, kFloat32);
     maker.doc["nodes"][0]["skin"] = 0;
     maker.add("skins", std::move(skin));
     return maker;
@@ -442,7 +453,12 @@ TEST_CASE("URIs lead nowhere but to the given files") {
   refused("/etc/passwd", ErrorCode::ExternalResource, "outside the given files");
   refused("C:\\box.bin", ErrorCode::ExternalResource, "outside the given files");
   refused("other.bin", ErrorCode::MissingResource, "other.bin");
-  CHECK(Files().add("a.gltf", maker.gltfBeside("box.bin")).add("b.glb", boxFile(1).glb()).add("box.bin", maker.bin).import().ok());
+  CHECK(Files()
+            .add("a.gltf", maker.gltfBeside("box.bin"))
+            .add("b.glb", boxFile(1).glb())
+            .add("box.bin", maker.bin)
+            .import()
+            .ok());
 }
 
 TEST_CASE("extensions that change the geometry are refused by name") {

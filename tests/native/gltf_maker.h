@@ -50,7 +50,10 @@ inline Bytes glbFrom(std::string text, const Bytes& bin) {
 enum : int { kInt8 = 5120, kUInt8 = 5121, kInt16 = 5122, kUInt16 = 5123, kUInt32 = 5125, kFloat32 = 5126 };
 
 struct GltfMaker {
-  json doc = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", json::array()}}}}, {"nodes", json::array()}};
+  json doc = {{"asset", {{"version", "2.0"}}},
+              {"scene", 0},
+              {"scenes", {{{"nodes", json::array()}}}},
+              {"nodes", json::array()}};
   Bytes bin;
 
   int add(const char* collection, json item) {
@@ -70,8 +73,12 @@ struct GltfMaker {
   }
 
   template <class T>
-  int accessor(const std::vector<T>& values, const char* type, int components, int componentType, bool normalised = false) {
-    json out = {{"bufferView", view(values)}, {"componentType", componentType}, {"count", values.size() / components}, {"type", type}};
+  int accessor(const std::vector<T>& values, const char* type, int components, int componentType,
+               bool normalised = false) {
+    json out = {{"bufferView", view(values)},
+                {"componentType", componentType},
+                {"count", values.size() / components},
+                {"type", type}};
     if (normalised) out["normalized"] = true;
     return add("accessors", out);
   }
@@ -107,7 +114,8 @@ struct GltfMaker {
   }
 
   /// An animation of one channel.
-  int animation(const std::string& name, int target, const char* path, int times, int values, const char* interpolation = "LINEAR") {
+  int animation(const std::string& name, int target, const char* path, int times, int values,
+                const char* interpolation = "LINEAR") {
     return add("animations", {{"name", name},
                               {"samplers", {{{"input", times}, {"output", values}, {"interpolation", interpolation}}}},
                               {"channels", {{{"sampler", 0}, {"target", {{"node", target}, {"path", path}}}}}}});
@@ -139,7 +147,8 @@ struct GltfMaker {
 /// A box without welded corners anywhere: 8 vertices, 12 faces; bent sideways by `bend` at its top.
 inline Positions boxPose(double bend = 0) {
   Positions out;
-  for (int i = 0; i < 8; ++i) out.push_back({double(i & 1) + (i & 4 ? bend : 0), double(i >> 1 & 1), 2.0 * (i >> 2 & 1)});
+  for (int i = 0; i < 8; ++i)
+    out.push_back({double(i & 1) + (i & 4 ? bend : 0), double(i >> 1 & 1), 2.0 * (i >> 2 & 1)});
   return out;
 }
 
@@ -169,7 +178,8 @@ inline GltfMaker morphFile(const std::vector<double>& bends) {
   const Positions base = boxPose(bends[0]);
   const int positions = maker.vectors(base), indices = maker.indices(boxFaces());
   json targets = json::array();
-  for (std::size_t k = 1; k < bends.size(); ++k) targets.push_back({{"POSITION", maker.vectors(difference(boxPose(bends[k]), base))}});
+  for (std::size_t k = 1; k < bends.size(); ++k)
+    targets.push_back({{"POSITION", maker.vectors(difference(boxPose(bends[k]), base))}});
   maker.node({{"mesh", maker.mesh({{"POSITION", positions}}, indices, targets)}});
   return maker;
 }

@@ -26,7 +26,8 @@ Files two(const GltfMaker& first, const GltfMaker& second) {
 }  // namespace
 
 TEST_CASE("several GLB files are keys in the order given") {
-  const Import import = imported(Files().add("b.glb", boxFile(0).glb()).add("a.glb", boxFile(0.5).glb()).add("c.glb", boxFile(1).glb()));
+  const Import import =
+      imported(Files().add("b.glb", boxFile(0).glb()).add("a.glb", boxFile(0.5).glb()).add("c.glb", boxFile(1).glb()));
   REQUIRE(import.keyframes.keyCount() == 3);
   CHECK(import.keyframes.faces == boxFaces());
   CHECK(import.keyframes.keys[1].name == "a");
@@ -39,10 +40,17 @@ TEST_CASE("several GLB files are keys in the order given") {
 TEST_CASE("a .gltf finds its buffer inside, beside it and in folders") {
   const GltfMaker a = boxFile(0), b = boxFile(1);
   CHECK(imported(Files().add("a.gltf", a.gltf()).add("b.gltf", b.gltf())).keyframes.keyCount() == 2);
-  const Import beside = imported(Files().add("a.gltf", a.gltfBeside("a.bin")).add("b.gltf", b.gltfBeside("b.bin")).add("a.bin", a.bin).add("b.bin", b.bin));
+  const Import beside = imported(Files()
+                                     .add("a.gltf", a.gltfBeside("a.bin"))
+                                     .add("b.gltf", b.gltfBeside("b.bin"))
+                                     .add("a.bin", a.bin)
+                                     .add("b.bin", b.bin));
   CHECK(distance(beside.keyframes.keys[1].positions, boxPose(1)) < kFloatError);
-  const Import folders = imported(Files().add("one/m.gltf", a.gltfBeside("data/m%20x.bin")).add("one/data/m x.bin", a.bin)
-                                      .add("two/m.gltf", b.gltfBeside("./data/../data/m%20x.bin")).add("two/data/m x.bin", b.bin));
+  const Import folders = imported(Files()
+                                      .add("one/m.gltf", a.gltfBeside("data/m%20x.bin"))
+                                      .add("one/data/m x.bin", a.bin)
+                                      .add("two/m.gltf", b.gltfBeside("./data/../data/m%20x.bin"))
+                                      .add("two/data/m x.bin", b.bin));
   CHECK(distance(folders.keyframes.keys[1].positions, boxPose(1)) < kFloatError);
   SUBCASE("white space and escapes in a data URI count for nothing") {
     json doc = a.withBuffer();
@@ -54,10 +62,12 @@ TEST_CASE("a .gltf finds its buffer inside, beside it and in folders") {
     CHECK(distance(inside.keyframes.keys[0].positions, boxPose(0)) < kFloatError);
   }
   SUBCASE("also where the files came without their folders") {
-    CHECK(imported(Files().add("a.gltf", a.gltfBeside("buffers/a.bin")).add("a.bin", a.bin).add("b.glb", b.glb())).keyframes.keyCount() == 2);
+    CHECK(imported(Files().add("a.gltf", a.gltfBeside("buffers/a.bin")).add("a.bin", a.bin).add("b.glb", b.glb()))
+              .keyframes.keyCount() == 2);
   }
   SUBCASE("and where it lies above, if the name says so") {
-    CHECK(imported(Files().add("m/a.gltf", a.gltfBeside("../a.bin")).add("a.bin", a.bin).add("b.glb", b.glb())).keyframes.keyCount() == 2);
+    CHECK(imported(Files().add("m/a.gltf", a.gltfBeside("../a.bin")).add("a.bin", a.bin).add("b.glb", b.glb()))
+              .keyframes.keyCount() == 2);
   }
 }
 
@@ -65,7 +75,8 @@ TEST_CASE("a buffer may be longer than it declares") {
   GltfMaker a = boxFile();
   Bytes longer = a.bin;
   longer.resize(longer.size() + 5);
-  CHECK(imported(Files().add("a.gltf", a.gltfBeside("a.bin")).add("a.bin", longer).add("b.glb", boxFile(1).glb())).keyframes.keyCount() == 2);
+  CHECK(imported(Files().add("a.gltf", a.gltfBeside("a.bin")).add("a.bin", longer).add("b.glb", boxFile(1).glb()))
+            .keyframes.keyCount() == 2);
 }
 
 TEST_CASE("morph targets without animation: base and targets are the keys") {
@@ -162,7 +173,8 @@ TEST_CASE("every primitive of every node, transforms applied, in depth-first ord
   const int other = maker.mesh({{"POSITION", maker.vectors({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})}});
   const double half = std::sqrt(0.5);
   const int child = maker.add("nodes", {{"mesh", other}, {"scale", {2, 2, 2}}});
-  const int parent = maker.node({{"mesh", mesh}, {"translation", {10, 0, 0}}, {"rotation", {0, 0, half, half}}, {"children", {child}}});
+  const int parent = maker.node(
+      {{"mesh", mesh}, {"translation", {10, 0, 0}}, {"rotation", {0, 0, half, half}}, {"children", {child}}});
   maker.node({{"mesh", mesh}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 5, 0, 1}}});
   maker.add("nodes", {{"mesh", mesh}});  // not in the scene
   CHECK(parent == 1);
@@ -188,7 +200,8 @@ TEST_CASE("a mirroring node turns its faces round") {
 TEST_CASE("primitives that share their vertices share them here too") {
   GltfMaker maker;
   const int positions = maker.vectors(boxPose());
-  const std::vector<Triangle> a(boxFaces().begin(), boxFaces().begin() + 5), b(boxFaces().begin() + 5, boxFaces().end());
+  const std::vector<Triangle> a(boxFaces().begin(), boxFaces().begin() + 5),
+      b(boxFaces().begin() + 5, boxFaces().end());
   json primitives = {{{"attributes", {{"POSITION", positions}}}, {"indices", maker.indices(a)}, {"material", 1}},
                      {{"attributes", {{"POSITION", positions}}}, {"indices", maker.indices(b)}, {"material", 0}}};
   maker.doc["materials"] = {{{"name", "red"}}, {{"name", "blue"}}};
@@ -237,28 +250,39 @@ TEST_CASE("quantised and normalised positions") {
   std::vector<std::uint16_t> shorts;
   std::vector<std::int8_t> chars;
   for (const Vec3& p : boxPose()) {
-    for (int c = 0; c < 3; ++c) shorts.push_back(static_cast<std::uint16_t>(p[c] * 32767.5)), chars.push_back(static_cast<std::int8_t>(p[c] * 50));
+    for (int c = 0; c < 3; ++c)
+      shorts.push_back(static_cast<std::uint16_t>(p[c] * 32767.5)),
+          chars.push_back(static_cast<std::int8_t>(p[c] * 50));
     shorts.push_back(0), chars.push_back(0);  // padding to a stride of 8 and 4
   }
   const auto build = [&](int view, int type, bool normalised, double scale) {
     GltfMaker out = maker;
-    const int positions = out.add("accessors", {{"bufferView", view}, {"componentType", type}, {"count", 8}, {"type", "VEC3"}, {"normalized", normalised}});
-    out.node({{"mesh", out.mesh({{"POSITION", positions}}, out.indices(boxFaces()))}, {"scale", {scale, scale, scale}}});
+    const int positions = out.add(
+        "accessors",
+        {{"bufferView", view}, {"componentType", type}, {"count", 8}, {"type", "VEC3"}, {"normalized", normalised}});
+    out.node(
+        {{"mesh", out.mesh({{"POSITION", positions}}, out.indices(boxFaces()))}, {"scale", {scale, scale, scale}}});
     out.doc["extensionsRequired"] = out.doc["extensionsUsed"] = {"KHR_mesh_quantization"};
     return out;
   };
   const int shortView = maker.view(shorts, 8), charView = maker.view(chars, 4);
-  CHECK(distance(imported(two(build(shortView, kUInt16, true, 2), boxFile())).keyframes.keys[0].positions, boxPose()) < 2.0 / 65535);
-  CHECK(distance(imported(two(build(charView, kInt8, false, 1 / 50.0), boxFile())).keyframes.keys[0].positions, boxPose()) < 1e-6);
-  CHECK(distance(imported(two(build(charView, kInt8, true, 127 / 50.0), boxFile())).keyframes.keys[0].positions, boxPose()) < 1e-6);
+  CHECK(distance(imported(two(build(shortView, kUInt16, true, 2), boxFile())).keyframes.keys[0].positions, boxPose()) <
+        2.0 / 65535);
+  CHECK(distance(imported(two(build(charView, kInt8, false, 1 / 50.0), boxFile())).keyframes.keys[0].positions,
+                 boxPose()) < 1e-6);
+  CHECK(distance(imported(two(build(charView, kInt8, true, 127 / 50.0), boxFile())).keyframes.keys[0].positions,
+                 boxPose()) < 1e-6);
 }
 
 TEST_CASE("sparse accessors replace elements, of a buffer view or of zeros") {
   const auto sparse = [](bool onZeros) {
     GltfMaker maker = boxFile();
-    const int places = maker.view(std::vector<std::uint8_t>{4, 5}), values = maker.view(std::vector<float>{9, 8, 7, 6, 5, 4});
+    const int places = maker.view(std::vector<std::uint8_t>{4, 5}),
+              values = maker.view(std::vector<float>{9, 8, 7, 6, 5, 4});
     json& accessor = maker.doc["accessors"][0];
-    accessor["sparse"] = {{"count", 2}, {"indices", {{"bufferView", places}, {"componentType", kUInt8}}}, {"values", {{"bufferView", values}}}};
+    accessor["sparse"] = {{"count", 2},
+                          {"indices", {{"bufferView", places}, {"componentType", kUInt8}}},
+                          {"values", {{"bufferView", values}}}};
     if (onZeros) accessor.erase("bufferView");
     return maker;
   };
@@ -278,10 +302,15 @@ TEST_CASE("interleaved attributes, and normals of the first key") {
       for (int c = 0; c < 3; ++c) both.push_back(static_cast<float>(v[c]));
   const int view = maker.view(both, 24);
   json attributes;
-  attributes["POSITION"] = maker.add("accessors", {{"bufferView", view}, {"componentType", kFloat32}, {"count", 8}, {"type", "VEC3"}});
-  attributes["NORMAL"] = maker.add("accessors", {{"bufferView", view}, {"byteOffset", 12}, {"componentType", kFloat32}, {"count", 8}, {"type", "VEC3"}});
+  attributes["POSITION"] =
+      maker.add("accessors", {{"bufferView", view}, {"componentType", kFloat32}, {"count", 8}, {"type", "VEC3"}});
+  attributes["NORMAL"] = maker.add(
+      "accessors",
+      {{"bufferView", view}, {"byteOffset", 12}, {"componentType", kFloat32}, {"count", 8}, {"type", "VEC3"}});
   const double half = std::sqrt(0.5);
-  maker.node({{"mesh", maker.mesh(attributes, maker.indices(boxFaces()))}, {"rotation", {half, 0, 0, half}}, {"scale", {1, 1, 3}}});
+  maker.node({{"mesh", maker.mesh(attributes, maker.indices(boxFaces()))},
+              {"rotation", {half, 0, 0, half}},
+              {"scale", {1, 1, 3}}});
   const Import import = imported(two(maker, maker));
   REQUIRE(import.keyframes.normals.size() == 8);
   CHECK((import.keyframes.normals[5] - Vec3(0, -1, 0)).norm() < kFloatError);  // z turned about x
@@ -295,10 +324,20 @@ TEST_CASE("materials, coordinates, colours and images are kept as they are") {
   maker.add("samplers", {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9987}, {"minFilter", 9987}});
   maker.add("textures", {{"source", image}, {"sampler", 0}});
   maker.add("textures", {{"source", 1}});
-  maker.add("materials", {{"name", "skin"}, {"alphaMode", "MASK"}, {"alphaCutoff", 0.25}, {"doubleSided", true}, {"emissiveFactor", {0, 0.5, 0}},
-                          {"normalTexture", {{"index", 1}, {"scale", 0.5}}},
-                          {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 1, 0.75}}, {"metallicFactor", 0.125}, {"roughnessFactor", 0.375},
-                            {"baseColorTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"scale", {2, 4}}}}}}}}}}});
+  maker.add(
+      "materials",
+      {{"name", "skin"},
+       {"alphaMode", "MASK"},
+       {"alphaCutoff", 0.25},
+       {"doubleSided", true},
+       {"emissiveFactor", {0, 0.5, 0}},
+       {"normalTexture", {{"index", 1}, {"scale", 0.5}}},
+       {"pbrMetallicRoughness",
+        {{"baseColorFactor", {0.5, 0.25, 1, 0.75}},
+         {"metallicFactor", 0.125},
+         {"roughnessFactor", 0.375},
+         {"baseColorTexture",
+          {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"scale", {2, 4}}}}}}}}}}});
   auto& primitive = maker.doc["meshes"][0]["primitives"][0];
   primitive["material"] = 0;
   std::vector<std::uint16_t> uvs;
@@ -338,9 +377,11 @@ TEST_CASE("materials, coordinates, colours and images are kept as they are") {
     CHECK(without.scene.images.size() == 1);
     CHECK(without.scene.materials[0].normalImage == -1);
     bool warned = false;
-    for (const Warning& w : without.warnings) warned = warned || (w.code == "missing-texture" && w.message.find("skin.jpg") != std::string::npos);
+    for (const Warning& w : without.warnings)
+      warned = warned || (w.code == "missing-texture" && w.message.find("skin.jpg") != std::string::npos);
     CHECK(warned);
-    const Import broken = imported(Files().add("a.glb", maker.glb()).add("b.glb", maker.glb()).add("skin.jpg", bytesOf("<html>")));
+    const Import broken =
+        imported(Files().add("a.glb", maker.glb()).add("b.glb", maker.glb()).add("skin.jpg", bytesOf("<html>")));
     CHECK(broken.scene.images.size() == 1);
   }
 }
@@ -362,6 +403,10 @@ TEST_CASE("unread extensions and extras do not matter") {
 }
 
 TEST_CASE("files that only accompany meshes are no keys") {
-  const Import import = imported(Files().add("a.glb", boxFile().glb()).add("README.md", bytesOf("hello")).add(".DS_Store", {0}).add("b.glb", boxFile(1).glb()));
+  const Import import = imported(Files()
+                                     .add("a.glb", boxFile().glb())
+                                     .add("README.md", bytesOf("hello"))
+                                     .add(".DS_Store", {0})
+                                     .add("b.glb", boxFile(1).glb()));
   CHECK(import.keyframes.keyCount() == 2);
 }

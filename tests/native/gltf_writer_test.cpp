@@ -110,7 +110,8 @@ TEST_CASE("an exported animation imports with its frames as keys") {
 TEST_CASE("a saved project brings back its keys, not its frames") {
   const Scene scene;
   AnimationSource source = bending({0, 0.25, 0.5, 0.75, 1}, scene, 1);
-  source.project = R"({"version": 1, "keys": {"times": [-3, 0, 4], "names": ["still", "first", "last"], "frames": [5, 0, 4]}, "options": {"boundary": "hermite"}})";
+  source.project =
+      R"({"version": 1, "keys": {"times": [-3, 0, 4], "names": ["still", "first", "last"], "frames": [5, 0, 4]}, "options": {"boundary": "hermite"}})";
   const auto bytes = writeAnimatedGlb(source);
   REQUIRE(bytes.ok());
   const Files files = Files().add("m.glb", *bytes);
@@ -150,9 +151,11 @@ TEST_CASE("a saved project brings back its keys, not its frames") {
 TEST_CASE("a broken project is ignored with a warning") {
   const Scene scene;
   AnimationSource source = bending({0, 1}, scene);
-  for (const char* project : {R"({"keys": 7})", R"({"keys": {"times": [0, 1], "frames": [0, 9]}})", R"({"keys": {"times": [0], "frames": [0]}})",
-                              R"({"keys": {"times": [1, 1], "frames": [0, 1]}})", R"({"keys": {"times": [0, "x"], "frames": [0, 1]}})",
-                              R"({"keys": {"times": [0, 1]}})", R"({"keys": {"times": [0, 1], "frames": [0, -1]}})", R"({"keys": [1, 2]})"}) {
+  for (const char* project :
+       {R"({"keys": 7})", R"({"keys": {"times": [0, 1], "frames": [0, 9]}})",
+        R"({"keys": {"times": [0], "frames": [0]}})", R"({"keys": {"times": [1, 1], "frames": [0, 1]}})",
+        R"({"keys": {"times": [0, "x"], "frames": [0, 1]}})", R"({"keys": {"times": [0, 1]}})",
+        R"({"keys": {"times": [0, 1], "frames": [0, -1]}})", R"({"keys": [1, 2]})"}) {
     CAPTURE(project);
     source.project = project;
     const auto import = Files().add("m.glb", *writeAnimatedGlb(source)).import();
@@ -230,7 +233,8 @@ TEST_CASE("tangents of a normal map: unit, perpendicular, right-handed with the 
     if (mirrored) scene.uvs = {1, 1, 0, 1, 0, 0, 1, 0};
     const Exported file = exported(writePoseGlb(positions, normals, faces, scene));
     const int index = file.doc["meshes"][0]["primitives"][0]["attributes"]["TANGENT"].get<int>();
-    const std::size_t start = file.doc["bufferViews"][file.doc["accessors"][index]["bufferView"].get<int>()]["byteOffset"].get<std::size_t>();
+    const std::size_t start =
+        file.doc["bufferViews"][file.doc["accessors"][index]["bufferView"].get<int>()]["byteOffset"].get<std::size_t>();
     float tangent[4];
     std::memcpy(tangent, &file.bin[start], 16);
     CHECK(tangent[0] == doctest::Approx(mirrored ? -1 : 1));
@@ -322,7 +326,9 @@ TEST_CASE("exports that cannot be are refused") {
     return Status();
   };
   CHECK(code(source) == "not-finite");
-  source.frame = [](int, std::vector<float>&, std::vector<float>&) { return Status(Error{ErrorCode::Internal, "stop"}); };
+  source.frame = [](int, std::vector<float>&, std::vector<float>&) {
+    return Status(Error{ErrorCode::Internal, "stop"});
+  };
   CHECK(code(source) == "internal");
 }
 
@@ -349,7 +355,8 @@ Scene seamScene() {
       v = copy[v];
     }
   const std::size_t drawn = 8 + scene.seams.copyOf.size();
-  for (std::size_t i = 0; i < drawn; ++i) scene.uvs.insert(scene.uvs.end(), {static_cast<float>(i) / 16, i < 8 ? 0.25f : 0.75f});
+  for (std::size_t i = 0; i < drawn; ++i)
+    scene.uvs.insert(scene.uvs.end(), {static_cast<float>(i) / 16, i < 8 ? 0.25f : 0.75f});
   for (int i = 0; i < 8; ++i) scene.colors.insert(scene.colors.end(), {1, i / 8.0f, 0, 1});
   scene.groups = {{0, 12, 0}};
   scene.images = {{"image/png", bytesOf("\x89PNG\r\n\x1a\n 1")}};
@@ -376,14 +383,17 @@ TEST_CASE("a texture's seams are split open in the file, and closed when it open
   const Exported file = exported(writeAnimatedGlb(source));
   const json& primitive = file.doc["meshes"][0]["primitives"][0];
   const std::size_t drawn = 8 + scene.seams.copyOf.size();
-  for (const auto& [name, accessor] : primitive["attributes"].items()) CHECK(file.doc["accessors"][accessor.get<int>()]["count"] == drawn);
-  for (const json& target : primitive["targets"]) CHECK(file.doc["accessors"][target["POSITION"].get<int>()]["count"] == drawn);
+  for (const auto& [name, accessor] : primitive["attributes"].items())
+    CHECK(file.doc["accessors"][accessor.get<int>()]["count"] == drawn);
+  for (const json& target : primitive["targets"])
+    CHECK(file.doc["accessors"][target["POSITION"].get<int>()]["count"] == drawn);
   CHECK(static_cast<double>(animatedGlbSize(8, 12, 4, scene)) == doctest::Approx(file.bytes.size()).epsilon(0.4));
 
   const auto import = Files().add("m.glb", file.bytes).import();
   REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
   checkSeams(*import, scene);
-  for (int k = 0; k < 3; ++k) CHECK(distance(import->keyframes.keys[k].positions, boxPose(std::array{0.0, 0.2, 0.3}[k])) < 1e-6);
+  for (int k = 0; k < 3; ++k)
+    CHECK(distance(import->keyframes.keys[k].positions, boxPose(std::array{0.0, 0.2, 0.3}[k])) < 1e-6);
   SUBCASE("other programs that split vertices get what every GLB gives them") {
     json doc = file.doc;
     for (json& p : doc["meshes"][0]["primitives"]) p["attributes"].erase("_SHAPESPLINE_VERTEX");
@@ -394,7 +404,8 @@ TEST_CASE("a texture's seams are split open in the file, and closed when it open
   }
   SUBCASE("numbers of vertices that are none, or whose copies stand elsewhere, are not believed") {
     const json& accessor = file.doc["accessors"][primitive["attributes"]["_SHAPESPLINE_VERTEX"].get<int>()];
-    const std::size_t at = file.doc["bufferViews"][accessor["bufferView"].get<int>()]["byteOffset"].get<std::size_t>() + 4 * (drawn - 1);
+    const std::size_t at =
+        file.doc["bufferViews"][accessor["bufferView"].get<int>()]["byteOffset"].get<std::size_t>() + 4 * (drawn - 1);
     for (float wrong : {8.0f, -1.0f, 1e30f, NAN, scene.seams.copyOf.back() == 0 ? 1.0f : 0.0f}) {
       CAPTURE(wrong);
       Bytes bin(file.bin.begin(), file.bin.end());
@@ -413,7 +424,8 @@ TEST_CASE("where there is no texture, seams cannot be seen, and the file has the
   const Exported file = exported(writeAnimatedGlb(bending({0, 0.5}, scene)));
   const json& attributes = file.doc["meshes"][0]["primitives"][0]["attributes"];
   CHECK(attributes.size() == 3);
-  for (const char* name : {"POSITION", "NORMAL", "COLOR_0"}) CHECK(file.doc["accessors"][attributes[name].get<int>()]["count"] == 8);
+  for (const char* name : {"POSITION", "NORMAL", "COLOR_0"})
+    CHECK(file.doc["accessors"][attributes[name].get<int>()]["count"] == 8);
   CHECK(static_cast<double>(animatedGlbSize(8, 12, 2, scene)) == doctest::Approx(file.bytes.size()).epsilon(0.5));
 }
 

@@ -10,7 +10,8 @@ using namespace shapespline::test;
 
 namespace {
 
-Sequence make(const Keyframes& k, const EncodingOptions& encoding = doublePrecision(), const MotionOptions& motion = {}) {
+Sequence make(const Keyframes& k, const EncodingOptions& encoding = doublePrecision(),
+              const MotionOptions& motion = {}) {
   auto sequence = Sequence::create(k, encoding, motion);
   REQUIRE_MESSAGE(sequence.ok(), (sequence ? "" : sequence.error().message));
   return std::move(*sequence);
@@ -110,11 +111,13 @@ TEST_CASE("two keys with natural boundary give the geodesic") {
 TEST_CASE("rigid turns stay rigid") {
   const Shape shape = bar();
   const Vec3 axis(0.3, 1, 0.2);
-  const Keyframes k = keyframes(shape, {turn(axis, 0), turn(axis, radians(100), Vec3(1, 0, 0)), turn(axis, radians(200), Vec3(0, 3, 0))});
+  const Keyframes k = keyframes(
+      shape, {turn(axis, 0), turn(axis, radians(100), Vec3(1, 0, 0)), turn(axis, radians(200), Vec3(0, 3, 0))});
   Sequence s = make(k);
   for (double t : slider) CHECK(fitRigid(shape.positions, at(s, t)).largestDistance < 1e-9 * diagonalOf(k));
   // and turn evenly about the axis: 50 degrees after a quarter
-  CHECK(largestDistance(aligned(mapped(shape.positions, turn(axis, radians(50))), at(s, 0.25)), at(s, 0.25)) < 1e-9 * 10);
+  CHECK(largestDistance(aligned(mapped(shape.positions, turn(axis, radians(50))), at(s, 0.25)), at(s, 0.25)) <
+        1e-9 * 10);
   const Positions quarter = at(s, 0.25);
   const Mat3 r = fitRigid(shape.positions, quarter).rotation;
   CHECK(logRotation(r).norm() == doctest::Approx(radians(50)).epsilon(1e-6));
@@ -155,9 +158,11 @@ TEST_CASE("a bend keeps its volume where a linear blend loses it") {
     MotionOptions linear;
     linear.method = Method::Linear;
     Sequence s = make(k), l = make(k, doublePrecision(), linear);
-    const double keys = (enclosedVolume(k.keys[0].positions, k.faces) + enclosedVolume(k.keys[1].positions, k.faces)) / 2;
+    const double keys =
+        (enclosedVolume(k.keys[0].positions, k.faces) + enclosedVolume(k.keys[1].positions, k.faces)) / 2;
     const double ours = enclosedVolume(at(s, 0.5), k.faces) / keys, blend = enclosedVolume(at(l, 0.5), k.faces) / keys;
-    MESSAGE("bend by " << degrees << " degrees, halfway volume: LRI " << 100 * ours << " %, linear blend " << 100 * blend << " %");
+    MESSAGE("bend by " << degrees << " degrees, halfway volume: LRI " << 100 * ours << " %, linear blend "
+                       << 100 * blend << " %");
     CHECK(ours >= share);
     CHECK(blend < ours);
   }
@@ -170,7 +175,8 @@ void checkHalfway(const Keyframes& k) {
   const Positions& rest = k.keys[0].positions;
   const auto half = sectionTurns(rest, at(s, 0.5), 4), whole = sectionTurns(rest, k.keys[1].positions, 4);
   REQUIRE(half.size() == whole.size());
-  for (std::size_t i = 0; i < half.size(); ++i) CHECK(half[i].norm() == doctest::Approx(whole[i].norm() / 2).epsilon(0.02));
+  for (std::size_t i = 0; i < half.size(); ++i)
+    CHECK(half[i].norm() == doctest::Approx(whole[i].norm() / 2).epsilon(0.02));
 }
 
 }  // namespace
@@ -228,7 +234,8 @@ TEST_CASE("a sphere beside a bending bar keeps its distance") {
     const Vec3 foot(0.5, 0, 5);
     const Map ballTurn = turn(Vec3::UnitY(), a);
     return [=](const Vec3& p) -> Vec3 {
-      if ((p - Vec3(0.5 + gap + radius, 0, 5)).norm() <= radius * 1.001) return bending(foot) + ballTurn(Vec3(p - foot));
+      if ((p - Vec3(0.5 + gap + radius, 0, 5)).norm() <= radius * 1.001)
+        return bending(foot) + ballTurn(Vec3(p - foot));
       return bending(p);
     };
   };

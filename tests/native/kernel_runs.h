@@ -1,5 +1,5 @@
-// Runs of the vector kernels on plain data. Included twice: as the core is built, and as it is without vector instructions
-// (scalar_kernels.cpp, where the namespace has another name).
+// Runs of the vector kernels on plain data. Included twice: as the core is built, and as it is without vector
+// instructions (scalar_kernels.cpp, where the namespace has another name).
 #pragma once
 
 #include <array>
@@ -47,7 +47,8 @@ namespace shapespline::kernelRuns {
 /// Right-hand side of random coordinates on the surface, one frame for every three faces. In the first
 /// column all faces rest. largestTurn: radians.
 template <class Real>
-std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestTurn, bool logarithmic, const kernels::Blend& blend = {}) {
+std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestTurn, bool logarithmic,
+                                const kernels::Blend& blend = {}) {
   WeldedShape shape;
   shape.faces = surface.faces;
   shape.keys = 1;
@@ -77,7 +78,12 @@ std::vector<Real> rightHandSide(const kernels::Surface& surface, double largestT
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (i % 4 != 3) frames[i] = static_cast<Real>(noise.next());
   std::vector<Real> result(4 * (static_cast<std::size_t>(vertexCount) + 1), Real(0));
-  const int lost = kernel.accumulate(coordinates, frames, coordinates.weights({.column = blend.weights, .keys = columns, .beyond = blend.beyond}), result.data()).count;
+  const int lost =
+      kernel
+          .accumulate(coordinates, frames,
+                      coordinates.weights({.column = blend.weights, .keys = columns, .beyond = blend.beyond}),
+                      result.data())
+          .count;
   result.push_back(static_cast<Real>(lost));
   return result;
 }
@@ -135,7 +141,9 @@ inline std::vector<float> vertexNormals(const kernels::Surface& surface) {
   std::vector<float> places(4 * static_cast<std::size_t>(n)), positions, normals;
   for (int v = 0; v < n; ++v) {
     group[v] = v / 2, placeOf[v] = (n - 1) / 2 - v / 2;  // copies of one vertex
-    for (int k = 0; k < 3; ++k) places[4 * static_cast<std::size_t>(placeOf[v]) + k] = static_cast<float>(surface.xyz[3 * static_cast<std::size_t>(v) + k]);
+    for (int k = 0; k < 3; ++k)
+      places[4 * static_cast<std::size_t>(placeOf[v]) + k] =
+          static_cast<float>(surface.xyz[3 * static_cast<std::size_t>(v) + k]);
   }
   const VertexNormals shading(surface.faces, group, (n + 1) / 2, placeOf);
   VertexNormals::Scratch sums;

@@ -1,5 +1,5 @@
-// The vector kernels against a build of the same code in plain C++. Every operation of simd.h rounds once in both, so that the
-// tolerance is none: the same bits.
+// The vector kernels against a build of the same code in plain C++. Every operation of simd.h rounds once in both, so
+// that the tolerance is none: the same bits.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -42,13 +42,15 @@ void checkRightHandSides() {
 template <class Real>
 void checkRightHandSidesBeyondKeys() {
   for (const bool logarithmic : {false, true})
-    for (const kernels::Blend& blend : {kernels::Blend{{1.1, -0.3, 0.2}, 0}, {{11, -13, 3}, 0}, {{0.2, -0.3, 1.1}, 2}, {{-9, 4, 6}, 2}}) {
+    for (const kernels::Blend& blend :
+         {kernels::Blend{{1.1, -0.3, 0.2}, 0}, {{11, -13, 3}, 0}, {{0.2, -0.3, 1.1}, 2}, {{-9, 4, 6}, 2}}) {
       CAPTURE(blend.weights[0]);
       const auto vector = shapespline::kernelRuns::rightHandSide<Real>(sheet(), 1.0, logarithmic, blend);
       CHECK(vector == kernels::scalarRightHandSide(sheet(), Real(), 1.0, logarithmic, blend));
       CHECK(vector.back() == 0);  // no face is lost
       CHECK(std::all_of(vector.begin(), vector.end(), [](Real x) { return std::isfinite(x); }));
-      const auto unlimited = shapespline::kernelRuns::rightHandSide<Real>(sheet(), 1.0, logarithmic, {blend.weights, -1});
+      const auto unlimited =
+          shapespline::kernelRuns::rightHandSide<Real>(sheet(), 1.0, logarithmic, {blend.weights, -1});
       CHECK(vector != unlimited);
     }
 }

@@ -57,7 +57,8 @@ inline PlainMesh irregularSheet(int columns, int rows, Random& random) {
   PlainMesh mesh;
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x)
-      mesh.positions.push_back({x + 0.3 * random.signedUnit(), y + 0.3 * random.signedUnit(), 3.0 * std::sin(0.2 * x) * std::cos(0.15 * y)});
+      mesh.positions.push_back(
+          {x + 0.3 * random.signedUnit(), y + 0.3 * random.signedUnit(), 3.0 * std::sin(0.2 * x) * std::cos(0.15 * y)});
   for (int y = 0; y + 1 < rows; ++y) {
     for (int x = 0; x + 1 < columns; ++x) {
       const int a = y * columns + x, b = a + 1, c = a + columns, d = c + 1;
@@ -71,11 +72,21 @@ inline PlainMesh irregularSheet(int columns, int rows, Random& random) {
 /// A bumpy sphere of 10 f^2 + 2 vertices: every face of an icosahedron cut into f^2 triangles, the points irregular.
 inline PlainMesh bumpySphere(int f, Random& random) {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
-  const std::array<Vec3, 12> corner = {{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                                        {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}}};
-  constexpr int kFaces[20][3] = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                                 {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                                 {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  const std::array<Vec3, 12> corner = {{{-1, g, 0},
+                                        {1, g, 0},
+                                        {-1, -g, 0},
+                                        {1, -g, 0},
+                                        {0, -1, g},
+                                        {0, 1, g},
+                                        {0, -1, -g},
+                                        {0, 1, -g},
+                                        {g, 0, -1},
+                                        {g, 0, 1},
+                                        {-g, 0, -1},
+                                        {-g, 0, 1}}};
+  constexpr int kFaces[20][3] = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                                 {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                                 {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   PlainMesh mesh;
   mesh.positions.assign(corner.begin(), corner.end());
   std::map<std::pair<int, int>, int> edgeStart;  // first of the f - 1 points inside an edge, from its smaller corner

@@ -16,7 +16,9 @@ using namespace shapespline::test;
 
 namespace {
 
-Shape tetrahedron() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}}; }
+Shape tetrahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+}
 
 Shape moebius() {
   Shape s;
@@ -38,9 +40,9 @@ Shape moebius() {
 // Each shape under three poses; whatever it is made of, keys must come back and nothing may be NaN.
 void checkMotion(const Shape& shape, const char* name) {
   CAPTURE(name);
-  const Keyframes k = keyframes(shape, {turn(Vec3::UnitX(), 0), turn(Vec3(1, 1, 0), 0.8, Vec3(0.1, 0, 0)), [](const Vec3& p) -> Vec3 {
-                                          return {1.2 * p.x() + 0.2 * p.y(), p.y(), p.z() + 0.3 * p.x() * p.x()};
-                                        }});
+  const Keyframes k = keyframes(
+      shape, {turn(Vec3::UnitX(), 0), turn(Vec3(1, 1, 0), 0.8, Vec3(0.1, 0, 0)),
+              [](const Vec3& p) -> Vec3 { return {1.2 * p.x() + 0.2 * p.y(), p.y(), p.z() + 0.3 * p.x() * p.x()}; }});
   for (const Precision precision : {Precision::Double, Precision::Single}) {
     EncodingOptions options;
     options.precision = precision;
@@ -52,7 +54,8 @@ void checkMotion(const Shape& shape, const char* name) {
       REQUIRE(p.size() == shape.positions.size());
       for (const Vec3& x : p) CHECK(x.allFinite());
       for (const Key& key : k.keys)
-        if (key.time == t) CHECK(largestDistance(p, key.positions) < (precision == Precision::Double ? 1e-9 : 1e-5) * diagonalOf(k));
+        if (key.time == t)
+          CHECK(largestDistance(p, key.positions) < (precision == Precision::Double ? 1e-9 : 1e-5) * diagonalOf(k));
     }
   }
 }
@@ -143,10 +146,11 @@ TEST_CASE("pieces are counted as they are numbered: faces that share a vertex be
 TEST_CASE("long work is reported block by block, in order and to its end") {
   std::vector<double> heard;
   std::size_t next = 0;
-  inBlocks([&](double fraction) { heard.push_back(fraction); }, 40000, [&](std::size_t begin, std::size_t end) {
-    CHECK(begin == next);
-    next = end;
-  });
+  inBlocks([&](double fraction) { heard.push_back(fraction); }, 40000,
+           [&](std::size_t begin, std::size_t end) {
+             CHECK(begin == next);
+             next = end;
+           });
   CHECK(next == 40000);
   REQUIRE(heard.size() == 3);
   CHECK(heard[0] == 0);
@@ -240,7 +244,7 @@ TEST_CASE("the zoo moves: every kind of mesh gives its keys back and stays finit
   Shape flat = bar();
   const int extra = static_cast<int>(flat.positions.size());
   flat.positions.push_back((flat.positions[0] + flat.positions[1]) / 2);  // on an edge: a face without area
-  flat.positions.emplace_back(3, 3, 3);                                    // held by faces without area only
+  flat.positions.emplace_back(3, 3, 3);                                   // held by faces without area only
   flat.faces.push_back({0, 1, extra});
   flat.faces.push_back({extra, extra + 1, extra});
   checkMotion(flat, "degenerate faces");

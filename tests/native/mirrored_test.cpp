@@ -42,7 +42,8 @@ Keyframes withMirrored(Keyframes k, int key) {
 /// The bar with bumps.
 Shape bumpyBar() {
   Shape shape = box(1, 1, 10, 6, 6, 60);
-  for (Vec3& p : shape.positions) p += 0.1 * std::sin(2 * p.z()) * std::cos(3 * p.y()) * Vec3(p.x(), p.y(), 0).normalized();
+  for (Vec3& p : shape.positions)
+    p += 0.1 * std::sin(2 * p.z()) * std::cos(3 * p.y()) * Vec3(p.x(), p.y(), 0).normalized();
   return shape;
 }
 
@@ -117,7 +118,8 @@ TEST_CASE("curvature that is noise tells nothing") {
   std::mt19937 random(1);
   Shape tube = box(1, 1, 10, 16, 16, 160);  // open at its ends, but no sheet
   std::erase_if(tube.faces, [&](const Triangle& t) {
-    return std::any_of(t.begin(), t.end(), [&](int v) { return tube.positions[v].z() == 0 || tube.positions[v].z() == 10; });
+    return std::any_of(t.begin(), t.end(),
+                       [&](int v) { return tube.positions[v].z() == 0 || tube.positions[v].z() == 10; });
   });
   const Map round = [](const Vec3& p) -> Vec3 {
     const Vec3 across(p.x(), p.y(), 0);
@@ -136,22 +138,23 @@ TEST_CASE("poses of real shapes: none is mirrored, and each is when it is mirror
     Paths files;
     bool isBody = true;  // no sheet
   };
-  const Set sets[] = {{{"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"}},
-                      {{"morph/Horse.glb"}},
-                      {{"morph/AnimatedMorphSphere.gltf", "morph/AnimatedMorphSphere.bin"}},
-                      {{"morph/MorphStressTest.gltf"}},
-                      {{"skin/CesiumMan.glb"}},
-                      {{"skin/Fox.glb"}},
-                      {{"skin/Soldier.glb"}},
-                      {{"blender/apply_0.glb", "blender/apply_1.glb", "blender/apply_2.glb"}},
-                      {wolfPoses},
-                      {{"obj/lowpoly-cat/cat_000001.obj", "obj/lowpoly-cat/cat_000007.obj", "obj/lowpoly-cat/cat_000013.obj",
-                        "obj/lowpoly-cat/cat_000019.obj", "obj/lowpoly-cat/cat_000025.obj", "obj/lowpoly-cat/cat_000031.obj"}},
-                      {{"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"}},
-                      {lionPoses},
-                      {{"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"}, false},
-                      {{"turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"}, false},
-                      {{"turns/saddle/monkey_saddle_1.ply", "turns/saddle/monkey_saddle_2.ply"}, false}};
+  const Set sets[] = {
+      {{"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"}},
+      {{"morph/Horse.glb"}},
+      {{"morph/AnimatedMorphSphere.gltf", "morph/AnimatedMorphSphere.bin"}},
+      {{"morph/MorphStressTest.gltf"}},
+      {{"skin/CesiumMan.glb"}},
+      {{"skin/Fox.glb"}},
+      {{"skin/Soldier.glb"}},
+      {{"blender/apply_0.glb", "blender/apply_1.glb", "blender/apply_2.glb"}},
+      {wolfPoses},
+      {{"obj/lowpoly-cat/cat_000001.obj", "obj/lowpoly-cat/cat_000007.obj", "obj/lowpoly-cat/cat_000013.obj",
+        "obj/lowpoly-cat/cat_000019.obj", "obj/lowpoly-cat/cat_000025.obj", "obj/lowpoly-cat/cat_000031.obj"}},
+      {{"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"}},
+      {lionPoses},
+      {{"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"}, false},
+      {{"turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"}, false},
+      {{"turns/saddle/monkey_saddle_1.ply", "turns/saddle/monkey_saddle_2.ply"}, false}};
   for (const Set& set : sets) {
     if (!hasData(set.files)) continue;
     CAPTURE(set.files[0]);

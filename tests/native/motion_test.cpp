@@ -10,7 +10,8 @@ using namespace shapespline::test;
 
 namespace {
 
-Sequence make(const Keyframes& k, const MotionOptions& motion = {}, const EncodingOptions& encoding = doublePrecision()) {
+Sequence make(const Keyframes& k, const MotionOptions& motion = {},
+              const EncodingOptions& encoding = doublePrecision()) {
   auto s = Sequence::create(k, encoding, motion);
   REQUIRE_MESSAGE(s.ok(), (s ? "" : s.error().message));
   return std::move(*s);

@@ -7,12 +7,14 @@
 
 namespace shapespline::test {
 
-/// First and second derivatives of all vertices, and of the turns of all patches (radians): the angular velocity and acceleration.
+/// First and second derivatives of all vertices, and of the turns of all patches (radians): the angular velocity and
+/// acceleration.
 struct OneSided {
   Positions velocity, acceleration, angularVelocity, angularAcceleration;
 };
 
-/// From the moments t, t + h, t + 2h and t + 3h; h < 0: from before. Errors: of third order in h for the velocity, of second order for the acceleration.
+/// From the moments t, t + h, t + 2h and t + 3h; h < 0: from before. Errors: of third order in h for the velocity, of
+/// second order for the acceleration.
 inline OneSided oneSided(Sequence& sequence, const PatchTurning& patches, double t, double h) {
   std::array<Positions, 4> x, turn;
   for (int i = 0; i < 4; ++i) {
@@ -26,7 +28,8 @@ inline OneSided oneSided(Sequence& sequence, const PatchTurning& patches, double
     return (2 * y[0][v] - 5 * y[1][v] + 4 * y[2][v] - y[3][v]) / (h * h);
   };
   OneSided side;
-  for (std::size_t v = 0; v < x[0].size(); ++v) side.velocity.push_back(velocity(x, v)), side.acceleration.push_back(acceleration(x, v));
+  for (std::size_t v = 0; v < x[0].size(); ++v)
+    side.velocity.push_back(velocity(x, v)), side.acceleration.push_back(acceleration(x, v));
   for (std::size_t p = 0; p < turn[0].size(); ++p)
     side.angularVelocity.push_back(velocity(turn, p)), side.angularAcceleration.push_back(acceleration(turn, p));
   return side;
@@ -38,8 +41,8 @@ inline double largestNorm(const Positions& list) {
   return largest;
 }
 
-/// Largest differences of the two sides, over the largest of them. An acceleration smaller than what would stop the motion in `duration`
-/// counts as that: a motion without acceleration has no relative jump.
+/// Largest differences of the two sides, over the largest of them. An acceleration smaller than what would stop the
+/// motion in `duration` counts as that: a motion without acceleration has no relative jump.
 struct Jumps {
   double velocity, acceleration, angularVelocity, angularAcceleration;
 };
@@ -48,7 +51,8 @@ inline Jumps jumpsBetween(const OneSided& before, const OneSided& after, double 
   const auto jump = [](const Positions& a, const Positions& b, double least) {
     return largestDistance(a, b) / std::max({largestNorm(a), largestNorm(b), least, 1e-12});
   };
-  return {jump(before.velocity, after.velocity, 0), jump(before.acceleration, after.acceleration, largestNorm(before.velocity) / duration),
+  return {jump(before.velocity, after.velocity, 0),
+          jump(before.acceleration, after.acceleration, largestNorm(before.velocity) / duration),
           jump(before.angularVelocity, after.angularVelocity, 0),
           jump(before.angularAcceleration, after.angularAcceleration, largestNorm(before.angularVelocity) / duration)};
 }

@@ -1,6 +1,6 @@
 // Orderings and the symbolic analysis against brute force on small graphs, and their quality on a mesh.
-#include "core/sparse/minimum_degree.h"
 #include "core/sparse/ordering.h"
+#include "core/sparse/minimum_degree.h"
 
 #include <doctest/doctest.h>
 

@@ -18,12 +18,15 @@ Import imported(const Files& files, const ImportOptions& options = {}) {
   return std::move(*result);
 }
 
-Import twice(const std::string& name, const Bytes& bytes) { return imported(Files().add(name, bytes).add("second-" + name, bytes)); }
+Import twice(const std::string& name, const Bytes& bytes) {
+  return imported(Files().add(name, bytes).add("second-" + name, bytes));
+}
 Import twice(const std::string& name, const std::string& text) { return twice(name, bytesOf(text)); }
 
 const std::string kSquareObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-const std::string kSquarePly = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+const std::string kSquarePly =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 const std::string kSquareOff = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
 std::string goodTwin(const std::string& name) {
@@ -53,7 +56,8 @@ double area(const Positions& p, const Triangle& f) { return 0.5 * (p[f[1]] - p[f
 }  // namespace
 
 TEST_CASE("the three squares are one") {
-  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.obj", kSquareObj}, {"a.ply", kSquarePly}, {"a.off", kSquareOff}}) {
+  for (const auto& [name, text] :
+       {std::pair<std::string, std::string>{"a.obj", kSquareObj}, {"a.ply", kSquarePly}, {"a.off", kSquareOff}}) {
     const Import import = twice(name, text);
     CHECK(import.keyframes.vertexCount() == 4);
     REQUIRE(import.keyframes.faceCount() == 2);
@@ -65,8 +69,9 @@ TEST_CASE("the three squares are one") {
 
 TEST_CASE("OBJ: comments, negative indices, all kinds of corners, continued lines, things that are left out") {
   const Import import = twice("a.obj",
-      "# a comment\r\no thing\r\ns 1\r\nv 0 0 0 1\r\nv 1 0 0 # here\r\nv 1 1 0\r\nv 0 1 0\r\nvt 0 0\r\nvt 1 0\r\nvt 1 1\r\nvt 0 1\r\nvn 0 0 1\r\n"
-      "f -4/1/1 -3/2/1 \\\r\n -2/3/1\r\nf 1//1 3//1 4//1\r\nl 1 2\r\np 1\r\nf 1 2\r\n");
+                              "# a comment\r\no thing\r\ns 1\r\nv 0 0 0 1\r\nv 1 0 0 # here\r\nv 1 1 0\r\nv 0 1 "
+                              "0\r\nvt 0 0\r\nvt 1 0\r\nvt 1 1\r\nvt 0 1\r\nvn 0 0 1\r\n"
+                              "f -4/1/1 -3/2/1 \\\r\n -2/3/1\r\nf 1//1 3//1 4//1\r\nl 1 2\r\np 1\r\nf 1 2\r\n");
   CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
   REQUIRE(import.keyframes.normals.size() == 4);
   CHECK((import.keyframes.normals[3] - Vec3::UnitZ()).norm() == 0);
@@ -77,9 +82,11 @@ TEST_CASE("OBJ: comments, negative indices, all kinds of corners, continued line
 }
 
 TEST_CASE("a byte order mark is no part of a text") {
-  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.obj", kSquareObj}, {"a.ply", kSquarePly}, {"a.off", kSquareOff}}) {
+  for (const auto& [name, text] :
+       {std::pair<std::string, std::string>{"a.obj", kSquareObj}, {"a.ply", kSquarePly}, {"a.off", kSquareOff}}) {
     CAPTURE(name);
-    CHECK(twice(name, "\xef\xbb\xbf" + text).keyframes.keys[0].positions == twice(name, text).keyframes.keys[0].positions);
+    CHECK(twice(name, "\xef\xbb\xbf" + text).keyframes.keys[0].positions ==
+          twice(name, text).keyframes.keys[0].positions);
   }
 }
 
@@ -112,12 +119,14 @@ TEST_CASE("OBJ: one copy for all corners of a vertex that lie at the same place 
 
 TEST_CASE("further poses of a mesh are cut into its triangles, however they would be cut by themselves") {
   const std::string faces = "f 1 2 3 4\nf 5 6 7 8 9\nf 1 2 6\n";
-  const auto pose = [&](double x) {  // the diagonal of the first polygon that is shorter changes, and so does the corner that points inwards
-    return bytesOf("v 0 0 0\nv 1 0 0\nv " + std::to_string(1 + x) + " 1 0\nv " + std::to_string(x) + " 1 0\nv 0 5 0\nv 2 5 0\nv " +
-                   std::to_string(2 - x) + " 6 0\nv 1 7 0\nv 0 7 0\n" + faces);
+  const auto pose = [&](double x) {  // the diagonal of the first polygon that is shorter changes, and so does the
+                                     // corner that points inwards
+    return bytesOf("v 0 0 0\nv 1 0 0\nv " + std::to_string(1 + x) + " 1 0\nv " + std::to_string(x) +
+                   " 1 0\nv 0 5 0\nv 2 5 0\nv " + std::to_string(2 - x) + " 6 0\nv 1 7 0\nv 0 7 0\n" + faces);
   };
   const std::vector<Triangle> mine = imported(Files().add("a.obj", pose(0.5)).add("b.obj", pose(-0.5))).keyframes.faces;
-  const std::vector<Triangle> others = imported(Files().add("a.obj", pose(-0.5)).add("b.obj", pose(0.5))).keyframes.faces;
+  const std::vector<Triangle> others =
+      imported(Files().add("a.obj", pose(-0.5)).add("b.obj", pose(0.5))).keyframes.faces;
   REQUIRE(mine != others);
   ImportOptions options;
   options.like = mine;
@@ -129,10 +138,14 @@ TEST_CASE("further poses of a mesh are cut into its triangles, however they woul
 }
 
 TEST_CASE("OBJ: polygons with seams are cut as their faces are; later keys may have other coordinates") {
-  const std::string house = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 1.5 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.5\nvt 0 1\nvt 0.25 0.25\n";
+  const std::string house =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 1.5 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.5\nvt 0 "
+      "1\nvt 0.25 0.25\n";
   const auto obj = [&](const std::string& faces) { return bytesOf(house + faces); };
-  const auto first = obj("f 1/1 2/2 3/3 4/4 5/5\nf 2/6 6/2 7/3 3/1\n"), second = obj("f 1/1 2/1 3/1 4/1 5/1\nf 2/2 6/2 7/2 3/2\n");
-  const Import import = imported(Files().add("a.obj", first).add("b.obj", second).add("c.obj", obj("f 1 2 3 4 5\nf 2 6 7 3\n")));
+  const auto first = obj("f 1/1 2/2 3/3 4/4 5/5\nf 2/6 6/2 7/3 3/1\n"),
+             second = obj("f 1/1 2/1 3/1 4/1 5/1\nf 2/2 6/2 7/2 3/2\n");
+  const Import import =
+      imported(Files().add("a.obj", first).add("b.obj", second).add("c.obj", obj("f 1 2 3 4 5\nf 2 6 7 3\n")));
   const Seams& seams = import.scene.seams;
   CHECK(seams.copyOf == std::vector<int>{1, 2});
   REQUIRE(seams.faces.size() == 5);
@@ -162,10 +175,16 @@ TEST_CASE("OBJ: a vertex with a hundred thousand places in the texture takes no 
 }
 
 TEST_CASE("OBJ: materials of its MTL, and its texture") {
-  const std::string obj = "mtllib my skin.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nusemtl red\nf 1 3 4\nusemtl none\nf 1 2 4\n";
+  const std::string obj =
+      "mtllib my skin.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nusemtl red\nf 1 3 4\nusemtl none\nf 1 2 4\n";
   const std::string mtl = "newmtl blue\nKd 0 0 1\nnewmtl red\nKd 1 0.5 0\nd 0.5\nmap_Kd -s 1 1 1 tex/my red.png\n";
   const Bytes png = bytesOf("\x89PNG\r\n\x1a\n and so on");
-  const Scene scene = imported(Files().add("a.obj", bytesOf(obj)).add("b.obj", bytesOf(obj)).add("my skin.mtl", bytesOf(mtl)).add("tex/my red.png", png)).scene;
+  const Scene scene = imported(Files()
+                                   .add("a.obj", bytesOf(obj))
+                                   .add("b.obj", bytesOf(obj))
+                                   .add("my skin.mtl", bytesOf(mtl))
+                                   .add("tex/my red.png", png))
+                          .scene;
   REQUIRE(scene.materials.size() == 2);
   CHECK(scene.materials[1].name == "red");
   CHECK(scene.materials[1].baseColor[1] == doctest::Approx(std::pow((0.5 + 0.055) / 1.055, 2.4)));
@@ -183,9 +202,16 @@ TEST_CASE("OBJ: materials of its MTL, and its texture") {
 
 TEST_CASE("OBJ: images are looked for as seen from their library, and stop at their edges where it says so") {
   const Bytes red = bytesOf("\x89PNG\r\n\x1a\n red"), blue = bytesOf("\x89PNG\r\n\x1a\n blue");
-  const Bytes obj = bytesOf("mtllib paint/a.mtl\n" + kSquareObj), mtl = bytesOf("newmtl a\nmap_Kd -clamp on -s 1 1 1 images/skin.png\nnewmtl b\nmap_Kd -clamp off ../on top.png\n");
-  const Import import = imported(Files().add("x/a.obj", obj).add("x/b.obj", obj).add("x/paint/a.mtl", mtl)
-      .add("x/images/skin.png", blue).add("x/paint/images/skin.png", red).add("x/on top.png", blue));
+  const Bytes obj = bytesOf("mtllib paint/a.mtl\n" + kSquareObj),
+              mtl = bytesOf(
+                  "newmtl a\nmap_Kd -clamp on -s 1 1 1 images/skin.png\nnewmtl b\nmap_Kd -clamp off ../on top.png\n");
+  const Import import = imported(Files()
+                                     .add("x/a.obj", obj)
+                                     .add("x/b.obj", obj)
+                                     .add("x/paint/a.mtl", mtl)
+                                     .add("x/images/skin.png", blue)
+                                     .add("x/paint/images/skin.png", red)
+                                     .add("x/on top.png", blue));
   REQUIRE(import.scene.images.size() == 2);
   const auto& materials = import.scene.materials;
   CHECK(import.scene.images[materials.at(0).baseColorImage].bytes == red);
@@ -197,11 +223,16 @@ TEST_CASE("OBJ: images are looked for as seen from their library, and stop at th
 
 TEST_CASE("OBJ: a library and an image are read once, however often they are named") {
   std::string obj, mtl;
-  for (int i = 0; i < 3'000; ++i) obj += "mtllib a.mtl\n", mtl += "newmtl m" + std::to_string(i) + "\nmap_Kd a.png\nmap_Kd none.png\nmap_Kd a.png\n";
+  for (int i = 0; i < 3'000; ++i)
+    obj += "mtllib a.mtl\n", mtl += "newmtl m" + std::to_string(i) + "\nmap_Kd a.png\nmap_Kd none.png\nmap_Kd a.png\n";
   Bytes png(1'000'000, 0);
   const Bytes magic{0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
   std::copy(magic.begin(), magic.end(), png.begin());
-  const Import import = imported(Files().add("a.obj", bytesOf(obj + kSquareObj)).add("b.obj", bytesOf(kSquareObj)).add("a.mtl", bytesOf(mtl)).add("a.png", png));
+  const Import import = imported(Files()
+                                     .add("a.obj", bytesOf(obj + kSquareObj))
+                                     .add("b.obj", bytesOf(kSquareObj))
+                                     .add("a.mtl", bytesOf(mtl))
+                                     .add("a.png", png));
   CHECK(import.scene.materials.size() == 3'000);
   CHECK(import.scene.images.size() == 1);
   CHECK(import.scene.materials.back().baseColorImage == 0);
@@ -213,19 +244,25 @@ TEST_CASE("OBJ and PLY: vertex colours") {
   REQUIRE(obj.scene.colors.size() == 12);
   CHECK(obj.scene.colors[5] == 1);
   CHECK(obj.scene.colors[10] == doctest::Approx(0.21404));
-  const Import ply = twice("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-      "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
-      "0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 0\n3 0 1 2\n");
+  const Import ply =
+      twice("a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int "
+            "vertex_index\nend_header\n"
+            "0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 0\n3 0 1 2\n");
   CHECK(ply.scene.colors[0] == 1);
   CHECK(ply.scene.colors[4] == 0);
 }
 
 TEST_CASE("PLY: binary in both orders, other elements and properties, every type") {
   for (bool big : {false, true}) {
-    std::string head = std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") + " 1.0\ncomment made by a test\nobj_info x\n"
-        "element camera 2\nproperty short a\nproperty list ushort double b\nelement vertex 3\nproperty double x\nproperty uchar flag\nproperty float y\n"
-        "property float nx\nproperty float ny\nproperty float nz\nproperty int z\nelement face 2\nproperty uchar flags\nproperty list int uint vertex_indices\n"
-        "property list uchar float texcoord\nend_header\n";
+    std::string head = std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") +
+                       " 1.0\ncomment made by a test\nobj_info x\n"
+                       "element camera 2\nproperty short a\nproperty list ushort double b\nelement vertex 3\nproperty "
+                       "double x\nproperty uchar flag\nproperty float y\n"
+                       "property float nx\nproperty float ny\nproperty float nz\nproperty int z\nelement face "
+                       "2\nproperty uchar flags\nproperty list int uint vertex_indices\n"
+                       "property list uchar float texcoord\nend_header\n";
     Bytes bytes = bytesOf(head);
     const auto put = [&](auto value) {
       std::uint8_t raw[sizeof value];
@@ -237,7 +274,9 @@ TEST_CASE("PLY: binary in both orders, other elements and properties, every type
       put(std::int16_t(7)), put(std::uint16_t(i));
       if (i) put(1.5);
     }
-    for (int i = 0; i < 3; ++i) put(i * 0.5), put(std::uint8_t(1)), put(i == 1 ? 2.0f : 0.0f), put(0.0f), put(3.0f), put(0.0f), put(std::int32_t(-i));
+    for (int i = 0; i < 3; ++i)
+      put(i * 0.5), put(std::uint8_t(1)), put(i == 1 ? 2.0f : 0.0f), put(0.0f), put(3.0f), put(0.0f),
+          put(std::int32_t(-i));
     for (int f = 0; f < 2; ++f) {
       put(std::uint8_t(0)), put(std::int32_t(3));
       for (std::uint32_t v : {0u, 1u, 2u}) put(f ? 2 - v : v);
@@ -254,20 +293,24 @@ TEST_CASE("PLY: binary in both orders, other elements and properties, every type
 }
 
 TEST_CASE("OFF: comments, counts on the first line, normals, colours, lines that are left out") {
-  CHECK(twice("a.off", "OFF 3 1 0 # counts\n# a comment\n\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n").keyframes.faceCount() == 1);
+  CHECK(twice("a.off", "OFF 3 1 0 # counts\n# a comment\n\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n")
+            .keyframes.faceCount() == 1);
   const Import normals = twice("a.off", "NOFF\n3 1 0\n0 0 0 0 0 2\n1 0 0 0 0 2\n0 1 0 0 0 2\n3 0 1 2\n");
   CHECK(normals.keyframes.normals.at(0) == Vec3::UnitZ());
   const Import line = twice("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n");
   CHECK(line.keyframes.faceCount() == 1);
   REQUIRE(line.warnings.size() == 1);
   CHECK(line.warnings[0].message.find("fewer than three corners") != std::string::npos);
-  CHECK(twice("a.off", "COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n").keyframes.vertexCount() == 3);
+  CHECK(twice("a.off", "COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n").keyframes.vertexCount() ==
+        3);
 }
 
 TEST_CASE("polygons are split as in the first key, whatever their shape in the others") {
-  // A dart whose inner corner is vertex 4 in the first key and vertex 1 in the second: each alone would be cut differently.
+  // A dart whose inner corner is vertex 4 in the first key and vertex 1 in the second: each alone would be cut
+  // differently.
   const std::string face = "f 1 2 3 4\n";
-  const std::string first = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\n" + face, second = "v 0 0 0\nv 1 1 0\nv 4 0 0\nv 0 -4 0\n" + face;
+  const std::string first = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\n" + face,
+                    second = "v 0 0 0\nv 1 1 0\nv 4 0 0\nv 0 -4 0\n" + face;
   const auto faces = [&](const std::string& a, const std::string& b) {
     return imported(Files().add("a.obj", bytesOf(a)).add("b.obj", bytesOf(b))).keyframes.faces;
   };
@@ -280,9 +323,12 @@ TEST_CASE("concave polygons are covered without overlap") {
   // A comb with four teeth: 16 corners, area 4 + 3 = teeth of 1 each and a back of 7 x 1.
   std::string text;
   int n = 0;
-  const auto corner = [&](double x, double y) { text += "v " + std::to_string(x) + " " + std::to_string(y) + " 0\n", ++n; };
+  const auto corner = [&](double x, double y) {
+    text += "v " + std::to_string(x) + " " + std::to_string(y) + " 0\n", ++n;
+  };
   corner(0, -1), corner(7, -1);
-  for (int tooth = 3; tooth >= 0; --tooth) corner(2 * tooth + 1, 1), corner(2 * tooth, 1), tooth ? (corner(2 * tooth, 0), corner(2 * tooth - 1, 0)) : void();
+  for (int tooth = 3; tooth >= 0; --tooth)
+    corner(2 * tooth + 1, 1), corner(2 * tooth, 1), tooth ? (corner(2 * tooth, 0), corner(2 * tooth - 1, 0)) : void();
   text += "f";
   for (int i = 1; i <= n; ++i) text += " " + std::to_string(i);
   const Import import = twice("a.obj", text + "\n");
@@ -320,7 +366,10 @@ TEST_CASE("up axis and unit") {
   ImportOptions options;
   options.zUp = true;
   options.unit = 0.01;
-  const Import import = imported(Files().add("a.obj", bytesOf("v 1 2 3\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")).add("b.off", bytesOf("OFF\n3 1 0\n1 2 3\n1 0 0\n0 1 0\n3 0 1 2\n")), options);
+  const Import import = imported(Files()
+                                     .add("a.obj", bytesOf("v 1 2 3\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"))
+                                     .add("b.off", bytesOf("OFF\n3 1 0\n1 2 3\n1 0 0\n0 1 0\n3 0 1 2\n")),
+                                 options);
   CHECK((import.keyframes.keys[0].positions[0] - Vec3(0.01, 0.03, -0.02)).norm() < 1e-15);
   CHECK((import.keyframes.keys[1].positions[0] - Vec3(0.01, 0.03, -0.02)).norm() < 1e-15);
   CHECK((import.keyframes.normals[0] - Vec3::UnitY()).norm() < 1e-15);
@@ -335,7 +384,8 @@ TEST_CASE("broken OBJ files") {
   checkRefused("bad.obj", v + "f 1 2 4\n", ErrorCode::IndexOutOfRange, "vertex 3 (counted from 0)");
   checkRefused("bad.obj", v + "f 1 2 -4\n", ErrorCode::IndexOutOfRange, "line 4");
   checkRefused("bad.obj", v + "f 1 2 99999999999\n", ErrorCode::IndexOutOfRange, "line 4");
-  checkRefused("bad.obj", v + "f 1 2 -9223372036854775808\n", ErrorCode::IndexOutOfRange, "corner -9,223,372,036,854,775,808,");
+  checkRefused("bad.obj", v + "f 1 2 -9223372036854775808\n", ErrorCode::IndexOutOfRange,
+               "corner -9,223,372,036,854,775,808,");
   checkRefused("bad.obj", v + "f 1 2 99999999999999999999\n", ErrorCode::MalformedFile, "line 4");
   checkRefused("bad.obj", v + "f 0 1 2\n", ErrorCode::MalformedFile, "line 4");
   checkRefused("bad.obj", v + "f a b c\n", ErrorCode::MalformedFile, "line 4");
@@ -347,7 +397,10 @@ TEST_CASE("broken OBJ files") {
   checkRefused("bad.obj", "hello", ErrorCode::NoTriangles, "no faces");
   checkRefused("bad.obj", "", ErrorCode::EmptyFile, "empty");
   checkRefused("bad.obj", "<!DOCTYPE html>", ErrorCode::NotRecognised, "web page");
-  const auto notFinite = Files().add("a.obj", bytesOf(kSquareObj)).add("b.obj", bytesOf("v 0 0 0\nv 1 nan 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")).import();
+  const auto notFinite = Files()
+                             .add("a.obj", bytesOf(kSquareObj))
+                             .add("b.obj", bytesOf("v 0 0 0\nv 1 nan 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"))
+                             .import();
   REQUIRE(!notFinite.ok());
   CHECK(notFinite.error().code == ErrorCode::NotFinite);
   CHECK(notFinite.error().vertex == 1);
@@ -376,12 +429,17 @@ TEST_CASE("broken PLY files") {
   checkRefused("bad.ply", with("4 0 1 2 3", "4 0 1 2 -1"), ErrorCode::IndexOutOfRange, "face 0");
   checkRefused("bad.ply", with("1 1 0", "1 one 0"), ErrorCode::TruncatedFile, "\"vertex\"");
   checkRefused("bad.ply", with("face 1", "face 0"), ErrorCode::NoTriangles, "no faces");
-  checkRefused("bad.ply", with("element face 1\nproperty list uchar int vertex_indices\n", ""), ErrorCode::NoTriangles, "no faces");
+  checkRefused("bad.ply", with("element face 1\nproperty list uchar int vertex_indices\n", ""), ErrorCode::NoTriangles,
+               "no faces");
   checkRefused("bad.ply", "element", ErrorCode::NotRecognised, "named .ply");
   // Of the second vertices none has a normal.
-  checkRefused("bad.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
-               "property float ny\nproperty float nz\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-               "property list uchar int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0\n3 0 1 2\n", ErrorCode::MalformedFile, "twice");
+  checkRefused("bad.ply",
+               "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
+               "z\nproperty float nx\n"
+               "property float ny\nproperty float nz\nelement vertex 1\nproperty float x\nproperty float y\nproperty "
+               "float z\nelement face 1\n"
+               "property list uchar int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0\n3 0 1 2\n",
+               ErrorCode::MalformedFile, "twice");
   // Elements without properties take no bytes, however many there are.
   CHECK(twice("a.ply", with("element face 1", "element nothing 60000000\nelement face 1")).keyframes.faceCount() == 2);
   std::string faces;

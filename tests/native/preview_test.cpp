@@ -65,8 +65,8 @@ MotionOptions ease() {
   return options;
 }
 
-// Between the keys and as far beyond them as the slider reaches. There stretch is limited face by face in the one shape and
-// cell by cell in the other.
+// Between the keys and as far beyond them as the slider reaches. There stretch is limited face by face in the one shape
+// and cell by cell in the other.
 void checkPreview(Sequence& sequence, double diagonal, const char* name) {
   Distances inside, beyond;
   Frame exact, cheap;
@@ -81,7 +81,8 @@ void checkPreview(Sequence& sequence, double diagonal, const char* name) {
     worst.largest = std::max(worst.largest, d.largest);
   }
   const auto said = [](const Distances& d) {
-    return std::to_string(100 * d.mean) + " % of the diagonal in the mean, " + std::to_string(100 * d.largest) + " % at worst";
+    return std::to_string(100 * d.mean) + " % of the diagonal in the mean, " + std::to_string(100 * d.largest) +
+           " % at worst";
   };
   MESSAGE(std::string(name) << ": preview differs by " << said(inside) << "; beyond the keys by " << said(beyond));
   CHECK(inside.mean < 0.001);
@@ -157,7 +158,8 @@ TEST_CASE("preview: meets every key, and is a pure function") {
 TEST_CASE("preview: parts, seams and loose vertices come along") {
   Keyframes k = makeBenchKeyframes(2000, 2, 3);
   const int n = k.vertexCount();
-  // A second capsule far off that turns with the first about the common origin, one vertex without faces, and a copy of vertex 0.
+  // A second capsule far off that turns with the first about the common origin, one vertex without faces, and a copy of
+  // vertex 0.
   const std::size_t faces = k.faces.size();
   for (std::size_t f = 0; f < faces; ++f) k.faces.push_back({k.faces[f][0] + n, k.faces[f][1] + n, k.faces[f][2] + n});
   const Mat3 turn = Eigen::AngleAxisd(1.0, Vec3::UnitZ()).toRotationMatrix();
@@ -194,7 +196,8 @@ TEST_CASE("the same motion at two resolutions agrees to half a percent of the di
 }
 
 TEST_CASE("exact: a factor in single precision gives the double solution") {
-  for (const Keyframes& k : {makeBenchKeyframes(6000, 3, 4), keyframes(bar(), {twist(0), twist(pi), twist(radians(350))})}) {
+  for (const Keyframes& k :
+       {makeBenchKeyframes(6000, 3, 4), keyframes(bar(), {twist(0), twist(pi), twist(radians(350))})}) {
     const double diagonal = diagonalOf(k);
     Sequence full = made(k, doublePrecision()), exact = made(k, exactPrecision());
     CHECK(exact.stats().factorBytes < 0.6 * full.stats().factorBytes);
@@ -220,15 +223,17 @@ TEST_CASE("progress of reading a large file: every loop over its vertices and fa
   const auto heardWhile = [](std::span<const NamedBytes> files, std::string_view reading) {
     std::vector<double> fractions;
     REQUIRE(importKeyframes(files, {}, [&](const char* stage, double fraction) {
-      if (stage == reading) fractions.push_back(fraction);
-    }).ok());
+              if (stage == reading) fractions.push_back(fraction);
+            }).ok());
     CHECK(std::is_sorted(fractions.begin(), fractions.end()));
     return fractions.size();
   };
   // Blocks of 16,384 (progress.h): of 45,002 vertices, 90,000 faces and their corners.
-  const std::size_t vertices = 3, faces = 6, corners = 17, mesh = vertices + vertices + corners + faces;  // numbers, then positions
+  const std::size_t vertices = 3, faces = 6, corners = 17,
+                    mesh = vertices + vertices + corners + faces;  // numbers, then positions
   CHECK(heardWhile({&file, 1}, "reading the mesh") == 1 + mesh);
-  CHECK(heardWhile({&file, 1}, "taking the keys") == 1 + vertices + 1 + 3 * vertices);  // the second one's target is read and added first
+  CHECK(heardWhile({&file, 1}, "taking the keys") ==
+        1 + vertices + 1 + 3 * vertices);  // the second one's target is read and added first
   const NamedBytes both[] = {file, other};
   CHECK(heardWhile(both, "reading the poses") == 2 * (1 + mesh + vertices));
 }

@@ -1,5 +1,5 @@
-// Files that nobody here wrote, where they are at hand: in the folder that SHAPESPLINE_DATA names, or in shared/data beside the
-// repository.
+// Files that nobody here wrote, where they are at hand: in the folder that SHAPESPLINE_DATA names, or in shared/data
+// beside the repository.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -20,8 +20,8 @@ inline std::filesystem::path dataFolder() {
   return std::filesystem::path(SHAPESPLINE_SOURCE_DIR).parent_path() / "shared" / "data";
 }
 
-/// Whether the folder, and the files of it that are named, are there. Where not, it says so, and the running case is counted as
-/// skipped (main.cpp): it should return.
+/// Whether the folder, and the files of it that are named, are there. Where not, it says so, and the running case is
+/// counted as skipped (main.cpp): it should return.
 inline bool hasData(const std::vector<std::string>& paths = {}) {
   const auto skip = [](const std::filesystem::path& missing) {
     MESSAGE("SKIPPED: " << missing.string() << " is not there");
@@ -39,8 +39,9 @@ inline Bytes contentOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-inline const std::vector<std::string> wolfPoses = {"obj/wolf/wolf-1.obj",  "obj/wolf/wolf-4.obj",  "obj/wolf/wolf-8.obj",
-                                                   "obj/wolf/wolf-12.obj", "obj/wolf/wolf-16.obj", "obj/wolf/wolf-20.obj"};
+inline const std::vector<std::string> wolfPoses = {"obj/wolf/wolf-1.obj",  "obj/wolf/wolf-4.obj",
+                                                   "obj/wolf/wolf-8.obj",  "obj/wolf/wolf-12.obj",
+                                                   "obj/wolf/wolf-16.obj", "obj/wolf/wolf-20.obj"};
 /// Unordered, with turns of 175 degrees.
 inline const std::vector<std::string> lionPoses = {"turns/lion/1.obj", "turns/lion/2.obj", "turns/lion/3.obj",
                                                    "turns/lion/4.obj", "turns/lion/5.obj", "turns/lion/6.obj",
@@ -49,7 +50,8 @@ inline const std::vector<std::string> lionPoses = {"turns/lion/1.obj", "turns/li
 /// Files of the folder, named without their folders.
 inline Files realFiles(const std::vector<std::string>& paths) {
   Files files;
-  for (const std::string& path : paths) files.add(std::filesystem::path(path).filename().string(), contentOf(dataFolder() / path));
+  for (const std::string& path : paths)
+    files.add(std::filesystem::path(path).filename().string(), contentOf(dataFolder() / path));
   return files;
 }
 

@@ -36,7 +36,8 @@ TEST_CASE("real poses and morph targets") {
   const Import morph = imported(realFiles({"cactus/cactus-morph.glb"}));
   checkCounts(morph, 3, 5261, 10518);
   CHECK(morph.keyframes.faces == poses.keyframes.faces);
-  for (int j = 0; j < 3; ++j) CHECK(distance(morph.keyframes.keys[j].positions, poses.keyframes.keys[j].positions) < 1e-6);
+  for (int j = 0; j < 3; ++j)
+    CHECK(distance(morph.keyframes.keys[j].positions, poses.keyframes.keys[j].positions) < 1e-6);
 
   const Import horse = imported(realFiles({"morph/Horse.glb"}));
   checkCounts(horse, 16, 796, 984);
@@ -79,8 +80,10 @@ TEST_CASE("real skins and their animations") {
 TEST_CASE("real OBJ poses") {
   if (!hasData()) return;
   checkCounts(imported(realFiles(wolfPoses)), 6, 5075, 10018);
-  checkCounts(imported(realFiles({"obj/lowpoly-cat/cat_000001.obj", "obj/lowpoly-cat/cat_000007.obj", "obj/lowpoly-cat/cat_000013.obj",
-                                "obj/lowpoly-cat/cat_000019.obj", "obj/lowpoly-cat/cat_000025.obj", "obj/lowpoly-cat/cat_000031.obj"})), 6, 398, 794);
+  checkCounts(imported(realFiles({"obj/lowpoly-cat/cat_000001.obj", "obj/lowpoly-cat/cat_000007.obj",
+                                  "obj/lowpoly-cat/cat_000013.obj", "obj/lowpoly-cat/cat_000019.obj",
+                                  "obj/lowpoly-cat/cat_000025.obj", "obj/lowpoly-cat/cat_000031.obj"})),
+              6, 398, 794);
 }
 
 TEST_CASE("keys of two meshes are told apart with both counts") {
@@ -102,8 +105,10 @@ struct Furthest {
   }
 };
 
-// What previews are off between the keys and up to 0.4 of their range beyond them, in % of the reference pose's diagonal.
-void printPreviewErrors(const char* name, const Keyframes& keyframes, const EncodingOptions& encoding, const MotionOptions& motion) {
+// What previews are off between the keys and up to 0.4 of their range beyond them, in % of the reference pose's
+// diagonal.
+void printPreviewErrors(const char* name, const Keyframes& keyframes, const EncodingOptions& encoding,
+                        const MotionOptions& motion) {
   auto sequence = Sequence::create(keyframes, encoding, motion);
   REQUIRE_MESSAGE(sequence.ok(), name);
   const auto [first, last] = sequence->range();
@@ -115,7 +120,8 @@ void printPreviewErrors(const char* name, const Keyframes& keyframes, const Enco
     REQUIRE(error.ok());
     (t < first || t > last ? margins : inside).take(*error);
   }
-  std::printf("| %s | %d | %.3f / %.3f | %.3f / %.3f |\n", name, keyframes.faceCount(), 100 * inside.mean, 100 * inside.largest, 100 * margins.mean, 100 * margins.largest);
+  std::printf("| %s | %d | %.3f / %.3f | %.3f / %.3f |\n", name, keyframes.faceCount(), 100 * inside.mean,
+              100 * inside.largest, 100 * margins.mean, 100 * margins.largest);
 }
 
 }  // namespace
@@ -135,9 +141,11 @@ TEST_CASE("real shapes: what previews are off" * doctest::skip()) {
       {"soldier", imported(realFiles({"skin/Soldier.glb"}), run)},
       {"wolf", imported(realFiles(wolfPoses))},
       {"saddle", imported(realFiles({"turns/saddle/monkey_saddle_1.ply", "turns/saddle/monkey_saddle_2.ply"}))},
-      {"rolled plate", imported(realFiles({"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"}))},
+      {"rolled plate", imported(realFiles({"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply",
+                                           "turns/plate/plate121_rolledB.ply"}))},
       {"cat", imported(realFiles({"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"}))},
-      {"lion", imported(realFiles({"turns/lion/1.obj", "turns/lion/3.obj", "turns/lion/5.obj", "turns/lion/7.obj", "turns/lion/9.obj"}))},
+      {"lion", imported(realFiles({"turns/lion/1.obj", "turns/lion/3.obj", "turns/lion/5.obj", "turns/lion/7.obj",
+                                   "turns/lion/9.obj"}))},
   };
   EncodingOptions logarithmic, ghost;
   logarithmic.stretch = Stretch::Log;
@@ -179,6 +187,7 @@ TEST_CASE("malformed real files") {
   }
   CHECK(files > 100);
   CHECK(refused > 90);
-  CHECK(realFiles({"malformed/wild/html-page/Soldier.glb"}).import().error().message.find("web page") != std::string::npos);
+  CHECK(realFiles({"malformed/wild/html-page/Soldier.glb"}).import().error().message.find("web page") !=
+        std::string::npos);
   CHECK(realFiles({"malformed/wild/truncated/facecap.glb"}).import().error().code == ErrorCode::TruncatedFile);
 }

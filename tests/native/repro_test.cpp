@@ -16,9 +16,9 @@ namespace {
 
 // How a wheel turns against its car.
 struct Turning {
-  double total = 0;                    // degrees from the first key to the last, forwards positive
-  double slowest = 0, fastest = 0;     // degrees a second; of unlike signs where the sense changes
-  double offAxis = 0;                  // largest tilt of the turn's axis, degrees
+  double total = 0;                 // degrees from the first key to the last, forwards positive
+  double slowest = 0, fastest = 0;  // degrees a second; of unlike signs where the sense changes
+  double offAxis = 0;               // largest tilt of the turn's axis, degrees
 };
 
 Turning turningOf(Sequence& sequence, const Car& car, int wheel) {
@@ -28,7 +28,8 @@ Turning turningOf(Sequence& sequence, const Car& car, int wheel) {
   const Positions rest = shapeAt(sequence, start);
   const auto relative = [&](double t) -> Mat3 {
     const Positions p = shapeAt(sequence, t);
-    return fitRigid(car.body(rest), car.body(p)).rotation.transpose() * fitRigid(car.wheel(rest, wheel), car.wheel(p, wheel)).rotation;
+    return fitRigid(car.body(rest), car.body(p)).rotation.transpose() *
+           fitRigid(car.wheel(rest, wheel), car.wheel(p, wheel)).rotation;
   };
   Turning found{0, INFINITY, -INFINITY, 0};
   Mat3 before = relative(start);
@@ -93,7 +94,8 @@ TEST_CASE("repro: a wheel turns on in a loop, too") {
   const Car car = oneWheeled();
   MotionOptions motion;
   motion.boundary = BoundaryKind::Periodic;
-  Sequence sequence = sequenceOf(car.keys({{0, 0, 0}, {0, 0, 90}, {0, 0, 180}, {0, 0, 270}, {0, 0, 360}}), doublePrecision(), motion);
+  Sequence sequence =
+      sequenceOf(car.keys({{0, 0, 0}, {0, 0, 90}, {0, 0, 180}, {0, 0, 270}, {0, 0, 360}}), doublePrecision(), motion);
   checkRolls(sequence, car, 0, 360);
 }
 
@@ -184,7 +186,8 @@ TEST_CASE("repro: half a turn of the whole goes the same way wherever the shape 
       Keyframes moved = k;
       for (Key& key : moved.keys) key.positions = mapped(key.positions, move);
       Sequence a = sequenceOf(k, doublePrecision()), b = sequenceOf(moved, doublePrecision());
-      for (const double t : {0.2, 0.8}) CHECK(largestDistance(mapped(shapeAt(a, t), move), shapeAt(b, t)) < 1e-8 * diagonalOf(k));
+      for (const double t : {0.2, 0.8})
+        CHECK(largestDistance(mapped(shapeAt(a, t), move), shapeAt(b, t)) < 1e-8 * diagonalOf(k));
     }
   }
 }
@@ -192,8 +195,10 @@ TEST_CASE("repro: half a turn of the whole goes the same way wherever the shape 
 TEST_CASE("repro: added turns and key times that cannot be are refused") {
   const Keyframes k = keyframes(box(1, 1, 6, 2, 2, 4), {bend(0), bend(1), bend(-0.5), bend(0.2)});
   Sequence sequence = sequenceOf(k, doublePrecision());
-  for (const AddedTurns& t : {AddedTurns{1, std::numeric_limits<int>::min(), -1}, {std::numeric_limits<int>::max(), 1, -1},
-                              {1, 1, std::numeric_limits<int>::max()}, {1, 1, -5}}) {
+  for (const AddedTurns& t : {AddedTurns{1, std::numeric_limits<int>::min(), -1},
+                              {std::numeric_limits<int>::max(), 1, -1},
+                              {1, 1, std::numeric_limits<int>::max()},
+                              {1, 1, -5}}) {
     MotionOptions motion;
     motion.turns = {t};
     const Status status = sequence.update(motion, evenTimes(4));
@@ -222,7 +227,9 @@ TEST_CASE("repro: a mirrored key is named") {
 }
 
 TEST_CASE("repro: a key far away welds nothing more") {
-  const auto welded = [](double lengths) { return sequenceOf(farKey(lengths), doublePrecision()).stats().weldedVertices; };
+  const auto welded = [](double lengths) {
+    return sequenceOf(farKey(lengths), doublePrecision()).stats().weldedVertices;
+  };
   CHECK(farKey(0).vertexCount() == welded(0));
   CHECK(welded(3900) == welded(0));
 }

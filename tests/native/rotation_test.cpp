@@ -83,7 +83,8 @@ namespace {
 RotationPaths pathThrough(const std::vector<Quaternion>& keys) {
   RotationPaths paths;
   for (const Quaternion& q : keys) paths.key.push_back({q});
-  for (std::size_t j = 1; j < keys.size(); ++j) paths.increment.push_back({logRotation(Quaternion(keys[j - 1].conjugate() * keys[j]))});
+  for (std::size_t j = 1; j < keys.size(); ++j)
+    paths.increment.push_back({logRotation(Quaternion(keys[j - 1].conjugate() * keys[j]))});
   return paths;
 }
 
@@ -177,7 +178,8 @@ TEST_CASE("patch rotations: connections that agree are met, others change nothin
     for (const int j : {(i + 1) % count, (i + 2) % count}) links.push_back({i, j, 1});
   const PatchGraph graph(links, std::vector<double>(count, 1));
   const std::vector<double> weight(links.size(), 0.7);
-  const auto system = PatchRotationSystem::create(graph, graph.centreTree(std::vector<double>(links.size(), 1)), weight);
+  const auto system =
+      PatchRotationSystem::create(graph, graph.centreTree(std::vector<double>(links.size(), 1)), weight);
   REQUIRE(system.ok());
   PatchRotationSystem::Scratch scratch;
   std::vector<Quaternion> wanted, found;
@@ -188,7 +190,9 @@ TEST_CASE("patch rotations: connections that agree are met, others change nothin
       connection.push_back(wanted[i].conjugate() * wanted[j] * expQuaternion(randomVector(random, disagreement)));
     system->solve(connection, std::array{1, 1}, scratch, found);
     double squares = 0, treeSquares = 0;
-    const auto residual = [&](std::size_t l) { return found[links[l].to].angularDistance(found[links[l].from] * connection[l]); };
+    const auto residual = [&](std::size_t l) {
+      return found[links[l].to].angularDistance(found[links[l].from] * connection[l]);
+    };
     for (std::size_t l = 0; l < links.size(); ++l) squares += std::pow(residual(l), 2);
     system->solve(connection, {}, scratch, found);
     for (std::size_t l = 0; l < links.size(); ++l) treeSquares += std::pow(residual(l), 2);
@@ -197,7 +201,8 @@ TEST_CASE("patch rotations: connections that agree are met, others change nothin
   }
 }
 
-// Where the maps disagree around the ring between the keys, a minimum followed to convergence is lost and another one taken.
+// Where the maps disagree around the ring between the keys, a minimum followed to convergence is lost and another one
+// taken.
 TEST_CASE("a ring of patches that turn by 170 degrees against each other turns without a jump") {
   double worst = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {

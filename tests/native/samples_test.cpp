@@ -146,7 +146,8 @@ TEST_CASE("samples: remeshing gives nearly equilateral triangles of the wanted s
     REQUIRE(length > 0.5 * wanted);
     REQUIRE(length < 1.6 * wanted);
   }
-  for (const Vec3& p : surface.positions) REQUIRE(std::abs(sphere(p)) < 1e-5);  // the last projection stops short of rounding
+  for (const Vec3& p : surface.positions)
+    REQUIRE(std::abs(sphere(p)) < 1e-5);  // the last projection stops short of rounding
 }
 
 TEST_CASE("samples: splits, collapses and flips in any order keep a mesh closed") {
@@ -223,7 +224,8 @@ TEST_CASE("samples: the checks see a hole, a turned face, a pinched vertex, a fo
   CHECK_FALSE(isClosedManifold(good.faces, vertices + 1));
 
   // Two tetrahedra that share one vertex.
-  const std::vector<Triangle> pinched{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 5, 4}, {0, 4, 6}, {4, 5, 6}, {0, 6, 5}};
+  const std::vector<Triangle> pinched{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2},
+                                      {0, 5, 4}, {0, 4, 6}, {4, 5, 6}, {0, 6, 5}};
   CHECK_FALSE(isClosedManifold(pinched, 7));
 
   const Positions corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.9, 0.9, 0.01}};
@@ -309,7 +311,8 @@ TEST_CASE("bench meshes of parts: the parts turn on their own, the same argument
   const std::vector<int> pieceOf = connectedPieces(dualGraph(a.vertexCount(), a.faces, all), all).ofFace;
   std::vector<std::set<int>> piece(*std::max_element(pieceOf.begin(), pieceOf.end()) + 1);
   for (std::size_t f = 0; f < a.faces.size(); ++f) piece[pieceOf[f]].insert(a.faces[f].begin(), a.faces[f].end());
-  const auto body = *std::max_element(piece.begin(), piece.end(), [](const auto& p, const auto& q) { return p.size() < q.size(); });
+  const auto body =
+      *std::max_element(piece.begin(), piece.end(), [](const auto& p, const auto& q) { return p.size() < q.size(); });
   std::vector<Triangle> bodyFaces;
   std::copy_if(a.faces.begin(), a.faces.end(), std::back_inserter(bodyFaces),
                [&](const Triangle& face) { return body.count(face[0]) > 0; });
@@ -317,7 +320,8 @@ TEST_CASE("bench meshes of parts: the parts turn on their own, the same argument
   const auto rotationNear = [&](const std::set<int>& vertices, const Vec3& centre) {
     Positions before, after;
     for (int v : vertices)
-      if ((a.keys[0].positions[v] - centre).norm() < 0.8) before.push_back(a.keys[0].positions[v]), after.push_back(a.keys[1].positions[v]);
+      if ((a.keys[0].positions[v] - centre).norm() < 0.8)
+        before.push_back(a.keys[0].positions[v]), after.push_back(a.keys[1].positions[v]);
     return fitRigid(before, after).rotation;
   };
   int balls = 0;

@@ -5,8 +5,10 @@
 
 namespace kernels {
 
-std::vector<float> scalarRightHandSide(const Surface& surface, float, double largestTurn, bool logarithmic, const Blend& blend = {});
-std::vector<double> scalarRightHandSide(const Surface& surface, double, double largestTurn, bool logarithmic, const Blend& blend = {});
+std::vector<float> scalarRightHandSide(const Surface& surface, float, double largestTurn, bool logarithmic,
+                                       const Blend& blend = {});
+std::vector<double> scalarRightHandSide(const Surface& surface, double, double largestTurn, bool logarithmic,
+                                        const Blend& blend = {});
 std::vector<float> scalarSolution(int size, float);
 std::vector<double> scalarSolution(int size, double);
 std::vector<double> scalarUpdate(int pivotCount, int rows);

@@ -1,5 +1,5 @@
-// Periodic motions are one motion without a beginning: smooth where they close, the same whichever key is first, and one more period is
-// one more of the rigid motion that takes the first key to the last.
+// Periodic motions are one motion without a beginning: smooth where they close, the same whichever key is first, and
+// one more period is one more of the rigid motion that takes the first key to the last.
 #include <doctest/doctest.h>
 
 #include "one_sided.h"
@@ -16,12 +16,12 @@ MotionOptions periodic(std::optional<double> period = {}) {
   return motion;
 }
 
-// A box in four places, turned about three axes on the way. With a period of 4 it turns back over the closing interval; by itself, as
-// rigid as it is, it goes on from the last place as it did from the first.
+// A box in four places, turned about three axes on the way. With a period of 4 it turns back over the closing interval;
+// by itself, as rigid as it is, it goes on from the last place as it did from the first.
 Keyframes turnedBox(const std::vector<double>& times = {0, 1, 2, 3}) {
   return keyframes(box(1, 2, 3, 3, 5, 8),
-                   {turn(Vec3::UnitX(), 0), turn(Vec3::UnitX(), radians(80), {2, 0, 0}), turn(Vec3::UnitY(), radians(85), {2, 1, 1}),
-                    turn(Vec3::UnitZ(), radians(75), {0, 1, 0})},
+                   {turn(Vec3::UnitX(), 0), turn(Vec3::UnitX(), radians(80), {2, 0, 0}),
+                    turn(Vec3::UnitY(), radians(85), {2, 1, 1}), turn(Vec3::UnitZ(), radians(75), {0, 1, 0})},
                    times);
 }
 
@@ -34,12 +34,13 @@ Keyframes turnedBar(const std::vector<double>& times = {0, 1, 2, 3}) {
     return [=](const Vec3& p) -> Vec3 { return place(bent(p)); };
   };
   return keyframes(box(1, 1, 10, 3, 3, 20),
-                   {pose(0, turn(Vec3::UnitX(), 0)), pose(60, turn(Vec3::UnitX(), radians(80))), pose(-30, turn(Vec3::UnitY(), radians(85))),
-                    pose(90, turn(Vec3::UnitZ(), radians(75)))},
+                   {pose(0, turn(Vec3::UnitX(), 0)), pose(60, turn(Vec3::UnitX(), radians(80))),
+                    pose(-30, turn(Vec3::UnitY(), radians(85))), pose(90, turn(Vec3::UnitZ(), radians(75)))},
                    times);
 }
 
-// Once around the z axis by `degrees` in a period, at a distance of 10 from it, bending on the way as long as `bending` says.
+// Once around the z axis by `degrees` in a period, at a distance of 10 from it, bending on the way as long as `bending`
+// says.
 Map alongCircle(double degrees) { return turn(Vec3::UnitZ(), radians(degrees)); }
 
 Keyframes circleWalk(double degrees, const std::vector<double>& bending) {
@@ -63,7 +64,8 @@ Keyframes chain(const std::vector<std::array<double, 3>>& degrees, const std::ve
   Shape all;
   for (int i = 0; i < 4; ++i) {
     Shape next = link;
-    next.positions = mapped(next.positions, [&](const Vec3& p) -> Vec3 { return p * (1 - 0.1 * i) + Vec3(0, 0, length * i); });
+    next.positions =
+        mapped(next.positions, [&](const Vec3& p) -> Vec3 { return p * (1 - 0.1 * i) + Vec3(0, 0, length * i); });
     all = i == 0 ? next : joined(all, next);
   }
   const std::array<Vec3, 3> axis = {Vec3::UnitX(), Vec3(1, 1, 0), Vec3(0, 1, 1)};
@@ -80,7 +82,9 @@ Keyframes chain(const std::vector<std::array<double, 3>>& degrees, const std::ve
   return keyframes(all, maps, times);
 }
 
-Keyframes swingingChain() { return chain({{0, 0, 0}, {50, -70, 90}, {-40, 60, 120}, {80, 20, -30}, {0, 0, 0}}, {0, 1, 1.7, 3, 4}); }
+Keyframes swingingChain() {
+  return chain({{0, 0, 0}, {50, -70, 90}, {-40, 60, 120}, {80, 20, -30}, {0, 0, 0}}, {0, 1, 1.7, 3, 4});
+}
 
 struct Walk {
   std::string name;
@@ -108,8 +112,8 @@ void checkSeam(const std::string& what, const Keyframes& k, const MotionOptions&
   }
 }
 
-// The loop with key `first` made the first: the keys before it come again after the last, `again` later and in the pose that `next` gives
-// them. Where the last key is the first one again it goes, and the new first one comes again.
+// The loop with key `first` made the first: the keys before it come again after the last, `again` later and in the pose
+// that `next` gives them. Where the last key is the first one again it goes, and the new first one comes again.
 Keyframes startedAt(const Keyframes& k, int first, double period, const Map& next, bool lastIsFirst) {
   Keyframes out;
   out.faces = k.faces;
@@ -122,7 +126,8 @@ Keyframes startedAt(const Keyframes& k, int first, double period, const Map& nex
   return out;
 }
 
-void checkSameLoop(const std::string& what, const Keyframes& k, const MotionOptions& motion, const Map& next, bool lastIsFirst) {
+void checkSameLoop(const std::string& what, const Keyframes& k, const MotionOptions& motion, const Map& next,
+                   bool lastIsFirst) {
   CAPTURE(what);
   Sequence sequence = sequenceOf(k, doublePrecision(), motion);
   const auto [start, end] = sequence.range();
@@ -163,7 +168,8 @@ TEST_CASE("seam: another key made the first gives the same loop") {
   checkSameLoop("a bar about three axes", turnedBar(), periodic(), unmoved, false);
   checkSameLoop("a bar about three axes, uneven times", turnedBar({0, 0.7, 2, 2.5}), periodic(4.2), unmoved, false);
   checkSameLoop("a chain of four components", swingingChain(), periodic(), unmoved, true);
-  for (const Walk& walk : walks()) checkSameLoop(walk.name, walk.keyframes, periodic(), alongCircle(walk.degrees), true);
+  for (const Walk& walk : walks())
+    checkSameLoop(walk.name, walk.keyframes, periodic(), alongCircle(walk.degrees), true);
 }
 
 TEST_CASE("seam: one more period of a walk is one more of its rigid motion") {
@@ -176,7 +182,8 @@ TEST_CASE("seam: one more period of a walk is one more of its rigid motion") {
         CAPTURE(periods);
         CAPTURE(t);
         const Positions expected = mapped(shapeAt(sequence, t), alongCircle(periods * walk.degrees));
-        const double off = largestDistance(expected, shapeAt(sequence, t + periods * period)) / diagonalOf(walk.keyframes);
+        const double off =
+            largestDistance(expected, shapeAt(sequence, t + periods * period)) / diagonalOf(walk.keyframes);
         CHECK(off < 1e-6);
       }
   }

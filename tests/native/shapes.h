@@ -1,4 +1,5 @@
-// Shapes with known motions, for the invariants: boxes that are twisted and bent exactly, spheres, a zoo of small meshes.
+// Shapes with known motions, for the invariants: boxes that are twisted and bent exactly, spheres, a zoo of small
+// meshes.
 #pragma once
 
 #include <cmath>
@@ -30,7 +31,8 @@ inline Shape box(double width, double height, double depth, int nx, int ny, int 
   std::map<std::array<int, 3>, int> index;
   const auto vertex = [&](int i, int j, int k) {
     const auto [it, added] = index.emplace(std::array{i, j, k}, static_cast<int>(shape.positions.size()));
-    if (added) shape.positions.emplace_back(width * (double(i) / nx - 0.5), height * (double(j) / ny - 0.5), depth * k / nz);
+    if (added)
+      shape.positions.emplace_back(width * (double(i) / nx - 0.5), height * (double(j) / ny - 0.5), depth * k / nz);
     return it->second;
   };
   const auto quad = [&](int a, int b, int c, int d, bool flip) {
@@ -64,7 +66,8 @@ inline Shape sphere(const Vec3& centre, double radius, int rings = 12, int segme
   for (int r = 1; r < rings; ++r)
     for (int s = 0; s < segments; ++s) {
       const double theta = pi * r / rings, phi = 2 * pi * s / segments;
-      shape.positions.push_back(centre + radius * Vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
+      shape.positions.push_back(
+          centre + radius * Vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
     }
   shape.positions.push_back(centre - Vec3(0, 0, radius));
   const int last = static_cast<int>(shape.positions.size()) - 1;
@@ -158,8 +161,8 @@ inline Positions aligned(const Positions& from, const Positions& to) {
   return mapped(from, [&](const Vec3& p) -> Vec3 { return r * (p - a) + b; });
 }
 
-/// Turn of each cross-section of a bar along z against the next, from the best rigid fit of its vertices; `perUnit` sections
-/// a unit of length.
+/// Turn of each cross-section of a bar along z against the next, from the best rigid fit of its vertices; `perUnit`
+/// sections a unit of length.
 inline std::vector<Vec3> sectionTurns(const Positions& rest, const Positions& pose, int perUnit) {
   std::map<int, std::pair<Positions, Positions>> sections;
   for (std::size_t v = 0; v < rest.size(); ++v) {

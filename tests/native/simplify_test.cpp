@@ -159,7 +159,8 @@ TEST_CASE("simplify: keeps the volume in every pose") {
   for (const bool optimal : {false, true}) {
     const GhostMesh ghost = simplified(shape, 800, optimal);
     for (std::size_t c = 0; c < shape.poses.size(); ++c) {
-      const double whole = enclosedVolume(shape.poses[c], shape.faces), coarse = enclosedVolume(ghost.poses[c], ghost.faces);
+      const double whole = enclosedVolume(shape.poses[c], shape.faces),
+                   coarse = enclosedVolume(ghost.poses[c], ghost.faces);
       CAPTURE(optimal);
       CAPTURE(c);
       CHECK(coarse == doctest::Approx(whole).epsilon(0.03));
@@ -189,10 +190,10 @@ TEST_CASE("simplify: boundaries stay where they are") {
     const Topology topology = topologyOf(ghost);
     CHECK(topology.loops == (hole ? 2 : 1));
     CHECK(topology.euler == (hole ? 0 : 1));
-    CHECK(surfaceArea(ghost.poses[0], ghost.faces) == doctest::Approx(surfaceArea(flat.positions, flat.faces)).epsilon(1e-9));
+    CHECK(surfaceArea(ghost.poses[0], ghost.faces) ==
+          doctest::Approx(surfaceArea(flat.positions, flat.faces)).epsilon(1e-9));
     int corners = 0;
-    for (const Vec3& p : ghost.poses[0])
-      corners += (p.x() == 0 || p.x() == 4) && (p.y() == 0 || p.y() == 4);
+    for (const Vec3& p : ghost.poses[0]) corners += (p.x() == 0 || p.x() == 4) && (p.y() == 0 || p.y() == 4);
     CHECK(corners == 4);
   }
 }
@@ -209,7 +210,9 @@ TEST_CASE("simplify: no face is turned over or too thin in any pose") {
     CHECK(topologyOf(ghost).euler == 2);
     // The normals of all faces of the shape around a ghost vertex against those of the ghost's.
     const int ghosts = static_cast<int>(ghost.vertexOf.size());
-    const auto normal = [](const Positions& p, const Triangle& t) -> Vec3 { return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]); };
+    const auto normal = [](const Positions& p, const Triangle& t) -> Vec3 {
+      return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+    };
     int against = 0, thin = 0;
     for (std::size_t c = 0; c < shape.poses.size(); ++c) {
       std::vector<Vec3> fine(ghosts, Vec3::Zero()), coarse(ghosts, Vec3::Zero());
@@ -218,7 +221,8 @@ TEST_CASE("simplify: no face is turned over or too thin in any pose") {
       const Positions& p = ghost.poses[c];
       for (const Triangle& t : ghost.faces) {
         for (int v : t) coarse[v] += normal(p, t);
-        const double longest = std::max({(p[t[1]] - p[t[0]]).squaredNorm(), (p[t[2]] - p[t[1]]).squaredNorm(), (p[t[0]] - p[t[2]]).squaredNorm()});
+        const double longest = std::max(
+            {(p[t[1]] - p[t[0]]).squaredNorm(), (p[t[2]] - p[t[1]]).squaredNorm(), (p[t[0]] - p[t[2]]).squaredNorm()});
         thin += normal(p, t).norm() < 0.03 * longest;
       }
       for (int g = 0; g < ghosts; ++g) against += fine[g].dot(coarse[g]) <= 0;
@@ -250,7 +254,8 @@ TEST_CASE("simplify: a small share of the faces for every part") {
         }
     }
     for (int piece = 0; piece < 3; ++piece) {
-      const double share = double(std::count(whole.pieces.ofFace.begin(), whole.pieces.ofFace.end(), piece)) / shape.faceCount();
+      const double share =
+          double(std::count(whole.pieces.ofFace.begin(), whole.pieces.ofFace.end(), piece)) / shape.faceCount();
       CHECK(count[piece] >= std::max(4, int(target * share / 2)));
     }
   }
@@ -266,9 +271,9 @@ TEST_CASE("simplify: parts too small for a tetrahedron of their own join the res
   CHECK(ghost.joinedPieces > 0);
   CHECK(topologyOf(ghost).pieces == 10 - ghost.joinedPieces);
   const int n = static_cast<int>(shape.poses.front().size());
-  CHECK(ghost.ghostOf[0] >= 0);                                       // of the bar
+  CHECK(ghost.ghostOf[0] >= 0);                                               // of the bar
   CHECK(ghost.ghostOf[int(box(1, 1, 10, 4, 4, 40).positions.size())] == -1);  // of the smallest sphere
-  CHECK(ghost.ghostOf[n - 1] >= 0);                                   // of the largest
+  CHECK(ghost.ghostOf[n - 1] >= 0);                                           // of the largest
 }
 
 TEST_CASE("simplify: the same input gives the same ghost, and so does a pose that is moved rigidly") {
@@ -277,7 +282,8 @@ TEST_CASE("simplify: the same input gives the same ghost, and so does a pose tha
   WeldedShape moved = shape;
   moved.poses[1] = mapped(moved.poses[1], turn(Vec3(1, 2, -0.5), 2.2, Vec3(3, -7, 11)));
   for (const bool optimal : {false, true}) {
-    const GhostMesh a = simplified(shape, 700, optimal), b = simplified(shape, 700, optimal), c = simplified(moved, 700, optimal);
+    const GhostMesh a = simplified(shape, 700, optimal), b = simplified(shape, 700, optimal),
+                    c = simplified(moved, 700, optimal);
     CHECK(a.faces == b.faces);
     CHECK(a.poses == b.poses);
     CHECK(a.faces == c.faces);
@@ -326,7 +332,9 @@ TEST_CASE("simplify: non-manifold meshes keep their pieces") {
     const GhostMesh ghost = simplified(posed(both, {wave(0), wave(0.1)}), 100);
     const int m = static_cast<int>(ghost.faces.size());
     CHECK(m <= 100);
-    CHECK(connectedPieces(dualGraph(int(ghost.vertexOf.size()), ghost.faces, std::vector<char>(m, 1)), std::vector<char>(m, 1)).count == 1);
+    CHECK(connectedPieces(dualGraph(int(ghost.vertexOf.size()), ghost.faces, std::vector<char>(m, 1)),
+                          std::vector<char>(m, 1))
+              .count == 1);
     CHECK(countMesh(int(ghost.vertexOf.size()), ghost.faces).nonManifoldEdges == 0);
   }
   SUBCASE("a sheet with two sides becomes one with one") {

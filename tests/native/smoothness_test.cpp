@@ -1,4 +1,5 @@
-// No jump in time, at any setting, on shapes that are known and on real ones: dense sweeps with a zoom into the largest steps.
+// No jump in time, at any setting, on shapes that are known and on real ones: dense sweeps with a zoom into the largest
+// steps.
 #include <doctest/doctest.h>
 
 #include "one_sided.h"
@@ -12,8 +13,8 @@ namespace {
 
 // Percent of the diagonal that a vertex may still step by at some 1e-10 of the range.
 constexpr double leastStep = 1e-4;
-// A patch turns at no moment faster than so many times the speed at the median moment; times what the end speeds asked for do to an
-// even turn by themselves.
+// A patch turns at no moment faster than so many times the speed at the median moment; times what the end speeds asked
+// for do to an even turn by themselves.
 constexpr double largestUnevenness = 4;
 // Halving the spacing finds no more than so many times the acceleration: 32 is a corner.
 constexpr double largestGrowth = 4;
@@ -39,7 +40,8 @@ const std::vector<Boundary>& boundaries() {
   return all;
 }
 
-// Largest over median speed of a box that turns evenly, by as many keys and with the same end speeds: 1 unless they are other than 1.
+// Largest over median speed of a box that turns evenly, by as many keys and with the same end speeds: 1 unless they are
+// other than 1.
 std::pair<double, double> unevennessAskedFor(const Sequence& sequence) {
   const MotionOptions& motion = sequence.motion().options();
   if (motion.boundary != BoundaryKind::Hermite || (motion.startSpeed == 1 && motion.endSpeed == 1)) return {1, 1};
@@ -57,9 +59,10 @@ void checkSweep(const std::string& what, Sequence& sequence) {
   const Sweep s = sweep(sequence);
   const auto [inside, margin] = unevennessAskedFor(sequence);
   if (sweepsArePrinted())
-    MESSAGE("SWEEP | " << what << " | step " << s.step << " % at " << s.stepAt << " -> " << s.zoomedStep << " % at dt = " << s.zoomedSpacing
-                       << " | patch " << s.turn << " degrees at " << s.turnAt << " | speed inside " << s.inside << ", margins " << s.margin
-                       << " | acceleration grows " << s.growth);
+    MESSAGE("SWEEP | " << what << " | step " << s.step << " % at " << s.stepAt << " -> " << s.zoomedStep
+                       << " % at dt = " << s.zoomedSpacing << " | patch " << s.turn << " degrees at " << s.turnAt
+                       << " | speed inside " << s.inside << ", margins " << s.margin << " | acceleration grows "
+                       << s.growth);
   CAPTURE(s.stepAt);
   CAPTURE(s.turnAt);
   CHECK(s.zoomedStep <= std::max(leastStep, 3 * s.step * s.zoomedSpacing / s.spacing));
@@ -198,7 +201,8 @@ TEST_CASE("smooth: with quick Hermite ends, steps halve with time at the end of 
   for (int i = 0; i <= parts; ++i) shapes.push_back(shapeAt(sequence, 1.3 + 0.04 * i / parts));
   const auto largestStep = [&](int every) {
     double largest = 0;
-    for (int i = every; i <= parts; i += every) largest = std::max(largest, largestDistance(shapes[i - every], shapes[i]));
+    for (int i = every; i <= parts; i += every)
+      largest = std::max(largest, largestDistance(shapes[i - every], shapes[i]));
     return largest;
   };
   for (int every = 8; every > 1; every /= 2) CHECK(largestStep(every / 2) <= 0.6 * largestStep(every));
@@ -206,7 +210,9 @@ TEST_CASE("smooth: with quick Hermite ends, steps halve with time at the end of 
 
 TEST_CASE("sweep: cactus") { checkRealSet({"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"}); }
 TEST_CASE("sweep: horse, morph targets") { checkRealSet({"morph/Horse.glb"}); }
-TEST_CASE("sweep: sphere, morph targets") { checkRealSet({"morph/AnimatedMorphSphere.gltf", "morph/AnimatedMorphSphere.bin"}); }
+TEST_CASE("sweep: sphere, morph targets") {
+  checkRealSet({"morph/AnimatedMorphSphere.gltf", "morph/AnimatedMorphSphere.bin"});
+}
 TEST_CASE("sweep: stress test, morph targets") { checkRealSet({"morph/MorphStressTest.gltf"}); }
 TEST_CASE("sweep: man, skin") {
   ImportOptions options;
@@ -220,9 +226,7 @@ TEST_CASE("sweep: fox, skin, Run") { checkRealSet({"skin/Fox.glb"}, sampled("Run
 TEST_CASE("sweep: soldier, skin, Run") { checkRealSet({"skin/Soldier.glb"}, sampled("Run", 5)); }
 TEST_CASE("sweep: soldier, skin, Walk") { checkRealSet({"skin/Soldier.glb"}, sampled("Walk", 5)); }
 TEST_CASE("sweep: soldier, skin, Idle") { checkRealSet({"skin/Soldier.glb"}, sampled("Idle", 5)); }
-TEST_CASE("sweep: wolf") {
-  checkRealSet(wolfPoses);
-}
+TEST_CASE("sweep: wolf") { checkRealSet(wolfPoses); }
 TEST_CASE("sweep: low-poly cat") {
   checkRealSet({"obj/lowpoly-cat/cat_000001.obj", "obj/lowpoly-cat/cat_000007.obj", "obj/lowpoly-cat/cat_000013.obj",
                 "obj/lowpoly-cat/cat_000019.obj", "obj/lowpoly-cat/cat_000025.obj", "obj/lowpoly-cat/cat_000031.obj"});
@@ -231,9 +235,15 @@ TEST_CASE("sweep: saddle") { checkRealSet({"turns/saddle/monkey_saddle_1.ply", "
 TEST_CASE("sweep: plate") {
   checkRealSet({"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"});
 }
-TEST_CASE("sweep: plate, rolled one way") { checkRealSet({"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply"}); }
-TEST_CASE("sweep: plate, rolled the other way") { checkRealSet({"turns/plate/plate121.ply", "turns/plate/plate121_rolledB.ply"}); }
-TEST_CASE("sweep: cat with turns of 170 degrees") { checkRealSet({"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"}); }
+TEST_CASE("sweep: plate, rolled one way") {
+  checkRealSet({"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply"});
+}
+TEST_CASE("sweep: plate, rolled the other way") {
+  checkRealSet({"turns/plate/plate121.ply", "turns/plate/plate121_rolledB.ply"});
+}
+TEST_CASE("sweep: cat with turns of 170 degrees") {
+  checkRealSet({"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"});
+}
 TEST_CASE("sweep: lion with turns of 175 degrees") { checkRealSet(lionPoses); }
 TEST_CASE("sweep: bent bar, vertices split by pose") {
   checkRealSetIfRead({"blender/baked_flat_0.glb", "blender/baked_flat_1.glb", "blender/baked_flat_2.glb"});

@@ -1,4 +1,5 @@
-// Weights against formulas of their own: moments (second derivatives) by a dense solve, instead of slopes by elimination.
+// Weights against formulas of their own: moments (second derivatives) by a dense solve, instead of slopes by
+// elimination.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -45,7 +46,8 @@ double naturalByMoments(const std::vector<double>& t, const Eigen::VectorXd& y, 
   int i = 0;
   while (i + 2 < n && at > t[i + 1]) ++i;
   const double h = t[i + 1] - t[i], p = t[i + 1] - at, q = at - t[i];
-  return m[i] * p * p * p / (6 * h) + m[i + 1] * q * q * q / (6 * h) + (y[i] / h - m[i] * h / 6) * p + (y[i + 1] / h - m[i + 1] * h / 6) * q;
+  return m[i] * p * p * p / (6 * h) + m[i + 1] * q * q * q / (6 * h) + (y[i] / h - m[i] * h / 6) * p +
+         (y[i + 1] / h - m[i + 1] * h / 6) * q;
 }
 
 }  // namespace
@@ -53,7 +55,8 @@ double naturalByMoments(const std::vector<double>& t, const Eigen::VectorXd& y, 
 TEST_CASE("natural spline equals the one by moments") {
   const Curve curve = fit({});
   const Eigen::VectorXd y = randomColumns(6);
-  for (double t = -1; t <= 4; t += 0.07) CHECK(value(curve, y, t) == doctest::Approx(naturalByMoments(times, y, t)).epsilon(1e-12));
+  for (double t = -1; t <= 4; t += 0.07)
+    CHECK(value(curve, y, t) == doctest::Approx(naturalByMoments(times, y, t)).epsilon(1e-12));
 }
 
 TEST_CASE("weights sum to one, their derivatives to zero") {
@@ -75,7 +78,8 @@ TEST_CASE("value, slope and second derivative are continuous across knots") {
     const Eigen::VectorXd y = randomColumns(6);
     for (std::size_t j = 1; j + 1 < times.size(); ++j)
       for (int d = 0; d <= 2; ++d)
-        CHECK(value(curve, y, times[j] - 1e-9, d) == doctest::Approx(value(curve, y, times[j] + 1e-9, d)).epsilon(1e-5));
+        CHECK(value(curve, y, times[j] - 1e-9, d) ==
+              doctest::Approx(value(curve, y, times[j] + 1e-9, d)).epsilon(1e-5));
   }
 }
 
@@ -102,8 +106,10 @@ TEST_CASE("hermite ends have the assigned slopes") {
 TEST_CASE("a tangent shape equal to the neighbour key changes nothing") {
   Eigen::VectorXd y = randomColumns(6);
   y[6] = y[1], y[7] = y[4];
-  const Curve plain = fit({.boundary = BoundaryKind::Hermite}), shapes = fit({.boundary = BoundaryKind::Hermite, .startShape = true, .endShape = true});
-  for (double t = -2; t <= 5; t += 0.1) CHECK(value(plain, y, t) == doctest::Approx(value(shapes, y, t)).epsilon(1e-12));
+  const Curve plain = fit({.boundary = BoundaryKind::Hermite}),
+              shapes = fit({.boundary = BoundaryKind::Hermite, .startShape = true, .endShape = true});
+  for (double t = -2; t <= 5; t += 0.1)
+    CHECK(value(plain, y, t) == doctest::Approx(value(shapes, y, t)).epsilon(1e-12));
 }
 
 TEST_CASE("a periodic curve closes with equal slope and second derivative") {
@@ -151,7 +157,8 @@ TEST_CASE("a bias of 0 changes no bit, any other none of the keys, the affine we
     const Eigen::VectorXd y = randomColumns(6);
     for (std::size_t j = 0; j < times.size(); ++j) CHECK(value(biased, y, times[j]) == y[static_cast<Eigen::Index>(j)]);
     for (std::size_t j = 1; j + 1 < times.size(); ++j)
-      CHECK(value(biased, y, times[j] - 1e-9, 1) == doctest::Approx(value(biased, y, times[j] + 1e-9, 1)).epsilon(1e-5));
+      CHECK(value(biased, y, times[j] - 1e-9, 1) ==
+            doctest::Approx(value(biased, y, times[j] + 1e-9, 1)).epsilon(1e-5));
     if (boundary == BoundaryKind::Periodic)
       CHECK(value(biased, y, biased.start(), 1) == doctest::Approx(value(biased, y, biased.end(), 1)));
   }
@@ -174,8 +181,10 @@ TEST_CASE("bias takes the slope from the C2 spline's own to the difference befor
 TEST_CASE("a curve that its last key closes has one slope there, whatever the last key's own bias and tension") {
   Eigen::VectorXd y = randomColumns(6);
   y[5] = y[0];
-  const Curve curve = fit({.boundary = BoundaryKind::Periodic, .closing = Closing::LastKey,
-                           .tension = {0.5, 0, 0, 0, 0, 0}, .bias = {0, 0, 0, 0, 0, 1}});
+  const Curve curve = fit({.boundary = BoundaryKind::Periodic,
+                           .closing = Closing::LastKey,
+                           .tension = {0.5, 0, 0, 0, 0, 0},
+                           .bias = {0, 0, 0, 0, 0, 1}});
   CHECK(value(curve, y, -1, 1) == doctest::Approx(value(curve, y, 4, 1)));
 }
 

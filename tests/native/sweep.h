@@ -1,4 +1,5 @@
-// A sequence looked at through all of its time: how far it steps, whether a step shrinks when time does, how evenly its patches turn.
+// A sequence looked at through all of its time: how far it steps, whether a step shrinks when time does, how evenly its
+// patches turn.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +22,8 @@ struct Density {
   int zooms = 14;
 };
 
-/// SHAPESPLINE_SWEEP=full asks for the density of the measurements that the limits come from, at all settings; it takes many minutes.
-/// Any other value only prints what is found.
+/// SHAPESPLINE_SWEEP=full asks for the density of the measurements that the limits come from, at all settings; it takes
+/// many minutes. Any other value only prints what is found.
 inline bool sweepsArePrinted() { return std::getenv("SHAPESPLINE_SWEEP") != nullptr; }
 inline bool sweepsAreFull() { return sweepsArePrinted() && std::getenv("SHAPESPLINE_SWEEP") == std::string("full"); }
 inline Density sweepDensity() { return sweepsAreFull() ? Density{60, 40, 5} : Density{}; }
@@ -47,8 +48,8 @@ class PatchTurning {
 
   int count() const { return static_cast<int>(vertices_.size()); }
 
-  /// The rotation, as axis times angle in degrees, of the rigid fit of one patch's vertices in `from` to those in `to`; none where the
-  /// patch has shrunk to a line, about which nothing says how it turned.
+  /// The rotation, as axis times angle in degrees, of the rigid fit of one patch's vertices in `from` to those in `to`;
+  /// none where the patch has shrunk to a line, about which nothing says how it turned.
   Vec3 of(int patch, const Positions& from, const Positions& to) const {
     Positions a, b;
     for (int v : vertices_[patch]) a.push_back(from[v]), b.push_back(to[v]);
@@ -64,7 +65,8 @@ class PatchTurning {
   }
 
  private:
-  // Narrower than a fiftieth of its length: the second moment's invariants tell (trace^2 is length^4, the other length^2 width^2).
+  // Narrower than a fiftieth of its length: the second moment's invariants tell (trace^2 is length^4, the other
+  // length^2 width^2).
   static bool isLine(const Positions& p) {
     Vec3 centre = Vec3::Zero();
     for (const Vec3& x : p) centre += x / static_cast<double>(p.size());
@@ -108,11 +110,13 @@ inline double secondDifference(const Positions& a, const Positions& b, const Pos
   return largest;
 }
 
-/// How the largest acceleration of a vertex grows when the spacing around `middle` is halved five times, each time going on at the
-/// largest of the three places at hand: 1 where the motion is C2 and well sampled (a halving never loses any, by the identity
-/// D(h) = D_left(h/2) + 2 D(h/2) + D_right(h/2)), 32 at a corner, 1024 at a jump. 0 where nothing accelerates.
+/// How the largest acceleration of a vertex grows when the spacing around `middle` is halved five times, each time
+/// going on at the largest of the three places at hand: 1 where the motion is C2 and well sampled (a halving never
+/// loses any, by the identity D(h) = D_left(h/2) + 2 D(h/2) + D_right(h/2)), 32 at a corner, 1024 at a jump. 0 where
+/// nothing accelerates.
 inline double accelerationGrowth(Sequence& sequence, double middle, double spacing, double rounding) {
-  std::vector<Positions> p = {shapeAt(sequence, middle - spacing), shapeAt(sequence, middle), shapeAt(sequence, middle + spacing)};
+  std::vector<Positions> p = {shapeAt(sequence, middle - spacing), shapeAt(sequence, middle),
+                              shapeAt(sequence, middle + spacing)};
   const double first = secondDifference(p[0], p[1], p[2]);
   if (first < rounding) return 0;
   double last = first;
@@ -140,15 +144,16 @@ inline double unevenness(std::vector<double> values, double scale) {
   return largest <= 1e-6 * scale ? 0 : largest / std::max(median, 1e-6 * scale);
 }
 
-/// What a sweep from 0.4 of the range before it to 0.4 beyond found. Lengths in percent of the first key's diagonal, turns in degrees.
+/// What a sweep from 0.4 of the range before it to 0.4 beyond found. Lengths in percent of the first key's diagonal,
+/// turns in degrees.
 struct Sweep {
-  double step = 0, stepAt = 0;        ///< largest way of a vertex between two samples; where, as a share of the range
-  double spacing = 0;                 ///< of the samples, as a share of the range
-  double zoomedStep = 0;              ///< what is left of the largest steps (of a vertex, of a patch's turn) after zooming in
+  double step = 0, stepAt = 0;  ///< largest way of a vertex between two samples; where, as a share of the range
+  double spacing = 0;           ///< of the samples, as a share of the range
+  double zoomedStep = 0;        ///< what is left of the largest steps (of a vertex, of a patch's turn) after zooming in
   double zoomedSpacing = 0;
-  double turn = 0, turnAt = 0;        ///< largest turn of a patch between two samples
-  double inside = 0, margin = 0;      ///< largest over median of the largest turn at each moment; the worse of the margins
-  double growth = 0;                  ///< of the acceleration, where it is largest (accelerationGrowth)
+  double turn = 0, turnAt = 0;    ///< largest turn of a patch between two samples
+  double inside = 0, margin = 0;  ///< largest over median of the largest turn at each moment; the worse of the margins
+  double growth = 0;              ///< of the acceleration, where it is largest (accelerationGrowth)
 };
 
 inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) {
@@ -161,7 +166,9 @@ inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) 
   const int margin = perRange * 2 / 5;
   const Positions firstKey = shapeAt(sequence, times.front());
   const double diagonal = boundingDiagonal(std::vector<const Positions*>{&firstKey});
-  const auto vertexStep = [&](const Positions& a, const Positions& b) { return 100 * largestDistance(a, b) / diagonal; };
+  const auto vertexStep = [&](const Positions& a, const Positions& b) {
+    return 100 * largestDistance(a, b) / diagonal;
+  };
   const auto patchTurn = [](const std::vector<Quaternion>& a, const std::vector<Quaternion>& b) {
     double most = 0;
     for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, a[k].angularDistance(b[k]) * (180 / pi));
@@ -181,10 +188,14 @@ inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) 
     Positions now = shapeAt(sequence, timeOf(i));
     std::vector<Quaternion> patchesNow = patchesAt(sequence, timeOf(i));
     const double step = vertexStep(before, now), turn = patchTurn(patchesBefore, patchesNow);
-    if (step > found.step) found.step = step, found.stepAt = (i - 0.5) / perRange, farthest = {timeOf(i - 1), timeOf(i), before, now};
-    if (turn > found.turn) found.turn = turn, found.turnAt = (i - 0.5) / perRange, mostTurned = {timeOf(i - 1), timeOf(i), patchesBefore, patchesNow};
+    if (step > found.step)
+      found.step = step, found.stepAt = (i - 0.5) / perRange, farthest = {timeOf(i - 1), timeOf(i), before, now};
+    if (turn > found.turn)
+      found.turn = turn, found.turnAt = (i - 0.5) / perRange,
+      mostTurned = {timeOf(i - 1), timeOf(i), patchesBefore, patchesNow};
     if (!beforeThat.empty())
-      if (const double d = secondDifference(beforeThat, before, now); d > largestBend) largestBend = d, bendAt = timeOf(i - 1);
+      if (const double d = secondDifference(beforeThat, before, now); d > largestBend)
+        largestBend = d, bendAt = timeOf(i - 1);
     turns.push_back(turn);
     beforeThat = std::move(before), before = std::move(now), patchesBefore = std::move(patchesNow);
   }
@@ -194,12 +205,16 @@ inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) 
     found.zoomedSpacing = (far.to - far.from) / range;
   }
   if (found.turn > 0) {
-    const auto turned = zoomed(std::move(mostTurned), density, [&](double t) { return patchesAt(sequence, t); }, patchTurn);
-    found.zoomedStep = std::max(found.zoomedStep, vertexStep(shapeAt(sequence, turned.from), shapeAt(sequence, turned.to)));
+    const auto turned =
+        zoomed(std::move(mostTurned), density, [&](double t) { return patchesAt(sequence, t); }, patchTurn);
+    found.zoomedStep =
+        std::max(found.zoomedStep, vertexStep(shapeAt(sequence, turned.from), shapeAt(sequence, turned.to)));
     found.zoomedSpacing = (turned.to - turned.from) / range;
   }
   found.growth = accelerationGrowth(sequence, bendAt, range / perRange, 1e-9 * diagonal);
-  const auto part = [&](int from, int to) { return unevenness({turns.begin() + from, turns.begin() + to}, found.turn); };
+  const auto part = [&](int from, int to) {
+    return unevenness({turns.begin() + from, turns.begin() + to}, found.turn);
+  };
   if (periodic) {
     found.inside = part(0, static_cast<int>(turns.size()));  // a loop has no margins
   } else {

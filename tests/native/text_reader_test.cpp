@@ -14,8 +14,24 @@
 using namespace shapespline;
 
 TEST_CASE("numbers are those of the C library, bit for bit") {
-  std::vector<std::string> words{"0", "-0", "1", "+1", ".5", "5.", "1e3", "1E-3", "1e+22", "1e23", "123456789012345678", "9007199254740993",
-                                 "0.1234567890123456789012345", "1e-400", "1e400", "4.9e-324", "1.7976931348623157e308", "-0.0000001"};
+  std::vector<std::string> words{"0",
+                                 "-0",
+                                 "1",
+                                 "+1",
+                                 ".5",
+                                 "5.",
+                                 "1e3",
+                                 "1E-3",
+                                 "1e+22",
+                                 "1e23",
+                                 "123456789012345678",
+                                 "9007199254740993",
+                                 "0.1234567890123456789012345",
+                                 "1e-400",
+                                 "1e400",
+                                 "4.9e-324",
+                                 "1.7976931348623157e308",
+                                 "-0.0000001"};
   std::mt19937_64 random(7);
   for (int i = 0; i < 20000; ++i) {
     const std::uint64_t bits = random();
@@ -24,8 +40,10 @@ TEST_CASE("numbers are those of the C library, bit for bit") {
     std::memcpy(&value, &bits, sizeof value);
     if (!std::isfinite(value)) continue;
     char text[64];
-    words.emplace_back(text, std::to_chars(text, text + sizeof text, i % 2 ? value : std::remainder(value, 1000.0)).ptr);
-    words.emplace_back(text, std::to_chars(text, text + sizeof text, static_cast<float>(random() % 1000000) / 1000.0f).ptr);
+    words.emplace_back(text,
+                       std::to_chars(text, text + sizeof text, i % 2 ? value : std::remainder(value, 1000.0)).ptr);
+    words.emplace_back(text,
+                       std::to_chars(text, text + sizeof text, static_cast<float>(random() % 1000000) / 1000.0f).ptr);
   }
   int wrong = 0;
   for (const std::string& word : words) {

@@ -254,7 +254,8 @@ TEST_CASE("ghost: rigid turns stay rigid, also of several parts") {
   const Shape parts = joined(joined(fineBar(), sphere({1.2, 0, 5}, 0.4)), sphere({0, 1.5, 9}, 0.3));
   for (const Shape& shape : {fineBar(), parts})
     for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
-      const Keyframes k = keyframes(shape, {turn(axis, 0), turn(axis, radians(80), Vec3(1, 0, 0)), turn(axis, radians(160), Vec3(0, 3, 0))});
+      const Keyframes k = keyframes(
+          shape, {turn(axis, 0), turn(axis, radians(80), Vec3(1, 0, 0)), turn(axis, radians(160), Vec3(0, 3, 0))});
       Sequence s = make(k, ghostly(1000, transfer));
       for (double t : slider) CHECK(fitRigid(shape.positions, at(s, t)).largestDistance < 1e-9 * diagonalOf(k));
       const Mat3 r = fitRigid(shape.positions, at(s, 0.25)).rotation;
@@ -269,7 +270,8 @@ void checkHalfway(const Keyframes& k) {
   const Positions& rest = k.keys[0].positions;
   const auto half = sectionTurns(rest, at(s, 0.5), 8), whole = sectionTurns(rest, k.keys[1].positions, 8);
   REQUIRE(half.size() == whole.size());
-  for (std::size_t i = 0; i < half.size(); ++i) CHECK(half[i].norm() == doctest::Approx(whole[i].norm() / 2).epsilon(0.02));
+  for (std::size_t i = 0; i < half.size(); ++i)
+    CHECK(half[i].norm() == doctest::Approx(whole[i].norm() / 2).epsilon(0.02));
 }
 
 }  // namespace
@@ -384,7 +386,8 @@ TEST_CASE("ghost: a sphere beside a bending bar keeps its distance, with a ghost
     // The ball stays a ball in any case.
     for (double t : slider) {
       const Positions p = at(s, t);
-      CHECK(fitRigid({k.keys[0].positions.begin() + body, k.keys[0].positions.end()}, {p.begin() + body, p.end()}).largestDistance < 0.01 * radius);
+      CHECK(fitRigid({k.keys[0].positions.begin() + body, k.keys[0].positions.end()}, {p.begin() + body, p.end()})
+                .largestDistance < 0.01 * radius);
     }
   }
 }
@@ -418,7 +421,8 @@ TEST_CASE("ghost: seams are welded, and written back") {
     for (int v : t) split.positions.push_back(shape.positions[v]);
     split.faces.push_back({first, first + 1, first + 2});
   }
-  const Keyframes whole = bentBar({0, 70, -120}), k = keyframes(split, {bend(0), bend(radians(70)), bend(radians(-120))});
+  const Keyframes whole = bentBar({0, 70, -120}),
+                  k = keyframes(split, {bend(0), bend(radians(70)), bend(radians(-120))});
   Sequence a = make(whole), b = make(k);
   CHECK(b.ghost().vertexOf.size() == a.ghost().vertexOf.size());
   CHECK(b.ghost().ghostVertexOf.size() == split.positions.size());
@@ -503,5 +507,6 @@ TEST_CASE("ghost: progress never falls") {
     if (stages.empty() || stages.back() != stage) stages.push_back(stage);
   });
   CHECK(last == 1);
-  CHECK(stages == std::vector<std::string>{"welding", "simplifying", "matching", "encoding", "ordering", "factorising"});
+  CHECK(stages ==
+        std::vector<std::string>{"welding", "simplifying", "matching", "encoding", "ordering", "factorising"});
 }

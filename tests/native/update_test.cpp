@@ -30,12 +30,14 @@ std::vector<Change> changes() {
           change("geodesic", [](Change& c) { c.motion.method = Method::Geodesic; }),
           change("linear", [](Change& c) { c.motion.method = Method::Linear; }),
           change("cubic vertex", [](Change& c) { c.motion.method = Method::CubicVertex; }),
-          change("hermite, speeds 4 and 0", [](Change& c) {
-            c.motion.boundary = BoundaryKind::Hermite;
-            c.motion.startSpeed = 4, c.motion.endSpeed = 0;
-          }),
+          change("hermite, speeds 4 and 0",
+                 [](Change& c) {
+                   c.motion.boundary = BoundaryKind::Hermite;
+                   c.motion.startSpeed = 4, c.motion.endSpeed = 0;
+                 }),
           change("periodic", [](Change& c) { c.motion.boundary = BoundaryKind::Periodic; }),
-          change("periodic with a period", [](Change& c) { c.motion.boundary = BoundaryKind::Periodic, c.motion.period = 2.25; }),
+          change("periodic with a period",
+                 [](Change& c) { c.motion.boundary = BoundaryKind::Periodic, c.motion.period = 2.25; }),
           change("tension", [](Change& c) { c.motion.tension = {0, 0.5, 1, -0.5}; }),
           change("bias", [](Change& c) { c.motion.bias = {0, 0.5, -1, 1}; }),
           change("turns", [](Change& c) { c.motion.turns = {{2, 1}}; }),
@@ -67,7 +69,8 @@ std::vector<double> bitsOf(Sequence& sequence) {
 
 std::string warningsOf(const Sequence& sequence) {
   std::string all;
-  for (const Warning& w : sequence.warnings()) all += w.code + " " + std::to_string(w.key) + " " + std::to_string(w.face) + "; ";
+  for (const Warning& w : sequence.warnings())
+    all += w.code + " " + std::to_string(w.key) + " " + std::to_string(w.face) + "; ";
   return all;
 }
 
@@ -86,7 +89,8 @@ Sequence created(const Keyframes& k, const EncodingOptions& encoding, const Chan
 void checkUpdates(const Keyframes& k, const EncodingOptions& encoding) {
   std::vector<Change> all = changes();
   if (created(k, encoding, all.front()).stats().components == 1)
-    all.erase(std::remove_if(all.begin(), all.end(), [](const Change& c) { return c.name == "turns of a component"; }), all.end());
+    all.erase(std::remove_if(all.begin(), all.end(), [](const Change& c) { return c.name == "turns of a component"; }),
+              all.end());
   std::vector<Shown> alone;
   for (const Change& c : all) {
     Sequence sequence = created(k, encoding, c);
@@ -110,7 +114,8 @@ void checkUpdates(const Keyframes& k, const EncodingOptions& encoding) {
 Keyframes barAndBall() {
   const Shape both = joined(box(1, 1, 10, 2, 2, 20), sphere({1.2, 0, 5}, 0.4, 6, 10));
   const auto pose = [](double bending, double turning, double rolling) -> Map {
-    const Map bent = bend(radians(bending)), turned = turn({1, 2, 3}, radians(turning), {turning / 50, 0, 0}), rolled = turn(Vec3::UnitX(), radians(rolling));
+    const Map bent = bend(radians(bending)), turned = turn({1, 2, 3}, radians(turning), {turning / 50, 0, 0}),
+              rolled = turn(Vec3::UnitX(), radians(rolling));
     const Vec3 centre(1.2, 0, 5);
     return [=](const Vec3& p) -> Vec3 {
       const bool ball = (p - centre).norm() < 0.401;
@@ -128,7 +133,8 @@ TEST_CASE("update: a sequence updated to any options is the one created with the
 }
 
 TEST_CASE("update: the same for a bar whose end speeds decide how it turns") {
-  checkUpdates(keyframes(box(1, 1, 10, 2, 2, 20), {twist(0), twist(radians(150)), twist(radians(40)), twist(radians(290))}), {});
+  checkUpdates(
+      keyframes(box(1, 1, 10, 2, 2, 20), {twist(0), twist(radians(150)), twist(radians(40)), twist(radians(290))}), {});
 }
 
 TEST_CASE("update: the same with a ghost, and with logarithmic stretch") {

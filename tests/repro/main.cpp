@@ -1,4 +1,5 @@
-// shapespline_repro OUT_FOLDER: writes the inputs of repro_shapes.h, a folder each with one OBJ a key, to be dropped on the page.
+// shapespline_repro OUT_FOLDER: writes the inputs of repro_shapes.h, a folder each with one OBJ a key, to be dropped on
+// the page.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -39,6 +40,7 @@ int main(int argc, char** argv) {
         return 1;
       }
     }
-    std::printf("%s: %d keys, %d vertices\n", input.name.c_str(), input.keyframes.keyCount(), input.keyframes.vertexCount());
+    std::printf("%s: %d keys, %d vertices\n", input.name.c_str(), input.keyframes.keyCount(),
+                input.keyframes.vertexCount());
   }
 }

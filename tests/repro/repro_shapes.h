@@ -1,5 +1,5 @@
-// Inputs that showed defects, made anew each time: small, exact about what they are, the same as files (main.cpp) and in the tests
-// (tests/native/repro_test.cpp).
+// Inputs that showed defects, made anew each time: small, exact about what they are, the same as files (main.cpp) and
+// in the tests (tests/native/repro_test.cpp).
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,8 @@ inline Shape cylinder(double radius, double width, int segments = 24) {
   Shape shape;
   for (const double y : {-width / 2, width / 2}) {
     for (int s = 0; s < segments; ++s)
-      shape.positions.emplace_back(radius * std::cos(2 * pi * s / segments), y, radius * std::sin(2 * pi * s / segments));
+      shape.positions.emplace_back(radius * std::cos(2 * pi * s / segments), y,
+                                   radius * std::sin(2 * pi * s / segments));
     shape.positions.emplace_back(0, y, 0);
   }
   const int top = segments + 1;
@@ -48,7 +49,8 @@ struct CarPose {
   double forward = 0, steering = 0, wheels = 0;
 };
 
-/// A body (component 0) and wheels about the y axis beside it (components 1 and on); x is forwards, z up. Single precision.
+/// A body (component 0) and wheels about the y axis beside it (components 1 and on); x is forwards, z up. Single
+/// precision.
 class Car {
  public:
   explicit Car(const std::vector<Vec3>& hubs) : hubs_(hubs) {
@@ -83,7 +85,8 @@ class Car {
 
  private:
   Positions posed(const CarPose& pose) const {
-    const Mat3 car = expRotation(Vec3::UnitZ() * radians(pose.steering)), roll = expRotation(Vec3::UnitY() * radians(pose.wheels));
+    const Mat3 car = expRotation(Vec3::UnitZ() * radians(pose.steering)),
+               roll = expRotation(Vec3::UnitY() * radians(pose.wheels));
     Positions out;
     for (int v = 0; v < static_cast<int>(shape_.positions.size()); ++v) {
       Vec3 p = shape_.positions[v];
@@ -112,8 +115,8 @@ inline std::vector<CarPose> drive(double step, int count) {
   return poses;
 }
 
-/// A bar that bends by a radian a key, with a hat (component 1) on its end that shrinks in key `small` to `scale` of its size, towards
-/// the place where it sits: to a point with 0.
+/// A bar that bends by a radian a key, with a hat (component 1) on its end that shrinks in key `small` to `scale` of
+/// its size, towards the place where it sits: to a point with 0.
 inline Keyframes shrinkingHat(int small, double scale) {
   const Vec3 end(0, 0, 10), seat(0, 0, 10.02);
   const Shape body = box(1, 1, 10, 4, 4, 30), both = joined(body, sphere(seat + Vec3(0, 0, 0.4), 0.4, 8, 16));
@@ -133,17 +136,21 @@ inline Keyframes shrinkingHat(int small, double scale) {
 /// The bar's vertex under the hat; the hat's lowest one is the last of all.
 inline int vertexUnderHat(const Keyframes& k) {
   const Positions& p = k.keys[0].positions;
-  const auto nearer = [&](const Vec3& a, const Vec3& b) { return (a - Vec3(0, 0, 10)).norm() < (b - Vec3(0, 0, 10)).norm(); };
+  const auto nearer = [&](const Vec3& a, const Vec3& b) {
+    return (a - Vec3(0, 0, 10)).norm() < (b - Vec3(0, 0, 10)).norm();
+  };
   return static_cast<int>(std::min_element(p.begin(), p.end(), nearer) - p.begin());
 }
 
 /// A bar that bends; key 1 is the mirror image of its pose.
 inline Keyframes mirroredKey() {
   const Map bent = bend(radians(40));
-  return roundedToFloat(keyframes(box(1, 1.4, 6, 3, 4, 12), {bend(0), [=](const Vec3& p) -> Vec3 {
-                                                             const Vec3 q = bent(p);
-                                                             return {q.x(), -q.y(), q.z()};
-                                                           }, bend(radians(80))}));
+  return roundedToFloat(keyframes(box(1, 1.4, 6, 3, 4, 12), {bend(0),
+                                                             [=](const Vec3& p) -> Vec3 {
+                                                               const Vec3 q = bent(p);
+                                                               return {q.x(), -q.y(), q.z()};
+                                                             },
+                                                             bend(radians(80))}));
 }
 
 /// A bar with a small bead beside it, whose last key lies `lengths` bar lengths away.

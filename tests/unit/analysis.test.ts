@@ -26,8 +26,15 @@ function setUp(...methods: Method[]) {
   const heard: string[] = [];
   const errors: unknown[] = [];
   const sequences = methods.map((method) => running(method, asked));
-  const cache = new AnalysisCache(() => analysisInput(sequences, doc, [0, 1], 1), (error) => errors.push(error));
-  cache.observe({ onChange: () => heard.push('change'), onStale: () => heard.push('stale'), onFresh: () => heard.push('fresh') });
+  const cache = new AnalysisCache(
+    () => analysisInput(sequences, doc, [0, 1], 1),
+    (error) => errors.push(error),
+  );
+  cache.observe({
+    onChange: () => heard.push('change'),
+    onStale: () => heard.push('stale'),
+    onFresh: () => heard.push('fresh'),
+  });
   return { cache, asked, heard, errors, sequences };
 }
 
@@ -35,7 +42,10 @@ describe('the analysis', () => {
   it('has the bending energy of the spline alone and the plane of what is in LRI space', async () => {
     const { cache } = setUp('lri', 'linear');
     const motions = (await cache.get())!.motions.map(({ bending, plane }) => [bending !== null, plane !== null]);
-    expect(motions).toEqual([[true, true], [false, false]]);
+    expect(motions).toEqual([
+      [true, true],
+      [false, false],
+    ]);
   });
 
   it('is computed once for all who want it, and anew when the motions have changed', async () => {

@@ -26,16 +26,45 @@ describe('the words behind npm run bench --', () => {
   it('say what is measured, on which sizes, and where', () => {
     expect(benchArguments([])).toEqual({ what: 'stages', sizes: null, browser: false, save: false });
     expect(benchArguments(['64,4000000', '--save', '--browser'])).toEqual({
-      what: 'stages', sizes: [{ faces: 64, keys: null }, { faces: 4_000_000, keys: null }], browser: true, save: true,
+      what: 'stages',
+      sizes: [
+        { faces: 64, keys: null },
+        { faces: 4_000_000, keys: null },
+      ],
+      browser: true,
+      save: true,
     });
     expect(benchArguments(['threads', '--browser'])).toMatchObject({ what: 'threads', sizes: null, browser: true });
-    expect(benchArguments(['ghost', '85000:10,1000'])).toMatchObject({ what: 'ghost', sizes: [{ faces: 85_000, keys: 10 }, { faces: 1000, keys: null }] });
-    expect(benchArguments(['ghost', 'browser', '1000'])).toMatchObject({ what: 'ghost browser', sizes: [{ faces: 1000, keys: null }] });
+    expect(benchArguments(['ghost', '85000:10,1000'])).toMatchObject({
+      what: 'ghost',
+      sizes: [
+        { faces: 85_000, keys: 10 },
+        { faces: 1000, keys: null },
+      ],
+    });
+    expect(benchArguments(['ghost', 'browser', '1000'])).toMatchObject({
+      what: 'ghost browser',
+      sizes: [{ faces: 1000, keys: null }],
+    });
   });
 
   it.each([
-    'nonsense', '63', '4000001', '1e3', '1000.5', '1000,', '1000 2000', '1000:3', '--fast', 'threads --save', 'threads 1000:3',
-    'ghost 1000:1', 'ghost 1000:101', 'ghost --browser', 'ghost browser 1000:3', 'ghost browser nonsense',
+    'nonsense',
+    '63',
+    '4000001',
+    '1e3',
+    '1000.5',
+    '1000,',
+    '1000 2000',
+    '1000:3',
+    '--fast',
+    'threads --save',
+    'threads 1000:3',
+    'ghost 1000:1',
+    'ghost 1000:101',
+    'ghost --browser',
+    'ghost browser 1000:3',
+    'ghost browser nonsense',
   ])('are refused where they make no sense: %s', (words) => {
     expect(() => benchArguments(words.split(' '))).toThrow('usage: npm run bench');
   });
@@ -43,9 +72,15 @@ describe('the words behind npm run bench --', () => {
   it('are read before anything is looked for or made', () => {
     const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-bare-'));
     try {
-      cpSync(fileURLToPath(new URL('../../wasm/toolchain', import.meta.url)), path.join(folder, 'wasm/toolchain'), { recursive: true });
+      cpSync(fileURLToPath(new URL('../../wasm/toolchain', import.meta.url)), path.join(folder, 'wasm/toolchain'), {
+        recursive: true,
+      });
       const env = { ...process.env, SHAPESPLINE_NO_INSTALL: '1' };
-      const { status, stderr } = spawnSync(process.execPath, [path.join(folder, 'wasm/toolchain/run.mjs'), 'bench', 'nonsense'], { encoding: 'utf8', env });
+      const { status, stderr } = spawnSync(
+        process.execPath,
+        [path.join(folder, 'wasm/toolchain/run.mjs'), 'bench', 'nonsense'],
+        { encoding: 'utf8', env },
+      );
       expect(stderr).toMatch(/^usage: npm run bench/);
       expect(status).toBe(1);
       expect(readdirSync(folder)).toEqual(['wasm']);
@@ -73,14 +108,42 @@ const nowhere: Swept = { mean: 0, largestMean: 0, worst: 0, at: 0 };
 
 /** A large mesh that meets every target, but for what its rounds and errors say. */
 function runWith(rounds: Round[], errors: Partial<Run['errors']> = {}): Run {
-  const even = { median: 1, slow: 1 }, silence = { ms: 0, stage: '' }, off = { inside: nowhere, margins: nowhere };
+  const even = { median: 1, slow: 1 },
+    silence = { ms: 0, stage: '' },
+    off = { inside: nowhere, margins: nowhere };
   return {
-    faces: 1_300_000, vertices: 650_000, importMs: 1, importSilence: silence, led: null, refitGrowth: 1, heapBytes: 1,
-    factorBytes: 0.01 * GB, errors: { double: off, preview: off, ghost: null, ...errors },
+    faces: 1_300_000,
+    vertices: 650_000,
+    importMs: 1,
+    importSilence: silence,
+    led: null,
+    refitGrowth: 1,
+    heapBytes: 1,
+    factorBytes: 0.01 * GB,
+    errors: { double: off, preview: off, ghost: null, ...errors },
     builds: {
-      weldMs: 1, encodeMs: 1, orderMs: 1, factorMs: 1, arrangeMs: 1, buildMs: 1, silence, heapBytes: 1, heapGrowth: 1, processGrowth: 0,
+      weldMs: 1,
+      encodeMs: 1,
+      orderMs: 1,
+      factorMs: 1,
+      arrangeMs: 1,
+      buildMs: 1,
+      silence,
+      heapBytes: 1,
+      heapGrowth: 1,
+      processGrowth: 0,
     },
-    exact: { firstMs: 1, frames: even, faces: even, solve: even, place: even, normals: even, stages: even, frame: even, rounds },
+    exact: {
+      firstMs: 1,
+      frames: even,
+      faces: even,
+      solve: even,
+      place: even,
+      normals: even,
+      stages: even,
+      frame: even,
+      rounds,
+    },
     cheap: { firstMs: 1, preview: even },
   };
 }
@@ -92,7 +155,12 @@ const resultOf = (run: Run, family: Result['family'] = 'smooth'): Result => {
 
 /** Cells of a Markdown table's rows, by title; of two columns with one title the last. */
 function cellsOf(text: string): Record<string, string>[] {
-  const [titles, , ...rows] = text.split('\n').map((line) => line.split('|').slice(1, -1).map((cell) => cell.trim()));
+  const [titles, , ...rows] = text.split('\n').map((line) =>
+    line
+      .split('|')
+      .slice(1, -1)
+      .map((cell) => cell.trim()),
+  );
   return rows.map((row) => Object.fromEntries(row.map((cell, k) => [titles![k]!, cell])));
 }
 
@@ -110,12 +178,13 @@ const disturbed: Round[] = [
 ];
 
 const MESH = '1300000 faces';
-const reachedBy = (run: Run): Record<string, number> => Object.fromEntries(targetsOf(MESH, run).map(({ what, value }) => [what, value]));
+const reachedBy = (run: Run): Record<string, number> =>
+  Object.fromEntries(targetsOf(MESH, run).map(({ what, value }) => [what, value]));
 
 describe('the targets', () => {
   it('compare what was measured in the same round', () => {
     const run = runWith(disturbed);
-    expect(boundMs(run, 10 * GB)).toBe(2);  // twice the factor's 10 MB
+    expect(boundMs(run, 10 * GB)).toBe(2); // twice the factor's 10 MB
     expect(ofRounds(run, solveOverBound)).toBe(1.5);
     const reached = reachedBy(run);
     expect(reached['solve / read bound']).toBe(1.5);
@@ -138,7 +207,8 @@ describe('the targets', () => {
     const run = runWith(disturbed, {
       double: { inside: { ...nowhere, worst: 2e-6 }, margins: { ...nowhere, worst: 8e-6 } },
       preview: {
-        inside: { mean: 1e-4, largestMean: 9e-4, worst: 4e-3, at: 0.3 }, margins: { mean: 1e-3, largestMean: 8e-3, worst: 4e-2, at: 1.4 },
+        inside: { mean: 1e-4, largestMean: 9e-4, worst: 4e-3, at: 0.3 },
+        margins: { mean: 1e-3, largestMean: 8e-3, worst: 4e-2, at: 1.4 },
       },
     });
     const missed = targetsOf(MESH, run).filter(({ met }) => !met);
@@ -147,18 +217,27 @@ describe('the targets', () => {
     expect(reached['error, 1e-5 of the diagonal']).toBeCloseTo(0.8);
     expect(reached['preview in the mean, % of the diagonal']).toBeCloseTo(0.09);
     expect(reached['preview in the margins at worst, %']).toBeCloseTo(4);
-    const worse = runWith(disturbed, { preview: { inside: { ...nowhere, largestMean: 0.0011 }, margins: { ...nowhere, worst: 0.051 } } });
-    expect(targetsOf(MESH, worse).filter(({ met }) => !met).map(({ what }) => what)).toEqual([
-      'preview in the mean, % of the diagonal', 'preview in the margins at worst, %',
-    ]);
+    const worse = runWith(disturbed, {
+      preview: { inside: { ...nowhere, largestMean: 0.0011 }, margins: { ...nowhere, worst: 0.051 } },
+    });
+    expect(
+      targetsOf(MESH, worse)
+        .filter(({ met }) => !met)
+        .map(({ what }) => what),
+    ).toEqual(['preview in the mean, % of the diagonal', 'preview in the margins at worst, %']);
   });
 
   it('name in one sentence what was missed', () => {
     const good = targetsOf(MESH, runWith(disturbed));
     expect(verdict(good)).toBe(`All ${good.length} targets were met.`);
     const slow = targetsOf(MESH, runWith(disturbed.map((round) => ({ ...round, frameMs: 3 * round.solveMs }))));
-    expect(verdict(slow)).toBe(`1 of ${slow.length} targets MISSED: frame / solve at 1300000 faces (3.00, at most 2.50).`);
-    const behind = targetsOf(MESH, runWith(disturbed.map((round) => ({ ...round, eigen: eigen(20 * round.factorMs, 7.4 * round.solveMs) }))));
+    expect(verdict(slow)).toBe(
+      `1 of ${slow.length} targets MISSED: frame / solve at 1300000 faces (3.00, at most 2.50).`,
+    );
+    const behind = targetsOf(
+      MESH,
+      runWith(disturbed.map((round) => ({ ...round, eigen: eigen(20 * round.factorMs, 7.4 * round.solveMs) }))),
+    );
     expect(verdict(behind)).toContain("MISSED: Eigen's solve / ours at 1300000 faces (7.40, at least 7.50).");
   });
 });
@@ -174,7 +253,10 @@ describe('errors', () => {
 
   it('have their mean, their largest mean and their worst, with its time', () => {
     const { inside, margins } = sweptParts([
-      { t: -0.2, mean: 5, worst: 9 }, { t: 0.25, mean: 1, worst: 8 }, { t: 0.5, mean: 3, worst: 4 }, { t: 1.4, mean: 1, worst: 2 },
+      { t: -0.2, mean: 5, worst: 9 },
+      { t: 0.25, mean: 1, worst: 8 },
+      { t: 0.5, mean: 3, worst: 4 },
+      { t: 1.4, mean: 1, worst: 2 },
     ]);
     expect(inside).toEqual({ mean: 2, largestMean: 3, worst: 8, at: 0.25 });
     expect(margins).toEqual({ mean: 3, largestMean: 5, worst: 9, at: -0.2 });
@@ -182,10 +264,16 @@ describe('errors', () => {
 
   it('stand in the table for each way, in percent', () => {
     const off = { mean: 0.01, largestMean: 0.02, worst: 0.03, at: 0.25 };
-    const rows = cellsOf(errorTable([resultOf(runWith(disturbed, { ghost: { inside: nowhere, margins: off } }), 'parts')]));
+    const rows = cellsOf(
+      errorTable([resultOf(runWith(disturbed, { ghost: { inside: nowhere, margins: off } }), 'parts')]),
+    );
     expect(rows.map((row) => row['the exact frame and'])).toEqual(['double', 'preview', 'led by a ghost']);
     expect(rows[2]).toMatchObject({
-      mesh: '1300000 faces in parts', 'in the margins: mean': '1.00', 'of one shape': '2.00', worst: '3.00', 'at t': '0.25',
+      mesh: '1300000 faces in parts',
+      'in the margins: mean': '1.00',
+      'of one shape': '2.00',
+      worst: '3.00',
+      'at t': '0.25',
     });
   });
 });
@@ -208,7 +296,16 @@ describe('times', () => {
     const led = { ghostFaces: 2000, buildMs: 1, irMs: 24, tsMs: 48, shapes: 12 };
     const rows = cellsOf(table1([{ ...run, led }])!);
     expect(rows.map((row) => row['Armadillo (1.3M)'])).toEqual([
-      '39.0', '2.00', '2862', '4.00', '2901', '6.00', '484', '37200', '1.00', '37200',
+      '39.0',
+      '2.00',
+      '2862',
+      '4.00',
+      '2901',
+      '6.00',
+      '484',
+      '37200',
+      '1.00',
+      '37200',
     ]);
   });
 });
@@ -217,7 +314,16 @@ describe('times', () => {
 class FakeSequence {
   readonly range = [0, 1] as const;
   disposed = false;
-  stats_ = { framesMs: 1, facesMs: 2, solveMs: 3, placeMs: 4, normalsMs: 5, ghostMs: 0, heapBytes: 1, ghostFaces: 7 } as SequenceStats;
+  stats_ = {
+    framesMs: 1,
+    facesMs: 2,
+    solveMs: 3,
+    placeMs: 4,
+    normalsMs: 5,
+    ghostMs: 0,
+    heapBytes: 1,
+    ghostFaces: 7,
+  } as SequenceStats;
   readonly ms: number;
   readonly off: number;
 
@@ -262,7 +368,8 @@ describe('a sequence', () => {
       asked.push(k);
       return Promise.resolve(new Float64Array([0.5 + (SWEEP[k] === 1.4 ? 0.06 : 0), 0, 0, 0, 0, 0, 0.6, 0.8, 0]));
     };
-    const exact = asSequence(new FakeSequence(1)), led = asSequence(new FakeSequence(1, 0.09));
+    const exact = asSequence(new FakeSequence(1)),
+      led = asSequence(new FakeSequence(1, 0.09));
     const { double, preview, ghost } = await errorsOf(exact, led, reference);
     expect(asked).toEqual(SWEEP.map((_, k) => k));
     expect(double.inside.worst).toBeCloseTo(0, 6);
@@ -283,18 +390,24 @@ describe('a sequence', () => {
     const fakes = [new FakeSequence(2), new FakeSequence(5)];
     const engine = {
       // As the engine does: of many keys it takes eight, unless it is told how many.
-      importKeyframes: ([{ bytes }]: [{ bytes: Uint8Array }], { sample = bytes.length > 32 ? 8 : bytes.length }: ImportOptions = {}) =>
+      importKeyframes: (
+        [{ bytes }]: [{ bytes: Uint8Array }],
+        { sample = bytes.length > 32 ? 8 : bytes.length }: ImportOptions = {},
+      ) =>
         Promise.resolve({
           info: { times: Array.from({ length: Math.min(Number(sample), bytes.length) }), report: { faces: 10_000 } },
           dispose: () => undefined,
         }),
-      createSequence: (keys: { info: { times: unknown[] } }) => Promise.resolve(fakes[keys.info.times.length === 3 ? 0 : 1]),
+      createSequence: (keys: { info: { times: unknown[] } }) =>
+        Promise.resolve(fakes[keys.info.times.length === 3 ? 0 : 1]),
     } as unknown as Engine;
     const run = await compareKeys(engine, new Uint8Array(3), new Uint8Array(100), 100);
     expect(run).toMatchObject({ faces: 10_000, ratio: 2.5, few: { keys: 3, frame: { median: 2 } } });
     expect(run.many).toMatchObject({ keys: 100, frame: { median: 5 }, frames: { median: 1 }, faces: { median: 2 } });
     expect(fakes.map(({ disposed }) => disposed)).toEqual([true, true]);
-    await expect(compareKeys(engine, new Uint8Array(3), new Uint8Array(50), 100)).rejects.toThrow('100 keys were written, but 50 read');
+    await expect(compareKeys(engine, new Uint8Array(3), new Uint8Array(50), 100)).rejects.toThrow(
+      '100 keys were written, but 50 read',
+    );
   });
 });
 
@@ -307,7 +420,20 @@ const keysRun = (keys: number, ratio: number): KeysRun => {
 describe('more keys', () => {
   it('are compared with few round by round', () => {
     // A machine that slows down, and was disturbed in the second round.
-    expect(ratioOf([[1, 2, 1], [2, 2, 4], [4, 4, 4]], [[3, 3, 3], [10, 10, 10], [12, 12, 12]])).toBe(3);
+    expect(
+      ratioOf(
+        [
+          [1, 2, 1],
+          [2, 2, 4],
+          [4, 4, 4],
+        ],
+        [
+          [3, 3, 3],
+          [10, 10, 10],
+          [12, 12, 12],
+        ],
+      ),
+    ).toBe(3);
   });
 
   it('may not cost as many times more as there are', () => {
@@ -318,7 +444,11 @@ describe('more keys', () => {
   it('have one row for few and one for each of the others', () => {
     const rows = cellsOf(keysTable([keysRun(8, 1.5), keysRun(25, 3), { ...keysRun(8, 2), faces: 80_000 }]));
     expect(rows.map((row) => [row['keys'], row['frame / with few'], row['keys / few']])).toEqual([
-      ['3', '1.00', '1.00'], ['8', '1.50', '2.67'], ['25', '3.00', '8.33'], ['3', '1.00', '1.00'], ['8', '2.00', '2.67'],
+      ['3', '1.00', '1.00'],
+      ['8', '1.50', '2.67'],
+      ['25', '3.00', '8.33'],
+      ['3', '1.00', '1.00'],
+      ['8', '2.00', '2.67'],
     ]);
   });
 });
@@ -332,9 +462,15 @@ describe('the report', () => {
     const row = { model: 'Cactus', faces: 10_000, shapes: 20, fraction: 0.05, other: times, paper: times };
     const motion = { row, run: { led: { ghostFaces: 500, buildMs: 1, irMs: 1, tsMs: 1 }, buildMs: 1, wholeMs: 1 } };
     const { text, verdict: sentence } = report({
-      where, sizes: [resultOf(parts, 'parts'), resultOf(smooth)], motions: [motion], resolutions: [], keys: [keysRun(8, 9)],
+      where,
+      sizes: [resultOf(parts, 'parts'), resultOf(smooth)],
+      motions: [motion],
+      resolutions: [],
+      keys: [keysRun(8, 9)],
     });
-    const [table1Text, table2Text] = ['Table 1', 'Table 2'].map((title) => text.split(`paper's ${title}`)[1]!.split('##')[0]!);
+    const [table1Text, table2Text] = ['Table 1', 'Table 2'].map(
+      (title) => text.split(`paper's ${title}`)[1]!.split('##')[0]!,
+    );
     for (const section of [table1Text, table2Text]) {
       expect(section).toContain(where);
       expect(section).toContain('Intel Core i7-3770 at 3.40 GHz');
@@ -353,19 +489,27 @@ describe('a program that answers', () => {
     process.stdin.on('data', () => ++k < 3 ? console.log(JSON.stringify({ k })) : process.exit());`;
 
   it('says something unasked and then one thing for each question', async () => {
-    const said = await withProgram(process.execPath, ['-e', NUMBERS], async ({ next, ask }) => [await next(), await ask(), await ask()]);
+    const said = await withProgram(process.execPath, ['-e', NUMBERS], async ({ next, ask }) => [
+      await next(),
+      await ask(),
+      await ask(),
+    ]);
     expect(said).toEqual([{ asked: false }, { k: 1 }, { k: 2 }]);
   });
 
   it('fails instead of keeping one waiting where it has ended, also before it was asked', async () => {
     const asked: unknown[] = [];
-    await expect(withProgram(process.execPath, ['-e', NUMBERS], async ({ ask }) => {
-      for (let i = 0; i < 5; ++i) asked.push(await ask());
-    })).rejects.toThrow('ended without an answer');
+    await expect(
+      withProgram(process.execPath, ['-e', NUMBERS], async ({ ask }) => {
+        for (let i = 0; i < 5; ++i) asked.push(await ask());
+      }),
+    ).rejects.toThrow('ended without an answer');
     expect(asked).toEqual([{ asked: false }, { k: 1 }, { k: 2 }]);
-    await expect(withProgram(process.execPath, ['-e', ''], async ({ next, ask }) => {
-      await next().catch(() => undefined);
-      return ask();
-    })).rejects.toThrow('ended without an answer');
+    await expect(
+      withProgram(process.execPath, ['-e', ''], async ({ next, ask }) => {
+        await next().catch(() => undefined);
+        return ask();
+      }),
+    ).rejects.toThrow('ended without an answer');
   });
 });

@@ -40,7 +40,13 @@ describe('measures on the page', () => {
 
 describe('tiles', () => {
   it('share the canvas without gap or overlap', () => {
-    for (const [count, width, height] of [[1, 300, 200], [2, 900, 400], [2, 300, 700], [3, 1200, 400], [4, 800, 600]] as const) {
+    for (const [count, width, height] of [
+      [1, 300, 200],
+      [2, 900, 400],
+      [2, 300, 700],
+      [3, 1200, 400],
+      [4, 800, 600],
+    ] as const) {
       const rects = tiles(count, width, height);
       expect(rects).toHaveLength(count);
       expect(rects.reduce((sum, rect) => sum + rect.width * rect.height, 0)).toBeCloseTo(width * height, 6);

@@ -11,7 +11,8 @@ it('a table begins with every option that the page offers, those for keys beside
   const spelt = JSON.parse(keys!.replace('# keys ', '')) as object[];
   expect(spelt[1]).toMatchObject({ name: 'b', time: 2, tension: 0.5, bias: 0, turns: [{ component: 3, turns: -1 }] });
   for (const key of spelt) expect(Object.keys(key)).toEqual(['name', 'time', ...Object.keys(PER_KEY)]);
-  expect(Object.keys(JSON.parse(options!.replace('# options ', '')) as object))
-    .toEqual([...pageOptions(MOTION), ...pageOptions(ENCODING)].map(({ page }) => page));
+  expect(Object.keys(JSON.parse(options!.replace('# options ', '')) as object)).toEqual(
+    [...pageOptions(MOTION), ...pageOptions(ENCODING)].map(({ page }) => page),
+  );
   expect(rows).toEqual(['face,patch', '0,4', '1,5', '']);
 });

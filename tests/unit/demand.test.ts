@@ -5,18 +5,28 @@ import type { FrameSet } from '../../web/app/playback/frame-set.ts';
 import { PreviewPolicy } from '../../web/app/playback/preview-policy.ts';
 import type { RunningSequence } from '../../web/app/session/sequence-set.ts';
 
-beforeEach(() => { vi.useFakeTimers(); });
-afterEach(() => { vi.useRealTimers(); });
+beforeEach(() => {
+  vi.useFakeTimers();
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
 
 const sequence = { keyTimes: [0, 1], range: [0, 1], options: { boundary: 'natural' } };
-const running = (): RunningSequence => ({ method: 'lri', sequence } as unknown as RunningSequence);
+const running = (): RunningSequence => ({ method: 'lri', sequence }) as unknown as RunningSequence;
 
 /** Previews are drawn for everything that moves. */
 function setUp() {
   let sequences: readonly RunningSequence[] = [running()];
   const demand = new Demand(() => sequences, new PreviewPolicy('about'));
-  const frames = (t: number, preview: boolean): FrameSet =>
-    ({ t, frames: [], sequences, preview, ms: 1, release: () => undefined });
+  const frames = (t: number, preview: boolean): FrameSet => ({
+    t,
+    frames: [],
+    sequences,
+    preview,
+    ms: 1,
+    release: () => undefined,
+  });
   /** Does what is to be done next. */
   const serve = (): FrameSet | null => {
     const next = demand.next();
@@ -31,7 +41,15 @@ function setUp() {
     if (!next) return 'nothing';
     return 'restsIn' in next ? `rest ${next.restsIn}` : `${next.preview ? 'preview' : 'exact'} ${next.wanted.t}`;
   };
-  return { demand, frames, serve, words, exchange: () => { sequences = [running()]; } };
+  return {
+    demand,
+    frames,
+    serve,
+    words,
+    exchange: () => {
+      sequences = [running()];
+    },
+  };
 }
 
 describe('the demand for times', () => {

@@ -10,8 +10,9 @@ describe('the difference to the shape without a ghost mesh', () => {
     expect([difference.largest, difference.mean]).toEqual([10, 5]);
   });
 
-  it('is coloured from the map\'s one end to the other', () => {
-    const linear = ([...rgb]: number[]): number[] => rgb.map((value) => Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055)));
+  it("is coloured from the map's one end to the other", () => {
+    const linear = ([...rgb]: number[]): number[] =>
+      rgb.map((value) => Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055)));
     const colours = [...heatColours(difference, 10)];
     expect(linear(colours.slice(0, 3))).toEqual([68, 1, 84]);
     expect(linear(colours.slice(3))).toEqual([253, 231, 37]);

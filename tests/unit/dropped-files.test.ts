@@ -13,11 +13,19 @@ function entry(name: string, content: Tree | string | null): FileSystemEntry {
   const isFile = typeof content === 'string' || name.endsWith('.obj');
   if (isFile) {
     const file = content === null ? null : new File([content as string], name);
-    return { name, isFile: true, isDirectory: false, file: (resolve: (f: File) => void, reject: () => void) => later(file, resolve, reject) } as unknown as FileSystemEntry;
+    return {
+      name,
+      isFile: true,
+      isDirectory: false,
+      file: (resolve: (f: File) => void, reject: () => void) => later(file, resolve, reject),
+    } as unknown as FileSystemEntry;
   }
   const createReader = (): object => {
     const left = content === null ? null : Object.entries(content).map(([child, inside]) => entry(child, inside));
-    return { readEntries: (resolve: (e: FileSystemEntry[]) => void, reject: () => void) => later(left?.splice(0, BATCH) ?? null, resolve, reject) };
+    return {
+      readEntries: (resolve: (e: FileSystemEntry[]) => void, reject: () => void) =>
+        later(left?.splice(0, BATCH) ?? null, resolve, reject),
+    };
   };
   return { name, isFile: false, isDirectory: true, createReader } as unknown as FileSystemEntry;
 }
@@ -27,9 +35,17 @@ const namesIn = async (tree: Tree): Promise<string[]> => (await filesOf(entries(
 
 describe('what was dropped', () => {
   it('is walked through with paths from the top', async () => {
-    const tree = { wolf: { 'wolf-1.obj': 'v', parts: { 'wolf.mtl': 'newmtl', deep: { 'skin.png': 'png' } } }, 'wolf-2.obj': 'v' };
+    const tree = {
+      wolf: { 'wolf-1.obj': 'v', parts: { 'wolf.mtl': 'newmtl', deep: { 'skin.png': 'png' } } },
+      'wolf-2.obj': 'v',
+    };
     const files = await filesOf(entries(tree));
-    expect(files.map(({ name }) => name)).toEqual(['wolf/wolf-1.obj', 'wolf/parts/wolf.mtl', 'wolf/parts/deep/skin.png', 'wolf-2.obj']);
+    expect(files.map(({ name }) => name)).toEqual([
+      'wolf/wolf-1.obj',
+      'wolf/parts/wolf.mtl',
+      'wolf/parts/deep/skin.png',
+      'wolf-2.obj',
+    ]);
     expect(await files[1]!.file.text()).toBe('newmtl');
   });
 
@@ -39,7 +55,15 @@ describe('what was dropped', () => {
   });
 
   it('leaves out what folders hold beside models, but no single file', async () => {
-    const folder = { 'a.GLB': '', '._a.glb': '', '.DS_Store': '', 'notes.docx': '', 'a.blend': '', Makefile: '', 'b.Ply': '' };
+    const folder = {
+      'a.GLB': '',
+      '._a.glb': '',
+      '.DS_Store': '',
+      'notes.docx': '',
+      'a.blend': '',
+      Makefile: '',
+      'b.Ply': '',
+    };
     expect(await namesIn({ folder, 'c.blend': '' })).toEqual(['folder/a.GLB', 'folder/b.Ply', 'c.blend']);
   });
 
@@ -59,9 +83,15 @@ describe('what was dropped', () => {
   it('comes as plain files where the browser knows no entries, or there is no folder among them', async () => {
     const files = [new File(['a'], 'a.obj'), new File(['b'], 'b.obj')];
     const bare = { items: [{}, {}], files } as unknown as DataTransfer;
-    const flat = { items: files.map(({ name }) => ({ webkitGetAsEntry: () => entry(name, '') })), files } as unknown as DataTransfer;
+    const flat = {
+      items: files.map(({ name }) => ({ webkitGetAsEntry: () => entry(name, '') })),
+      files,
+    } as unknown as DataTransfer;
     for (const transfer of [bare, flat]) expect((await droppedFiles(transfer)).map(({ file }) => file)).toEqual(files);
-    const folder = { items: [{ webkitGetAsEntry: () => entry('poses', { 'a.ply': '' }) }], files } as unknown as DataTransfer;
+    const folder = {
+      items: [{ webkitGetAsEntry: () => entry('poses', { 'a.ply': '' }) }],
+      files,
+    } as unknown as DataTransfer;
     expect((await droppedFiles(folder)).map(({ name }) => name)).toEqual(['poses/a.ply']);
   });
 });

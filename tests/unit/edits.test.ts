@@ -1,5 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setShaping, setTurns } from '../../web/model/edits.ts';
+import {
+  addKey,
+  moveKey,
+  removeKey,
+  renameKey,
+  retimeKey,
+  setEncoding,
+  setMotion,
+  setShaping,
+  setTurns,
+} from '../../web/model/edits.ts';
 import { DEFAULT_SHAPING, listsOf, shapingOf } from '../../web/model/shaping.ts';
 import { referenceKey } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
@@ -8,10 +18,16 @@ import { docOfKeys, keyRef } from './documents.ts';
 const ofB = { tension: 0.5, turns: [{ turns: 1 }, { component: 4, turns: 2 }] };
 const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.4, ofB), keyRef(2, 'c', 1, { bias: -1 }));
 /** Every key with what was chosen for it. */
-const shapings = { 0: DEFAULT_SHAPING, 1: { ...DEFAULT_SHAPING, ...ofB }, 2: { ...DEFAULT_SHAPING, bias: -1 }, 3: DEFAULT_SHAPING };
+const shapings = {
+  0: DEFAULT_SHAPING,
+  1: { ...DEFAULT_SHAPING, ...ofB },
+  2: { ...DEFAULT_SHAPING, bias: -1 },
+  3: DEFAULT_SHAPING,
+};
 const expectShapings = (d: Doc): void =>
   expect(Object.fromEntries(d.keys.map(({ pose, shaping }) => [pose, shaping]))).toMatchObject(
-    Object.fromEntries(d.keys.map(({ pose }) => [pose, shapings[pose as 0 | 1 | 2 | 3]])));
+    Object.fromEntries(d.keys.map(({ pose }) => [pose, shapings[pose as 0 | 1 | 2 | 3]])),
+  );
 const poses = (d: Doc): number[] => d.keys.map((key) => key.pose);
 const times = (d: Doc): number[] => d.keys.map((key) => key.time);
 
@@ -44,9 +60,19 @@ describe('edits of keys', () => {
   it('give the shape and its parts whole turns, and take them away', () => {
     const turns = (d: Doc): object[] => d.keys.map(({ shaping }) => shaping.turns);
     const next = setTurns(setTurns(doc, 1, { component: 0, turns: -1 }), 2, { component: 7, turns: 1 });
-    expect(turns(next)).toEqual([[], [{ turns: 1 }, { component: 0, turns: -1 }, { component: 4, turns: 2 }], [{ component: 7, turns: 1 }]]);
-    expect(turns(setTurns(next, 1, { component: 4, turns: 0 }))[1]).toEqual([{ turns: 1 }, { component: 0, turns: -1 }]);
-    expect(turns(setTurns(next, 1, { turns: 0 }))[1]).toEqual([{ component: 0, turns: -1 }, { component: 4, turns: 2 }]);
+    expect(turns(next)).toEqual([
+      [],
+      [{ turns: 1 }, { component: 0, turns: -1 }, { component: 4, turns: 2 }],
+      [{ component: 7, turns: 1 }],
+    ]);
+    expect(turns(setTurns(next, 1, { component: 4, turns: 0 }))[1]).toEqual([
+      { turns: 1 },
+      { component: 0, turns: -1 },
+    ]);
+    expect(turns(setTurns(next, 1, { turns: 0 }))[1]).toEqual([
+      { component: 0, turns: -1 },
+      { component: 4, turns: 2 },
+    ]);
     expect(setTurns(next, 1, { component: 4, turns: 2 })).toBe(next);
     expect(setTurns(doc, 0, { component: 3, turns: 0 })).toBe(doc);
   });
@@ -81,7 +107,12 @@ describe('what is chosen for each key', () => {
     const all = doc.keys.map(({ shaping }) => shaping);
     const lists = listsOf(all);
     expect(lists).toMatchObject({
-      tension: [0, 0.5, 0], bias: [0, 0, -1], turns: [{ key: 1, turns: 1 }, { key: 1, component: 4, turns: 2 }],
+      tension: [0, 0.5, 0],
+      bias: [0, 0, -1],
+      turns: [
+        { key: 1, turns: 1 },
+        { key: 1, component: 4, turns: 2 },
+      ],
     });
     expect(all.map((_, key) => shapingOf(lists, key))).toEqual(all);
     expect(new Set(Object.values(listsOf([DEFAULT_SHAPING, DEFAULT_SHAPING])).flat())).toEqual(new Set());

@@ -6,8 +6,12 @@ import { FrameLoop } from '../../web/app/playback/frame-loop.ts';
 import type { AheadOptions } from '../../web/engine/api/api.ts';
 import type { Frame, Method, PreviewError } from '../../web/engine/api/types.ts';
 
-beforeEach(() => { vi.useFakeTimers(); });
-afterEach(() => { vi.useRealTimers(); });
+beforeEach(() => {
+  vi.useFakeTimers();
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
 
 interface Open {
   t: number;
@@ -18,7 +22,11 @@ interface Open {
 
 /** Milliseconds of an exact frame and of a cheap one. */
 function setUp({
-  count = 1, exactMs = 1, cheapMs = 1, method = 'lri' as Method, moving = 'measured' as Moving,
+  count = 1,
+  exactMs = 1,
+  cheapMs = 1,
+  method = 'lri' as Method,
+  moving = 'measured' as Moving,
   off = (_t: number): PreviewError => ({ mean: 0, largest: 0 }),
 } = {}) {
   const open: Open[] = [];
@@ -31,40 +39,60 @@ function setUp({
   const frame = (t: number, preview: boolean): Frame => {
     frames += 1;
     const ms = preview ? cheapMs : exactMs;
-    return { t, positions: new Float32Array(), normals: new Float32Array(), ms, threads: 1, lostDefiniteness: 0, release: () => { released += 1; } };
-  };
-  const asked = (t: number, preview: boolean, signal?: AbortSignal): Promise<Frame | null> => new Promise((resolve, reject) => {
-    const one: Open = { t, preview, resolve, reject };
-    open.push(one);
-    signal?.addEventListener('abort', () => {
-      if (open.includes(one)) open.splice(open.indexOf(one), 1);
-      reject(new Error('taken back'));
-    });
-  });
-  const running = (): RunningSequence => ({
-    method,
-    sequence: {
-      keyTimes: [0, 0.5, 1], range: [0, 1], options: { boundary: 'natural' },
-      previewError: async (t: number) => {
-        measured.push(t);
-        return off(t);
+    return {
+      t,
+      positions: new Float32Array(),
+      normals: new Float32Array(),
+      ms,
+      threads: 1,
+      lostDefiniteness: 0,
+      release: () => {
+        released += 1;
       },
-      evaluate: (t: number) => asked(t, false),
-      preview: (t: number) => asked(t, true),
-      evaluateAhead: (t: number, { preview = false, signal }: AheadOptions) => asked(t, preview, signal),
-    },
-  } as unknown as RunningSequence);
+    };
+  };
+  const asked = (t: number, preview: boolean, signal?: AbortSignal): Promise<Frame | null> =>
+    new Promise((resolve, reject) => {
+      const one: Open = { t, preview, resolve, reject };
+      open.push(one);
+      signal?.addEventListener('abort', () => {
+        if (open.includes(one)) open.splice(open.indexOf(one), 1);
+        reject(new Error('taken back'));
+      });
+    });
+  const running = (): RunningSequence =>
+    ({
+      method,
+      sequence: {
+        keyTimes: [0, 0.5, 1],
+        range: [0, 1],
+        options: { boundary: 'natural' },
+        previewError: async (t: number) => {
+          measured.push(t);
+          return off(t);
+        },
+        evaluate: (t: number) => asked(t, false),
+        preview: (t: number) => asked(t, true),
+        evaluateAhead: (t: number, { preview = false, signal }: AheadOptions) => asked(t, preview, signal),
+      },
+    }) as unknown as RunningSequence;
   let sequences: readonly RunningSequence[] = Array.from({ length: count }, running);
-  const loop = new FrameLoop({
-    show: ({ t, preview }, eased) => {
-      shown.push(`${preview ? 'preview ' : ''}${t}${eased ? ' eased' : ''}`);
-      screen.easing = eased;
+  const loop = new FrameLoop(
+    {
+      show: ({ t, preview }, eased) => {
+        shown.push(`${preview ? 'preview ' : ''}${t}${eased ? ' eased' : ''}`);
+        screen.easing = eased;
+      },
+      // An eased shape is drawn when the test says so, as is every one on a slow screen.
+      drawn: () =>
+        screen.easing || screen.slow ? new Promise((resolve) => screen.drawn.push(resolve)) : Promise.resolve(),
+      onError: (error) => errors.push(error),
     },
-    // An eased shape is drawn when the test says so, as is every one on a slow screen.
-    drawn: () => (screen.easing || screen.slow ? new Promise((resolve) => screen.drawn.push(resolve)) : Promise.resolve()),
-    onError: (error) => errors.push(error),
-  }, new Demand(() => sequences, new PreviewPolicy(moving)));
-  const pass = async (ms = 0): Promise<void> => { await vi.advanceTimersByTimeAsync(ms); };
+    new Demand(() => sequences, new PreviewPolicy(moving)),
+  );
+  const pass = async (ms = 0): Promise<void> => {
+    await vi.advanceTimersByTimeAsync(ms);
+  };
   const answer = async (): Promise<void> => {
     const next = open.shift()!;
     next.resolve(frame(next.t, next.preview));
@@ -91,9 +119,25 @@ function setUp({
     await pass();
   };
   return {
-    loop, open, shown, errors, measured, screen, pass, answer, learn, ready, draw,
+    loop,
+    open,
+    shown,
+    errors,
+    measured,
+    screen,
+    pass,
+    answer,
+    learn,
+    ready,
+    draw,
     wanted: () => open.map(({ t, preview }) => `${preview ? 'preview ' : ''}${t}`),
-    balance: () => frames - released, exchange: () => { sequences = [running()]; }, refit: () => { sequences = [...sequences]; },
+    balance: () => frames - released,
+    exchange: () => {
+      sequences = [running()];
+    },
+    refit: () => {
+      sequences = [...sequences];
+    },
   };
 }
 
@@ -177,7 +221,10 @@ describe('while the time moves', () => {
 
   it.each([
     ['small shapes are exact, and asked for once', { exactMs: 29 }],
-    ['large shapes are exact where the address asks for it, and no cheap one is made', { ...slow, moving: 'exact' as const }],
+    [
+      'large shapes are exact where the address asks for it, and no cheap one is made',
+      { ...slow, moving: 'exact' as const },
+    ],
   ])('%s', async (_, settings) => {
     const { loop, shown, learn, answer, pass, wanted } = setUp(settings);
     await learn();
@@ -212,7 +259,13 @@ describe('while the time moves', () => {
   });
 
   it('the address says how shapes are drawn while they move, and nonsense in it changes nothing', () => {
-    expect(['', '?moving=about', '?a=b&moving=exact', '?moving=fast', '?moving'].map(readMoving)).toEqual(['measured', 'about', 'exact', 'measured', 'measured']);
+    expect(['', '?moving=about', '?a=b&moving=exact', '?moving=fast', '?moving'].map(readMoving)).toEqual([
+      'measured',
+      'about',
+      'exact',
+      'measured',
+      'measured',
+    ]);
   });
 
   it('large shapes are previews, the newest one at a time', async () => {
@@ -393,7 +446,11 @@ describe('a cheap shape that is not close', () => {
   it('is not drawn where it was measured to be off', async () => {
     const { loop, ready, answer, pass, wanted } = setUp({ ...slow, off });
     await ready();
-    for (const [t, words] of [[0.3, 'preview 0.3'], [0.7, '0.7'], [1.2, 'preview 1.2']] as const) {
+    for (const [t, words] of [
+      [0.3, 'preview 0.3'],
+      [0.7, '0.7'],
+      [1.2, 'preview 1.2'],
+    ] as const) {
       loop.follow(t);
       await pass();
       expect(wanted()).toEqual([words]);
@@ -430,7 +487,11 @@ describe('a cheap shape that is not close', () => {
 
   it('decides for all sequences', async () => {
     let calls = 0;
-    const { loop, ready, pass, wanted } = setUp({ ...slow, count: 2, off: () => ({ mean: 0, largest: calls++ % 2 === 0 ? 0 : 1 }) });
+    const { loop, ready, pass, wanted } = setUp({
+      ...slow,
+      count: 2,
+      off: () => ({ mean: 0, largest: calls++ % 2 === 0 ? 0 : 1 }),
+    });
     await ready();
     loop.follow(0.3);
     await pass();

@@ -1,5 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import { formatMoment, frameTimes, heldTime, loopRange, nearestFrameTime, playRange, steppedFrameTime, withEnd } from '../../web/model/frames.ts';
+import {
+  formatMoment,
+  frameTimes,
+  heldTime,
+  loopRange,
+  nearestFrameTime,
+  playRange,
+  steppedFrameTime,
+  withEnd,
+} from '../../web/model/frames.ts';
 
 const range = [0, 1] as const;
 
@@ -8,7 +17,7 @@ describe('whole frames', () => {
     expect(heldTime(0.49, null, 0)).toBe(0.49);
     expect(heldTime(0.49, 10, 0)).toBe(0.4);
     expect(heldTime(0.5, 10, 0)).toBe(0.5);
-    expect(heldTime(0.3, 10, 0)).toBe(0.3);  // 0.3 * 10 is a little less than 3
+    expect(heldTime(0.3, 10, 0)).toBe(0.3); // 0.3 * 10 is a little less than 3
     expect(heldTime(0.26, 10, 0.25)).toBe(0.25);
     expect(heldTime(-0.01, 10, -1)).toBe(-0.1);
   });
@@ -19,7 +28,10 @@ describe('whole frames', () => {
     expect(steppedFrameTime(0.51, 24, -1)).toBe(12 / 24);
     expect(steppedFrameTime(0.5, 24, -10)).toBe(2 / 24);
     let t = 0;
-    for (let n = 1; n <= 240; n += 1) expect(t = steppedFrameTime(t, 24, 1)).toBe(n / 24);
+    for (let n = 1; n <= 240; n += 1) {
+      t = steppedFrameTime(t, 24, 1);
+      expect(t).toBe(n / 24);
+    }
   });
 
   it('lie on the grid of time zero', () => {

@@ -12,9 +12,12 @@ describe('npm run fuzz', () => {
     expect(fuzzArguments(['120', 'gltf_fuzz'], known)).toEqual({ seconds: 120, importers: ['gltf'] });
   });
 
-  it.each([[['0']], [['-5']], [['1.5']], [['stl']], [['5', 'stl']], [['5', 'obj', 'gltf']], [['obj', '5']]])('refuses %j', (args) => {
-    expect(() => fuzzArguments(args, known)).toThrow('usage: npm run fuzz');
-  });
+  it.each([[['0']], [['-5']], [['1.5']], [['stl']], [['5', 'stl']], [['5', 'obj', 'gltf']], [['obj', '5']]])(
+    'refuses %j',
+    (args) => {
+      expect(() => fuzzArguments(args, known)).toThrow('usage: npm run fuzz');
+    },
+  );
 
   it('says where an input lies and how it is kept for the replay', () => {
     const text = foundText('obj', fileURLToPath(new URL('../../build/cmake-fuzz/found/obj/crash-1', import.meta.url)));

@@ -48,6 +48,7 @@ describe.each(SHAPING_NUMBERS)('%s of a key', (name) => {
 
   it('is refused where it is no number, or out of bounds', () => {
     expect(() => checkSequenceOptions({ [name]: ['x'] })).toThrow(`'${name}'`);
-    if (option.most !== undefined) expect(() => checkSequenceOptions({ [name]: [option.most! + 1] })).toThrow(`'${name}'`);
+    if (option.most !== undefined)
+      expect(() => checkSequenceOptions({ [name]: [option.most! + 1] })).toThrow(`'${name}'`);
   });
 });

@@ -2,7 +2,13 @@ import { describe, expect, it } from 'vitest';
 import { momentOf, warningItems } from '../../web/app/drawing/marking.ts';
 import { NO_PLACE, type Warning } from '../../web/engine/api/types.ts';
 
-const warning = (change: Partial<Warning>): Warning => ({ ...NO_PLACE, code: 'ambiguous-part-turn', message: 'Parts turn far.', count: 1, ...change });
+const warning = (change: Partial<Warning>): Warning => ({
+  ...NO_PLACE,
+  code: 'ambiguous-part-turn',
+  message: 'Parts turn far.',
+  count: 1,
+  ...change,
+});
 const times = [0, 0.4, 1];
 
 describe('the moment of a warning', () => {
@@ -28,5 +34,10 @@ describe('the moment of a warning', () => {
 
 it('a warning can be shown that has a place or a key, and says which keys it is about', () => {
   const warnings = [warning({}), warning({ patches: [3] }), warning({ face: 0 }), warning({ key: 2 })];
-  expect(warningItems(warnings, 3).map(({ where, shows }) => [where, shows])).toEqual([['', false], ['', true], ['', true], ['Key 2 to key 3', true]]);
+  expect(warningItems(warnings, 3).map(({ where, shows }) => [where, shows])).toEqual([
+    ['', false],
+    ['', true],
+    ['', true],
+    ['Key 2 to key 3', true],
+  ]);
 });

@@ -6,19 +6,38 @@ import { docOfKeys, keyRef } from './documents.ts';
 
 const initial = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.5), keyRef(2, 'c', 1));
 const state: AppState = {
-  ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, time: 1.25,
+  ...EMPTY_STATE,
+  source: { kind: 'sample', id: 'cactus' },
+  time: 1.25,
   doc: {
     keys: [
       keyRef(2, 'c', -0.25, { bias: -0.5 }),
-      keyRef(0, 'a', 0.5, { tension: 0.25, turns: [{ turns: -2 }, { component: 0, turns: 1 }, { component: 11, turns: -3 }] }),
+      keyRef(0, 'a', 0.5, {
+        tension: 0.25,
+        turns: [{ turns: -2 }, { component: 0, turns: 1 }, { component: 11, turns: -3 }],
+      }),
       keyRef(1, 'b', 1, { bias: 1 }),
     ],
     motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0, endSpeed: 2.5 },
-    encoding: { ...DEFAULT_ENCODING, stretch: 'log', patches: 40, referencePose: 1, ghostFaces: 1500, transfer: 'paper', placement: 'optimal' },
+    encoding: {
+      ...DEFAULT_ENCODING,
+      stretch: 'log',
+      patches: 40,
+      referencePose: 1,
+      ghostFaces: 1500,
+      transfer: 'paper',
+      placement: 'optimal',
+    },
   },
   view: {
-    ...DEFAULT_VIEW, wireframe: true, floor: false, ghostWire: true, ghostDifference: true, compare: ['linear', 'cubic-vertex'],
-    camera: { position: [1, 2, 3], target: [0, 0.5, 0] }, window: [0.25, 0.5],
+    ...DEFAULT_VIEW,
+    wireframe: true,
+    floor: false,
+    ghostWire: true,
+    ghostDifference: true,
+    compare: ['linear', 'cubic-vertex'],
+    camera: { position: [1, 2, 3], target: [0, 0.5, 0] },
+    window: [0.25, 0.5],
   },
   play: { playing: false, speed: 0.5, loop: 'loop', between: [-0.125, 0.75], fps: 12.5 },
 };
@@ -29,13 +48,22 @@ describe('permalinks', () => {
     expect(link.sample).toBe('cactus');
     expect(applyPermalink(initial, link)).toEqual(state.doc);
     expect({ ...DEFAULT_VIEW, ...link.view }).toEqual(state.view);
-    expect([link.time, link.speed, link.loop, link.between, link.fps]).toEqual([1.25, 0.5, 'loop', [-0.125, 0.75], 12.5]);
+    expect([link.time, link.speed, link.loop, link.between, link.fps]).toEqual([
+      1.25,
+      0.5,
+      'loop',
+      [-0.125, 0.75],
+      12.5,
+    ]);
   });
 
   it('of before parts had turns open as they were', () => {
-    const link = readPermalink('sample=cactus&keys=2%40-0.25%2C0%40.5%2C1%401&tension=0%2C0.25%2C0&turns=0%2C-2%2C0&boundary=hermite&startSpeed=0&t=1.25&speed=0.5')!;
+    const link = readPermalink(
+      'sample=cactus&keys=2%40-0.25%2C0%40.5%2C1%401&tension=0%2C0.25%2C0&turns=0%2C-2%2C0&boundary=hermite&startSpeed=0&t=1.25&speed=0.5',
+    )!;
     expect(applyPermalink(initial, link)).toEqual({
-      ...initial, motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0 },
+      ...initial,
+      motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0 },
       keys: [keyRef(2, 'c', -0.25), keyRef(0, 'a', 0.5, { tension: 0.25, turns: [{ turns: -2 }] }), keyRef(1, 'b', 1)],
     });
   });
@@ -63,7 +91,9 @@ describe('permalinks', () => {
   });
 
   it('ignore whatever does not fit', () => {
-    const link = readPermalink('sample=x&keys=0@0,9@1&boundary=evil&startSpeed=NaN&t=Infinity&patches=-3&camera=1,2&compare=lri,nonsense&tension=1,2&bias=0,9,0&turns=0,1.5,0&speed=0&ghostFaces=3&transfer=fast&placement=1&ghostWire=yes&between=1,0&fps=1e9&window=2')!;
+    const link = readPermalink(
+      'sample=x&keys=0@0,9@1&boundary=evil&startSpeed=NaN&t=Infinity&patches=-3&camera=1,2&compare=lri,nonsense&tension=1,2&bias=0,9,0&turns=0,1.5,0&speed=0&ghostFaces=3&transfer=fast&placement=1&ghostWire=yes&between=1,0&fps=1e9&window=2',
+    )!;
     expect(applyPermalink(initial, link)).toEqual(initial);
     expect(link.time).toBeNull();
     expect([link.speed, link.between, link.fps]).toEqual([null, null, null]);

@@ -10,7 +10,9 @@ beforeEach(() => {
   now = 0;
   callbacks = [];
   vi.stubGlobal('requestAnimationFrame', (callback: () => void) => callbacks.push(callback));
-  vi.stubGlobal('cancelAnimationFrame', () => { callbacks = []; });
+  vi.stubGlobal('cancelAnimationFrame', () => {
+    callbacks = [];
+  });
   vi.spyOn(performance, 'now').mockImplementation(() => now);
 });
 
@@ -19,20 +21,31 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-function start(change: Partial<PlayerView['play']>, time = 0, periodic = false): { view: PlayerView; times: number[]; ticks: number[]; player: Player; run(ms: number): void } {
+function start(
+  change: Partial<PlayerView['play']>,
+  time = 0,
+  periodic = false,
+): { view: PlayerView; times: number[]; ticks: number[]; player: Player; run(ms: number): void } {
   const view: PlayerView = {
-    time, range: [0, 1], periodic, play: { playing: true, speed: 1, loop: 'loop', between: null, fps: null, ...change },
+    time,
+    range: [0, 1],
+    periodic,
+    play: { playing: true, speed: 1, loop: 'loop', between: null, fps: null, ...change },
   };
   const times: number[] = [];
   const ticks: number[] = [];
-  const player: Player = new Player(() => view, (next, playing) => {
-    view.time = next;
-    view.play = { ...view.play, playing };
-    times.push(next);
-  }, () => ticks.push(player.tick));
+  const player: Player = new Player(
+    () => view,
+    (next, playing) => {
+      view.time = next;
+      view.play = { ...view.play, playing };
+      times.push(next);
+    },
+    () => ticks.push(player.tick),
+  );
   player.start();
   const run = (ms: number): void => {
-    for (const end = now + ms; now < end;) {
+    for (const end = now + ms; now < end; ) {
       now += 10;
       const due = callbacks;
       callbacks = [];

@@ -42,6 +42,14 @@ describe('ticks', () => {
 
 describe('path', () => {
   it('lifts the pen over gaps', () => {
-    expect(path([[0, 0], [1, 2], [2, NaN], [3, 4], [4, 4]])).toBe('M0.00 0.00L1.00 2.00M3.00 4.00L4.00 4.00');
+    expect(
+      path([
+        [0, 0],
+        [1, 2],
+        [2, NaN],
+        [3, 4],
+        [4, 4],
+      ]),
+    ).toBe('M0.00 0.00L1.00 2.00M3.00 4.00L4.00 4.00');
   });
 });

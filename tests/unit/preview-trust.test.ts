@@ -38,7 +38,10 @@ describe('trust in previews', () => {
   });
 
   it('ends for a stretch with the first moment that is off, in the mean or at one place', () => {
-    for (const bad of [{ mean: 0.00092, largest: 0 }, { mean: 0, largest: 0.0046 }]) {
+    for (const bad of [
+      { mean: 0.00092, largest: 0 },
+      { mean: 0, largest: 0.0046 },
+    ]) {
       const trust = new PreviewTrust(line);
       const times = measureAll(trust, 0.2, (t) => (t < 0.3 ? bad : within));
       expect(times.filter((t) => t > 0 && t < 0.4)).toEqual([0.2]);
@@ -61,6 +64,13 @@ describe('trust in previews', () => {
     const times = measureAll(trust, 1.6, (t) => (t > 1 ? { mean: 1, largest: 1 } : within));
     expect(times[0]).toBe(0.2);
     expect(times.every((t) => t > 0 && t < 1.5)).toBe(true);
-    expect([0.2, 1.2, 1.7, 2.9, -0.2, -0.9].map((t) => trust.closeAt(t))).toEqual([true, false, true, false, false, true]);
+    expect([0.2, 1.2, 1.7, 2.9, -0.2, -0.9].map((t) => trust.closeAt(t))).toEqual([
+      true,
+      false,
+      true,
+      false,
+      false,
+      true,
+    ]);
   });
 });

@@ -17,7 +17,12 @@ const initial = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.5), keyRef(2, 'c',
 /** The document as the fixtures spell it, whatever it is made of. */
 function spelt(doc: Doc): object {
   const keys = doc.keys.map(({ pose, name, time, shaping }) => ({
-    pose, name, time, tension: shaping.tension, bias: shaping.bias, turns: turnsOf(shaping),
+    pose,
+    name,
+    time,
+    tension: shaping.tension,
+    bias: shaping.bias,
+    turns: turnsOf(shaping),
     partTurns: shaping.turns.filter(({ component }) => component !== undefined),
   }));
   return { keys, motion: doc.motion, encoding: doc.encoding };
@@ -33,16 +38,27 @@ describe('what older versions saved', () => {
   it.each(saved.links)('opens from the link $link', ({ link, ...expected }) => {
     const doc = applyPermalink(initial, readPermalink(link)!);
     expect(spelt(doc)).toEqual(expected);
-    expect(writePermalink({ ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, doc, time: 0.25 }, initial)).toBe(link);
+    expect(writePermalink({ ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, doc, time: 0.25 }, initial)).toBe(
+      link,
+    );
   });
 
-  it.each(saved.projects)('opens from a project: $text', ({ text, options: { startTangent, ...options }, ...expected }) => {
-    const project = readOptions(text)!;
-    expect(project).toEqual({ ...SEQUENCE_DEFAULTS, ...options, startTangent: startTangent && Float32Array.from(startTangent) });
-    const { keys } = JSON.parse(text) as { keys: { times: number[]; names: string[]; frames: number[] } };
-    expect(spelt(docOf({ names: keys.names, times: keys.times, project } as unknown as KeysInfo, poolOf()))).toEqual(expected);
-    expect(JSON.parse(writeProject(keys, project))).toMatchObject(JSON.parse(text) as object);
-  });
+  it.each(saved.projects)(
+    'opens from a project: $text',
+    ({ text, options: { startTangent, ...options }, ...expected }) => {
+      const project = readOptions(text)!;
+      expect(project).toEqual({
+        ...SEQUENCE_DEFAULTS,
+        ...options,
+        startTangent: startTangent && Float32Array.from(startTangent),
+      });
+      const { keys } = JSON.parse(text) as { keys: { times: number[]; names: string[]; frames: number[] } };
+      expect(spelt(docOf({ names: keys.names, times: keys.times, project } as unknown as KeysInfo, poolOf()))).toEqual(
+        expected,
+      );
+      expect(JSON.parse(writeProject(keys, project))).toMatchObject(JSON.parse(text) as object);
+    },
+  );
 
   it.each(saved.documents)('opens as a browser has kept it: $document', ({ document, ...expected }) => {
     const doc = keptDoc(document as Parameters<typeof keptDoc>[0]);

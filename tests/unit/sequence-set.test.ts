@@ -23,7 +23,10 @@ function fakeEngine() {
         if (change.keyTimes?.includes(99)) throw new EngineError('invalid-option', 'Refused.');
         log.push(`update ${method} ${change.boundary} ${change.keyTimes?.join()}`);
       },
-      dispose: () => { if (!disposed) alive -= 1; disposed = true; },
+      dispose: () => {
+        if (!disposed) alive -= 1;
+        disposed = true;
+      },
     } as unknown as Sequence;
   };
   const engine = {
@@ -35,7 +38,9 @@ function fakeEngine() {
       });
     },
   } as unknown as Engine;
-  const pool = { keys: { arrange: () => ({ dispose: () => undefined }), positions: () => new Float32Array(3) } as unknown as Keys };
+  const pool = {
+    keys: { arrange: () => ({ dispose: () => undefined }), positions: () => new Float32Array(3) } as unknown as Keys,
+  };
   return { engine, pool, log, builds, alive: () => alive };
 }
 
@@ -44,10 +49,16 @@ function setUp() {
   const ready: Spec[] = [];
   const refused: string[] = [];
   const set = new SequenceSet(fake.engine, fake.pool, {
-    onProgress: () => undefined, onReady: (spec) => ready.push(spec), onRefused: (error) => refused.push((error as Error).message),
+    onProgress: () => undefined,
+    onReady: (spec) => ready.push(spec),
+    onRefused: (error) => refused.push((error as Error).message),
   });
   const tick = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
-  const build = async (): Promise<void> => { await tick(); fake.builds.shift()!.resolve(); await tick(); };
+  const build = async (): Promise<void> => {
+    await tick();
+    fake.builds.shift()!.resolve();
+    await tick();
+  };
   return { ...fake, set, ready, refused, tick, build };
 }
 
@@ -105,13 +116,20 @@ describe('sequence sets', () => {
     set.want(specOf(led, [], true));
     await build();
     await set.idle();
-    expect(set.all.map(({ method, ghost }) => [method, ghost])).toEqual([['lri', true], ['lri', false]]);
+    expect(set.all.map(({ method, ghost }) => [method, ghost])).toEqual([
+      ['lri', true],
+      ['lri', false],
+    ]);
     expect(set.all[1]!.sequence).toBe(full!.sequence);
     set.want(specOf(setEncoding(led, { transfer: 'paper' }), ['geodesic'], true));
     await build();
     await build();
     await set.idle();
-    expect(set.all.map(({ method, ghost }) => [method, ghost])).toEqual([['lri', true], ['lri', false], ['geodesic', true]]);
+    expect(set.all.map(({ method, ghost }) => [method, ghost])).toEqual([
+      ['lri', true],
+      ['lri', false],
+      ['geodesic', true],
+    ]);
     expect(set.all[1]!.sequence).toBe(full!.sequence);
     set.want(specOf(doc, [], true));
     await set.idle();

@@ -18,7 +18,10 @@ beforeEach(() => {
   folder = mkdtempSync(path.join(tmpdir(), 'sizes-'));
   mkdirSync(path.join(folder, 'assets'));
   write('index.html', '<script type="module" crossorigin src="./assets/index-A.js"></script>');
-  write('assets/index-A.js', 'import{a as b}from"./three-B.js";new Worker(new URL("worker-C.js",import.meta.url));b(()=>import("./lazy-D.js"))');
+  write(
+    'assets/index-A.js',
+    'import{a as b}from"./three-B.js";new Worker(new URL("worker-C.js",import.meta.url));b(()=>import("./lazy-D.js"))',
+  );
   write('assets/three-B.js', 'export const a=1');
   write('assets/worker-C.js', 'const u=new URL("core-E.wasm",import.meta.url);import("./lazy-D.js")');
   write('assets/core-E.wasm', new Uint8Array(1000));
@@ -32,16 +35,25 @@ describe('the check of sizes', () => {
   it('counts what the page needs to start: imports, the worker, the wasm; not what is loaded later', () => {
     const when = Object.fromEntries(sizesOf(folder).map((file) => [file.name, file.when]));
     expect(when).toEqual({
-      'index-A.js': 'start', 'three-B.js': 'start', 'worker-C.js': 'start', 'core-E.wasm': 'start', 'lazy-D.js': 'later', 'other-F.js': 'elsewhere',
+      'index-A.js': 'start',
+      'three-B.js': 'start',
+      'worker-C.js': 'start',
+      'core-E.wasm': 'start',
+      'lazy-D.js': 'later',
+      'other-F.js': 'elsewhere',
     });
     const lines: string[] = [];
     checkSizes(folder, (line) => lines.push(line));
-    expect(lines.join('\n')).toMatch(/lazy-D\.js, only when it is needed[\s\S]*JavaScript to start: 0\.\d KB[\s\S]*wasm to start: 0\.\d KB/);
+    expect(lines.join('\n')).toMatch(
+      /lazy-D\.js, only when it is needed[\s\S]*JavaScript to start: 0\.\d KB[\s\S]*wasm to start: 0\.\d KB/,
+    );
   });
 
   it('fails over the limit, for the worker as for the page', () => {
     write('assets/worker-C.js', `new URL("core-E.wasm",import.meta.url);${noise(LIMITS.JavaScript * 3)}`);
-    expect(() => checkSizes(folder, () => undefined)).toThrow(/of JavaScript \(compressed\) to start; the limit is 260\.0 KB/);
+    expect(() => checkSizes(folder, () => undefined)).toThrow(
+      /of JavaScript \(compressed\) to start; the limit is 260\.0 KB/,
+    );
   });
 
   it('fails over the limit of wasm', () => {

@@ -11,7 +11,10 @@ describe('Hermite speeds', () => {
 
   it('are stepped through without leaving the steps', () => {
     let speed = 0;
-    for (let n = 1; n <= 80; n += 1) expect(speed = steppedSpeed(speed, 1)).toBe(Number((n * 0.05).toFixed(2)));
+    for (let n = 1; n <= 80; n += 1) {
+      speed = steppedSpeed(speed, 1);
+      expect(speed).toBe(Number((n * 0.05).toFixed(2)));
+    }
     expect(steppedSpeed(speed, 1)).toBe(4);
     expect(steppedSpeed(-3, -1)).toBe(0);
   });
@@ -23,7 +26,8 @@ describe('Hermite speeds', () => {
 
 describe('the key that tells the direction at an end', () => {
   const doc = (change: Partial<Doc['encoding']>): Doc => ({
-    keys: [4, 2, 7].map((pose, index) => keyRef(pose, '', index)), motion: { ...DEFAULT_MOTION, boundary: 'hermite' },
+    keys: [4, 2, 7].map((pose, index) => keyRef(pose, '', index)),
+    motion: { ...DEFAULT_MOTION, boundary: 'hermite' },
     encoding: { ...DEFAULT_ENCODING, ...change },
   });
 

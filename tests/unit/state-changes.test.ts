@@ -6,8 +6,10 @@ import type { AppState } from '../../web/model/state.ts';
 const named = (after: AppState, before: AppState = EMPTY_STATE): string[] =>
   Object.entries(changesBetween(before, after)).flatMap(([name, changed]) => (changed ? [name] : []));
 
-const withView = (change: Partial<AppState['view']>): AppState =>
-  ({ ...EMPTY_STATE, view: { ...EMPTY_STATE.view, ...change } });
+const withView = (change: Partial<AppState['view']>): AppState => ({
+  ...EMPTY_STATE,
+  view: { ...EMPTY_STATE.view, ...change },
+});
 
 describe('changes of the state', () => {
   it.each([

@@ -24,7 +24,10 @@ describe('the store', () => {
     expect(store.undoLabel()).toBeNull();
     store.redo();
     store.redo();
-    expect(store.get().doc.keys.map(({ name, time }) => [name, time])).toEqual([['x', 0], ['b', 2]]);
+    expect(store.get().doc.keys.map(({ name, time }) => [name, time])).toEqual([
+      ['x', 0],
+      ['b', 2],
+    ]);
   });
 
   it('takes a drag back as a whole, but not two drags with a pause between', () => {
@@ -72,7 +75,9 @@ describe('the store', () => {
   it('neither publishes nor remembers an edit without effect', () => {
     const store = createStore(start);
     let calls = 0;
-    store.subscribe(() => { calls += 1; });
+    store.subscribe(() => {
+      calls += 1;
+    });
     store.edit('rename', (doc) => renameKey(doc, 0, 'a'));
     expect(calls).toBe(0);
     expect(store.undoLabel()).toBeNull();

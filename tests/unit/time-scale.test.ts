@@ -1,10 +1,22 @@
 import { describe, expect, it } from 'vitest';
 import {
-  MARGIN, clampKeyTime, clampTime, formatTime, limits, neighbourKey, phaseOf, snap, wrap,
+  MARGIN,
+  clampKeyTime,
+  clampTime,
+  formatTime,
+  limits,
+  neighbourKey,
+  phaseOf,
+  snap,
+  wrap,
 } from '../../web/model/time-scale.ts';
 
 const range = [2, 4] as const;
-const keys = [{ time: 2, name: 'bent' }, { time: 3.5, name: 'straight' }, { time: 4, name: 'left' }];
+const keys = [
+  { time: 2, name: 'bent' },
+  { time: 3.5, name: 'straight' },
+  { time: 4, name: 'left' },
+];
 
 describe('the slider', () => {
   it('reaches 40 % of the range beyond both ends', () => {
@@ -40,7 +52,8 @@ describe('the slider', () => {
 });
 
 describe('the phase', () => {
-  const at = (t: number, periodic = false, tolerance?: number): ReturnType<typeof phaseOf> => phaseOf({ t, keys, range, periodic, tolerance });
+  const at = (t: number, periodic = false, tolerance?: number): ReturnType<typeof phaseOf> =>
+    phaseOf({ t, keys, range, periodic, tolerance });
 
   it('is a key only at its very time', () => {
     expect(at(3.5)).toMatchObject({ kind: 'key', text: 'At key 2, straight' });

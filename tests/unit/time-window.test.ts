@@ -1,7 +1,16 @@
 import { describe, expect, it } from 'vitest';
-import { MAX_ZOOM, fractionIn, panned, revealing, ruler, timeIn, windowOf, zoomed } from '../../web/model/time-window.ts';
+import {
+  MAX_ZOOM,
+  fractionIn,
+  panned,
+  revealing,
+  ruler,
+  timeIn,
+  windowOf,
+  zoomed,
+} from '../../web/model/time-window.ts';
 
-const range = [2, 4] as const;  // the slider reaches from 1.2 to 4.8
+const range = [2, 4] as const; // the slider reaches from 1.2 to 4.8
 
 describe('the window of the slider', () => {
   it('shows everything unless something else is wanted', () => {
@@ -56,9 +65,15 @@ describe('the window of the slider', () => {
 
 describe('the ruler', () => {
   it('has round numbers inside the window, not more than asked for', () => {
-    expect(ruler([0, 1], 10).map((t) => Number(t.toFixed(9)))).toEqual([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1]);
+    expect(ruler([0, 1], 10).map((t) => Number(t.toFixed(9)))).toEqual([
+      0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1,
+    ]);
     expect(ruler([-0.4, 1.4], 4).map((t) => Number(t.toFixed(9)))).toEqual([0, 0.5, 1]);
-    for (const window of [[0.312, 0.347], [-7, 912], [1e-7, 3e-7]] as const) {
+    for (const window of [
+      [0.312, 0.347],
+      [-7, 912],
+      [1e-7, 3e-7],
+    ] as const) {
       const marks = ruler(window, 8);
       expect(marks.length).toBeGreaterThan(1);
       expect(marks.length).toBeLessThanOrEqual(9);

@@ -12,7 +12,10 @@ const opened = (turns?: AddedTurns[]): Doc =>
   docOf({ names: ['a', 'b', 'c'], times: [0, 0.5, 1], project: turns ? { turns } : null } as unknown as KeysInfo, pool);
 const turnsIn = (doc: Doc): object[] => doc.keys.map(({ shaping }) => shaping.turns);
 const whole: AddedTurns = { key: 1, turns: -2 };
-const parts: AddedTurns[] = [{ key: 1, turns: 1, component: 3 }, { key: 2, turns: 2, component: 0 }];
+const parts: AddedTurns[] = [
+  { key: 1, turns: 1, component: 3 },
+  { key: 2, turns: 2, component: 0 },
+];
 
 it('a project gives the whole shape and its parts the turns that it was saved with', () => {
   const doc = opened([whole, ...parts]);

@@ -4,7 +4,15 @@ import { EngineError } from '../../web/engine/api/errors.ts';
 
 function setUp() {
   const clock = { now: 0, tries: 0 };
-  return { clock, restart: new WorkerRestart(() => { clock.tries += 1; }, () => clock.now) };
+  return {
+    clock,
+    restart: new WorkerRestart(
+      () => {
+        clock.tries += 1;
+      },
+      () => clock.now,
+    ),
+  };
 }
 
 describe('the end of a worker', () => {

@@ -25,7 +25,11 @@ function unzip(bytes: Uint8Array): Entry[] {
   for (let index = 0; index < count; index += 1) {
     expect(view.getUint32(at, true)).toBe(0x02014b50);
     expect(view.getUint16(at + 10, true)).toBe(0);
-    const [crc, packed, length] = [16, 20, 24].map((field) => view.getUint32(at + field, true)) as [number, number, number];
+    const [crc, packed, length] = [16, 20, 24].map((field) => view.getUint32(at + field, true)) as [
+      number,
+      number,
+      number,
+    ];
     expect(packed).toBe(length);
     const nameLength = view.getUint16(at + 28, true);
     const local = view.getUint32(at + 42, true);

@@ -1,4 +1,5 @@
-// The second thread, in a module whose memory is shared: it is an instance of its own, with its own stack, that only helps.
+// The second thread, in a module whose memory is shared: it is an instance of its own, with its own stack, that only
+// helps.
 #include "bindings/export.h"
 #include "bindings/fork_join.h"
 #include "bindings/handle_table.h"

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kImporting = 0.5;  // share of the progress; the rest is the report on the mesh
 
-constexpr auto reportChecking = [](double fraction) { reportProgress("checking the mesh", kImporting + (1 - kImporting) * fraction); };
+constexpr auto reportChecking = [](double fraction) {
+  reportProgress("checking the mesh", kImporting + (1 - kImporting) * fraction);
+};
 
 Json toJson(const MeshReport& report) {
   return {{"vertices", report.vertices},
@@ -49,13 +51,14 @@ Json describe(const ImportObject& object) {
 
 }  // namespace
 
-/// {files: [{name, bytes}], options} -> {handle, names, times, faces, normals, scene, report, ...}. The ranges belong to
-/// the handle.
+/// {files: [{name, bytes}], options} -> {handle, names, times, faces, normals, scene, report, ...}. The ranges belong
+/// to the handle.
 EXPORT const char* shapespline_import(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
     std::vector<NamedBytes> files;
-    for (const Json& file : json.at("files")) files.push_back({file.at("name"), elements<std::uint8_t>(file.at("bytes"))});
+    for (const Json& file : json.at("files"))
+      files.push_back({file.at("name"), elements<std::uint8_t>(file.at("bytes"))});
     const auto progress = [](const char* stage, double fraction) { reportProgress(stage, kImporting * fraction); };
     Result<Import> import = importKeyframes(files, importOptionsFrom(json.at("options")), progress);
     if (!import) return import.error();

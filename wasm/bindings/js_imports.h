@@ -6,8 +6,8 @@ namespace shapespline::bindings {
 /// Calls Module.onProgress(stage, fraction), if there is one; stage is the address of text ended by a NUL.
 void reportProgress(const char* stage, double fraction);
 
-/// Calls Module.takeFrame(frame, positions, normals), which writes two arrays of 3n floats at the addresses; false if it
-/// has no such frame.
+/// Calls Module.takeFrame(frame, positions, normals), which writes two arrays of 3n floats at the addresses; false if
+/// it has no such frame.
 bool takeFrame(int frame, float* positions, float* normals);
 
 }  // namespace shapespline::bindings

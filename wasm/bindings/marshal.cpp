@@ -29,20 +29,16 @@ constexpr std::pair<const char*, Method> methods[] = {{"lri", Method::Lri},
                                                       {"geodesic", Method::Geodesic},
                                                       {"linear", Method::Linear},
                                                       {"cubic-vertex", Method::CubicVertex}};
-constexpr std::pair<const char*, BoundaryKind> boundaries[] = {{"natural", BoundaryKind::Natural},
-                                                               {"hermite", BoundaryKind::Hermite},
-                                                               {"periodic", BoundaryKind::Periodic}};
+constexpr std::pair<const char*, BoundaryKind> boundaries[] = {
+    {"natural", BoundaryKind::Natural}, {"hermite", BoundaryKind::Hermite}, {"periodic", BoundaryKind::Periodic}};
 constexpr std::pair<const char*, Stretch> stretches[] = {{"linear", Stretch::Linear}, {"log", Stretch::Log}};
 constexpr std::pair<const char*, Transfer> transfers[] = {{"exact", Transfer::Exact}, {"paper", Transfer::Paper}};
-constexpr std::pair<const char*, Precision> precisions[] = {{"single", Precision::Single},
-                                                            {"double", Precision::Double},
-                                                            {"exact", Precision::Exact}};
-constexpr std::pair<const char*, Material::Alpha> alphas[] = {{"OPAQUE", Material::Alpha::Opaque},
-                                                              {"MASK", Material::Alpha::Mask},
-                                                              {"BLEND", Material::Alpha::Blend}};
-constexpr std::pair<const char*, Material::Wrap> wraps[] = {{"repeat", Material::Wrap::Repeat},
-                                                            {"clamp", Material::Wrap::Clamp},
-                                                            {"mirror", Material::Wrap::Mirror}};
+constexpr std::pair<const char*, Precision> precisions[] = {
+    {"single", Precision::Single}, {"double", Precision::Double}, {"exact", Precision::Exact}};
+constexpr std::pair<const char*, Material::Alpha> alphas[] = {
+    {"OPAQUE", Material::Alpha::Opaque}, {"MASK", Material::Alpha::Mask}, {"BLEND", Material::Alpha::Blend}};
+constexpr std::pair<const char*, Material::Wrap> wraps[] = {
+    {"repeat", Material::Wrap::Repeat}, {"clamp", Material::Wrap::Clamp}, {"mirror", Material::Wrap::Mirror}};
 
 }  // namespace
 
@@ -58,14 +54,16 @@ void to_json(nlohmann::json& json, Material::Wrap value) { json = nameOf(value, 
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(AddedTurns, key, turns, component)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MaterialGroup, start, count, material)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Material, name, baseColor, metallic, roughness, doubleSided, alphaMode, alphaCutoff, unlit, emissive,
-                                   normalScale, occlusionStrength, baseColorImage, metallicRoughnessImage, normalImage,
-                                   occlusionImage, emissiveImage, wrapS, wrapT, magFilter, minFilter)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Material, name, baseColor, metallic, roughness, doubleSided, alphaMode, alphaCutoff,
+                                   unlit, emissive, normalScale, occlusionStrength, baseColorImage,
+                                   metallicRoughnessImage, normalImage, occlusionImage, emissiveImage, wrapS, wrapT,
+                                   magFilter, minFilter)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Warning, code, message, count, key, face, patches)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AnimationInfo, name, start, end, keys)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceStats, encodings, factorisations, solves, patches, weldedVertices, components, ghostFaces,
-                                   ghostVertices, joinedComponents, weldMs, simplifyMs, transferMs, encodeMs, orderMs, factorMs,
-                                   arrangeMs, factorBytes, framesMs, facesMs, solveMs, placeMs, normalsMs, ghostMs)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceStats, encodings, factorisations, solves, patches, weldedVertices,
+                                   components, ghostFaces, ghostVertices, joinedComponents, weldMs, simplifyMs,
+                                   transferMs, encodeMs, orderMs, factorMs, arrangeMs, factorBytes, framesMs, facesMs,
+                                   solveMs, placeMs, normalsMs, ghostMs)
 
 }  // namespace shapespline
 
@@ -191,12 +189,8 @@ Json toJson(const Scene& scene) {
   for (const Image& image : scene.images) {
     images.push_back({{"mimeType", image.mimeType}, {"bytes", range(image.bytes.data(), image.bytes.size())}});
   }
-  return {{"uvs", rangeOrNull(scene.uvs)},
-          {"colors", rangeOrNull(scene.colors)},
-          {"seams", toJson(scene.seams)},
-          {"groups", scene.groups},
-          {"materials", scene.materials},
-          {"images", images}};
+  return {{"uvs", rangeOrNull(scene.uvs)}, {"colors", rangeOrNull(scene.colors)}, {"seams", toJson(scene.seams)},
+          {"groups", scene.groups},        {"materials", scene.materials},        {"images", images}};
 }
 
 }  // namespace shapespline::bindings

@@ -1,5 +1,5 @@
-// JSON and heap ranges <-> the core's plain data. Bulk numbers travel as {"address", "length"}: a range of the heap that
-// its owner keeps until the call, or the handle that it belongs to, is done with.
+// JSON and heap ranges <-> the core's plain data. Bulk numbers travel as {"address", "length"}: a range of the heap
+// that its owner keeps until the call, or the handle that it belongs to, is done with.
 #pragma once
 
 #include <cstdint>

@@ -37,14 +37,15 @@ EXPORT const char* shapespline_update(int handle, const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
     Sequence& sequence = sequenceOf(handle);
-    const Status status = sequence.update(motionFrom(json.at("motion")), json.at("keyTimes").get<std::vector<double>>());
+    const Status status =
+        sequence.update(motionFrom(json.at("motion")), json.at("keyTimes").get<std::vector<double>>());
     if (!status) return status.error();
     return state(sequence);
   });
 }
 
-/// {positions, normals, lostDefiniteness, lostFace} of the shape at t, about where preview is not 0: 3n floats each, valid until the
-/// next frame of this handle.
+/// {positions, normals, lostDefiniteness, lostFace} of the shape at t, about where preview is not 0: 3n floats each,
+/// valid until the next frame of this handle.
 EXPORT const char* shapespline_evaluate(int handle, double t, int preview) {
   return callResult([&]() -> Result<Json> {
     auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
@@ -109,7 +110,8 @@ EXPORT const char* shapespline_components(int handle) {
   });
 }
 
-/// {faces, vertexOf, ghostVertexOf, ghostFaceOf} of the ghost mesh, int32, belonging to the handle; all empty without one.
+/// {faces, vertexOf, ghostVertexOf, ghostFaceOf} of the ghost mesh, int32, belonging to the handle; all empty without
+/// one.
 EXPORT const char* shapespline_ghost(int handle) {
   return callResult([&]() -> Result<Json> {
     const Ghost& ghost = sequenceOf(handle).ghost();

@@ -19,9 +19,9 @@ std::string_view textOf(std::span<const std::uint8_t> bytes) {
 }
 
 bool startsWithWord(std::string_view text, std::string_view lowerCase) {
-  return text.size() >= lowerCase.size() && std::equal(lowerCase.begin(), lowerCase.end(), text.begin(), [](char a, char b) {
-           return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b);
-         });
+  return text.size() >= lowerCase.size() &&
+         std::equal(lowerCase.begin(), lowerCase.end(), text.begin(),
+                    [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
 }
 
 // A file that is something else: what it is and what to do.
@@ -32,11 +32,15 @@ const char* somethingElse(std::string_view text, const std::string& extension) {
     return " is a Git LFS pointer, not the file itself. Fetch it with git lfs pull.";
   if (text.starts_with("PK\x03\x04")) return " is a ZIP archive. Unpack it and give the files in it.";
   if (text.starts_with("\x1f\x8b")) return " is a gzip archive. Unpack it and give the file in it.";
-  if (text.starts_with("Kaydara FBX") || extension == "fbx") return " is an FBX file, which is not read here. Export it as glTF.";
-  if (text.starts_with("BLENDER") || extension == "blend") return " is a Blender file, which is not read here. Export it as glTF.";
+  if (text.starts_with("Kaydara FBX") || extension == "fbx")
+    return " is an FBX file, which is not read here. Export it as glTF.";
+  if (text.starts_with("BLENDER") || extension == "blend")
+    return " is a Blender file, which is not read here. Export it as glTF.";
   if (startsWithWord(text, "solid ") || extension == "stl")
-    return " is an STL file, which is not read here: it does not say which triangles share a vertex. Export it as glTF, OBJ or PLY.";
-  if (startsWithWord(text, "<?xml") || extension == "dae") return " is an XML file, which is not read here. Export it as glTF.";
+    return " is an STL file, which is not read here: it does not say which triangles share a vertex. Export it as "
+           "glTF, OBJ or PLY.";
+  if (startsWithWord(text, "<?xml") || extension == "dae")
+    return " is an XML file, which is not read here. Export it as glTF.";
   return nullptr;
 }
 
@@ -51,8 +55,8 @@ std::optional<FileKind> kindByContent(std::span<const std::uint8_t> bytes, std::
 }  // namespace
 
 bool isCompanion(std::string_view name) {
-  static constexpr std::array kExtensions{"bin", "png",  "jpg", "jpeg", "webp", "ktx", "ktx2", "basis", "dds", "gif",
-                                          "bmp", "tga",  "tif", "tiff", "hdr",  "mtl", "txt",  "md",    "ds_store"};
+  static constexpr std::array kExtensions{"bin", "png", "jpg", "jpeg", "webp", "ktx", "ktx2", "basis", "dds",     "gif",
+                                          "bmp", "tga", "tif", "tiff", "hdr",  "mtl", "txt",  "md",    "ds_store"};
   const std::string extension = extensionOf(name);
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
@@ -65,8 +69,10 @@ Result<FileKind> fileKind(const NamedBytes& file, const std::string& where) {
   if (const char* what = somethingElse(text, extension)) return Error{ErrorCode::NotRecognised, where + what};
   if (extension == "obj") return FileKind::Obj;
   if (extension == "glb" || extension == "gltf" || extension == "ply" || extension == "off")
-    return Error{ErrorCode::NotRecognised, where + " is named ." + extension + " but does not start like such a file. Export it again."};
-  return Error{ErrorCode::NotRecognised, where + " is not a 3D file that is read here. Give glTF (.glb, .gltf), OBJ, PLY or OFF files."};
+    return Error{ErrorCode::NotRecognised,
+                 where + " is named ." + extension + " but does not start like such a file. Export it again."};
+  return Error{ErrorCode::NotRecognised,
+               where + " is not a 3D file that is read here. Give glTF (.glb, .gltf), OBJ, PLY or OFF files."};
 }
 
 }  // namespace shapespline

@@ -49,7 +49,10 @@ struct GlbBuilder {
   template <class T>
   int addArray(const std::vector<T>& values, const char* type, int components, int componentType, int target = 0) {
     const int view = addView(append(values.data(), values.size()), target);
-    return addAccessor({{"bufferView", view}, {"componentType", componentType}, {"count", values.size() / components}, {"type", type}});
+    return addAccessor({{"bufferView", view},
+                        {"componentType", componentType},
+                        {"count", values.size() / components},
+                        {"type", type}});
   }
 
   /// JSON chunk, then BIN chunk; nothing can be added afterwards. Error: TooLarge.

@@ -27,21 +27,24 @@ Error malformed(const std::string& where, const std::string& what) {
 
 }  // namespace
 
-bool isGlb(std::span<const std::uint8_t> bytes) { return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0; }
+bool isGlb(std::span<const std::uint8_t> bytes) {
+  return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+}
 
 Result<GlbChunks> splitGlb(std::span<const std::uint8_t> bytes, const std::string& where) {
   if (bytes.size() < kHeader) return truncated(where, kHeader, bytes.size());
   const std::uint32_t version = word(bytes, 4), length = word(bytes, 8);
   if (version != 2)
-    return Error{ErrorCode::Unsupported, where + " is glTF version " + std::to_string(version) +
-                                             "; only 2.0 is read. Export it as glTF 2.0."};
+    return Error{ErrorCode::Unsupported,
+                 where + " is glTF version " + std::to_string(version) + "; only 2.0 is read. Export it as glTF 2.0."};
   if (length > bytes.size()) return truncated(where, length, bytes.size());
   if (length < kHeader + kChunkHeader) return malformed(where, "it has no JSON chunk");
 
   GlbChunks chunks;
   int index = 0;
   for (std::size_t at = kHeader; at < length; ++index) {
-    if (length - at < kChunkHeader) return malformed(where, "the header of chunk " + std::to_string(index) + " is cut off");
+    if (length - at < kChunkHeader)
+      return malformed(where, "the header of chunk " + std::to_string(index) + " is cut off");
     const std::uint32_t size = word(bytes, at), type = word(bytes, at + 4);
     at += kChunkHeader;
     if (size > length - at)

@@ -38,9 +38,11 @@ double fraction(const std::uint8_t* from) {
 double number(const std::uint8_t* from, int type, bool normalised) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE: return normalised ? fraction<std::int8_t>(from) : load<std::int8_t>(from);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return normalised ? fraction<std::uint8_t>(from) : load<std::uint8_t>(from);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return normalised ? fraction<std::uint8_t>(from) : load<std::uint8_t>(from);
     case TINYGLTF_COMPONENT_TYPE_SHORT: return normalised ? fraction<std::int16_t>(from) : load<std::int16_t>(from);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return normalised ? fraction<std::uint16_t>(from) : load<std::uint16_t>(from);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return normalised ? fraction<std::uint16_t>(from) : load<std::uint16_t>(from);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return load<std::uint32_t>(from);
     default: return load<float>(from);
   }
@@ -72,15 +74,17 @@ struct Reader {
   // All numbers come from JSON checked to be below 2^31, so that sums and products fit 64 bits.
   Result<Elements> elements(int viewIndex, std::uint64_t offset, std::uint64_t count, std::uint64_t size) const {
     const auto& views = doc.model.bufferViews;
-    if (viewIndex < 0 || viewIndex >= static_cast<int>(views.size())) return malformed("names a buffer view that is not there");
+    if (viewIndex < 0 || viewIndex >= static_cast<int>(views.size()))
+      return malformed("names a buffer view that is not there");
     const tinygltf::BufferView& view = views[viewIndex];
     if (view.buffer < 0 || view.buffer >= static_cast<int>(doc.buffers.size()))
       return malformed("lies in a buffer that is not there");
     const auto buffer = doc.buffers[view.buffer].bytes;
     if (buffer.empty()) return malformed("lies in buffer " + std::to_string(view.buffer) + ", which has no bytes");
     if (std::uint64_t{view.byteOffset} + view.byteLength > buffer.size())
-      return malformed("lies in a buffer view that ends at byte " + grouped(std::int64_t(view.byteOffset + view.byteLength)) +
-                       " of a buffer of " + sizeText(buffer.size()));
+      return malformed("lies in a buffer view that ends at byte " +
+                       grouped(std::int64_t(view.byteOffset + view.byteLength)) + " of a buffer of " +
+                       sizeText(buffer.size()));
     const std::uint64_t stride = view.byteStride ? view.byteStride : size;
     if (stride < size) return malformed("has a stride smaller than its elements");
     const std::uint64_t end = count == 0 ? 0 : offset + (count - 1) * stride + size;
@@ -91,7 +95,8 @@ struct Reader {
 
   Result<const tinygltf::Accessor*> accessor(int index, int components) const {
     const auto& accessors = doc.model.accessors;
-    if (index < 0 || index >= static_cast<int>(accessors.size())) return malformed("names an accessor that is not there");
+    if (index < 0 || index >= static_cast<int>(accessors.size()))
+      return malformed("names an accessor that is not there");
     const tinygltf::Accessor& a = accessors[index];
     if (componentBytes(a.componentType) == 0) return malformed("has an unknown component type");
     if (tinygltf::GetNumComponentsInType(a.type) != components)
@@ -105,24 +110,29 @@ struct Reader {
   // Element numbers that a sparse accessor replaces, in range.
   Result<std::vector<std::uint32_t>> sparseIndices(const tinygltf::Accessor& a) const {
     const int type = a.sparse.indices.componentType;
-    const bool isUnsigned = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+    const bool isUnsigned = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
                             type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
     if (!isUnsigned) return malformed("has sparse indices of an unknown type");
     if (a.sparse.count < 0 || static_cast<std::uint64_t>(a.sparse.count) > a.count)
       return malformed("replaces more elements than it has");
-    const auto found = elements(a.sparse.indices.bufferView, a.sparse.indices.byteOffset, a.sparse.count, componentBytes(type));
+    const auto found =
+        elements(a.sparse.indices.bufferView, a.sparse.indices.byteOffset, a.sparse.count, componentBytes(type));
     if (!found) return found.error();
     std::vector<std::uint32_t> indices(a.sparse.count);
     for (std::size_t i = 0; i < indices.size(); ++i) {
       indices[i] = wholeNumber(found->at(i), type);
-      if (indices[i] >= a.count) return malformed("replaces element " + grouped(indices[i]) + " of " + grouped(std::int64_t(a.count)));
+      if (indices[i] >= a.count)
+        return malformed("replaces element " + grouped(indices[i]) + " of " + grouped(std::int64_t(a.count)));
     }
     return indices;
   }
 
-  // Hands the bytes of the first `most` elements to `take`, sparse replacements last. Without a buffer view they are zero.
+  // Hands the bytes of the first `most` elements to `take`, sparse replacements last. Without a buffer view they are
+  // zero.
   template <class Take>
-  Status each(const tinygltf::Accessor& a, int components, std::size_t most, const FractionReport& onProgress, Take take) const {
+  Status each(const tinygltf::Accessor& a, int components, std::size_t most, const FractionReport& onProgress,
+              Take take) const {
     const std::uint64_t size = static_cast<std::uint64_t>(componentBytes(a.componentType)) * components;
     if (a.bufferView >= 0) {
       const auto found = elements(a.bufferView, a.byteOffset, a.count, size);
@@ -146,7 +156,8 @@ struct Reader {
   // Whether the bytes behind the accessor are there, before anything as large is allocated.
   Status fits(const tinygltf::Accessor& a, int components) const {
     if (a.bufferView < 0) return {};
-    const auto found = elements(a.bufferView, a.byteOffset, a.count, std::uint64_t(componentBytes(a.componentType)) * components);
+    const auto found =
+        elements(a.bufferView, a.byteOffset, a.count, std::uint64_t(componentBytes(a.componentType)) * components);
     return found ? Status() : Status(found.error());
   }
 };
@@ -168,7 +179,8 @@ Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int 
   std::vector<double> numbers(count * components);
   const int step = componentBytes(a.componentType);
   Status read = reader.each(a, components, count, onProgress, [&](std::size_t i, const std::uint8_t* bytes) {
-    for (int c = 0; c < components; ++c) numbers[i * components + c] = number(bytes + c * step, a.componentType, a.normalized);
+    for (int c = 0; c < components; ++c)
+      numbers[i * components + c] = number(bytes + c * step, a.componentType, a.normalized);
   });
   if (!read) return read.error();
   return numbers;

@@ -11,7 +11,8 @@
 
 namespace shapespline {
 
-/// More vertices than a browser can complete; also the bound for accessors that declare a count without bytes behind it.
+/// More vertices than a browser can complete; also the bound for accessors that declare a count without bytes behind
+/// it.
 constexpr std::uint64_t kMostElements = 16'000'000;
 
 /// Number of elements of accessor `index`, or 0 where there is no such accessor.

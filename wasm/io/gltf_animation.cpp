@@ -15,8 +15,8 @@ namespace {
 using Path = AnimationCurve::Path;
 using Interpolation = AnimationCurve::Interpolation;
 
-// Numbers of all curves together: half a gigabyte. Channels may share their accessors, so that a small file could declare
-// any amount.
+// Numbers of all curves together: half a gigabyte. Channels may share their accessors, so that a small file could
+// declare any amount.
 constexpr std::uint64_t kMostNumbers = 64'000'000;
 
 Error malformed(const GltfDocument& doc, const std::string& what) {
@@ -53,7 +53,8 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   curve.node = channel.target_node;
   curve.width = widthOf(doc, path, curve.node);
   if (curve.width == 0)
-    return malformed(doc, name + " moves the morph weights of node " + std::to_string(curve.node) + ", which has no morph targets");
+    return malformed(
+        doc, name + " moves the morph weights of node " + std::to_string(curve.node) + ", which has no morph targets");
   const auto interpolation = interpolationOf(sampler.interpolation);
   if (!interpolation) return malformed(doc, name + " has an unknown interpolation");
   curve.interpolation = *interpolation;
@@ -61,8 +62,9 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   const int components = path == Path::Weights ? 1 : curve.width;
   numbers += accessorCount(doc, sampler.input) + std::uint64_t(components) * accessorCount(doc, sampler.output);
   if (numbers > kMostNumbers)
-    return Error{ErrorCode::TooLarge, doc.where + ": its animations hold more than " + grouped(kMostNumbers) +
-                                          " numbers, more than can be held. Export fewer animations or fewer key times."};
+    return Error{ErrorCode::TooLarge,
+                 doc.where + ": its animations hold more than " + grouped(kMostNumbers) +
+                     " numbers, more than can be held. Export fewer animations or fewer key times."};
   auto times = readNumbers(doc, sampler.input, 1, "the times of " + name);
   if (!times) return times.error();
   if (times->empty()) return malformed(doc, name + " has no times");
@@ -76,7 +78,8 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   const std::uint64_t perTime = std::uint64_t(curve.width) * (*interpolation == Interpolation::CubicSpline ? 3 : 1);
   if (values->size() < perTime * curve.times.size()) return malformed(doc, name + " has fewer values than times");
   if (std::any_of(values->begin(), values->end(), [](double v) { return !std::isfinite(v); }))
-    return Error{ErrorCode::NotFinite, doc.where + ": a value of " + name + " is not a finite number. Export the file again."};
+    return Error{ErrorCode::NotFinite,
+                 doc.where + ": a value of " + name + " is not a finite number. Export the file again."};
   curve.values = std::move(*values);
   return curve;
 }
@@ -117,7 +120,8 @@ void slerp(const double* a, const double* b, double s, double* out) {
 // The Hermite form of glTF 2.0, appendix C.4; tangents are per second, so scaled by the segment's length.
 double hermite(double p0, double m0, double p1, double m1, double s, double length) {
   const double s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * p0 + (s3 - 2 * s2 + s) * length * m0 + (3 * s2 - 2 * s3) * p1 + (s3 - s2) * length * m1;
+  return (2 * s3 - 3 * s2 + 1) * p0 + (s3 - 2 * s2 + s) * length * m0 + (3 * s2 - 2 * s3) * p1 +
+         (s3 - s2) * length * m1;
 }
 
 }  // namespace

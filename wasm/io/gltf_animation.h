@@ -22,9 +22,9 @@ struct AnimationCurve {
   enum class Path { Translation, Rotation, Scale, Weights } path = Path::Translation;
   enum class Interpolation { Step, Linear, CubicSpline } interpolation = Interpolation::Linear;
   int node = -1;
-  int width = 3;                ///< numbers a value
-  std::vector<double> times;    ///< strictly increasing seconds
-  std::vector<double> values;   ///< width a time; for cubic splines in-tangent, value, out-tangent
+  int width = 3;               ///< numbers a value
+  std::vector<double> times;   ///< strictly increasing seconds
+  std::vector<double> values;  ///< width a time; for cubic splines in-tangent, value, out-tangent
 
   /// The value at time t, held beyond both ends. `out` has `width` numbers (glTF 2.0, appendix C).
   void sample(double t, double* out) const;

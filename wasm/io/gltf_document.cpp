@@ -47,7 +47,8 @@ Result<Resource> readBuffer(const json& buffer, std::size_t index, const Source&
   const std::uint64_t declared = whole(buffer, "byteLength", 0);
   if (declared > resource.bytes.size())
     return Error{ErrorCode::TruncatedFile, where + ": " + name + " declares " + sizeText(declared) + " but only " +
-                                               sizeText(resource.bytes.size()) + " are there. Copy or export it again."};
+                                               sizeText(resource.bytes.size()) +
+                                               " are there. Copy or export it again."};
   resource.bytes = resource.bytes.first(declared);
   return resource;
 }
@@ -78,8 +79,8 @@ std::span<const std::uint8_t> viewBytes(const json& doc, std::uint64_t view, con
   return bytes.subspan(offset, length);
 }
 
-// An image that cannot be had costs the texture, not the shape. Images may share bytes, so that a small file could declare
-// any amount: together they may have as many as the files.
+// An image that cannot be had costs the texture, not the shape. Images may share bytes, so that a small file could
+// declare any amount: together they may have as many as the files.
 void readImages(const json& doc, const Source& source, GltfDocument& out) {
   const auto images = doc.find("images");
   if (images == doc.end()) return;
@@ -93,7 +94,8 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
     Resource resource;
     std::string why = name + " has no bytes in the file.";
     if (uri != image.end() && uri->is_string()) {
-      auto found = resolveUri(uri->get_ref<const std::string&>(), source.file.name, source.files, out.where + ", " + name + ",");
+      auto found =
+          resolveUri(uri->get_ref<const std::string&>(), source.file.name, source.files, out.where + ", " + name + ",");
       if (found) resource = std::move(*found);
       else why = found.error().message;
     } else if (image.contains("bufferView")) {
@@ -117,7 +119,8 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
     out.images.push_back({type, {resource.bytes.begin(), resource.bytes.end()}});
   }
   if (missing == 0) return;
-  const std::string what = missing == 1 ? "An image is left out: " : grouped(std::int64_t(missing)) + " images are left out: ";
+  const std::string what =
+      missing == 1 ? "An image is left out: " : grouped(std::int64_t(missing)) + " images are left out: ";
   out.warnings.push_back({"missing-texture", what + first, static_cast<int>(missing)});
 }
 

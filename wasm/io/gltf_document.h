@@ -18,13 +18,13 @@ namespace shapespline {
 /// tinygltf gives the JSON types; buffers and images are resolved here, because tinygltf copies, guesses and opens
 /// where we must check. `model.buffers` and `model.images` are therefore empty.
 struct GltfDocument {
-  std::string where;               ///< how messages call the file
+  std::string where;  ///< how messages call the file
   tinygltf::Model model;
-  std::vector<Resource> buffers;   ///< byteLength bytes each, or none for a placeholder
-  std::uint64_t bufferBytes = 0;   ///< of all buffers together
-  std::vector<Image> images;       ///< those that could be had, each once
-  std::vector<int> imageOf;        ///< of the file's images: place in `images`, or -1
-  std::string project;             ///< JSON of extras.shapespline, or empty
+  std::vector<Resource> buffers;  ///< byteLength bytes each, or none for a placeholder
+  std::uint64_t bufferBytes = 0;  ///< of all buffers together
+  std::vector<Image> images;      ///< those that could be had, each once
+  std::vector<int> imageOf;       ///< of the file's images: place in `images`, or -1
+  std::string project;            ///< JSON of extras.shapespline, or empty
   std::vector<Warning> warnings;
 };
 

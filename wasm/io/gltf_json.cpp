@@ -16,24 +16,39 @@ using nlohmann::json;
 // Deeper than any tool writes, and shallow enough for the recursive functions that follow.
 constexpr int kDeepest = 100;
 
-constexpr std::array kCollections{"accessors", "animations", "buffers",  "bufferViews", "cameras", "images", "materials",
-                                  "meshes",    "nodes",      "samplers", "scenes",      "skins",   "textures"};
+constexpr std::array kCollections{"accessors", "animations", "buffers", "bufferViews", "cameras",
+                                  "images",    "materials",  "meshes",  "nodes",       "samplers",
+                                  "scenes",    "skins",      "textures"};
 
 // Members that hold an index, a count or a size wherever they stand.
-constexpr std::array kWholeNumbers{"buffer",  "bufferView", "byteLength", "byteOffset", "byteStride", "camera",
-                                   "componentType", "count", "index", "indices", "input", "inverseBindMatrices", "material",
-                                   "mesh", "mode", "node", "output", "sampler", "scene", "skeleton", "skin", "source",
-                                   "texCoord", "wrapS", "wrapT"};
+constexpr std::array kWholeNumbers{
+    "buffer",        "bufferView", "byteLength", "byteOffset", "byteStride", "camera",
+    "componentType", "count",      "index",      "indices",    "input",      "inverseBindMatrices",
+    "material",      "mesh",       "mode",       "node",       "output",     "sampler",
+    "scene",         "skeleton",   "skin",       "source",     "texCoord",   "wrapS",
+    "wrapT"};
 
 constexpr std::array kReadExtensions{"KHR_texture_transform", "EXT_texture_webp", "KHR_texture_basisu",
                                      "KHR_materials_unlit", "KHR_materials_emissive_strength"};
 
 // Extensions without which the shape is still the same; what they add to the look is not kept.
-constexpr std::array kHarmlessExtensions{
-    "KHR_mesh_quantization", "KHR_lights_punctual", "KHR_materials_anisotropy", "KHR_materials_clearcoat",
-    "KHR_materials_diffuse_transmission", "KHR_materials_dispersion", "KHR_materials_ior", "KHR_materials_iridescence",
-    "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen", "KHR_materials_specular", "KHR_materials_transmission",
-    "KHR_materials_variants", "KHR_materials_volume", "KHR_xmp_json_ld", "EXT_lights_image_based", "MSFT_texture_dds"};
+constexpr std::array kHarmlessExtensions{"KHR_mesh_quantization",
+                                         "KHR_lights_punctual",
+                                         "KHR_materials_anisotropy",
+                                         "KHR_materials_clearcoat",
+                                         "KHR_materials_diffuse_transmission",
+                                         "KHR_materials_dispersion",
+                                         "KHR_materials_ior",
+                                         "KHR_materials_iridescence",
+                                         "KHR_materials_pbrSpecularGlossiness",
+                                         "KHR_materials_sheen",
+                                         "KHR_materials_specular",
+                                         "KHR_materials_transmission",
+                                         "KHR_materials_variants",
+                                         "KHR_materials_volume",
+                                         "KHR_xmp_json_ld",
+                                         "EXT_lights_image_based",
+                                         "MSFT_texture_dds"};
 
 template <std::size_t N>
 bool contains(const std::array<const char*, N>& names, std::string_view name) {
@@ -52,21 +67,23 @@ bool tooDeep(std::string_view text) {
     if (inString && c == '\\') ++i;
     else if (c == '"') inString = !inString;
     else if (inString) continue;
-    else if (c == '{' || c == '[') { if (++depth > kDeepest) return true; }
-    else if (c == '}' || c == ']') --depth;
+    else if (c == '{' || c == '[') {
+      if (++depth > kDeepest) return true;
+    } else if (c == '}' || c == ']') --depth;
   }
   return false;
 }
 
 Result<json> parse(std::string_view text, const std::string& where) {
   while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.remove_suffix(1);  // chunk padding
-  if (tooDeep(text)) return malformed(where, "its JSON is nested more than " + std::to_string(kDeepest) + " levels deep");
+  if (tooDeep(text))
+    return malformed(where, "its JSON is nested more than " + std::to_string(kDeepest) + " levels deep");
   try {
     return json::parse(text.begin(), text.end());
   } catch (const json::parse_error& e) {
     if (e.byte > text.size())
-      return Error{ErrorCode::TruncatedFile, where + " is cut off: its JSON ends after " + sizeText(text.size()) +
-                                                 ". Copy or export it again."};
+      return Error{ErrorCode::TruncatedFile,
+                   where + " is cut off: its JSON ends after " + sizeText(text.size()) + ". Copy or export it again."};
     return malformed(where, "its JSON is broken at byte " + grouped(static_cast<std::int64_t>(e.byte)));
   } catch (const json::exception&) {
     return malformed(where, "its JSON holds a number that is out of range");
@@ -128,15 +145,17 @@ std::string tidy(json& node) {
 Status checkAsset(const json& doc, const std::string& where) {
   if (!doc.is_object()) return malformed(where, "it is JSON but not glTF, which is an object");
   const auto asset = doc.find("asset");
-  const bool known = asset != doc.end() && asset->is_object() && asset->contains("version") && (*asset)["version"].is_string();
+  const bool known =
+      asset != doc.end() && asset->is_object() && asset->contains("version") && (*asset)["version"].is_string();
   if (!known)
-    return Error{ErrorCode::NotRecognised, where + " is JSON but not glTF: it has no asset.version. Give a glTF 2.0 file."};
+    return Error{ErrorCode::NotRecognised,
+                 where + " is JSON but not glTF: it has no asset.version. Give a glTF 2.0 file."};
   const auto minimum = asset->find("minVersion");
   const bool hasMinimum = minimum != asset->end() && minimum->is_string();
   const auto needed = (hasMinimum ? *minimum : (*asset)["version"]).get<std::string>();
   if (hasMinimum ? needed != "2.0" : !needed.starts_with("2."))
-    return Error{ErrorCode::Unsupported, where + " needs glTF version " + inQuotes(needed) +
-                                             "; only 2.0 is read. Export it as glTF 2.0."};
+    return Error{ErrorCode::Unsupported,
+                 where + " needs glTF version " + inQuotes(needed) + "; only 2.0 is read. Export it as glTF 2.0."};
   return {};
 }
 

@@ -57,7 +57,8 @@ struct LookReader {
 
   static int filterOf(int mode) {
     const bool known = mode == TINYGLTF_TEXTURE_FILTER_NEAREST || mode == TINYGLTF_TEXTURE_FILTER_LINEAR ||
-                       (mode >= TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST && mode <= TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR);
+                       (mode >= TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST &&
+                        mode <= TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR);
     return known ? mode : 0;
   }
 
@@ -72,15 +73,19 @@ struct LookReader {
     out.minFilter = filterOf(s.minFilter);
   }
 
-  static float unit(double value) { return static_cast<float>(value >= 0 ? std::min(value, 1.0) : 0); }  // NaN becomes 0
+  static float unit(double value) {
+    return static_cast<float>(value >= 0 ? std::min(value, 1.0) : 0);
+  }  // NaN becomes 0
   static float finite(double value) { return std::abs(value) < 1e6 ? static_cast<float>(value) : 0; }
 
   Material readMaterial(const tinygltf::Material& source) {
     const auto& pbr = source.pbrMetallicRoughness;
     Material out;
     out.name = source.name;
-    for (int c = 0; c < 4 && c < static_cast<int>(pbr.baseColorFactor.size()); ++c) out.baseColor[c] = unit(pbr.baseColorFactor[c]);
-    for (int c = 0; c < 3 && c < static_cast<int>(source.emissiveFactor.size()); ++c) out.emissive[c] = unit(source.emissiveFactor[c]);
+    for (int c = 0; c < 4 && c < static_cast<int>(pbr.baseColorFactor.size()); ++c)
+      out.baseColor[c] = unit(pbr.baseColorFactor[c]);
+    for (int c = 0; c < 3 && c < static_cast<int>(source.emissiveFactor.size()); ++c)
+      out.emissive[c] = unit(source.emissiveFactor[c]);
     out.metallic = unit(pbr.metallicFactor);
     out.roughness = unit(pbr.roughnessFactor);
     out.doubleSided = source.doubleSided;
@@ -91,7 +96,8 @@ struct LookReader {
     const int kept = coordinatesOf(source);
     readSampler(pbr.baseColorTexture.index, out);
     out.baseColorImage = keepImage(pbr.baseColorTexture.index);
-    out.metallicRoughnessImage = keepImage(pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord, kept);
+    out.metallicRoughnessImage =
+        keepImage(pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord, kept);
     out.normalImage = keepImage(source.normalTexture.index, source.normalTexture.texCoord, kept);
     out.occlusionImage = keepImage(source.occlusionTexture.index, source.occlusionTexture.texCoord, kept);
     out.emissiveImage = keepImage(source.emissiveTexture.index, source.emissiveTexture.texCoord, kept);
@@ -127,7 +133,9 @@ struct LookReader {
       decided = true;
       const auto it = texture.extensions.find("KHR_texture_transform");
       if (it == texture.extensions.end()) return;
-      const auto number = [](const tinygltf::Value& v, double otherwise) { return v.IsNumber() ? v.GetNumberAsDouble() : otherwise; };
+      const auto number = [](const tinygltf::Value& v, double otherwise) {
+        return v.IsNumber() ? v.GetNumberAsDouble() : otherwise;
+      };
       const auto pair = [&](const char* name, int i, double otherwise) {
         const tinygltf::Value& v = it->second.Get(name);
         return v.IsArray() && v.ArrayLen() == 2 ? number(v.Get(i), otherwise) : otherwise;
@@ -158,7 +166,8 @@ struct LookReader {
     const auto numbers = vertexNumbers(part, "TEXCOORD_" + std::to_string(set), 2);
     if (numbers.empty()) return;
     scene.uvs.resize(2 * static_cast<std::size_t>(shape.vertexCount), 0);
-    const auto transform = material ? transformOf(*material) : Eigen::Matrix<double, 2, 3>(Eigen::Matrix<double, 2, 3>::Identity());
+    const auto transform =
+        material ? transformOf(*material) : Eigen::Matrix<double, 2, 3>(Eigen::Matrix<double, 2, 3>::Identity());
     for (std::size_t v = 0; v < part.positions.size(); ++v) {
       const Vec2 uv = transform * Vec3(numbers[2 * v], numbers[2 * v + 1], 1);
       for (int c = 0; c < 2; ++c) scene.uvs[2 * (part.firstVertex + v) + c] = finite(uv[c]);
@@ -167,13 +176,16 @@ struct LookReader {
 
   void readColors(const GltfPart& part) {
     const auto it = part.primitive->attributes.find("COLOR_0");
-    if (it == part.primitive->attributes.end() || it->second < 0 || it->second >= static_cast<int>(doc.model.accessors.size())) return;
+    if (it == part.primitive->attributes.end() || it->second < 0 ||
+        it->second >= static_cast<int>(doc.model.accessors.size()))
+      return;
     const int components = doc.model.accessors[it->second].type == TINYGLTF_TYPE_VEC3 ? 3 : 4;
     const auto numbers = vertexNumbers(part, "COLOR_0", components);
     if (numbers.empty()) return;
     scene.colors.resize(4 * static_cast<std::size_t>(shape.vertexCount), 1);
     for (std::size_t v = 0; v < part.positions.size(); ++v)
-      for (int c = 0; c < components; ++c) scene.colors[4 * (part.firstVertex + v) + c] = unit(numbers[components * v + c]);
+      for (int c = 0; c < components; ++c)
+        scene.colors[4 * (part.firstVertex + v) + c] = unit(numbers[components * v + c]);
   }
 
   void warn(const char* code, int count, const char* message) {

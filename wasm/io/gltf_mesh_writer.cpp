@@ -18,7 +18,9 @@ const char* alphaName(Material::Alpha alpha) {
   return alpha == Material::Alpha::Mask ? "MASK" : alpha == Material::Alpha::Blend ? "BLEND" : "OPAQUE";
 }
 
-int wrapMode(Material::Wrap wrap) { return wrap == Material::Wrap::Clamp ? 33071 : wrap == Material::Wrap::Mirror ? 33648 : 10497; }
+int wrapMode(Material::Wrap wrap) {
+  return wrap == Material::Wrap::Clamp ? 33071 : wrap == Material::Wrap::Mirror ? 33648 : 10497;
+}
 
 // Materials with their textures; images go into the binary chunk.
 struct LookWriter {
@@ -70,11 +72,14 @@ struct LookWriter {
     if (m.emissive != std::array<float, 3>{0, 0, 0}) out["emissiveFactor"] = m.emissive;
     if (json t = texture(m.baseColorImage, m); !t.is_null()) pbr["baseColorTexture"] = t;
     if (json t = texture(m.metallicRoughnessImage, m); !t.is_null()) pbr["metallicRoughnessTexture"] = t;
-    if (json t = texture(m.normalImage, m); !t.is_null()) out["normalTexture"] = t, out["normalTexture"]["scale"] = m.normalScale;
-    if (json t = texture(m.occlusionImage, m); !t.is_null()) out["occlusionTexture"] = t, out["occlusionTexture"]["strength"] = m.occlusionStrength;
+    if (json t = texture(m.normalImage, m); !t.is_null())
+      out["normalTexture"] = t, out["normalTexture"]["scale"] = m.normalScale;
+    if (json t = texture(m.occlusionImage, m); !t.is_null())
+      out["occlusionTexture"] = t, out["occlusionTexture"]["strength"] = m.occlusionStrength;
     if (json t = texture(m.emissiveImage, m); !t.is_null()) out["emissiveTexture"] = t;
     out["pbrMetallicRoughness"] = std::move(pbr);
-    if (m.unlit) use("KHR_materials_unlit", "extensionsUsed"), out["extensions"]["KHR_materials_unlit"] = json::object();
+    if (m.unlit)
+      use("KHR_materials_unlit", "extensionsUsed"), out["extensions"]["KHR_materials_unlit"] = json::object();
     return out;
   }
 
@@ -133,7 +138,8 @@ void MeshWriter::addTangents(json& attributes, std::span<const float> positions,
   const auto& m = scene.materials;
   const bool wanted = std::any_of(m.begin(), m.end(), [](const Material& one) { return one.normalImage >= 0; });
   if (!wanted || normals.empty() || scene.uvs.size() != 2 * vertices) return;
-  attributes["TANGENT"] = glb.addArray(tangentsOf(positions, normals, scene.uvs, faces), "VEC4", 4, kFloat, kArrayBuffer);
+  attributes["TANGENT"] =
+      glb.addArray(tangentsOf(positions, normals, scene.uvs, faces), "VEC4", 4, kFloat, kArrayBuffer);
 }
 
 void MeshWriter::addColors(json& attributes) {
@@ -153,14 +159,16 @@ void MeshWriter::addVertexNumbers(json& attributes) {
 }
 
 json MeshWriter::primitives(json attributes, const json& targets) {
-  if (scene.uvs.size() == 2 * vertices) attributes["TEXCOORD_0"] = glb.addArray(scene.uvs, "VEC2", 2, kFloat, kArrayBuffer);
+  if (scene.uvs.size() == 2 * vertices)
+    attributes["TEXCOORD_0"] = glb.addArray(scene.uvs, "VEC2", 2, kFloat, kArrayBuffer);
   addColors(attributes);
   addVertexNumbers(attributes);
   json out = json::array();
   int plain = -1;
   for (const MaterialGroup& group : completeGroups(scene, static_cast<int>(faces.size()))) {
     json primitive = {{"attributes", attributes}, {"indices", addIndices(group)}};
-    if (group.material >= 0 && group.material < static_cast<int>(scene.materials.size())) primitive["material"] = group.material;
+    if (group.material >= 0 && group.material < static_cast<int>(scene.materials.size()))
+      primitive["material"] = group.material;
     else primitive["material"] = plain = plain < 0 ? addPlainMaterial() : plain;
     if (!targets.empty()) primitive["targets"] = targets;
     out.push_back(std::move(primitive));
@@ -170,7 +178,8 @@ json MeshWriter::primitives(json attributes, const json& targets) {
 
 // glTF's own default is polished metal, which is black where there is nothing to mirror.
 int MeshWriter::addPlainMaterial() {
-  glb.doc["materials"].push_back({{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}, {"doubleSided", true}});
+  glb.doc["materials"].push_back(
+      {{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}, {"doubleSided", true}});
   return static_cast<int>(glb.doc["materials"].size()) - 1;
 }
 

@@ -22,7 +22,7 @@ struct MeshWriter {
   GlbBuilder& glb;
   const std::vector<Triangle>& faces;  ///< of drawn vertices
   const Scene& scene;
-  std::size_t vertices = 0;            ///< that are drawn
+  std::size_t vertices = 0;  ///< that are drawn
 
   /// Where a material asks for them.
   void addTangents(nlohmann::json& attributes, std::span<const float> positions, std::span<const float> normals);

@@ -10,7 +10,9 @@ Error malformed(const GltfDocument& doc, const std::string& what) {
 
 Result<NodeTransform> readTransform(const GltfDocument& doc, int index) {
   const tinygltf::Node& node = doc.model.nodes[index];
-  const auto fits = [](const std::vector<double>& values, std::size_t size) { return values.empty() || values.size() == size; };
+  const auto fits = [](const std::vector<double>& values, std::size_t size) {
+    return values.empty() || values.size() == size;
+  };
   if (!fits(node.matrix, 16) || !fits(node.translation, 3) || !fits(node.rotation, 4) || !fits(node.scale, 3))
     return malformed(doc, "the transform of node " + std::to_string(index) + " has a wrong number of values");
   NodeTransform out;
@@ -33,9 +35,11 @@ Status linkParents(const GltfDocument& doc, NodeGraph& graph) {
   for (int i = 0; i < n; ++i)
     for (int child : doc.model.nodes[i].children) {
       if (child < 0 || child >= n)
-        return malformed(doc, "node " + std::to_string(i) + " has child " + std::to_string(child) + ", which is not there");
+        return malformed(doc,
+                         "node " + std::to_string(i) + " has child " + std::to_string(child) + ", which is not there");
       if (graph.parent[child] >= 0 || child == i)
-        return malformed(doc, "node " + std::to_string(child) + (child == i ? " is its own child" : " has two parents") +
+        return malformed(doc, "node " + std::to_string(child) +
+                                  (child == i ? " is its own child" : " has two parents") +
                                   ", so that the nodes form no tree");
       graph.parent[child] = i;
     }
@@ -92,7 +96,8 @@ Result<NodeGraph> readNodes(const GltfDocument& doc) {
     if (scene >= static_cast<int>(doc.model.scenes.size()))
       return malformed(doc, "its default scene " + std::to_string(scene) + " is not there");
     for (int node : doc.model.scenes[scene].nodes)
-      if (node < 0 || node >= n) return malformed(doc, "its scene shows node " + std::to_string(node) + ", which is not there");
+      if (node < 0 || node >= n)
+        return malformed(doc, "its scene shows node " + std::to_string(node) + ", which is not there");
     graph.shown = depthFirst(doc, doc.model.scenes[scene].nodes);
   }
   for (int i = 0; i < n; ++i) {

@@ -14,7 +14,7 @@ struct NodeTransform {
   Vec3 translation = Vec3::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Vec3 scale = Vec3::Ones();
-  bool isMatrix = false;          ///< `matrix` counts, not the three above
+  bool isMatrix = false;  ///< `matrix` counts, not the three above
   Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
 
   Eigen::Affine3d affine() const;
@@ -25,9 +25,9 @@ struct NodeTransform {
 
 /// The graph, checked to be a forest.
 struct NodeGraph {
-  std::vector<int> parent;       ///< -1 for roots
-  std::vector<int> topDown;      ///< every node after its parent
-  std::vector<int> shown;        ///< nodes of the default scene, depth first; without scenes, of all roots
+  std::vector<int> parent;   ///< -1 for roots
+  std::vector<int> topDown;  ///< every node after its parent
+  std::vector<int> shown;    ///< nodes of the default scene, depth first; without scenes, of all roots
   std::vector<NodeTransform> rest;
 };
 

@@ -10,8 +10,8 @@ namespace shapespline {
 namespace {
 
 // Adds weight * target to the values, for one attribute of all targets.
-Status addTargets(const GltfDocument& doc, const GltfPart& part, const char* attribute, const std::vector<double>& weights,
-                  Positions& values, const FractionReport& onProgress) {
+Status addTargets(const GltfDocument& doc, const GltfPart& part, const char* attribute,
+                  const std::vector<double>& weights, Positions& values, const FractionReport& onProgress) {
   const auto& targets = part.primitive->targets;
   for (std::size_t t = 0; t < targets.size() && t < weights.size(); ++t) {
     if (weights[t] == 0) continue;
@@ -22,11 +22,13 @@ Status addTargets(const GltfDocument& doc, const GltfPart& part, const char* att
       return Error{ErrorCode::MalformedFile,
                    doc.where + ": " + name + " has another number of vertices than its mesh. Export the file again."};
     const double count = static_cast<double>(weights.size()), before = static_cast<double>(t);
-    const auto offsets = readNumbers(doc, found->second, 3, name, values.size(), partOf(onProgress, before / count, (before + 0.7) / count));
+    const auto offsets = readNumbers(doc, found->second, 3, name, values.size(),
+                                     partOf(onProgress, before / count, (before + 0.7) / count));
     if (!offsets) return offsets.error();
-    inBlocks(partOf(onProgress, (before + 0.7) / count, (before + 1) / count), values.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v) values[v] += weights[t] * Vec3(&(*offsets)[3 * v]);
-    });
+    inBlocks(partOf(onProgress, (before + 0.7) / count, (before + 1) / count), values.size(),
+             [&](std::size_t begin, std::size_t end) {
+               for (std::size_t v = begin; v < end; ++v) values[v] += weights[t] * Vec3(&(*offsets)[3 * v]);
+             });
   }
   return {};
 }
@@ -52,12 +54,14 @@ struct PartTransforms {
 
 // A skin places the mesh by its joints alone; the mesh node's own transform does not count (glTF 2.0, section 3.7.3.3).
 // `ofSkins` keeps each skin's matrices for the other parts that it moves.
-PartTransforms partTransforms(const GltfPart& part, const GltfShape& shape, const Matrices& world, std::vector<Matrices>& ofSkins) {
+PartTransforms partTransforms(const GltfPart& part, const GltfShape& shape, const Matrices& world,
+                              std::vector<Matrices>& ofSkins) {
   if (part.influences == 0) return {part, {&world[part.node], 1}};
   const GltfSkin& skin = shape.skins[part.skin];
   Matrices& matrices = ofSkins[part.skin];
   if (matrices.empty())
-    for (std::size_t j = 0; j < skin.joints.size(); ++j) matrices.push_back(world[skin.joints[j]] * skin.inverseBind[j]);
+    for (std::size_t j = 0; j < skin.joints.size(); ++j)
+      matrices.push_back(world[skin.joints[j]] * skin.inverseBind[j]);
   return {part, matrices};
 }
 
@@ -92,8 +96,8 @@ SceneState restState(const GltfDocument& doc, const GltfShape& shape) {
   return state;
 }
 
-Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state, Positions* normals,
-                                const FractionReport& onProgress) {
+Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state,
+                                Positions* normals, const FractionReport& onProgress) {
   const auto world = worldTransforms(shape.graph, state.local);
   std::vector<Matrices> ofSkins(shape.skins.size());
   Positions out;
@@ -101,19 +105,22 @@ Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape,
   if (normals) normals->clear();
   for (std::size_t p = 0; p < shape.parts.size(); ++p) {
     const GltfPart& part = shape.parts[p];
-    const auto share = [&, count = static_cast<double>(shape.parts.size()), before = static_cast<double>(p)](double from, double to) {
+    const auto share = [&, count = static_cast<double>(shape.parts.size()), before = static_cast<double>(p)](
+                           double from, double to) {
       return partOf(onProgress, (before + from) / count, (before + to) / count);
     };
     const std::vector<double>& weights = state.weights[part.node];
     Positions positions = part.positions;
-    if (Status morphed = addTargets(doc, part, "POSITION", weights, positions, share(0, 0.3)); !morphed) return morphed.error();
+    if (Status morphed = addTargets(doc, part, "POSITION", weights, positions, share(0, 0.3)); !morphed)
+      return morphed.error();
     const PartTransforms transforms = partTransforms(part, shape, world, ofSkins);
     inBlocks(share(0.3, 0.5), positions.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) out.push_back(transforms.of(v) * positions[v]);
     });
     if (!normals || !shape.hasNormals) continue;
     Positions turned = part.normals;
-    if (Status morphed = addTargets(doc, part, "NORMAL", weights, turned, share(0.5, 0.8)); !morphed) return morphed.error();
+    if (Status morphed = addTargets(doc, part, "NORMAL", weights, turned, share(0.5, 0.8)); !morphed)
+      return morphed.error();
     inBlocks(share(0.8, 1), turned.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) turned[v] = turnedNormal(transforms.of(v).linear(), turned[v]);
     });

@@ -56,7 +56,8 @@ struct KeyReader {
   }
 
   // `count`: how many keys there will be. `animation`: what the state was taken from, or null.
-  Status addKey(const std::string& name, double time, const SceneState& state, std::size_t count, const GltfAnimation* animation) {
+  Status addKey(const std::string& name, double time, const SceneState& state, std::size_t count,
+                const GltfAnimation* animation) {
     const auto onKey = [&, before = static_cast<double>(out.keyframes.keys.size())](double fraction) {
       report("taking the keys", kReading + (1 - kReading) * (before + fraction) / static_cast<double>(count));
     };
@@ -66,8 +67,8 @@ struct KeyReader {
     work += cost;
     // The keys to come will take as much as this one, most likely.
     if (work > kMostPoseCost || cost > kMostPoseCost / count)
-      return error(ErrorCode::TooLarge, ": its channels, morph targets and skins take too long to compute for " + grouped(std::int64_t(count)) +
-                                            " keys. Take fewer keys.");
+      return error(ErrorCode::TooLarge, ": its channels, morph targets and skins take too long to compute for " +
+                                            grouped(std::int64_t(count)) + " keys. Take fewer keys.");
     auto positions = posedVertices(doc, shape, state, first ? &out.keyframes.normals : nullptr, onKey);
     if (!positions) return positions.error();
     out.keyframes.keys.push_back({name, time, std::move(*positions)});
@@ -101,7 +102,8 @@ struct KeyReader {
     if (Status size = checkSize(targets + 1); !size) return size;
     const auto times = evenTimes(targets + 1);
     for (int t = -1; t < targets; ++t)
-      if (Status key = addKey(t < 0 ? "base" : targetName(t), times[t + 1], morphState(t), times.size(), nullptr); !key) return key;
+      if (Status key = addKey(t < 0 ? "base" : targetName(t), times[t + 1], morphState(t), times.size(), nullptr); !key)
+        return key;
     return {};
   }
 
@@ -143,14 +145,17 @@ struct KeyReader {
     if (!options.sampleTimes.empty()) {
       for (std::size_t i = 0; i < options.sampleTimes.size(); ++i)
         if (!std::isfinite(options.sampleTimes[i]) || (i > 0 && !(options.sampleTimes[i] > options.sampleTimes[i - 1])))
-          return Error{ErrorCode::TimesNotIncreasing, "The sample times do not increase: sample " + std::to_string(i + 1) +
-                                                          " is at " + shortNumber(options.sampleTimes[i]) +
-                                                          ". Give them in increasing order.", static_cast<int>(i)};
-      if (options.sampleTimes.front() < animation.keyTimes.front() || options.sampleTimes.back() > animation.keyTimes.back())
+          return Error{ErrorCode::TimesNotIncreasing,
+                       "The sample times do not increase: sample " + std::to_string(i + 1) + " is at " +
+                           shortNumber(options.sampleTimes[i]) + ". Give them in increasing order.",
+                       static_cast<int>(i)};
+      if (options.sampleTimes.front() < animation.keyTimes.front() ||
+          options.sampleTimes.back() > animation.keyTimes.back())
         out.warnings.push_back({"sample-outside-animation",
                                 "Some sample times lie outside the animation, which runs from " +
-                                    shortNumber(animation.keyTimes.front()) + " to " + shortNumber(animation.keyTimes.back()) +
-                                    " s: it stands still there.", 0});
+                                    shortNumber(animation.keyTimes.front()) + " to " +
+                                    shortNumber(animation.keyTimes.back()) + " s: it stands still there.",
+                                0});
       return options.sampleTimes;
     }
     const bool ownTimes = animations.size() == 1 && animation.weightsOnly && !options.sampleAsked &&
@@ -161,7 +166,8 @@ struct KeyReader {
       return Error{ErrorCode::TooFewKeys, "At least two keys are needed. Take two or more samples of the animation."};
     if (Status size = checkSize(options.sampleCount); !size) return size.error();
     if (!(end > start))
-      return error(ErrorCode::TooFewKeys, ": the animation " + inQuotes(animation.name) + " has only one key time. Choose another.");
+      return error(ErrorCode::TooFewKeys,
+                   ": the animation " + inQuotes(animation.name) + " has only one key time. Choose another.");
     std::vector<double> times = evenTimes(options.sampleCount);
     for (double& t : times) t = t == 1 ? end : start + t * (end - start);
     return times;
@@ -206,7 +212,8 @@ struct KeyReader {
     const auto moves = [&](const AnimationCurve& curve) {
       return curve.path == AnimationCurve::Path::Weights ? morphing[curve.node] : placing[curve.node];
     };
-    std::erase_if(animations, [&](const GltfAnimation& a) { return std::none_of(a.curves.begin(), a.curves.end(), moves); });
+    std::erase_if(animations,
+                  [&](const GltfAnimation& a) { return std::none_of(a.curves.begin(), a.curves.end(), moves); });
   }
 
   Status takeKeys() {
@@ -215,11 +222,13 @@ struct KeyReader {
       if (project) return takeProject(*project);
       out.warnings.push_back({"project-ignored", doc.where + ": " + project.error().message, 0});
     }
-    if (options.animationAsked() && animations.empty()) return error(ErrorCode::UnknownAnimation, " has no animation that moves its mesh.");
+    if (options.animationAsked() && animations.empty())
+      return error(ErrorCode::UnknownAnimation, " has no animation that moves its mesh.");
     if (!animations.empty()) return takeAnimation();
     if (morphTargets() > 0) return takeMorphTargets();
-    return error(ErrorCode::TooFewKeys, " holds one pose only. Add a file for every other key, or give one file with "
-                                        "morph targets or an animation.");
+    return error(ErrorCode::TooFewKeys,
+                 " holds one pose only. Add a file for every other key, or give one file with "
+                 "morph targets or an animation.");
   }
 
   Status read() {
@@ -252,7 +261,8 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
   PoseFile out;
   const SceneState rest = restState(*doc, *shape);
   if (poseCost(*shape, rest) > kMostPoseCost)
-    return Error{ErrorCode::TooLarge, where + ": its morph targets and skins take too long to compute. Export the pose as a plain mesh."};
+    return Error{ErrorCode::TooLarge,
+                 where + ": its morph targets and skins take too long to compute. Export the pose as a plain mesh."};
   auto positions = posedVertices(*doc, *shape, rest, &out.normals, partOf(onProgress, 0.6, 1));
   if (!positions) return positions.error();
   out.positions = std::move(*positions);

@@ -8,7 +8,8 @@ namespace shapespline {
 
 namespace {
 
-// The vertex of each copy, where the numbers are 0, 1, ... up to the last vertex and then those of copies; else nothing.
+// The vertex of each copy, where the numbers are 0, 1, ... up to the last vertex and then those of copies; else
+// nothing.
 std::vector<int> copiesIn(const std::vector<double>& numbers) {
   std::size_t n = 0;
   while (n < numbers.size() && numbers[n] == static_cast<double>(n)) ++n;
@@ -29,16 +30,19 @@ bool standOnTheirVertices(const std::vector<int>& copyOf, const Positions& pose)
 
 }  // namespace
 
-void joinSeams(const GltfDocument& doc, const GltfShape& shape, const std::vector<Positions*>& poses, Positions& normals,
-               std::vector<Triangle>& faces, Scene& scene) {
+void joinSeams(const GltfDocument& doc, const GltfShape& shape, const std::vector<Positions*>& poses,
+               Positions& normals, std::vector<Triangle>& faces, Scene& scene) {
   if (shape.parts.size() != 1) return;
   const GltfPart& part = shape.parts[0];
   const auto attribute = part.primitive->attributes.find(std::string(kVertexAttribute));
-  if (attribute == part.primitive->attributes.end() || accessorCount(doc, attribute->second) != part.positions.size()) return;
+  if (attribute == part.primitive->attributes.end() || accessorCount(doc, attribute->second) != part.positions.size())
+    return;
   const auto numbers = readNumbers(doc, attribute->second, 1, "the vertices of " + part.name);
   if (!numbers) return;
   const std::vector<int> copyOf = copiesIn(*numbers);
-  if (copyOf.empty() || !std::all_of(poses.begin(), poses.end(), [&](const Positions* p) { return standOnTheirVertices(copyOf, *p); })) return;
+  if (copyOf.empty() ||
+      !std::all_of(poses.begin(), poses.end(), [&](const Positions* p) { return standOnTheirVertices(copyOf, *p); }))
+    return;
 
   const std::size_t n = part.positions.size() - copyOf.size();
   if (!scene.uvs.empty()) scene.seams = {copyOf, faces};

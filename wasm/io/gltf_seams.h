@@ -14,9 +14,9 @@ namespace shapespline {
 /// 16.7 million, which is more than kMostElements.
 inline constexpr std::string_view kVertexAttribute = "_SHAPESPLINE_VERTEX";
 
-/// Puts a mesh together again that was exported with copies: poses, normals, faces and scene lose them, and the scene gets its
-/// seams. Nothing happens where the file holds no such attribute, or other tools have changed what it says.
-void joinSeams(const GltfDocument& doc, const GltfShape& shape, const std::vector<Positions*>& poses, Positions& normals,
-               std::vector<Triangle>& faces, Scene& scene);
+/// Puts a mesh together again that was exported with copies: poses, normals, faces and scene lose them, and the scene
+/// gets its seams. Nothing happens where the file holds no such attribute, or other tools have changed what it says.
+void joinSeams(const GltfDocument& doc, const GltfShape& shape, const std::vector<Positions*>& poses,
+               Positions& normals, std::vector<Triangle>& faces, Scene& scene);
 
 }  // namespace shapespline

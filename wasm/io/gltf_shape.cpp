@@ -48,9 +48,11 @@ Result<std::vector<GltfSkin>> readSkins(const GltfDocument& doc) {
         return malformed(doc, name + " has joint node " + std::to_string(joint) + ", which is not there");
     GltfSkin out{skin.joints, std::vector<Eigen::Affine3d>(skin.joints.size(), Eigen::Affine3d::Identity())};
     if (skin.inverseBindMatrices >= 0) {
-      const auto numbers = readNumbers(doc, skin.inverseBindMatrices, 16, "inverseBindMatrices of " + name, skin.joints.size());
+      const auto numbers =
+          readNumbers(doc, skin.inverseBindMatrices, 16, "inverseBindMatrices of " + name, skin.joints.size());
       if (!numbers) return numbers.error();
-      if (numbers->size() < 16 * skin.joints.size()) return malformed(doc, name + " has fewer inverse bind matrices than joints");
+      if (numbers->size() < 16 * skin.joints.size())
+        return malformed(doc, name + " has fewer inverse bind matrices than joints");
       for (std::size_t j = 0; j < skin.joints.size(); ++j)
         out.inverseBind[j].matrix().topRows<3>() = Eigen::Matrix4d(&(*numbers)[16 * j]).topRows<3>();
     }
@@ -83,12 +85,14 @@ struct ShapeReader {
   Status readInfluenceSet(GltfPart& part, int set, std::vector<std::vector<std::uint32_t>>& joints,
                           std::vector<std::vector<double>>& weights) {
     const std::string suffix = "_" + std::to_string(set);
-    const int jointAccessor = attribute(*part.primitive, "JOINTS" + suffix), weightAccessor = attribute(*part.primitive, "WEIGHTS" + suffix);
+    const int jointAccessor = attribute(*part.primitive, "JOINTS" + suffix),
+              weightAccessor = attribute(*part.primitive, "WEIGHTS" + suffix);
     const std::size_t n = part.positions.size();
     if (accessorCount(doc, jointAccessor) != n || accessorCount(doc, weightAccessor) != n)
       return malformed(doc, part.name + " has another number of joints or weights than of vertices");
     influenceCount += 4 * static_cast<std::int64_t>(n);
-    if (influenceCount > static_cast<std::int64_t>(4 * kMostElements)) return tooLarge(4 * kMostElements, "joint weights");
+    if (influenceCount > static_cast<std::int64_t>(4 * kMostElements))
+      return tooLarge(4 * kMostElements, "joint weights");
     auto j = readWholeNumbers(doc, jointAccessor, 4, "JOINTS" + suffix + " of " + part.name);
     if (!j) return j.error();
     auto w = readNumbers(doc, weightAccessor, 4, "WEIGHTS" + suffix + " of " + part.name);
@@ -101,7 +105,9 @@ struct ShapeReader {
   Status readInfluences(GltfPart& part) {
     std::vector<std::vector<std::uint32_t>> joints;
     std::vector<std::vector<double>> weights;
-    const auto has = [&](const char* name) { return attribute(*part.primitive, name + std::to_string(joints.size())) >= 0; };
+    const auto has = [&](const char* name) {
+      return attribute(*part.primitive, name + std::to_string(joints.size())) >= 0;
+    };
     while (has("JOINTS_") && has("WEIGHTS_"))
       if (Status set = readInfluenceSet(part, static_cast<int>(joints.size()), joints, weights); !set) return set;
     if (joints.empty()) {
@@ -128,13 +134,15 @@ struct ShapeReader {
       }
       if (known == 0) return malformed(doc, part.name + " is skinned by a skin without joints");
       // Weights must sum to 1; where a file's do not, they are scaled, as three.js does.
-      if (sum > 0) for (std::size_t i = 0; i < 4 * sets; ++i) weight[i] /= sum;
+      if (sum > 0)
+        for (std::size_t i = 0; i < 4 * sets; ++i) weight[i] /= sum;
       else weight[0] = 1;
     }
     return {};
   }
 
-  Status readPart(int node, const tinygltf::Primitive& primitive, const std::string& name, const FractionReport& report) {
+  Status readPart(int node, const tinygltf::Primitive& primitive, const std::string& name,
+                  const FractionReport& report) {
     GltfPart part;
     part.node = node;
     part.mesh = doc.model.nodes[node].mesh;
@@ -148,7 +156,8 @@ struct ShapeReader {
     // An accessor may leave out its bytes, for zeros; but no mesh has more vertices than its file has bytes.
     if (accessorCount(doc, position) > doc.bufferBytes && doc.model.accessors[position].bufferView < 0)
       return Error{ErrorCode::TooLarge, doc.where + ": POSITION of " + name + " declares " +
-                                            grouped(std::int64_t(accessorCount(doc, position))) + " vertices, but there are no bytes for so many. " +
+                                            grouped(std::int64_t(accessorCount(doc, position))) +
+                                            " vertices, but there are no bytes for so many. " +
                                             "Export the file again."};
     const std::size_t count = accessorCount(doc, position);
     auto positions = readNumbers(doc, position, 3, "POSITION of " + name, count, partOf(report, 0, 0.3));
@@ -162,7 +171,8 @@ struct ShapeReader {
       part.normals = toPositions(*normals, partOf(report, 0.8, 1));
     }
     if (part.skin >= static_cast<int>(shape.skins.size()))
-      return malformed(doc, "node " + std::to_string(node) + " has skin " + std::to_string(part.skin) + ", which is not there");
+      return malformed(
+          doc, "node " + std::to_string(node) + " has skin " + std::to_string(part.skin) + ", which is not there");
     if (part.skin >= 0)
       if (Status influences = readInfluences(part); !influences) return influences;
     shape.vertexCount += static_cast<int>(part.positions.size());
@@ -171,8 +181,8 @@ struct ShapeReader {
     return {};
   }
 
-  Result<std::vector<std::uint32_t>> corners(const GltfPart& part, const tinygltf::Primitive& primitive, const std::string& name,
-                                             const FractionReport& report) {
+  Result<std::vector<std::uint32_t>> corners(const GltfPart& part, const tinygltf::Primitive& primitive,
+                                             const std::string& name, const FractionReport& report) {
     const std::size_t n = part.positions.size();
     cornerCount += static_cast<std::int64_t>(primitive.indices < 0 ? n : accessorCount(doc, primitive.indices));
     if (cornerCount > 3 * kMostFaces) return tooLarge(kMostFaces, "faces");
@@ -187,7 +197,8 @@ struct ShapeReader {
       if ((*indices)[i] >= n)
         return Error{ErrorCode::IndexOutOfRange,
                      doc.where + ": face " + grouped(std::int64_t(i / 3)) + " of " + name + " names vertex " +
-                         grouped((*indices)[i]) + ", but there are " + grouped(std::int64_t(n)) + ". Export the mesh again.",
+                         grouped((*indices)[i]) + ", but there are " + grouped(std::int64_t(n)) +
+                         ". Export the mesh again.",
                      -1, static_cast<int>(std::min<std::uint32_t>((*indices)[i], 0x7fffffff)),
                      static_cast<int>(shape.faces.size() + i / 3)};
     return indices;
@@ -219,12 +230,14 @@ struct ShapeReader {
   Status readMesh(int node, bool mirrored, const FractionReport& report) {
     const int meshIndex = doc.model.nodes[node].mesh;
     if (meshIndex >= static_cast<int>(doc.model.meshes.size()))
-      return malformed(doc, "node " + std::to_string(node) + " shows mesh " + std::to_string(meshIndex) + ", which is not there");
+      return malformed(
+          doc, "node " + std::to_string(node) + " shows mesh " + std::to_string(meshIndex) + ", which is not there");
     const tinygltf::Mesh& mesh = doc.model.meshes[meshIndex];
     std::map<const tinygltf::Primitive*, std::size_t, ByVertices> knownPart;
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const tinygltf::Primitive& primitive = mesh.primitives[p];
-      const auto share = [&, count = static_cast<double>(mesh.primitives.size()), before = static_cast<double>(p)](double from, double to) {
+      const auto share = [&, count = static_cast<double>(mesh.primitives.size()), before = static_cast<double>(p)](
+                             double from, double to) {
         return partOf(report, (before + from) / count, (before + to) / count);
       };
       if (++primitiveCount > kMostParts) return tooLarge(kMostParts, "mesh primitives");
@@ -241,7 +254,8 @@ struct ShapeReader {
       const auto v = corners(shape.parts[part], primitive, name, share(0.6, 0.8));
       if (!v) return v.error();
       const int start = static_cast<int>(shape.faces.size());
-      if (start + static_cast<std::int64_t>(v->size()) / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1) > kMostFaces)
+      if (start + static_cast<std::int64_t>(v->size()) / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1) >
+          kMostFaces)
         return tooLarge(kMostFaces, "faces");
       addFaces(*v, primitive.mode, shape.parts[part].firstVertex, mirrored && shape.parts[part].skin < 0,
                share(0.8, 1));
@@ -260,7 +274,8 @@ struct ShapeReader {
     for (const tinygltf::Node& node : doc.model.nodes) {
       const bool hasMesh = node.mesh >= 0 && node.mesh < static_cast<int>(doc.model.meshes.size());
       if (hasMesh) weights += targetCounts[node.mesh];
-      weights += static_cast<std::int64_t>(std::max(node.weights.size(), hasMesh ? doc.model.meshes[node.mesh].weights.size() : 0));
+      weights += static_cast<std::int64_t>(
+          std::max(node.weights.size(), hasMesh ? doc.model.meshes[node.mesh].weights.size() : 0));
       if (weights > kMostWeights) return tooLarge(kMostWeights, "morph weights");
     }
     return {};
@@ -283,14 +298,16 @@ struct ShapeReader {
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const double count = static_cast<double>(shown.size()), before = static_cast<double>(i);
       const bool mirrored = world[shown[i]].linear().determinant() < 0;
-      if (Status mesh = readMesh(shown[i], mirrored, partOf(onProgress, before / count, (before + 1) / count)); !mesh) return mesh;
+      if (Status mesh = readMesh(shown[i], mirrored, partOf(onProgress, before / count, (before + 1) / count)); !mesh)
+        return mesh;
     }
     shape.hasNormals = shape.hasNormals && !shape.parts.empty();
     warn("skipped-primitives", skippedPrimitives, "lines and points are left out.");
     warn("leftover-corners", leftoverCorners, "corners that fill no triangle are left out.");
     warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is taken as it is.");
     if (!shape.faces.empty()) return {};
-    return Error{ErrorCode::NoTriangles, doc.where + (doc.model.meshes.empty() ? " has no mesh" : " shows no triangles") +
+    return Error{ErrorCode::NoTriangles, doc.where +
+                                             (doc.model.meshes.empty() ? " has no mesh" : " shows no triangles") +
                                              ". Export a scene that shows a mesh with faces."};
   }
 };

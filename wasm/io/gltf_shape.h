@@ -16,13 +16,13 @@ namespace shapespline {
 /// Vertices of one primitive (or of several that share their attributes) of one mesh node, before any transform.
 struct GltfPart {
   int node = -1, mesh = -1, skin = -1;
-  int firstVertex = 0;                         ///< of this part in the whole shape
+  int firstVertex = 0;  ///< of this part in the whole shape
   const tinygltf::Primitive* primitive = nullptr;
-  Positions positions, normals;                ///< normals may be empty
-  int influences = 0;                          ///< joints a vertex, 0 where it is not skinned
-  std::vector<std::uint32_t> joints;           ///< influences a vertex: places in the skin's joint list, in range
-  std::vector<double> weights;                 ///< as many, summing to 1 at each vertex
-  std::string name;                            ///< for messages: mesh 0, primitive 1
+  Positions positions, normals;       ///< normals may be empty
+  int influences = 0;                 ///< joints a vertex, 0 where it is not skinned
+  std::vector<std::uint32_t> joints;  ///< influences a vertex: places in the skin's joint list, in range
+  std::vector<double> weights;        ///< as many, summing to 1 at each vertex
+  std::string name;                   ///< for messages: mesh 0, primitive 1
 };
 
 /// Joints of a skin and the matrices that take the mesh into each joint's space.
@@ -35,10 +35,10 @@ struct GltfShape {
   NodeGraph graph;
   std::vector<GltfPart> parts;
   std::vector<GltfSkin> skins;
-  std::vector<Triangle> faces;          ///< over all parts, in the file's order
-  std::vector<MaterialGroup> groups;    ///< one a primitive
+  std::vector<Triangle> faces;        ///< over all parts, in the file's order
+  std::vector<MaterialGroup> groups;  ///< one a primitive
   int vertexCount = 0;
-  bool hasNormals = false;              ///< every part has them
+  bool hasNormals = false;  ///< every part has them
   std::vector<Warning> warnings;
 };
 

@@ -57,8 +57,9 @@ void makeUnit(std::vector<float>& normals) {
 Status checkFinite(std::span<const float> values, int frame) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
-      return Error{ErrorCode::NotFinite, "Frame " + std::to_string(frame) + " has a vertex that is not finite (" +
-                                             grouped(std::int64_t(i / 3)) + "). Choose a range closer to the keys.",
+      return Error{ErrorCode::NotFinite,
+                   "Frame " + std::to_string(frame) + " has a vertex that is not finite (" +
+                       grouped(std::int64_t(i / 3)) + "). Choose a range closer to the keys.",
                    frame, static_cast<int>(i / 3)};
   return {};
 }
@@ -74,17 +75,20 @@ struct AnimationWriter {
   Status checkTimes() const {
     const auto& t = source.seconds;
     bool increasing = !t.empty() && t[0] == 0;
-    for (std::size_t k = 1; k < t.size(); ++k) increasing = increasing && static_cast<float>(t[k]) > static_cast<float>(t[k - 1]);
+    for (std::size_t k = 1; k < t.size(); ++k)
+      increasing = increasing && static_cast<float>(t[k]) > static_cast<float>(t[k - 1]);
     if (increasing) return {};
-    return Error{ErrorCode::InvalidOption, "The exported times must start at 0 and increase. Use a longer duration or fewer frames."};
+    return Error{ErrorCode::InvalidOption,
+                 "The exported times must start at 0 and increase. Use a longer duration or fewer frames."};
   }
 
   Status checkWeights() const {
     const std::uint64_t weights = source.seconds.size() * static_cast<std::uint64_t>(frameCount() - 1);
     if (weights <= kMostElements) return {};
-    return Error{ErrorCode::TooLarge, "An animation with " + grouped(std::int64_t(frameCount() - 1)) + " morph targets needs " +
-                                          grouped(std::int64_t(weights)) + " weights, one for each at every frame; with more than " +
-                                          grouped(std::int64_t(kMostElements)) + " the file would not open again. Export fewer frames."};
+    return Error{ErrorCode::TooLarge,
+                 "An animation with " + grouped(std::int64_t(frameCount() - 1)) + " morph targets needs " +
+                     grouped(std::int64_t(weights)) + " weights, one for each at every frame; with more than " +
+                     grouped(std::int64_t(kMostElements)) + " the file would not open again. Export fewer frames."};
   }
 
   Status readFrame(int k, std::vector<float>& p, std::vector<float>& n) {
@@ -106,7 +110,8 @@ struct AnimationWriter {
       if (Status frame = readFrame(k, p, n); !frame) return frame;
       if (k == 0) {
         positions.base = p, normals.base = n;
-        glb.bin.reserve(animatedGlbSize(static_cast<int>(vertices), static_cast<int>(source.faces->size()), frameCount(), *source.scene));
+        glb.bin.reserve(animatedGlbSize(static_cast<int>(vertices), static_cast<int>(source.faces->size()),
+                                        frameCount(), *source.scene));
       } else {
         for (std::size_t i = 0; i < p.size(); ++i) p[i] -= positions.base[i];
         n.resize(normals.base.size());
@@ -140,10 +145,13 @@ struct AnimationWriter {
     const std::vector<float> ones(frames - 1, 1);
     const int placeView = glb.addView(glb.append(places.data(), places.size()));
     const int valueView = glb.addView(glb.append(ones.data(), ones.size()));
-    return glb.addAccessor({{"componentType", kFloat}, {"count", frames * targets}, {"type", "SCALAR"},
-                            {"sparse", {{"count", places.size()},
-                                        {"indices", {{"bufferView", placeView}, {"componentType", kUnsignedInt}}},
-                                        {"values", {{"bufferView", valueView}}}}}});
+    return glb.addAccessor({{"componentType", kFloat},
+                            {"count", frames * targets},
+                            {"type", "SCALAR"},
+                            {"sparse",
+                             {{"count", places.size()},
+                              {"indices", {{"bufferView", placeView}, {"componentType", kUnsignedInt}}},
+                              {"values", {{"bufferView", valueView}}}}}});
   }
 
   void addAnimation() {
@@ -172,7 +180,8 @@ struct AnimationWriter {
     }
     writeLook(glb, *source.scene);
     const Seams& seams = source.scene->seams;
-    MeshWriter mesh{glb, seams.copyOf.empty() ? *source.faces : seams.faces, *source.scene, vertices + seams.copyOf.size()};
+    MeshWriter mesh{glb, seams.copyOf.empty() ? *source.faces : seams.faces, *source.scene,
+                    vertices + seams.copyOf.size()};
     mesh.addTangents(attributes, positions.base, normals.base);
     json out = {{"primitives", mesh.primitives(std::move(attributes), targets)}};
     if (!targets.empty()) out["weights"] = std::vector<int>(targets.size(), 0);

@@ -100,25 +100,29 @@ Status addPose(PoseFile&& pose, const MeshFile& mesh, Import& out, const std::st
     if (pose.positions.size() != k.keys[0].positions.size())
       return Error{ErrorCode::VertexCountMismatch,
                    where + " has " + grouped(std::int64_t(pose.positions.size())) + " vertices but key 1 has " +
-                       grouped(k.vertexCount()) + ". All keys must come from one mesh.", key};
-    if (Status same = compareFaces(k.faces, pose.faces, key, std::string(baseName(mesh.file->name))); !same) return same;
+                       grouped(k.vertexCount()) + ". All keys must come from one mesh.",
+                   key};
+    if (Status same = compareFaces(k.faces, pose.faces, key, std::string(baseName(mesh.file->name))); !same)
+      return same;
   }
   k.keys.push_back({keyName(*mesh.file), 0, std::move(pose.positions)});
   return {};
 }
 
-Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files, const ImportOptions& options,
-                           const StageProgress& progress) {
+Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
+                           const ImportOptions& options, const StageProgress& progress) {
   if (options.animationAsked())
-    return Error{ErrorCode::InvalidOption, "Keys are sampled from an animation of one file, but " + grouped(std::int64_t(meshes.size())) +
-                                               " files were given, each of which is a key. Give one file, or no animation and samples."};
+    return Error{ErrorCode::InvalidOption,
+                 "Keys are sampled from an animation of one file, but " + grouped(std::int64_t(meshes.size())) +
+                     " files were given, each of which is a key. Give one file, or no animation and samples."};
   Import out;
   PoseReader reader{files, options, {}};
   for (std::size_t j = 0; j < meshes.size(); ++j) {
     const int key = static_cast<int>(j);
     const std::string where = placeName(*meshes[j].file, key, meshes.size());
     const auto onPose = [&](double fraction) {
-      if (progress) progress("reading the poses", (static_cast<double>(j) + fraction) / static_cast<double>(meshes.size()));
+      if (progress)
+        progress("reading the poses", (static_cast<double>(j) + fraction) / static_cast<double>(meshes.size()));
     };
     onPose(0);
     auto pose = reader.read(meshes[j], where, onPose);
@@ -141,11 +145,12 @@ Error onePoseOnly(const MeshFile& mesh, std::span<const NamedBytes> files, const
   return {ErrorCode::TooFewKeys, where + " holds one pose only. Add a file for every other key."};
 }
 
-Result<Import> readKeys(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files, const ImportOptions& options,
-                        const StageProgress& progress) {
+Result<Import> readKeys(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
+                        const ImportOptions& options, const StageProgress& progress) {
   if (meshes.empty())
-    return Error{ErrorCode::TooFewKeys, files.empty() ? "No files were given. Give at least two poses of one mesh."
-                                                      : "None of the files holds a mesh. Give glTF, OBJ, PLY or OFF files."};
+    return Error{ErrorCode::TooFewKeys, files.empty()
+                                            ? "No files were given. Give at least two poses of one mesh."
+                                            : "None of the files holds a mesh. Give glTF, OBJ, PLY or OFF files."};
   if (meshes.size() > 1) return importPoses(meshes, files, options, progress);
   if (meshes[0].kind != FileKind::Gltf) return onePoseOnly(meshes[0], files, options);
   return readGltfKeys(*meshes[0].file, files, options, placeName(*meshes[0].file, 0, 1), progress);
@@ -159,12 +164,15 @@ Status setTimes(Keyframes& keyframes, const std::vector<double>& times) {
 }
 
 // glTF is y up and in metres: what else was asked for does not fit.
-void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& options, std::vector<Warning>& warnings) {
+void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& options,
+                      std::vector<Warning>& warnings) {
   const auto isGltf = [](const MeshFile& mesh) { return mesh.kind == FileKind::Gltf; };
   const auto count = std::count_if(meshes.begin(), meshes.end(), isGltf);
   if (count == 0 || (!options.zUp && options.unit == 1)) return;
-  warnings.push_back({"orientation-ignored", "The up axis and the unit are for OBJ, PLY and OFF files; glTF states its own, so "
-                                             "they do not change it.", static_cast<int>(count)});
+  warnings.push_back({"orientation-ignored",
+                      "The up axis and the unit are for OBJ, PLY and OFF files; glTF states its own, so "
+                      "they do not change it.",
+                      static_cast<int>(count)});
 }
 
 // What is wrong with the keys names them; their file belongs to it.
@@ -177,7 +185,8 @@ Error withFile(Error error, const std::vector<MeshFile>& meshes, const Keyframes
   return error;
 }
 
-Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOptions& options, const StageProgress& progress) {
+Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOptions& options,
+                             const StageProgress& progress) {
   if (!(options.unit > 0) || !std::isfinite(options.unit))
     return Error{ErrorCode::InvalidOption, "The unit must be a positive number of metres."};
   const auto meshes = meshFiles(files);
@@ -192,16 +201,20 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
 
 }  // namespace
 
-Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options, const StageProgress& progress) {
+Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options,
+                               const StageProgress& progress) {
   // The libraries below throw on what they do not expect; no exception leaves this folder.
   try {
     return importChecked(files, options, progress);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::OutOfMemory, "There is not enough memory for these files. Simplify the mesh or take fewer keys."};
+    return Error{ErrorCode::OutOfMemory,
+                 "There is not enough memory for these files. Simplify the mesh or take fewer keys."};
   } catch (const std::length_error&) {
-    return Error{ErrorCode::OutOfMemory, "There is not enough memory for these files. Simplify the mesh or take fewer keys."};
+    return Error{ErrorCode::OutOfMemory,
+                 "There is not enough memory for these files. Simplify the mesh or take fewer keys."};
   } catch (const std::exception& e) {
-    return Error{ErrorCode::MalformedFile, std::string("The files could not be read (") + e.what() + "). Export them again."};
+    return Error{ErrorCode::MalformedFile,
+                 std::string("The files could not be read (") + e.what() + "). Export them again."};
   }
 }
 

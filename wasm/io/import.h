@@ -24,12 +24,12 @@ struct NamedBytes {
 struct ImportOptions {
   std::variant<std::monostate, int, std::string> animation;  ///< default: the first one
   std::vector<double> sampleTimes;  ///< seconds on the animation's own time line; wins over sampleCount
-  int sampleCount = 8;              ///< evenly spaced, used when the animation has more than 32 key times or there are several
-  bool sampleAsked = false;         ///< sampleCount was given by the user: use it even for few key times
-  std::vector<double> keyTimes;     ///< default: the animation's own times, else evenly over [0, 1]
-  bool zUp = false;                 ///< OBJ, PLY and OFF only
-  double unit = 1;                  ///< metres per unit, OBJ, PLY and OFF only
-  std::vector<Triangle> like;       ///< of a mesh that the files are further poses of: polygons are cut into its triangles
+  int sampleCount = 8;       ///< evenly spaced, used when the animation has more than 32 key times or there are several
+  bool sampleAsked = false;  ///< sampleCount was given by the user: use it even for few key times
+  std::vector<double> keyTimes;  ///< default: the animation's own times, else evenly over [0, 1]
+  bool zUp = false;              ///< OBJ, PLY and OFF only
+  double unit = 1;               ///< metres per unit, OBJ, PLY and OFF only
+  std::vector<Triangle> like;    ///< of a mesh that the files are further poses of: polygons are cut into its triangles
 
   bool animationAsked() const {
     return !std::holds_alternative<std::monostate>(animation) || !sampleTimes.empty() || sampleAsked;
@@ -46,7 +46,7 @@ struct Import {
   Keyframes keyframes;
   Scene scene;
   std::vector<AnimationInfo> animations;
-  int animation = -1;              ///< which one the keys were taken from
+  int animation = -1;  ///< which one the keys were taken from
   std::vector<Warning> warnings;
   /// JSON of extras.shapespline where the keys were taken from a saved project, else empty.
   std::string project;
@@ -57,6 +57,7 @@ struct Import {
 /// (export.h) becomes its keys again, unless an animation or samples are asked for. `progress` hears the stages with a
 /// fraction of the whole in [0, 1] that never falls.
 /// Errors: every ErrorCode of reading and of keys that do not fit; the message names file, key and place.
-Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options, const StageProgress& progress = {});
+Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options,
+                               const StageProgress& progress = {});
 
 }  // namespace shapespline

@@ -31,7 +31,8 @@ void appendBytes(std::vector<std::uint8_t>& out, T value) {
 
 }  // namespace
 
-std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces, const Scene& scene) {
+std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
+                                   const Scene& scene) {
   std::vector<std::uint8_t> out;
   out.reserve(positions.size() * 12 + scene.uvs.size() * 12 + faces.size() * (scene.uvs.empty() ? 24 : 45));
   TextSink sink{out};
@@ -41,7 +42,8 @@ std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::
     sink.text("\n");
   }
   for (std::size_t i = 0; i + 1 < scene.uvs.size(); i += 2) {
-    sink.text("vt "), sink.number(scene.uvs[i]), sink.text(" "), sink.number(1 - scene.uvs[i + 1]);  // counted from below
+    sink.text("vt "), sink.number(scene.uvs[i]), sink.text(" "),
+        sink.number(1 - scene.uvs[i + 1]);  // counted from below
     sink.text("\n");
   }
   const std::vector<Triangle>& drawn = scene.seams.copyOf.empty() ? faces : scene.seams.faces;

@@ -42,7 +42,8 @@ struct MtlReader {
     while (name.starts_with('-')) {  // options such as -s 1 1 1 and -clamp on
       const std::string_view option = takeWord(name);
       double number;
-      while (takeNumber(name, number)) {}
+      while (takeNumber(name, number)) {
+      }
       name = trimmed(name);
       if (!name.starts_with("on ") && !name.starts_with("off ")) continue;
       const bool on = takeWord(name) == "on";
@@ -55,8 +56,11 @@ struct MtlReader {
     const auto found = resolveUri(name, from, files, where);
     const std::string type = found ? imageType(found->bytes) : "";
     if (type.empty()) {
-      mesh.warnings.push_back({"missing-texture", "A texture is left out: " +
-          (found ? inQuotes(name) + " is no image format that is known here." : found.error().message), 1});
+      mesh.warnings.push_back(
+          {"missing-texture",
+           "A texture is left out: " +
+               (found ? inQuotes(name) + " is no image format that is known here." : found.error().message),
+           1});
       return;
     }
     material.baseColorImage = known->second = static_cast<int>(mesh.scene.images.size());
@@ -81,7 +85,9 @@ struct MtlReader {
         for (int c = 0; c < 3 && takeNumber(line, value); ++c) current->baseColor[c] = linear(value);
       } else if ((word == "d" || word == "Tr") && takeNumber(line, value)) {
         const double opacity = word == "d" ? value : 1 - value;
-        if (opacity < 1) current->alphaMode = Material::Alpha::Blend, current->baseColor[3] = static_cast<float>(std::max(opacity, 0.0));
+        if (opacity < 1)
+          current->alphaMode = Material::Alpha::Blend,
+          current->baseColor[3] = static_cast<float>(std::max(opacity, 0.0));
       } else if (word == "map_Kd") {
         readImage(line, *current);
       }
@@ -113,7 +119,8 @@ struct ObjReader {
     while (count < 6 && takeNumber(text, value[count])) ++count;
     if (count < 3) return malformed("a vertex needs three numbers");
     if (mesh.positions.size() >= kMostElements)
-      return Error{ErrorCode::TooLarge, where + " has more than " + grouped(kMostElements) + " vertices. Simplify the mesh first."};
+      return Error{ErrorCode::TooLarge,
+                   where + " has more than " + grouped(kMostElements) + " vertices. Simplify the mesh first."};
     mesh.positions.emplace_back(value);
     if (count == 6) {
       colors.resize(mesh.positions.size() - 1, Vec3::Ones());
@@ -125,11 +132,13 @@ struct ObjReader {
   // 1-based, or counted back from the last one so far; 0-based in the answer, -1 for none.
   Status readIndex(std::string_view& text, std::size_t count, int& index) {
     std::int64_t number = 0;
-    if (!takeInteger(text, number) || number == 0) return malformed("a face names a corner that is not a whole number from 1");
+    if (!takeInteger(text, number) || number == 0)
+      return malformed("a face names a corner that is not a whole number from 1");
     const std::int64_t place = number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
     if (place < 0 || place > 0x7ffffffe)
-      return Error{ErrorCode::IndexOutOfRange, where + ", line " + grouped(line) + ": a face names corner " + grouped(number) +
-                                                   ", which is not there. Export the file again.",
+      return Error{ErrorCode::IndexOutOfRange,
+                   where + ", line " + grouped(line) + ": a face names corner " + grouped(number) +
+                       ", which is not there. Export the file again.",
                    -1, -1, mesh.polygonCount()};
     index = static_cast<int>(place);
     return {};
@@ -158,7 +167,8 @@ struct ObjReader {
     const std::size_t start = mesh.corners.size();
     for (std::string_view word = takeWord(text); !word.empty() && word[0] != '#'; word = takeWord(text))
       if (Status corner = readCorner(word); !corner) return corner;
-    if (mesh.corners.size() > 0x7fffffff / 2) return Error{ErrorCode::TooLarge, where + " has too many faces. Simplify the mesh first."};
+    if (mesh.corners.size() > 0x7fffffff / 2)
+      return Error{ErrorCode::TooLarge, where + " has too many faces. Simplify the mesh first."};
     if (mesh.corners.size() - start >= 3) {
       mesh.ends.push_back(static_cast<int>(mesh.corners.size()));
       return {};
@@ -239,7 +249,8 @@ struct ObjReader {
   // A corner whose coordinates are not there, or no numbers, does without.
   void keepCoordinates() {
     const auto usable = [&](int t) {
-      return t < static_cast<int>(coordinates.size()) && std::isfinite(coordinates[t][0]) && std::isfinite(coordinates[t][1]);
+      return t < static_cast<int>(coordinates.size()) && std::isfinite(coordinates[t][0]) &&
+             std::isfinite(coordinates[t][1]);
     };
     int given = 0, broken = 0;
     for (int& t : cornerCoordinate) {
@@ -248,8 +259,10 @@ struct ObjReader {
       if (!usable(t)) ++broken, t = -1;
     }
     if (broken > 0)
-      mesh.warnings.push_back({"texture-coordinates", where + ": some corners name texture coordinates that are not there or not "
-                                                      "finite; they are left out.", broken});
+      mesh.warnings.push_back({"texture-coordinates",
+                               where + ": some corners name texture coordinates that are not there or not "
+                                       "finite; they are left out.",
+                               broken});
     if (given > broken) placeCoordinates(mesh, coordinates, cornerCoordinate);
   }
 
@@ -291,14 +304,16 @@ Status checkPolygons(const PolygonMesh& mesh, const std::string& where) {
     for (int c = mesh.firstCorner(p); c < mesh.ends[p]; ++c)
       if (mesh.corners[c] < 0 || mesh.corners[c] >= n)
         return Error{ErrorCode::IndexOutOfRange,
-                     where + ": face " + grouped(p) + " names vertex " + grouped(mesh.corners[c]) + " (counted from 0), but there are " +
-                         grouped(n) + " vertices. Export the mesh again.",
+                     where + ": face " + grouped(p) + " names vertex " + grouped(mesh.corners[c]) +
+                         " (counted from 0), but there are " + grouped(n) + " vertices. Export the mesh again.",
                      -1, mesh.corners[c], p};
   return {};
 }
 
 void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where) {
-  if (leftOut > 0) mesh.warnings.push_back({"skipped-primitives", where + ": faces of fewer than three corners are left out.", leftOut});
+  if (leftOut > 0)
+    mesh.warnings.push_back(
+        {"skipped-primitives", where + ": faces of fewer than three corners are left out.", leftOut});
 }
 
 Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,

@@ -20,7 +20,8 @@ struct OffReader {
   int leftOut = 0;
 
   Error malformed(const std::string& what) const {
-    return {ErrorCode::MalformedFile, where + ", line " + grouped(lines.lineNumber()) + ": " + what + ". Export the file again."};
+    return {ErrorCode::MalformedFile,
+            where + ", line " + grouped(lines.lineNumber()) + ": " + what + ". Export the file again."};
   }
 
   // The next line that holds anything but a comment.
@@ -34,8 +35,9 @@ struct OffReader {
   }
 
   Error cutOff(const std::string& what, std::int64_t declared, std::size_t have) const {
-    return {ErrorCode::TruncatedFile, where + " is cut off: it declares " + grouped(declared) + " " + what + " but has only " +
-                                          grouped(static_cast<std::int64_t>(have)) + ". Copy or export it again."};
+    return {ErrorCode::TruncatedFile, where + " is cut off: it declares " + grouped(declared) + " " + what +
+                                          " but has only " + grouped(static_cast<std::int64_t>(have)) +
+                                          ". Copy or export it again."};
   }
 
   // The keyword, with the counts behind it or in the next line.
@@ -44,18 +46,21 @@ struct OffReader {
     if (!nextLine(line)) return malformed("there is no header");
     std::string_view keyword = takeWord(line);
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
-      return Error{ErrorCode::Unsupported, where + " holds points of more than three dimensions, which are not read. Export it in 3D."};
+      return Error{ErrorCode::Unsupported,
+                   where + " holds points of more than three dimensions, which are not read. Export it in 3D."};
     hasNormals = keyword.substr(0, keyword.size() - 3).find('N') != std::string_view::npos;
     std::string_view rest = line;
     if (takeWord(rest) == "BINARY")
-      return Error{ErrorCode::Unsupported, where + " is a binary OFF file, which is not read. Export it as text or as PLY."};
+      return Error{ErrorCode::Unsupported,
+                   where + " is a binary OFF file, which is not read. Export it as text or as PLY."};
     rest = line;
     if (takeWord(rest).empty() && !nextLine(line)) return malformed("the numbers of vertices and faces are missing");
     double count[2];
     if (!takeNumber(line, count[0]) || !takeNumber(line, count[1]) || !(count[0] >= 0) || !(count[1] >= 0))
       return malformed("the numbers of vertices and faces are missing");
     if (count[0] > kMostElements || count[1] > 2 * kMostElements)
-      return Error{ErrorCode::TooLarge, where + " declares " + shortNumber(count[0]) + " vertices and " + shortNumber(count[1]) +
+      return Error{ErrorCode::TooLarge, where + " declares " + shortNumber(count[0]) + " vertices and " +
+                                            shortNumber(count[1]) +
                                             " faces, more than can be held. Simplify the mesh first."};
     vertices = static_cast<std::int64_t>(count[0]);
     faces = static_cast<std::int64_t>(count[1]);
@@ -74,7 +79,8 @@ struct OffReader {
 
   Status readFace(std::string_view line) {
     double number;
-    if (!takeNumber(line, number) || !(number >= 0) || number > static_cast<double>(line.size())) return malformed("a face has no number of corners");
+    if (!takeNumber(line, number) || !(number >= 0) || number > static_cast<double>(line.size()))
+      return malformed("a face has no number of corners");
     const int corners = static_cast<int>(number);
     const std::size_t start = mesh.corners.size();
     for (int c = 0; c < corners; ++c) {
@@ -82,9 +88,11 @@ struct OffReader {
       const bool usable = number >= 0 && number < static_cast<double>(mesh.positions.size());
       mesh.corners.push_back(usable ? static_cast<int>(number) : -1);
       if (!usable)
-        return Error{ErrorCode::IndexOutOfRange, where + ", line " + grouped(lines.lineNumber()) + ": face " +
-                         grouped(mesh.polygonCount()) + " names vertex " + shortNumber(number) + ", but there are " +
-                         grouped(static_cast<std::int64_t>(mesh.positions.size())) + " (counted from 0). Export the mesh again.",
+        return Error{ErrorCode::IndexOutOfRange,
+                     where + ", line " + grouped(lines.lineNumber()) + ": face " + grouped(mesh.polygonCount()) +
+                         " names vertex " + shortNumber(number) + ", but there are " +
+                         grouped(static_cast<std::int64_t>(mesh.positions.size())) +
+                         " (counted from 0). Export the mesh again.",
                      -1, -1, mesh.polygonCount()};
     }
     if (corners >= 3) mesh.ends.push_back(static_cast<int>(mesh.corners.size()));

@@ -13,10 +13,22 @@ namespace {
 
 std::optional<PlyType> typeOf(std::string_view name) {
   static constexpr std::array<std::pair<std::string_view, PlyType>, 16> kNames{{
-      {"char", PlyType::Int8},     {"int8", PlyType::Int8},       {"uchar", PlyType::UInt8},     {"uint8", PlyType::UInt8},
-      {"short", PlyType::Int16},   {"int16", PlyType::Int16},     {"ushort", PlyType::UInt16},   {"uint16", PlyType::UInt16},
-      {"int", PlyType::Int32},     {"int32", PlyType::Int32},     {"uint", PlyType::UInt32},     {"uint32", PlyType::UInt32},
-      {"float", PlyType::Float32}, {"float32", PlyType::Float32}, {"double", PlyType::Float64},  {"float64", PlyType::Float64},
+      {"char", PlyType::Int8},
+      {"int8", PlyType::Int8},
+      {"uchar", PlyType::UInt8},
+      {"uint8", PlyType::UInt8},
+      {"short", PlyType::Int16},
+      {"int16", PlyType::Int16},
+      {"ushort", PlyType::UInt16},
+      {"uint16", PlyType::UInt16},
+      {"int", PlyType::Int32},
+      {"int32", PlyType::Int32},
+      {"uint", PlyType::UInt32},
+      {"uint32", PlyType::UInt32},
+      {"float", PlyType::Float32},
+      {"float32", PlyType::Float32},
+      {"double", PlyType::Float64},
+      {"float64", PlyType::Float64},
   }};
   for (const auto& [text, type] : kNames)
     if (text == name) return type;
@@ -29,7 +41,8 @@ struct HeaderReader {
   PlyHeader header;
 
   Error malformed(const std::string& what) const {
-    return {ErrorCode::MalformedFile, where + ", line " + grouped(lines.lineNumber()) + ": " + what + ". Export the file again."};
+    return {ErrorCode::MalformedFile,
+            where + ", line " + grouped(lines.lineNumber()) + ": " + what + ". Export the file again."};
   }
 
   Status readFormat(std::string_view text) {
@@ -85,7 +98,8 @@ struct HeaderReader {
       if (word == "format") status = readFormat(line), hasFormat = true;
       else if (word == "element") status = readElement(line);
       else if (word == "property") status = readProperty(line);
-      else if (word != "comment" && word != "obj_info" && !word.empty()) status = malformed("the header holds " + inQuotes(word));
+      else if (word != "comment" && word != "obj_info" && !word.empty())
+        status = malformed("the header holds " + inQuotes(word));
       if (!status) return status.error();
     }
     return Error{ErrorCode::TruncatedFile, where + " is cut off in its header. Copy or export it again."};
@@ -105,6 +119,8 @@ std::size_t plyTypeBytes(PlyType type) {
   }
 }
 
-Result<PlyHeader> readPlyHeader(LineReader& lines, const std::string& where) { return HeaderReader{lines, where, {}}.read(); }
+Result<PlyHeader> readPlyHeader(LineReader& lines, const std::string& where) {
+  return HeaderReader{lines, where, {}}.read();
+}
 
 }  // namespace shapespline

@@ -20,7 +20,9 @@ class ValueReader {
   ValueReader(PlyFormat format, std::string_view rest) : format_(format), rest_(rest) {}
 
   // False at the end of the file, or where a word is no number.
-  bool next(PlyType type, double& value) { return format_ == PlyFormat::Ascii ? nextWord(value) : nextBytes(type, value); }
+  bool next(PlyType type, double& value) {
+    return format_ == PlyFormat::Ascii ? nextWord(value) : nextBytes(type, value);
+  }
 
   std::size_t left() const { return rest_.size(); }
 
@@ -74,8 +76,9 @@ enum Slot { X, Y, Z, NormalX, NormalY, NormalZ, U, V, Red, Green, Blue, Alpha, k
 
 int slotOf(const std::string& name) {
   static constexpr std::pair<std::string_view, Slot> kNames[] = {
-      {"x", X}, {"y", Y}, {"z", Z}, {"nx", NormalX}, {"ny", NormalY}, {"nz", NormalZ}, {"u", U}, {"v", V}, {"s", U}, {"t", V},
-      {"texture_u", U}, {"texture_v", V}, {"red", Red}, {"green", Green}, {"blue", Blue}, {"alpha", Alpha}};
+      {"x", X},     {"y", Y},         {"z", Z},       {"nx", NormalX}, {"ny", NormalY},  {"nz", NormalZ},
+      {"u", U},     {"v", V},         {"s", U},       {"t", V},        {"texture_u", U}, {"texture_v", V},
+      {"red", Red}, {"green", Green}, {"blue", Blue}, {"alpha", Alpha}};
   for (const auto& [text, slot] : kNames)
     if (text == name) return slot;
   return -1;
@@ -90,12 +93,14 @@ struct PlyReader {
   int leftOut = 0;
 
   Error cutOff(const PlyElement& element, std::int64_t have) const {
-    return {ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " + grouped(element.count) + " of element " +
-                                          inQuotes(element.name) + " but ends in number " + grouped(have) + ". Copy or export it again."};
+    return {ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " + grouped(element.count) +
+                                          " of element " + inQuotes(element.name) + " but ends in number " +
+                                          grouped(have) + ". Copy or export it again."};
   }
 
   void reportRow(std::int64_t row) const {
-    if (row % 16384 == 0) reportFraction(onProgress, 1 - static_cast<double>(values.left()) / static_cast<double>(size));
+    if (row % 16384 == 0)
+      reportFraction(onProgress, 1 - static_cast<double>(values.left()) / static_cast<double>(size));
   }
 
   // Refuses counts that the rest of the file cannot hold, before anything is allocated for them.
@@ -104,9 +109,11 @@ struct PlyReader {
     for (const PlyProperty& p : element.properties) least += values.least(p.isList ? p.countType : p.type);
     const auto count = static_cast<std::uint64_t>(element.count);
     if (count > kMostElements * 4)
-      return Error{ErrorCode::TooLarge, where + " declares " + grouped(element.count) + " of element " + inQuotes(element.name) +
+      return Error{ErrorCode::TooLarge, where + " declares " + grouped(element.count) + " of element " +
+                                            inQuotes(element.name) +
                                             ", more than can be held. Simplify the mesh first."};
-    if (count * least > values.left()) return cutOff(element, static_cast<std::int64_t>(values.left() / std::max<std::uint64_t>(least, 1)));
+    if (count * least > values.left())
+      return cutOff(element, static_cast<std::int64_t>(values.left() / std::max<std::uint64_t>(least, 1)));
     return {};
   }
 
@@ -164,7 +171,8 @@ struct PlyReader {
     if (!has[X] || !has[Y] || !has[Z])
       return Error{ErrorCode::MalformedFile, where + ": its vertices have no x, y and z. Export the file again."};
     if (element.count > static_cast<std::int64_t>(kMostElements))
-      return Error{ErrorCode::TooLarge, where + " has " + grouped(element.count) + " vertices, more than can be held. Simplify the mesh first."};
+      return Error{ErrorCode::TooLarge, where + " has " + grouped(element.count) +
+                                            " vertices, more than can be held. Simplify the mesh first."};
     mesh.positions.reserve(element.count);
     for (std::int64_t i = 0; i < element.count; ++i) {
       reportRow(i);
@@ -202,7 +210,8 @@ struct PlyReader {
         if (!read) return cutOff(element, i);
       }
       finishFace(start);
-      if (mesh.corners.size() > 0x7fffffff / 2) return Error{ErrorCode::TooLarge, where + " has too many faces. Simplify the mesh first."};
+      if (mesh.corners.size() > 0x7fffffff / 2)
+        return Error{ErrorCode::TooLarge, where + " has too many faces. Simplify the mesh first."};
     }
     return {};
   }
@@ -220,7 +229,9 @@ struct PlyReader {
     for (const PlyElement& element : header.elements) {
       if (element.properties.empty() && element.name != "vertex") continue;  // any number of nothing
       if (Status count = checkCount(element); !count) return count.error();
-      Status status = element.name == "vertex" ? readVertices(element) : element.name == "face" ? readFaces(element) : skip(element);
+      Status status = element.name == "vertex" ? readVertices(element)
+                      : element.name == "face" ? readFaces(element)
+                                               : skip(element);
       if (!status) return status.error();
     }
     if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();

@@ -160,7 +160,8 @@ std::vector<MaterialGroup> triangleGroups(const PolygonMesh& mesh) {
   std::vector<MaterialGroup> out;
   for (const MaterialGroup& g : mesh.scene.groups) {
     const int start = trianglesBefore(g.start);
-    if (const int count = trianglesBefore(g.start + g.count) - start; count > 0) out.push_back({start, count, g.material});
+    if (const int count = trianglesBefore(g.start + g.count) - start; count > 0)
+      out.push_back({start, count, g.material});
   }
   return out;
 }

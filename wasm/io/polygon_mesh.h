@@ -14,11 +14,11 @@ namespace shapespline {
 /// One pose as it stands in a file.
 struct PolygonMesh {
   Positions positions;
-  Positions normals;            ///< n unit vectors, or empty
-  std::vector<int> corners;     ///< vertex of every corner of every polygon, in range
-  std::vector<int> drawn;       ///< drawn vertex of every corner where there are seams, else empty
-  std::vector<int> ends;        ///< of each polygon: one past its last corner; at least 3 corners each
-  Scene scene;                  ///< its groups count polygons
+  Positions normals;         ///< n unit vectors, or empty
+  std::vector<int> corners;  ///< vertex of every corner of every polygon, in range
+  std::vector<int> drawn;    ///< drawn vertex of every corner where there are seams, else empty
+  std::vector<int> ends;     ///< of each polygon: one past its last corner; at least 3 corners each
+  Scene scene;               ///< its groups count polygons
   std::vector<Warning> warnings;
 
   int polygonCount() const { return static_cast<int>(ends.size()); }
@@ -35,7 +35,8 @@ PolygonCuts cutPolygons(const PolygonMesh& mesh);
 PolygonCuts cutPolygonsLike(const PolygonMesh& mesh, const std::vector<Triangle>& triangles);
 
 /// The triangles of a mesh under given cuts, so that every key is split the same way. Where the polygons have other
-/// sizes than those that were cut, each is split as a fan: the keys do not fit together then, and comparing them says so.
+/// sizes than those that were cut, each is split as a fan: the keys do not fit together then, and comparing them says
+/// so.
 std::vector<Triangle> trianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts);
 
 /// The same triangles of drawn vertices; empty where there are no seams.

@@ -12,8 +12,8 @@
 namespace shapespline {
 
 /// Wavefront OBJ with its MTL and textures where they are among the files: v (with colours), vt, vn, f, usemtl, mtllib.
-/// Lines, points and everything curved are left out. Coordinates belong to corners; a vertex has the mean of its normals.
-/// Errors: MalformedFile, IndexOutOfRange, NoTriangles, TooLarge; messages name the line.
+/// Lines, points and everything curved are left out. Coordinates belong to corners; a vertex has the mean of its
+/// normals. Errors: MalformedFile, IndexOutOfRange, NoTriangles, TooLarge; messages name the line.
 Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
                             const FractionReport& onProgress = {});
 

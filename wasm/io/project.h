@@ -11,9 +11,9 @@ namespace shapespline {
 /// One key of a saved project: a frame of the exported mesh, or else a time of its animation.
 struct ProjectKey {
   std::string name;
-  double time = 0;      ///< in the user's unit
-  int frame = -1;       ///< 0: the mesh's base; k: morph target k - 1 alone, at weight 1; -1: see seconds
-  double seconds = 0;   ///< on the animation's own time line
+  double time = 0;     ///< in the user's unit
+  int frame = -1;      ///< 0: the mesh's base; k: morph target k - 1 alone, at weight 1; -1: see seconds
+  double seconds = 0;  ///< on the animation's own time line
 };
 
 /// The part of the project that import needs; the rest of the JSON (options) is handed on as it came.
@@ -21,9 +21,8 @@ struct Project {
   std::vector<ProjectKey> keys;  ///< two or more, times increasing
 };
 
-/// Reads {"keys": {"times": [...], "names": [...], "frames": [...], "seconds": [...]}, ...}: lists of one length. Names may
-/// be missing, and either frames or seconds.
-/// Error: MalformedFile with a sentence that works as a warning.
+/// Reads {"keys": {"times": [...], "names": [...], "frames": [...], "seconds": [...]}, ...}: lists of one length. Names
+/// may be missing, and either frames or seconds. Error: MalformedFile with a sentence that works as a warning.
 Result<Project> parseProject(const std::string& json, int morphTargets, bool animated);
 
 }  // namespace shapespline

@@ -18,7 +18,7 @@ struct Material {
   bool doubleSided = false;
   enum class Alpha { Opaque, Mask, Blend } alphaMode = Alpha::Opaque;
   float alphaCutoff = 0.5f;
-  bool unlit = false;  ///< KHR_materials_unlit
+  bool unlit = false;                      ///< KHR_materials_unlit
   std::array<float, 3> emissive{0, 0, 0};  ///< linear RGB
   float normalScale = 1, occlusionStrength = 1;
   /// Indices into Scene::images, or -1. All of them are looked up with Scene::uvs.
@@ -39,8 +39,8 @@ struct MaterialGroup {
   int material = -1;
 };
 
-/// Where texture coordinates jump between faces that share a vertex, as OBJ has them: what is drawn has more vertices than
-/// the mesh then, copies of some of its n. The motion, and every file but GLB, knows the mesh alone.
+/// Where texture coordinates jump between faces that share a vertex, as OBJ has them: what is drawn has more vertices
+/// than the mesh then, copies of some of its n. The motion, and every file but GLB, knows the mesh alone.
 struct Seams {
   std::vector<int> copyOf;      ///< drawn vertices 0 to n-1 are the mesh's own, n + i is a copy of vertex copyOf[i]
   std::vector<Triangle> faces;  ///< m, of drawn vertices; empty without copies

@@ -17,8 +17,8 @@ Vec3 anyPerpendicular(const Vec3& n) {
 
 }  // namespace
 
-std::vector<float> tangentsOf(std::span<const float> positions, std::span<const float> normals, std::span<const float> uvs,
-                              const std::vector<Triangle>& faces) {
+std::vector<float> tangentsOf(std::span<const float> positions, std::span<const float> normals,
+                              std::span<const float> uvs, const std::vector<Triangle>& faces) {
   const std::size_t n = positions.size() / 3;
   std::vector<Vec3> along(n, Vec3::Zero()), across(n, Vec3::Zero());  // dp/du and dp/dv, times the area in the texture
   for (const auto& [a, b, c] : faces) {
@@ -33,7 +33,8 @@ std::vector<float> tangentsOf(std::span<const float> positions, std::span<const 
     const Vec3 normal = vec3(normals, static_cast<int>(i));
     Vec3 tangent = along[i] - normal * normal.dot(along[i]);
     const double length = tangent.norm();
-    tangent = length > 1e-12 * along[i].norm() && std::isfinite(length) && length > 0 ? Vec3(tangent / length) : anyPerpendicular(normal);
+    tangent = length > 1e-12 * along[i].norm() && std::isfinite(length) && length > 0 ? Vec3(tangent / length)
+                                                                                      : anyPerpendicular(normal);
     for (int c = 0; c < 3; ++c) out[4 * i + c] = static_cast<float>(tangent[c]);
     // glTF's bitangent, cross(normal, tangent) * w, points up in the image: towards smaller v.
     out[4 * i + 3] = normal.cross(tangent).dot(across[i]) > 0 ? -1.0f : 1.0f;

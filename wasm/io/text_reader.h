@@ -30,7 +30,8 @@ class LineReader {
 
 /// Reports now and then how much of a text of `size` bytes has been read.
 inline void reportLine(const FractionReport& report, const LineReader& lines, std::size_t size) {
-  if (lines.lineNumber() % 16384 == 0) reportFraction(report, 1 - static_cast<double>(lines.rest().size()) / static_cast<double>(size));
+  if (lines.lineNumber() % 16384 == 0)
+    reportFraction(report, 1 - static_cast<double>(lines.rest().size()) / static_cast<double>(size));
 }
 
 /// Takes the next word (anything between blanks) off the front of `text`; empty where there is none.

@@ -11,7 +11,9 @@ class TextStream {
   TextStream& operator<<(const char* text) { return text_ += text, *this; }
   TextStream& operator<<(char c) { return text_ += c, *this; }
   template <class Number>
-  TextStream& operator<<(Number number) { return text_ += std::to_string(number), *this; }
+  TextStream& operator<<(Number number) {
+    return text_ += std::to_string(number), *this;
+  }
   const std::string& str() const { return text_; }
 
  private:

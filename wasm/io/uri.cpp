@@ -20,7 +20,8 @@ std::string percentDecoded(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool escape = text[i] == '%' && i + 2 < text.size() && hexDigit(text[i + 1]) >= 0 && hexDigit(text[i + 2]) >= 0;
+    const bool escape =
+        text[i] == '%' && i + 2 < text.size() && hexDigit(text[i + 1]) >= 0 && hexDigit(text[i + 2]) >= 0;
     if (!escape) {
       out += text[i];
       continue;
@@ -136,8 +137,10 @@ Result<Resource> resolveUri(std::string_view uri, std::string_view from, std::sp
                             const std::string& where) {
   if (uri.starts_with("data:")) return dataResource(uri, where);
   if (uri.starts_with("//") || (hasScheme(uri) && uri.find(':') > 1))
-    return Error{ErrorCode::ExternalResource, where + " refers to " + inQuotes(uri) +
-        ". Nothing outside the given files is ever fetched: save that file beside it and give both together."};
+    return Error{
+        ErrorCode::ExternalResource,
+        where + " refers to " + inQuotes(uri) +
+            ". Nothing outside the given files is ever fetched: save that file beside it and give both together."};
   const std::string path = percentDecoded(uri);
   const bool absolute = path.starts_with('/') || path.starts_with('\\') || hasScheme(path);
   if (!absolute)
@@ -147,10 +150,11 @@ Result<Resource> resolveUri(std::string_view uri, std::string_view from, std::sp
       return resource;
     }
   if (absolute || normalised(path).leaves)
-    return Error{ErrorCode::ExternalResource, where + " refers to " + inQuotes(uri) +
-        ", which lies outside the given files. Put it into the same folder and give both together."};
-  return Error{ErrorCode::MissingResource, where + " needs the file " + inQuotes(uri) +
-        ", which was not given. Give both files together."};
+    return Error{ErrorCode::ExternalResource,
+                 where + " refers to " + inQuotes(uri) +
+                     ", which lies outside the given files. Put it into the same folder and give both together."};
+  return Error{ErrorCode::MissingResource,
+               where + " needs the file " + inQuotes(uri) + ", which was not given. Give both files together."};
 }
 
 }  // namespace shapespline

@@ -16,7 +16,7 @@ namespace shapespline {
 struct Resource {
   std::span<const std::uint8_t> bytes;  ///< into a given file, or into `owned`
   std::vector<std::uint8_t> owned;
-  std::string mimeType;                 ///< as a data URI states it, else empty
+  std::string mimeType;  ///< as a data URI states it, else empty
 
   Resource() = default;
   Resource(Resource&&) = default;  // a copy's span would point into the original

@@ -27,8 +27,8 @@ struct Part {
 // From (u, v) in the unit square, u along the columns.
 using Placing = std::function<Vec3(double u, double v)>;
 
-// columns x rows cells, each cut along a random diagonal, their inner corners moved by up to a quarter of a cell. With `wraps` the
-// last column meets the first.
+// columns x rows cells, each cut along a random diagonal, their inner corners moved by up to a quarter of a cell. With
+// `wraps` the last column meets the first.
 Surface sheet(int columns, int rows, bool wraps, const Placing& place, Random& random) {
   Surface surface;
   const int across = columns + (wraps ? 0 : 1);
@@ -53,11 +53,15 @@ Surface sheet(int columns, int rows, bool wraps, const Placing& place, Random& r
 Surface cylinderSheet(int faces, double angle, double width, double height, double length, Random& random) {
   const bool wraps = width >= 2 * M_PI;
   const double ratio = reach * width / length;
-  const int columns = std::max(3, static_cast<int>(std::sqrt(faces / 2.0 * ratio))), rows = std::max(1, faces / 2 / columns);
-  return sheet(columns, rows, wraps, [&](double u, double v) {
-    const double a = angle + u * width;
-    return Vec3(reach * std::cos(a), reach * std::sin(a), height + (v - 0.5) * length);
-  }, random);
+  const int columns = std::max(3, static_cast<int>(std::sqrt(faces / 2.0 * ratio))),
+            rows = std::max(1, faces / 2 / columns);
+  return sheet(
+      columns, rows, wraps,
+      [&](double u, double v) {
+        const double a = angle + u * width;
+        return Vec3(reach * std::cos(a), reach * std::sin(a), height + (v - 0.5) * length);
+      },
+      random);
 }
 
 Surface ball(int faces, const Vec3& centre, double radius, Random& random) {
@@ -69,9 +73,10 @@ Surface ball(int faces, const Vec3& centre, double radius, Random& random) {
 // Two columns of cells, which are the thinner the more faces there are.
 Surface ribbon(int faces, const Vec3& centre, double width, double length, Random& random) {
   const Vec3 side = width * Vec3::UnitZ().cross(centre).normalized();
-  return sheet(2, faces / 4, false, [&](double u, double v) -> Vec3 {
-    return centre + (u - 0.5) * side + (v - 0.5) * length * Vec3::UnitZ();
-  }, random);
+  return sheet(
+      2, faces / 4, false,
+      [&](double u, double v) -> Vec3 { return centre + (u - 0.5) * side + (v - 0.5) * length * Vec3::UnitZ(); },
+      random);
 }
 
 // The kinds take turns.
@@ -82,12 +87,9 @@ Surface makePart(int index, int faces, Vec3& centre, Random& random) {
     case 0:
       centre = height * Vec3::UnitZ();
       return cylinderSheet(faces, angle, 2 * M_PI, height, random.uniform(0.4, 0.8), random);
-    case 1:
-      return cylinderSheet(faces, angle - 0.35, 0.7, height, random.uniform(0.5, 0.9), random);
-    case 2:
-      return ball(faces, centre, random.uniform(0.1, 0.2), random);
-    default:
-      return ribbon(faces, centre, 0.04, random.uniform(0.8, 1.4), random);
+    case 1: return cylinderSheet(faces, angle - 0.35, 0.7, height, random.uniform(0.5, 0.9), random);
+    case 2: return ball(faces, centre, random.uniform(0.1, 0.2), random);
+    default: return ribbon(faces, centre, 0.04, random.uniform(0.8, 1.4), random);
   }
 }
 

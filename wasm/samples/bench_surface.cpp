@@ -211,8 +211,8 @@ Vec3 deformed(const Deformation& d, const Vec3& p) {
   const Eigen::AngleAxisd along(d.direction, Vec3::UnitZ());
   const Vec3 flat = along.inverse() * (Eigen::AngleAxisd(s * d.twist, Vec3::UnitZ()) * Vec3(p.x(), p.y(), 0));
   const double curvature = d.bend / length;
-  const Vec3 centre = std::abs(curvature) < 1e-9 ? Vec3(0, 0, p.z())
-                                                 : Vec3(Vec3(1 - std::cos(angle), 0, std::sin(angle)) / curvature);
+  const Vec3 centre =
+      std::abs(curvature) < 1e-9 ? Vec3(0, 0, p.z()) : Vec3(Vec3(1 - std::cos(angle), 0, std::sin(angle)) / curvature);
   return along * (centre + Eigen::AngleAxisd(angle, Vec3::UnitY()) * flat);
 }
 

@@ -12,19 +12,19 @@ namespace shapespline {
 /// The capsule's half spheres, and the length of the tube between them, which lies along z about the origin.
 constexpr double capsuleRadius = 1, capsuleTube = 6;
 
-/// A closed capsule with bumps of up to a sixth of its radius and irregular triangles. faces: even, at least 64; exactly so
-/// many.
+/// A closed capsule with bumps of up to a sixth of its radius and irregular triangles. faces: even, at least 64;
+/// exactly so many.
 Surface bumpyCapsule(int faces, Random& random);
 
 /// A unit sphere about the origin with irregular triangles, at most so many; at least 48.
 Surface gridSphere(int faces, Random& random);
 
-/// For face f and corner c the half-edge 3 f + c runs from that corner to the next. Gives the opposite half-edges, -1 at a
-/// boundary.
+/// For face f and corner c the half-edge 3 f + c runs from that corner to the next. Gives the opposite half-edges, -1
+/// at a boundary.
 std::vector<int> oppositeHalfEdges(const std::vector<Triangle>& faces);
 
-/// Splits random inner edges, each with two faces that have not been split yet, until one more would make more than `faces`.
-/// fraction: where along the edge, in (0, 1).
+/// Splits random inner edges, each with two faces that have not been split yet, until one more would make more than
+/// `faces`. fraction: where along the edge, in (0, 1).
 void splitEdges(Surface& surface, int faces, Random& random, const std::function<double()>& fraction);
 
 /// Random orders of vertices, faces and first corners. Returns each vertex's new index.

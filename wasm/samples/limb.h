@@ -44,9 +44,9 @@ struct Limb {
   double edge = 0;          ///< wanted edge length on its surface, where that gives 11 edges around it
   Ribs ribs;
   Flattening flattening;
-  int parent = -1;          ///< limb that carries it; -1 for the root
-  int parentJoint = 0;      ///< joint of that limb
-  std::vector<Bound> bounds;   ///< of every Bound::spans spans
+  int parent = -1;            ///< limb that carries it; -1 for the root
+  int parentJoint = 0;        ///< joint of that limb
+  std::vector<Bound> bounds;  ///< of every Bound::spans spans
 
   int jointCount() const { return static_cast<int>(centre.size()); }
 };

@@ -1,7 +1,8 @@
 // shapespline_samples OUTDIR: writes the built-in samples and their list.
 // shapespline_samples --bench FACES [KEYS] OUTDIR: writes bench-FACES.glb instead, keys (three) of a generated mesh.
-// shapespline_samples --bench-split FACES [KEYS] OUTDIR: that mesh with every face split into four, bench-FACES-split.glb.
-// shapespline_samples --bench-parts FACES [KEYS] OUTDIR: a mesh of several parts with open boundaries, bench-FACES-parts.glb.
+// shapespline_samples --bench-split FACES [KEYS] OUTDIR: that mesh with every face split into four,
+// bench-FACES-split.glb. shapespline_samples --bench-parts FACES [KEYS] OUTDIR: a mesh of several parts with open
+// boundaries, bench-FACES-parts.glb.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

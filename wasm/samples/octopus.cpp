@@ -33,9 +33,9 @@ Limb arm(const Vec3& out) {
 
 Body makeBody() {
   Body body;
-  attach(body, -1, part({{{0, 0.62, 0}, 0.34}, {{-0.05, 1.02, 0}, 0.44}, {{-0.28, 1.5, 0}, 0.60},
-                         {{-0.52, 1.82, 0}, 0.52}},
-                        16, 0.11, 0));
+  attach(body, -1,
+         part({{{0, 0.62, 0}, 0.34}, {{-0.05, 1.02, 0}, 0.44}, {{-0.28, 1.5, 0}, 0.60}, {{-0.52, 1.82, 0}, 0.52}}, 16,
+              0.11, 0));
   for (int i = 0; i < armCount; ++i) attach(body, mantle, arm(outwards(i)));
   for (double side : {-1.0, 1.0}) {
     attach(body, mantle, part({{{0.12, 1.12, 0.26 * side}, 0.16}, {{0.22, 1.19, 0.34 * side}, 0.14}}, 2, 0.055, 0.05));

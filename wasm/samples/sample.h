@@ -10,7 +10,7 @@
 namespace shapespline {
 
 struct Sample {
-  std::string id;           ///< also the file's name
+  std::string id;  ///< also the file's name
   std::string title;
   std::string description;  ///< one sentence
   BoundaryKind boundary = BoundaryKind::Natural;

@@ -59,7 +59,8 @@ export async function installPackages(names) {
 function mirror() {
   const { VERSION_CODENAME: codename } = osRelease();
   const format = '$(REPO_URI) $(RELEASE) $(COMPONENT)';
-  const targets = capture('apt-get', ['indextargets', '--format', format, 'Created-By: Packages'], { env: quiet }) ?? '';
+  const targets =
+    capture('apt-get', ['indextargets', '--format', format, 'Created-By: Packages'], { env: quiet }) ?? '';
   const main = targets.split('\n').map((line) => line.split(' '));
   const found = main.find(([, suite, part]) => [codename, 'stable'].includes(suite) && part === 'main');
   if (!found) throw new Explained(`no source for Debian's ${codename} main archive among apt's sources`);

@@ -12,18 +12,35 @@ const USAGE = [
 
 /** What is measured, on which sizes (null: the usual ones), and where. */
 export function benchArguments(words) {
-  const what = words[0] === 'threads' ? 'threads' : words[0] !== 'ghost' ? 'stages' : words[1] === 'browser' ? 'ghost browser' : 'ghost';
-  const { values: { browser = false, save = false }, positionals: [list, ...more] } = parsed(words.slice({ stages: 0, threads: 1, ghost: 1, 'ghost browser': 2 }[what]));
+  const what =
+    words[0] === 'threads'
+      ? 'threads'
+      : words[0] !== 'ghost'
+        ? 'stages'
+        : words[1] === 'browser'
+          ? 'ghost browser'
+          : 'ghost';
+  const {
+    values: { browser = false, save = false },
+    positionals: [list, ...more],
+  } = parsed(words.slice({ stages: 0, threads: 1, ghost: 1, 'ghost browser': 2 }[what]));
   const sizes = list?.split(',').map(sizeOf) ?? null;
-  const good = more.length === 0 && (sizes?.every((size) => isGood(size, what === 'ghost')) ?? true)
-    && !(save && what !== 'stages') && !(browser && what.startsWith('ghost'));
+  const good =
+    more.length === 0 &&
+    (sizes?.every((size) => isGood(size, what === 'ghost')) ?? true) &&
+    !(save && what !== 'stages') &&
+    !(browser && what.startsWith('ghost'));
   if (!good) throw new Explained(USAGE);
   return { what, sizes, browser, save };
 }
 
 function parsed(args) {
   try {
-    return parseArgs({ args, allowPositionals: true, options: { browser: { type: 'boolean' }, save: { type: 'boolean' } } });
+    return parseArgs({
+      args,
+      allowPositionals: true,
+      options: { browser: { type: 'boolean' }, save: { type: 'boolean' } },
+    });
   } catch {
     throw new Explained(USAGE);
   }

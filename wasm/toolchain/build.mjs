@@ -14,7 +14,8 @@ const jobs = process.env.SHAPESPLINE_JOBS ?? String(availableParallelism());
 // A build folder belongs to one compiler: with another it starts afresh.
 function useFolder(folder, compiler) {
   const note = path.join(folder, 'compiler');
-  if (existsSync(folder) && (!existsSync(note) || readFileSync(note, 'utf8') !== compiler)) rmSync(folder, { recursive: true });
+  if (existsSync(folder) && (!existsSync(note) || readFileSync(note, 'utf8') !== compiler))
+    rmSync(folder, { recursive: true });
   mkdirSync(folder, { recursive: true });
   writeFileSync(note, compiler);
 }
@@ -63,7 +64,10 @@ export async function buildFuzzers(targets) {
 
 const wasmInputs = ['CMakeLists.txt', 'wasm/core', 'wasm/io', 'wasm/bindings', 'wasm/samples'];
 const wasmModules = ['shapespline', 'shapespline_threads'];
-const wasmOutputs = [...wasmModules.flatMap((name) => [`build/wasm/${name}.mjs`, `build/wasm/${name}.wasm`]), 'public/samples'];
+const wasmOutputs = [
+  ...wasmModules.flatMap((name) => [`build/wasm/${name}.mjs`, `build/wasm/${name}.wasm`]),
+  'public/samples',
+];
 
 /** A step that a digest of its inputs guards. The digest is taken before it runs, so that edits meanwhile count. */
 function guarded(name, value, outputs, action) {
@@ -104,7 +108,9 @@ export const page = guarded(
   ['dist/index.html'],
   async () => {
     step('building the page');
-    await run(node, [inRoot('node_modules/vite/bin/vite.js'), 'build', '--config', 'web/vite.config.ts'], { show: 'all' });
+    await run(node, [inRoot('node_modules/vite/bin/vite.js'), 'build', '--config', 'web/vite.config.ts'], {
+      show: 'all',
+    });
   },
 );
 
@@ -129,7 +135,10 @@ async function bundle(entries) {
 }
 
 const entry = (out, file) => ({ out, in: inRoot(file) });
-const engineEntries = [entry('node-worker', 'web/engine/worker/node-worker.ts'), entry('node-helper', 'web/engine/worker/second-thread-node.ts')];
+const engineEntries = [
+  entry('node-worker', 'web/engine/worker/node-worker.ts'),
+  entry('node-helper', 'web/engine/worker/second-thread-node.ts'),
+];
 
 export const nodeBundle = guarded(
   'node-bundle',
@@ -140,7 +149,8 @@ export const nodeBundle = guarded(
 
 export const benchPrograms = guarded(
   'bench-programs',
-  () => digest([...wasmInputs, 'tests/bench/native.cpp', 'tests/bench/wasm'], `${emccOnPath()} ${process.env.CXX ?? ''}`),
+  () =>
+    digest([...wasmInputs, 'tests/bench/native.cpp', 'tests/bench/wasm'], `${emccOnPath()} ${process.env.CXX ?? ''}`),
   ['build/cmake-release/shapespline_bench_native', 'build/cmake-wasm/shapespline_bench_read.wasm'],
   async () => {
     await buildRelease(['shapespline_bench_native']);

@@ -57,7 +57,9 @@ function wrapBinaryen(folder) {
   const real = path.join(folder, 'usr/bin');
   const wrappers = path.join(folder, 'binaryen/bin');
   const loader = ['lib64', 'usr/lib64', 'lib', 'usr/lib']
-    .flatMap((lib) => (existsSync(path.join(folder, lib)) ? readdirSync(path.join(folder, lib)).map((f) => `${lib}/${f}`) : []))
+    .flatMap((lib) =>
+      existsSync(path.join(folder, lib)) ? readdirSync(path.join(folder, lib)).map((f) => `${lib}/${f}`) : [],
+    )
     .find((file) => /\/ld-linux-[^/]*\.so\.\d+$/.test(file));
   const libraries = readdirSync(path.join(folder, 'usr/lib')).find((name) => name.endsWith('-linux-gnu'));
   if (!loader || !libraries) throw new Explained('the downloaded C library has no program loader');

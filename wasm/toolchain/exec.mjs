@@ -9,7 +9,11 @@ const tailLength = 16_000;
 
 // A script that is told to stop takes the programs that it runs along.
 const running = new Set();
-for (const [signal, number] of [['SIGINT', 2], ['SIGTERM', 15], ['SIGHUP', 1]]) {
+for (const [signal, number] of [
+  ['SIGINT', 2],
+  ['SIGTERM', 15],
+  ['SIGHUP', 1],
+]) {
   process.on(signal, () => {
     for (const child of running) child.kill(signal);
     process.exit(128 + number);
@@ -21,7 +25,11 @@ for (const [signal, number] of [['SIGINT', 2], ['SIGTERM', 15], ['SIGHUP', 1]]) 
  * `show` 'all' passes its output on to stderr as it comes, 'quiet' keeps it for the error message;
  * `inherit` connects all three streams, for programs whose output is the command's own.
  */
-export function run(program, args, { cwd = root, env = {}, show = 'quiet', inherit = false, allowFailure = false } = {}) {
+export function run(
+  program,
+  args,
+  { cwd = root, env = {}, show = 'quiet', inherit = false, allowFailure = false } = {},
+) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, {
       cwd,

@@ -13,12 +13,14 @@ const DEFAULT_SECONDS = 60;
 const ENDING = '_fuzz.cpp';
 
 export async function fuzz(args) {
-  const known = readdirSync(inRoot('tests/fuzz')).filter((name) => name.endsWith(ENDING)).map((name) => name.slice(0, -ENDING.length));
+  const known = readdirSync(inRoot('tests/fuzz'))
+    .filter((name) => name.endsWith(ENDING))
+    .map((name) => name.slice(0, -ENDING.length));
   const { seconds, importers } = fuzzArguments(args, known);
   await prepareSystem(forFuzzing);
   const folder = await whileLocked(() => buildFuzzers(importers.map((importer) => `${importer}_fuzz`)));
   const found = [];
-  for (const importer of importers) found.push(...await fuzzOne(folder, importer, seconds));
+  for (const importer of importers) found.push(...(await fuzzOne(folder, importer, seconds)));
   if (found.length > 0) throw new Explained(found.join('\n'));
   step(`nothing was found in ${seconds} s ${importers.length > 1 ? 'each ' : ''}(${importers.join(', ')})`);
 }
@@ -31,7 +33,9 @@ export function fuzzArguments(args, known) {
   const importer = only?.replace(/_fuzz$/, '');
   const seconds = timed ? Number(first) : DEFAULT_SECONDS;
   if (seconds < 1 || rest.length > 0 || (importer !== undefined && !known.includes(importer))) {
-    throw new Explained(`usage: npm run fuzz [-- [SECONDS] [TARGET]], with a whole number of seconds from 1 for each target, and ${known.join(', ')} as targets`);
+    throw new Explained(
+      `usage: npm run fuzz [-- [SECONDS] [TARGET]], with a whole number of seconds from 1 for each target, and ${known.join(', ')} as targets`,
+    );
   }
   return { seconds, importers: importer === undefined ? known : [importer] };
 }
@@ -44,17 +48,29 @@ async function fuzzOne(folder, importer, seconds) {
   const seeds = ['corpus', 'found'].map((kind) => inRoot('tests/fuzz', kind, importer)).filter(existsSync);
   const before = new Set(readdirSync(artifacts));
   step(`fuzzing the ${importer} importer for ${seconds} s`);
-  const options = [`-max_total_time=${seconds}`, '-timeout=10', '-print_final_stats=1', `-artifact_prefix=${artifacts}/`];
-  const { code } = await run(path.join(folder, `${importer}_fuzz`), [grown, ...seeds, ...options], { show: 'all', allowFailure: true });
+  const options = [
+    `-max_total_time=${seconds}`,
+    '-timeout=10',
+    '-print_final_stats=1',
+    `-artifact_prefix=${artifacts}/`,
+  ];
+  const { code } = await run(path.join(folder, `${importer}_fuzz`), [grown, ...seeds, ...options], {
+    show: 'all',
+    allowFailure: true,
+  });
   if (code === 0) return [];
   const inputs = readdirSync(artifacts).filter((name) => !before.has(name) && !name.startsWith('slow-unit'));
-  return inputs.length > 0 ? inputs.map((name) => foundText(importer, path.join(artifacts, name))) : [`The ${importer} target ended with exit code ${code} without an input.`];
+  return inputs.length > 0
+    ? inputs.map((name) => foundText(importer, path.join(artifacts, name)))
+    : [`The ${importer} target ended with exit code ${code} without an input.`];
 }
 
 /** Files keep the importer's own ending: the replay reads them by their names. */
 export function foundText(importer, artifact) {
   const kept = `tests/fuzz/found/${importer}/WHAT-IS-THE-MATTER.${importer}`;
   const input = path.relative(root, artifact);
-  return `The ${importer} importer broke a promise, as said above, on ${input}. Keep it for the replay in npm test:\n`
-    + `  mkdir -p ${path.dirname(kept)} && cp ${input} ${kept}`;
+  return (
+    `The ${importer} importer broke a promise, as said above, on ${input}. Keep it for the replay in npm test:\n` +
+    `  mkdir -p ${path.dirname(kept)} && cp ${input} ${kept}`
+  );
 }

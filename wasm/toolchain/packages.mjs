@@ -6,7 +6,8 @@ import { step } from './log.mjs';
 import { inRoot } from './paths.mjs';
 import { digest, isStamped, stamp } from './stamps.mjs';
 
-const value = () => digest(['package.json', 'package-lock.json', '.npmrc'], process.versions.node.split('.')[0], process.platform);
+const value = () =>
+  digest(['package.json', 'package-lock.json', '.npmrc'], process.versions.node.split('.')[0], process.platform);
 const outputs = ['node_modules/.package-lock.json'];
 
 export const npmPackages = {

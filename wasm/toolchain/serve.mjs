@@ -66,7 +66,10 @@ export async function serve(folder, { port = 4173, prefix = '/', tries = 50, iso
       ...(isolated ? isolation : {}),
     });
     if (request.method === 'HEAD') response.end();
-    else createReadStream(found.file).on('error', () => response.destroy()).pipe(response);
+    else
+      createReadStream(found.file)
+        .on('error', () => response.destroy())
+        .pipe(response);
   });
   for (let candidate = port; ; ++candidate) {
     try {
@@ -101,7 +104,9 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
     options: {
-      port: { type: 'string', default: '4173' }, prefix: { type: 'string', default: '/' }, isolated: { type: 'boolean', default: false },
+      port: { type: 'string', default: '4173' },
+      prefix: { type: 'string', default: '/' },
+      isolated: { type: 'boolean', default: false },
     },
   });
   const { url } = await serve(positionals[0], { ...values, port: Number(values.port), tries: 1 });

@@ -25,10 +25,16 @@ export function sizesOf(folder, page = 'index.html') {
     start.add(name);
     if (name.endsWith('.js')) waiting.push(...found(readFileSync(path.join(assets, name), 'utf8'), NOW));
   }
-  const code = readdirSync(assets).filter((name) => /\.(js|wasm)$/.test(name)).sort();
-  const lazy = new Set(code.flatMap((name) => (name.endsWith('.js') ? found(readFileSync(path.join(assets, name), 'utf8'), LATER) : [])));
+  const code = readdirSync(assets)
+    .filter((name) => /\.(js|wasm)$/.test(name))
+    .sort();
+  const lazy = new Set(
+    code.flatMap((name) => (name.endsWith('.js') ? found(readFileSync(path.join(assets, name), 'utf8'), LATER) : [])),
+  );
   const files = code.map((name) => ({
-    name, kind: name.endsWith('.wasm') ? 'wasm' : 'JavaScript', bytes: gzipSync(readFileSync(path.join(assets, name))).length,
+    name,
+    kind: name.endsWith('.wasm') ? 'wasm' : 'JavaScript',
+    bytes: gzipSync(readFileSync(path.join(assets, name))).length,
     when: start.has(name) ? 'start' : lazy.has(name) || name.endsWith('.wasm') ? 'later' : 'elsewhere',
   }));
   return files;
@@ -43,15 +49,25 @@ export function checkSizes(folder, print = (line) => process.stderr.write(`${lin
     print(`  ${kilobytes(bytes).padStart(10)}  ${name}${words}`);
   }
   for (const [kind, limit] of Object.entries(LIMITS)) {
-    const total = files.filter((file) => file.kind === kind && file.when === 'start').reduce((sum, { bytes }) => sum + bytes, 0);
+    const total = files
+      .filter((file) => file.kind === kind && file.when === 'start')
+      .reduce((sum, { bytes }) => sum + bytes, 0);
     print(`${kind} to start: ${kilobytes(total)} compressed, of at most ${kilobytes(limit)}`);
-    if (total === 0) throw new Explained(`no ${kind} was found in ${folder}: the check of sizes no longer understands the build`);
+    if (total === 0)
+      throw new Explained(`no ${kind} was found in ${folder}: the check of sizes no longer understands the build`);
     // A module that takes the place of the first one where threads can share memory (web/engine/browser.ts).
-    const other = files.find((file) => file.kind === kind && file.when === 'later' && file.bytes > limit && kind === 'wasm');
-    if (other) throw new Explained(`${other.name} has ${kilobytes(other.bytes)} (compressed); the limit is ${kilobytes(limit)}.`);
+    const other = files.find(
+      (file) => file.kind === kind && file.when === 'later' && file.bytes > limit && kind === 'wasm',
+    );
+    if (other)
+      throw new Explained(
+        `${other.name} has ${kilobytes(other.bytes)} (compressed); the limit is ${kilobytes(limit)}.`,
+      );
     if (total > limit) {
-      throw new Explained(`The page needs ${kilobytes(total)} of ${kind} (compressed) to start; the limit is ${kilobytes(limit)}. `
-        + 'Load what is not needed at once later, or leave it out.');
+      throw new Explained(
+        `The page needs ${kilobytes(total)} of ${kind} (compressed) to start; the limit is ${kilobytes(limit)}. ` +
+          'Load what is not needed at once later, or leave it out.',
+      );
     }
   }
 }

@@ -10,7 +10,10 @@ function filesBelow(entries) {
   const visit = (relative) => {
     const stats = statSync(inRoot(relative), { throwIfNoEntry: false });
     if (stats?.isFile()) found.push(relative);
-    if (stats?.isDirectory()) readdirSync(inRoot(relative)).sort().forEach((name) => visit(path.join(relative, name)));
+    if (stats?.isDirectory())
+      readdirSync(inRoot(relative))
+        .sort()
+        .forEach((name) => visit(path.join(relative, name)));
   };
   entries.forEach(visit);
   return found;

@@ -79,19 +79,31 @@ export function startApp(root: HTMLElement): void {
     onContextRestored: () => void frameLoop.request(store.get().time),
   });
   const { frameLoop, follow: play } = createPlayback({
-    store, range, moving: readMoving(location.search), sequences: () => workspace.sequences,
+    store,
+    range,
+    moving: readMoving(location.search),
+    sequences: () => workspace.sequences,
     screen: {
       show: (frames, eased) => show(frames, eased),
       drawn: () => scene.viewer.drawn(),
-      onError: (error) => { if (!restart.takesUp(error)) onError(error); },
+      onError: (error) => {
+        if (!restart.takesUp(error)) onError(error);
+      },
     },
   });
   const thumbnails = createThumbnails({
-    store, workspace, scene, idle: () => frameLoop.idle(), has: (pose) => viewState.get().thumbnails.has(pose),
+    store,
+    workspace,
+    scene,
+    idle: () => frameLoop.idle(),
+    has: (pose) => viewState.get().thumbnails.has(pose),
     onThumbnail: (pose, url) => viewState.change({ thumbnails: new Map(viewState.get().thumbnails).set(pose, url) }),
   });
   const commands = createCommands({
-    store, range, pool: () => workspace.pool, initial: () => viewState.get().initial,
+    store,
+    range,
+    pool: () => workspace.pool,
+    initial: () => viewState.get().initial,
     async exactShape(t) {
       await frameLoop.request(t);
       return scene.viewer.positions(0);
@@ -100,35 +112,82 @@ export function startApp(root: HTMLElement): void {
     onUse: () => viewState.change({ welcome: false }),
   });
   const marking = createMarking({
-    scene, sequence, range, onError, seek: commands.seek, warnings: () => viewState.get().warnings,
+    scene,
+    sequence,
+    range,
+    onError,
+    seek: commands.seek,
+    warnings: () => viewState.get().warnings,
     keyTimes: () => store.get().doc.keys.map(({ time }) => time),
     onWarning: (shownWarning) => viewState.change({ shownWarning }),
   });
 
   // Ways in and out.
   const files = createOpenFiles({
-    engine, store, workspace, reducedMotion, onStart, onError, samples: () => viewState.get().samples,
-    onOpened: (opened) => onOpened(opened), onWorking,
+    engine,
+    store,
+    workspace,
+    reducedMotion,
+    onStart,
+    onError,
+    samples: () => viewState.get().samples,
+    onOpened: (opened) => onOpened(opened),
+    onWorking,
   });
   const remembered = createRememberedFiles({
-    store, workspace, say, onError, onChange: (kept) => viewState.change({ remembered: kept }),
+    store,
+    workspace,
+    say,
+    onError,
+    onChange: (kept) => viewState.change({ remembered: kept }),
   });
   const link = createPageLink({
-    store, say, initial: () => viewState.get().initial, onLink: (to) => void files.sample(to.sample, to),
+    store,
+    say,
+    initial: () => viewState.get().initial,
+    onLink: (to) => void files.sample(to.sample, to),
   });
   const analysis = new AnalysisCache(
-    () => analysisInput(workspace.sequences, store.get().doc, range(), viewState.get().ms ?? 1), onAnalysisError,
+    () => analysisInput(workspace.sequences, store.get().doc, range(), viewState.get().ms ?? 1),
+    onAnalysisError,
   );
   const exporting = createExportController({
-    store, scene, analysis, sequence, range, say, onStart, onError, onWorking,
-    drawExactly: (t) => frameLoop.request(t), idle: () => frameLoop.idle(),
+    store,
+    scene,
+    analysis,
+    sequence,
+    range,
+    say,
+    onStart,
+    onError,
+    onWorking,
+    drawExactly: (t) => frameLoop.request(t),
+    idle: () => frameLoop.idle(),
     onPlan: (planned) => viewState.change({ exporting: planned }),
   });
 
-  const theme = createTheme(() => { applyLook(); page.redraw(); });
+  const theme = createTheme(() => {
+    applyLook();
+    page.redraw();
+  });
   const page = createPage({
-    root, layout, toast: toast.element, engine, store, viewState, workspace, scene, analysis, commands, marking, files, theme,
-    range, onError, onAnalysisError, videoReason: videoType() ? null : 'This browser cannot write videos.',
+    root,
+    layout,
+    toast: toast.element,
+    engine,
+    store,
+    viewState,
+    workspace,
+    scene,
+    analysis,
+    commands,
+    marking,
+    files,
+    theme,
+    range,
+    onError,
+    onAnalysisError,
+    videoReason: videoType() ? null : 'This browser cannot write videos.',
     onLink: () => void link.copy(),
     onRemember: () => void remembered.toggle().catch(onError),
     onExportPlan: exporting.plan,
@@ -199,23 +258,27 @@ export function startApp(root: HTMLElement): void {
   const onSamples = (samples: readonly Sample[]): void => viewState.change({ samples, offline: !navigator.onLine });
   const ready = openFirst({ files, remembered, onSamples }).then(() => frameLoop.idle());
   ready.catch(onError);
-  installTestHook(createTestHook({
-    ready, sequence, viewer: scene.viewer,
-    state: () => store.get(),
-    shown: () => frameLoop.shown,
-    difference: () => scene.difference?.percent ?? null,
-    async seekExactly(t) {
-      const time = clampTime(t, range());
-      store.set({ time, play: { ...store.get().play, playing: false } });
-      await frameLoop.request(time);
-    },
-    async idle() {
-      await files.idle();
-      await workspace.idle();
-      await frameLoop.idle();
-    },
-    busy: () => files.busy || (frameLoop.busy && !store.get().play.playing),
-  }));
+  installTestHook(
+    createTestHook({
+      ready,
+      sequence,
+      viewer: scene.viewer,
+      state: () => store.get(),
+      shown: () => frameLoop.shown,
+      difference: () => scene.difference?.percent ?? null,
+      async seekExactly(t) {
+        const time = clampTime(t, range());
+        store.set({ time, play: { ...store.get().play, playing: false } });
+        await frameLoop.request(time);
+      },
+      async idle() {
+        await files.idle();
+        await workspace.idle();
+        await frameLoop.idle();
+      },
+      busy: () => files.busy || (frameLoop.busy && !store.get().play.playing),
+    }),
+  );
   applyLook();
   page.redraw();
 }

@@ -65,7 +65,9 @@ export function createTestHook(parts: TestHookParts): TestHook {
         await new Promise((resolve) => requestAnimationFrame(resolve));
       } while (parts.busy());
     },
-    get state() { return structuredClone(state()); },
+    get state() {
+      return structuredClone(state());
+    },
     stats: async () => (await sequence()?.stats()) ?? null,
     async evaluate(t) {
       const [frame] = (await sequence()?.evaluateMany([t])) ?? [];

@@ -73,7 +73,10 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     const inputs = await timings.time('read', readInputs(args.files));
     const keys = await timings.time('import', engine.importKeyframes(inputs, options.import));
     const tangents = await readTangents(engine, args, keys, options.import);
-    const sequence = await timings.time('build', engine.createSequence(keys, { ...keys.info.project, ...options.sequence, ...tangents }));
+    const sequence = await timings.time(
+      'build',
+      engine.createSequence(keys, { ...keys.info.project, ...options.sequence, ...tangents }),
+    );
     const plan = await sequence.planExport(options.export);
     if (plan.bytes > LARGE) say(`${output} will take about ${Math.round(plan.bytes / 1e6)} MB`);
     const files = await timings.time('export', sequence.export(options.export));
@@ -105,7 +108,10 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     await writeOutputs(outputs);
     const count = plan.times.length;
     const sentences = warnings.map((warning) => inWords(warning, keys.info.times.length));
-    return { summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}, ${bytes} bytes\n`, warnings: sentences };
+    return {
+      summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}, ${bytes} bytes\n`,
+      warnings: sentences,
+    };
   });
 }
 
@@ -114,7 +120,12 @@ function inWords(warning: Warning, keys: number): string {
   return where ? `${where}: ${warning.message}` : warning.message;
 }
 
-async function readTangents(engine: Engine, args: Arguments, keys: Keys, options: ImportOptions): Promise<Partial<SequenceOptions>> {
+async function readTangents(
+  engine: Engine,
+  args: Arguments,
+  keys: Keys,
+  options: ImportOptions,
+): Promise<Partial<SequenceOptions>> {
   const tangents: Partial<SequenceOptions> = {};
   for (const name of SHAPES) {
     const file = args.values.get(ENCODING[name].flag);
@@ -124,7 +135,13 @@ async function readTangents(engine: Engine, args: Arguments, keys: Keys, options
 }
 
 /** The ghost mesh, and its KG error in percent against the same motion without it over these times; null without one. */
-async function describeGhost(engine: Engine, keys: Keys, sequence: Sequence, times: number[], timings: Timings): Promise<object | null> {
+async function describeGhost(
+  engine: Engine,
+  keys: Keys,
+  sequence: Sequence,
+  times: number[],
+  timings: Timings,
+): Promise<object | null> {
   const { ghostFaces: faces, ghostVertices: vertices, joinedComponents } = await sequence.stats();
   if (faces === 0) return null;
   const { transfer, placement } = sequence.options;
@@ -135,14 +152,25 @@ async function describeGhost(engine: Engine, keys: Keys, sequence: Sequence, tim
 }
 
 /** Every option as it was used, and what the sequence counted; shapes are said, not spelt out. */
-async function settled(sequence: Sequence, exported: Partial<ExportOptions>): Promise<Record<'options' | 'counts' | 'stages', object>> {
+async function settled(
+  sequence: Sequence,
+  exported: Partial<ExportOptions>,
+): Promise<Record<'options' | 'counts' | 'stages', object>> {
   const { weldMs, simplifyMs, encodeMs, transferMs, orderMs, factorMs, arrangeMs, ...counts } = await sequence.stats();
   const shapes = Object.fromEntries(SHAPES.map((name) => [name, sequence.options[name] !== null]));
   const options = {
     sequence: { ...sequence.options, ...shapes, keyTimes: sequence.keyTimes },
     export: exported,
   };
-  const ms = { weld: weldMs, simplify: simplifyMs, encode: encodeMs, transfer: transferMs, order: orderMs, factor: factorMs, arrange: arrangeMs };
+  const ms = {
+    weld: weldMs,
+    simplify: simplifyMs,
+    encode: encodeMs,
+    transfer: transferMs,
+    order: orderMs,
+    factor: factorMs,
+    arrange: arrangeMs,
+  };
   const stages = Object.fromEntries(Object.entries(ms).map(([stage, value]) => [stage, rounded(value)]));
   return { options, counts, stages };
 }

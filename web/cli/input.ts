@@ -21,10 +21,12 @@ export async function readInputs(names: string[]): Promise<InputFile[]> {
 /** The material libraries of an OBJ, which it names before its first face, and the images that they name, as seen from there. */
 async function librariesOf({ name, bytes }: InputFile): Promise<string[]> {
   const libraries = namedIn(bytes.subarray(0, OBJ_HEAD), /^mtllib[ \t]+(.+?)[ \t]*$/gm);
-  const images = await Promise.all(libraries.map(async (library) => {
-    const text = (await readBeside(name, library))?.bytes ?? new Uint8Array(0);
-    return namedIn(text, IMAGE).map((image) => path.join(path.dirname(library), toPath(image)));
-  }));
+  const images = await Promise.all(
+    libraries.map(async (library) => {
+      const text = (await readBeside(name, library))?.bytes ?? new Uint8Array(0);
+      return namedIn(text, IMAGE).map((image) => path.join(path.dirname(library), toPath(image)));
+    }),
+  );
   return [...libraries, ...images.flat()];
 }
 
@@ -35,7 +37,9 @@ const IMAGE = /^[ \t]*map_Kd[ \t]+(?:-\w+(?:[ \t]+(?:[-+]?[.\d][^ \t]*|on|off))*
 const toPath = (name: string): string => name.replaceAll('\\', '/');
 
 function namedIn(bytes: Uint8Array, pattern: RegExp): string[] {
-  return [...new Set(Array.from(new TextDecoder().decode(bytes).replaceAll('\r', '').matchAll(pattern), ([, name]) => name!))];
+  return [
+    ...new Set(Array.from(new TextDecoder().decode(bytes).replaceAll('\r', '').matchAll(pattern), ([, name]) => name!)),
+  ];
 }
 
 async function read(name: string): Promise<Uint8Array> {
@@ -43,7 +47,8 @@ async function read(name: string): Promise<Uint8Array> {
     return await readFile(name);
   } catch (error) {
     const { code } = error as NodeJS.ErrnoException;
-    const reason = code === 'ENOENT' ? 'there is no such file' : code === 'EISDIR' ? 'it is a folder' : messageOf(error);
+    const reason =
+      code === 'ENOENT' ? 'there is no such file' : code === 'EISDIR' ? 'it is a folder' : messageOf(error);
     throw new EngineError('missing-file', `${name}: ${reason}.`, { file: name });
   }
 }

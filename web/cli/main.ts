@@ -10,7 +10,9 @@ async function run([command, ...words]: string[]): Promise<string> {
   if (command === '--version') return `${version}\n`;
   if (command === '--help' || command === '-h' || command === 'help') return HELP;
   if (command !== 'inspect' && command !== 'complete') {
-    throw new UsageError(command ? `there is no command ${command} (see --help)` : 'name a command: inspect or complete (see --help)');
+    throw new UsageError(
+      command ? `there is no command ${command} (see --help)` : 'name a command: inspect or complete (see --help)',
+    );
   }
   const args = parseArguments(words, command === 'inspect' ? INSPECT : COMPLETE);
   if (args.flags.has('help')) return HELP;

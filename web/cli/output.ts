@@ -37,14 +37,18 @@ async function writeBeside({ path: place, files }: Output, mark: string, partial
   partial.push(temporary);
   if (isFolder) await mkdir(temporary);
   const moves = files.map(({ name }) =>
-    isFolder ? { from: path.join(temporary, name), to: path.join(target, name) } : { from: temporary, to: target });
+    isFolder ? { from: path.join(temporary, name), to: path.join(target, name) } : { from: temporary, to: target },
+  );
   for (const [index, { from }] of moves.entries()) await writeFile(from, files[index]!.bytes);
   return moves;
 }
 
 /** The nearest folder that is there already. */
 async function existing(folder: string): Promise<string> {
-  const found = await stat(folder).then((entry) => entry.isDirectory(), () => false);
+  const found = await stat(folder).then(
+    (entry) => entry.isDirectory(),
+    () => false,
+  );
   const above = path.dirname(folder);
   return found || above === folder ? folder : existing(above);
 }

@@ -41,7 +41,8 @@ function readOption(option: Option): Read | null {
 
 function flagsOf(table: OptionTable): Flag[] {
   return optionsIn(table).flatMap(([name, option]) =>
-    option.flag === undefined ? [] : [{ name, flag: option.flag, option, read: readOption(option) }]);
+    option.flag === undefined ? [] : [{ name, flag: option.flag, option, read: readOption(option) }],
+  );
 }
 
 const perKey = flagsOf(PER_KEY).map((one) => (one.option.kind === 'number' ? { ...one, read: read.numbers } : one));
@@ -110,11 +111,13 @@ Exit codes: 0 done, 1 the input is bad, 2 wrong use.
 
 /** The values that were given, so that the engine's defaults hold for the rest. */
 function given(args: Arguments, flags: Flag[]): object {
-  return Object.fromEntries(flags.flatMap(({ name, flag, read: reader }): [string, unknown][] => {
-    if (reader === null) return args.flags.has(flag) ? [[name, true]] : [];
-    const text = args.values.get(flag);
-    return text === undefined ? [] : [[name, reader(text, `--${flag}`)]];
-  }));
+  return Object.fromEntries(
+    flags.flatMap(({ name, flag, read: reader }): [string, unknown][] => {
+      if (reader === null) return args.flags.has(flag) ? [[name, true]] : [];
+      const text = args.values.get(flag);
+      return text === undefined ? [] : [[name, reader(text, `--${flag}`)]];
+    }),
+  );
 }
 
 export function importOptions(args: Arguments): ImportOptions {

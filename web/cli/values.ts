@@ -7,7 +7,8 @@ type Read<T> = (text: string, option: string) => T;
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 export const number: Read<number> = (text, option) => {
-  if (!NUMBER.test(text.trim()) || !Number.isFinite(Number(text))) throw new UsageError(`${option}: '${text}' is not a number`);
+  if (!NUMBER.test(text.trim()) || !Number.isFinite(Number(text)))
+    throw new UsageError(`${option}: '${text}' is not a number`);
   return Number(text);
 };
 
@@ -18,11 +19,13 @@ export const whole: Read<number> = (text, option) => {
   return Number(text);
 };
 
-export const wholeFrom = (least: number): Read<number> => (text, option) => {
-  const value = whole(text, option);
-  if (value < least) throw new UsageError(`${option}: must be at least ${least}, not ${value}`);
-  return value;
-};
+export const wholeFrom =
+  (least: number): Read<number> =>
+  (text, option) => {
+    const value = whole(text, option);
+    if (value < least) throw new UsageError(`${option}: must be at least ${least}, not ${value}`);
+    return value;
+  };
 
 export const positive: Read<number> = (text, option) => {
   const value = number(text, option);
@@ -46,11 +49,13 @@ export const range: Read<[number, number]> = (text, option) => {
   return [first, last];
 };
 
-export const oneOf = <T extends string>(...names: T[]): Read<T> => (text, option) => {
-  const found = names.find((name) => name === text);
-  if (!found) throw new UsageError(`${option}: '${text}' is none of ${names.join(', ')}`);
-  return found;
-};
+export const oneOf =
+  <T extends string>(...names: T[]): Read<T> =>
+  (text, option) => {
+    const found = names.find((name) => name === text);
+    if (!found) throw new UsageError(`${option}: '${text}' is none of ${names.join(', ')}`);
+    return found;
+  };
 
 /** KEY, counted from 1 -> index from 0. */
 export const key: Read<number> = (text, option) => wholeFrom(1)(text, option) - 1;

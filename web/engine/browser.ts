@@ -88,8 +88,11 @@ function sameOrigin(url: URL): URL | string {
 
 async function compile(url: URL): Promise<WebAssembly.Module> {
   if (!hasSimd()) {
-    throw engineError('no-simd', 'This browser cannot run the computation: its WebAssembly lacks SIMD. '
-      + 'Any current version of Firefox, Chrome, Edge or Safari can.');
+    throw engineError(
+      'no-simd',
+      'This browser cannot run the computation: its WebAssembly lacks SIMD. ' +
+        'Any current version of Firefox, Chrome, Edge or Safari can.',
+    );
   }
   try {
     const response = await fetch(url);
@@ -103,12 +106,17 @@ async function compile(url: URL): Promise<WebAssembly.Module> {
 }
 
 function notLoaded(what: string, reason: string): EngineError {
-  return engineError('not-loaded', `The computation could not be loaded (${what}: ${reason}). Check the connection and reload the page.`);
+  return engineError(
+    'not-loaded',
+    `The computation could not be loaded (${what}: ${reason}). Check the connection and reload the page.`,
+  );
 }
 
 /** Validates the smallest module that uses a vector instruction: a function that returns i8x16.splat(0). */
 function hasSimd(): boolean {
-  return WebAssembly.validate(new Uint8Array([
-    0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11,
-  ]));
+  return WebAssembly.validate(
+    new Uint8Array([
+      0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11,
+    ]),
+  );
 }

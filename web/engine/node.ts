@@ -23,8 +23,13 @@ const WASM_URL = new URL('../../build/wasm/shapespline.wasm', import.meta.url);
 const THREADS_URL = new URL('../../build/wasm/shapespline_threads.wasm', import.meta.url);
 
 /** The process lives as long as an engine has workers: dispose of it. */
-export function createEngine({ workerUrl = WORKER_URL, wasmUrl = WASM_URL, threadsUrl = THREADS_URL }: EngineUrls = {}): Engine {
-  const threaded = threadsUrl && availableParallelism() > 1 ? onlyOnce(() => compile(threadsUrl).catch(() => null)) : null;
+export function createEngine({
+  workerUrl = WORKER_URL,
+  wasmUrl = WASM_URL,
+  threadsUrl = THREADS_URL,
+}: EngineUrls = {}): Engine {
+  const threaded =
+    threadsUrl && availableParallelism() > 1 ? onlyOnce(() => compile(threadsUrl).catch(() => null)) : null;
   return new EngineClient({ spawn: spawnFrom(workerUrl), module: compile(wasmUrl), threaded });
 }
 
@@ -56,6 +61,10 @@ async function compile(url: URL): Promise<WebAssembly.Module> {
   try {
     return await WebAssembly.compile(await readFile(url));
   } catch (error) {
-    throw engineError('not-loaded', `The computation could not be loaded from ${url.pathname} (${messageOf(error)}).`, error);
+    throw engineError(
+      'not-loaded',
+      `The computation could not be loaded from ${url.pathname} (${messageOf(error)}).`,
+      error,
+    );
   }
 }

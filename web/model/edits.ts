@@ -44,7 +44,8 @@ export function setShaping(doc: Doc, name: ShapingNumber, index: number, value: 
 /** Whole turns on the way to a key; 0 takes them away. */
 export function setTurns(doc: Doc, index: number, added: KeyTurns): Doc {
   return reshaped(doc, index, (shaping) =>
-    (turnsOf(shaping, added.component) === added.turns ? shaping : withTurns(shaping, added)));
+    turnsOf(shaping, added.component) === added.turns ? shaping : withTurns(shaping, added),
+  );
 }
 
 export function setMotion(doc: Doc, change: Partial<Motion>): Doc {

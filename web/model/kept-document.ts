@@ -21,8 +21,10 @@ export function keptDoc({ keys, motion, encoding, tension, bias, turns, partTurn
   const before = (key: number): Shaping =>
     [{ turns: turns?.[key] ?? 0 }, ...(partTurns?.[key] ?? [])].reduce(withTurns, shapingOf({ tension, bias }, key));
   return {
-    keys: keys.map(({ shaping, ...key }, index) =>
-      ({ ...key, shaping: shaping ? { ...DEFAULT_SHAPING, ...shaping } : before(index) })),
+    keys: keys.map(({ shaping, ...key }, index) => ({
+      ...key,
+      shaping: shaping ? { ...DEFAULT_SHAPING, ...shaping } : before(index),
+    })),
     motion: { ...empty.motion, ...motion },
     encoding: { ...empty.encoding, ...encoding },
   };

@@ -6,8 +6,11 @@ import { ENCODING, MOTION, optionsIn } from '../engine/api/option-table.ts';
 import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';
 
 export type PageOptions<T> = {
-  -readonly [N in keyof T as T[N] extends { page: infer P extends string } ? P : never]:
-    T[N] extends { kind: 'key' | 'shape' } ? number | null : ValueOf<T[N]>
+  -readonly [N in keyof T as T[N] extends { page: infer P extends string } ? P : never]: T[N] extends {
+    kind: 'key' | 'shape';
+  }
+    ? number | null
+    : ValueOf<T[N]>;
 };
 
 interface PageOption {
@@ -19,7 +22,8 @@ interface PageOption {
 
 export function pageOptions(table: OptionTable): PageOption[] {
   return optionsIn(table).flatMap(([name, option]) =>
-    (option.page === undefined ? [] : [{ name, page: option.page, option }]));
+    option.page === undefined ? [] : [{ name, page: option.page, option }],
+  );
 }
 
 /** Its value in the document is a pose. */

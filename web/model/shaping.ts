@@ -11,8 +11,9 @@ export type Shaping = { readonly [N in keyof PerKey]: PerKey[N] extends number[]
 /** The options that are one number for each key. */
 export type ShapingNumber = { [N in keyof PerKey]: PerKey[N] extends number[] ? N : never }[keyof PerKey];
 
-export const SHAPING_NUMBERS = (Object.keys(PER_KEY) as (keyof PerKey)[])
-  .filter((name): name is ShapingNumber => PER_KEY[name].kind === 'number');
+export const SHAPING_NUMBERS = (Object.keys(PER_KEY) as (keyof PerKey)[]).filter(
+  (name): name is ShapingNumber => PER_KEY[name].kind === 'number',
+);
 
 function shapingWith(number: (name: ShapingNumber) => number, turns: readonly KeyTurns[]): Shaping {
   const numbers = Object.fromEntries(SHAPING_NUMBERS.map((name) => [name, number(name)]));

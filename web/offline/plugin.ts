@@ -18,7 +18,9 @@ export function offline(): Plugin {
       folder = config.build.outDir;
     },
     closeBundle() {
-      const files = list(folder).filter((file) => !LEFT_OUT.test(file)).sort();
+      const files = list(folder)
+        .filter((file) => !LEFT_OUT.test(file))
+        .sort();
       const digest = createHash('sha256');
       for (const file of files) digest.update(file).update(readFileSync(path.join(folder, file)));
       const wanted = files.map((file) => (file === 'index.html' ? './' : `./${file}`));

@@ -11,7 +11,9 @@ export function preload(): Plugin {
         const wasm = Object.keys(bundle ?? {}).find((name) => /(^|\/)shapespline-[^/]*\.wasm$/.test(name));
         if (path !== '/index.html' || !wasm) return [];
         const link = (href: string, type: string) => ({
-          tag: 'link', attrs: { rel: 'preload', as: 'fetch', crossorigin: true, href: `./${href}`, type }, injectTo: 'head' as const,
+          tag: 'link',
+          attrs: { rel: 'preload', as: 'fetch', crossorigin: true, href: `./${href}`, type },
+          injectTo: 'head' as const,
         });
         return [link(wasm, 'application/wasm'), link('samples/samples.json', 'application/json')];
       },

@@ -41,8 +41,14 @@ export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHan
   const reach = make('circle', { class: 'grip-reach', r: 14 });
   const value = text('grip-value', 0, 0, '');
   const element = make('g', {
-    class: 'end-handle', role: 'slider', tabindex: 0, 'aria-label': events.label(end), 'aria-valuemin': 0, 'aria-valuemax': events.most,
-    'data-testid': `plane-${end}-speed`, display: 'none',
+    class: 'end-handle',
+    role: 'slider',
+    tabindex: 0,
+    'aria-label': events.label(end),
+    'aria-valuemin': 0,
+    'aria-valuemax': events.most,
+    'data-testid': `plane-${end}-speed`,
+    display: 'none',
   });
   element.append(stem, reach, grip, value);
   let placed: Placed | null = null;
@@ -97,7 +103,7 @@ export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHan
 /** Where the middle of the number's line goes: on the upper side of the handle, or on the lower one at the picture's top. */
 function beside([x, y]: Vector, [ux, uy]: Vector): { x: number; y: number } {
   const length = Math.hypot(ux, uy);
-  const side = (ux < 0 ? -1 : 1) * (y < 24 ? -1 : 1) / length;
+  const side = ((ux < 0 ? -1 : 1) * (y < 24 ? -1 : 1)) / length;
   return { x: x + 18 * uy * side, y: y - 13 * ux * side + 4 };
 }
 
@@ -106,8 +112,10 @@ function usable(placed: Placed, most: number): Placed | null {
   const { from, unit, width, height } = placed;
   const length = Math.hypot(...unit);
   if (!(length > 1e-6)) return null;
-  const room = [[from[0], unit[0], width], [from[1], unit[1], height]].map(([at, step, size]) =>
-    (step === 0 ? Infinity : ((step! > 0 ? size! - EDGE : EDGE) - at!) / step!) / most);
+  const room = [
+    [from[0], unit[0], width],
+    [from[1], unit[1], height],
+  ].map(([at, step, size]) => (step === 0 ? Infinity : ((step! > 0 ? size! - EDGE : EDGE) - at!) / step!) / most);
   const scale = Math.min(Math.max(1, LEAST_UNIT / length), ...room.map((share) => Math.max(share, 0)));
   return { ...placed, unit: [unit[0] * scale, unit[1] * scale] };
 }

@@ -33,22 +33,37 @@ export function drawGhostChart(data: GhostChartData): SVGSVGElement {
   const [low, high] = padded(extent(values), 0.1);
   const y = linearScale([Math.max(low, 0), high], HEIGHT - BOTTOM, TOP);
   const x = linearScale([0, Math.max(sizes.length - 1, 1)], LEFT + 12, WIDTH - RIGHT - 8);
-  const element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot ghost-chart', role: 'img', 'aria-label': describe(data) });
+  const element = make('svg', {
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    class: 'plot ghost-chart',
+    role: 'img',
+    'aria-label': describe(data),
+  });
   for (const value of ticks(y.domain, 3)) {
-    element.append(make('line', { class: 'grid', x1: LEFT, x2: WIDTH - RIGHT, y1: y(value), y2: y(value) }),
-      text('tick-y', LEFT - 5, y(value) + 3.5, tickLabel(value)));
+    element.append(
+      make('line', { class: 'grid', x1: LEFT, x2: WIDTH - RIGHT, y1: y(value), y2: y(value) }),
+      text('tick-y', LEFT - 5, y(value) + 3.5, tickLabel(value)),
+    );
   }
   element.append(...sizes.map((size, index) => text('tick-x', x(index), HEIGHT - 4, size)));
-  if (level) element.append(make('line', { class: 'level', x1: LEFT, x2: WIDTH - RIGHT, y1: y(level.value), y2: y(level.value) }));
+  if (level)
+    element.append(
+      make('line', { class: 'level', x1: LEFT, x2: WIDTH - RIGHT, y1: y(level.value), y2: y(level.value) }),
+    );
   for (const { values: own, style } of series) {
     const points = own.map((value, index) => [x(index), y(value)] as const);
-    element.append(make('path', { class: `curve ${style}`, d: path(points) }),
-      ...points.map(([cx, cy]) => make('circle', { class: `mark ${style}`, cx, cy, r: 2.6 })));
+    element.append(
+      make('path', { class: `curve ${style}`, d: path(points) }),
+      ...points.map(([cx, cy]) => make('circle', { class: `mark ${style}`, cx, cy, r: 2.6 })),
+    );
   }
   return element;
 }
 
 function describe({ title, unit, sizes, series, level }: GhostChartData): string {
-  const lines = series.map(({ label, values }) => `${label}: ${values.map((value, i) => `${tickLabel(Number(value.toPrecision(3)))} at ${sizes[i]}`).join(', ')}`);
+  const lines = series.map(
+    ({ label, values }) =>
+      `${label}: ${values.map((value, i) => `${tickLabel(Number(value.toPrecision(3)))} at ${sizes[i]}`).join(', ')}`,
+  );
   return `${title} (${unit}) over faces of the ghost mesh. ${[...lines, ...(level ? [`${level.label}: ${tickLabel(Number(level.value.toPrecision(3)))}`] : [])].join('; ')}`;
 }

@@ -40,7 +40,12 @@ export interface LineChart {
 }
 
 export function createLineChart(onPick: (t: number) => void): LineChart {
-  const element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot line-chart', role: 'img', 'aria-label': 'Being computed' });
+  const element = make('svg', {
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    class: 'plot line-chart',
+    role: 'img',
+    'aria-label': 'Being computed',
+  });
   const content = make('g', {});
   const cursor = make('line', { class: 'cursor', y1: TOP, y2: HEIGHT - BOTTOM });
   element.append(content, cursor);
@@ -79,15 +84,24 @@ export function createLineChart(onPick: (t: number) => void): LineChart {
 }
 
 function parts(data: LineChartData, x: Scale): SVGElement[] {
-  const span = extent([...data.series.flatMap((series) => [...series.values]), ...(data.include === undefined ? [] : [data.include])]);
+  const span = extent([
+    ...data.series.flatMap((series) => [...series.values]),
+    ...(data.include === undefined ? [] : [data.include]),
+  ]);
   const least = data.leastSpan ?? 0;
   const y = linearScale(padded(span, 0.08, Math.max(0, (least - (span[1] - span[0])) / 2)), HEIGHT - BOTTOM, TOP);
   const [start, end] = data.range;
-  const shade = (from: number, to: number): SVGElement => make('rect', {
-    class: 'beyond', x: from, y: TOP, width: Math.max(to - from, 0), height: HEIGHT - BOTTOM - TOP,
-  });
+  const shade = (from: number, to: number): SVGElement =>
+    make('rect', {
+      class: 'beyond',
+      x: from,
+      y: TOP,
+      width: Math.max(to - from, 0),
+      height: HEIGHT - BOTTOM - TOP,
+    });
   return [
-    shade(LEFT, x(start)), shade(x(end), WIDTH - RIGHT),
+    shade(LEFT, x(start)),
+    shade(x(end), WIDTH - RIGHT),
     ...ticks(y.domain, 3).flatMap((value) => [
       make('line', { class: 'grid', x1: LEFT, x2: WIDTH - RIGHT, y1: y(value), y2: y(value) }),
       text('tick-y', LEFT - 5, y(value) + 3.5, tickLabel(value)),
@@ -96,9 +110,12 @@ function parts(data: LineChartData, x: Scale): SVGElement[] {
       make('line', { class: 'key-line', x1: x(time), x2: x(time), y1: TOP, y2: HEIGHT - BOTTOM }),
       text('tick-x', x(time), HEIGHT - 4, String(index + 1)),
     ]),
-    ...data.series.map((series) => make('path', {
-      class: `curve ${series.style}`, d: path(data.times.map((t, index) => [x(t), y(series.values[index] ?? NaN)])),
-    })),
+    ...data.series.map((series) =>
+      make('path', {
+        class: `curve ${series.style}`,
+        d: path(data.times.map((t, index) => [x(t), y(series.values[index] ?? NaN)])),
+      }),
+    ),
   ];
 }
 
@@ -110,7 +127,10 @@ function describe({ title, unit, series, times }: LineChartData): string {
   return `${title} (${unit}) at ${times.length} times: ${spans.join('; ')}`;
 }
 
-export function make<Tag extends keyof SVGElementTagNameMap>(tag: Tag, attributes: Record<string, string | number>): SVGElementTagNameMap[Tag] {
+export function make<Tag extends keyof SVGElementTagNameMap>(
+  tag: Tag,
+  attributes: Record<string, string | number>,
+): SVGElementTagNameMap[Tag] {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) {
     element.setAttribute(name, typeof value === 'number' ? String(Number(value.toFixed(2))) : value);

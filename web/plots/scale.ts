@@ -36,7 +36,9 @@ export function ticks([low, high]: readonly [number, number], count: number): nu
   if (!(step > 0)) return [];
   const first = Math.ceil(low / step - 1e-9);
   const last = Math.floor(high / step + 1e-9);
-  return Array.from({ length: Math.min(last - first + 1, 50) }, (_, index) => Number(((first + index) * step).toPrecision(12)));
+  return Array.from({ length: Math.min(last - first + 1, 50) }, (_, index) =>
+    Number(((first + index) * step).toPrecision(12)),
+  );
 }
 
 function niceStep(rough: number): number {
@@ -54,13 +56,15 @@ export function tickLabel(value: number): string {
 /** Points of a polyline that leaves gaps where a value is not finite, as an SVG path. */
 export function path(points: readonly (readonly [number, number])[]): string {
   let pen = 'M';
-  return points.map(([x, y]) => {
-    if (!Number.isFinite(x) || !Number.isFinite(y)) {
-      pen = 'M';
-      return '';
-    }
-    const part = `${pen}${x.toFixed(2)} ${y.toFixed(2)}`;
-    pen = 'L';
-    return part;
-  }).join('');
+  return points
+    .map(([x, y]) => {
+      if (!Number.isFinite(x) || !Number.isFinite(y)) {
+        pen = 'M';
+        return '';
+      }
+      const part = `${pen}${x.toFixed(2)} ${y.toFixed(2)}`;
+      pen = 'L';
+      return part;
+    })
+    .join('');
 }

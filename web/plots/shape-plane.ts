@@ -39,7 +39,12 @@ export interface ShapePlanePlot {
 type Place = (x: number, y: number) => [number, number];
 
 export function createShapePlane(events: EndHandleEvents): ShapePlanePlot {
-  const element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot shape-plane', role: 'group', 'aria-label': 'Being computed' });
+  const element = make('svg', {
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    class: 'plot shape-plane',
+    role: 'group',
+    'aria-label': 'Being computed',
+  });
   const content = make('g', {});
   const cursor = make('circle', { class: 'now', r: 4.5 });
   const handles = { start: createEndHandle('start', element, events), end: createEndHandle('end', element, events) };
@@ -52,12 +57,14 @@ export function createShapePlane(events: EndHandleEvents): ShapePlanePlot {
       const place = placing(data);
       current = { data, place };
       content.replaceChildren(...parts(data, place));
-      element.setAttribute('aria-label',
-        `The motion through ${data.keys.length / 2} keys as a curve in the plane of their two leading principal components`);
+      element.setAttribute(
+        'aria-label',
+        `The motion through ${data.keys.length / 2} keys as a curve in the plane of their two leading principal components`,
+      );
       for (const end of ['start', 'end'] as const) handles[end].place(onPicture(data, end, place));
     },
     setSpeeds(speeds) {
-      for (const end of ['start', 'end'] as const) handles[end].setSpeed(speeds && speeds[end]);
+      for (const end of ['start', 'end'] as const) handles[end].setSpeed(speeds?.[end] ?? null);
     },
     setCursor(t) {
       if (!current) return;
@@ -76,19 +83,26 @@ function placing({ keys, curves, times, range }: ShapePlaneData): Place {
   const points = [...keys];
   const first = curves[0]?.points ?? [];
   // The margins are shown as far as they fit; the keys and the curve between them decide the scale.
-  times.forEach((t, index) => { if (t >= range[0] && t <= range[1]) points.push(first[2 * index] ?? NaN, first[2 * index + 1] ?? NaN); });
+  times.forEach((t, index) => {
+    if (t >= range[0] && t <= range[1]) points.push(first[2 * index] ?? NaN, first[2 * index + 1] ?? NaN);
+  });
   const [left, right] = extent(points.filter((_, index) => index % 2 === 0));
   const [bottom, top] = extent(points.filter((_, index) => index % 2 === 1));
   const margin = 0.14;
   const scale = Math.min(
     (WIDTH - 2 * PAD) / Math.max((right - left) * (1 + 2 * margin), 1e-12),
-    (HEIGHT - 2 * PAD) / Math.max((top - bottom) * (1 + 2 * margin), 1e-12));
+    (HEIGHT - 2 * PAD) / Math.max((top - bottom) * (1 + 2 * margin), 1e-12),
+  );
   const [x, y] = [(left + right) / 2, (bottom + top) / 2];
   return (px, py) => [WIDTH / 2 + (px - x) * scale, HEIGHT / 2 - (py - y) * scale];
 }
 
 /** An end of the curve and the way a handle of speed 1 goes from there, in the picture's own pixels. */
-function onPicture({ keys, tangents }: ShapePlaneData, end: End, place: Place): { from: Vector; unit: Vector; width: number; height: number } | null {
+function onPicture(
+  { keys, tangents }: ShapePlaneData,
+  end: End,
+  place: Place,
+): { from: Vector; unit: Vector; width: number; height: number } | null {
   const tangent = tangents?.[end];
   if (!tangent) return null;
   const [x, y] = (end === 'start' ? keys.slice(0, 2) : keys.slice(-2)) as [number, number];
@@ -97,18 +111,32 @@ function onPicture({ keys, tangents }: ShapePlaneData, end: End, place: Place): 
 }
 
 function parts({ times, keys, curves, range }: ShapePlaneData, place: Place): SVGElement[] {
-  const line = (curve: PlaneCurve, style: string, from: number, to: number): SVGElement => make('path', {
-    class: `curve ${style}`,
-    d: path(times.flatMap((t, index) => (t >= from && t <= to ? [place(curve.points[2 * index] ?? NaN, curve.points[2 * index + 1] ?? NaN)] : []))),
-  });
+  const line = (curve: PlaneCurve, style: string, from: number, to: number): SVGElement =>
+    make('path', {
+      class: `curve ${style}`,
+      d: path(
+        times.flatMap((t, index) =>
+          t >= from && t <= to ? [place(curve.points[2 * index] ?? NaN, curve.points[2 * index + 1] ?? NaN)] : [],
+        ),
+      ),
+    });
   const [main, ...others] = curves;
   const shown = [
     ...others.map((curve) => line(curve, curve.style, range[0], range[1])),
-    ...(main ? [line(main, 'extrapolated', -Infinity, range[0]), line(main, 'extrapolated', range[1], Infinity), line(main, main.style, range[0], range[1])] : []),
+    ...(main
+      ? [
+          line(main, 'extrapolated', -Infinity, range[0]),
+          line(main, 'extrapolated', range[1], Infinity),
+          line(main, main.style, range[0], range[1]),
+        ]
+      : []),
   ];
   for (let index = 0; index < keys.length / 2; index += 1) {
     const [x, y] = place(keys[2 * index] ?? 0, keys[2 * index + 1] ?? 0);
-    shown.push(make('circle', { class: 'key', cx: x, cy: y, r: 4 }), text('key-number', x + 8, y - 6, String(index + 1)));
+    shown.push(
+      make('circle', { class: 'key', cx: x, cy: y, r: 4 }),
+      text('key-number', x + 8, y - 6, String(index + 1)),
+    );
   }
   return shown;
 }

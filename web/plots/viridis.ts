@@ -1,8 +1,16 @@
 /** The colour map for amounts: viridis, which is even to the eye and to the colour-blind. Ten of its colours, mixed between. */
 
 const STOPS: readonly (readonly [number, number, number])[] = [
-  [68, 1, 84], [72, 40, 120], [62, 73, 137], [49, 104, 142], [38, 130, 142], [31, 158, 137], [53, 183, 121], [109, 205, 89],
-  [180, 222, 44], [253, 231, 37],
+  [68, 1, 84],
+  [72, 40, 120],
+  [62, 73, 137],
+  [49, 104, 142],
+  [38, 130, 142],
+  [31, 158, 137],
+  [53, 183, 121],
+  [109, 205, 89],
+  [180, 222, 44],
+  [253, 231, 37],
 ];
 
 /** sRGB in [0, 255] at a share in [0, 1]; shares beyond take the colour of the end. */

@@ -43,18 +43,33 @@ export interface GhostStudyOptions extends CallOptions {
 }
 
 export async function studyGhosts(
-  engine: Engine, keys: Keys, options: Partial<SequenceOptions>, { times, sizes = GHOST_SIZES, transfers = TRANSFERS, signal, onProgress }: GhostStudyOptions,
+  engine: Engine,
+  keys: Keys,
+  options: Partial<SequenceOptions>,
+  { times, sizes = GHOST_SIZES, transfers = TRANSFERS, signal, onProgress }: GhostStudyOptions,
 ): Promise<GhostStudy> {
   const { faces } = keys.info.report;
-  const wanted = sizes.filter((size) => size < faces).flatMap((size) => transfers.map((transfer) => ({ size, transfer })));
+  const wanted = sizes
+    .filter((size) => size < faces)
+    .flatMap((size) => transfers.map((transfer) => ({ size, transfer })));
   const steps = wanted.length + 1;
   const build = async (step: number, change: Partial<SequenceOptions>): Promise<Built> => {
     const start = performance.now();
-    const report = (fraction: number, stage: string): void => onProgress?.({ stage, fraction: (step + fraction) / steps });
-    const sequence = await engine.createSequence(keys, { ...options, ...change }, {
-      ...(signal && { signal }), onProgress: ({ stage, fraction }) => report(0.5 * fraction, stage),
-    });
-    return { sequence, buildMs: performance.now() - start, evaluated: (fraction) => report(0.5 + 0.5 * fraction, 'evaluating') };
+    const report = (fraction: number, stage: string): void =>
+      onProgress?.({ stage, fraction: (step + fraction) / steps });
+    const sequence = await engine.createSequence(
+      keys,
+      { ...options, ...change },
+      {
+        ...(signal && { signal }),
+        onProgress: ({ stage, fraction }) => report(0.5 * fraction, stage),
+      },
+    );
+    return {
+      sequence,
+      buildMs: performance.now() - start,
+      evaluated: (fraction) => report(0.5 + 0.5 * fraction, 'evaluating'),
+    };
   };
   const full = await build(0, { ghostFaces: 0 });
   try {
@@ -104,7 +119,10 @@ interface Built {
 
 /** One frame after the other, so that neither memory nor the two times suffer. */
 async function compare(
-  { sequence, evaluated }: Pick<Built, 'sequence' | 'evaluated'>, reference: Sequence | null, times: readonly number[], signal: AbortSignal | undefined,
+  { sequence, evaluated }: Pick<Built, 'sequence' | 'evaluated'>,
+  reference: Sequence | null,
+  times: readonly number[],
+  signal: AbortSignal | undefined,
 ): Promise<{ kg: number; ms: number }> {
   const error = new KgError();
   const ms: number[] = [];

@@ -28,33 +28,107 @@ export interface ClockMenuEvents {
 const USUAL_FPS = 24;
 const ZOOM_STEP = 2;
 
-export function createClockMenu(events: ClockMenuEvents): { element: HTMLElement; toggle(): void; update(props: ClockMenuProps): void } {
+export function createClockMenu(events: ClockMenuEvents): {
+  element: HTMLElement;
+  toggle(): void;
+  update(props: ClockMenuProps): void;
+} {
   let shown: ClockMenuProps | null = null;
   let lastFps = USUAL_FPS;
   const seconds = (value: number): number => (shown?.fps ? value / shown.fps : value);
 
   const frames = checkbox('Whole frames', 'whole-frames', (on) => events.onFps(on ? lastFps : null));
-  const fps = numberField({ label: 'Frames per second', testId: 'fps', min: 0.01, max: MAX_FPS, onInput: (value) => events.onFps(value) });
-  const fpsHint = h('p', { class: 'hint' });
-  const from = numberField({ label: 'Playing starts at', testId: 'loop-from', onInput: (value) => events.onLoopEnd('start', seconds(value)) });
-  const to = numberField({ label: 'Playing ends at', testId: 'loop-to', onInput: (value) => events.onLoopEnd('end', seconds(value)) });
-  const reset = button({ label: 'Play all keys again', testId: 'loop-reset', icon: 'reset', shortcut: 'P', onClick: () => events.onBetween(null) });
-  const here = (end: 'start' | 'end', text: string, key: string): HTMLButtonElement => button({
-    label: text, testId: `loop-${end}-here`, text, shortcut: key, kind: 'plain', onClick: () => events.onLoopEnd(end, shown?.time ?? 0),
+  const fps = numberField({
+    label: 'Frames per second',
+    testId: 'fps',
+    min: 0.01,
+    max: MAX_FPS,
+    onInput: (value) => events.onFps(value),
   });
-  const nearer = button({ label: 'Zoom into the timeline', testId: 'zoom-in', icon: 'plus', shortcut: '+', kind: 'plain', onClick: () => events.onZoom(ZOOM_STEP) });
-  const farther = button({ label: 'Zoom out of the timeline', testId: 'zoom-out', icon: 'minus', shortcut: '-', kind: 'plain', onClick: () => events.onZoom(1 / ZOOM_STEP) });
-  const whole = button({ label: 'Show the whole timeline', testId: 'zoom-fit', text: 'All', shortcut: '0', kind: 'plain', onClick: () => events.onWindow(null) });
+  const fpsHint = h('p', { class: 'hint' });
+  const from = numberField({
+    label: 'Playing starts at',
+    testId: 'loop-from',
+    onInput: (value) => events.onLoopEnd('start', seconds(value)),
+  });
+  const to = numberField({
+    label: 'Playing ends at',
+    testId: 'loop-to',
+    onInput: (value) => events.onLoopEnd('end', seconds(value)),
+  });
+  const reset = button({
+    label: 'Play all keys again',
+    testId: 'loop-reset',
+    icon: 'reset',
+    shortcut: 'P',
+    onClick: () => events.onBetween(null),
+  });
+  const here = (end: 'start' | 'end', text: string, key: string): HTMLButtonElement =>
+    button({
+      label: text,
+      testId: `loop-${end}-here`,
+      text,
+      shortcut: key,
+      kind: 'plain',
+      onClick: () => events.onLoopEnd(end, shown?.time ?? 0),
+    });
+  const nearer = button({
+    label: 'Zoom into the timeline',
+    testId: 'zoom-in',
+    icon: 'plus',
+    shortcut: '+',
+    kind: 'plain',
+    onClick: () => events.onZoom(ZOOM_STEP),
+  });
+  const farther = button({
+    label: 'Zoom out of the timeline',
+    testId: 'zoom-out',
+    icon: 'minus',
+    shortcut: '-',
+    kind: 'plain',
+    onClick: () => events.onZoom(1 / ZOOM_STEP),
+  });
+  const whole = button({
+    label: 'Show the whole timeline',
+    testId: 'zoom-fit',
+    text: 'All',
+    shortcut: '0',
+    kind: 'plain',
+    onClick: () => events.onWindow(null),
+  });
   const zoom = h('span', { class: 'label', 'data-testid': 'zoom' });
 
-  const panel = h('div', { class: 'card popover', id: 'clock', 'data-testid': 'clock', hidden: true },
-    h('div', { class: 'group' },
-      h('div', { class: 'field row' }, frames.element, h('span', { class: 'spacer' }), fps, h('span', { class: 'unit' }, 'per second')), fpsHint),
-    h('div', { class: 'group' },
+  const panel = h(
+    'div',
+    { class: 'card popover', id: 'clock', 'data-testid': 'clock', hidden: true },
+    h(
+      'div',
+      { class: 'group' },
+      h(
+        'div',
+        { class: 'field row' },
+        frames.element,
+        h('span', { class: 'spacer' }),
+        fps,
+        h('span', { class: 'unit' }, 'per second'),
+      ),
+      fpsHint,
+    ),
+    h(
+      'div',
+      { class: 'group' },
       h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Play'), from, to, reset),
-      h('div', { class: 'button-row' }, here('start', 'Start here', 'Ctrl+Home'), here('end', 'End here', 'Ctrl+End'))),
-    h('div', { class: 'field row' }, zoom, farther, nearer, whole));
-  const toggle = button({ label: 'Frames, loop and zoom', testId: 'clock-toggle', icon: 'clock', shortcut: 'T', onClick: () => flip() });
+      h('div', { class: 'button-row' }, here('start', 'Start here', 'Ctrl+Home'), here('end', 'End here', 'Ctrl+End')),
+    ),
+    h('div', { class: 'field row' }, zoom, farther, nearer, whole),
+  );
+  const toggle = button({
+    label: 'Frames, loop and zoom',
+    testId: 'clock-toggle',
+    icon: 'clock',
+    shortcut: 'T',
+    onClick: () => flip(),
+  });
   const element = h('div', { class: 'clock-menu' }, panel, toggle);
   const flip = popover(element, toggle, panel);
 
@@ -65,9 +139,12 @@ export function createClockMenu(events: ClockMenuEvents): { element: HTMLElement
     frames.update(props.fps !== null, disabled);
     setField(fps, String(Number(lastFps.toFixed(3))));
     fps.disabled = props.fps === null;
-    setText(fpsHint, props.fps === null
-      ? 'Plays as smoothly as the screen allows.'
-      : 'Playing, the slider and exports keep to these frames of the motion’s own time; the time is shown as frame number.');
+    setText(
+      fpsHint,
+      props.fps === null
+        ? 'Plays as smoothly as the screen allows.'
+        : 'Playing, the slider and exports keep to these frames of the motion’s own time; the time is shown as frame number.',
+    );
     const [start, end] = playRange(between, range);
     setField(from, formatMoment(start, range, props.fps));
     setField(to, formatMoment(end, range, props.fps));

@@ -16,18 +16,29 @@ export interface ColourBarProps {
 }
 
 /** `gradient`: the map as CSS, upwards. */
-export function createColourBar(gradient: string): { element: HTMLElement; update(props: ColourBarProps | null): void } {
+export function createColourBar(gradient: string): {
+  element: HTMLElement;
+  update(props: ColourBarProps | null): void;
+} {
   const title = h('strong', {});
   const unit = h('div', { class: 'muted' });
   const ramp = h('div', { class: 'ramp' });
   ramp.style.background = gradient;
   const ticks = h('div', { class: 'ramp-ticks' }, h('span', {}), h('span', {}), h('span', {}));
   const now = h('span', { class: 'muted', 'data-testid': 'colour-bar-now' });
-  const element = h('div', { class: 'colour-bar', 'data-testid': 'colour-bar', hidden: true }, h('div', {}, title, unit), h('div', { class: 'ramp-row' }, ramp, ticks), now);
+  const element = h(
+    'div',
+    { class: 'colour-bar', 'data-testid': 'colour-bar', hidden: true },
+    h('div', {}, title, unit),
+    h('div', { class: 'ramp-row' }, ramp, ticks),
+    now,
+  );
   const draw = memo((props: ColourBarProps) => {
     setText(title, props.title);
     setText(unit, props.unit);
-    [1, 0.5, 0].forEach((share, index) => setText(ticks.children[index]!, `${Number((share * props.top).toPrecision(3))} ${props.symbol}`));
+    [1, 0.5, 0].forEach((share, index) =>
+      setText(ticks.children[index]!, `${Number((share * props.top).toPrecision(3))} ${props.symbol}`),
+    );
     setText(now, props.now);
     setStyle(element, 'left', `${props.x}px`);
     setStyle(element, 'top', `${props.y}px`);

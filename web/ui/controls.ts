@@ -21,10 +21,19 @@ export function tooltip(label: string, shortcut?: string): string {
 
 export function button(options: ButtonOptions): HTMLButtonElement {
   const { label, testId, text, shortcut, kind = 'quiet', onClick } = options;
-  return h('button', {
-    type: 'button', class: `button ${kind}${text ? '' : ' square'}`, 'data-testid': testId, 'aria-label': label,
-    title: tooltip(label, shortcut), onclick: onClick,
-  }, options.icon && icon(options.icon), text && h('span', {}, text));
+  return h(
+    'button',
+    {
+      type: 'button',
+      class: `button ${kind}${text ? '' : ' square'}`,
+      'data-testid': testId,
+      'aria-label': label,
+      title: tooltip(label, shortcut),
+      onclick: onClick,
+    },
+    options.icon && icon(options.icon),
+    text && h('span', {}, text),
+  );
 }
 
 export interface Choice<T extends string> {
@@ -41,18 +50,31 @@ export interface Segments<T extends string> {
 
 /** A row of radio buttons for two to four choices. The reason of a disabled one is written under the row. */
 export function segments<T extends string>(
-  label: string, testId: string, choices: readonly Choice<T>[], onChange: (value: T) => void,
+  label: string,
+  testId: string,
+  choices: readonly Choice<T>[],
+  onChange: (value: T) => void,
 ): Segments<T> {
   const name = uniqueId(testId);
   const reason = h('p', { class: 'reason', id: `${name}-reason`, 'data-testid': `${testId}-reason`, hidden: true });
-  const inputs = choices.map(({ value }) => h('input', {
-    type: 'radio', name, value, 'data-testid': `${testId}-${value}`, 'aria-describedby': reason.id,
-    onchange: () => onChange(value),
-  }));
-  const row = h('div', { class: 'segments' }, ...choices.map(({ label: text, hint }, index) => {
-    const input = inputs[index];
-    return h('label', { title: hint }, input, h('span', {}, text));
-  }));
+  const inputs = choices.map(({ value }) =>
+    h('input', {
+      type: 'radio',
+      name,
+      value,
+      'data-testid': `${testId}-${value}`,
+      'aria-describedby': reason.id,
+      onchange: () => onChange(value),
+    }),
+  );
+  const row = h(
+    'div',
+    { class: 'segments' },
+    ...choices.map(({ label: text, hint }, index) => {
+      const input = inputs[index];
+      return h('label', { title: hint }, input, h('span', {}, text));
+    }),
+  );
   const element = h('fieldset', { class: 'field', 'data-testid': testId }, h('legend', {}, label), row, reason);
   return {
     element,
@@ -79,21 +101,37 @@ export interface Select<T extends string> {
 }
 
 export function select<T extends string>(
-  label: string, testId: string, choices: readonly Choice<T>[], onChange: (value: T) => void, shortcut?: string,
+  label: string,
+  testId: string,
+  choices: readonly Choice<T>[],
+  onChange: (value: T) => void,
+  shortcut?: string,
 ): Select<T> {
   const id = uniqueId(testId);
   const field = h('select', {
-    id, 'data-testid': testId, title: tooltip(label, shortcut), onchange: () => onChange(field.value as T),
+    id,
+    'data-testid': testId,
+    title: tooltip(label, shortcut),
+    onchange: () => onChange(field.value as T),
   });
   let shown: readonly Choice<T>[] = [];
   const fill = (next: readonly Choice<T>[]): void => {
-    if (next.length === shown.length && next.every((c, i) => c.value === shown[i]?.value && c.label === shown[i]?.label)) return;
+    if (
+      next.length === shown.length &&
+      next.every((c, i) => c.value === shown[i]?.value && c.label === shown[i]?.label)
+    )
+      return;
     shown = next;
     field.replaceChildren(...next.map(({ value, label: text, hint }) => h('option', { value, title: hint }, text)));
   };
   fill(choices);
   return {
-    element: h('div', { class: 'field' }, h('label', { for: id }, label), h('div', { class: 'select' }, field, icon('down'))),
+    element: h(
+      'div',
+      { class: 'field' },
+      h('label', { for: id }, label),
+      h('div', { class: 'select' }, field, icon('down')),
+    ),
     update(value, next) {
       if (next) fill(next);
       setField(field, value);
@@ -125,16 +163,28 @@ export function slider(options: NumberOptions): NumberControl {
   const format = options.format ?? ((value) => String(Number(value.toFixed(3))));
   const id = uniqueId(testId);
   const range = h('input', {
-    type: 'range', id, min, max, step, 'data-testid': testId, title: hint,
+    type: 'range',
+    id,
+    min,
+    max,
+    step,
+    'data-testid': testId,
+    title: hint,
     oninput: () => onInput(Number(range.value)),
   });
   const number = numberField({ label: `${label}, as a number`, testId: `${testId}-number`, min, max, step, onInput });
   const reset = button({
-    label: `Set ${label.toLowerCase()} back to ${format(fallback)}`, testId: `${testId}-reset`, icon: 'reset',
+    label: `Set ${label.toLowerCase()} back to ${format(fallback)}`,
+    testId: `${testId}-reset`,
+    icon: 'reset',
     onClick: () => onInput(fallback),
   });
-  const element = h('div', { class: 'field slider' },
-    h('label', { for: id, title: hint }, label), h('div', { class: 'slider-row' }, range, number, reset));
+  const element = h(
+    'div',
+    { class: 'field slider' },
+    h('label', { for: id, title: hint }, label),
+    h('div', { class: 'slider-row' }, range, number, reset),
+  );
   return {
     element,
     update(value, disabledReason) {
@@ -169,10 +219,20 @@ export function numberField({ label, testId, min, max, step = 'any', onInput }: 
     onInput(Math.min(Math.max(value, min ?? -Infinity), max ?? Infinity));
   };
   const field = h('input', {
-    type: 'number', class: 'number', min, max, step, inputmode: 'decimal', 'data-testid': testId, 'aria-label': label,
-    title: label, onchange: commit,
+    type: 'number',
+    class: 'number',
+    min,
+    max,
+    step,
+    inputmode: 'decimal',
+    'data-testid': testId,
+    'aria-label': label,
+    title: label,
+    onchange: commit,
     onfocus: () => field.select(),
-    onkeydown: (event: KeyboardEvent) => { if (event.key === 'Enter') field.blur(); },
+    onkeydown: (event: KeyboardEvent) => {
+      if (event.key === 'Enter') field.blur();
+    },
   });
   return field;
 }

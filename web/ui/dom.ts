@@ -6,7 +6,9 @@ export type Props = Record<string, Value>;
 
 /** An element with attributes, `on...` listeners and children. `true` sets an empty attribute, `false` and null none. */
 export function h<Tag extends keyof HTMLElementTagNameMap>(
-  tag: Tag, props: Props = {}, ...children: Child[]
+  tag: Tag,
+  props: Props = {},
+  ...children: Child[]
 ): HTMLElementTagNameMap[Tag] {
   const element = document.createElement(tag);
   assign(element, props);
@@ -16,7 +18,9 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
 
 /** The same in SVG. */
 export function svg<Tag extends keyof SVGElementTagNameMap>(
-  tag: Tag, props: Props = {}, ...children: Child[]
+  tag: Tag,
+  props: Props = {},
+  ...children: Child[]
 ): SVGElementTagNameMap[Tag] {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   assign(element, props);
@@ -35,7 +39,11 @@ function append(element: Element, children: Child[]): void {
   for (const child of children) if (child !== null && child !== undefined && child !== false) element.append(child);
 }
 
-export function setAttribute(element: Element, name: string, value: string | number | boolean | null | undefined): void {
+export function setAttribute(
+  element: Element,
+  name: string,
+  value: string | number | boolean | null | undefined,
+): void {
   const text = value === true ? '' : value === false || value === null || value === undefined ? null : String(value);
   if (element.getAttribute(name) === text) return;
   if (text === null) element.removeAttribute(name);
@@ -56,7 +64,8 @@ export function setStyle(element: HTMLElement | SVGElement, name: string, value:
 
 /** Sets a field's value; while the user is typing in it, only what it goes back to (its defaultValue). */
 export function setField(field: HTMLInputElement | HTMLSelectElement, value: string): void {
-  if (field instanceof HTMLInputElement && field.type === 'number' && field.defaultValue !== value) field.defaultValue = value;
+  if (field instanceof HTMLInputElement && field.type === 'number' && field.defaultValue !== value)
+    field.defaultValue = value;
   if (document.activeElement === field && field instanceof HTMLInputElement && field.type !== 'range') return;
   if (field.value !== value) field.value = value;
 }

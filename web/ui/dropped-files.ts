@@ -15,7 +15,11 @@ export function leadingName(names: readonly string[]): string {
 }
 
 /** For the system's picker. */
-export const ACCEPTED = [...[...MODELS, ...COMPANIONS].map((extension) => `.${extension}`), 'model/gltf-binary', 'model/gltf+json'].join();
+export const ACCEPTED = [
+  ...[...MODELS, ...COMPANIONS].map((extension) => `.${extension}`),
+  'model/gltf-binary',
+  'model/gltf+json',
+].join();
 
 /** A whole disk dropped by mistake is not walked to its end. */
 const MOST_ENTRIES = 20_000;
@@ -38,16 +42,23 @@ export async function filesOf(entries: readonly FileSystemEntry[]): Promise<Pick
   let left = MOST_ENTRIES;
   const walk = async (entry: FileSystemEntry, path: string, inFolder: boolean): Promise<void> => {
     left -= 1;
-    if (left < 0) throw new Error(`There are more than ${MOST_ENTRIES.toLocaleString('en')} files in what was dropped. Drop the poses themselves.`);
+    if (left < 0)
+      throw new Error(
+        `There are more than ${MOST_ENTRIES.toLocaleString('en')} files in what was dropped. Drop the poses themselves.`,
+      );
     const name = path + entry.name;
     if (entry.isDirectory) {
-      for (const child of await childrenOf(entry as FileSystemDirectoryEntry, name)) await walk(child, `${name}/`, true);
+      for (const child of await childrenOf(entry as FileSystemDirectoryEntry, name))
+        await walk(child, `${name}/`, true);
     } else if (!inFolder || belongs(entry.name)) {
       found.push({ name, file: await fileOf(entry as FileSystemFileEntry, name) });
     }
   };
   for (const entry of entries) await walk(entry, '', false);
-  if (found.length === 0) throw new Error(`There is no model in ${entries[0]?.name ?? 'what was dropped'}. Drop a folder with glTF, OBJ, PLY or OFF files.`);
+  if (found.length === 0)
+    throw new Error(
+      `There is no model in ${entries[0]?.name ?? 'what was dropped'}. Drop a folder with glTF, OBJ, PLY or OFF files.`,
+    );
   return found;
 }
 
@@ -69,9 +80,13 @@ async function childrenOf(folder: FileSystemDirectoryEntry, name: string): Promi
   }
 }
 
-const fileOf = (entry: FileSystemFileEntry, name: string): Promise<File> => read(name, (resolve, reject) => entry.file(resolve, reject));
+const fileOf = (entry: FileSystemFileEntry, name: string): Promise<File> =>
+  read(name, (resolve, reject) => entry.file(resolve, reject));
 
-async function read<T>(name: string, start: (resolve: (value: T) => void, reject: (reason: unknown) => void) => void): Promise<T> {
+async function read<T>(
+  name: string,
+  start: (resolve: (value: T) => void, reject: (reason: unknown) => void) => void,
+): Promise<T> {
   try {
     return await new Promise<T>(start);
   } catch {

@@ -30,8 +30,15 @@ const USUAL_FRAMES = 60;
 export const MAX_FRAMES = 2000;
 
 export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
-  kind: 'animation', animation: 'glb', pose: 'glb', picture: 'png', numbers: 'measures',
-  frames: null, range: null, duration: null, inPlace: false,
+  kind: 'animation',
+  animation: 'glb',
+  pose: 'glb',
+  picture: 'png',
+  numbers: 'measures',
+  frames: null,
+  range: null,
+  duration: null,
+  inPlace: false,
 };
 
 export interface ExportDialogProps {
@@ -63,7 +70,10 @@ const WORDS: Record<string, string> = {
 };
 
 export function createExportDialog(events: ExportDialogEvents): {
-  element: HTMLDialogElement; open(): void; close(): void; update(props: ExportDialogProps): void;
+  element: HTMLDialogElement;
+  open(): void;
+  close(): void;
+  update(props: ExportDialogProps): void;
 } {
   let request: ExportRequest = DEFAULT_REQUEST;
   let shown: ExportDialogProps | null = null;
@@ -73,41 +83,131 @@ export function createExportDialog(events: ExportDialogEvents): {
   };
   const bounds = (): [number, number] => [...(request.range ?? shown?.range ?? [0, 1])] as [number, number];
 
-  const kind = segments<ExportKind>('What', 'export-kind', [
-    { value: 'animation', label: 'Animation' }, { value: 'pose', label: 'Pose' }, { value: 'picture', label: 'Picture' }, { value: 'numbers', label: 'Numbers' },
-  ], (value) => change({ kind: value }));
-  const animation = segments<AnimationFormat>('Format', 'export-animation', [
-    { value: 'glb', label: 'GLB' }, { value: 'obj', label: 'OBJ frames' }, { value: 'webm', label: 'Video' },
-  ], (value) => change({ animation: value }));
-  const pose = segments<PoseFormat>('Format', 'export-pose', [
-    { value: 'glb', label: 'GLB' }, { value: 'obj', label: 'OBJ' }, { value: 'ply', label: 'PLY' },
-  ], (value) => change({ pose: value }));
-  const picture = segments<PictureFormat>('Format', 'export-picture', [
-    { value: 'png', label: 'PNG' }, { value: 'turntable', label: 'Turning video' },
-  ], (value) => change({ picture: value }));
-  const numbers = segments<NumbersFormat>('Format', 'export-numbers', [
-    { value: 'measures', label: 'Measures (CSV)' }, { value: 'patches', label: 'Patches (CSV)' },
-  ], (value) => change({ numbers: value }));
+  const kind = segments<ExportKind>(
+    'What',
+    'export-kind',
+    [
+      { value: 'animation', label: 'Animation' },
+      { value: 'pose', label: 'Pose' },
+      { value: 'picture', label: 'Picture' },
+      { value: 'numbers', label: 'Numbers' },
+    ],
+    (value) => change({ kind: value }),
+  );
+  const animation = segments<AnimationFormat>(
+    'Format',
+    'export-animation',
+    [
+      { value: 'glb', label: 'GLB' },
+      { value: 'obj', label: 'OBJ frames' },
+      { value: 'webm', label: 'Video' },
+    ],
+    (value) => change({ animation: value }),
+  );
+  const pose = segments<PoseFormat>(
+    'Format',
+    'export-pose',
+    [
+      { value: 'glb', label: 'GLB' },
+      { value: 'obj', label: 'OBJ' },
+      { value: 'ply', label: 'PLY' },
+    ],
+    (value) => change({ pose: value }),
+  );
+  const picture = segments<PictureFormat>(
+    'Format',
+    'export-picture',
+    [
+      { value: 'png', label: 'PNG' },
+      { value: 'turntable', label: 'Turning video' },
+    ],
+    (value) => change({ picture: value }),
+  );
+  const numbers = segments<NumbersFormat>(
+    'Format',
+    'export-numbers',
+    [
+      { value: 'measures', label: 'Measures (CSV)' },
+      { value: 'patches', label: 'Patches (CSV)' },
+    ],
+    (value) => change({ numbers: value }),
+  );
 
-  const frames = numberField({ label: 'Frames', testId: 'export-frames', min: 2, max: MAX_FRAMES, step: 1, onInput: (value) => change({ frames: Math.round(value) }) });
-  const from = numberField({ label: 'From', testId: 'export-from', onInput: (value) => { const [, end] = bounds(); if (value < end) change({ range: [value, end] }); } });
-  const to = numberField({ label: 'To', testId: 'export-to', onInput: (value) => { const [start] = bounds(); if (value > start) change({ range: [start, value] }); } });
-  const duration = numberField({ label: 'Seconds', testId: 'export-duration', min: 0.01, max: 3600, onInput: (value) => change({ duration: value }) });
+  const frames = numberField({
+    label: 'Frames',
+    testId: 'export-frames',
+    min: 2,
+    max: MAX_FRAMES,
+    step: 1,
+    onInput: (value) => change({ frames: Math.round(value) }),
+  });
+  const from = numberField({
+    label: 'From',
+    testId: 'export-from',
+    onInput: (value) => {
+      const [, end] = bounds();
+      if (value < end) change({ range: [value, end] });
+    },
+  });
+  const to = numberField({
+    label: 'To',
+    testId: 'export-to',
+    onInput: (value) => {
+      const [start] = bounds();
+      if (value > start) change({ range: [start, value] });
+    },
+  });
+  const duration = numberField({
+    label: 'Seconds',
+    testId: 'export-duration',
+    min: 0.01,
+    max: 3600,
+    onInput: (value) => change({ duration: value }),
+  });
   const inPlace = checkbox('Stay in place', 'export-in-place', (on) => change({ inPlace: on }));
-  const row = (label: string, ...fields: Node[]): HTMLElement => h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
+  const row = (label: string, ...fields: Node[]): HTMLElement =>
+    h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
   const framesRow = row('Frames', frames);
   const rangeRow = row('From, to', from, to);
   const durationRow = row('Seconds', duration);
   const about = h('p', { class: 'hint' });
   const plan = h('p', { class: 'plan', 'data-testid': 'export-size', role: 'status' });
   const warnings = h('ul', { class: 'warning-list' });
-  const go = button({ label: 'Download', testId: 'export-go', icon: 'download', text: 'Download', kind: 'primary', onClick: () => { element.close(); events.onExport(request); } });
-  const element = h('dialog', { class: 'dialog', 'data-testid': 'export-dialog', 'aria-label': 'Export' },
-    h('header', {}, h('h2', {}, 'Export'), button({ label: 'Close', testId: 'export-close', icon: 'close', onClick: () => element.close() })),
-    kind.element, animation.element, pose.element, picture.element, numbers.element, about,
-    framesRow, rangeRow, durationRow, inPlace.element,
-    h('footer', {}, h('div', {}, plan, warnings), go));
-  element.addEventListener('click', (event) => { if (event.target === element) element.close(); });
+  const go = button({
+    label: 'Download',
+    testId: 'export-go',
+    icon: 'download',
+    text: 'Download',
+    kind: 'primary',
+    onClick: () => {
+      element.close();
+      events.onExport(request);
+    },
+  });
+  const element = h(
+    'dialog',
+    { class: 'dialog', 'data-testid': 'export-dialog', 'aria-label': 'Export' },
+    h(
+      'header',
+      {},
+      h('h2', {}, 'Export'),
+      button({ label: 'Close', testId: 'export-close', icon: 'close', onClick: () => element.close() }),
+    ),
+    kind.element,
+    animation.element,
+    pose.element,
+    picture.element,
+    numbers.element,
+    about,
+    framesRow,
+    rangeRow,
+    durationRow,
+    inPlace.element,
+    h('footer', {}, h('div', {}, plan, warnings), go),
+  );
+  element.addEventListener('click', (event) => {
+    if (event.target === element) element.close();
+  });
 
   const draw = memo((props: ExportDialogProps) => {
     request = props.request;
@@ -126,7 +226,11 @@ export function createExportDialog(events: ExportDialogEvents): {
     setHidden(numbers.element, what !== 'numbers');
     setHidden(framesRow, !files);
     setHidden(rangeRow, what !== 'animation');
-    setHidden(durationRow, !(what === 'animation' && request.animation !== 'obj') && !(what === 'picture' && request.picture === 'turntable'));
+    setHidden(
+      durationRow,
+      !(what === 'animation' && request.animation !== 'obj') &&
+        !(what === 'picture' && request.picture === 'turntable'),
+    );
     setHidden(inPlace.element, !files);
     inPlace.update(request.inPlace);
     setText(about, WORDS[wordsFor(request)] ?? '');

@@ -12,11 +12,26 @@ export function inNaturalOrder<T extends { name: string }>(files: readonly T[]):
 
 /** Covers the page while files are dragged over it. Folders take a while to be looked through, which may fail. */
 export function createDropZone(onFiles: (files: Promise<PickedFile[]>) => void): { element: HTMLElement } {
-  const element = h('div', { class: 'drop-zone', 'data-testid': 'drop-zone', hidden: true },
-    h('div', {}, icon('open'), h('p', {}, 'Drop the poses of one mesh: several files or their folder, or one file with morph targets or an animation')));
+  const element = h(
+    'div',
+    { class: 'drop-zone', 'data-testid': 'drop-zone', hidden: true },
+    h(
+      'div',
+      {},
+      icon('open'),
+      h(
+        'p',
+        {},
+        'Drop the poses of one mesh: several files or their folder, or one file with morph targets or an animation',
+      ),
+    ),
+  );
   let depth = 0;
   const holdsFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
-  const leave = (): void => { depth = 0; element.hidden = true; };
+  const leave = (): void => {
+    depth = 0;
+    element.hidden = true;
+  };
 
   window.addEventListener('dragenter', (event) => {
     if (!holdsFiles(event)) return;
@@ -28,7 +43,9 @@ export function createDropZone(onFiles: (files: Promise<PickedFile[]>) => void):
     depth -= 1;
     if (depth <= 0) leave();
   });
-  window.addEventListener('dragover', (event) => { if (holdsFiles(event)) event.preventDefault(); });
+  window.addEventListener('dragover', (event) => {
+    if (holdsFiles(event)) event.preventDefault();
+  });
   window.addEventListener('drop', (event) => {
     if (!holdsFiles(event) || !event.dataTransfer) return;
     event.preventDefault();
@@ -39,9 +56,18 @@ export function createDropZone(onFiles: (files: Promise<PickedFile[]>) => void):
 }
 
 /** Opens the system's picker. */
-export function createPicker(testId: string, onFiles: (files: PickedFile[]) => void): { element: HTMLInputElement; open(): void } {
+export function createPicker(
+  testId: string,
+  onFiles: (files: PickedFile[]) => void,
+): { element: HTMLInputElement; open(): void } {
   const element = h('input', {
-    type: 'file', multiple: true, accept: ACCEPTED, hidden: true, 'data-testid': testId, 'aria-label': 'Files', tabindex: -1,
+    type: 'file',
+    multiple: true,
+    accept: ACCEPTED,
+    hidden: true,
+    'data-testid': testId,
+    'aria-label': 'Files',
+    tabindex: -1,
     onchange: () => {
       const files = [...(element.files ?? [])].map((file) => ({ name: file.name, file }));
       element.value = '';

@@ -23,37 +23,79 @@ export interface GhostPanelEvents {
 
 const TRANSFERS: readonly Choice<Transfer>[] = [
   { value: 'exact', label: 'Exact', hint: 'Passes through every key: what the ghost leaves over is splined too' },
-  { value: 'paper', label: 'As published', hint: 'The details of the reference follow the ghost; other keys are only met nearly' },
+  {
+    value: 'paper',
+    label: 'As published',
+    hint: 'The details of the reference follow the ghost; other keys are only met nearly',
+  },
 ];
 
 /** `study`: the plot over sizes, which can be made whether a ghost leads now or not. */
-export function createGhostPanel(events: GhostPanelEvents, study: HTMLElement): { element: HTMLElement; update(props: GhostPanelProps): void } {
+export function createGhostPanel(
+  events: GhostPanelEvents,
+  study: HTMLElement,
+): { element: HTMLElement; update(props: GhostPanelProps): void } {
   const toggle = checkbox('Ghost mesh', 'ghost', (on) => events.onEncoding({ ghostFaces: on ? GHOST_FACES : 0 }), 'N');
   const hint = h('p', { class: 'hint', 'data-testid': 'ghost-hint' });
   const faces = numberField({
-    label: 'Faces of the ghost mesh', testId: 'ghost-faces', min: 4, max: 1_000_000, step: 100,
+    label: 'Faces of the ghost mesh',
+    testId: 'ghost-faces',
+    min: 4,
+    max: 1_000_000,
+    step: 100,
     onInput: (value) => events.onEncoding({ ghostFaces: Math.round(value) }),
   });
   const used = h('span', { class: 'muted', 'data-testid': 'ghost-used' });
   const reset = button({
-    label: `Set the faces back to ${GHOST_FACES.toLocaleString('en')}`, testId: 'ghost-faces-reset', icon: 'reset',
+    label: `Set the faces back to ${GHOST_FACES.toLocaleString('en')}`,
+    testId: 'ghost-faces-reset',
+    icon: 'reset',
     onClick: () => events.onEncoding({ ghostFaces: GHOST_FACES }),
   });
-  const transfer = segments<Transfer>('Transfer', 'transfer', TRANSFERS, (value) => events.onEncoding({ transfer: value }));
-  const placement = checkbox('Ghost may leave the surface', 'placement', (on) => events.onEncoding({ placement: on ? 'optimal' : DEFAULT_ENCODING.placement }));
+  const transfer = segments<Transfer>('Transfer', 'transfer', TRANSFERS, (value) =>
+    events.onEncoding({ transfer: value }),
+  );
+  const placement = checkbox('Ghost may leave the surface', 'placement', (on) =>
+    events.onEncoding({ placement: on ? 'optimal' : DEFAULT_ENCODING.placement }),
+  );
   const wire = checkbox('Wireframe', 'ghost-wire', (on) => events.onView({ ghostWire: on }));
   const beside = checkbox('Beside the shape', 'ghost-beside', (on) => events.onView({ ghostBeside: on }));
-  const difference = checkbox('Difference to no ghost', 'ghost-difference', (on) => events.onView({ ghostDifference: on }));
-  const shown = h('fieldset', { class: 'field' }, h('legend', {}, 'Show'), h('div', { class: 'chips' }, wire.element, beside.element, difference.element));
-  const details = h('div', { class: 'group', id: 'ghost-details' },
-    h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Faces'), faces, used, reset), transfer.element, placement.element, shown);
-  const element = h('section', { class: 'group ghost', 'aria-label': 'Ghost mesh', 'data-testid': 'panel-ghost' }, toggle.element, hint, details, study);
+  const difference = checkbox('Difference to no ghost', 'ghost-difference', (on) =>
+    events.onView({ ghostDifference: on }),
+  );
+  const shown = h(
+    'fieldset',
+    { class: 'field' },
+    h('legend', {}, 'Show'),
+    h('div', { class: 'chips' }, wire.element, beside.element, difference.element),
+  );
+  const details = h(
+    'div',
+    { class: 'group', id: 'ghost-details' },
+    h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Faces'), faces, used, reset),
+    transfer.element,
+    placement.element,
+    shown,
+  );
+  const element = h(
+    'section',
+    { class: 'group ghost', 'aria-label': 'Ghost mesh', 'data-testid': 'panel-ghost' },
+    toggle.element,
+    hint,
+    details,
+    study,
+  );
 
   const draw = memo((props: GhostPanelProps) => {
     const { encoding, view, stats } = props;
     const on = encoding.ghostFaces > 0;
     toggle.update(on, props.disabled);
-    setText(hint, props.lriMethod ? 'A coarse mesh leads the motion and the full shape follows it.' : 'This method blends positions: there is nothing for a ghost mesh to lead.');
+    setText(
+      hint,
+      props.lriMethod
+        ? 'A coarse mesh leads the motion and the full shape follows it.'
+        : 'This method blends positions: there is nothing for a ghost mesh to lead.',
+    );
     setHidden(details, !on);
     setHidden(study, !props.lriMethod);
     setField(faces, String(encoding.ghostFaces));

@@ -47,32 +47,96 @@ const THEMES: Record<Theme, { icon: IconName; label: string }> = {
 const OWN = '';
 
 export function createHeader(events: HeaderEvents): { element: HTMLElement; update(props: HeaderProps): void } {
-  const sample = select<string>('Sample', 'sample', [], (id) => { if (id !== OWN) events.onSample(id); });
+  const sample = select<string>('Sample', 'sample', [], (id) => {
+    if (id !== OWN) events.onSample(id);
+  });
   sample.element.classList.add('compact', 'sample');
-  const open = button({ label: 'Open files', testId: 'open', icon: 'open', text: 'Open', shortcut: 'Ctrl+O', kind: 'plain', onClick: () => events.onOpen() });
-  const undo = button({ label: 'Undo', testId: 'undo', icon: 'undo', shortcut: 'Ctrl+Z', onClick: () => events.onUndo() });
-  const redo = button({ label: 'Redo', testId: 'redo', icon: 'redo', shortcut: 'Ctrl+Shift+Z', onClick: () => events.onRedo() });
-  const exporting = button({ label: 'Export', testId: 'export', icon: 'download', text: 'Export', shortcut: 'E', kind: 'primary', onClick: () => events.onExport() });
-  const link = button({ label: 'Copy a link to this view', testId: 'link', icon: 'link', onClick: () => events.onLink() });
-  const remember = button({ label: 'Remember these files on this computer', testId: 'remember', icon: 'bookmark', onClick: () => events.onRemember() });
+  const open = button({
+    label: 'Open files',
+    testId: 'open',
+    icon: 'open',
+    text: 'Open',
+    shortcut: 'Ctrl+O',
+    kind: 'plain',
+    onClick: () => events.onOpen(),
+  });
+  const undo = button({
+    label: 'Undo',
+    testId: 'undo',
+    icon: 'undo',
+    shortcut: 'Ctrl+Z',
+    onClick: () => events.onUndo(),
+  });
+  const redo = button({
+    label: 'Redo',
+    testId: 'redo',
+    icon: 'redo',
+    shortcut: 'Ctrl+Shift+Z',
+    onClick: () => events.onRedo(),
+  });
+  const exporting = button({
+    label: 'Export',
+    testId: 'export',
+    icon: 'download',
+    text: 'Export',
+    shortcut: 'E',
+    kind: 'primary',
+    onClick: () => events.onExport(),
+  });
+  const link = button({
+    label: 'Copy a link to this view',
+    testId: 'link',
+    icon: 'link',
+    onClick: () => events.onLink(),
+  });
+  const remember = button({
+    label: 'Remember these files on this computer',
+    testId: 'remember',
+    icon: 'bookmark',
+    onClick: () => events.onRemember(),
+  });
   const help = button({ label: 'Help', testId: 'help', icon: 'help', shortcut: '?', onClick: () => events.onHelp() });
-  const theme = button({ label: 'Colours', testId: 'theme', icon: 'system', shortcut: 'D', onClick: () => events.onTheme() });
-  const element = h('header', { class: 'app-header' },
+  const theme = button({
+    label: 'Colours',
+    testId: 'theme',
+    icon: 'system',
+    shortcut: 'D',
+    onClick: () => events.onTheme(),
+  });
+  const element = h(
+    'header',
+    { class: 'app-header' },
     h('h1', { class: 'wordmark' }, 'shape', h('span', {}, 'spline')),
-    sample.element, open, h('div', { class: 'history' }, undo, redo), h('div', { class: 'spacer' }), exporting, link, remember, help, theme);
+    sample.element,
+    open,
+    h('div', { class: 'history' }, undo, redo),
+    h('div', { class: 'spacer' }),
+    exporting,
+    link,
+    remember,
+    help,
+    theme,
+  );
 
   const draw = memo((props: HeaderProps) => {
     const own = props.sample === null && props.fileName ? [{ value: OWN, label: props.fileName }] : [];
-    sample.update(props.sample ?? OWN, [...own, ...props.samples.map((s) => ({ value: s.id, label: s.title, hint: s.description }))]);
+    sample.update(props.sample ?? OWN, [
+      ...own,
+      ...props.samples.map((s) => ({ value: s.id, label: s.title, hint: s.description })),
+    ]);
     describe(undo, 'Undo', props.undo, 'Ctrl+Z');
     describe(redo, 'Redo', props.redo, 'Ctrl+Shift+Z');
     exporting.disabled = !props.canExport;
     setHidden(link, props.own);
     setHidden(remember, !props.own);
     setAttribute(remember, 'aria-pressed', String(props.remembered));
-    setAttribute(remember, 'title', props.remembered
-      ? 'These files are remembered in this browser, on this computer only; click to forget them'
-      : 'Remember these files in this browser for the next visit; they stay on this computer');
+    setAttribute(
+      remember,
+      'title',
+      props.remembered
+        ? 'These files are remembered in this browser, on this computer only; click to forget them'
+        : 'Remember these files in this browser for the next visit; they stay on this computer',
+    );
     setIcon(theme, THEMES[props.theme].icon);
     const words = `${THEMES[props.theme].label}; click to change`;
     setAttribute(theme, 'aria-label', words);

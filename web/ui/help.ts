@@ -7,20 +7,52 @@ export interface ShortcutLine {
   does: string;
 }
 
-export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on: boolean) => void): {
-  element: HTMLDialogElement; open(): void; update(singleKeys: boolean): void;
+export function createHelp(
+  shortcuts: readonly ShortcutLine[],
+  onShortcuts: (on: boolean) => void,
+): {
+  element: HTMLDialogElement;
+  open(): void;
+  update(singleKeys: boolean): void;
 } {
   const switchOff = checkbox('Single-letter shortcuts', 'single-keys', onShortcuts);
-  const element = h('dialog', { class: 'dialog wide', 'data-testid': 'help-dialog', 'aria-label': 'Help' },
-    h('header', {}, h('h2', {}, 'From poses to motion'), button({ label: 'Close', testId: 'help-close', icon: 'close', onClick: () => element.close() })),
-    h('p', {}, 'Give the page two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Rotations and stretches are joined by cubic splines, not positions, so the shape bends and twists without shrinking.'),
-    h('p', {}, 'Drag the slider through the motion, and past both ends, where it goes on as the end keys suggest. Your files stay on your machine.'),
+  const element = h(
+    'dialog',
+    { class: 'dialog wide', 'data-testid': 'help-dialog', 'aria-label': 'Help' },
+    h(
+      'header',
+      {},
+      h('h2', {}, 'From poses to motion'),
+      button({ label: 'Close', testId: 'help-close', icon: 'close', onClick: () => element.close() }),
+    ),
+    h(
+      'p',
+      {},
+      'Give the page two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Rotations and stretches are joined by cubic splines, not positions, so the shape bends and twists without shrinking.',
+    ),
+    h(
+      'p',
+      {},
+      'Drag the slider through the motion, and past both ends, where it goes on as the end keys suggest. Your files stay on your machine.',
+    ),
     h('h3', {}, 'Keyboard'),
-    h('dl', { class: 'shortcuts' }, ...shortcuts.map(({ keys, does }) => h('div', {},
-      h('dt', {}, ...keys.split('  ').map((key) => h('kbd', {}, key))), h('dd', {}, does)))),
+    h(
+      'dl',
+      { class: 'shortcuts' },
+      ...shortcuts.map(({ keys, does }) =>
+        h('div', {}, h('dt', {}, ...keys.split('  ').map((key) => h('kbd', {}, key))), h('dd', {}, does)),
+      ),
+    ),
     switchOff.element,
     h('h3', {}, 'The method'),
-    h('p', {}, 'Cubic splines in linear rotation-invariant (LRI) shape space: Q. Xia, C. Chen, J. Liu, S. Li, A. Hao and H. Qin, “Efficient 4D shape completion from sparse samples via cubic spline fitting in linear rotation-invariant space”, Computers & Graphics, 2019.'));
-  element.addEventListener('click', (event) => { if (event.target === element) element.close(); });
+    h(
+      'p',
+      {},
+      'Cubic splines in linear rotation-invariant (LRI) shape space: Q. Xia, C. Chen, J. Liu, S. Li, A. Hao and H. Qin, “Efficient 4D shape completion from sparse samples via cubic spline fitting in linear rotation-invariant space”, Computers & Graphics, 2019.',
+    ),
+  );
+  element.addEventListener('click', (event) => {
+    if (event.target === element) element.close();
+  });
   return { element, open: () => element.showModal(), update: (singleKeys) => switchOff.update(singleKeys) };
 }

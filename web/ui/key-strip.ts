@@ -53,15 +53,29 @@ export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; 
   const list = h('ol', { class: 'key-list', 'data-testid': 'keys' });
   const editor = createEditor(events);
   const addCurrent = button({
-    label: 'Add the current shape as a key', testId: 'add-current', icon: 'plus', text: 'Key here', shortcut: 'K', kind: 'plain',
+    label: 'Add the current shape as a key',
+    testId: 'add-current',
+    icon: 'plus',
+    text: 'Key here',
+    shortcut: 'K',
+    kind: 'plain',
     onClick: () => events.onAddCurrent(),
   });
   const addFile = button({
-    label: 'Add a key from a file', testId: 'add-file', icon: 'open', text: 'From file', kind: 'plain',
+    label: 'Add a key from a file',
+    testId: 'add-file',
+    icon: 'open',
+    text: 'From file',
+    kind: 'plain',
     onClick: () => events.onAddFile(),
   });
-  const element = h('section', { class: 'key-strip', 'aria-label': 'Keys' }, list,
-    h('div', { class: 'key-actions' }, addCurrent, addFile), editor.element);
+  const element = h(
+    'section',
+    { class: 'key-strip', 'aria-label': 'Keys' },
+    list,
+    h('div', { class: 'key-actions' }, addCurrent, addFile),
+    editor.element,
+  );
   const cards: Card[] = [];
   const draw = memo((next: KeyStripProps) => {
     while (cards.length > next.keys.length) cards.pop()?.element.remove();
@@ -91,8 +105,13 @@ function createCard(events: KeyStripEvents, onEdit: (index: number, from: HTMLEl
   const badge = h('span', { class: 'badge' });
   const name = h('span', { class: 'key-name' });
   const when = h('span', { class: 'key-time' });
-  const go = h('button', { type: 'button', class: 'key-go', onclick: () => events.onSeek(time) },
-    h('span', { class: 'thumb' }, image, badge), name, when);
+  const go = h(
+    'button',
+    { type: 'button', class: 'key-go', onclick: () => events.onSeek(time) },
+    h('span', { class: 'thumb' }, image, badge),
+    name,
+    when,
+  );
   const edit = h('button', { type: 'button', class: 'key-edit', onclick: () => onEdit(index, edit) }, icon('down'));
   const element = h('li', { class: 'key-card', draggable: 'true' }, go, edit);
 
@@ -125,7 +144,11 @@ function createCard(events: KeyStripEvents, onEdit: (index: number, from: HTMLEl
       setAttribute(element, 'data-pose', item.pose);
       setAttribute(element, 'data-current', current);
       setAttribute(go, 'aria-current', current ? 'true' : null);
-      setAttribute(go, 'aria-label', `Key ${at + 1}, ${item.name}, at ${formatTime(item.time, range)}${item.isReference ? ', reference' : ''}`);
+      setAttribute(
+        go,
+        'aria-label',
+        `Key ${at + 1}, ${item.name}, at ${formatTime(item.time, range)}${item.isReference ? ', reference' : ''}`,
+      );
       setAttribute(go, 'title', `Go to ${item.name}; drag to put it elsewhere in the order`);
       setAttribute(go, 'data-testid', `key-${at}-go`);
       setAttribute(edit, 'data-testid', `key-${at}-edit`);
@@ -167,13 +190,18 @@ interface Editor {
 /** Of the options that are a number for each key. */
 const SLIDERS: Record<ShapingNumber, { label: string; min: number; max: number; hint: string }> = {
   tension: {
-    label: 'Tension', min: 0, max: 1,
+    label: 'Tension',
+    min: 0,
+    max: 1,
     hint: 'Slope at this key = (1 - tension) times the smooth one: 1 stops there, which takes overshooting away',
   },
   bias: {
-    label: 'Bias', min: PER_KEY.bias.least, max: PER_KEY.bias.most,
-    hint: 'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the '
-      + 'motion from the key before on',
+    label: 'Bias',
+    min: PER_KEY.bias.least,
+    max: PER_KEY.bias.most,
+    hint:
+      'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the ' +
+      'motion from the key before on',
   },
 };
 
@@ -184,48 +212,109 @@ function createEditor(events: KeyStripEvents): Editor {
   let opener: HTMLElement | null = null;
   const title = h('h2', {});
   const name = h('input', {
-    type: 'text', maxlength: 60, 'data-testid': 'key-name', 'aria-label': 'Name',
+    type: 'text',
+    maxlength: 60,
+    'data-testid': 'key-name',
+    'aria-label': 'Name',
     onchange: () => events.onRename(index, name.value.trim()),
   });
   const time = numberField({ label: 'Time', testId: 'key-time', onInput: (t) => events.onRetime(index, t) });
   const sliders = SHAPING_NUMBERS.map((option) => ({
     option,
     control: slider({
-      ...SLIDERS[option], testId: `key-${option}`, step: 0.05, fallback: DEFAULT_SHAPING[option],
+      ...SLIDERS[option],
+      testId: `key-${option}`,
+      step: 0.05,
+      fallback: DEFAULT_SHAPING[option],
       onInput: (value) => events.onShaping(index, option, value),
     }),
   }));
   let part: number | null = null;
   const turns = numberField({
-    label: 'Whole turns added on the way to this key; negative ones go the other way', testId: 'key-turns', min: -MAX_TURNS, max: MAX_TURNS, step: 1,
+    label: 'Whole turns added on the way to this key; negative ones go the other way',
+    testId: 'key-turns',
+    min: -MAX_TURNS,
+    max: MAX_TURNS,
+    step: 1,
     onInput: (value) => {
       const added = { turns: Math.round(value) };
       events.onTurns(index, part === null ? added : { component: part, ...added });
     },
   });
-  const turningPart = select<string>('Made by', 'key-turns-part', [], (value) => choosePart(value === '' ? null : Number(value)));
-  const turnsRow = h('div', { class: 'field row' },
-    h('span', { class: 'label', title: 'Keys do not say how often the shape turned between them' }, 'Whole turns before it'), turns);
+  const turningPart = select<string>('Made by', 'key-turns-part', [], (value) =>
+    choosePart(value === '' ? null : Number(value)),
+  );
+  const turnsRow = h(
+    'div',
+    { class: 'field row' },
+    h(
+      'span',
+      { class: 'label', title: 'Keys do not say how often the shape turned between them' },
+      'Whole turns before it',
+    ),
+    turns,
+  );
   turningPart.element.classList.add('row');
-  const bend = h('p', { class: 'reason', 'data-testid': 'key-bend', hidden: true },
-    'With tension or bias the motion still has one slope at this key, but its acceleration jumps there: it is C1, no longer C2.');
-  const earlier = button({ label: 'Earlier in the order', testId: 'key-earlier', icon: 'left', text: 'Earlier', kind: 'plain', onClick: () => move(-1) });
-  const later = button({ label: 'Later in the order', testId: 'key-later', icon: 'right', text: 'Later', kind: 'plain', onClick: () => move(1) });
+  const bend = h(
+    'p',
+    { class: 'reason', 'data-testid': 'key-bend', hidden: true },
+    'With tension or bias the motion still has one slope at this key, but its acceleration jumps there: it is C1, no longer C2.',
+  );
+  const earlier = button({
+    label: 'Earlier in the order',
+    testId: 'key-earlier',
+    icon: 'left',
+    text: 'Earlier',
+    kind: 'plain',
+    onClick: () => move(-1),
+  });
+  const later = button({
+    label: 'Later in the order',
+    testId: 'key-later',
+    icon: 'right',
+    text: 'Later',
+    kind: 'plain',
+    onClick: () => move(1),
+  });
   const reference = button({
-    label: 'Measure deformations from this key', testId: 'key-reference', icon: 'check', text: 'Use as reference', kind: 'plain',
+    label: 'Measure deformations from this key',
+    testId: 'key-reference',
+    icon: 'check',
+    text: 'Use as reference',
+    kind: 'plain',
     onClick: () => events.onReference(index),
   });
   const remove = button({
-    label: 'Remove this key', testId: 'key-remove', icon: 'trash', text: 'Remove', kind: 'plain',
-    onClick: () => { events.onRemove(index); close(); },
+    label: 'Remove this key',
+    testId: 'key-remove',
+    icon: 'trash',
+    text: 'Remove',
+    kind: 'plain',
+    onClick: () => {
+      events.onRemove(index);
+      close();
+    },
   });
   const reason = h('p', { class: 'reason', hidden: true }, 'A motion needs two keys.');
-  const element = h('div', { class: 'card key-editor', role: 'dialog', 'data-testid': 'key-editor', 'aria-label': 'Edit key', hidden: true },
-    h('header', {}, title, button({ label: 'Close', testId: 'key-editor-close', icon: 'close', shortcut: 'Esc', onClick: () => close() })),
+  const element = h(
+    'div',
+    { class: 'card key-editor', role: 'dialog', 'data-testid': 'key-editor', 'aria-label': 'Edit key', hidden: true },
+    h(
+      'header',
+      {},
+      title,
+      button({ label: 'Close', testId: 'key-editor-close', icon: 'close', shortcut: 'Esc', onClick: () => close() }),
+    ),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Name'), name),
     h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Time'), time),
-    ...sliders.map(({ control }) => control.element), bend, turnsRow, turningPart.element,
-    h('div', { class: 'button-row' }, earlier, later), h('div', { class: 'button-row' }, reference, remove), reason);
+    ...sliders.map(({ control }) => control.element),
+    bend,
+    turnsRow,
+    turningPart.element,
+    h('div', { class: 'button-row' }, earlier, later),
+    h('div', { class: 'button-row' }, reference, remove),
+    reason,
+  );
   element.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape') return;
     event.stopPropagation();

@@ -46,7 +46,8 @@ export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents)
     const box = track.getBoundingClientRect();
     const grip = event.clientX - (box.left + fractionIn(ends(props)[end], props.window) * box.width);
     drag(event.currentTarget as HTMLElement, event, {
-      onMove: (moved) => move(end, events.snapped(timeIn((moved.clientX - grip - box.left) / box.width, props!.window), moved.altKey)),
+      onMove: (moved) =>
+        move(end, events.snapped(timeIn((moved.clientX - grip - box.left) / box.width, props!.window), moved.altKey)),
     });
   };
 
@@ -68,13 +69,18 @@ export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents)
     event.preventDefault();
   };
 
-  const handles = (['start', 'end'] as const).map((end) => h('div', {
-    class: `loop-handle ${end}`, 'data-testid': `loop-${end}`, 'aria-label': LABELS[end], 'aria-orientation': 'horizontal',
-    title: `${LABELS[end]}: drag it (hold Alt not to snap); twice to play all keys again`,
-    onpointerdown: (event: PointerEvent) => pressed(end, event),
-    onkeydown: (event: KeyboardEvent) => typed(end, event),
-    ondblclick: () => events.onBetween(null),
-  }));
+  const handles = (['start', 'end'] as const).map((end) =>
+    h('div', {
+      class: `loop-handle ${end}`,
+      'data-testid': `loop-${end}`,
+      'aria-label': LABELS[end],
+      'aria-orientation': 'horizontal',
+      title: `${LABELS[end]}: drag it (hold Alt not to snap); twice to play all keys again`,
+      onpointerdown: (event: PointerEvent) => pressed(end, event),
+      onkeydown: (event: KeyboardEvent) => typed(end, event),
+      ondblclick: () => events.onBetween(null),
+    }),
+  );
 
   return {
     elements: handles,

@@ -13,9 +13,25 @@ export interface Working {
 export function createProgress(onCancel: () => void): { element: HTMLElement; update(working: Working | null): void } {
   const stage = h('span', { class: 'stage', 'data-testid': 'stage' });
   const bar = h('div', { class: 'bar' });
-  const meter = h('div', { class: 'meter', role: 'progressbar', 'aria-label': 'Progress', 'aria-valuemin': 0, 'aria-valuemax': 100 }, bar);
-  const cancel = button({ label: 'Cancel', testId: 'cancel', text: 'Cancel', shortcut: 'Esc', kind: 'plain', onClick: onCancel });
-  const element = h('div', { class: 'card progress', 'data-testid': 'progress', hidden: true }, h('div', { class: 'progress-text', role: 'status' }, stage, meter), cancel);
+  const meter = h(
+    'div',
+    { class: 'meter', role: 'progressbar', 'aria-label': 'Progress', 'aria-valuemin': 0, 'aria-valuemax': 100 },
+    bar,
+  );
+  const cancel = button({
+    label: 'Cancel',
+    testId: 'cancel',
+    text: 'Cancel',
+    shortcut: 'Esc',
+    kind: 'plain',
+    onClick: onCancel,
+  });
+  const element = h(
+    'div',
+    { class: 'card progress', 'data-testid': 'progress', hidden: true },
+    h('div', { class: 'progress-text', role: 'status' }, stage, meter),
+    cancel,
+  );
   return {
     element,
     update(working) {
@@ -39,9 +55,13 @@ export function createProblem(onClose: () => void): { element: HTMLElement; upda
   const message = h('p', { class: 'message', 'data-testid': 'error-message' });
   const details = h('p', { class: 'expert' });
   const more = h('details', {}, h('summary', {}, 'Details'), details);
-  const element = h('div', { class: 'card problem', role: 'alert', 'data-testid': 'error', hidden: true },
-    icon('warning'), h('div', {}, message, more),
-    button({ label: 'Close this message', testId: 'error-close', icon: 'close', shortcut: 'Esc', onClick: onClose }));
+  const element = h(
+    'div',
+    { class: 'card problem', role: 'alert', 'data-testid': 'error', hidden: true },
+    icon('warning'),
+    h('div', {}, message, more),
+    button({ label: 'Close this message', testId: 'error-close', icon: 'close', shortcut: 'Esc', onClick: onClose }),
+  );
   const draw = memo(({ problem }: { problem: Problem | null }) => {
     setHidden(element, problem === null);
     if (!problem) return;
@@ -53,11 +73,28 @@ export function createProblem(onClose: () => void): { element: HTMLElement; upda
 }
 
 /** Says in one sentence what the page does, until the visitor has done something; gives way to other messages in the same place. */
-export function createWelcome(onPick: () => void): { element: HTMLElement; update(wanted: boolean, givesWay: boolean): void } {
-  const element = h('div', { class: 'welcome', 'data-testid': 'welcome', hidden: true },
-    h('p', {}, h('strong', {}, 'Poses in, motion out. '),
-      'Drag the slider, also past both ends, or drop poses of your own mesh here.'),
-    button({ label: 'Choose files', testId: 'welcome-open', text: 'Choose files', icon: 'open', kind: 'plain', onClick: onPick }));
+export function createWelcome(onPick: () => void): {
+  element: HTMLElement;
+  update(wanted: boolean, givesWay: boolean): void;
+} {
+  const element = h(
+    'div',
+    { class: 'welcome', 'data-testid': 'welcome', hidden: true },
+    h(
+      'p',
+      {},
+      h('strong', {}, 'Poses in, motion out. '),
+      'Drag the slider, also past both ends, or drop poses of your own mesh here.',
+    ),
+    button({
+      label: 'Choose files',
+      testId: 'welcome-open',
+      text: 'Choose files',
+      icon: 'open',
+      kind: 'plain',
+      onClick: onPick,
+    }),
+  );
   return {
     element,
     update(wanted, givesWay) {

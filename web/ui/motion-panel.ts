@@ -9,10 +9,26 @@ import { button, checkbox, keyLabel, numberField, segments, select, slider } fro
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 
 export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: string }> = {
-  lri: { label: 'LRI spline', short: 'LRI spline', hint: 'Cubic splines of rotations and stretches. Smooth, and the shape keeps its volume.' },
-  geodesic: { label: 'LRI geodesic', short: 'Geodesic', hint: 'The same space, straight from key to key. Keeps the volume, jerks at the keys.' },
-  linear: { label: 'Linear vertices', short: 'Linear', hint: 'Blends positions, as morph targets do. Shrinks and shears where the shape turns.' },
-  'cubic-vertex': { label: 'Cubic vertices', short: 'Cubic', hint: 'Cubic splines of positions. Smooth, but shrinks and shears where the shape turns.' },
+  lri: {
+    label: 'LRI spline',
+    short: 'LRI spline',
+    hint: 'Cubic splines of rotations and stretches. Smooth, and the shape keeps its volume.',
+  },
+  geodesic: {
+    label: 'LRI geodesic',
+    short: 'Geodesic',
+    hint: 'The same space, straight from key to key. Keeps the volume, jerks at the keys.',
+  },
+  linear: {
+    label: 'Linear vertices',
+    short: 'Linear',
+    hint: 'Blends positions, as morph targets do. Shrinks and shears where the shape turns.',
+  },
+  'cubic-vertex': {
+    label: 'Cubic vertices',
+    short: 'Cubic',
+    hint: 'Cubic splines of positions. Smooth, but shrinks and shears where the shape turns.',
+  },
 };
 
 const BOUNDARY_WORDS: Record<Boundary, { label: string; hint: string }> = {
@@ -41,9 +57,17 @@ export interface MotionPanelEvents {
   onReset(): void;
 }
 
-export function createMotionPanel(events: MotionPanelEvents): { element: HTMLElement; update(props: MotionPanelProps): void } {
-  const method = select<Method>('Method', 'method', METHODS.map((value) => ({ value, ...METHOD_WORDS[value] })),
-    (value) => events.onMotion({ method: value }), 'M');
+export function createMotionPanel(events: MotionPanelEvents): {
+  element: HTMLElement;
+  update(props: MotionPanelProps): void;
+} {
+  const method = select<Method>(
+    'Method',
+    'method',
+    METHODS.map((value) => ({ value, ...METHOD_WORDS[value] })),
+    (value) => events.onMotion({ method: value }),
+    'M',
+  );
   const methodHint = h('p', { class: 'hint', 'data-testid': 'method-hint' });
   let compared: readonly Method[] = [];
   const others = METHODS.map((value) => ({
@@ -52,23 +76,58 @@ export function createMotionPanel(events: MotionPanelEvents): { element: HTMLEle
       events.onCompare(METHODS.filter((m) => (m === value ? on : compared.includes(m))));
     }),
   }));
-  const boundary = segments<Boundary>('Boundary', 'boundary', BOUNDARIES.map((value) => ({ value, ...BOUNDARY_WORDS[value] })),
-    (value) => events.onMotion({ boundary: value }));
+  const boundary = segments<Boundary>(
+    'Boundary',
+    'boundary',
+    BOUNDARIES.map((value) => ({ value, ...BOUNDARY_WORDS[value] })),
+    (value) => events.onMotion({ boundary: value }),
+  );
   const boundaryHint = h('p', { class: 'hint' });
   const start = speedSlider('Start speed', 'start-speed', (value) => events.onSpeed('start', value));
   const end = speedSlider('End speed', 'end-speed', (value) => events.onSpeed('end', value));
-  const startTangent = select<string>('Leaves the first key towards', 'start-tangent', [], (value) => events.onEncoding({ startTangentPose: poseOf(value) }));
-  const endTangent = select<string>('Arrives at the last key from', 'end-tangent', [], (value) => events.onEncoding({ endTangentPose: poseOf(value) }));
+  const startTangent = select<string>('Leaves the first key towards', 'start-tangent', [], (value) =>
+    events.onEncoding({ startTangentPose: poseOf(value) }),
+  );
+  const endTangent = select<string>('Arrives at the last key from', 'end-tangent', [], (value) =>
+    events.onEncoding({ endTangentPose: poseOf(value) }),
+  );
   const hermite = h('div', { class: 'group' }, start.element, end.element, startTangent.element, endTangent.element);
-  const period = numberField({ label: 'Period', testId: 'period', min: 1e-6, onInput: (value) => events.onMotion({ period: value }) });
-  const periodReset = button({ label: 'Set the period back', testId: 'period-reset', icon: 'reset', onClick: () => events.onMotion({ period: null }) });
+  const period = numberField({
+    label: 'Period',
+    testId: 'period',
+    min: 1e-6,
+    onInput: (value) => events.onMotion({ period: value }),
+  });
+  const periodReset = button({
+    label: 'Set the period back',
+    testId: 'period-reset',
+    icon: 'reset',
+    onClick: () => events.onMotion({ period: null }),
+  });
   const periodic = h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Period'), period, periodReset);
-  const reset = button({ label: 'Set the motion back to what it was when opened', testId: 'motion-reset', icon: 'reset', onClick: () => events.onReset() });
-  const element = h('section', { class: 'panel', 'aria-labelledby': 'motion-title', 'data-testid': 'panel-motion' },
+  const reset = button({
+    label: 'Set the motion back to what it was when opened',
+    testId: 'motion-reset',
+    icon: 'reset',
+    onClick: () => events.onReset(),
+  });
+  const element = h(
+    'section',
+    { class: 'panel', 'aria-labelledby': 'motion-title', 'data-testid': 'panel-motion' },
     h('header', {}, h('h2', { id: 'motion-title' }, 'Motion'), reset),
-    method.element, methodHint,
-    h('fieldset', { class: 'field' }, h('legend', {}, 'Side by side with'), h('div', { class: 'chips' }, ...others.map((o) => o.toggle.element))),
-    boundary.element, boundaryHint, hermite, periodic);
+    method.element,
+    methodHint,
+    h(
+      'fieldset',
+      { class: 'field' },
+      h('legend', {}, 'Side by side with'),
+      h('div', { class: 'chips' }, ...others.map((o) => o.toggle.element)),
+    ),
+    boundary.element,
+    boundaryHint,
+    hermite,
+    periodic,
+  );
 
   const draw = memo((props: MotionPanelProps) => {
     const { motion } = props;
@@ -79,8 +138,12 @@ export function createMotionPanel(events: MotionPanelEvents): { element: HTMLEle
       setHidden(toggle.element, value === motion.method);
       toggle.update(compared.includes(value), props.disabled);
     }
-    boundary.update(motion.boundary, ignoresHermite(motion.method)
-      ? { hermite: 'Hermite sets speeds at the ends; this method moves straight from key to key.' } : {});
+    boundary.update(
+      motion.boundary,
+      ignoresHermite(motion.method)
+        ? { hermite: 'Hermite sets speeds at the ends; this method moves straight from key to key.' }
+        : {},
+    );
     setText(boundaryHint, BOUNDARY_WORDS[motion.boundary].hint);
     setHidden(hermite, motion.boundary !== 'hermite');
     setHidden(periodic, motion.boundary !== 'periodic');
@@ -92,7 +155,9 @@ export function createMotionPanel(events: MotionPanelEvents): { element: HTMLEle
     setField(period, String(Number((motion.period ?? props.period).toFixed(4))));
     periodReset.disabled = motion.period === null;
     setAttribute(periodReset, 'data-idle', motion.period === null);
-    const touched = (Object.keys(DEFAULT_MOTION) as (keyof Motion)[]).some((key) => motion[key] !== props.defaults[key]);
+    const touched = (Object.keys(DEFAULT_MOTION) as (keyof Motion)[]).some(
+      (key) => motion[key] !== props.defaults[key],
+    );
     reset.disabled = !touched;
     setAttribute(reset, 'data-idle', !touched);
   });
@@ -101,7 +166,14 @@ export function createMotionPanel(events: MotionPanelEvents): { element: HTMLEle
 
 function speedSlider(label: string, testId: string, onInput: (value: number) => void): ReturnType<typeof slider> {
   return slider({
-    label, testId, min: 0, max: MAX_SPEED, step: SPEED_STEP, fallback: DEFAULT_SPEED, onInput, format: (value) => `${Number(value.toFixed(2))}`,
+    label,
+    testId,
+    min: 0,
+    max: MAX_SPEED,
+    step: SPEED_STEP,
+    fallback: DEFAULT_SPEED,
+    onInput,
+    format: (value) => `${Number(value.toFixed(2))}`,
     hint: 'Times the speed between the end key and its neighbour; 0 eases in and out',
   });
 }
@@ -111,6 +183,8 @@ function poseOf(value: string): number | null {
 }
 
 function poseChoices(keys: readonly KeyRef[], none: string): Choice<string>[] {
-  return [{ value: '', label: none }, ...keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) }))];
+  return [
+    { value: '', label: none },
+    ...keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) })),
+  ];
 }
-

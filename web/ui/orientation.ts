@@ -5,7 +5,13 @@ import { h, setHidden } from './dom.ts';
 
 export type Orientation = Required<Pick<ImportOptions, 'up' | 'unit'>>;
 
-const UNITS: readonly [number, string][] = [[1, 'metres'], [0.01, 'centimetres'], [0.001, 'millimetres'], [0.0254, 'inches'], [0.3048, 'feet']];
+const UNITS: readonly [number, string][] = [
+  [1, 'metres'],
+  [0.01, 'centimetres'],
+  [0.001, 'millimetres'],
+  [0.0254, 'inches'],
+  [0.3048, 'feet'],
+];
 
 export interface OrientationControl {
   element: HTMLElement;
@@ -15,11 +21,21 @@ export interface OrientationControl {
 
 export function createOrientation(onChange: (orientation: Orientation) => void): OrientationControl {
   let present: Orientation = { up: 'y', unit: 1 };
-  const up = segments<Orientation['up']>('Up axis of the files', 'up-axis', [
-    { value: 'y', label: 'Y', hint: 'As in most animation programs' }, { value: 'z', label: 'Z', hint: 'As in CAD, scans and 3D printing' },
-  ], (value) => onChange({ ...present, up: value }));
-  const unit = select<string>('Unit of the files', 'file-unit', UNITS.map(([value, label]) => ({ value: String(value), label })),
-    (value) => onChange({ ...present, unit: Number(value) }));
+  const up = segments<Orientation['up']>(
+    'Up axis of the files',
+    'up-axis',
+    [
+      { value: 'y', label: 'Y', hint: 'As in most animation programs' },
+      { value: 'z', label: 'Z', hint: 'As in CAD, scans and 3D printing' },
+    ],
+    (value) => onChange({ ...present, up: value }),
+  );
+  const unit = select<string>(
+    'Unit of the files',
+    'file-unit',
+    UNITS.map(([value, label]) => ({ value: String(value), label })),
+    (value) => onChange({ ...present, unit: Number(value) }),
+  );
   const element = h('div', { class: 'group', hidden: true, 'data-testid': 'orientation' }, up.element, unit.element);
   return {
     element,
@@ -28,8 +44,13 @@ export function createOrientation(onChange: (orientation: Orientation) => void):
       if (!orientation) return;
       present = orientation;
       up.update(orientation.up);
-      const known = UNITS.some(([value]) => value === orientation.unit) ? UNITS : [...UNITS, [orientation.unit, `${orientation.unit} m`] as const];
-      unit.update(String(orientation.unit), known.map(([value, label]) => ({ value: String(value), label })));
+      const known = UNITS.some(([value]) => value === orientation.unit)
+        ? UNITS
+        : [...UNITS, [orientation.unit, `${orientation.unit} m`] as const];
+      unit.update(
+        String(orientation.unit),
+        known.map(([value, label]) => ({ value: String(value), label })),
+      );
     },
   };
 }

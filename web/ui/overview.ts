@@ -14,16 +14,26 @@ export function createOverview(onWindow: (window: Range | null) => void): Overvi
   let range: Range = [0, 1];
   let shown: Range = [0, 1];
   const thumb = h('div', { class: 'overview-thumb' });
-  const element = h('div', {
-    class: 'overview', 'aria-hidden': 'true', 'data-testid': 'overview', title: 'The part that is shown; drag it along', hidden: true,
-    onpointerdown: (event: PointerEvent) => {
-      if (event.button !== 0) return;
-      event.preventDefault();
-      const start = shown;
-      const scale = length(limits(range)) / element.clientWidth;
-      drag(element, event, { onMove: (move) => onWindow(panned(start, range, (move.clientX - event.clientX) * scale)) });
+  const element = h(
+    'div',
+    {
+      class: 'overview',
+      'aria-hidden': 'true',
+      'data-testid': 'overview',
+      title: 'The part that is shown; drag it along',
+      hidden: true,
+      onpointerdown: (event: PointerEvent) => {
+        if (event.button !== 0) return;
+        event.preventDefault();
+        const start = shown;
+        const scale = length(limits(range)) / element.clientWidth;
+        drag(element, event, {
+          onMove: (move) => onWindow(panned(start, range, (move.clientX - event.clientX) * scale)),
+        });
+      },
     },
-  }, thumb);
+    thumb,
+  );
   return {
     element,
     update(nextRange, window) {

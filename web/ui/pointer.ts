@@ -8,7 +8,9 @@ export interface Dragging {
 /** Follows one pointer. A second finger that comes down ends it: that is another gesture. */
 export function drag(element: HTMLElement, start: PointerEvent, { onMove, onEnd }: Dragging): void {
   element.setPointerCapture(start.pointerId);
-  const move = (event: PointerEvent): void => { if (event.pointerId === start.pointerId) onMove(event); };
+  const move = (event: PointerEvent): void => {
+    if (event.pointerId === start.pointerId) onMove(event);
+  };
   const end = (event: PointerEvent): void => {
     const another = event.type === 'pointerdown';
     if ((event.pointerId === start.pointerId) === another) return;
@@ -34,20 +36,33 @@ const LINE_PX = 16;
 
 /** Wheel and pinch zoom; the wheel with Shift or sideways, two fingers, and the middle button pan. */
 export function listenToGestures(element: HTMLElement, { onZoom, onPan }: Gestures): void {
-  element.addEventListener('wheel', (event) => {
-    event.preventDefault();
-    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PX : 1;
-    const sideways = event.shiftKey ? event.deltaY || event.deltaX : Math.abs(event.deltaX) > Math.abs(event.deltaY) ? event.deltaX : 0;
-    if (sideways !== 0) onPan(-sideways * unit);
-    // A pinch on a trackpad comes as a wheel with Ctrl and small steps.
-    else onZoom(Math.exp(-event.deltaY * unit * WHEEL_ZOOM * (event.ctrlKey ? 5 : 1)), event.clientX);
-  }, { passive: false });
+  element.addEventListener(
+    'wheel',
+    (event) => {
+      event.preventDefault();
+      const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PX : 1;
+      const sideways = event.shiftKey
+        ? event.deltaY || event.deltaX
+        : Math.abs(event.deltaX) > Math.abs(event.deltaY)
+          ? event.deltaX
+          : 0;
+      if (sideways !== 0) onPan(-sideways * unit);
+      // A pinch on a trackpad comes as a wheel with Ctrl and small steps.
+      else onZoom(Math.exp(-event.deltaY * unit * WHEEL_ZOOM * (event.ctrlKey ? 5 : 1)), event.clientX);
+    },
+    { passive: false },
+  );
 
   element.addEventListener('pointerdown', (event) => {
     if (event.button !== 1) return;
     event.preventDefault();
     let x = event.clientX;
-    drag(element, event, { onMove: (move) => { onPan(move.clientX - x); x = move.clientX; } });
+    drag(element, event, {
+      onMove: (move) => {
+        onPan(move.clientX - x);
+        x = move.clientX;
+      },
+    });
   });
 
   const fingers = new Map<number, number>();
@@ -55,7 +70,9 @@ export function listenToGestures(element: HTMLElement, { onZoom, onPan }: Gestur
     const [a = 0, b = 0] = fingers.values();
     return { middle: (a + b) / 2, width: Math.max(Math.abs(a - b), 8) };
   };
-  element.addEventListener('pointerdown', (event) => { if (event.pointerType === 'touch') fingers.set(event.pointerId, event.clientX); });
+  element.addEventListener('pointerdown', (event) => {
+    if (event.pointerType === 'touch') fingers.set(event.pointerId, event.clientX);
+  });
   element.addEventListener('pointermove', (event) => {
     if (!fingers.has(event.pointerId)) return;
     const before = spread();
@@ -65,5 +82,6 @@ export function listenToGestures(element: HTMLElement, { onZoom, onPan }: Gestur
     onPan(now.middle - before.middle);
     onZoom(now.width / before.width, now.middle);
   });
-  for (const end of ['pointerup', 'pointercancel'] as const) element.addEventListener(end, (event) => fingers.delete(event.pointerId));
+  for (const end of ['pointerup', 'pointercancel'] as const)
+    element.addEventListener(end, (event) => fingers.delete(event.pointerId));
 }

@@ -28,22 +28,49 @@ export function createSampling(onTake: (animation: number, times: number[]) => v
     choose(evenly(span(), times.length));
   });
   const track = createTrack(choose);
-  const list = h('input', { type: 'text', 'data-testid': 'sample-times', 'aria-label': 'Times of the keys in seconds', title: 'Times of the keys in seconds', spellcheck: false, autocomplete: 'off' });
+  const list = h('input', {
+    type: 'text',
+    'data-testid': 'sample-times',
+    'aria-label': 'Times of the keys in seconds',
+    title: 'Times of the keys in seconds',
+    spellcheck: false,
+    autocomplete: 'off',
+  });
   const reason = h('p', { class: 'reason', 'data-testid': 'sample-reason', hidden: true });
   list.addEventListener('change', () => {
     const read = readTimes(list.value, span());
     if (typeof read === 'string') complain(read);
     else choose(read);
   });
-  list.addEventListener('keydown', (event) => { if (event.key === 'Enter') list.blur(); });
+  list.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter') list.blur();
+  });
   const count = numberField({
-    label: 'Spread so many keys evenly', testId: 'sample-count', min: 2, max: MOST_KEYS, step: 1,
+    label: 'Spread so many keys evenly',
+    testId: 'sample-count',
+    min: 2,
+    max: MOST_KEYS,
+    step: 1,
     onInput: (value) => choose(evenly(span(), Math.round(value))),
   });
-  const take = button({ label: 'Take the keys at these times of the animation', testId: 'sample-apply', text: 'Take', kind: 'plain', onClick: () => onTake(chosen, times) });
-  const row = (label: string, ...controls: HTMLElement[]): HTMLElement => h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...controls);
-  const element = h('div', { class: 'group', hidden: true, 'data-testid': 'sampling' },
-    animation.element, track.element, list, reason, row('Evenly spaced keys', count, take));
+  const take = button({
+    label: 'Take the keys at these times of the animation',
+    testId: 'sample-apply',
+    text: 'Take',
+    kind: 'plain',
+    onClick: () => onTake(chosen, times),
+  });
+  const row = (label: string, ...controls: HTMLElement[]): HTMLElement =>
+    h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...controls);
+  const element = h(
+    'div',
+    { class: 'group', hidden: true, 'data-testid': 'sampling' },
+    animation.element,
+    track.element,
+    list,
+    reason,
+    row('Evenly spaced keys', count, take),
+  );
 
   function complain(text: string): void {
     setText(reason, text);
@@ -63,10 +90,17 @@ export function createSampling(onTake: (animation: number, times: number[]) => v
     setHidden(element, animations.length === 0);
     if (!info || animations.length === 0) return;
     chosen = Math.max(info.animation, 0);
-    animation.update(String(chosen), animations.map((a, index) => ({
-      value: String(index), label: `${a.name || `Animation ${index + 1}`}  (${(a.end - a.start).toFixed(2)} s, ${a.keys} keys)`,
-    })));
-    const taken = info.animation >= 0 && info.times.length <= MOST_KEYS && info.times.every((t) => t >= span().start && t <= span().end);
+    animation.update(
+      String(chosen),
+      animations.map((a, index) => ({
+        value: String(index),
+        label: `${a.name || `Animation ${index + 1}`}  (${(a.end - a.start).toFixed(2)} s, ${a.keys} keys)`,
+      })),
+    );
+    const taken =
+      info.animation >= 0 &&
+      info.times.length <= MOST_KEYS &&
+      info.times.every((t) => t >= span().start && t <= span().end);
     choose(taken ? info.times : evenly(span(), DEFAULT_KEYS));
   });
   return { element, update: (info) => read({ info }) };
@@ -80,33 +114,48 @@ const short = (t: number): string => String(Number(t.toFixed(4)));
 
 /** The times of a list, or what is wrong with it. */
 function readTimes(text: string, { start, end }: AnimationInfo): number[] | string {
-  const times = text.split(/[\s,;]+/).filter((word) => word !== '').map(Number);
+  const times = text
+    .split(/[\s,;]+/)
+    .filter((word) => word !== '')
+    .map(Number);
   const unread = times.findIndex((t) => !Number.isFinite(t));
   if (unread >= 0) return `Time ${unread + 1} of the list is no number. Separate the times by commas.`;
-  const slack = 1e-4;  // as they are shown
+  const slack = 1e-4; // as they are shown
   const outside = times.find((t) => t < start - slack || t > end + slack);
-  if (outside !== undefined) return `${short(outside)} s lies outside the animation, which runs from ${short(start)} to ${short(end)} s.`;
+  if (outside !== undefined)
+    return `${short(outside)} s lies outside the animation, which runs from ${short(start)} to ${short(end)} s.`;
   if (new Set(times).size < 2) return 'Give at least two times.';
   if (times.length > MOST_KEYS) return `Give at most ${MOST_KEYS} times.`;
   return times.map((t) => Math.min(Math.max(t, start), end));
 }
 
 /** The animation's time line: marks are dragged or moved by arrow keys, a click adds one, Delete removes it. */
-function createTrack(onChange: (times: number[]) => void): { element: HTMLElement; update(span: AnimationInfo, times: number[]): void } {
+function createTrack(onChange: (times: number[]) => void): {
+  element: HTMLElement;
+  update(span: AnimationInfo, times: number[]): void;
+} {
   let span: AnimationInfo = { name: '', start: 0, end: 1, keys: 0 };
   let times: number[] = [];
   const marks = h('div', { class: 'sample-marks' });
-  const element = h('div', {
-    class: 'sample-track', role: 'group', 'data-testid': 'sample-track', 'aria-label': 'Time line of the animation',
-    title: 'Click to add a key, drag to move it, Delete to remove it',
-  }, marks);
+  const element = h(
+    'div',
+    {
+      class: 'sample-track',
+      role: 'group',
+      'data-testid': 'sample-track',
+      'aria-label': 'Time line of the animation',
+      title: 'Click to add a key, drag to move it, Delete to remove it',
+    },
+    marks,
+  );
 
   const timeAt = (event: PointerEvent): number => {
     const { left, width } = marks.getBoundingClientRect();
     const share = Math.min(Math.max((event.clientX - left) / Math.max(width, 1), 0), 1);
     return share === 1 ? span.end : span.start + share * (span.end - span.start);
   };
-  const replaced = (index: number, t: number): number[] => times.map((old, i) => (i === index ? Math.min(Math.max(t, span.start), span.end) : old));
+  const replaced = (index: number, t: number): number[] =>
+    times.map((old, i) => (i === index ? Math.min(Math.max(t, span.start), span.end) : old));
   const focus = (t: number): void => (marks.children[times.indexOf(t)] as HTMLElement | undefined)?.focus();
 
   element.addEventListener('pointerdown', (event) => {
@@ -120,7 +169,7 @@ function createTrack(onChange: (times: number[]) => void): { element: HTMLElemen
     let last = known < 0 ? t : times[known]!;
     const move = (moved: PointerEvent): void => {
       const next = timeAt(moved);
-      if (others.includes(next)) return;  // two keys cannot share a time
+      if (others.includes(next)) return; // two keys cannot share a time
       last = next;
       onChange([...others, last]);
     };
@@ -153,7 +202,8 @@ function createTrack(onChange: (times: number[]) => void): { element: HTMLElemen
     update(nextSpan, nextTimes) {
       [span, times] = [nextSpan, nextTimes];
       while (marks.children.length > times.length) marks.lastElementChild!.remove();
-      while (marks.children.length < times.length) marks.append(h('button', { type: 'button', class: 'sample-mark', role: 'slider' }));
+      while (marks.children.length < times.length)
+        marks.append(h('button', { type: 'button', class: 'sample-mark', role: 'slider' }));
       times.forEach((t, index) => {
         const mark = marks.children[index] as HTMLElement;
         setStyle(mark, 'left', `${(100 * (t - span.start)) / Math.max(span.end - span.start, Number.MIN_VALUE)}%`);

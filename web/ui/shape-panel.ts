@@ -40,31 +40,83 @@ const STRETCHES: readonly Choice<Stretch>[] = [
 ];
 
 /** `ghost`: the section on the ghost mesh. */
-export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): { element: HTMLElement; update(props: ShapePanelProps): void } {
+export function createShapePanel(
+  ghost: HTMLElement,
+  events: ShapePanelEvents,
+): { element: HTMLElement; update(props: ShapePanelProps): void } {
   const stretch = segments<Stretch>('Stretch', 'stretch', STRETCHES, (value) => events.onEncoding({ stretch: value }));
-  const reference = select<string>('Reference pose', 'reference', [], (value) => events.onEncoding({ referencePose: Number(value) }));
-  const patches = numberField({ label: 'Patches; 0 lets the app choose', testId: 'patches', min: 0, max: 5000, step: 1, onInput: (value) => events.onEncoding({ patches: Math.round(value) }) });
+  const reference = select<string>('Reference pose', 'reference', [], (value) =>
+    events.onEncoding({ referencePose: Number(value) }),
+  );
+  const patches = numberField({
+    label: 'Patches; 0 lets the app choose',
+    testId: 'patches',
+    min: 0,
+    max: 5000,
+    step: 1,
+    onInput: (value) => events.onEncoding({ patches: Math.round(value) }),
+  });
   const patchesUsed = h('span', { class: 'muted', 'data-testid': 'patches-used' });
-  const reset = button({ label: 'Set the shape options back to what they were when opened', testId: 'shape-reset', icon: 'reset', onClick: () => events.onReset() });
+  const reset = button({
+    label: 'Set the shape options back to what they were when opened',
+    testId: 'shape-reset',
+    icon: 'reset',
+    onClick: () => events.onReset(),
+  });
   const facts = h('dl', { class: 'facts' });
   const sampling = createSampling(events.onSample);
   const orientation = createOrientation(events.onOrient);
-  const element = h('section', { class: 'panel', 'aria-labelledby': 'shape-title', 'data-testid': 'panel-shape' },
+  const element = h(
+    'section',
+    { class: 'panel', 'aria-labelledby': 'shape-title', 'data-testid': 'panel-shape' },
     h('header', {}, h('h2', { id: 'shape-title' }, 'Shape'), reset),
-    stretch.element, reference.element,
-    h('div', { class: 'field row' }, h('span', { class: 'label', title: 'Pieces that the shape is cut into; each turns as one, and the faces turn within them' }, 'Patches'), patches, patchesUsed),
-    sampling.element, orientation.element, ghost,
-    h('details', { class: 'details', 'data-testid': 'mesh-report' }, h('summary', {}, 'What was read and built'), facts));
+    stretch.element,
+    reference.element,
+    h(
+      'div',
+      { class: 'field row' },
+      h(
+        'span',
+        {
+          class: 'label',
+          title: 'Pieces that the shape is cut into; each turns as one, and the faces turn within them',
+        },
+        'Patches',
+      ),
+      patches,
+      patchesUsed,
+    ),
+    sampling.element,
+    orientation.element,
+    ghost,
+    h(
+      'details',
+      { class: 'details', 'data-testid': 'mesh-report' },
+      h('summary', {}, 'What was read and built'),
+      facts,
+    ),
+  );
 
   const draw = memo((props: ShapePanelProps) => {
     const { encoding, keys, info, stats } = props;
-    stretch.update(encoding.stretch, props.lriMethod ? {} : {
-      log: 'This method blends positions and has no stretches.', linear: '',
-    });
-    reference.update(String(keys[props.reference]?.pose ?? ''), keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) })));
+    stretch.update(
+      encoding.stretch,
+      props.lriMethod
+        ? {}
+        : {
+            log: 'This method blends positions and has no stretches.',
+            linear: '',
+          },
+    );
+    reference.update(
+      String(keys[props.reference]?.pose ?? ''),
+      keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) })),
+    );
     setField(patches, String(encoding.patches));
     setText(patchesUsed, stats ? `${stats.patches} used` : '');
-    const touched = (Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]).some((key) => encoding[key] !== props.defaults[key]);
+    const touched = (Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]).some(
+      (key) => encoding[key] !== props.defaults[key],
+    );
     reset.disabled = !touched;
     setAttribute(reset, 'data-idle', !touched);
     sampling.update(props.canSample ? info : null);
@@ -74,7 +126,12 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
   return { element, update: draw };
 }
 
-const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStats | null, threads: number | null): void => {
+const drawFacts = (
+  list: HTMLElement,
+  info: KeysInfo | null,
+  stats: SequenceStats | null,
+  threads: number | null,
+): void => {
   if (!info) return list.replaceChildren();
   const { report } = info;
   const rows: [string, number, boolean][] = [
@@ -92,8 +149,11 @@ const drawFacts = (list: HTMLElement, info: KeysInfo | null, stats: SequenceStat
   const entries = rows.filter(([, , shown]) => shown).map(([label, value]) => [label, value.toLocaleString('en')]);
   if (stats) {
     if (stats.ghostFaces > 0) entries.push(['Ghost mesh', `${(stats.simplifyMs + stats.transferMs).toFixed(0)} ms`]);
-    entries.push(['Encoding', `${stats.encodeMs.toFixed(0)} ms`], ['Factorisation', `${(stats.orderMs + stats.factorMs + stats.arrangeMs).toFixed(0)} ms`],
-      ['Factor', `${(stats.factorBytes / 1e6).toFixed(1)} MB`]);
+    entries.push(
+      ['Encoding', `${stats.encodeMs.toFixed(0)} ms`],
+      ['Factorisation', `${(stats.orderMs + stats.factorMs + stats.arrangeMs).toFixed(0)} ms`],
+      ['Factor', `${(stats.factorBytes / 1e6).toFixed(1)} MB`],
+    );
   }
   if (threads) entries.push(['Threads', String(threads)]);
   list.replaceChildren(...entries.flatMap(([label, value]) => [h('dt', {}, label), h('dd', {}, value)]));

@@ -48,7 +48,8 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
   };
 
   // Both handles at their longest share the room between the keys.
-  const unit = (): number => (props ? Math.min(UNIT_PX, (length(props.range) / length(props.window)) * width / (2 * MAX_SPEED + 1)) : UNIT_PX);
+  const unit = (): number =>
+    props ? Math.min(UNIT_PX, ((length(props.range) / length(props.window)) * width) / (2 * MAX_SPEED + 1)) : UNIT_PX;
 
   const pressed = (end: End, event: PointerEvent): void => {
     if (event.button !== 0 || !event.isPrimary) return;
@@ -71,8 +72,14 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
     const { label, verb, neighbour } = SPEED_WORDS[end];
     const value = h('strong', { 'data-testid': `${end}-speed-value` });
     const grip = h('div', {
-      class: 'grip', role: 'slider', tabindex: 0, 'data-testid': `${end}-speed-handle`, 'aria-label': label, 'aria-orientation': 'horizontal',
-      'aria-valuemin': 0, 'aria-valuemax': MAX_SPEED,
+      class: 'grip',
+      role: 'slider',
+      tabindex: 0,
+      'data-testid': `${end}-speed-handle`,
+      'aria-label': label,
+      'aria-orientation': 'horizontal',
+      'aria-valuemin': 0,
+      'aria-valuemax': MAX_SPEED,
       title: `${label}: times the speed straight from ${neighbour}. Drag it, or use the arrow keys; twice for ${formatSpeed(DEFAULT_SPEED)}`,
       onpointerdown: (event: PointerEvent) => pressed(end, event),
       onkeydown: (event: KeyboardEvent) => typed(end, event),
@@ -81,7 +88,11 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
     const words = h('span', { class: 'words', 'aria-hidden': 'true' }, h('span', { class: 'verb' }, `${verb} `), value);
     return { end, grip, value, element: h('div', { class: `speed-handle ${end}` }, grip, words) };
   });
-  const element = h('div', { class: 'speed-lane', 'data-testid': 'speed-lane', hidden: true }, ...handles.map((handle) => handle.element));
+  const element = h(
+    'div',
+    { class: 'speed-lane', 'data-testid': 'speed-lane', hidden: true },
+    ...handles.map((handle) => handle.element),
+  );
 
   const draw = (): void => {
     if (!props) return;
@@ -97,7 +108,11 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
       setStyle(handle, '--reach', `${(Math.min(Math.max(speed, 0), MAX_SPEED) * unit()).toFixed(2)}px`);
       setAttribute(handle, 'data-inside', room < (width < ROOM_FOR_WORDS_PX ? NUMBER_PX : WORDS_PX));
       setAttribute(grip, 'aria-valuenow', Number(speed.toFixed(6)));
-      setAttribute(grip, 'aria-valuetext', `${Number(speed.toFixed(2))} times the speed straight from ${SPEED_WORDS[end].neighbour}`);
+      setAttribute(
+        grip,
+        'aria-valuetext',
+        `${Number(speed.toFixed(2))} times the speed straight from ${SPEED_WORDS[end].neighbour}`,
+      );
       setText(value, formatSpeed(speed));
     }
   };
@@ -120,15 +135,26 @@ export function typedSpeed(event: KeyboardEvent, speed: number, end: End): numbe
   const step = event.shiftKey ? LARGE : 1;
   const inward = end === 'start' ? step : -step;
   switch (event.key) {
-    case 'ArrowRight': return steppedSpeed(speed, inward);
-    case 'ArrowLeft': return steppedSpeed(speed, -inward);
-    case 'ArrowUp': return steppedSpeed(speed, step);
-    case 'ArrowDown': return steppedSpeed(speed, -step);
-    case 'PageUp': return steppedSpeed(speed, LARGE);
-    case 'PageDown': return steppedSpeed(speed, -LARGE);
-    case 'Home': return 0;
-    case 'End': return MAX_SPEED;
-    case 'Delete': case 'Backspace': return DEFAULT_SPEED;
-    default: return null;
+    case 'ArrowRight':
+      return steppedSpeed(speed, inward);
+    case 'ArrowLeft':
+      return steppedSpeed(speed, -inward);
+    case 'ArrowUp':
+      return steppedSpeed(speed, step);
+    case 'ArrowDown':
+      return steppedSpeed(speed, -step);
+    case 'PageUp':
+      return steppedSpeed(speed, LARGE);
+    case 'PageDown':
+      return steppedSpeed(speed, -LARGE);
+    case 'Home':
+      return 0;
+    case 'End':
+      return MAX_SPEED;
+    case 'Delete':
+    case 'Backspace':
+      return DEFAULT_SPEED;
+    default:
+      return null;
   }
 }

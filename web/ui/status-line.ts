@@ -15,21 +15,44 @@ export interface StatusProps {
 }
 
 /** onWarnings hears which button was pressed. */
-export function createStatusLine(onWarnings: (from: HTMLElement) => void): { element: HTMLElement; update(props: StatusProps): void } {
+export function createStatusLine(onWarnings: (from: HTMLElement) => void): {
+  element: HTMLElement;
+  update(props: StatusProps): void;
+} {
   const keys = h('span', { 'data-testid': 'status-keys' });
   const vertices = h('span', { 'data-testid': 'status-vertices' });
   const faces = h('span', { 'data-testid': 'status-faces' });
   const ms = h('span', {
-    'data-testid': 'status-ms', class: 'ms',
-    title: 'Time to compute the shape on the screen. Slow shapes are shown as previews while they move, exactly at rest',
+    'data-testid': 'status-ms',
+    class: 'ms',
+    title:
+      'Time to compute the shape on the screen. Slow shapes are shown as previews while they move, exactly at rest',
   });
   const offline = h('span', { hidden: true }, 'offline');
   const count = h('span', {});
-  const warnings: HTMLButtonElement = h('button', {
-    type: 'button', class: 'button quiet warning-count', 'data-testid': 'warning-count', hidden: true, title: 'Show the warnings',
-    onclick: () => onWarnings(warnings),
-  }, icon('warning'), count);
-  const element = h('footer', { class: 'status-line', 'data-testid': 'status' }, keys, vertices, faces, ms, warnings, offline);
+  const warnings: HTMLButtonElement = h(
+    'button',
+    {
+      type: 'button',
+      class: 'button quiet warning-count',
+      'data-testid': 'warning-count',
+      hidden: true,
+      title: 'Show the warnings',
+      onclick: () => onWarnings(warnings),
+    },
+    icon('warning'),
+    count,
+  );
+  const element = h(
+    'footer',
+    { class: 'status-line', 'data-testid': 'status' },
+    keys,
+    vertices,
+    faces,
+    ms,
+    warnings,
+    offline,
+  );
 
   const drawCounts = memo((props: Omit<StatusProps, 'ms' | 'preview'>) => {
     setText(keys, plural(props.keys, 'key', 'keys'));

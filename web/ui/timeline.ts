@@ -72,20 +72,43 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const marks = h('div', { class: 'ruler', 'aria-hidden': 'true' });
   const ticks = h('div', { class: 'ticks' });
   const playhead = h('div', { class: 'playhead', 'aria-hidden': 'true' }, h('div', { class: 'knob' }));
-  const slider = h('div', {
-    class: 'timeline', role: 'slider', tabindex: 0, 'aria-label': 'Time', 'aria-orientation': 'horizontal', 'data-testid': 'timeline',
-    title: 'Drag through the motion, also past both ends (arrow keys; hold Alt not to snap); the wheel zooms',
-  }, track, marks, ticks, playhead);
+  const slider = h(
+    'div',
+    {
+      class: 'timeline',
+      role: 'slider',
+      tabindex: 0,
+      'aria-label': 'Time',
+      'aria-orientation': 'horizontal',
+      'data-testid': 'timeline',
+      title: 'Drag through the motion, also past both ends (arrow keys; hold Alt not to snap); the wheel zooms',
+    },
+    track,
+    marks,
+    ticks,
+    playhead,
+  );
   const handles = createLoopHandles(track, { onBetween: events.onBetween, snapped: (t, free) => snapped(t, free) });
   const overview = createOverview(setWindow);
   const speedHandles = createSpeedHandles(events.onSpeed);
-  const element = h('div', { class: 'time-frame' }, slider, ...handles.elements, speedHandles.element, overview.element);
+  const element = h(
+    'div',
+    { class: 'time-frame' },
+    slider,
+    ...handles.elements,
+    speedHandles.element,
+    overview.element,
+  );
 
   const snapped = (t: number, free: boolean): number => {
     const { keys, fps } = props!;
     if (free) return t;
     const reach = (SNAP_PX / track.clientWidth) * length(shown());
-    const key = snap(t, keys.map(({ time }) => time), reach);
+    const key = snap(
+      t,
+      keys.map(({ time }) => time),
+      reach,
+    );
     return key !== t || fps === null ? key : nearestFrameTime(t, fps);
   };
 
@@ -97,7 +120,14 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const seek = (event: PointerEvent): void => events.onSeek(snapped(timeAt(event.clientX), event.altKey));
 
   slider.addEventListener('pointerdown', (event) => {
-    if (!props || props.disabled || event.button !== 0 || !event.isPrimary || (event.target as Element).closest('.tick')) return;
+    if (
+      !props ||
+      props.disabled ||
+      event.button !== 0 ||
+      !event.isPrimary ||
+      (event.target as Element).closest('.tick')
+    )
+      return;
     event.preventDefault();
     slider.focus({ preventScroll: true });
     drag(slider, event, { onMove: seek });
@@ -105,8 +135,13 @@ export function createTimeline(events: TimelineEvents): Timeline {
   });
 
   listenToGestures(element, {
-    onZoom: (factor, x) => { if (props && !props.disabled) setWindow(zoomed(shown(), props.range, factor, timeAt(x))); },
-    onPan: (pixels) => { if (props && !props.disabled) setWindow(panned(shown(), props.range, (-pixels / track.clientWidth) * length(shown()))); },
+    onZoom: (factor, x) => {
+      if (props && !props.disabled) setWindow(zoomed(shown(), props.range, factor, timeAt(x)));
+    },
+    onPan: (pixels) => {
+      if (props && !props.disabled)
+        setWindow(panned(shown(), props.range, (-pixels / track.clientWidth) * length(shown())));
+    },
   });
 
   const tickPressed = (index: number, event: PointerEvent): void => {
@@ -123,9 +158,14 @@ export function createTimeline(events: TimelineEvents): Timeline {
         moved ||= Math.abs(move.clientX - startX) > CLICK_PX;
         if (!moved) return;
         const wanted = (times[index] ?? 0) + (move.clientX - startX) * scale;
-        events.onRetime(index, clampKeyTime(times, index, fps === null || move.altKey ? wanted : nearestFrameTime(wanted, fps)));
+        events.onRetime(
+          index,
+          clampKeyTime(times, index, fps === null || move.altKey ? wanted : nearestFrameTime(wanted, fps)),
+        );
       },
-      onEnd: () => { if (!moved) events.onSeek(times[index] ?? 0); },
+      onEnd: () => {
+        if (!moved) events.onSeek(times[index] ?? 0);
+      },
     });
   };
 
@@ -135,47 +175,73 @@ export function createTimeline(events: TimelineEvents): Timeline {
     keys.forEach((key, index) => {
       const tick = (ticks.children[index] ?? ticks.appendChild(makeTick(index))) as HTMLElement;
       place(tick, key.time, part);
-      setAttribute(tick, 'title', `Key ${index + 1}, ${key.name}, at ${formatMoment(key.time, range, fps)}: click to go there, drag to move it in time`);
+      setAttribute(
+        tick,
+        'title',
+        `Key ${index + 1}, ${key.name}, at ${formatMoment(key.time, range, fps)}: click to go there, drag to move it in time`,
+      );
       setAttribute(tick, 'data-time', key.time);
     });
   });
 
-  const makeTick = (index: number): HTMLElement => h('div', {
-    class: 'tick', 'data-testid': `tick-${index}`, 'aria-hidden': 'true',
-    onpointerdown: (event: PointerEvent) => tickPressed(index, event),
-  }, h('span', { class: 'diamond' }), h('span', { class: 'tick-number' }, String(index + 1)));
+  const makeTick = (index: number): HTMLElement =>
+    h(
+      'div',
+      {
+        class: 'tick',
+        'data-testid': `tick-${index}`,
+        'aria-hidden': 'true',
+        onpointerdown: (event: PointerEvent) => tickPressed(index, event),
+      },
+      h('span', { class: 'diamond' }),
+      h('span', { class: 'tick-number' }, String(index + 1)),
+    );
 
-  const drawRange = memo(({ range, window, between, periodic, disabled }: Pick<TimelineProps, 'range' | 'window' | 'between' | 'periodic' | 'disabled'>) => {
-    const [low, high] = limits(range);
-    const part = windowOf(window, range);
-    const loop = loopRange(between, range);
-    stretch(before.element, low, range[0], part);
-    stretch(keyRange, range[0], range[1], part);
-    stretch(after.element, range[1], high, part);
-    stretch(silent[0], loop ? low : 0, loop ? loop[0] : 0, part);
-    stretch(silent[1], loop ? loop[1] : 0, loop ? high : 0, part);
-    setAttribute(slider, 'aria-valuemin', round(low));
-    setAttribute(slider, 'aria-valuemax', round(high));
-    setAttribute(slider, 'aria-disabled', disabled ? 'true' : null);
-    setAttribute(slider, 'data-periodic', periodic);
-    before.label(periodic ? REPEATS : ['Before the first key (extrapolated)', 'Extrapolated', 'Before']);
-    after.label(periodic ? REPEATS : ['Beyond the last key (extrapolated)', 'Extrapolated', 'Beyond']);
-    setAttribute(element, 'data-zoomed', window !== null);
-    overview.update(range, part);
-  });
+  const drawRange = memo(
+    ({
+      range,
+      window,
+      between,
+      periodic,
+      disabled,
+    }: Pick<TimelineProps, 'range' | 'window' | 'between' | 'periodic' | 'disabled'>) => {
+      const [low, high] = limits(range);
+      const part = windowOf(window, range);
+      const loop = loopRange(between, range);
+      stretch(before.element, low, range[0], part);
+      stretch(keyRange, range[0], range[1], part);
+      stretch(after.element, range[1], high, part);
+      stretch(silent[0], loop ? low : 0, loop ? loop[0] : 0, part);
+      stretch(silent[1], loop ? loop[1] : 0, loop ? high : 0, part);
+      setAttribute(slider, 'aria-valuemin', round(low));
+      setAttribute(slider, 'aria-valuemax', round(high));
+      setAttribute(slider, 'aria-disabled', disabled ? 'true' : null);
+      setAttribute(slider, 'data-periodic', periodic);
+      before.label(periodic ? REPEATS : ['Before the first key (extrapolated)', 'Extrapolated', 'Before']);
+      after.label(periodic ? REPEATS : ['Beyond the last key (extrapolated)', 'Extrapolated', 'Beyond']);
+      setAttribute(element, 'data-zoomed', window !== null);
+      overview.update(range, part);
+    },
+  );
 
-  const drawRuler = memo(({ range, window, fps, width }: Pick<TimelineProps, 'range' | 'window' | 'fps'> & { width: number }) => {
-    const needed = width > 0 && (window !== null || fps !== null);
-    const part = windowOf(window, range);
-    const unit = fps ?? 1;
-    const numbers = needed ? ruler([part[0] * unit, part[1] * unit], width / RULER_PX).filter((n) => fps === null || Number.isInteger(n)) : [];
-    const decimals = Math.max(Math.ceil(-Math.log10((numbers[1] ?? 1) - (numbers[0] ?? 0)) - 1e-9), 0);
-    marks.replaceChildren(...numbers.map((n) => {
-      const mark = h('span', { class: 'mark' }, (n + 0).toFixed(decimals));
-      place(mark, n / unit, part);
-      return mark;
-    }));
-  });
+  const drawRuler = memo(
+    ({ range, window, fps, width }: Pick<TimelineProps, 'range' | 'window' | 'fps'> & { width: number }) => {
+      const needed = width > 0 && (window !== null || fps !== null);
+      const part = windowOf(window, range);
+      const unit = fps ?? 1;
+      const numbers = needed
+        ? ruler([part[0] * unit, part[1] * unit], width / RULER_PX).filter((n) => fps === null || Number.isInteger(n))
+        : [];
+      const decimals = Math.max(Math.ceil(-Math.log10((numbers[1] ?? 1) - (numbers[0] ?? 0)) - 1e-9), 0);
+      marks.replaceChildren(
+        ...numbers.map((n) => {
+          const mark = h('span', { class: 'mark' }, (n + 0).toFixed(decimals));
+          place(mark, n / unit, part);
+          return mark;
+        }),
+      );
+    },
+  );
 
   let width = 0;
   new ResizeObserver(() => {
@@ -188,7 +254,8 @@ export function createTimeline(events: TimelineEvents): Timeline {
     if (!last || next.window === null || last.time === next.time || next.window !== last.window) return;
     const part = windowOf(next.window, next.range);
     const sees = (t: number): boolean => t >= part[0] && t <= part[1];
-    if (!sees(next.time) && (sees(last.time) || !next.playing)) events.onWindow(revealing(part, next.range, clampTime(next.time, next.range)));
+    if (!sees(next.time) && (sees(last.time) || !next.playing))
+      events.onWindow(revealing(part, next.range, clampTime(next.time, next.range)));
   };
 
   return {
@@ -208,7 +275,11 @@ export function createTimeline(events: TimelineEvents): Timeline {
       else place(playhead, clampTime(next.time, range), part);
       setAttribute(slider, 'data-phase', phase.kind);
       setAttribute(slider, 'aria-valuenow', round(next.time));
-      setAttribute(slider, 'aria-valuetext', `${fps === null ? '' : 'frame '}${formatMoment(next.time, range, fps)}, ${phase.text}`);
+      setAttribute(
+        slider,
+        'aria-valuetext',
+        `${fps === null ? '' : 'frame '}${formatMoment(next.time, range, fps)}, ${phase.text}`,
+      );
       follow(last, next);
     },
   };
@@ -256,14 +327,24 @@ function round(value: number): number {
 /** Where a key press takes the playhead, or null when the key means something else. */
 export function keyboardStep(event: KeyboardEvent, time: number, range: Range, fps: number | null): number | null {
   const [low, high] = limits(range);
-  const step = (by: number): number => clampTime(fps === null ? time + 0.01 * by * length(range) : steppedFrameTime(time, fps, by), range);
+  const step = (by: number): number =>
+    clampTime(fps === null ? time + 0.01 * by * length(range) : steppedFrameTime(time, fps, by), range);
   switch (event.key) {
-    case 'ArrowLeft': case 'ArrowDown': return step(event.shiftKey ? -10 : -1);
-    case 'ArrowRight': case 'ArrowUp': return step(event.shiftKey ? 10 : 1);
-    case 'PageDown': return step(-10);
-    case 'PageUp': return step(10);
-    case 'Home': return time <= range[0] ? low : range[0];
-    case 'End': return time >= range[1] ? high : range[1];
-    default: return null;
+    case 'ArrowLeft':
+    case 'ArrowDown':
+      return step(event.shiftKey ? -10 : -1);
+    case 'ArrowRight':
+    case 'ArrowUp':
+      return step(event.shiftKey ? 10 : 1);
+    case 'PageDown':
+      return step(-10);
+    case 'PageUp':
+      return step(10);
+    case 'Home':
+      return time <= range[0] ? low : range[0];
+    case 'End':
+      return time >= range[1] ? high : range[1];
+    default:
+      return null;
   }
 }

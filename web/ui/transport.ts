@@ -30,41 +30,70 @@ const LOOPS: Record<LoopMode, { next: LoopMode; icon: IconName; label: string }>
 };
 
 /** The timeline stands in the middle, the clock menu at the end. */
-export function createTransport(timeline: HTMLElement, clockMenu: HTMLElement, events: TransportEvents): {
-  element: HTMLElement; update(props: TransportProps): void;
+export function createTransport(
+  timeline: HTMLElement,
+  clockMenu: HTMLElement,
+  events: TransportEvents,
+): {
+  element: HTMLElement;
+  update(props: TransportProps): void;
 } {
   let loop: LoopMode = 'bounce';
   const play = button({
-    label: 'Play', testId: 'play', icon: 'play', shortcut: 'Space', kind: 'primary', onClick: () => events.onTogglePlay(),
+    label: 'Play',
+    testId: 'play',
+    icon: 'play',
+    shortcut: 'Space',
+    kind: 'primary',
+    onClick: () => events.onTogglePlay(),
   });
   const loopButton = button({
-    label: 'Loop', testId: 'loop', icon: 'bounce', shortcut: 'L', onClick: () => events.onLoop(LOOPS[loop].next),
+    label: 'Loop',
+    testId: 'loop',
+    icon: 'bounce',
+    shortcut: 'L',
+    onClick: () => events.onLoop(LOOPS[loop].next),
   });
-  const speed = select('Speed', 'speed', SPEEDS.map((value) => ({ value: String(value), label: `${value}×` })),
-    (value) => events.onSpeed(Number(value)), ', and .');
+  const speed = select(
+    'Speed',
+    'speed',
+    SPEEDS.map((value) => ({ value: String(value), label: `${value}×` })),
+    (value) => events.onSpeed(Number(value)),
+    ', and .',
+  );
   speed.element.classList.add('compact');
   let fps: number | null = null;
-  const time = numberField({ label: 'Time; type a number to go there', testId: 'time', onInput: (value) => events.onSeek(fps === null ? value : value / fps) });
-  time.classList.add('time');
-  const element = h('section', { class: 'transport', 'aria-label': 'Time' },
-    h('div', { class: 'transport-buttons' }, play, loopButton, speed.element), timeline,
-    h('div', { class: 'transport-time' }, time, clockMenu));
-
-  const drawButtons = memo(({ play: state, disabled, periodic }: Pick<TransportProps, 'play' | 'disabled' | 'periodic'>) => {
-    const label = state.playing ? 'Pause' : 'Play';
-    setIcon(play, state.playing ? 'pause' : 'play');
-    setAttribute(play, 'aria-label', label);
-    setAttribute(play, 'title', tooltip(label, 'Space'));
-    loop = state.loop;
-    const shown = periodic && loop === 'bounce' ? 'loop' : loop;
-    const words = `${LOOPS[shown].label}; click to change`;
-    setIcon(loopButton, LOOPS[shown].icon);
-    setAttribute(loopButton, 'aria-label', words);
-    setAttribute(loopButton, 'title', tooltip(words, 'L'));
-    setAttribute(loopButton, 'data-loop', shown);
-    speed.update(String(state.speed));
-    for (const control of [play, loopButton, time]) control.disabled = disabled;
+  const time = numberField({
+    label: 'Time; type a number to go there',
+    testId: 'time',
+    onInput: (value) => events.onSeek(fps === null ? value : value / fps),
   });
+  time.classList.add('time');
+  const element = h(
+    'section',
+    { class: 'transport', 'aria-label': 'Time' },
+    h('div', { class: 'transport-buttons' }, play, loopButton, speed.element),
+    timeline,
+    h('div', { class: 'transport-time' }, time, clockMenu),
+  );
+
+  const drawButtons = memo(
+    ({ play: state, disabled, periodic }: Pick<TransportProps, 'play' | 'disabled' | 'periodic'>) => {
+      const label = state.playing ? 'Pause' : 'Play';
+      setIcon(play, state.playing ? 'pause' : 'play');
+      setAttribute(play, 'aria-label', label);
+      setAttribute(play, 'title', tooltip(label, 'Space'));
+      loop = state.loop;
+      const shown = periodic && loop === 'bounce' ? 'loop' : loop;
+      const words = `${LOOPS[shown].label}; click to change`;
+      setIcon(loopButton, LOOPS[shown].icon);
+      setAttribute(loopButton, 'aria-label', words);
+      setAttribute(loopButton, 'title', tooltip(words, 'L'));
+      setAttribute(loopButton, 'data-loop', shown);
+      speed.update(String(state.speed));
+      for (const control of [play, loopButton, time]) control.disabled = disabled;
+    },
+  );
 
   return {
     element,
@@ -72,8 +101,18 @@ export function createTransport(timeline: HTMLElement, clockMenu: HTMLElement, e
       drawButtons({ play: props.play, disabled: props.disabled, periodic: props.periodic });
       ({ fps } = props.play);
       setField(time, formatMoment(props.time, props.range, fps));
-      setAttribute(time, 'aria-label', fps === null ? 'Time; type a number to go there' : 'Frame; type a number to go there');
-      setAttribute(time, 'title', fps === null ? 'Time; type a number to go there' : `Frame, at time ${formatMoment(props.time, props.range, null)}; type a number to go there`);
+      setAttribute(
+        time,
+        'aria-label',
+        fps === null ? 'Time; type a number to go there' : 'Frame; type a number to go there',
+      );
+      setAttribute(
+        time,
+        'title',
+        fps === null
+          ? 'Time; type a number to go there'
+          : `Frame, at time ${formatMoment(props.time, props.range, null)}; type a number to go there`,
+      );
       setAttribute(time, 'step', fps === null ? stepFor(props.range) : 1);
     },
   };

@@ -19,28 +19,77 @@ export interface ViewBarEvents {
   onView(change: Partial<View>): void;
 }
 
-export function createViewBar(events: ViewBarEvents): { element: HTMLElement; toggleLook(): void; update(props: ViewBarProps): void } {
-  const colouring = segments<Colouring>('Colour', 'colouring', [
-    { value: 'phase', label: 'Time', hint: 'Blue at a key, green between, yellow beyond the ends' },
-    { value: 'texture', label: 'Texture', hint: 'As the file has it' },
-    { value: 'patches', label: 'Patches', hint: 'The pieces that turn as one' },
-  ], (value) => events.onView({ colouring: value }));
-  const shading = segments<View['shading']>('Shading', 'shading', [
-    { value: 'smooth', label: 'Smooth' }, { value: 'flat', label: 'Flat' },
-  ], (value) => events.onView({ shading: value }));
+export function createViewBar(events: ViewBarEvents): {
+  element: HTMLElement;
+  toggleLook(): void;
+  update(props: ViewBarProps): void;
+} {
+  const colouring = segments<Colouring>(
+    'Colour',
+    'colouring',
+    [
+      { value: 'phase', label: 'Time', hint: 'Blue at a key, green between, yellow beyond the ends' },
+      { value: 'texture', label: 'Texture', hint: 'As the file has it' },
+      { value: 'patches', label: 'Patches', hint: 'The pieces that turn as one' },
+    ],
+    (value) => events.onView({ colouring: value }),
+  );
+  const shading = segments<View['shading']>(
+    'Shading',
+    'shading',
+    [
+      { value: 'smooth', label: 'Smooth' },
+      { value: 'flat', label: 'Flat' },
+    ],
+    (value) => events.onView({ shading: value }),
+  );
   const wireframe = checkbox('Wireframe', 'wireframe', (on) => events.onView({ wireframe: on }), 'W');
   const floor = checkbox('Floor', 'floor', (on) => events.onView({ floor: on }), 'G');
   const onion = checkbox('Onion skin', 'onion', (on) => events.onView({ onion: on, film: false }), 'O');
   const film = checkbox('Film strip', 'film', (on) => events.onView({ film: on, onion: false }), 'I');
-  const look = h('div', { class: 'card popover', id: 'look', 'data-testid': 'look', hidden: true },
-    colouring.element, shading.element, h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element));
-  const toggle = button({ label: 'Look', testId: 'look-toggle', icon: 'eye', text: 'Look', shortcut: 'V', kind: 'plain', onClick: () => toggleLook() });
-  const view = (name: ViewName, label: string, key: string): HTMLButtonElement => button({
-    label: `${label} view`, testId: `view-${name}`, text: label, shortcut: key, kind: 'plain', onClick: () => events.onFit(name),
+  const look = h(
+    'div',
+    { class: 'card popover', id: 'look', 'data-testid': 'look', hidden: true },
+    colouring.element,
+    shading.element,
+    h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element),
+  );
+  const toggle = button({
+    label: 'Look',
+    testId: 'look-toggle',
+    icon: 'eye',
+    text: 'Look',
+    shortcut: 'V',
+    kind: 'plain',
+    onClick: () => toggleLook(),
   });
-  const fit = button({ label: 'Fit the shape into view', testId: 'fit', icon: 'fit', text: 'Fit', shortcut: 'F', kind: 'plain', onClick: () => events.onFit(null) });
-  const bar = h('div', { class: 'view-buttons', role: 'toolbar', 'aria-label': 'View' }, fit,
-    view('front', 'Front', '1'), view('top', 'Top', '7'), view('right', 'Right', '3'), toggle);
+  const view = (name: ViewName, label: string, key: string): HTMLButtonElement =>
+    button({
+      label: `${label} view`,
+      testId: `view-${name}`,
+      text: label,
+      shortcut: key,
+      kind: 'plain',
+      onClick: () => events.onFit(name),
+    });
+  const fit = button({
+    label: 'Fit the shape into view',
+    testId: 'fit',
+    icon: 'fit',
+    text: 'Fit',
+    shortcut: 'F',
+    kind: 'plain',
+    onClick: () => events.onFit(null),
+  });
+  const bar = h(
+    'div',
+    { class: 'view-buttons', role: 'toolbar', 'aria-label': 'View' },
+    fit,
+    view('front', 'Front', '1'),
+    view('top', 'Top', '7'),
+    view('right', 'Right', '3'),
+    toggle,
+  );
   const element = h('div', { class: 'view-bar' }, look, bar);
 
   const toggleLook = popover(element, toggle, look);
@@ -69,12 +118,26 @@ export interface LostFaces {
 const SEEN_SHARE = 0.001;
 
 /** Where the moment lies, large enough to read from afar; the colour's meaning in words; a way out where the shape breaks. */
-export function createPhaseLabel(onShowLost: () => void): { element: HTMLElement; update(phase: Phase | null, lost: LostFaces): void } {
+export function createPhaseLabel(onShowLost: () => void): {
+  element: HTMLElement;
+  update(phase: Phase | null, lost: LostFaces): void;
+} {
   const text = h('span', { 'data-testid': 'phase' });
   const lostText = h('span', {});
-  const show = button({ label: 'Show where', testId: 'lost-show', text: 'Show where', kind: 'plain', onClick: onShowLost });
+  const show = button({
+    label: 'Show where',
+    testId: 'lost-show',
+    text: 'Show where',
+    kind: 'plain',
+    onClick: onShowLost,
+  });
   const hint = h('div', { class: 'lost', 'data-testid': 'lost', hidden: true }, lostText, show);
-  const element = h('div', { class: 'phase-corner', hidden: true }, hint, h('div', { class: 'phase' }, h('span', { class: 'dot' }), text));
+  const element = h(
+    'div',
+    { class: 'phase-corner', hidden: true },
+    hint,
+    h('div', { class: 'phase' }, h('span', { class: 'dot' }), text),
+  );
   return {
     element,
     update(phase, lost) {
@@ -111,8 +174,15 @@ export function createTileLabels(): { element: HTMLElement; update(labels: reado
     update(labels) {
       while (element.children.length > labels.length) element.lastElementChild?.remove();
       labels.forEach((label, index) => {
-        const tile = (element.children[index] ?? element.appendChild(
-          h('div', { class: 'tile-label', 'data-testid': `tile-${index}` }, h('strong', {}), h('span', {}, h('span', {}), h('span', { class: 'of' }, ' of the first key'))))) as HTMLElement;
+        const tile = (element.children[index] ??
+          element.appendChild(
+            h(
+              'div',
+              { class: 'tile-label', 'data-testid': `tile-${index}` },
+              h('strong', {}),
+              h('span', {}, h('span', {}), h('span', { class: 'of' }, ' of the first key')),
+            ),
+          )) as HTMLElement;
         setStyle(tile, 'left', `${label.x}px`);
         setStyle(tile, 'top', `${label.y}px`);
         setStyle(tile, 'width', `${label.width}px`);

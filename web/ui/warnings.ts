@@ -29,9 +29,19 @@ export interface WarningsList {
 export function createWarnings(onShow: (index: number | null) => void): WarningsList {
   let opener: HTMLElement | null = null;
   const list = h('ul', { class: 'warning-list' });
-  const closer = button({ label: 'Close', testId: 'warnings-close', icon: 'close', shortcut: 'Esc', onClick: () => close() });
-  const element = h('div', { class: 'card warnings', role: 'dialog', 'data-testid': 'warnings', 'aria-label': 'Warnings', hidden: true },
-    h('header', {}, h('h2', {}, 'Warnings'), closer), list);
+  const closer = button({
+    label: 'Close',
+    testId: 'warnings-close',
+    icon: 'close',
+    shortcut: 'Esc',
+    onClick: () => close(),
+  });
+  const element = h(
+    'div',
+    { class: 'card warnings', role: 'dialog', 'data-testid': 'warnings', 'aria-label': 'Warnings', hidden: true },
+    h('header', {}, h('h2', {}, 'Warnings'), closer),
+    list,
+  );
   element.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape') return;
     event.stopPropagation();
@@ -46,14 +56,26 @@ export function createWarnings(onShow: (index: number | null) => void): Warnings
   };
 
   const drawItems = memo(({ items }: Pick<WarningsProps, 'items'>) => {
-    list.replaceChildren(...items.map((item, index) => h('li', { 'data-code': item.code }, icon('warning'),
-      h('p', {}, item.where && h('strong', {}, `${item.where}. `), item.message), item.shows && showButton(index, item.where))));
+    list.replaceChildren(
+      ...items.map((item, index) =>
+        h(
+          'li',
+          { 'data-code': item.code },
+          icon('warning'),
+          h('p', {}, item.where && h('strong', {}, `${item.where}. `), item.message),
+          item.shows && showButton(index, item.where),
+        ),
+      ),
+    );
     if (items.length === 0) close();
   });
 
   const showButton = (index: number, where: string): HTMLButtonElement => {
     const show = button({
-      label: where ? `Show it: ${where}` : 'Show it', testId: `warning-${index}-show`, text: 'Show', kind: 'plain',
+      label: where ? `Show it: ${where}` : 'Show it',
+      testId: `warning-${index}-show`,
+      text: 'Show',
+      kind: 'plain',
       onClick: () => onShow(show.getAttribute('aria-pressed') === 'true' ? null : index),
     });
     setAttribute(show, 'aria-pressed', 'false');
@@ -71,7 +93,8 @@ export function createWarnings(onShow: (index: number | null) => void): Warnings
     update({ items, shown }) {
       drawItems({ items });
       const pressed = `warning-${shown}-show`;
-      for (const show of list.querySelectorAll('button')) setAttribute(show, 'aria-pressed', String(show.dataset['testid'] === pressed));
+      for (const show of list.querySelectorAll('button'))
+        setAttribute(show, 'aria-pressed', String(show.dataset['testid'] === pressed));
     },
   };
 }

@@ -31,7 +31,11 @@ export class CameraRig {
   private insets: Insets = NO_INSETS;
   private turn = 0;
 
-  constructor(element: HTMLElement, private readonly onChange: () => void, private readonly onUserMove: () => void) {
+  constructor(
+    element: HTMLElement,
+    private readonly onChange: () => void,
+    private readonly onUserMove: () => void,
+  ) {
     this.controls = new OrbitControls(this.camera, element);
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
@@ -108,7 +112,9 @@ export class CameraRig {
 
   /** Moves eye and target by shares of the shape's size. */
   pan(right: number, up: number): void {
-    const shift = new Vector3().setFromMatrixColumn(this.camera.matrix, 0).multiplyScalar(right * this.radius)
+    const shift = new Vector3()
+      .setFromMatrixColumn(this.camera.matrix, 0)
+      .multiplyScalar(right * this.radius)
       .addScaledVector(new Vector3().setFromMatrixColumn(this.camera.matrix, 1), up * this.radius);
     this.target.add(shift);
     this.moveTo(this.camera.position.clone().add(shift));
@@ -156,13 +162,20 @@ export class CameraRig {
     const x = extent(this.points, right);
     const y = extent(this.points, up);
     const z = extent(this.points, direction);
-    const target = new Vector3().addScaledVector(right, mid(x)).addScaledVector(up, mid(y)).addScaledVector(direction, mid(z));
+    const target = new Vector3()
+      .addScaledVector(right, mid(x))
+      .addScaledVector(up, mid(y))
+      .addScaledVector(direction, mid(z));
     let distance = 0.1 * this.radius;
     const point = new Vector3();
     for (let i = 0; i + 2 < this.points.length; i += 3) {
       point.fromArray(this.points, i).sub(target);
       const depth = point.dot(direction);
-      distance = Math.max(distance, depth + Math.abs(point.dot(right)) / horizontal, depth + Math.abs(point.dot(up)) / vertical);
+      distance = Math.max(
+        distance,
+        depth + Math.abs(point.dot(right)) / horizontal,
+        depth + Math.abs(point.dot(up)) / vertical,
+      );
     }
     return { position: target.clone().addScaledVector(direction, distance).toArray(), target: target.toArray() };
   }
@@ -180,7 +193,10 @@ export class CameraRig {
       const eased = share * share * (3 - 2 * share);
       this.target.lerpVectors(fromTarget, toTarget, eased);
       const offset = new Spherical(
-        from.radius + (to.radius - from.radius) * eased, from.phi + (to.phi - from.phi) * eased, from.theta + turn * eased);
+        from.radius + (to.radius - from.radius) * eased,
+        from.phi + (to.phi - from.phi) * eased,
+        from.theta + turn * eased,
+      );
       this.camera.position.setFromSpherical(offset).add(this.target);
       this.controls.update();
       this.onChange();

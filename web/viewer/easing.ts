@@ -15,9 +15,17 @@ export class Easing {
   install(material: Material): void {
     material.onBeforeCompile = (shader) => {
       shader.uniforms['easing'] = this.uniform;
-      shader.vertexShader = ATTRIBUTES + shader.vertexShader
-        .replace('#include <beginnormal_vertex>', '#include <beginnormal_vertex>\nobjectNormal = mix(fromNormal, objectNormal, easing);')
-        .replace('#include <begin_vertex>', '#include <begin_vertex>\ntransformed = mix(fromPosition, transformed, easing);');
+      shader.vertexShader =
+        ATTRIBUTES +
+        shader.vertexShader
+          .replace(
+            '#include <beginnormal_vertex>',
+            '#include <beginnormal_vertex>\nobjectNormal = mix(fromNormal, objectNormal, easing);',
+          )
+          .replace(
+            '#include <begin_vertex>',
+            '#include <begin_vertex>\ntransformed = mix(fromPosition, transformed, easing);',
+          );
     };
   }
 }

@@ -1,7 +1,16 @@
 /** The ghost mesh: its wireframe over the shape, or itself beside the shape with lines to the vertices it stands for. */
 import {
-  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial,
-  Points, PointsMaterial,
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  DynamicDrawUsage,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshStandardMaterial,
+  Points,
+  PointsMaterial,
 } from 'three';
 import type { Material, Object3D } from 'three';
 import type { GhostPicture } from './types.ts';
@@ -21,7 +30,13 @@ export class GhostView {
   private readonly link = new LineBasicMaterial({ transparent: true, opacity: 0.8 });
   private readonly dot = new PointsMaterial({ size: 4, sizeAttenuation: false });
   private readonly clay = new MeshStandardMaterial({
-    color: 0x9aa3ad, roughness: 0.75, flatShading: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    color: 0x9aa3ad,
+    roughness: 0.75,
+    flatShading: true,
+    side: DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
   });
   private readonly overlay: Object3D;
   private readonly beside = new Group();
@@ -42,7 +57,9 @@ export class GhostView {
     const ends = new BufferGeometry().setAttribute('position', this.linkEnds);
     this.lines.add(new LineSegments(ends, this.link), new Points(ends, this.dot));
     this.object.add(this.overlay, this.beside, this.lines);
-    this.object.traverse((part) => { part.frustumCulled = false; });
+    this.object.traverse((part) => {
+      part.frustumCulled = false;
+    });
   }
 
   fits({ faces }: GhostPicture): boolean {
@@ -62,14 +79,26 @@ export class GhostView {
     const ends = this.linkEnds.array as Float32Array;
     this.links.forEach((g, index) => {
       const v = 3 * vertexOf[g]!;
-      ends.set([positions[3 * g]! + offset, positions[3 * g + 1]!, positions[3 * g + 2]!, shape[v]!, shape[v + 1]!, shape[v + 2]!], 6 * index);
+      ends.set(
+        [
+          positions[3 * g]! + offset,
+          positions[3 * g + 1]!,
+          positions[3 * g + 2]!,
+          shape[v]!,
+          shape[v + 1]!,
+          shape[v + 2]!,
+        ],
+        6 * index,
+      );
     });
     this.linkEnds.needsUpdate = true;
   }
 
   dispose(): void {
     this.object.removeFromParent();
-    this.object.traverse((part) => { (part as Partial<Mesh>).geometry?.dispose(); });
+    this.object.traverse((part) => {
+      (part as Partial<Mesh>).geometry?.dispose();
+    });
     for (const material of [this.wire, this.link, this.dot, this.clay]) material.dispose();
   }
 
@@ -85,8 +114,10 @@ function dynamic(vertices: number): BufferAttribute {
 /** Scaling a point towards the eye moves it forward without moving it on the screen. */
 function bringForward(material: Material): void {
   material.onBeforeCompile = (shader) => {
-    shader.vertexShader = shader.vertexShader.replace('#include <project_vertex>',
-      `#include <project_vertex>\ngl_Position = projectionMatrix * vec4(mvPosition.xyz * ${(1 - FORWARD).toFixed(4)}, 1.0);`);
+    shader.vertexShader = shader.vertexShader.replace(
+      '#include <project_vertex>',
+      `#include <project_vertex>\ngl_Position = projectionMatrix * vec4(mvPosition.xyz * ${(1 - FORWARD).toFixed(4)}, 1.0);`,
+    );
   };
 }
 
@@ -112,7 +143,11 @@ function spread(positions: Float32Array, wanted: number): Uint32Array {
     const last = 3 * chosen[k - 1]!;
     let farthest = 0;
     for (let v = 0; v < count; v += 1) {
-      const [dx, dy, dz] = [positions[3 * v]! - positions[last]!, positions[3 * v + 1]! - positions[last + 1]!, positions[3 * v + 2]! - positions[last + 2]!];
+      const [dx, dy, dz] = [
+        positions[3 * v]! - positions[last]!,
+        positions[3 * v + 1]! - positions[last + 1]!,
+        positions[3 * v + 2]! - positions[last + 2]!,
+      ];
       distance[v] = Math.min(distance[v]!, dx * dx + dy * dy + dz * dz);
       if (distance[v]! > distance[farthest]!) farthest = v;
     }

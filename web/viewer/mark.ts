@@ -1,5 +1,14 @@
 /** Some faces of a shape in a colour that nothing else has, and faintly where the rest of the shape hides them. */
-import { BufferAttribute, BufferGeometry, DoubleSide, GreaterDepth, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  GreaterDepth,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+} from 'three';
 import type { Easing } from './easing.ts';
 
 /** As --mark of the page; it stands out from blue, green, yellow and grey, on light and dark ground, and from the first in lightness. */
@@ -8,9 +17,20 @@ const COLOUR = 0xd6217e;
 export class Mark {
   readonly object = new Group();
   private readonly geometry = new BufferGeometry();
-  private readonly seen = new MeshStandardMaterial({ color: COLOUR, emissive: COLOUR, emissiveIntensity: 0.3, roughness: 0.62, side: DoubleSide });
+  private readonly seen = new MeshStandardMaterial({
+    color: COLOUR,
+    emissive: COLOUR,
+    emissiveIntensity: 0.3,
+    roughness: 0.62,
+    side: DoubleSide,
+  });
   private readonly hidden = new MeshBasicMaterial({
-    color: COLOUR, side: DoubleSide, transparent: true, opacity: 0.55, depthFunc: GreaterDepth, depthWrite: false,
+    color: COLOUR,
+    side: DoubleSide,
+    transparent: true,
+    opacity: 0.55,
+    depthFunc: GreaterDepth,
+    depthWrite: false,
   });
 
   /** index: 3 drawn vertices a face. */

@@ -1,6 +1,13 @@
 /** One drawn shape: buffers that every frame is copied into, and the materials of the ways to look at it. */
 import {
-  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial,
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  DynamicDrawUsage,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
 } from 'three';
 import type { Material as ThreeMaterial, Texture } from 'three';
 import type { Material } from '../engine/api/types.ts';
@@ -27,7 +34,12 @@ export class Shape {
   /** What is eased from; made when it is first needed. */
   private before: { position: BufferAttribute; normal: BufferAttribute } | null = null;
   private readonly plain = new MeshStandardMaterial({
-    roughness: 0.62, metalness: 0, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    roughness: 0.62,
+    metalness: 0,
+    side: DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
   });
   private readonly lines = new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 });
   private textured: MeshStandardMaterial[] = [];
@@ -47,7 +59,8 @@ export class Shape {
     this.geometry.setAttribute('position', this.position);
     this.geometry.setAttribute('normal', this.normal);
     if (topology.uv) this.geometry.setAttribute('uv', topology.uv);
-    for (const [index, group] of topology.groups.entries()) this.geometry.addGroup(group.start * 3, group.count * 3, index);
+    for (const [index, group] of topology.groups.entries())
+      this.geometry.addGroup(group.start * 3, group.count * 3, index);
     this.mesh = new Mesh(this.geometry, this.plain);
     this.wire = new Mesh(this.geometry, this.lines);
     this.mesh.castShadow = true;
@@ -108,7 +121,9 @@ export class Shape {
 
   setLook(look: Look): void {
     const textured = look.colouring === 'texture' && !this.heatColours;
-    const colours = textured ? this.topology.tint : this.heatColours ?? (look.colouring === 'patches' ? this.patchColours : null);
+    const colours = textured
+      ? this.topology.tint
+      : (this.heatColours ?? (look.colouring === 'patches' ? this.patchColours : null));
     this.setVertexColours(colours);
     this.setShading(this.plain, look.shading, colours !== null);
     if (textured) this.mesh.material = this.texturedMaterials(look);
@@ -142,7 +157,11 @@ export class Shape {
     const present = this.geometry.getAttribute('color') as BufferAttribute | undefined;
     if (!colours) this.geometry.deleteAttribute('color');
     else if (present) this.fill(present, colours);
-    else this.geometry.setAttribute('color', this.fill(new BufferAttribute(new Float32Array(3 * this.position.count), 3), colours));
+    else
+      this.geometry.setAttribute(
+        'color',
+        this.fill(new BufferAttribute(new Float32Array(3 * this.position.count), 3), colours),
+      );
   }
 
   /** Copies 3 numbers a vertex into an attribute, and once more for every copy of a vertex at a seam. */
@@ -170,7 +189,8 @@ export class Shape {
       for (const material of this.textured) material.dispose();
       this.texturedBy = this.topology.textures;
       this.textured = this.topology.groups.map((group) =>
-        texturedMaterial(this.topology.materials[group.material], this.topology.textures[group.material]));
+        texturedMaterial(this.topology.materials[group.material], this.topology.textures[group.material]),
+      );
       for (const material of this.textured) this.easing.install(material);
     }
     for (const material of this.textured) this.setShading(material, look.shading, this.topology.tint !== null);
@@ -184,7 +204,12 @@ function dynamic(vertices: number): BufferAttribute {
 
 function texturedMaterial(material: Material | undefined, map: Texture | null | undefined): MeshStandardMaterial {
   const result = new MeshStandardMaterial({
-    side: DoubleSide, roughness: 0.8, metalness: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    side: DoubleSide,
+    roughness: 0.8,
+    metalness: 0,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
   });
   if (!material) return result;
   const [red, green, blue, alpha] = material.baseColor;

@@ -1,6 +1,14 @@
 /** Light and ground: a soft three-point light without image files, a floor that only shows shadow, a grid that fades. */
 import {
-  Color, DirectionalLight, Group, HemisphereLight, Mesh, PlaneGeometry, ShaderMaterial, ShadowMaterial, Vector3,
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Mesh,
+  PlaneGeometry,
+  ShaderMaterial,
+  ShadowMaterial,
+  Vector3,
 } from 'three';
 import type { PerspectiveCamera } from 'three';
 
@@ -32,7 +40,16 @@ export class Stage {
     lines.renderOrder = -2;
     ground.renderOrder = -1;
     this.floor.add(lines, ground);
-    this.object.add(this.sky, this.key, this.key.target, this.fill, this.fill.target, this.rim, this.rim.target, this.floor);
+    this.object.add(
+      this.sky,
+      this.key,
+      this.key.target,
+      this.fill,
+      this.fill.target,
+      this.rim,
+      this.rim.target,
+      this.floor,
+    );
   }
 
   /** Puts lights and floor around the shape; everything scales with it. */
@@ -60,7 +77,11 @@ export class Stage {
     const side = new Vector3().crossVectors(camera.up, toEye);
     this.fill.position.copy(target).add(toEye).addScaledVector(side, -0.9);
     this.fill.target.position.copy(target);
-    this.rim.position.copy(target).addScaledVector(toEye, -0.8).addScaledVector(camera.up, toEye.length() * 0.9).addScaledVector(side, 0.4);
+    this.rim.position
+      .copy(target)
+      .addScaledVector(toEye, -0.8)
+      .addScaledVector(camera.up, toEye.length() * 0.9)
+      .addScaledVector(side, 0.4);
     this.rim.target.position.copy(target);
   }
 

@@ -1,7 +1,16 @@
 /** Encoded images of the file -> textures of its materials. An image that the browser cannot decode is left out. */
 import {
-  ClampToEdgeWrapping, LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, MirroredRepeatWrapping, NearestFilter,
-  NearestMipmapLinearFilter, NearestMipmapNearestFilter, RepeatWrapping, SRGBColorSpace, Texture,
+  ClampToEdgeWrapping,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  LinearMipmapNearestFilter,
+  MirroredRepeatWrapping,
+  NearestFilter,
+  NearestMipmapLinearFilter,
+  NearestMipmapNearestFilter,
+  RepeatWrapping,
+  SRGBColorSpace,
+  Texture,
 } from 'three';
 import type { MagnificationTextureFilter, MinificationTextureFilter } from 'three';
 import type { Material, TextureImage } from '../engine/api/types.ts';
@@ -11,12 +20,19 @@ const WRAPPINGS = { repeat: RepeatWrapping, clamp: ClampToEdgeWrapping, mirror: 
 /** glTF's numbers, which are OpenGL's. */
 const MAG_FILTERS: Record<number, MagnificationTextureFilter> = { 9728: NearestFilter, 9729: LinearFilter };
 const MIN_FILTERS: Record<number, MinificationTextureFilter> = {
-  9728: NearestFilter, 9729: LinearFilter, 9984: NearestMipmapNearestFilter, 9985: LinearMipmapNearestFilter,
-  9986: NearestMipmapLinearFilter, 9987: LinearMipmapLinearFilter,
+  9728: NearestFilter,
+  9729: LinearFilter,
+  9984: NearestMipmapNearestFilter,
+  9985: LinearMipmapNearestFilter,
+  9986: NearestMipmapLinearFilter,
+  9987: LinearMipmapLinearFilter,
 };
 
 /** The texture that colours each material, or null. Materials that sample an image in the same way share it. */
-export async function decodeTextures(images: readonly TextureImage[], materials: readonly Material[]): Promise<(Texture | null)[]> {
+export async function decodeTextures(
+  images: readonly TextureImage[],
+  materials: readonly Material[],
+): Promise<(Texture | null)[]> {
   const decoded: (Texture | null)[] = [];
   // One after the other: while it is decoded an image takes more memory than later.
   for (const image of images) decoded.push(image.scale > 0 ? await decode(image).catch(() => null) : null);
@@ -44,7 +60,10 @@ async function decode({ bytes, mimeType, scale }: TextureImage): Promise<Texture
 }
 
 async function smaller(bitmap: ImageBitmap, scale: number): Promise<ImageBitmap> {
-  const size = { resizeWidth: Math.max(Math.round(bitmap.width * scale), 1), resizeHeight: Math.max(Math.round(bitmap.height * scale), 1) };
+  const size = {
+    resizeWidth: Math.max(Math.round(bitmap.width * scale), 1),
+    resizeHeight: Math.max(Math.round(bitmap.height * scale), 1),
+  };
   const small = await createImageBitmap(bitmap, { ...size, resizeQuality: 'medium' });
   bitmap.close();
   return small;

@@ -7,7 +7,7 @@ export function tiles(count: number, width: number, height: number): Rect[] {
   let best = Infinity;
   for (let candidate = 1; candidate <= count; candidate += 1) {
     const rows = Math.ceil(count / candidate);
-    const shape = Math.abs(Math.log((width / candidate) / (height / rows))) + (rows * candidate - count) * 0.5;
+    const shape = Math.abs(Math.log(width / candidate / (height / rows))) + (rows * candidate - count) * 0.5;
     if (shape < best) {
       best = shape;
       columns = candidate;

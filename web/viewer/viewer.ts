@@ -1,7 +1,5 @@
 /** The picture: shapes in one to four views with one camera, drawn only when something changed. */
-import {
-  BufferAttribute, NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer,
-} from 'three';
+import { BufferAttribute, NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
 import { CameraRig, NO_INSETS } from './camera.ts';
 import type { Insets } from './camera.ts';
 import { GhostView } from './ghost.ts';
@@ -52,7 +50,10 @@ export class Viewer {
   private readonly resize: ResizeObserver;
 
   /** Throws where the browser has no WebGL 2. */
-  constructor(private readonly host: HTMLElement, private readonly events: ViewerEvents) {
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly events: ViewerEvents,
+  ) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.toneMapping = NoToneMapping;
     this.renderer.shadowMap.enabled = true;
@@ -62,7 +63,11 @@ export class Viewer {
     this.canvas = this.renderer.domElement;
     host.append(this.canvas);
     this.scene.add(this.stage.object);
-    this.rig = new CameraRig(this.canvas, () => this.invalidate(), () => events.onCamera(this.rig.pose()));
+    this.rig = new CameraRig(
+      this.canvas,
+      () => this.invalidate(),
+      () => events.onCamera(this.rig.pose()),
+    );
     this.canvas.addEventListener('webglcontextlost', () => events.onContextLost());
     this.canvas.addEventListener('webglcontextrestored', () => {
       events.onContextRestored();
@@ -70,7 +75,10 @@ export class Viewer {
       this.draw();
       this.invalidate();
     });
-    this.resize = new ResizeObserver(() => { this.fitCanvas(); events.onResize(); });
+    this.resize = new ResizeObserver(() => {
+      this.fitCanvas();
+      events.onResize();
+    });
     this.resize.observe(host);
     this.fitCanvas();
   }
@@ -165,7 +173,9 @@ export class Viewer {
   setMark(faces: readonly number[] | null): void {
     const corners = this.topology?.index.array;
     if (!corners) return;
-    const index = faces && Uint32Array.from({ length: 3 * faces.length }, (_, i) => corners[3 * faces[Math.floor(i / 3)]! + (i % 3)]!);
+    const index =
+      faces &&
+      Uint32Array.from({ length: 3 * faces.length }, (_, i) => corners[3 * faces[Math.floor(i / 3)]! + (i % 3)]!);
     this.shapes[0]?.setMark(index);
     this.invalidate();
   }
@@ -253,7 +263,11 @@ export class Viewer {
 
   /** The parts of the canvas that the views take, in CSS pixels. */
   rects(): Rect[] {
-    return tiles(Math.max(this.shapes.length, 1), Math.max(this.host.clientWidth, 1), Math.max(this.host.clientHeight, 1));
+    return tiles(
+      Math.max(this.shapes.length, 1),
+      Math.max(this.host.clientWidth, 1),
+      Math.max(this.host.clientHeight, 1),
+    );
   }
 
   invalidate(): void {
@@ -369,10 +383,14 @@ export class Viewer {
       for (const extra of this.extras) extra.object.visible = view === 0;
       const hidden = this.hideShapes && view === 0;
       if (this.ghost) this.ghost.object.visible = view === 0 && !hidden;
-      this.shapes.forEach((shape, index) => { shape.object.visible = visible[index]! && index === view && !hidden; });
+      this.shapes.forEach((shape, index) => {
+        shape.object.visible = visible[index]! && index === view && !hidden;
+      });
       this.renderOne(rect);
     });
-    this.shapes.forEach((shape, index) => { shape.object.visible = visible[index]!; });
+    this.shapes.forEach((shape, index) => {
+      shape.object.visible = visible[index]!;
+    });
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();
@@ -435,6 +453,18 @@ function cut(source: HTMLCanvasElement, width: number, height: number, ratio: nu
   const canvas = document.createElement('canvas');
   canvas.width = Math.round(width * ratio);
   canvas.height = Math.round(height * ratio);
-  canvas.getContext('2d')?.drawImage(source, 0, source.height - canvas.height, canvas.width, canvas.height, 0, 0, canvas.width, canvas.height);
+  canvas
+    .getContext('2d')
+    ?.drawImage(
+      source,
+      0,
+      source.height - canvas.height,
+      canvas.width,
+      canvas.height,
+      0,
+      0,
+      canvas.width,
+      canvas.height,
+    );
   return canvas.toDataURL('image/png');
 }

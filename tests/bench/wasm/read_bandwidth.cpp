@@ -29,5 +29,4 @@ __attribute__((export_name("readAll"))) float readAll() {
   return wasm_f32x4_extract_lane(sum, 0) + wasm_f32x4_extract_lane(sum, 1) + wasm_f32x4_extract_lane(sum, 2) +
          wasm_f32x4_extract_lane(sum, 3);
 }
-
 }

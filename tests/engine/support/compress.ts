@@ -9,19 +9,22 @@ type Prepare = (document: Document, io: WebIO) => Promise<void>;
 
 function compressed(files: InputFile[], prepare: Prepare): Promise<InputFile[]> {
   const io = new WebIO();
-  return Promise.all(files.map(async ({ name, bytes }) => {
-    const document = await io.readBinary(bytes as Uint8Array<ArrayBuffer>);
-    await prepare(document, io);
-    return { name, bytes: await io.writeBinary(document) };
-  }));
+  return Promise.all(
+    files.map(async ({ name, bytes }) => {
+      const document = await io.readBinary(bytes as Uint8Array<ArrayBuffer>);
+      await prepare(document, io);
+      return { name, bytes: await io.writeBinary(document) };
+    }),
+  );
 }
 
-export const meshopt = (files: InputFile[]): Promise<InputFile[]> => compressed(files, async (document, io) => {
-  await MeshoptEncoder.ready;
-  io.registerExtensions([EXTMeshoptCompression]).registerDependencies({ 'meshopt.encoder': MeshoptEncoder });
-  const { QUANTIZE } = EXTMeshoptCompression.EncoderMethod;
-  document.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method: QUANTIZE });
-});
+export const meshopt = (files: InputFile[]): Promise<InputFile[]> =>
+  compressed(files, async (document, io) => {
+    await MeshoptEncoder.ready;
+    io.registerExtensions([EXTMeshoptCompression]).registerDependencies({ 'meshopt.encoder': MeshoptEncoder });
+    const { QUANTIZE } = EXTMeshoptCompression.EncoderMethod;
+    document.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method: QUANTIZE });
+  });
 
 /** Positions as normalised 16-bit integers under a node that scales them back (KHR_mesh_quantization). */
 export async function quantised(file: InputFile): Promise<InputFile> {
@@ -30,17 +33,28 @@ export async function quantised(file: InputFile): Promise<InputFile> {
   document.createExtension(KHRMeshQuantization).setRequired(true);
   for (const node of document.getRoot().listNodes()) node.setScale([16, 16, 16]);
   const done = new Set<Accessor>();
-  for (const primitive of document.getRoot().listMeshes().flatMap((mesh) => mesh.listPrimitives())) {
+  for (const primitive of document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh) => mesh.listPrimitives())) {
     for (const accessor of [primitive, ...primitive.listTargets()].map((part) => part.getAttribute('POSITION')!)) {
       if (done.has(accessor)) continue;
       done.add(accessor);
-      accessor.setArray(Int16Array.from(accessor.getArray() as unknown as number[], (value) => Math.round((value / 16) * 32767))).setNormalized(true);
+      accessor
+        .setArray(
+          Int16Array.from(accessor.getArray() as unknown as number[], (value) => Math.round((value / 16) * 32767)),
+        )
+        .setNormalized(true);
     }
   }
   return { name: file.name, bytes: await io.writeBinary(document) };
 }
 
-export const draco = (files: InputFile[]): Promise<InputFile[]> => compressed(files, async (document, io) => {
-  io.registerExtensions([KHRDracoMeshCompression]).registerDependencies({ 'draco3d.encoder': await createEncoder() });
-  document.createExtension(KHRDracoMeshCompression).setRequired(true).setEncoderOptions({ quantizationBits: { POSITION: 16 } });
-});
+export const draco = (files: InputFile[]): Promise<InputFile[]> =>
+  compressed(files, async (document, io) => {
+    io.registerExtensions([KHRDracoMeshCompression]).registerDependencies({ 'draco3d.encoder': await createEncoder() });
+    document
+      .createExtension(KHRDracoMeshCompression)
+      .setRequired(true)
+      .setEncoderOptions({ quantizationBits: { POSITION: 16 } });
+  });

@@ -16,7 +16,9 @@ export interface LocalCore {
 }
 
 export async function localCore(): Promise<LocalCore> {
-  compiled ??= readFile(new URL('../../../build/wasm/shapespline.wasm', import.meta.url)).then((bytes) => WebAssembly.compile(bytes));
+  compiled ??= readFile(new URL('../../../build/wasm/shapespline.wasm', import.meta.url)).then((bytes) =>
+    WebAssembly.compile(bytes),
+  );
   let module: WasmModule | null = null;
   const core = await WasmCore.start(async (settings) => (module = await createWasm(settings)), await compiled);
   return { core, module: module as unknown as WasmModule };

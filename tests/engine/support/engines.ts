@@ -31,7 +31,10 @@ export async function bendKeys(engine: Engine, mesh = bar()): Promise<Bend> {
   return { mesh, poses, keys: await engine.importKeyframes(poseFiles(mesh, poses)) };
 }
 
-export async function bendSequence(engine: Engine, options?: Partial<SequenceOptions>): Promise<Bend & { sequence: Sequence }> {
+export async function bendSequence(
+  engine: Engine,
+  options?: Partial<SequenceOptions>,
+): Promise<Bend & { sequence: Sequence }> {
   const bend = await bendKeys(engine);
   return { ...bend, sequence: await engine.createSequence(bend.keys, options) };
 }
@@ -45,7 +48,10 @@ export async function frameAt(sequence: Sequence, t: number): Promise<Frame> {
 
 /** What a promise is rejected with, which must be an EngineError. */
 export async function failureOf(work: Promise<unknown>): Promise<EngineError> {
-  const outcome = await work.then(() => 'no error', (error: unknown) => error);
+  const outcome = await work.then(
+    () => 'no error',
+    (error: unknown) => error,
+  );
   expect(outcome).toBeInstanceOf(EngineError);
   return outcome as EngineError;
 }

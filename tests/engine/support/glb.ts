@@ -12,7 +12,12 @@ interface Builder {
   length: number;
 }
 
-function addAccessor(builder: Builder, array: Float32Array | Uint32Array, type: 'SCALAR' | 'VEC3', bounds: boolean): number {
+function addAccessor(
+  builder: Builder,
+  array: Float32Array | Uint32Array,
+  type: 'SCALAR' | 'VEC3',
+  bounds: boolean,
+): number {
   const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
   builder.views.push({ buffer: 0, byteOffset: builder.length, byteLength: bytes.length });
   builder.parts.push(bytes);
@@ -20,14 +25,19 @@ function addAccessor(builder: Builder, array: Float32Array | Uint32Array, type: 
   const width = type === 'VEC3' ? 3 : 1;
   const column = (c: number): number[] => Array.from(array).filter((_, i) => i % width === c);
   const columns = Array.from({ length: width }, (_, c) => column(c));
-  const extent = { min: columns.map((v) => v.reduce((a, b) => Math.min(a, b))), max: columns.map((v) => v.reduce((a, b) => Math.max(a, b))) };
-  return builder.accessors.push({
-    bufferView: builder.views.length - 1,
-    componentType: array instanceof Float32Array ? FLOAT : UNSIGNED_INT,
-    count: array.length / width,
-    type,
-    ...(bounds ? extent : {}),
-  }) - 1;
+  const extent = {
+    min: columns.map((v) => v.reduce((a, b) => Math.min(a, b))),
+    max: columns.map((v) => v.reduce((a, b) => Math.max(a, b))),
+  };
+  return (
+    builder.accessors.push({
+      bufferView: builder.views.length - 1,
+      componentType: array instanceof Float32Array ? FLOAT : UNSIGNED_INT,
+      count: array.length / width,
+      type,
+      ...(bounds ? extent : {}),
+    }) - 1
+  );
 }
 
 /** JSON and binary chunk -> GLB. */

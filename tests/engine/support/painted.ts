@@ -6,7 +6,8 @@ import { bar, bent, type Mesh } from './shapes.ts';
 const PNG = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==';
 
 /** Every corner its own vertex. */
-const apart = (values: Float32Array, { indices }: Mesh): Float32Array => Float32Array.from(Array.from(indices).flatMap((v) => [...values.subarray(3 * v, 3 * v + 3)]));
+const apart = (values: Float32Array, { indices }: Mesh): Float32Array =>
+  Float32Array.from(Array.from(indices).flatMap((v) => [...values.subarray(3 * v, 3 * v + 3)]));
 
 function faceNormals(corners: Float32Array): Float32Array {
   const normals = new Float32Array(corners.length);
@@ -25,9 +26,13 @@ export async function paintedDocument(): Promise<Document> {
   const document = new Document();
   const buffer = document.createBuffer();
   const mesh = bar(2, 8);
-  const vectors = (array: Float32Array, type: 'VEC3' | 'VEC2' = 'VEC3'): Accessor => document.createAccessor().setArray(array).setType(type).setBuffer(buffer);
+  const vectors = (array: Float32Array, type: 'VEC3' | 'VEC2' = 'VEC3'): Accessor =>
+    document.createAccessor().setArray(array).setType(type).setBuffer(buffer);
   const base = apart(mesh.positions, mesh);
-  const uvs = Float32Array.from({ length: (base.length / 3) * 2 }, (_, i) => base[3 * (i >> 1) + (i % 2) * 2]! * (i % 2 ? 0.1 : 0.8));
+  const uvs = Float32Array.from(
+    { length: (base.length / 3) * 2 },
+    (_, i) => base[3 * (i >> 1) + (i % 2) * 2]! * (i % 2 ? 0.1 : 0.8),
+  );
   const attributes = { POSITION: vectors(base), NORMAL: vectors(faceNormals(base)), TEXCOORD_0: vectors(uvs, 'VEC2') };
   const targets = [40, 80].map((degrees) => {
     const offsets = apart(bent(mesh, degrees), mesh).map((value, i) => value - base[i]!);
@@ -36,15 +41,27 @@ export async function paintedDocument(): Promise<Document> {
   const image = Uint8Array.from(atob(PNG), (character) => character.charCodeAt(0));
   const texture = (name: string) => document.createTexture(name).setImage(image).setMimeType('image/png');
   const materials = [
-    document.createMaterial('skin').setBaseColorTexture(texture('colour')).setNormalTexture(texture('bumps')).setRoughnessFactor(0.4),
-    document.createMaterial('cloth').setBaseColorFactor([0.2, 0.4, 0.6, 0.5]).setAlphaMode('BLEND').setDoubleSided(true),
+    document
+      .createMaterial('skin')
+      .setBaseColorTexture(texture('colour'))
+      .setNormalTexture(texture('bumps'))
+      .setRoughnessFactor(0.4),
+    document
+      .createMaterial('cloth')
+      .setBaseColorFactor([0.2, 0.4, 0.6, 0.5])
+      .setAlphaMode('BLEND')
+      .setDoubleSided(true),
   ];
   const count = base.length / 3;
   const whole = document.createMesh();
   for (const [index, material] of materials.entries()) {
     const start = index === 0 ? 0 : Math.floor(count / 6) * 3;
     const length = index === 0 ? Math.floor(count / 6) * 3 : count - start;
-    const indices = document.createAccessor().setArray(Uint16Array.from({ length }, (_, i) => start + i)).setType('SCALAR').setBuffer(buffer);
+    const indices = document
+      .createAccessor()
+      .setArray(Uint16Array.from({ length }, (_, i) => start + i))
+      .setType('SCALAR')
+      .setBuffer(buffer);
     const primitive = document.createPrimitive().setIndices(indices).setMaterial(material);
     for (const [name, accessor] of Object.entries(attributes)) primitive.setAttribute(name, accessor);
     for (const target of targets) primitive.addTarget(target);

@@ -8,7 +8,12 @@ type Kind = 'LINEAR' | 'STEP' | 'CUBICSPLINE';
 type Type = Parameters<Accessor['setType']>[0];
 
 /** A turn about the x axis as a quaternion. */
-const turn = (degrees: number): number[] => [Math.sin((degrees * Math.PI) / 360), 0, 0, Math.cos((degrees * Math.PI) / 360)];
+const turn = (degrees: number): number[] => [
+  Math.sin((degrees * Math.PI) / 360),
+  0,
+  0,
+  Math.cos((degrees * Math.PI) / 360),
+];
 
 /** Three rows a key for cubic splines: tangents that are no mere zeros, and the value between them. */
 const cubic = (rows: number[][]): number[][] =>
@@ -18,7 +23,11 @@ class Rig {
   readonly document = new Document();
   private readonly buffer = this.document.createBuffer();
 
-  accessor(values: ArrayLike<number>, type: Type, Kind: Float32ArrayConstructor | Uint16ArrayConstructor = Float32Array): Accessor {
+  accessor(
+    values: ArrayLike<number>,
+    type: Type,
+    Kind: Float32ArrayConstructor | Uint16ArrayConstructor = Float32Array,
+  ): Accessor {
     return this.document.createAccessor().setArray(Kind.from(values)).setType(type).setBuffer(this.buffer);
   }
 
@@ -27,9 +36,14 @@ class Rig {
     const types: Record<Path, Type> = { translation: 'VEC3', rotation: 'VEC4', scale: 'VEC3', weights: 'SCALAR' };
     for (const [node, path, kind, times, rows] of channels) {
       const values = (kind === 'CUBICSPLINE' ? cubic(rows) : rows).flat();
-      const sampler = this.document.createAnimationSampler().setInterpolation(kind)
-        .setInput(this.accessor(times, 'SCALAR')).setOutput(this.accessor(values, types[path]));
-      animation.addSampler(sampler).addChannel(this.document.createAnimationChannel().setTargetNode(node).setTargetPath(path).setSampler(sampler));
+      const sampler = this.document
+        .createAnimationSampler()
+        .setInterpolation(kind)
+        .setInput(this.accessor(times, 'SCALAR'))
+        .setOutput(this.accessor(values, types[path]));
+      animation
+        .addSampler(sampler)
+        .addChannel(this.document.createAnimationChannel().setTargetNode(node).setTargetPath(path).setSampler(sampler));
     }
   }
 }
@@ -54,19 +68,54 @@ export async function rigFile(name = 'rig.glb'): Promise<InputFile> {
     return [a, b, 1 - a - b, 0];
   });
   const target = (move: Parameters<typeof moved>[1]): Accessor =>
-    rig.accessor(moved(mesh, move).map((value, i) => value - mesh.positions[i]!), 'VEC3');
-  const body = document.createPrimitive()
-    .setAttribute('POSITION', rig.accessor(mesh.positions, 'VEC3')).setIndices(rig.accessor(mesh.indices, 'SCALAR', Uint16Array))
-    .setAttribute('JOINTS_0', rig.accessor(heights.flatMap(() => [0, 1, 2, 0]), 'VEC4', Uint16Array))
+    rig.accessor(
+      moved(mesh, move).map((value, i) => value - mesh.positions[i]!),
+      'VEC3',
+    );
+  const body = document
+    .createPrimitive()
+    .setAttribute('POSITION', rig.accessor(mesh.positions, 'VEC3'))
+    .setIndices(rig.accessor(mesh.indices, 'SCALAR', Uint16Array))
+    .setAttribute(
+      'JOINTS_0',
+      rig.accessor(
+        heights.flatMap(() => [0, 1, 2, 0]),
+        'VEC4',
+        Uint16Array,
+      ),
+    )
     .setAttribute('WEIGHTS_0', rig.accessor(weights, 'VEC4'))
-    .addTarget(document.createPrimitiveTarget().setAttribute('POSITION', target((x, y, z) => [x * (1 + z / 10), y, z])))
-    .addTarget(document.createPrimitiveTarget().setAttribute('POSITION', target((x, y, z) => [x, y + Math.sin(z), z])));
+    .addTarget(
+      document.createPrimitiveTarget().setAttribute(
+        'POSITION',
+        target((x, y, z) => [x * (1 + z / 10), y, z]),
+      ),
+    )
+    .addTarget(
+      document.createPrimitiveTarget().setAttribute(
+        'POSITION',
+        target((x, y, z) => [x, y + Math.sin(z), z]),
+      ),
+    );
   // Its own transform does not count, because it is skinned.
-  const bodyNode = document.createNode('body').setMesh(document.createMesh().addPrimitive(body).setWeights([0.1, 0])).setSkin(skin).setTranslation([7, 7, 7]);
+  const bodyNode = document
+    .createNode('body')
+    .setMesh(document.createMesh().addPrimitive(body).setWeights([0.1, 0]))
+    .setSkin(skin)
+    .setTranslation([7, 7, 7]);
 
   const box = bar(1, 1, 1);
-  const hat = document.createNode('hat').setTranslation([0, 1, 0]).setMesh(document.createMesh().addPrimitive(document.createPrimitive()
-    .setAttribute('POSITION', rig.accessor(box.positions, 'VEC3')).setIndices(rig.accessor(box.indices, 'SCALAR', Uint16Array))));
+  const hat = document
+    .createNode('hat')
+    .setTranslation([0, 1, 0])
+    .setMesh(
+      document.createMesh().addPrimitive(
+        document
+          .createPrimitive()
+          .setAttribute('POSITION', rig.accessor(box.positions, 'VEC3'))
+          .setIndices(rig.accessor(box.indices, 'SCALAR', Uint16Array)),
+      ),
+    );
   joints[2]!.addChild(hat);
 
   const root = document.createNode('root').setScale([1, 1.5, 1]).addChild(joints[0]!).addChild(bodyNode);
@@ -75,11 +124,49 @@ export async function rigFile(name = 'rig.glb'): Promise<InputFile> {
   rig.animate('everything', [
     [joints[0]!, 'rotation', 'LINEAR', [0, 0.5, 2], [turn(0), turn(50), turn(-70)]],
     [joints[1]!, 'rotation', 'CUBICSPLINE', [0.2, 1, 1.8], [turn(10), turn(80), turn(-30)]],
-    [joints[2]!, 'translation', 'STEP', [0, 0.7, 1.4], [[0, 0, 4], [0, 0.5, 4.5], [0.5, 0, 4]]],
-    [bodyNode, 'weights', 'CUBICSPLINE', [0, 1, 2], [[0, 0.2], [0.8, 0.1], [0.3, 1]]],
-    [hat, 'scale', 'CUBICSPLINE', [0, 2], [[1, 1, 1], [2, 0.5, 1]]],
+    [
+      joints[2]!,
+      'translation',
+      'STEP',
+      [0, 0.7, 1.4],
+      [
+        [0, 0, 4],
+        [0, 0.5, 4.5],
+        [0.5, 0, 4],
+      ],
+    ],
+    [
+      bodyNode,
+      'weights',
+      'CUBICSPLINE',
+      [0, 1, 2],
+      [
+        [0, 0.2],
+        [0.8, 0.1],
+        [0.3, 1],
+      ],
+    ],
+    [
+      hat,
+      'scale',
+      'CUBICSPLINE',
+      [0, 2],
+      [
+        [1, 1, 1],
+        [2, 0.5, 1],
+      ],
+    ],
     [hat, 'rotation', 'STEP', [0, 1], [turn(0), turn(45)]],
-    [root, 'translation', 'LINEAR', [0, 2], [[0, 0, 0], [3, 0, -2]]],
+    [
+      root,
+      'translation',
+      'LINEAR',
+      [0, 2],
+      [
+        [0, 0, 0],
+        [3, 0, -2],
+      ],
+    ],
     [root, 'rotation', 'LINEAR', [0, 1, 2], [turn(0), turn(100), turn(200)]],
   ]);
   rig.animate('nod', [[joints[1]!, 'rotation', 'LINEAR', [0, 1, 3], [turn(0), turn(40), turn(0)]]]);

@@ -39,7 +39,8 @@ export function bar(n = 2, m = 20, length = 10): Mesh {
 
 export function moved({ positions }: Mesh, move: (x: number, y: number, z: number) => Point): Float32Array {
   const result = new Float32Array(positions.length);
-  for (let i = 0; i < positions.length; i += 3) result.set(move(positions[i]!, positions[i + 1]!, positions[i + 2]!), i);
+  for (let i = 0; i < positions.length; i += 3)
+    result.set(move(positions[i]!, positions[i + 1]!, positions[i + 2]!), i);
   return result;
 }
 

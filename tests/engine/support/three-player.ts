@@ -15,8 +15,9 @@ export function withoutImages(bytes: Uint8Array): ArrayBuffer {
   const length = view.getUint32(12, true);
   const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as Record<string, unknown>;
   for (const name of ['images', 'textures', 'materials']) delete json[name];
-  for (const mesh of json.meshes as { primitives: { material?: number }[] }[]) for (const part of mesh.primitives) delete part.material;
-  const text = new TextEncoder().encode(JSON.stringify(json).padEnd(length));  // shorter than before, so the rest stays in its place
+  for (const mesh of json.meshes as { primitives: { material?: number }[] }[])
+    for (const part of mesh.primitives) delete part.material;
+  const text = new TextEncoder().encode(JSON.stringify(json).padEnd(length)); // shorter than before, so the rest stays in its place
   const copy = bytes.slice();
   copy.set(text.subarray(0, length), 20);
   return copy.buffer;
@@ -42,7 +43,10 @@ export async function threePlayer(bytes: Uint8Array): Promise<Player> {
     const point = new Vector3();
     const result = new Float32Array(3 * mesh.geometry.getAttribute('position').count);
     for (let i = 0; i < result.length / 3; ++i) {
-      mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld).toArray(result, 3 * i);
+      mesh
+        .getVertexPosition(i, point)
+        .applyMatrix4(mesh.matrixWorld)
+        .toArray(result, 3 * i);
     }
     return result;
   };

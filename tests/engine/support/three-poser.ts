@@ -28,8 +28,13 @@ export async function threePoser(bytes: Uint8Array, animation = 0): Promise<Pose
     scene.updateMatrixWorld(true);
     const point = new Vector3();
     // getVertexPosition applies morph targets and, for a SkinnedMesh, applyBoneTransform.
-    return Float64Array.from(meshes.flatMap((mesh) => Array.from({ length: mesh.geometry.getAttribute('position').count }, (_, i) =>
-      mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld).toArray()).flat()));
+    return Float64Array.from(
+      meshes.flatMap((mesh) =>
+        Array.from({ length: mesh.geometry.getAttribute('position').count }, (_, i) =>
+          mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld).toArray(),
+        ).flat(),
+      ),
+    );
   };
   return { names: animations.map(({ name }) => name), duration: clip.duration, positionsAt };
 }

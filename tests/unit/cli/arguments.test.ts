@@ -18,7 +18,13 @@ describe('the command line', () => {
   });
 
   it.each([
-    [['--bounday', 'x']], [['-o', 'x']], [['--at']], [['--at', '--report', 'r']], [['--at=']], [['--at=1', '--at=2']], [['--in-place=1']],
+    [['--bounday', 'x']],
+    [['-o', 'x']],
+    [['--at']],
+    [['--at', '--report', 'r']],
+    [['--at=']],
+    [['--at=1', '--at=2']],
+    [['--in-place=1']],
   ])('refuses %j', (words) => {
     expect(() => parse(...words)).toThrow(UsageError);
   });
@@ -42,35 +48,94 @@ describe('the command line', () => {
 
 describe('the values of options', () => {
   it('become options of the engine, keys counted from 0', () => {
-    const args = parse('--reference', '2', '--turns', '2:1,3:-2', '--boundary=hermite', '--start-speed=0', '--period', '1.5', '--in-place');
+    const args = parse(
+      '--reference',
+      '2',
+      '--turns',
+      '2:1,3:-2',
+      '--boundary=hermite',
+      '--start-speed=0',
+      '--period',
+      '1.5',
+      '--in-place',
+    );
     expect(sequenceOptions(args)).toEqual({
-      reference: 1, turns: [{ key: 1, turns: 1 }, { key: 2, turns: -2 }], boundary: 'hermite', startSpeed: 0, period: 1.5, inPlace: true,
+      reference: 1,
+      turns: [
+        { key: 1, turns: 1 },
+        { key: 2, turns: -2 },
+      ],
+      boundary: 'hermite',
+      startSpeed: 0,
+      period: 1.5,
+      inPlace: true,
     });
-    expect(sequenceOptions(parse('--turns', '2:1@3,3:-2'))).toEqual({ turns: [{ key: 1, turns: 1, component: 2 }, { key: 2, turns: -2 }] });
+    expect(sequenceOptions(parse('--turns', '2:1@3,3:-2'))).toEqual({
+      turns: [
+        { key: 1, turns: 1, component: 2 },
+        { key: 2, turns: -2 },
+      ],
+    });
     expect(importOptions(parse('--key-times=0,.4,1e0', '--animation', '0', '--sample', '0,0.2'))).toEqual({
-      keyTimes: [0, 0.4, 1], animation: 0, sample: [0, 0.2],
+      keyTimes: [0, 0.4, 1],
+      animation: 0,
+      sample: [0, 0.2],
     });
     expect(importOptions(parse('--animation', 'Walk', '--sample', '5'))).toEqual({ animation: 'Walk', sample: 5 });
-    expect(exportOptions(parse('--frames', '3', '--range=-0.3:1.3'), 'o.glb')).toEqual({ format: 'glb', frames: 3, range: [-0.3, 1.3] });
+    expect(exportOptions(parse('--frames', '3', '--range=-0.3:1.3'), 'o.glb')).toEqual({
+      format: 'glb',
+      frames: 3,
+      range: [-0.3, 1.3],
+    });
     expect(exportOptions(parse('--at=-0.3,1.3'), 'out/')).toEqual({ format: 'obj', times: [-0.3, 1.3] });
   });
 
   it.each([
-    ['--reference=0'], ['--turns=1:1'], ['--turns=2'], ['--turns=2:1:3'], ['--turns=2:1@0'], ['--turns=2:1@'], ['--turns=2@1'], ['--turns=2:1@1@1'], ['--turns=2:1@a'], ['--period=0'], ['--start-speed=fast'], ['--start-speed=0x10'],
-    ['--stretch=both'], ['--patches=2.5'], ['--ghost-faces=3'], ['--ghost-faces=x'], ['--placement=free'], ['--transfer=none'], ['--tension=1,,2'],
+    ['--reference=0'],
+    ['--turns=1:1'],
+    ['--turns=2'],
+    ['--turns=2:1:3'],
+    ['--turns=2:1@0'],
+    ['--turns=2:1@'],
+    ['--turns=2@1'],
+    ['--turns=2:1@1@1'],
+    ['--turns=2:1@a'],
+    ['--period=0'],
+    ['--start-speed=fast'],
+    ['--start-speed=0x10'],
+    ['--stretch=both'],
+    ['--patches=2.5'],
+    ['--ghost-faces=3'],
+    ['--ghost-faces=x'],
+    ['--placement=free'],
+    ['--transfer=none'],
+    ['--tension=1,,2'],
   ])('of a sequence refuse %s', (word) => {
     expect(() => sequenceOptions(parse(word))).toThrow(UsageError);
   });
 
   it.each([
-    [['--at=1', '--frames=3'], 'o.glb'], [['--frames=1'], 'o.glb'], [['--range=1:1'], 'o.glb'], [['--range=1'], 'o.glb'], [[], 'o.fbx'],
-    [[], 'o.obj'], [['--at=0,1'], 'o.ply'], [['--at=1,x'], 'o.glb'], [['--duration=-1'], 'o.glb'],
+    [['--at=1', '--frames=3'], 'o.glb'],
+    [['--frames=1'], 'o.glb'],
+    [['--range=1:1'], 'o.glb'],
+    [['--range=1'], 'o.glb'],
+    [[], 'o.fbx'],
+    [[], 'o.obj'],
+    [['--at=0,1'], 'o.ply'],
+    [['--at=1,x'], 'o.glb'],
+    [['--duration=-1'], 'o.glb'],
   ])('of an export refuse %j to %s', (words, output) => {
     expect(() => exportOptions(parse(...words), output)).toThrow(UsageError);
   });
 
   it('of a ghost mesh are a number of faces or off', () => {
-    expect(sequenceOptions(parse('--ghost-faces', '500', '--placement=optimal'))).toEqual({ ghostFaces: 500, placement: 'optimal' });
-    expect(sequenceOptions(parse('--ghost-faces', 'off', '--transfer', 'paper'))).toEqual({ ghostFaces: 0, transfer: 'paper' });
+    expect(sequenceOptions(parse('--ghost-faces', '500', '--placement=optimal'))).toEqual({
+      ghostFaces: 500,
+      placement: 'optimal',
+    });
+    expect(sequenceOptions(parse('--ghost-faces', 'off', '--transfer', 'paper'))).toEqual({
+      ghostFaces: 0,
+      transfer: 'paper',
+    });
   });
 });

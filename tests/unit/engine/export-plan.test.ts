@@ -26,7 +26,11 @@ describe('the times of an export', () => {
   });
 
   it('leave keys outside the range to the stills', () => {
-    expect(plan({ frames: 2, range: [0.2, 0.6] })).toEqual({ times: [0.2, 0.4, 0.6], seconds: [0, 0.2, 0.4].map(Math.fround), stills: [0, 1] });
+    expect(plan({ frames: 2, range: [0.2, 0.6] })).toEqual({
+      times: [0.2, 0.4, 0.6],
+      seconds: [0, 0.2, 0.4].map(Math.fround),
+      stills: [0, 1],
+    });
   });
 
   it('that are asked for one by one are sorted for a GLB and left as they are for OBJ files', () => {
@@ -45,8 +49,10 @@ describe('the times of an export', () => {
   });
 
   it('are refused where the file would not open again', () => {
-    expect(plan({ frames: 3999, range: [1, 2] }).times).toHaveLength(3999);  // and two stills
-    expect(() => plan({ frames: 4000, range: [1, 2] })).toThrow('its 4,001 morph targets need more than 16,000,000 weights');
+    expect(plan({ frames: 3999, range: [1, 2] }).times).toHaveLength(3999); // and two stills
+    expect(() => plan({ frames: 4000, range: [1, 2] })).toThrow(
+      'its 4,001 morph targets need more than 16,000,000 weights',
+    );
     expect(plan({ frames: 9000, format: 'obj' }).times).toHaveLength(9000);
     expect(() => checkBytes(EXPORT_DEFAULTS, 2 ** 31 - 1)).not.toThrow();
     expect(() => checkBytes(EXPORT_DEFAULTS, 2.6e9)).toThrow('The file would have 2.6 GB and not open again');
@@ -54,8 +60,9 @@ describe('the times of an export', () => {
   });
 
   it('draw a warning beyond 256 morph targets only', () => {
-    const warned = (frames: number) => exportWarnings(EXPORT_DEFAULTS, plan({ frames, range: [1, 2] })).map(({ code }) => code);
-    expect(warned(255)).toEqual([]);  // 255 frames and 2 stills are a mesh and 256 targets
+    const warned = (frames: number) =>
+      exportWarnings(EXPORT_DEFAULTS, plan({ frames, range: [1, 2] })).map(({ code }) => code);
+    expect(warned(255)).toEqual([]); // 255 frames and 2 stills are a mesh and 256 targets
     expect(warned(256)).toEqual(['many-targets']);
   });
 });

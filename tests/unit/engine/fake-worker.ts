@@ -42,7 +42,13 @@ export function answerTo(request: Request): FromWorker {
   switch (request.type) {
     case 'import':
       return result({
-        keys: { names: ['a', 'b'], times: [0, 1], faces: Uint32Array.of(0, 1, 2), positions: [positions, positions.slice()], normals: null },
+        keys: {
+          names: ['a', 'b'],
+          times: [0, 1],
+          faces: Uint32Array.of(0, 1, 2),
+          positions: [positions, positions.slice()],
+          normals: null,
+        },
         scene: { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] },
         report: { vertices: 3, faces: 1 },
         warnings: [],
@@ -54,7 +60,12 @@ export function answerTo(request: Request): FromWorker {
     case 'update':
       return result({ range: [0, 1], warnings: [] });
     case 'evaluate':
-      return result({ ...(request.buffers ?? { positions, normals: positions.slice() }), ms: 0, threads: 1, lostDefiniteness: 0 });
+      return result({
+        ...(request.buffers ?? { positions, normals: positions.slice() }),
+        ms: 0,
+        threads: 1,
+        lostDefiniteness: 0,
+      });
     default:
       return result(null);
   }
@@ -63,14 +74,22 @@ export function answerTo(request: Request): FromWorker {
 const EMPTY_MODULE = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
 
 /** An engine over fake workers; `answer` returns null for what the test answers itself. */
-export function fakeEngine(answer: (request: Request) => FromWorker | null = answerTo): { engine: EngineClient; workers: FakeWorker[] } {
+export function fakeEngine(answer: (request: Request) => FromWorker | null = answerTo): {
+  engine: EngineClient;
+  workers: FakeWorker[];
+} {
   const workers: FakeWorker[] = [];
   const engine = new EngineClient({
     module: Promise.resolve(EMPTY_MODULE),
     spawn: (events) => {
       const worker = new FakeWorker(events, answer);
       workers.push(worker);
-      return { post: (message) => worker.receive(message), terminate: () => void (worker.terminated = true) };
+      return {
+        post: (message) => worker.receive(message),
+        terminate: () => {
+          worker.terminated = true;
+        },
+      };
     },
   });
   return { engine, workers };

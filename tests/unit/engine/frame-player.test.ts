@@ -13,22 +13,31 @@ interface Asked {
 function heldSequence(ms = 1) {
   const asked: Asked[] = [];
   const counts = { out: 0 };
-  const evaluateAhead = (t: number): Promise<Frame> => new Promise((resolve, reject) => {
-    const none = new Float32Array(0);
-    const frame: Frame = { t, positions: none, normals: none, ms, threads: 1, lostDefiniteness: 0, release: () => void --counts.out };
-    asked.push({
-      t,
-      answer: async () => {
-        ++counts.out;
-        resolve(frame);
-        await settled();
-      },
-      fail: async () => {
-        reject(new Error('gone'));
-        await settled();
-      },
+  const evaluateAhead = (t: number): Promise<Frame> =>
+    new Promise((resolve, reject) => {
+      const none = new Float32Array(0);
+      const frame: Frame = {
+        t,
+        positions: none,
+        normals: none,
+        ms,
+        threads: 1,
+        lostDefiniteness: 0,
+        release: () => void --counts.out,
+      };
+      asked.push({
+        t,
+        answer: async () => {
+          ++counts.out;
+          resolve(frame);
+          await settled();
+        },
+        fail: async () => {
+          reject(new Error('gone'));
+          await settled();
+        },
+      });
     });
-  });
   return { sequence: { evaluateAhead }, asked, counts };
 }
 
@@ -62,7 +71,7 @@ describe('the frame player', () => {
   });
 
   it('asks for ticks further apart where frames cost more than a tick', async () => {
-    const { sequence, asked } = heldSequence(40);  // 2.4 ticks
+    const { sequence, asked } = heldSequence(40); // 2.4 ticks
     const player = new FramePlayer(sequence, settings);
     player.take(0);
     for (const one of asked.slice()) await one.answer();

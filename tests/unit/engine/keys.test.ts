@@ -16,16 +16,25 @@ describe('keys', () => {
   it('are arranged anew without another import, and leave the first ones as they were', async () => {
     const keys = await fakeEngine().engine.importKeyframes([someFile]);
     const other = keys.arrange([1, 0, 1], [0, 2, 3], ['x', 'y', 'z']);
-    expect([other.info.names, other.info.times]).toEqual([['x', 'y', 'z'], [0, 2, 3]]);
+    expect([other.info.names, other.info.times]).toEqual([
+      ['x', 'y', 'z'],
+      [0, 2, 3],
+    ]);
     expect(keys.arrange([1, 0], [0, 1]).info.names).toEqual(['b', 'a']);
-    expect([keys.info.names, keys.info.times]).toEqual([['a', 'b'], [0, 1]]);
+    expect([keys.info.names, keys.info.times]).toEqual([
+      ['a', 'b'],
+      [0, 1],
+    ]);
   });
 
   it('take a pose in order of time', async () => {
     const keys = await fakeEngine().engine.importKeyframes([someFile]);
     const pose = Float32Array.of(0, 0, 1, 1, 0, 1, 0, 1, 1);
     const added = keys.withPose('between', 0.5, pose);
-    expect([added.info.names, added.info.times]).toEqual([['a', 'between', 'b'], [0, 0.5, 1]]);
+    expect([added.info.names, added.info.times]).toEqual([
+      ['a', 'between', 'b'],
+      [0, 0.5, 1],
+    ]);
     pose.fill(9);
     expect(added.positions(1)[2]).toBe(1);
     expect(keys.withPose('last', 2, pose).info.times).toEqual([0, 1, 2]);

@@ -1,6 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { EngineError } from '../../../web/engine/api/errors.ts';
-import { checkCall, checkExportOptions, checkImportOptions, checkSequenceOptions, checkUpdate } from '../../../web/engine/api/options.ts';
+import {
+  checkCall,
+  checkExportOptions,
+  checkImportOptions,
+  checkSequenceOptions,
+  checkUpdate,
+} from '../../../web/engine/api/options.ts';
 import { EXPORT_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS, SEQUENCE_DEFAULTS } from '../../../web/engine/api/types.ts';
 
 function refusal(check: () => unknown): string {
@@ -96,7 +102,10 @@ describe('options', () => {
 
   it('of an update keep what is not changed, and refuse what needs a new encoding', () => {
     const present = { ...MOTION_DEFAULTS, boundary: 'hermite' as const };
-    expect(checkUpdate(present, { startSpeed: 0, keyTimes: [0, 2] })).toEqual({ motion: { ...present, startSpeed: 0 }, keyTimes: [0, 2] });
+    expect(checkUpdate(present, { startSpeed: 0, keyTimes: [0, 2] })).toEqual({
+      motion: { ...present, startSpeed: 0 },
+      keyTimes: [0, 2],
+    });
     expect(refusal(() => checkUpdate(present, { stretch: 'log' }))).toContain("'stretch'");
     expect(refusal(() => checkUpdate(present, { keyTimes: [0, NaN] }))).toContain("'keyTimes'");
   });

@@ -8,16 +8,25 @@ describe('a project', () => {
   it('gives its options back, tangent shapes bit for bit', () => {
     const tangent = Float32Array.from({ length: 3000 }, (_, i) => Math.sin(i) / 3);
     const options: SequenceOptions = {
-      ...SEQUENCE_DEFAULTS, boundary: 'hermite', startSpeed: 0.25, period: 1.5, turns: [{ key: 1, turns: -2 }, { key: 1, turns: 1, component: 3 }], endTangent: tangent,
+      ...SEQUENCE_DEFAULTS,
+      boundary: 'hermite',
+      startSpeed: 0.25,
+      period: 1.5,
+      turns: [
+        { key: 1, turns: -2 },
+        { key: 1, turns: 1, component: 3 },
+      ],
+      endTangent: tangent,
     };
     const read = readOptions(writeProject(keys, options));
     expect(read).toEqual(options);
   });
 
   it('of before turns could name a component opens as it was', () => {
-    const old = '{"version":1,"keys":{"times":[0,1],"names":["a","b"],"frames":[0,9]},"options":{"reference":0,"patches":0,"stretch":"linear",'
-      + '"ghostFaces":0,"transfer":"exact","placement":"vertices","precision":"single","method":"lri","boundary":"natural","startSpeed":1,'
-      + '"endSpeed":1,"period":null,"tension":[],"bias":[],"turns":[{"key":1,"turns":-2}],"inPlace":false,"startTangent":null,"endTangent":null}}';
+    const old =
+      '{"version":1,"keys":{"times":[0,1],"names":["a","b"],"frames":[0,9]},"options":{"reference":0,"patches":0,"stretch":"linear",' +
+      '"ghostFaces":0,"transfer":"exact","placement":"vertices","precision":"single","method":"lri","boundary":"natural","startSpeed":1,' +
+      '"endSpeed":1,"period":null,"tension":[],"bias":[],"turns":[{"key":1,"turns":-2}],"inPlace":false,"startTangent":null,"endTangent":null}}';
     expect(readOptions(old)).toEqual({ ...SEQUENCE_DEFAULTS, turns: [{ key: 1, turns: -2 }] });
   });
 
@@ -26,8 +35,15 @@ describe('a project', () => {
   });
 
   it.each([
-    '', '{', 'null', '[]', '{"version":2,"options":{}}', '{"version":1}', '{"version":1,"options":[]}',
-    '{"version":1,"options":{"boundary":"none"}}', '{"version":1,"options":{"__proto__x":1}}',
+    '',
+    '{',
+    'null',
+    '[]',
+    '{"version":2,"options":{}}',
+    '{"version":1}',
+    '{"version":1,"options":[]}',
+    '{"version":1,"options":{"boundary":"none"}}',
+    '{"version":1,"options":{"__proto__x":1}}',
     '{"version":1,"options":{"startTangent":"???"}}',
   ])('that is broken gives no options: %s', (text) => {
     expect(readOptions(text)).toBeNull();

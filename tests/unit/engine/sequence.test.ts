@@ -3,7 +3,13 @@ import type { EngineError } from '../../../web/engine/api/errors.ts';
 import type { FromWorker, Request } from '../../../web/engine/wire/protocol.ts';
 import { answerTo, fakeEngine, settled, someFile, type FakeWorker } from './fake-worker.ts';
 
-const failure = (work: Promise<unknown>): Promise<EngineError> => work.then(() => { throw new Error('no failure'); }, (e: EngineError) => e);
+const failure = (work: Promise<unknown>): Promise<EngineError> =>
+  work.then(
+    () => {
+      throw new Error('no failure');
+    },
+    (e: EngineError) => e,
+  );
 
 /** A sequence whose frames wait until the test answers them. */
 async function heldSequence() {
@@ -55,7 +61,7 @@ describe('evaluate', () => {
     expect((await second)?.positions).toBe(frame?.positions);
     void sequence.evaluate(2);
     await settled();
-    expect(worker.of('evaluate').at(-1)?.buffers).toBeNull();  // released twice, but there once
+    expect(worker.of('evaluate').at(-1)?.buffers).toBeNull(); // released twice, but there once
   });
 
   it('refuses a time that is no number', async () => {
@@ -75,13 +81,23 @@ describe('update', () => {
     for (let i = 0; i < 2; ++i) await answerNext();
     await Promise.all([many, shown]);
     const asked = worker.of('evaluate').map(({ t, motion }) => [t, motion.options.boundary, motion.version]);
-    expect(asked).toEqual([[1, 'natural', 0], [2, 'natural', 0], [0.5, 'periodic', 1]]);
+    expect(asked).toEqual([
+      [1, 'natural', 0],
+      [2, 'natural', 0],
+      [0.5, 'periodic', 1],
+    ]);
   });
 
   it('that fails leaves the motion as it was', async () => {
-    const fails = (request: Request): FromWorker => request.type === 'update'
-      ? { type: 'error', id: request.id, error: { code: 'times-not-increasing', message: 'no', place: { key: 1 } }, fatal: false }
-      : answerTo(request);
+    const fails = (request: Request): FromWorker =>
+      request.type === 'update'
+        ? {
+            type: 'error',
+            id: request.id,
+            error: { code: 'times-not-increasing', message: 'no', place: { key: 1 } },
+            fatal: false,
+          }
+        : answerTo(request);
     const { engine, workers } = fakeEngine(fails);
     const sequence = await engine.createSequence(await engine.importKeyframes([someFile]));
     const error = await failure(sequence.update({ keyTimes: [1, 0], startSpeed: 3 }));
@@ -126,7 +142,9 @@ describe('a worker that dies', () => {
 
 describe('cancelling', () => {
   it('ends the worker of a new sequence at once and leaves the old one alone', async () => {
-    const { engine, workers } = fakeEngine((request) => (request.type === 'create' && workers.length > 1 ? null : answerTo(request)));
+    const { engine, workers } = fakeEngine((request) =>
+      request.type === 'create' && workers.length > 1 ? null : answerTo(request),
+    );
     const keys = await engine.importKeyframes([someFile]);
     const old = await engine.createSequence(keys);
     const controller = new AbortController();
@@ -174,16 +192,18 @@ describe('progress', () => {
 describe('a worker that read a bad file', () => {
   it('is not kept; one that read a good file builds the next sequence', async () => {
     let good = false;
-    const { engine, workers } = fakeEngine((request) => request.type === 'import' && !good
-      ? { type: 'error', id: request.id, error: { code: 'malformed-file', message: 'no', place: {} }, fatal: false }
-      : answerTo(request));
+    const { engine, workers } = fakeEngine((request) =>
+      request.type === 'import' && !good
+        ? { type: 'error', id: request.id, error: { code: 'malformed-file', message: 'no', place: {} }, fatal: false }
+        : answerTo(request),
+    );
     expect((await failure(engine.importKeyframes([someFile]))).code).toBe('malformed-file');
     expect(workers[0]?.terminated).toBe(true);
     good = true;
     await engine.createSequence(await engine.importKeyframes([someFile]));
     expect(workers).toHaveLength(2);
     await engine.importKeyframes([someFile]);
-    expect(workers).toHaveLength(3);  // a sequence's worker reads no files
+    expect(workers).toHaveLength(3); // a sequence's worker reads no files
   });
 });
 
@@ -197,7 +217,13 @@ describe('disposing', () => {
     sequence.dispose();
     expect([await open, await waiting]).toEqual([null, null]);
     expect(worker.terminated).toBe(true);
-    const calls = [sequence.evaluate(0), sequence.evaluateMany([0]), sequence.update({}), sequence.stats(), sequence.export()];
+    const calls = [
+      sequence.evaluate(0),
+      sequence.evaluateMany([0]),
+      sequence.update({}),
+      sequence.stats(),
+      sequence.export(),
+    ];
     for (const call of calls) expect((await failure(call)).code).toBe('disposed');
     engine.dispose();
     engine.dispose();

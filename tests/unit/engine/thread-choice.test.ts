@@ -61,7 +61,8 @@ test('two threads that have become faster than one are found, and one that has b
 test('what goes on losing is tried less and less', () => {
   const choice = new ThreadChoice();
   const threads = play(choice, (number) => (number === 2 ? 20 : 10), 20_000);
-  const lost = (from: number, to: number): number => threads.slice(from, to).filter((number) => number === 2).length / (to - from);
+  const lost = (from: number, to: number): number =>
+    threads.slice(from, to).filter((number) => number === 2).length / (to - from);
   expect(lost(14, 2000)).toBeLessThan(0.02);
   expect(lost(2000, 20_000)).toBeLessThan(0.002);
 });

@@ -2,7 +2,13 @@ import { describe, expect, it } from 'vitest';
 import { NO_PLACE, type Warning } from '../../../web/engine/api/types.ts';
 import { keysInWords, keysOf } from '../../../web/engine/api/warning-keys.ts';
 
-const warning = (code: string, key: number, message = 'Something turns far.'): Warning => ({ ...NO_PLACE, code, message, count: 0, key });
+const warning = (code: string, key: number, message = 'Something turns far.'): Warning => ({
+  ...NO_PLACE,
+  code,
+  message,
+  count: 0,
+  key,
+});
 
 describe('the keys that a warning is about', () => {
   it('are those that bound the interval before its key', () => {

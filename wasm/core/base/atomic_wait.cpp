@@ -13,7 +13,9 @@ void waitWhile(std::atomic<std::uint32_t>& number, std::uint32_t value) {
   constexpr std::int64_t nanoseconds = 100'000'000;
   __builtin_wasm_memory_atomic_wait32(reinterpret_cast<int*>(&number), static_cast<int>(value), nanoseconds);
 }
-void wakeOne(std::atomic<std::uint32_t>& number) { __builtin_wasm_memory_atomic_notify(reinterpret_cast<int*>(&number), 1); }
+void wakeOne(std::atomic<std::uint32_t>& number) {
+  __builtin_wasm_memory_atomic_notify(reinterpret_cast<int*>(&number), 1);
+}
 #elif defined(__wasm__)
 // A memory that is not shared has nobody to wait for.
 void waitWhile(std::atomic<std::uint32_t>&, std::uint32_t) {}

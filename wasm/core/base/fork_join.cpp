@@ -36,7 +36,8 @@ bool ForkJoin::lost() const { return state_.load(std::memory_order_relaxed) == b
 
 // Waits are counted, not time: a machine may sleep in one of them.
 bool ForkJoin::isDone() {
-  for (int left = patience_; left > 0 && state_.load(std::memory_order_acquire) == taken; --left) waitWhile(state_, taken);
+  for (int left = patience_; left > 0 && state_.load(std::memory_order_acquire) == taken; --left)
+    waitWhile(state_, taken);
   std::uint32_t state = taken;
   state_.compare_exchange_strong(state, broken, std::memory_order_acquire);
   return state == done;

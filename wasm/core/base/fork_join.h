@@ -6,9 +6,10 @@
 
 namespace shapespline {
 
-/// Someone who does the first part of a piece of work and a helper who may do the second. No thread is started here: whoever
-/// has one to spare lets it call serve(). Both wait on a futex and never spin. What the helper has not begun when the first
-/// part is done is done by the caller, so that a helper who is late, or was never there, holds nothing up.
+/// Someone who does the first part of a piece of work and a helper who may do the second. No thread is started here:
+/// whoever has one to spare lets it call serve(). Both wait on a futex and never spin. What the helper has not begun
+/// when the first part is done is done by the caller, so that a helper who is late, or was never there, holds nothing
+/// up.
 class ForkJoin {
  public:
   using Part = void (*)(const void* work, int part);
@@ -16,9 +17,10 @@ class ForkJoin {
   /// patience: how many tenths of a second a part may take the helper, once it has begun.
   explicit constexpr ForkJoin(int patience = 100) : patience_(patience) {}
 
-  /// Calls part(work, 0) here and part(work, 1) here or there, and returns when both are done. They must write to different
-  /// places, allocate nothing and throw nothing. Throws std::runtime_error if the helper broke down in the middle of its part
-  /// or never came back from it: what the work writes to cannot be relied on then. Later calls do all of theirs here.
+  /// Calls part(work, 0) here and part(work, 1) here or there, and returns when both are done. They must write to
+  /// different places, allocate nothing and throw nothing. Throws std::runtime_error if the helper broke down in the
+  /// middle of its part or never came back from it: what the work writes to cannot be relied on then. Later calls do
+  /// all of theirs here.
   void run(Part part, const void* work);
 
   /// Does second parts until it is dismissed, between two pieces of work, or given up.
@@ -46,8 +48,8 @@ class ForkJoin {
 
 void inTwo(ForkJoin* forkJoin, ForkJoin::Part part, const void* work);
 
-/// work(0) and work(1), one after the other where there is no second thread. Work is cut in the same way with and without one, so
-/// that every sum is taken in the same order.
+/// work(0) and work(1), one after the other where there is no second thread. Work is cut in the same way with and
+/// without one, so that every sum is taken in the same order.
 template <class Work>
 void inTwo(ForkJoin* forkJoin, const Work& work) {
   inTwo(forkJoin, [](const void* w, int part) { (*static_cast<const Work*>(w))(part); }, &work);

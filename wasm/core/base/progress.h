@@ -7,8 +7,9 @@
 
 namespace shapespline {
 
-/// Tells a listener which fraction of some work is done, in [0, 1]; may be empty. Refers to the listener, any callable of one
-/// number, which must outlive it: reports are made everywhere and passed down, and an owning one would be code in every place.
+/// Tells a listener which fraction of some work is done, in [0, 1]; may be empty. Refers to the listener, any callable
+/// of one number, which must outlive it: reports are made everywhere and passed down, and an owning one would be code
+/// in every place.
 class FractionReport {
  public:
   FractionReport() = default;
@@ -63,8 +64,8 @@ using BlockWork = void (*)(void* work, std::size_t begin, std::size_t end);
 
 void inBlocks(const FractionReport& report, std::size_t n, BlockWork call, void* work);
 
-/// Calls work(begin, end) for one block of n items after the other, with a report before each. Every block is a call of its
-/// own (out_of_line.h), so that long work does not stay in the browser's baseline compiler.
+/// Calls work(begin, end) for one block of n items after the other, with a report before each. Every block is a call of
+/// its own (out_of_line.h), so that long work does not stay in the browser's baseline compiler.
 template <class Work>
 void inBlocks(const FractionReport& report, std::size_t n, Work work) {
   inBlocks(report, n, [](void* w, std::size_t begin, std::size_t end) { (*static_cast<Work*>(w))(begin, end); }, &work);

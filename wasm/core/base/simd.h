@@ -1,6 +1,7 @@
 // Four floats or two doubles in one register: WebAssembly SIMD, SSE2, or plain C++ (SHAPESPLINE_SCALAR).
 // Each operation rounds once per lane, nothing is fused: all three give the same bits. notPositive: a bit for each lane
-// that is zero, negative or not a number; smaller, larger, largerMagnitude: per lane; turnedXyz: (y, z, x, w); storeXyz: three lanes.
+// that is zero, negative or not a number; smaller, larger, largerMagnitude: per lane; turnedXyz: (y, z, x, w);
+// storeXyz: three lanes.
 #pragma once
 
 #if defined(SHAPESPLINE_SCALAR)
@@ -38,7 +39,9 @@ struct Float4 {
   friend Float4 squareRoot(Float4 a) { return {wasm_f32x4_sqrt(a.v)}; }
   friend Float4 smaller(Float4 a, Float4 b) { return {wasm_f32x4_pmin(a.v, b.v)}; }
   friend Float4 larger(Float4 a, Float4 b) { return {wasm_f32x4_pmax(a.v, b.v)}; }
-  friend Float4 largerMagnitude(Float4 a, Float4 b) { return {wasm_f32x4_pmax(wasm_f32x4_abs(a.v), wasm_f32x4_abs(b.v))}; }
+  friend Float4 largerMagnitude(Float4 a, Float4 b) {
+    return {wasm_f32x4_pmax(wasm_f32x4_abs(a.v), wasm_f32x4_abs(b.v))};
+  }
   friend Float4 turnedXyz(Float4 a) { return {wasm_i32x4_shuffle(a.v, a.v, 1, 2, 0, 3)}; }
   friend int notPositive(Float4 a) { return 15 ^ static_cast<int>(wasm_i32x4_bitmask(wasm_f32x4_gt(a.v, zero().v))); }
   friend Float4 lowHalves(Float4 a, Float4 b) { return {wasm_i64x2_shuffle(a.v, b.v, 0, 2)}; }
@@ -176,8 +179,12 @@ struct Double2 {
   friend Double2 operator*(Double2 a, Double2 b) { return {{a.v[0] * b.v[0], a.v[1] * b.v[1]}}; }
   friend Double2 operator/(Double2 a, Double2 b) { return {{a.v[0] / b.v[0], a.v[1] / b.v[1]}}; }
   friend Double2 squareRoot(Double2 a) { return {{std::sqrt(a.v[0]), std::sqrt(a.v[1])}}; }
-  friend Double2 smaller(Double2 a, Double2 b) { return {{b.v[0] < a.v[0] ? b.v[0] : a.v[0], b.v[1] < a.v[1] ? b.v[1] : a.v[1]}}; }
-  friend Double2 larger(Double2 a, Double2 b) { return {{a.v[0] < b.v[0] ? b.v[0] : a.v[0], a.v[1] < b.v[1] ? b.v[1] : a.v[1]}}; }
+  friend Double2 smaller(Double2 a, Double2 b) {
+    return {{b.v[0] < a.v[0] ? b.v[0] : a.v[0], b.v[1] < a.v[1] ? b.v[1] : a.v[1]}};
+  }
+  friend Double2 larger(Double2 a, Double2 b) {
+    return {{a.v[0] < b.v[0] ? b.v[0] : a.v[0], a.v[1] < b.v[1] ? b.v[1] : a.v[1]}};
+  }
   friend int notPositive(Double2 a) { return (a.v[0] > 0 ? 0 : 1) | (a.v[1] > 0 ? 0 : 2); }
   friend Double2 lowHalves(Double2 a, Double2 b) { return {{a.v[0], b.v[0]}}; }
   friend Double2 highHalves(Double2 a, Double2 b) { return {{a.v[1], b.v[1]}}; }

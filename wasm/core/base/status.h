@@ -13,12 +13,12 @@ enum class ErrorCode {
   // reading a file
   EmptyFile,
   TruncatedFile,
-  NotRecognised,       ///< the bytes are no format that is read here
-  MalformedFile,       ///< the right format, but broken: a bad index, size or offset
-  Unsupported,         ///< valid, but needs something that is not supported
-  MissingResource,     ///< a file that another one names was not given
-  ExternalResource,    ///< a URI that leaves the given files; never fetched
-  TooLarge,            ///< a declared size beyond what can be held
+  NotRecognised,     ///< the bytes are no format that is read here
+  MalformedFile,     ///< the right format, but broken: a bad index, size or offset
+  Unsupported,       ///< valid, but needs something that is not supported
+  MissingResource,   ///< a file that another one names was not given
+  ExternalResource,  ///< a URI that leaves the given files; never fetched
+  TooLarge,          ///< a declared size beyond what can be held
   NoTriangles,
   UnknownAnimation,
   // keys that do not fit together
@@ -28,7 +28,7 @@ enum class ErrorCode {
   FaceMismatch,
   IndexOutOfRange,
   NotFinite,
-  NoArea,              ///< every triangle has zero area
+  NoArea,  ///< every triangle has zero area
   TimesNotIncreasing,
   TimeCountMismatch,
   // options

@@ -1,4 +1,5 @@
-// A triangle mesh whose vertices collapse onto neighbours without a change of topology (Dey et al. 1999, link condition).
+// A triangle mesh whose vertices collapse onto neighbours without a change of topology (Dey et al. 1999, link
+// condition).
 #pragma once
 
 #include <vector>
@@ -66,7 +67,7 @@ class CollapseMesh {
   int alive_ = 0;
 
   // scratch
-  std::vector<int> slot_;          // of each vertex in the ring that is looked at; -1 outside it
+  std::vector<int> slot_;  // of each vertex in the ring that is looked at; -1 outside it
   std::vector<Neighbour> ring_;
   std::vector<int> group_, opposite_;
 };

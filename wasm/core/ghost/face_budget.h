@@ -12,9 +12,9 @@ struct FaceShares {
   int joined = 0;          ///< number of those
 };
 
-/// Half of each component's share of the target by its number of faces, at least a tetrahedron's four, at most what it has;
-/// the other half goes where the error is. Where that is more than the target, the components of least area join their
-/// neighbours, never the root.
+/// Half of each component's share of the target by its number of faces, at least a tetrahedron's four, at most what it
+/// has; the other half goes where the error is. Where that is more than the target, the components of least area join
+/// their neighbours, never the root.
 FaceShares shareFaces(const WeldedShape& shape, const ShapeParts& parts, int target);
 
 }  // namespace shapespline

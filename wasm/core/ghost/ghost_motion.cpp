@@ -11,7 +11,8 @@ namespace {
 // A patch of fewer faces of the ghost says little about how it turns.
 constexpr int facesPerPatch = 16;
 
-// As many patches as the shape would have, where the ghost has the faces for them: coarser ones turn further against each other.
+// As many patches as the shape would have, where the ghost has the faces for them: coarser ones turn further against
+// each other.
 int ghostPatchCount(int shapeFaces, int ghostFaces) {
   return std::max(defaultPatchCount(ghostFaces), std::min(defaultPatchCount(shapeFaces), ghostFaces / facesPerPatch));
 }
@@ -32,9 +33,9 @@ Result<GhostMotion> GhostMotion::create(const WeldedShape& full, const ShapePart
   if (!coordinates) return coordinates.error();
   auto patches = PatchMotion::create(*shape, std::move(*coordinates));
   if (!patches) return patches.error();
-  auto reconstructor = Reconstructor<double>::create(
-      {*shape, parts, patches->poses().ofFace, options.stretch, Precision::Double},
-      encode<double>(*shape, parts, patches->poses(), options.stretch, Transfer::Exact));
+  auto reconstructor =
+      Reconstructor<double>::create({*shape, parts, patches->poses().ofFace, options.stretch, Precision::Double},
+                                    encode<double>(*shape, parts, patches->poses(), options.stretch, Transfer::Exact));
   if (!reconstructor) return reconstructor.error();
   GhostMotion ghost(options, std::move(mesh), std::move(shape), std::move(*patches), std::move(*reconstructor));
   times.encode = watch.lap();
@@ -42,15 +43,16 @@ Result<GhostMotion> GhostMotion::create(const WeldedShape& full, const ShapePart
   ghost.faceOf_ = correspondingFaces(full, fullParts, ghost.mesh_, Stage{progress, "matching"});
   for (int c = 0; c < ghost.shape_->columns(); ++c) {
     ghost.rotation_.emplace_back();
-    for (int f = 0; f < ghost.shape_->faceCount(); ++f) ghost.rotation_.back().push_back(rotationOf(*ghost.shape_, f, c));
+    for (int f = 0; f < ghost.shape_->faceCount(); ++f)
+      ghost.rotation_.back().push_back(rotationOf(*ghost.shape_, f, c));
   }
   times.match = watch.lap();
   ghost.times_ = times;
   return ghost;
 }
 
-GhostMotion::GhostMotion(const Options& options, GhostMesh mesh, std::unique_ptr<const WeldedShape> shape, PatchMotion patches,
-                         Reconstructor<double> reconstructor)
+GhostMotion::GhostMotion(const Options& options, GhostMesh mesh, std::unique_ptr<const WeldedShape> shape,
+                         PatchMotion patches, Reconstructor<double> reconstructor)
     : transfer_(options.transfer),
       mesh_(std::move(mesh)),
       shape_(std::move(shape)),
@@ -67,7 +69,8 @@ void GhostMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& 
     frames.gradient.push_back(gradient(f, frames.rotation[f].toRotationMatrix(), scratch.positions));
 }
 
-// [e1 e2 n] [e1~ e2~ n~]^-1 of the ghost as it lies in `positions`. A face that has collapsed takes its normal from R_f.
+// [e1 e2 n] [e1~ e2~ n~]^-1 of the ghost as it lies in `positions`. A face that has collapsed takes its normal from
+// R_f.
 Mat3 GhostMotion::gradient(int face, const Mat3& rotation, const Positions& positions) const {
   const FaceFrame frame = referenceFrame(*shape_, face);
   const Triangle& t = shape_->faces[face];
@@ -81,7 +84,8 @@ Mat3 GhostMotion::gradient(int face, const Mat3& rotation, const Positions& posi
   return deformed * frame.basis.transpose();
 }
 
-void GhostMotion::positions(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Positions& positions) const {
+void GhostMotion::positions(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch,
+                            Positions& positions) const {
   patches_.at(point, turns, scratch.patches, scratch.frames);
   reconstructor_.reconstruct(point, scratch.frames, scratch.shape, positions);
 }

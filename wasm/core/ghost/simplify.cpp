@@ -16,8 +16,8 @@ namespace shapespline {
 
 namespace {
 
-// Weight of the squared distance that vertices travel against that from the faces' planes. It spreads the ghost's vertices
-// where the shape is flat, and holds optimally placed ones to the same place of the body in every pose.
+// Weight of the squared distance that vertices travel against that from the faces' planes. It spreads the ghost's
+// vertices where the shape is flat, and holds optimally placed ones to the same place of the body in every pose.
 constexpr double travelWeight = 1e-2;
 
 // Weight of the squared distance from a boundary's own planes, times the squared length of its edges.
@@ -31,8 +31,8 @@ constexpr int setUpsPerReport = 16384;
 // Of the work, as measured, that comes before the first collapse.
 constexpr double setUpShare = 0.2;
 
-// What a collapse may do to a face: the cosine of its turn, and twice its area over its squared longest edge afterwards.
-// Later limits are used when nothing else is left. No round numbers: regular meshes are full of them.
+// What a collapse may do to a face: the cosine of its turn, and twice its area over its squared longest edge
+// afterwards. Later limits are used when nothing else is left. No round numbers: regular meshes are full of them.
 struct Limits {
   double cosine, flatness;
 };
@@ -47,7 +47,8 @@ struct Candidate {
   bool operator<(const Candidate& o) const { return cost != o.cost ? cost < o.cost : target < o.target; }
 };
 
-// A vertex's best candidate in the queue. Ties go to vertices in a scattered order, so that regular regions thin out evenly.
+// A vertex's best candidate in the queue. Ties go to vertices in a scattered order, so that regular regions thin out
+// evenly.
 struct Entry {
   std::uint32_t cost;
   std::uint32_t scatter;
@@ -127,7 +128,8 @@ class Simplifier {
     for (Triangle& t : sorted) std::sort(t.begin(), t.end());
     std::vector<int> order(m);
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
     std::vector<char> repeated(m, 0);
     for (int i = 1; i < m; ++i) repeated[order[i]] = sorted[order[i]] == sorted[order[i - 1]];
     count_.assign(share_.least.size(), 0);
@@ -203,7 +205,8 @@ class Simplifier {
   void push(int v) { push(v, best(v)); }
   void push(int v, const Candidate& candidate) {
     ++version_[v];
-    if (candidate.target >= 0) queue_.push({candidate.cost, static_cast<std::uint32_t>(v) * 2654435761u, v, version_[v]});
+    if (candidate.target >= 0)
+      queue_.push({candidate.cost, static_cast<std::uint32_t>(v) * 2654435761u, v, version_[v]});
   }
 
   // Takes the next vertex: it collapses, or goes back into the queue with what it would cost now, or rests.
@@ -261,11 +264,14 @@ class Simplifier {
       const double dot = normalBefore.dot(normalAfter);
       const double squaredBefore = normalBefore.squaredNorm(), squaredAfter = normalAfter.squaredNorm();
       if (!(dot > 0) || dot * dot < limits_.cosine * limits_.cosine * squaredBefore * squaredAfter) return false;
-      const auto longest = [&](const Vec3& a) { return std::max({a.squaredNorm(), side.squaredNorm(), (a + side).squaredNorm()}); };
+      const auto longest = [&](const Vec3& a) {
+        return std::max({a.squaredNorm(), side.squaredNorm(), (a + side).squaredNorm()});
+      };
       const double longestAfter = longest(after), longestBefore = longest(before);
       // A face that is thin already may stay so.
       const bool thin = squaredAfter < limits_.flatness * limits_.flatness * longestAfter * longestAfter;
-      if (thin && squaredAfter * longestBefore * longestBefore < 0.999 * squaredBefore * longestAfter * longestAfter) return false;
+      if (thin && squaredAfter * longestBefore * longestBefore < 0.999 * squaredBefore * longestAfter * longestAfter)
+        return false;
     }
     return true;
   }
@@ -345,9 +351,9 @@ class Simplifier {
   FaceShares share_;
   CollapseMesh mesh_;
   Limits limits_ = limits[0];
-  std::vector<Vec3> position_;     // [vertex][column]
-  std::vector<Quadric> quadric_;   // [vertex][column]
-  std::vector<double> error_;      // of each vertex where it lies, over all poses
+  std::vector<Vec3> position_;    // [vertex][column]
+  std::vector<Quadric> quadric_;  // [vertex][column]
+  std::vector<double> error_;     // of each vertex where it lies, over all poses
   std::vector<Candidate> rejected_;
   std::vector<int> version_, goneTo_;
   std::priority_queue<Entry> queue_;

@@ -13,7 +13,8 @@
 
 namespace shapespline {
 
-/// Numbers of a face and column: log(G_p(f)^T R_f) (3), then S_f or log S_f as xx, xy, yy in the reference tangent frame.
+/// Numbers of a face and column: log(G_p(f)^T R_f) (3), then S_f or log S_f as xx, xy, yy in the reference tangent
+/// frame.
 inline constexpr int numbersPerFace = 6;
 
 /// Faces side by side in one vector register.
@@ -33,8 +34,8 @@ struct EndKey {
   bool anyAtRest;  ///< whether faces rest in one of the keys
 };
 
-/// What a frame takes of the columns: those that are stored and whose weight can be seen, and what those at rest add to the
-/// diagonal of S_f. Beyond the keys the weights are those of the change from the end key on.
+/// What a frame takes of the columns: those that are stored and whose weight can be seen, and what those at rest add to
+/// the diagonal of S_f. Beyond the keys the weights are those of the change from the end key on.
 template <class Real>
 struct ColumnWeights {
   std::vector<WeightedColumn<Real>> stored;
@@ -43,8 +44,8 @@ struct ColumnWeights {
 };
 
 /// Six numbers for each face and column, in blocks of four faces: [block][column][number][lane], so that a frame reads
-/// them once, forwards. The last block is padded. Faces lie in their own order until they are reordered. A column in which
-/// every face rests, as in the reference pose, is not stored.
+/// them once, forwards. The last block is padded. Faces lie in their own order until they are reordered. A column in
+/// which every face rests, as in the reference pose, is not stored.
 template <class Real>
 class FaceCoordinates {
  public:
@@ -123,8 +124,8 @@ class FaceCoordinates {
     --stored_;
   }
 
-  /// Moves the faces within the blocks, column by column to hold a second copy of one only: order[i] is the face that comes to
-  /// slot i. Once only.
+  /// Moves the faces within the blocks, column by column to hold a second copy of one only: order[i] is the face that
+  /// comes to slot i. Once only.
   void reorder(const std::vector<int>& order, const FractionReport& onProgress = {}) {
     slot_.resize(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) slot_[order[i]] = static_cast<int>(i);
@@ -137,7 +138,8 @@ class FaceCoordinates {
       });
       inBlocks(partOf(onProgress, middle, to), order.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-          for (int k = 0; k < numbersPerFace; ++k) data_[index(static_cast<int>(i), c, k)] = moved[numbersPerFace * i + k];
+          for (int k = 0; k < numbersPerFace; ++k)
+            data_[index(static_cast<int>(i), c, k)] = moved[numbersPerFace * i + k];
       });
     }
   }

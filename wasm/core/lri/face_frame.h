@@ -9,8 +9,8 @@ namespace shapespline {
 
 /// A triangle of the reference pose in its own tangent frame: t1 along the first edge, t2 in the plane, n the normal.
 struct FaceFrame {
-  Mat3 basis;      ///< columns t1, t2, n: a rotation
-  Mat2 edges;      ///< columns: second and third corner relative to the first, in (t1, t2)
+  Mat3 basis;  ///< columns t1, t2, n: a rotation
+  Mat2 edges;  ///< columns: second and third corner relative to the first, in (t1, t2)
   double area = 0;
 };
 
@@ -28,7 +28,8 @@ FaceDeformation deformation(const FaceFrame& reference, const Vec3& a, const Vec
 
 /// How the symmetric factor S_f of a face is interpolated.
 enum class Stretch {
-  Linear,  ///< S_f itself (the paper); beyond the keys it eases off short of a lower limit and stays definite, a blend may not
+  Linear,  ///< S_f itself (the paper); beyond the keys it eases off short of a lower limit and stays definite, a blend
+           ///< may not
   Log,     ///< log S_f; cannot turn inside out, and beyond the keys eases towards limits (stretch_limits.h)
 };
 

@@ -12,8 +12,8 @@ namespace shapespline {
 
 /// The frames of the poses that are encoded.
 struct FramePoses {
-  std::span<const int> ofFace;                             ///< frame of each face; -1 where it has no area
-  const std::vector<std::vector<Quaternion>>& rotation;    ///< rotation[column][frame]
+  std::span<const int> ofFace;                           ///< frame of each face; -1 where it has no area
+  const std::vector<std::vector<Quaternion>>& rotation;  ///< rotation[column][frame]
 };
 
 /// The frames at one time.

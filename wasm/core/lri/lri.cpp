@@ -30,11 +30,13 @@ Vec3 meanOf(const Positions& pose) {
 template <class Real>
 class Encoder {
  public:
-  Encoder(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames, Stretch stretch, Transfer transfer)
+  Encoder(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames, Stretch stretch,
+          Transfer transfer)
       : shape_(shape), parts_(parts), frames_(frames), stretch_(stretch), rests_(transfer == Transfer::Paper) {}
 
   LriCoordinates<Real> run(const FractionReport& onProgress) {
-    out_.face = FaceCoordinates<Real>(shape_.faceCount(), shape_.columns(), stretch_ == Stretch::Log ? Real(0) : Real(1));
+    out_.face =
+        FaceCoordinates<Real>(shape_.faceCount(), shape_.columns(), stretch_ == Stretch::Log ? Real(0) : Real(1));
     if (!rests_) encodeFaces(partOf(onProgress, 0, 0.9));
     encodePlaces();
     encodeLoose();
@@ -80,8 +82,8 @@ class Encoder {
     out_.face.dropIfAtRest(shape_.reference);
   }
 
-  // Faces that turn far against their frame: branches agree with the pose before and with a neighbour in the same frame that
-  // is settled. Spreads from settled neighbours; what no neighbour reaches follows its own past alone.
+  // Faces that turn far against their frame: branches agree with the pose before and with a neighbour in the same frame
+  // that is settled. Spreads from settled neighbours; what no neighbour reaches follows its own past alone.
   void unwrapWildFaces(const std::vector<int>& wild) {
     std::vector<char> open(shape_.faceCount(), 0);
     for (int f : wild) open[f] = 1;
@@ -219,7 +221,8 @@ class Encoder {
     }
   }
 
-  // What no face with area reaches, such as a part that is one point in some pose, follows as a whole the face nearest to it.
+  // What no face with area reaches, such as a part that is one point in some pose, follows as a whole the face nearest
+  // to it.
   void anchorGroups(const VertexFaces& facesAt, const std::vector<int>& faceAt, std::vector<int>& anchor) const {
     std::vector<const Positions*> poses;
     for (const Positions& pose : shape_.poses) poses.push_back(&pose);
@@ -234,7 +237,8 @@ class Encoder {
       const std::vector<int> group = looseGroup(facesAt, first, met);
       Contact nearest;
       for (int v : spreadSample(group, queriesPerGroup))
-        if (const Contact contact = search->nearest(v, [](int) { return true; }); contact.distance < nearest.distance) nearest = contact;
+        if (const Contact contact = search->nearest(v, [](int) { return true; }); contact.distance < nearest.distance)
+          nearest = contact;
       for (int v : group) anchor[v] = faceAt[nearest.to];
     }
   }
@@ -261,14 +265,14 @@ class Encoder {
 }  // namespace
 
 template <class Real>
-LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames, Stretch stretch,
-                            Transfer transfer, const FractionReport& onProgress) {
+LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames,
+                            Stretch stretch, Transfer transfer, const FractionReport& onProgress) {
   return Encoder<Real>(shape, parts, frames, stretch, transfer).run(onProgress);
 }
 
-template LriCoordinates<float> encode<float>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch, Transfer,
-                                        const FractionReport&);
-template LriCoordinates<double> encode<double>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch, Transfer,
-                                          const FractionReport&);
+template LriCoordinates<float> encode<float>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch,
+                                             Transfer, const FractionReport&);
+template LriCoordinates<double> encode<double>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch,
+                                               Transfer, const FractionReport&);
 
 }  // namespace shapespline

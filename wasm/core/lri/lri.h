@@ -24,14 +24,15 @@ struct LooseVertex {
   std::vector<Vec3> offset;  ///< one per column: R_f^T (vertex - centroid of f)
 };
 
-/// How a component b keeps its place at its anchor face a: by the point that moves least against both in all poses, such as the
-/// axle of a wheel or the joint of a hoof. A point elsewhere would be splined along chords while the component turns.
+/// How a component b keeps its place at its anchor face a: by the point that moves least against both in all poses,
+/// such as the axle of a wheel or the joint of a hoof. A point elsewhere would be splined along chords while the
+/// component turns.
 struct ComponentPlace {
   int piece;
-  int anchorFace, contactFace;    ///< the link's two faces
+  int anchorFace, contactFace;  ///< the link's two faces
   int anchorFrame, contactFrame;
-  Vec3 pivot;                     ///< R_b^T (that point - centroid of b), the same in every column
-  std::vector<Vec3> offset;       ///< one per column: R_a^T (that point - centroid of a)
+  Vec3 pivot;                ///< R_b^T (that point - centroid of b), the same in every column
+  std::vector<Vec3> offset;  ///< one per column: R_a^T (that point - centroid of a)
 };
 
 /// Faces that turn so far within their frames from one key to the next that the keys do not say which way.
@@ -45,16 +46,16 @@ struct AmbiguousFaces {
 /// part may turn far.
 template <class Real>
 struct LriCoordinates {
-  FaceCoordinates<Real> face;         ///< log(G^T R_f) and S_f; no column is stored where faces rest in their frames
-  std::vector<ComponentPlace> places; ///< parents before children; the root has none
+  FaceCoordinates<Real> face;          ///< log(G^T R_f) and S_f; no column is stored where faces rest in their frames
+  std::vector<ComponentPlace> places;  ///< parents before children; the root has none
   std::vector<LooseVertex> loose;
-  std::vector<Vec3> meanPosition;     ///< one per column: of all welded vertices
+  std::vector<Vec3> meanPosition;         ///< one per column: of all welded vertices
   std::vector<AmbiguousFaces> ambiguous;  ///< one per interval between keys
 };
 
 /// Encodes all poses in the given frames. With Transfer::Paper faces rest in their frames as they do in the reference.
 template <class Real>
-LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames, Stretch stretch,
-                            Transfer transfer, const FractionReport& onProgress = {});
+LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames,
+                            Stretch stretch, Transfer transfer, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

@@ -22,7 +22,8 @@ struct WeldedShape {
   int startTangent = -1;         ///< pose index, or -1
   int endTangent = -1;
   int reference = 0;
-  std::optional<RigidMotion> closing;  ///< the motion that takes the first key to the last, where it takes all of it there
+  std::optional<RigidMotion>
+      closing;  ///< the motion that takes the first key to the last, where it takes all of it there
 
   PoseRoles roles() const { return {keys, startTangent, endTangent}; }
   int vertexCount() const { return static_cast<int>(poses.front().size()); }
@@ -34,7 +35,8 @@ struct WeldedShape {
     if (column == endTangent) return keys - 1;
     return column - 1;
   }
-  /// Whether a column is the last key of a loop, which is the first one again: it counts once where all poses count alike.
+  /// Whether a column is the last key of a loop, which is the first one again: it counts once where all poses count
+  /// alike.
   bool repeatsFirst(int column) const { return closing && column == keys - 1; }
   /// Another mesh with as many poses, which play the same roles.
   WeldedShape withMesh(std::vector<Triangle> otherFaces, std::vector<Positions> otherPoses) const {
@@ -51,7 +53,7 @@ Quaternion rotationOf(const WeldedShape& shape, int face, int column);
 /// The faces that have area in every pose, and the components that they form.
 struct ShapeParts {
   std::vector<char> hasArea;
-  FaceGraph graph;     ///< of those faces
+  FaceGraph graph;  ///< of those faces
   Pieces pieces;
   ComponentTree tree;  ///< empty where there is no piece
 

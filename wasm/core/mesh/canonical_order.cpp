@@ -11,17 +11,19 @@ namespace shapespline {
 
 namespace {
 
-// Squared lengths are compared in steps of about 1e-7 of the pose's squared radius: far above rounding, far below any detail. The
-// factor moves the steps away from round numbers, of which regular meshes are full.
+// Squared lengths are compared in steps of about 1e-7 of the pose's squared radius: far above rounding, far below any
+// detail. The factor moves the steps away from round numbers, of which regular meshes are full.
 constexpr double stepsPerUnit = 0x1p24 * 0.7390851332151607;
 
-// Walks from sides that no length tells apart are compared for so many faces: what differs only beyond them counts as symmetric.
+// Walks from sides that no length tells apart are compared for so many faces: what differs only beyond them counts as
+// symmetric.
 constexpr std::size_t comparedFaces = 4096;
 // Of how many such walks a mesh of no faces may compare, while starts are looked for; larger ones may compare more.
 constexpr std::size_t comparedWalks = 64;
 
 int inSteps(double squaredLength) {
-  return squaredLength < 64 ? static_cast<int>(squaredLength * stepsPerUnit) : 1 << 30;  // sound poses have none above 4
+  return squaredLength < 64 ? static_cast<int>(squaredLength * stepsPerUnit)
+                            : 1 << 30;  // sound poses have none above 4
 }
 
 // From face to face, breadth first. A side 3 f + c runs from corner c of face f to the next.
@@ -82,7 +84,8 @@ class Orderer {
   }
 
  private:
-  // How far out each vertex lies: the mean over the poses of its squared distance from the centroid, over that of the farthest.
+  // How far out each vertex lies: the mean over the poses of its squared distance from the centroid, over that of the
+  // farthest.
   void measure() {
     std::vector<double> sum(poses_.front().size(), 0);
     for (const Positions& pose : poses_) {
@@ -119,8 +122,8 @@ class Orderer {
     return result;
   }
 
-  // Below zero where side a comes before side b by what a rigid motion keeps of their faces, above zero where after it. First by
-  // what does not depend on the order of the poses.
+  // Below zero where side a comes before side b by what a rigid motion keeps of their faces, above zero where after it.
+  // First by what does not depend on the order of the poses.
   int compare(int a, int b) const {
     const Triangle s = cornersFrom(a), t = cornersFrom(b);
     for (int i = 0; i < 3; ++i)
@@ -136,7 +139,8 @@ class Orderer {
     }
     const double share = 1 / static_cast<double>(poses_.size());
     for (int i = 3; i < 6; ++i)
-      if (const int difference = inSteps(share * sumB[i]) - inSteps(share * sumA[i]); difference != 0) return difference;
+      if (const int difference = inSteps(share * sumB[i]) - inSteps(share * sumA[i]); difference != 0)
+        return difference;
     return byPose;
   }
 
@@ -150,7 +154,7 @@ class Orderer {
       if (x < 0 && y < 0) return 0;
       if (x < 0 || y < 0) return x < 0 ? 1 : -1;
       if (const int order = compare(x, y); order != 0) return order;
-      if (walks_[0].entries().size() != walks_[1].entries().size()) 
+      if (walks_[0].entries().size() != walks_[1].entries().size())
         return walks_[0].entries().size() > walks_[1].entries().size() ? -1 : 1;
     }
     return 0;
@@ -167,7 +171,8 @@ class Orderer {
     std::vector<int> sides;
     inBlocks({}, next_.size(), [&](std::size_t begin, std::size_t end) {
       for (int last = static_cast<int>(begin); last < static_cast<int>(end); ++last) {
-        if (next_[last] >= last) continue;  // the sides of an edge come in ascending order: each edge is met at its last one
+        if (next_[last] >= last)
+          continue;  // the sides of an edge come in ascending order: each edge is met at its last one
         sides = {last};
         for (int side = next_[last]; side != last; side = next_[side]) sides.push_back(side);
         if (sides.size() < 3) continue;
@@ -296,7 +301,8 @@ std::vector<int> MeshOrder::oldFaces() const {
   return faces;
 }
 
-MeshOrder canonicalOrder(const std::vector<Triangle>& faces, const std::vector<Positions>& poses, const FractionReport& onProgress) {
+MeshOrder canonicalOrder(const std::vector<Triangle>& faces, const std::vector<Positions>& poses,
+                         const FractionReport& onProgress) {
   return Orderer(faces, poses).run(onProgress);
 }
 

@@ -1,4 +1,5 @@
-// An order of vertices and faces that comes from the mesh itself: what follows does not depend on the order in the file.
+// An order of vertices and faces that comes from the mesh itself: what follows does not depend on the order in the
+// file.
 #pragma once
 
 #include <vector>
@@ -20,13 +21,12 @@ struct MeshOrder {
   std::vector<int> oldFaces() const;  ///< of each new one
 };
 
-/// Breadth first from face to face over their edges, from the side of a face that lies farthest out in all poses. Faces that
-/// are entered over an edge start with it; vertices are numbered as they are met, those in no face last. Neighbours are
-/// therefore near each other. Which side comes first, which component, and which neighbour at a non-manifold edge, is
-/// decided by lengths that a rigid motion of a pose keeps, so coarsely that rounding decides nothing; by the file's order
-/// only where the shape is symmetric in every pose.
-/// faces: of vertices that every pose has; those without area count, too. Time: linear but for symmetric shapes, where it is
-/// bounded.
+/// Breadth first from face to face over their edges, from the side of a face that lies farthest out in all poses. Faces
+/// that are entered over an edge start with it; vertices are numbered as they are met, those in no face last.
+/// Neighbours are therefore near each other. Which side comes first, which component, and which neighbour at a
+/// non-manifold edge, is decided by lengths that a rigid motion of a pose keeps, so coarsely that rounding decides
+/// nothing; by the file's order only where the shape is symmetric in every pose. faces: of vertices that every pose
+/// has; those without area count, too. Time: linear but for symmetric shapes, where it is bounded.
 MeshOrder canonicalOrder(const std::vector<Triangle>& faces, const std::vector<Positions>& poses,
                          const FractionReport& onProgress = {});
 

@@ -15,7 +15,8 @@ namespace {
 // Queries for the nearest other component: enough to find the place of contact, bounded for meshes of many pieces.
 constexpr int maximumQueries = 40000;
 constexpr int minimumQueriesPerComponent = 4;
-// Contacts that are farther by no more than this share, or by what files round, are as near: symmetric shapes have several.
+// Contacts that are farther by no more than this share, or by what files round, are as near: symmetric shapes have
+// several.
 constexpr double asNear = 1e-3;
 
 // Vertices of each component that are used as starting points of the search.
@@ -29,8 +30,8 @@ std::vector<std::vector<int>> sampleVertices(const std::vector<int>& componentOf
 }
 
 struct Edge {
-  int a, b;        // components
-  int atA, atB;    // vertices
+  int a, b;      // components
+  int atA, atB;  // vertices
 };
 
 // Boruvka's algorithm: every group joins its nearest other group until one is left.
@@ -60,7 +61,8 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
       const double within = std::pow((1 + asNear) * std::sqrt(nearest[g].distance) + rounded, 2);
       for (int u : samples[c]) {
         if (lowest[g].from >= 0 && lowest[g].from <= u) break;  // samples ascend
-        if (const int to = search.lowestOther(u, groupOf, shared, within); to >= 0) lowest[g] = {nearest[g].distance, u, to};
+        if (const int to = search.lowestOther(u, groupOf, shared, within); to >= 0)
+          lowest[g] = {nearest[g].distance, u, to};
       }
     }
     for (int g = 0; g < components; ++g)

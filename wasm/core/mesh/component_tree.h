@@ -22,8 +22,8 @@ struct ComponentTree {
   int root() const { return order.front(); }
 };
 
-/// Minimum spanning tree of the components, the distance of two being the largest over all poses, rooted at the component
-/// of largest area, summed over all poses. faceUse: faces without area take no part.
+/// Minimum spanning tree of the components, the distance of two being the largest over all poses, rooted at the
+/// component of largest area, summed over all poses. faceUse: faces without area take no part.
 ComponentTree linkComponents(const std::vector<Triangle>& faces, const Pieces& pieces,
                              std::span<const Positions* const> poses);
 

@@ -19,7 +19,8 @@ std::vector<int> evenlyChosen(int count, int wanted) {
 
 }  // namespace
 
-ContactSearch::ContactSearch(std::span<const Positions* const> poses, const std::vector<int>& vertices) : poses_(poses) {
+ContactSearch::ContactSearch(std::span<const Positions* const> poses, const std::vector<int>& vertices)
+    : poses_(poses) {
   for (int pose : evenlyChosen(static_cast<int>(poses.size()), searchedPoses)) {
     trees_.emplace_back(*poses[pose], vertices);
     searched_.push_back(poses[pose]);

@@ -21,8 +21,8 @@ class ContactSearch {
  public:
   ContactSearch(std::span<const Positions* const> poses, const std::vector<int>& vertices);
 
-  /// Of the vertices nearest to `from` in some poses, among those for which accept(vertex) holds, the one of least distance;
-  /// `to` is -1 where there is none.
+  /// Of the vertices nearest to `from` in some poses, among those for which accept(vertex) holds, the one of least
+  /// distance; `to` is -1 where there is none.
   template <class Accept>
   Contact nearest(int from, Accept accept) const {
     Contact best;
@@ -42,8 +42,8 @@ class ContactSearch {
     return shared;
   }
 
-  /// Puts a contact of `from` with a vertex of another label into `best` where it is nearer. The distance is the largest of all poses: what
-  /// is no nearer in one of them is passed over.
+  /// Puts a contact of `from` with a vertex of another label into `best` where it is nearer. The distance is the
+  /// largest of all poses: what is no nearer in one of them is passed over.
   template <class Label>
   void nearestOther(int from, Label label, const std::vector<std::vector<int>>& shared, Contact& best) const {
     for (std::size_t k = 0; k < trees_.size(); ++k) {
@@ -53,7 +53,8 @@ class ContactSearch {
     }
   }
 
-  /// Of the vertices of another label that are nearer to `from` than `within` (a square) in all poses the lowest; -1 without any.
+  /// Of the vertices of another label that are nearer to `from` than `within` (a square) in all poses the lowest; -1
+  /// without any.
   template <class Label>
   int lowestOther(int from, Label label, const std::vector<std::vector<int>>& shared, double within) const {
     int lowest = -1;

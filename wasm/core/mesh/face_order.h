@@ -14,8 +14,8 @@ struct FaceRange {
   int begin = 0, end = 0;
 };
 
-/// Faces sorted by the last of their corners: neighbours in this order add to neighbouring places and find all that lies before
-/// theirs at hand.
+/// Faces sorted by the last of their corners: neighbours in this order add to neighbouring places and find all that
+/// lies before theirs at hand.
 struct FaceHalves {
   std::vector<int> order;
   /// Two halves without a common corner, each a multiple of four faces, then the rest.
@@ -23,6 +23,7 @@ struct FaceHalves {
 };
 
 /// corners: of each face, in [0, count). Faces with the corner `shared` (or -1 for none) go to the rest.
-FaceHalves halveFaces(const std::vector<Triangle>& corners, int count, int shared = -1, const FractionReport& onProgress = {});
+FaceHalves halveFaces(const std::vector<Triangle>& corners, int count, int shared = -1,
+                      const FractionReport& onProgress = {});
 
 }  // namespace shapespline

@@ -1,4 +1,5 @@
-// Nearest neighbour among points, with a filter: the core's own because the filter ("in another piece") prunes the search.
+// Nearest neighbour among points, with a filter: the core's own because the filter ("in another piece") prunes the
+// search.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 
 namespace shapespline {
 
-/// A static kd-tree over some of the given points, which must outlive it. Deterministic: equal distances go to the lower
-/// index.
+/// A static kd-tree over some of the given points, which must outlive it. Deterministic: equal distances go to the
+/// lower index.
 class KdTree {
  public:
   KdTree(const Positions& points, std::vector<int> subset) : points_(points), order_(std::move(subset)) {
@@ -39,8 +40,9 @@ class KdTree {
     return shared;
   }
 
-  /// The point nearest `query` with another label than `own`, at a squared distance below `within`; -1 where there is none.
-  /// Subtrees without another label are passed over: the search does not wade through what is near and of the same label.
+  /// The point nearest `query` with another label than `own`, at a squared distance below `within`; -1 where there is
+  /// none. Subtrees without another label are passed over: the search does not wade through what is near and of the
+  /// same label.
   template <class Label>
   int nearestOther(const Vec3& query, Label label, const std::vector<int>& shared, int own, double within) const {
     Best best{within, -1};
@@ -52,7 +54,8 @@ class KdTree {
 
   /// Visits the points with another label than `own` at a squared distance below `within`, in no order.
   template <class Label, class Visit>
-  void eachOther(const Vec3& query, Label label, const std::vector<int>& shared, int own, double within, Visit visit) const {
+  void eachOther(const Vec3& query, Label label, const std::vector<int>& shared, int own, double within,
+                 Visit visit) const {
     Best best{within, -1};
     const auto accept = [&](int point) {
       if (label(point) != own) visit(point);
@@ -91,7 +94,8 @@ class KdTree {
   }
 
   template <class Accept, class Skip>
-  void search(const Vec3& query, const Accept& accept, const Skip& skip, int first, int last, int axis, Best& best) const {
+  void search(const Vec3& query, const Accept& accept, const Skip& skip, int first, int last, int axis,
+              Best& best) const {
     if (first >= last) return;
     const int middle = (first + last) / 2;
     if (skip(middle)) return;

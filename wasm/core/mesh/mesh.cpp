@@ -47,12 +47,14 @@ void sortRows(Rows<Item>& rows, const FractionReport& onProgress) {
   });
 }
 
-// One side 3 f + c of a face, but for its lower vertex: the higher one, then the side, then whether it runs from high to low.
+// One side 3 f + c of a face, but for its lower vertex: the higher one, then the side, then whether it runs from high
+// to low.
 class Side {
  public:
   Side() = default;
   Side(int high, int index, bool reversed)
-      : bits_(static_cast<std::uint64_t>(high) << 33 | static_cast<std::uint64_t>(index) << 1 | static_cast<std::uint64_t>(reversed)) {}
+      : bits_(static_cast<std::uint64_t>(high) << 33 | static_cast<std::uint64_t>(index) << 1 |
+              static_cast<std::uint64_t>(reversed)) {}
   int high() const { return static_cast<int>(bits_ >> 33); }
   int index() const { return static_cast<int>(bits_ >> 1 & 0xffffffff); }
   int face() const { return index() / 3; }
@@ -65,7 +67,8 @@ class Side {
 
 // Sides of faces, bucketed by their lower vertex and sorted by the higher, so that sides of one edge are consecutive.
 template <class Use>
-Rows<Side> collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use, const FractionReport& onProgress = {}) {
+Rows<Side> collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use,
+                        const FractionReport& onProgress = {}) {
   const auto sidesOf = [&](std::size_t f, auto add) {
     if (!use(static_cast<int>(f))) return;
     for (int c = 0; c < 3; ++c) {
@@ -85,7 +88,8 @@ void eachEdge(Rows<Side>& sides, const FractionReport& onProgress, Visit visit) 
     for (std::size_t v = begin; v < end; ++v) {
       const std::span<const Side> row = sides.of(static_cast<int>(v));
       for (std::size_t a = 0, b; a < row.size(); a = b) {
-        for (b = a + 1; b < row.size() && row[b].high() == row[a].high(); ++b) {}
+        for (b = a + 1; b < row.size() && row[b].high() == row[a].high(); ++b) {
+        }
         visit(row.subspan(a, b - a));
       }
     }
@@ -169,7 +173,8 @@ int countUnreferenced(int vertexCount, const std::vector<Triangle>& faces) {
   return static_cast<int>(std::count(seen.begin(), seen.end(), 0));
 }
 
-int countPieces(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use, const FractionReport& onProgress) {
+int countPieces(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
+                const FractionReport& onProgress) {
   UnionFind joined(vertexCount);
   std::vector<char> seen(vertexCount, 0);
   int pieces = 0;

@@ -9,7 +9,8 @@
 
 namespace shapespline {
 
-/// A graph on faces in compressed rows: the neighbours of face f are neighbour[start[f]] to neighbour[start[f + 1] - 1].
+/// A graph on faces in compressed rows: the neighbours of face f are neighbour[start[f]] to neighbour[start[f + 1] -
+/// 1].
 struct FaceGraph {
   std::vector<int> start;
   std::vector<int> neighbour;
@@ -34,10 +35,10 @@ VertexFaces facesOfVertices(int vertexCount, const std::vector<Triangle>& faces)
 /// Flaws and features of a mesh, counted.
 struct MeshCounts {
   int edges = 0;
-  int boundaryEdges = 0;         ///< with one face
-  int nonManifoldEdges = 0;      ///< with three faces or more
-  int inconsistentEdges = 0;     ///< two faces run along it in the same direction
-  int duplicateFaces = 0;        ///< faces with the same three vertices as an earlier one
+  int boundaryEdges = 0;      ///< with one face
+  int nonManifoldEdges = 0;   ///< with three faces or more
+  int inconsistentEdges = 0;  ///< two faces run along it in the same direction
+  int duplicateFaces = 0;     ///< faces with the same three vertices as an earlier one
 };
 
 MeshCounts countMesh(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress = {});
@@ -49,14 +50,15 @@ int countUnreferenced(int vertexCount, const std::vector<Triangle>& faces);
 int countPieces(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
                 const FractionReport& onProgress = {});
 
-/// Neighbours across edges, between those faces for which `use` is true. Where faces meet only in a vertex (and no chain
-/// of edges joins them) one link is added, so that the pieces of this graph are the pieces that share vertices.
+/// Neighbours across edges, between those faces for which `use` is true. Where faces meet only in a vertex (and no
+/// chain of edges joins them) one link is added, so that the pieces of this graph are the pieces that share vertices.
 FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
                     const FractionReport& onProgress = {});
 
-/// Of each side 3 f + c, which runs from corner c of face f to the next, the next side along the same edge in ascending order,
-/// the first after the last: a side alone, and one without length, is its own.
-std::vector<int> nextAlongEdge(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress = {});
+/// Of each side 3 f + c, which runs from corner c of face f to the next, the next side along the same edge in ascending
+/// order, the first after the last: a side alone, and one without length, is its own.
+std::vector<int> nextAlongEdge(int vertexCount, const std::vector<Triangle>& faces,
+                               const FractionReport& onProgress = {});
 
 /// Connected pieces of a face graph.
 struct Pieces {

@@ -29,8 +29,8 @@ Float4 areaNormal(Float4 a, Float4 b, Float4 c) {
   return turnedXyz(u * turnedXyz(v) - turnedXyz(u) * v);
 }
 
-// Four sums to unit length; a sum of zero becomes (0, 0, 1). Divided by their largest component first: the squares of a small
-// mesh's areas leave the range of float.
+// Four sums to unit length; a sum of zero becomes (0, 0, 1). Divided by their largest component first: the squares of a
+// small mesh's areas leave the range of float.
 void normalise(Float4 (&sum)[4]) {
   Float4 &x = sum[0], &y = sum[1], &z = sum[2], &w = sum[3];
   transpose(x, y, z, w);
@@ -59,14 +59,15 @@ void addNormals(const Faces& faces, const FaceRange& range, const float* places,
   const Triangle *corner = faces.corner.data(), *target = faces.target.data();
   const auto add = [&](int f) {
     const auto& [a, b, c] = corner[f];
-    const Float4 normal = areaNormal(Float4::load(at(places, a)), Float4::load(at(places, b)), Float4::load(at(places, c)));
+    const Float4 normal =
+        areaNormal(Float4::load(at(places, a)), Float4::load(at(places, b)), Float4::load(at(places, c)));
     for (int group : target[f]) {
       float* sum = at(sums, group);
       (Float4::load(sum) + normal).store(sum);
     }
   };
-  // Neighbours share corners, and each would wait for the sum that the one before has just stored: faces eight apart follow
-  // each other.
+  // Neighbours share corners, and each would wait for the sum that the one before has just stored: faces eight apart
+  // follow each other.
   int f = range.begin;
   for (; f + 32 <= range.end; f += 32)
     for (int i = f; i < f + 8; ++i) add(i), add(i + 8), add(i + 16), add(i + 24);
@@ -75,8 +76,8 @@ void addNormals(const Faces& faces, const FaceRange& range, const float* places,
 
 // Groups of four, the last of them filled up with vertices before it.
 template <class Drawn>
-void drawVertices(std::span<const Drawn> drawn, const float* places, const float* move, const float* sums, float* positions,
-                  float* normals) {
+void drawVertices(std::span<const Drawn> drawn, const float* places, const float* move, const float* sums,
+                  float* positions, float* normals) {
   const Float4 by = Float4::load(move);
   const std::size_t count = drawn.size(), last = count - std::min<std::size_t>(count, 4);
   for (std::size_t i = 0; i < count; i += 4) {
@@ -94,8 +95,8 @@ void drawVertices(std::span<const Drawn> drawn, const float* places, const float
 
 }  // namespace
 
-VertexNormals::VertexNormals(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups, const std::vector<int>& placeOf,
-                 const FractionReport& onProgress)
+VertexNormals::VertexNormals(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups,
+                             const std::vector<int>& placeOf, const FractionReport& onProgress)
     : groups_(groups) {
   std::vector<int> renumbered(groups, -1);
   int next = 0;
@@ -140,11 +141,13 @@ void VertexNormals::draw(const std::vector<float>& places, const Vec3& move, Scr
   inTwo(forkJoin, [&](int half) { add(faces, ranges_[half], places.data(), sums.data()); });
   add(faces, ranges_[2], places.data(), sums.data());
   const auto write = outOfLine(drawVertices<Drawn>);
-  const std::array<float, 4> by = {static_cast<float>(move.x()), static_cast<float>(move.y()), static_cast<float>(move.z()), 0};
+  const std::array<float, 4> by = {static_cast<float>(move.x()), static_cast<float>(move.y()),
+                                   static_cast<float>(move.z()), 0};
   inTwo(forkJoin, [&](int part) {
     const std::span<const Drawn> all = drawn_;
     const std::size_t half = all.size() / 2;
-    write(part == 0 ? all.first(half) : all.subspan(half), places.data(), by.data(), sums.data(), positions.data(), normals.data());
+    write(part == 0 ? all.first(half) : all.subspan(half), places.data(), by.data(), sums.data(), positions.data(),
+          normals.data());
   });
 }
 

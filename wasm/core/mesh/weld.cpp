@@ -50,7 +50,9 @@ class Grid {
 
   Cube cube(const Vec3& p) const {
     // Clamped, so that far coordinates over a tiny tolerance cannot overflow the conversion.
-    const auto index = [&](double x) { return static_cast<std::int64_t>(std::clamp(std::floor(x / cell_), -1e18, 1e18)); };
+    const auto index = [&](double x) {
+      return static_cast<std::int64_t>(std::clamp(std::floor(x / cell_), -1e18, 1e18));
+    };
     return {index(p.x()), index(p.y()), index(p.z())};
   }
 
@@ -68,8 +70,8 @@ class Grid {
   std::vector<int> head_, next_;
 };
 
-// Where all poses together put each vertex, in units of their tolerances: copies lie within 1 of each other, and parts that are
-// one point in some pose are spread out by the others. Weights that differ let no two poses cancel each other.
+// Where all poses together put each vertex, in units of their tolerances: copies lie within 1 of each other, and parts
+// that are one point in some pose are spread out by the others. Weights that differ let no two poses cancel each other.
 Positions placesInAllPoses(std::span<const Positions* const> poses, std::span<const double> tolerance) {
   Positions places(poses[0]->size(), Vec3::Zero());
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -104,7 +106,8 @@ std::vector<double> weldTolerances(std::span<const Positions* const> poses) {
   return tolerance;
 }
 
-Welding weld(std::span<const Positions* const> poses, std::span<const double> tolerance, const FractionReport& onProgress) {
+Welding weld(std::span<const Positions* const> poses, std::span<const double> tolerance,
+             const FractionReport& onProgress) {
   Welding welding;
   const int n = static_cast<int>(poses[0]->size());
   welding.weldedOfRaw.resize(n);

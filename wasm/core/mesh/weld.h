@@ -17,11 +17,12 @@ struct Welding {
 };
 
 /// Joins vertices that coincide in every pose within that pose's tolerance, a length.
-Welding weld(std::span<const Positions* const> poses, std::span<const double> tolerance, const FractionReport& onProgress = {});
+Welding weld(std::span<const Positions* const> poses, std::span<const double> tolerance,
+             const FractionReport& onProgress = {});
 
-/// The tolerance of each pose: 1e-6 of its own bounding diagonal, wherever the others lie; anything much larger would join real
-/// detail. Exporters write float32, whose rounding is 6e-8 of the size; where a pose that holds nothing but such numbers lies far
-/// from the origin, it is what those are rounded by there.
+/// The tolerance of each pose: 1e-6 of its own bounding diagonal, wherever the others lie; anything much larger would
+/// join real detail. Exporters write float32, whose rounding is 6e-8 of the size; where a pose that holds nothing but
+/// such numbers lies far from the origin, it is what those are rounded by there.
 std::vector<double> weldTolerances(std::span<const Positions* const> poses);
 
 std::vector<Triangle> weldFaces(const std::vector<Triangle>& faces, const Welding& welding);

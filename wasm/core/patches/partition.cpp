@@ -97,10 +97,12 @@ class Partition {
     middle /= area;
     const double inverseRadiusSquared = count * std::numbers::pi / area;
 
-    const int candidateCount = std::min<int>(static_cast<int>(members.size()), std::max(count * candidatesPerSeed, 512));
+    const int candidateCount =
+        std::min<int>(static_cast<int>(members.size()), std::max(count * candidatesPerSeed, 512));
     std::vector<int> candidates(candidateCount);
     for (int i = 0; i < candidateCount; ++i)
-      candidates[i] = members[static_cast<std::int64_t>(i) * static_cast<std::int64_t>(members.size()) / candidateCount];
+      candidates[i] =
+          members[static_cast<std::int64_t>(i) * static_cast<std::int64_t>(members.size()) / candidateCount];
 
     // Side by side: every seed asks all of them.
     Positions centroid;
@@ -116,7 +118,8 @@ class Partition {
     for (int i = 1; i < candidateCount; ++i)  // the first seed lies farthest out
       if (farness(candidates[i]) > farness(candidates[next])) next = i;
     for (int s = 0; s < count; ++s) {
-      if (s % 16 == 0) reportFraction(onProgress_, shareOfSeeds * std::min(1.0, static_cast<double>(centres_.size()) / wanted));
+      if (s % 16 == 0)
+        reportFraction(onProgress_, shareOfSeeds * std::min(1.0, static_cast<double>(centres_.size()) / wanted));
       centres_.push_back(centreAt(candidates[next], inverseRadiusSquared));
       patches_.pieceOf.push_back(piece);
       nearest[next] = -1;
@@ -214,7 +217,8 @@ class Partition {
     });
     std::sort(links.begin(), links.end());
     for (std::size_t i = 0, j; i < links.size(); i = j) {
-      for (j = i + 1; j < links.size() && links[j] == links[i]; ++j) {}
+      for (j = i + 1; j < links.size() && links[j] == links[i]; ++j) {
+      }
       patches_.pairs.push_back({links[i].first, links[i].second, static_cast<int>(j - i)});
     }
   }

@@ -37,14 +37,14 @@ struct PatchPair {
 };
 
 struct Patches {
-  std::vector<int> ofFace;       ///< -1 where the face is in no piece
+  std::vector<int> ofFace;  ///< -1 where the face is in no piece
   int count = 0;
   std::vector<int> pieceOf;      ///< piece of each patch
   std::vector<PatchPair> pairs;  ///< ascending
 };
 
-/// Number of patches used when none is asked for: the square root of the number of faces, rounded. The pairs then number
-/// a few times sqrt(m), so that the first system stays tiny beside the second.
+/// Number of patches used when none is asked for: the square root of the number of faces, rounded. The pairs then
+/// number a few times sqrt(m), so that the first system stays tiny beside the second.
 int defaultPatchCount(int faceCount);
 
 /// Farthest-point seeds, then rounds of region growing on the dual graph and re-seeding (Lloyd). Every piece gets at

@@ -16,7 +16,8 @@ class PatchEncoder {
   Result<PatchCoordinates> run(int wantedPatches, const FractionReport& onProgress) {
     partition(wantedPatches, onProgress);
     encodePairs();
-    if (Status status = encodeConnections(shape_, collectLinks(), std::move(area_), out_); !status) return status.error();
+    if (Status status = encodeConnections(shape_, collectLinks(), std::move(area_), out_); !status)
+      return status.error();
     return std::move(out_);
   }
 
@@ -38,14 +39,16 @@ class PatchEncoder {
     parts_.eachUsedFace(measure, partOf(onProgress, 0, 0.3));
     const int used = static_cast<int>(std::count(parts_.hasArea.begin(), parts_.hasArea.end(), 1));
     const int wanted = wantedPatches > 0 ? std::min(wantedPatches, used) : defaultPatchCount(used);
-    out_.patches = partitionFaces({parts_.graph, parts_.pieces, area, centroid, distinct}, wanted, partOf(onProgress, 0.3, 0.9));
+    out_.patches =
+        partitionFaces({parts_.graph, parts_.pieces, area, centroid, distinct}, wanted, partOf(onProgress, 0.3, 0.9));
     area_.assign(out_.patches.count, 0);
     parts_.eachUsedFace([&](int f) { area_[out_.patches.ofFace[f]] += area[f]; });
     averageRotations(area, rotations, partOf(onProgress, 0.9, 1));
   }
 
   // G_k: the projection to SO(3) of the area-weighted mean of R_f over the patch.
-  void averageRotations(const std::vector<double>& area, const FaceRotations& rotations, const FractionReport& onProgress) {
+  void averageRotations(const std::vector<double>& area, const FaceRotations& rotations,
+                        const FractionReport& onProgress) {
     const int columns = shape_.columns();
     for (int c = 0; c < columns; ++c) {
       std::vector<RotationMean> mean(out_.patches.count);
@@ -120,7 +123,8 @@ class ConnectionEncoder {
     return (out_.rotation[column][link.from].conjugate() * out_.rotation[column][link.to]).normalized();
   }
 
-  // The cumulative form is not symmetric in the two patches: links lead away from the middle of the shape, not up the numbers.
+  // The cumulative form is not symmetric in the two patches: links lead away from the middle of the shape, not up the
+  // numbers.
   void orient() {
     std::vector<double> cost;
     for (const PatchLink& link : out_.graph.links()) {
@@ -144,14 +148,16 @@ class ConnectionEncoder {
         increment[s][l] = continuedHalfTurn(increment[s][l], s > 0 ? increment[s - 1][l] : Vec3(Vec3::Zero()));
   }
 
-  // The last step to a last key that is the first one again: the same way as to the last key, but for what the two differ by.
+  // The last step to a last key that is the first one again: the same way as to the last key, but for what the two
+  // differ by.
   void closeOnLastKey() {
     const auto [from, to] = posesOf(shape_, steps_.turnedClosing());
     const auto& key = out_.connection.key;
     const std::vector<Vec3>& alike = out_.connection.increment[shape_.keys - 2];
     std::vector<Vec3> closing;
     for (std::size_t l = 0; l < alike.size(); ++l)
-      closing.push_back(nearestRepresentative(logRotation(Quaternion(key[from][l].conjugate() * key[to][l])), alike[l]));
+      closing.push_back(
+          nearestRepresentative(logRotation(Quaternion(key[from][l].conjugate() * key[to][l])), alike[l]));
     out_.connection.increment[steps_.turnedClosing()] = std::move(closing);
   }
 
@@ -166,12 +172,15 @@ StepPoses posesOf(const WeldedShape& shape, int step) {
   const KeySteps steps{shape.keys};
   if (step == steps.closing()) return {shape.keys - 1, 0};
   if (step == steps.turnedClosing()) return shape.closing ? StepPoses{shape.keys - 2, 0} : StepPoses{-1, -1};
-  if (step == steps.startTangent()) return shape.startTangent >= 0 ? StepPoses{0, shape.startTangent} : StepPoses{-1, -1};
-  if (step == steps.endTangent()) return shape.endTangent >= 0 ? StepPoses{shape.keys - 1, shape.endTangent} : StepPoses{-1, -1};
+  if (step == steps.startTangent())
+    return shape.startTangent >= 0 ? StepPoses{0, shape.startTangent} : StepPoses{-1, -1};
+  if (step == steps.endTangent())
+    return shape.endTangent >= 0 ? StepPoses{shape.keys - 1, shape.endTangent} : StepPoses{-1, -1};
   return {step, step + 1};
 }
 
-Status encodeConnections(const WeldedShape& shape, std::vector<PatchLink> links, std::vector<double> area, PatchCoordinates& patches) {
+Status encodeConnections(const WeldedShape& shape, std::vector<PatchLink> links, std::vector<double> area,
+                         PatchCoordinates& patches) {
   return ConnectionEncoder(shape, patches).run(std::move(links), std::move(area));
 }
 

@@ -13,20 +13,23 @@ namespace shapespline {
 
 struct PatchCoordinates {
   Patches patches;
-  std::vector<std::vector<Quaternion>> rotation;   ///< G_k: rotation[column][patch]
-  std::vector<std::vector<Vec3>> pair;             ///< log(G_i^T G_j): pair[column][p] for patches.pairs[p], for the metric
-  PatchGraph graph;                                ///< links: patches.pairs in their order, then a bridge for each component but the root
-  std::vector<int> bridgedPiece;                   ///< the component that each bridge attaches
-  RotationPaths connection;                        ///< C = G_from^T G_to of each link
-  std::vector<std::vector<double>> residual;       ///< residual[step][link]: disagreement halfway (turn_branches.h), radians
+  std::vector<std::vector<Quaternion>> rotation;  ///< G_k: rotation[column][patch]
+  std::vector<std::vector<Vec3>> pair;  ///< log(G_i^T G_j): pair[column][p] for patches.pairs[p], for the metric
+  PatchGraph graph;  ///< links: patches.pairs in their order, then a bridge for each component but the root
+  std::vector<int> bridgedPiece;              ///< the component that each bridge attaches
+  RotationPaths connection;                   ///< C = G_from^T G_to of each link
+  std::vector<std::vector<double>> residual;  ///< residual[step][link]: disagreement halfway (turn_branches.h), radians
 };
 
-/// Partitions the faces and encodes their patches in all poses. wantedPatches: 0 = default. Needs some piece. Error: that of the solver.
+/// Partitions the faces and encodes their patches in all poses. wantedPatches: 0 = default. Needs some piece. Error:
+/// that of the solver.
 Result<PatchCoordinates> encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches,
                                        const FractionReport& onProgress = {});
 
-/// The part that follows from `rotation` alone: graph, connections and residuals. links: either way round; area: of each patch.
-Status encodeConnections(const WeldedShape& shape, std::vector<PatchLink> links, std::vector<double> area, PatchCoordinates& patches);
+/// The part that follows from `rotation` alone: graph, connections and residuals. links: either way round; area: of
+/// each patch.
+Status encodeConnections(const WeldedShape& shape, std::vector<PatchLink> links, std::vector<double> area,
+                         PatchCoordinates& patches);
 
 /// The poses at either end of a step: columns of the shape, -1 where there is no such step.
 struct StepPoses {

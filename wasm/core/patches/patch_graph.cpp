@@ -17,7 +17,8 @@ double onGrid(double cost) { return std::nearbyint(cost * 0x1p20); }
 
 }  // namespace
 
-PatchGraph::PatchGraph(std::vector<PatchLink> links, std::vector<double> area) : links_(std::move(links)), area_(std::move(area)) {
+PatchGraph::PatchGraph(std::vector<PatchLink> links, std::vector<double> area)
+    : links_(std::move(links)), area_(std::move(area)) {
   start_.assign(area_.size() + 1, 0);
   long long edges = 0, neighbours = 0;
   for (const PatchLink& link : links_) {
@@ -42,7 +43,8 @@ void PatchGraph::orient(const PatchTree& tree) {
 }
 
 // Dijkstra's algorithm along paths, Prim's otherwise: they differ in what a patch is reached at.
-PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool alongPaths, std::vector<double>& distance) const {
+PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool alongPaths,
+                           std::vector<double>& distance) const {
   const int count = patchCount();
   PatchTree tree{{}, std::vector<int>(count, -1), std::vector<int>(count, -1)};
   distance.assign(count, std::numeric_limits<double>::infinity());

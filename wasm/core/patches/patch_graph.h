@@ -8,7 +8,8 @@
 
 namespace shapespline {
 
-/// Two patches whose rotations are known against each other: neighbours, or the two where a component is attached to another.
+/// Two patches whose rotations are known against each other: neighbours, or the two where a component is attached to
+/// another.
 struct PatchLink {
   int from, to;
   int sharedEdges;  ///< 0 for a bridge, which leads from the component that carries to the one that is attached
@@ -36,8 +37,8 @@ class PatchGraph {
   /// Turns every link between neighbours round that does not lead away from the tree's root.
   void orient(const PatchTree& tree);
 
-  /// Shortest paths from the patch in the middle: the one with the least area-weighted distance to all others, of 64 candidates.
-  /// cost: of each link, positive; compared on a grid, so that rounding decides no tie.
+  /// Shortest paths from the patch in the middle: the one with the least area-weighted distance to all others, of 64
+  /// candidates. cost: of each link, positive; compared on a grid, so that rounding decides no tie.
   PatchTree centreTree(const std::vector<double>& cost) const;
 
   /// The spanning tree of largest weights (Prim), from the given root.

@@ -12,8 +12,9 @@ namespace shapespline {
 namespace {
 
 constexpr double twoPi = 2 * std::numbers::pi;
-// Steps of a frame. One leaves the cross-sections of a bar twisted by two turns 1.9 % off halfway, two leave 1 %. The second one, where
-// maps disagree by much, would go on towards minima that are lost in time: it moves what nearly agrees.
+// Steps of a frame. One leaves the cross-sections of a bar twisted by two turns 1.9 % off halfway, two leave 1 %. The
+// second one, where maps disagree by much, would go on towards minima that are lost in time: it moves what nearly
+// agrees.
 constexpr std::array frameSteps = {1, 16};
 // Rotation vectors shorter than this have no axis of their own.
 constexpr double noAxis = 1e-6;
@@ -85,8 +86,8 @@ std::vector<int> PatchMotion::stepsOf(const WeldedShape& shape, bool loop) const
   return result;
 }
 
-// Links count by the length of what they share. Those that turn far, or whose maps disagree with the others, count less; smooth shapes
-// hardly change: ((1 + cos a) / 2)^6 is 1 - O(a^2).
+// Links count by the length of what they share. Those that turn far, or whose maps disagree with the others, count
+// less; smooth shapes hardly change: ((1 + cos a) / 2)^6 is 1 - O(a^2).
 Result<PatchMotion::Solver> PatchMotion::makeSolver(const std::vector<int>& steps) const {
   const std::size_t count = patches_.graph.links().size();
   std::vector<double> weight, cost;
@@ -99,7 +100,8 @@ Result<PatchMotion::Solver> PatchMotion::makeSolver(const std::vector<int>& step
       residual = std::max(residual, patches_.residual[s][l]);
     }
     const double shared = patches_.graph.links()[l].sharedEdges / patches_.graph.meanSharedEdges();
-    weight.push_back(1e-4 + std::pow(agreement(largest), 6) * (0.05 + shared) + 0.03 * std::pow(agreement(residual), 4));
+    weight.push_back(1e-4 + std::pow(agreement(largest), 6) * (0.05 + shared) +
+                     0.03 * std::pow(agreement(residual), 4));
     cost.push_back(0.1 + std::sqrt(squares) + 4 * residual);
   }
   auto system = PatchRotationSystem::create(patches_.graph, patches_.graph.centreTree(cost), std::move(weight));
@@ -120,8 +122,9 @@ void PatchMotion::partWay(const Solver& solver, int step, double share, std::vec
   for (Quaternion& q : rotation) q = (turn * q).normalized();
 }
 
-// How often a patch turned in a step shows in how its neighbours take it along: of its increments that differ by whole turns the
-// one is taken whose path comes nearest to the shape's own on the way. (Nearest to a neighbour's would lose turns near 360 degrees.)
+// How often a patch turned in a step shows in how its neighbours take it along: of its increments that differ by whole
+// turns the one is taken whose path comes nearest to the shape's own on the way. (Nearest to a neighbour's would lose
+// turns near 360 degrees.)
 void PatchMotion::findOwnIncrements(const Solver& solver, int step) {
   const auto [from, to] = posesOf_[step];
   std::vector<Vec3>& increment = own_.increment[step];
@@ -129,7 +132,8 @@ void PatchMotion::findOwnIncrements(const Solver& solver, int step) {
     increment.push_back(logRotation(Quaternion(own_.key[from][k].conjugate() * own_.key[to][k])));
   const int root = solver.system.tree().root();
   if (step <= steps_.closing())
-    increment[root] = continuedHalfTurn(increment[root], step > 0 ? own_.increment[step - 1][root] : Vec3(Vec3::Zero()));
+    increment[root] =
+        continuedHalfTurn(increment[root], step > 0 ? own_.increment[step - 1][root] : Vec3(Vec3::Zero()));
   constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
   std::array<std::vector<Quaternion>, 3> rotation;
   for (int i = 0; i < 3; ++i) partWay(solver, step, shares[i], rotation[i]);
@@ -141,7 +145,8 @@ void PatchMotion::findOwnIncrements(const Solver& solver, int step) {
       const Vec3 candidate = principal + n * turn;
       double distance = 0;
       for (int i = 0; i < 3; ++i)
-        distance += std::pow(rotation[i][k].angularDistance(own_.key[from][k] * expQuaternion(shares[i] * candidate)), 2);
+        distance +=
+            std::pow(rotation[i][k].angularDistance(own_.key[from][k] * expQuaternion(shares[i] * candidate)), 2);
       if (distance < least * (1 - 1e-9) - 1e-12) least = distance, increment[k] = candidate;
     }
   }
@@ -172,7 +177,8 @@ Vec3 PatchMotion::worldTurn(int step) const {
   return sum / total;
 }
 
-// In the reference pose of the attached component: that of its increment, of the first of its others that turns, or its axle.
+// In the reference pose of the attached component: that of its increment, of the first of its others that turns, or its
+// axle.
 Vec3 PatchMotion::turnAxis(const WeldedShape& shape, int step, std::size_t bridge) const {
   const std::size_t link = patches_.patches.pairs.size() + bridge;
   Vec3 axis = patches_.connection.increment[step][link];
@@ -180,7 +186,8 @@ Vec3 PatchMotion::turnAxis(const WeldedShape& shape, int step, std::size_t bridg
   if (axis.norm() > atRest) return axis.normalized();
   const std::vector<int>& ofFace = patches_.patches.ofFace;
   std::vector<char> ofPart;
-  for (const int patch : ofFace) ofPart.push_back(patch >= 0 && patches_.patches.pieceOf[patch] == patches_.bridgedPiece[bridge]);
+  for (const int patch : ofFace)
+    ofPart.push_back(patch >= 0 && patches_.patches.pieceOf[patch] == patches_.bridgedPiece[bridge]);
   return wheelAxis(shape.poses[shape.reference], shape.faces, ofPart);
 }
 

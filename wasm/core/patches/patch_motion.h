@@ -1,5 +1,5 @@
-// The patches of a shape as frames: their rotations from the connection maps (the first system of paper section 4.2), the whole turned
-// to where the keys have it.
+// The patches of a shape as frames: their rotations from the connection maps (the first system of paper section 4.2),
+// the whole turned to where the keys have it.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@
 
 namespace shapespline {
 
-/// Whole turns that are added on the way to keys: to all patches, in each step, and to the components that bridges attach.
+/// Whole turns that are added on the way to keys: to all patches, in each step, and to the components that bridges
+/// attach.
 struct PatchTurns {
   std::vector<double> whole;
   std::vector<WholeTurns> bridges;
@@ -62,9 +63,9 @@ class PatchMotion {
   std::vector<StepPoses> posesOf_;      // at either end of each step
   std::optional<RigidMotion> closing_;  // of a loop whose last key is the first one again
   PatchCoordinates patches_;
-  RotationPaths own_;                   // the rotation of each patch by itself
+  RotationPaths own_;  // the rotation of each patch by itself
   std::optional<Solver> open_, loop_;
-  std::vector<Vec3> axis_;              // of each step, world, at the key where it begins
+  std::vector<Vec3> axis_;  // of each step, world, at the key where it begins
 };
 
 }  // namespace shapespline

@@ -13,7 +13,8 @@ double power(double base, int exponent) {
 
 }  // namespace
 
-Result<PatchRotationSystem> PatchRotationSystem::create(const PatchGraph& graph, PatchTree tree, std::vector<double> weight) {
+Result<PatchRotationSystem> PatchRotationSystem::create(const PatchGraph& graph, PatchTree tree,
+                                                        std::vector<double> weight) {
   PatchRotationSystem system;
   system.links_ = graph.links();
   system.tree_ = std::move(tree);
@@ -46,7 +47,8 @@ Status PatchRotationSystem::build(const PatchGraph& graph) {
   return {};
 }
 
-void PatchRotationSystem::startOnTree(const std::vector<Quaternion>& connection, std::vector<Quaternion>& rotation) const {
+void PatchRotationSystem::startOnTree(const std::vector<Quaternion>& connection,
+                                      std::vector<Quaternion>& rotation) const {
   for (const int k : tree_.order) {
     const int parent = tree_.parent[k], link = tree_.link[k];
     if (parent < 0) rotation[k].setIdentity();
@@ -55,8 +57,8 @@ void PatchRotationSystem::startOnTree(const std::vector<Quaternion>& connection,
   }
 }
 
-void PatchRotationSystem::solve(const std::vector<Quaternion>& connection, std::span<const int> caution, Scratch& scratch,
-                                std::vector<Quaternion>& rotation) const {
+void PatchRotationSystem::solve(const std::vector<Quaternion>& connection, std::span<const int> caution,
+                                Scratch& scratch, std::vector<Quaternion>& rotation) const {
   rotation.resize(tree_.order.size());
   startOnTree(connection, rotation);
   if (!connection.empty())
@@ -68,8 +70,8 @@ void PatchRotationSystem::step(const std::vector<Quaternion>& connection, int ca
   scratch.assign(laplacian_.paddedSize(), Eigen::Vector4d::Zero());
   for (std::size_t l = 0; l < links_.size(); ++l) {
     const auto [i, j, edges] = links_[l];
-    // G_j (G_i C)^T = exp(r), q its quaternion: the sine of r, faded by powers of (1 + cos r) / 2 where maps disagree by much. No
-    // logarithm, no branch cut, and no difference between q and -q.
+    // G_j (G_i C)^T = exp(r), q its quaternion: the sine of r, faded by powers of (1 + cos r) / 2 where maps disagree
+    // by much. No logarithm, no branch cut, and no difference between q and -q.
     const Quaternion q = rotation[j] * (rotation[i] * connection[l]).conjugate();
     const Vec3 pull = weight_[l] * 2 * q.w() * power(q.w() * q.w(), caution) * q.vec();
     scratch[position_[i]].head<3>() += pull;

@@ -131,7 +131,8 @@ class BranchSearch {
 
 }  // namespace
 
-Result<TurnBranches> chooseTurnBranches(const PatchGraph& graph, const std::vector<Quaternion>& from, const std::vector<Quaternion>& to) {
+Result<TurnBranches> chooseTurnBranches(const PatchGraph& graph, const std::vector<Quaternion>& from,
+                                        const std::vector<Quaternion>& to) {
   return BranchSearch(graph, from, to).run();
 }
 

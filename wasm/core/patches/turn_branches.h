@@ -11,14 +11,16 @@ namespace shapespline {
 
 /// What is chosen for one step between two poses.
 struct TurnBranches {
-  std::vector<Vec3> increment;   ///< of each link: exp of it is C_from^T C_to
-  std::vector<double> residual;  ///< of each link: the angle by which the maps halfway disagree with the rotations found there, radians
+  std::vector<Vec3> increment;  ///< of each link: exp of it is C_from^T C_to
+  std::vector<double>
+      residual;  ///< of each link: the angle by which the maps halfway disagree with the rotations found there, radians
 };
 
-/// Logarithms near half a turn do not say their sense alone; all of them together do: halfway between the poses the maps have to
-/// agree around cycles of links. A local search over the senses of those links that turn far, from several trees, for the least
-/// disagreement halfway. from, to: the maps C = G_i^T G_j of each link in the two poses. Depends on them and on the graph alone.
-/// Error: that of the solver.
-Result<TurnBranches> chooseTurnBranches(const PatchGraph& graph, const std::vector<Quaternion>& from, const std::vector<Quaternion>& to);
+/// Logarithms near half a turn do not say their sense alone; all of them together do: halfway between the poses the
+/// maps have to agree around cycles of links. A local search over the senses of those links that turn far, from several
+/// trees, for the least disagreement halfway. from, to: the maps C = G_i^T G_j of each link in the two poses. Depends
+/// on them and on the graph alone. Error: that of the solver.
+Result<TurnBranches> chooseTurnBranches(const PatchGraph& graph, const std::vector<Quaternion>& from,
+                                        const std::vector<Quaternion>& to);
 
 }  // namespace shapespline

@@ -16,9 +16,9 @@ namespace shapespline {
 
 namespace {
 
-// The series' terms up to x = seriesLimit (a little over half a turn). The first term left out is below the precision's rounding
-// there; larger angles go through the C library. Most faces turn by less than half a radian against their frame: they take few
-// terms.
+// The series' terms up to x = seriesLimit (a little over half a turn). The first term left out is below the precision's
+// rounding there; larger angles go through the C library. Most faces turn by less than half a radian against their
+// frame: they take few terms.
 constexpr double seriesLimit = 10.5, shortLimit = 0.25;
 template <class Real>
 constexpr int seriesTerms = std::is_same_v<Real, float> ? 11 : 17;
@@ -51,9 +51,11 @@ template <class Real>
 Rodrigues<Real> rodrigues(Lanes<Real> squaredAngle) {
   using L = Lanes<Real>;
   if (!notPositive(L::splat(Real(shortLimit)) - squaredAngle))
-    return {horner<shortTerms<Real>>(rotationSeries.sine, squaredAngle), horner<shortTerms<Real>>(rotationSeries.cosine, squaredAngle)};
+    return {horner<shortTerms<Real>>(rotationSeries.sine, squaredAngle),
+            horner<shortTerms<Real>>(rotationSeries.cosine, squaredAngle)};
   if (!notPositive(L::splat(Real(seriesLimit)) - squaredAngle))
-    return {horner<seriesTerms<Real>>(rotationSeries.sine, squaredAngle), horner<seriesTerms<Real>>(rotationSeries.cosine, squaredAngle)};
+    return {horner<seriesTerms<Real>>(rotationSeries.sine, squaredAngle),
+            horner<seriesTerms<Real>>(rotationSeries.cosine, squaredAngle)};
   return rodriguesOfLargeAngles<Real>(squaredAngle);
 }
 
@@ -82,8 +84,8 @@ void store(const Vector3<Lanes<Real>>& from, Four<Real>* v) {
   from.x.store(v[0]), from.y.store(v[1]), from.z.store(v[2]);
 }
 
-// Blocks that go through the kernel's steps together, and what a block hands from step to step. Each step is a short loop
-// whose numbers fit the registers; all in one would spill them, at twice the time.
+// Blocks that go through the kernel's steps together, and what a block hands from step to step. Each step is a short
+// loop whose numbers fit the registers; all in one would spill them, at twice the time.
 constexpr int blocksAtOnce = 8;
 template <class Real>
 struct alignas(32) Passing {
@@ -142,8 +144,8 @@ Eigenvalues<L> eigenvalues(const L& xx, const L& yy, const L& squaredXy) {
   return {(xx + yy) * half, squareRoot(difference * difference + squaredXy)};
 }
 
-// The largest u >= 0 at which u A + D is singular, 0 where there is none: minus the least eigenvalue of A^-1 D. A is positive
-// definite; with A = C C^T it is that of the symmetric C^-1 D C^-T, in which nothing cancels.
+// The largest u >= 0 at which u A + D is singular, 0 where there is none: minus the least eigenvalue of A^-1 D. A is
+// positive definite; with A = C C^T it is that of the symmetric C^-1 D C^-T, in which nothing cancels.
 template <class L>
 L nearness(const Symmetric<L>& a, const Symmetric<L>& d) {
   const L p = L::splat(1) / a.xx, s = a.xy * p, q = L::splat(1) / (a.yy - s * a.xy);
@@ -170,9 +172,9 @@ Extremes<Lanes<Real>> extremesOfKeys(const EndKey& end, const Real* block, Real 
   return result;
 }
 
-// Beyond the keys. `passing` holds the change from the end key on, which is linear in time: its stretch is scaled so that it eases
-// towards the limits (stretch_limits.h), and the end key is added. A logarithm has two limits, S_f the lower one, short of which it
-// stays definite. Which limit is the nearer one does not change with time.
+// Beyond the keys. `passing` holds the change from the end key on, which is linear in time: its stretch is scaled so
+// that it eases towards the limits (stretch_limits.h), and the end key is added. A logarithm has two limits, S_f the
+// lower one, short of which it stays definite. Which limit is the nearer one does not change with time.
 template <class Real>
 void goOnFrom(const EndKey& end, const Real* block, Stretch stretch, Passing<Real>& passing) {
   using L = Lanes<Real>;
@@ -180,13 +182,15 @@ void goOnFrom(const EndKey& end, const Real* block, Stretch stretch, Passing<Rea
   const Real rest = isLog ? 0 : 1;
   const auto [low, high] = extremesOfKeys(end, block, rest);
   Vector3<L> r{L::zero(), L::zero(), L::zero()}, s{L::splat(rest), L::zero(), L::splat(rest)};
-  if (end.place >= 0) r = loadThree(columnOf(block, end.place)), s = loadThree(columnOf(block, end.place) + 3 * faceLanes);
+  if (end.place >= 0)
+    r = loadThree(columnOf(block, end.place)), s = loadThree(columnOf(block, end.place) + 3 * faceLanes);
   const auto turn = load(passing.number), change = load(passing.number + 3);
   const Symmetric<L> d{change.x, change.y, change.z};
 
   const L margin = L::splat(static_cast<Real>(isLog ? std::log(stretchMargin) : 1 / stretchMargin));
   const L least = isLog ? low - margin : low * margin;
-  // A face that is all but flat in the end key leaves no room above the limit that its digits could show: it gets a little more.
+  // A face that is all but flat in the end key leaves no room above the limit that its digits could show: it gets a
+  // little more.
   Symmetric<L> room{s.x - least, s.y, s.z - least};
   const L little = (room.xx + room.yy) * L::splat(64 * std::numeric_limits<Real>::epsilon());
   room.xx = room.xx + little, room.yy = room.yy + little;
@@ -257,8 +261,8 @@ void scatter(const FaceBlock<Real>& face, int lane, const Real* frames, const Fo
 }
 
 // Where each face's corners lie; in the dump for faces that take no part.
-std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>& frameOf, const std::vector<int>& position, int dump,
-                                const FractionReport& onProgress) {
+std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>& frameOf,
+                                const std::vector<int>& position, int dump, const FractionReport& onProgress) {
   std::vector<Triangle> corners(shape.faces.size(), {dump, dump, dump});
   inBlocks(onProgress, corners.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
@@ -320,7 +324,8 @@ IndefiniteFaces FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordi
 
 template <class Real>
 IndefiniteFaces FaceKernel<Real>::accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,
-                                                  const std::vector<Real>& frames, const ColumnWeights<Real>& weights, Real* rhs) const {
+                                                  const std::vector<Real>& frames, const ColumnWeights<Real>& weights,
+                                                  Real* rhs) const {
   IndefiniteFaces found;
   const int end = (range.end + faceLanes - 1) / faceLanes;
   Passing<Real> passing[blocksAtOnce];
@@ -340,7 +345,8 @@ IndefiniteFaces FaceKernel<Real>::accumulateRange(const FaceRange& range, const 
     }
     for (int i = 0; i < count; ++i) findFactors(passing[i]);
     for (int i = 0; i < count; ++i) diverge(block[i], passing[i]);
-    // Not face after face: neighbours share corners, and each would wait for the sum that the one before has just stored.
+    // Not face after face: neighbours share corners, and each would wait for the sum that the one before has just
+    // stored.
     for (int lane = 0; lane < faceLanes; ++lane)
       for (int i = 0; i < count; ++i) scatter(block[i], lane, frames.data(), passing[i].corner, rhs);
   }

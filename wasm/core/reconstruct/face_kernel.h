@@ -20,8 +20,9 @@ inline constexpr int numbersPerFrame = 12;
 /// What a face contributes that does not depend on time. Lanes of one block lie side by side.
 template <class Real>
 struct FaceBlock {
-  Real tangent[6][faceLanes];         ///< t1 and t2 of the reference frame, xyz each
-  Real gradient[3][faceLanes];        ///< area times the hat functions' gradients, in (t1, t2): (-a, b) of corner 0, (a, c) of 1
+  Real tangent[6][faceLanes];  ///< t1 and t2 of the reference frame, xyz each
+  Real gradient[3]
+               [faceLanes];  ///< area times the hat functions' gradients, in (t1, t2): (-a, b) of corner 0, (a, c) of 1
   std::int32_t frame[faceLanes];      ///< index into the frames
   std::int32_t corner[3][faceLanes];  ///< where each corner's right-hand side lies
 };
@@ -36,22 +37,24 @@ struct IndefiniteFaces {
 template <class Real>
 class FaceKernel {
  public:
-  /// frameOf: frame of each face, or -1 for faces that take no part. position: where each vertex's right-hand side lies, or
-  /// `dump`, behind all others, for vertices that have none.
-  FaceKernel(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch, const std::vector<int>& position, int dump,
-             const FractionReport& onProgress = {});
+  /// frameOf: frame of each face, or -1 for faces that take no part. position: where each vertex's right-hand side
+  /// lies, or `dump`, behind all others, for vertices that have none.
+  FaceKernel(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
+             const std::vector<int>& position, int dump, const FractionReport& onProgress = {});
 
   /// The faces in the order in which they are gone through and in which their coordinates must lie.
   const std::vector<int>& order() const { return order_; }
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
-  /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: as the coordinates take them.
+  /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: as the coordinates
+  /// take them.
   IndefiniteFaces accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
                              const ColumnWeights<Real>& weights, Real* rhs, ForkJoin* forkJoin = nullptr) const;
 
  private:
-  [[gnu::noinline]] IndefiniteFaces accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                                                    const ColumnWeights<Real>& weights, Real* rhs) const;
+  [[gnu::noinline]] IndefiniteFaces accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,
+                                                    const std::vector<Real>& frames, const ColumnWeights<Real>& weights,
+                                                    Real* rhs) const;
 
   std::vector<int> order_;
   std::vector<FaceBlock<Real>> blocks_;

@@ -15,7 +15,8 @@ constexpr std::int64_t flopsPerChunk = 100'000'000;
 }  // namespace
 
 CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const std::vector<char>& hasArea,
-                                      const Pieces& pieces, const Positions& reference, const FractionReport& onProgress) {
+                                      const Pieces& pieces, const Positions& reference,
+                                      const FractionReport& onProgress) {
   CotangentLaplacian result;
   result.unknown.assign(reference.size(), -1);
   std::vector<char> tied(pieces.count, 0);
@@ -38,8 +39,8 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
     }
   });
 
-  // Every side of a face adds to the diagonal and to one entry below it. Column by column the latter are sorted by row and
-  // added up in the order of the faces, so that the sums are reproducible.
+  // Every side of a face adds to the diagonal and to one entry below it. Column by column the latter are sorted by row
+  // and added up in the order of the faces, so that the sums are reproducible.
   std::vector<double> diagonal(count, 0.0);
   std::vector<std::size_t> start(static_cast<std::size_t>(count) + 1, 0);
   const auto eachSide = [&](const FractionReport& report, auto visit) {
@@ -95,12 +96,13 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
   return result;
 }
 
-Result<PoissonSystem> PoissonSystem::create(const CotangentLaplacian& laplacian, Precision precision, const FractionReport& ordering,
-                                            const FractionReport& factorising) {
+Result<PoissonSystem> PoissonSystem::create(const CotangentLaplacian& laplacian, Precision precision,
+                                            const FractionReport& ordering, const FractionReport& factorising) {
   PoissonSystem system;
   Stopwatch watch;
   const Precision stored = precision == Precision::Double ? Precision::Double : Precision::Single;
-  if (Status status = system.solver_.analyse(laplacian.matrix, laplacian.coordinates, stored, ordering); !status) return status.error();
+  if (Status status = system.solver_.analyse(laplacian.matrix, laplacian.coordinates, stored, ordering); !status)
+    return status.error();
   reportFraction(ordering, 1);
   system.times_.order = watch.lap();
   if (Status status = system.factorise(laplacian, factorising); !status) return status.error();
@@ -117,7 +119,8 @@ Status PoissonSystem::factorise(const CotangentLaplacian& laplacian, const Fract
   const auto position = solver_.eliminationPosition();
   slot_.resize(laplacian.unknown.size());
   inBlocks({}, slot_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) slot_[v] = laplacian.unknown[v] >= 0 ? position[laplacian.unknown[v]] : dump();
+    for (std::size_t v = begin; v < end; ++v)
+      slot_[v] = laplacian.unknown[v] >= 0 ? position[laplacian.unknown[v]] : dump();
   });
   return {};
 }

@@ -17,12 +17,13 @@ namespace shapespline {
 /// piece is left out (it is tied to zero), which makes the matrix positive definite.
 struct CotangentLaplacian {
   SymmetricMatrix matrix;
-  std::vector<int> unknown;      ///< of each vertex; -1 where it is tied or loose
-  std::vector<Vec3> coordinates; ///< reference position of each unknown
+  std::vector<int> unknown;       ///< of each vertex; -1 where it is tied or loose
+  std::vector<Vec3> coordinates;  ///< reference position of each unknown
 };
 
 CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const std::vector<char>& hasArea,
-                                      const Pieces& pieces, const Positions& reference, const FractionReport& onProgress = {});
+                                      const Pieces& pieces, const Positions& reference,
+                                      const FractionReport& onProgress = {});
 
 /// The factored system and where each vertex lies in its vectors. Immutable.
 class PoissonSystem {
@@ -32,10 +33,10 @@ class PoissonSystem {
     double order = 0, factor = 0;
   };
 
-  /// Finds the order of elimination, then factorises. The reports are called at least a few times a second on large meshes.
-  /// Error: that of the solver.
-  static Result<PoissonSystem> create(const CotangentLaplacian& laplacian, Precision precision, const FractionReport& ordering,
-                                      const FractionReport& factorising);
+  /// Finds the order of elimination, then factorises. The reports are called at least a few times a second on large
+  /// meshes. Error: that of the solver.
+  static Result<PoissonSystem> create(const CotangentLaplacian& laplacian, Precision precision,
+                                      const FractionReport& ordering, const FractionReport& factorising);
 
   /// Slot of each vertex in right-hand sides and solutions; dump() for tied and loose ones.
   const std::vector<int>& slot() const { return slot_; }
@@ -52,8 +53,10 @@ class PoissonSystem {
     for (int i = 0; i < 4; ++i) xyzp[4 * static_cast<std::size_t>(dump()) + i] = 0;
   }
 
-  /// Likewise to double accuracy, from the x given (iterative_refinement.h); 4 * size() numbers each. Only with Precision::Exact.
-  void refine(const double* b, double* x, double extent, IterativeRefinement::Scratch& scratch, ForkJoin* forkJoin = nullptr) const {
+  /// Likewise to double accuracy, from the x given (iterative_refinement.h); 4 * size() numbers each. Only with
+  /// Precision::Exact.
+  void refine(const double* b, double* x, double extent, IterativeRefinement::Scratch& scratch,
+              ForkJoin* forkJoin = nullptr) const {
     refinement_->solve(solver_, b, x, extent, scratch, forkJoin);
   }
 

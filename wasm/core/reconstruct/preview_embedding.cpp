@@ -19,7 +19,8 @@ namespace {
 // Cells have at most so many vertices, unless there would be more than mostCells of them.
 constexpr int cellSize = 12, mostCells = 8192;
 
-// Halfway from one rotation to the other. Seen from there the way between two points of a bending body keeps its direction.
+// Halfway from one rotation to the other. Seen from there the way between two points of a bending body keeps its
+// direction.
 Quaternion midway(const Quaternion& a, const Quaternion& b) {
   const double sign = a.dot(b) < 0 ? -1 : 1;
   const Eigen::Vector4d sum = a.coeffs() + sign * b.coeffs();
@@ -78,7 +79,8 @@ Status PreviewEmbedding::build(const Input& input) {
   std::iota(vertices.begin(), vertices.end(), 0);
   std::sort(vertices.begin(), vertices.end(), [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
   for (std::size_t begin = 0, end; begin < vertices.size(); begin = end) {
-    for (end = begin + 1; end < vertices.size() && key(vertices[end]) == key(vertices[begin]); ++end) {}
+    for (end = begin + 1; end < vertices.size() && key(vertices[end]) == key(vertices[begin]); ++end) {
+    }
     const std::span<int> group(vertices.data() + begin, end - begin);
     if (isLoose[group[0]]) addCell(input, group, input.faceOfVertex[group[0]]);
     else divide(input, group, limit);
@@ -112,7 +114,8 @@ void PreviewEmbedding::divide(const Input& input, std::span<int> vertices, int l
 void PreviewEmbedding::addCell(const Input& input, std::span<int> vertices, int anchor) {
   std::sort(vertices.begin(), vertices.end(), [&](int a, int b) { return input.placeOf[a] < input.placeOf[b]; });
   const int face = input.faceOfVertex[vertices[0]], begin = static_cast<int>(vertex_.size());
-  Cell cell{input.frameOf[face], anchor < 0 ? input.pieceOf[face] : -1, begin, 0, static_cast<int>(vertices.size()), {}};
+  Cell cell{
+      input.frameOf[face], anchor < 0 ? input.pieceOf[face] : -1, begin, 0, static_cast<int>(vertices.size()), {}};
   anchorOf_.push_back(anchor);
   vertex_.insert(vertex_.end(), vertices.begin(), vertices.end());
   while (vertex_.size() % 4 != 0) vertex_.push_back(-1);
@@ -137,7 +140,8 @@ void PreviewEmbedding::encodeVertices(const Input& input) {
       const Mat3 toCell = keyRotation_[c][k].conjugate().toRotationMatrix();
       for (int i = cells_[k].begin; i < cells_[k].begin + cells_[k].size; ++i) {
         const Vec3 r = toCell * (input.shape.poses[c][vertex_[i]] - keyCentre_[c][k]);
-        float* number = &numbers_[static_cast<std::size_t>(i) / 4 * blockSize + 12 * static_cast<std::size_t>(c) + i % 4];
+        float* number =
+            &numbers_[static_cast<std::size_t>(i) / 4 * blockSize + 12 * static_cast<std::size_t>(c) + i % 4];
         for (int j = 0; j < 3; ++j) number[4 * j] = static_cast<float>(r[j]);
       }
     }
@@ -146,7 +150,8 @@ void PreviewEmbedding::encodeVertices(const Input& input) {
 PreviewEmbedding::Link PreviewEmbedding::link(int from, int to, double weight, bool logarithmic) const {
   Link result{from, to, weight, {}, {}};
   for (int c = 0; c < columns_; ++c) {
-    Vec3 offset = midway(keyRotation_[c][from], keyRotation_[c][to]).conjugate() * (keyCentre_[c][to] - keyCentre_[c][from]);
+    Vec3 offset =
+        midway(keyRotation_[c][from], keyRotation_[c][to]).conjugate() * (keyCentre_[c][to] - keyCentre_[c][from]);
     const double length = offset.norm();
     if (logarithmic) {
       result.logLength.push_back(std::log(std::max(length, 1e-300)));
@@ -161,10 +166,12 @@ Vec3 PreviewEmbedding::way(const Link& link, const Quaternion& middle, const Pos
   if (link.logLength.empty()) return middle * blendWay(link.offset, weights);
   const Vec3 direction = blend(link.offset, weights);
   const double length = direction.norm();
-  return middle * (length > 0 ? Vec3(direction * (std::exp(blendLogLength(link.logLength, weights)) / length)) : direction);
+  return middle *
+         (length > 0 ? Vec3(direction * (std::exp(blendLogLength(link.logLength, weights)) / length)) : direction);
 }
 
-PreviewEmbedding::Attachment PreviewEmbedding::attach(const Input& input, int face, int from, int to, const std::vector<Vec3>& pivot) const {
+PreviewEmbedding::Attachment PreviewEmbedding::attach(const Input& input, int face, int from, int to,
+                                                      const std::vector<Vec3>& pivot) const {
   Attachment result{from, to, input.frameOf[face], {}, {}, {}};
   for (int c = 0; c < columns_; ++c) {
     result.turn.push_back(input.turn(face, c));
@@ -177,7 +184,8 @@ PreviewEmbedding::Attachment PreviewEmbedding::attach(const Input& input, int fa
 }
 
 // Pairs of cells that an edge joins, ascending.
-std::vector<std::pair<int, int>> PreviewEmbedding::neighbours(const Input& input, const std::vector<int>& cellOf) const {
+std::vector<std::pair<int, int>> PreviewEmbedding::neighbours(const Input& input,
+                                                              const std::vector<int>& cellOf) const {
   std::vector<std::pair<int, int>> pairs;
   for (int f = 0; f < input.shape.faceCount(); ++f) {
     if (input.frameOf[f] < 0) continue;
@@ -216,16 +224,19 @@ Status PreviewEmbedding::buildLinks(const Input& input) {
   for (int k = 0; k < count; ++k)
     if (find(k) == k) entries.push_back({k, k, 1.0});  // tied to zero
   for (const auto& [anchor, contact, pivot] : input.anchors)
-    attachments_.push_back(attach(input, anchor, cellOf[input.shape.faces[anchor][0]], cellOf[input.shape.faces[contact][0]], pivot));
+    attachments_.push_back(
+        attach(input, anchor, cellOf[input.shape.faces[anchor][0]], cellOf[input.shape.faces[contact][0]], pivot));
   for (int k = 0; k < count; ++k)
-    if (anchorOf_[k] >= 0) attachments_.push_back(attach(input, anchorOf_[k], cellOf[input.shape.faces[anchorOf_[k]][0]], k, {}));
+    if (anchorOf_[k] >= 0)
+      attachments_.push_back(attach(input, anchorOf_[k], cellOf[input.shape.faces[anchorOf_[k]][0]], k, {}));
   const SymmetricMatrix matrix = assembleSymmetric(count, entries);
   if (Status status = laplacian_.analyse(matrix, {}, Precision::Double); !status) return status;
   return laplacian_.factorise(matrix);
 }
 
 // The cells' centres: neighbours as the keys have them, components and anchored vertices where their anchors have them.
-void PreviewEmbedding::settle(const PoseWeights& weights, const std::vector<Quaternion>& frames, Scratch& scratch) const {
+void PreviewEmbedding::settle(const PoseWeights& weights, const std::vector<Quaternion>& frames,
+                              Scratch& scratch) const {
   auto& [rotation, centre, solution] = scratch;
   const auto position = laplacian_.eliminationPosition();
   const auto at = [&](int cell) { return Eigen::Map<Vec3>(&solution[4 * static_cast<std::size_t>(position[cell])]); };
@@ -240,7 +251,8 @@ void PreviewEmbedding::settle(const PoseWeights& weights, const std::vector<Quat
   for (std::size_t k = 0; k < cells_.size(); ++k) centre[k] = at(static_cast<int>(k));
   for (const Attachment& h : attachments_) {
     const Quaternion anchor = frames[h.frame] * expQuaternion(blend(h.turn, weights));
-    const Vec3 shift = centre[h.from] + anchor * blend(h.offset, weights) - centre[h.to] - rotation[h.to] * blend(h.reach, weights);
+    const Vec3 shift =
+        centre[h.from] + anchor * blend(h.offset, weights) - centre[h.to] - rotation[h.to] * blend(h.reach, weights);
     const int piece = cells_[h.to].piece;
     if (piece < 0) centre[h.to] += shift;
     for (std::size_t k = 0; k < cells_.size() && piece >= 0; ++k)
@@ -273,10 +285,12 @@ void PreviewEmbedding::at(const PoseWeights& weights, const std::vector<Quaterni
       }
       Float4 p[4];
       for (int j = 0; j < 3; ++j)
-        p[j] = Float4::splat(centre[j]) + (Float4::splat(g(j, 0)) * r[0] + Float4::splat(g(j, 1)) * r[1] + Float4::splat(g(j, 2)) * r[2]);
+        p[j] = Float4::splat(centre[j]) +
+               (Float4::splat(g(j, 0)) * r[0] + Float4::splat(g(j, 1)) * r[1] + Float4::splat(g(j, 2)) * r[2]);
       p[3] = Float4::zero();
       transpose(p[0], p[1], p[2], p[3]);
-      for (int j = 0; j < 4 && place_[i + j] >= 0; ++j) p[j].store(&places[4 * static_cast<std::size_t>(place_[i + j])]);
+      for (int j = 0; j < 4 && place_[i + j] >= 0; ++j)
+        p[j].store(&places[4 * static_cast<std::size_t>(place_[i + j])]);
     }
   }
 }

@@ -1,4 +1,5 @@
-// Shapes at a fraction of a frame's cost, for while a slider moves: every vertex is carried by a small cell of the mesh.
+// Shapes at a fraction of a frame's cost, for while a slider moves: every vertex is carried by a small cell of the
+// mesh.
 #pragma once
 
 #include <functional>
@@ -12,17 +13,18 @@
 
 namespace shapespline {
 
-/// Where a component is attached to another: the link's faces, and in every column the point that holds it there (lri.h).
+/// Where a component is attached to another: the link's faces, and in every column the point that holds it there
+/// (lri.h).
 struct EmbeddedPlace {
   int anchorFace, contactFace;
   std::vector<Vec3> pivot;
 };
 
-/// Vertices embedded in cells, parts of what follows one frame. A cell turns with its frame and, within it, as its faces do on
-/// average; its centre follows from where the keys have neighbouring centres, seen from the frame halfway between
-/// theirs (least squares over the graph of cells); a vertex from where the keys have it in its cell. All of that is splined with
-/// the curve's weights, so that every key is met. Between the keys the error is of second order in how much a
-/// cell bends within itself. No system of the mesh's size is solved.
+/// Vertices embedded in cells, parts of what follows one frame. A cell turns with its frame and, within it, as its
+/// faces do on average; its centre follows from where the keys have neighbouring centres, seen from the frame halfway
+/// between theirs (least squares over the graph of cells); a vertex from where the keys have it in its cell. All of
+/// that is splined with the curve's weights, so that every key is met. Between the keys the error is of second order in
+/// how much a cell bends within itself. No system of the mesh's size is solved.
 class PreviewEmbedding {
  public:
   struct Input {
@@ -47,7 +49,8 @@ class PreviewEmbedding {
   /// Error: that of the solver.
   static Result<PreviewEmbedding> create(const Input& input);
 
-  /// The shape at `weights`, with the frames' rotations there. places: (x, y, z, pad) of each vertex, in the order of placeOf.
+  /// The shape at `weights`, with the frames' rotations there. places: (x, y, z, pad) of each vertex, in the order of
+  /// placeOf.
   void at(const PoseWeights& weights, const std::vector<Quaternion>& frames, Scratch& scratch,
           std::vector<float>& places) const;
 
@@ -56,8 +59,8 @@ class PreviewEmbedding {
   Status build(const Input& input);
   // Vertices of one cell, four side by side: numbers_ holds x, y and z of each column for each block.
   struct Cell {
-    int frame, piece;        // piece -1: anchored vertices
-    int begin, end;          // in vertex_ and place_, in whole blocks of four
+    int frame, piece;  // piece -1: anchored vertices
+    int begin, end;    // in vertex_ and place_, in whole blocks of four
     int size;
     std::vector<Vec3> turn;  // against its frame, one a column
   };
@@ -68,8 +71,8 @@ class PreviewEmbedding {
     std::vector<Vec3> offset;       // one a column; directions only where there are
     std::vector<double> logLength;  // one a column, or none
   };
-  // A component, or anchored vertices, at an anchor face: a point that lies at `offset` from one cell, seen from the face, and at
-  // `reach` from the other, seen from that.
+  // A component, or anchored vertices, at an anchor face: a point that lies at `offset` from one cell, seen from the
+  // face, and at `reach` from the other, seen from that.
   struct Attachment {
     int from, to, frame;
     std::vector<Vec3> turn, offset, reach;  // one per column
@@ -87,10 +90,10 @@ class PreviewEmbedding {
 
   int columns_ = 0, vertexCount_ = 0;
   std::vector<Cell> cells_;
-  std::vector<int> place_;   // of the vertices, cell by cell; -1 fills up a block
+  std::vector<int> place_;  // of the vertices, cell by cell; -1 fills up a block
   std::vector<float> numbers_;
-  std::vector<Vec3> mean_;             // of all vertices, one a column
-  std::vector<Link> links_;            // between neighbouring cells
+  std::vector<Vec3> mean_;   // of all vertices, one a column
+  std::vector<Link> links_;  // between neighbouring cells
   std::vector<Attachment> attachments_;
   Cholesky laplacian_;
   // while it is built: the vertex at each of place_, each cell's anchor face or -1, and of the columns the rotation and

@@ -77,7 +77,8 @@ Reconstructor<Real>::Reconstructor(const Input& in, LriCoordinates<Real> coordin
 }
 
 template <class Real>
-Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const PoseWeights& weights, const Frames& frames) const {
+Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const PoseWeights& weights,
+                                             const Frames& frames) const {
   Vec3 r = Vec3::Zero();
   for (int c = 0; c < lri_.face.columns(); ++c)
     if (weights.column[c] != 0) r += weights.column[c] * lri_.face.rotation(face, c);
@@ -85,7 +86,8 @@ Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const PoseWeig
 }
 
 template <class Real>
-void Reconstructor<Real>::faceRotations(const CurvePoint& point, const Frames& frames, std::vector<Quaternion>& rotation) const {
+void Reconstructor<Real>::faceRotations(const CurvePoint& point, const Frames& frames,
+                                        std::vector<Quaternion>& rotation) const {
   const PoseWeights w = poseWeights(point, shape_->roles());
   rotation.resize(shape_->faceCount());
   for (int f = 0; f < shape_->faceCount(); ++f)
@@ -93,8 +95,8 @@ void Reconstructor<Real>::faceRotations(const CurvePoint& point, const Frames& f
 }
 
 template <class Real>
-IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const Frames& frames, Scratch& scratch, Real* x,
-                                              ForkJoin* forkJoin) const {
+IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const Frames& frames, Scratch& scratch,
+                                              Real* x, ForkJoin* forkJoin) const {
   const std::size_t count = frames.rotation.size();
   std::vector<Real>& matrices = scratch.matrices;
   matrices.resize(numbersPerFrame * count);
@@ -150,7 +152,8 @@ Vec3 Reconstructor<Real>::placedCentroid(int face, const Scratch& scratch, const
 
 // Each component keeps its offset in its anchor face's R_f.
 template <class Real>
-void Reconstructor<Real>::placeComponents(const PoseWeights& weights, const Frames& frames, Scratch& scratch, const Real* x) const {
+void Reconstructor<Real>::placeComponents(const PoseWeights& weights, const Frames& frames, Scratch& scratch,
+                                          const Real* x) const {
   scratch.shift.assign(verticesOfPiece_.size(), Vec3::Zero());
   for (const ComponentPlace& place : lri_.places) {
     const Quaternion anchor = faceRotation(place.anchorFace, place.anchorFrame, weights, frames);
@@ -161,7 +164,8 @@ void Reconstructor<Real>::placeComponents(const PoseWeights& weights, const Fram
 }
 
 template <class Real>
-void Reconstructor<Real>::placeLoose(const PoseWeights& weights, const Frames& frames, Scratch& scratch, const Real* x) const {
+void Reconstructor<Real>::placeLoose(const PoseWeights& weights, const Frames& frames, Scratch& scratch,
+                                     const Real* x) const {
   scratch.loose.clear();
   for (const LooseVertex& loose : lri_.loose) {
     const Quaternion anchor = faceRotation(loose.anchorFace, loose.anchorFrame, weights, frames);
@@ -178,7 +182,8 @@ Vec3 Reconstructor<Real>::meanMove(const PoseWeights& weights, const Scratch& sc
   return blend(lri_.meanPosition, weights) - sum / shape_->vertexCount();
 }
 
-// The solver's slots come first among the places; each piece is moved by its shift, and the vertices without a slot follow.
+// The solver's slots come first among the places; each piece is moved by its shift, and the vertices without a slot
+// follow.
 template <class Real>
 void Reconstructor<Real>::slotsToPlaces(Scratch& scratch, Real* x) const {
   using L = Lanes<Real>;
@@ -246,7 +251,8 @@ Result<PreviewEmbedding> Reconstructor<Real>::makePreview(const FramePoses& pose
     anchors.push_back({place.anchorFace, place.contactFace, {}});
     for (int c = 0; c < shape_->columns(); ++c) {
       const Quaternion anchor = poses.rotation[c][place.anchorFrame] * expQuaternion(turn(place.anchorFace, c));
-      anchors.back().pivot.push_back(centroidOf(shape_->poses[c], shape_->faces[place.anchorFace]) + anchor * place.offset[c]);
+      anchors.back().pivot.push_back(centroidOf(shape_->poses[c], shape_->faces[place.anchorFace]) +
+                                     anchor * place.offset[c]);
     }
   }
   return PreviewEmbedding::create({*shape_, placeOf_, faceOfVertex, loose, frameOf_, pieceOfFace_, poses.rotation, turn,

@@ -1,4 +1,5 @@
-// Coordinates -> vertices: the frames' rotations, then the Poisson system, then the places of components and loose vertices.
+// Coordinates -> vertices: the frames' rotations, then the Poisson system, then the places of components and loose
+// vertices.
 #pragma once
 
 #include <functional>
@@ -21,10 +22,11 @@ struct PlacedShape {
   Vec3 move = Vec3::Zero();  ///< what all of them are still to be moved by
 };
 
-/// What a reconstruction found, and the wall times of its parts, ms: splined faces and right-hand side; the solve; placing the vertices.
+/// What a reconstruction found, and the wall times of its parts, ms: splined faces and right-hand side; the solve;
+/// placing the vertices.
 struct Reconstruction {
-  int indefiniteFaces = 0;   ///< faces whose interpolated S_f is not positive definite
-  int indefiniteFace = -1;   ///< one of them
+  int indefiniteFaces = 0;  ///< faces whose interpolated S_f is not positive definite
+  int indefiniteFace = -1;  ///< one of them
   double facesMs = 0, solveMs = 0, placeMs = 0;
 };
 
@@ -33,9 +35,9 @@ template <class Real>
 class Reconstructor {
  public:
   struct Input {
-    const WeldedShape& shape;     ///< must outlive the reconstructor
+    const WeldedShape& shape;  ///< must outlive the reconstructor
     const ShapeParts& parts;
-    std::span<const int> frameOf; ///< frame of each face; -1 where it has no area
+    std::span<const int> frameOf;  ///< frame of each face; -1 where it has no area
     Stretch stretch;
     Precision precision;
   };
@@ -44,11 +46,11 @@ class Reconstructor {
   struct Scratch {
     std::vector<Real> rightHandSide;  // with Precision::Exact
     IterativeRefinement::Scratch refinement;
-    std::vector<Real> matrices;       // of the frames
+    std::vector<Real> matrices;  // of the frames
     PlacedShape<Real> placed;
-    std::vector<Vec3> shift;          // translation of each piece against the others
-    std::vector<Real> shiftLanes;     // the same as (x, y, z, 0)
-    std::vector<Vec3> loose;          // where each loose vertex lies
+    std::vector<Vec3> shift;       // translation of each piece against the others
+    std::vector<Real> shiftLanes;  // the same as (x, y, z, 0)
+    std::vector<Vec3> loose;       // where each loose vertex lies
   };
 
   /// Wall times, ms. Arranging lays the faces' numbers out in the order in which the system is eliminated.
@@ -57,16 +59,19 @@ class Reconstructor {
   };
 
   /// Orders and factorises the system and lays the faces' numbers out for it. Error: that of the solver.
-  static Result<Reconstructor> create(const Input& input, LriCoordinates<Real> coordinates, const StageProgress& onProgress = {});
+  static Result<Reconstructor> create(const Input& input, LriCoordinates<Real> coordinates,
+                                      const StageProgress& onProgress = {});
 
   /// The shape at `point` in the frames there, its mean position where the coordinates have it.
   Reconstruction reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch, PlacedShape<Real>& shape,
                              ForkJoin* forkJoin = nullptr) const;
 
   /// The same as one position per welded vertex.
-  Reconstruction reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch, Positions& positions) const;
+  Reconstruction reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch,
+                             Positions& positions) const;
 
-  /// What makes the shape about, at a fraction of the cost. poses: the frames that the coordinates are in. Error: that of its solver.
+  /// What makes the shape about, at a fraction of the cost. poses: the frames that the coordinates are in. Error: that
+  /// of its solver.
   Result<PreviewEmbedding> makePreview(const FramePoses& poses) const;
 
   /// R_f of every face at `point` in the frames there; the identity for faces without area.
@@ -79,15 +84,17 @@ class Reconstructor {
   /// Component of each face, -1 without area.
   const std::vector<int>& pieceOfFace() const { return pieceOfFace_; }
 
-  /// Of each welded vertex, a permutation: as they are eliminated, then those that are not. Neighbours of the mesh are near
-  /// each other in this order, so that passes over it stay in the processor's caches.
+  /// Of each welded vertex, a permutation: as they are eliminated, then those that are not. Neighbours of the mesh are
+  /// near each other in this order, so that passes over it stay in the processor's caches.
   const std::vector<int>& placeOf() const { return placeOf_; }
 
  private:
-  Reconstructor(const Input& input, LriCoordinates<Real> coordinates, PoissonSystem poisson, const FractionReport& onProgress);
+  Reconstructor(const Input& input, LriCoordinates<Real> coordinates, PoissonSystem poisson,
+                const FractionReport& onProgress);
   Quaternion faceRotation(int face, int frame, const PoseWeights& weights, const Frames& frames) const;
   // x: (x, y, z, pad) of each slot; the right-hand side and then the solution.
-  IndefiniteFaces assemble(const PoseWeights& weights, const Frames& frames, Scratch& scratch, Real* x, ForkJoin* forkJoin) const;
+  IndefiniteFaces assemble(const PoseWeights& weights, const Frames& frames, Scratch& scratch, Real* x,
+                           ForkJoin* forkJoin) const;
   void solve(const PoseWeights& weights, Scratch& scratch, Real* x, ForkJoin* forkJoin) const;
   void startFromKey(const PoseWeights& weights, Scratch& scratch, Real* x) const;
   void placeComponents(const PoseWeights& weights, const Frames& frames, Scratch& scratch, const Real* x) const;
@@ -104,10 +111,10 @@ class Reconstructor {
   LriCoordinates<Real> lri_;
   PoissonSystem poisson_;
   FaceKernel<Real> kernel_;
-  double extent_ = 0;  // diagonal of the reference pose
+  double extent_ = 0;               // diagonal of the reference pose
   std::vector<int> pieceOfVertex_;  // -1 for loose vertices
   std::vector<int> placeOf_;
-  std::vector<int> pieceAt_;        // of the vertex at each place; 0 for loose vertices. Empty where there is one piece only
+  std::vector<int> pieceAt_;  // of the vertex at each place; 0 for loose vertices. Empty where there is one piece only
   std::vector<int> verticesOfPiece_;
   std::vector<int> pieceOfFace_;
   Times times_;

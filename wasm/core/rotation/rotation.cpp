@@ -19,8 +19,8 @@ constexpr double axisEpsilon = 1e-8;
 // Within this of half a turn the sign of the principal logarithm is decided by rounding.
 constexpr double halfTurnMargin = 1e-3;
 
-// Up to one radian nine terms of the series of half an angle leave out less than a rounding, and cost a third of the C library's
-// sine and cosine.
+// Up to one radian nine terms of the series of half an angle leave out less than a rounding, and cost a third of the C
+// library's sine and cosine.
 constexpr double seriesLimit = 1;
 
 Quaternion leadingEigenvector(const Eigen::Matrix4d& symmetric) {

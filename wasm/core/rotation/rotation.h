@@ -1,4 +1,5 @@
-// SO(3): exponential and logarithm, representatives of a logarithm, means. Rotation vectors are axis times angle, radians.
+// SO(3): exponential and logarithm, representatives of a logarithm, means. Rotation vectors are axis times angle,
+// radians.
 #pragma once
 
 #include <numbers>
@@ -19,15 +20,15 @@ Quaternion expQuaternion(const Vec3& rotationVector);
 Vec3 logRotation(const Mat3& rotation);
 Vec3 logRotation(const Quaternion& rotation);
 
-/// The representative (angle + 2 pi k) about the axis of `rotationVector` that lies nearest `target`. A rotation vector of
-/// angle (near) zero has no axis of its own and takes the target's.
+/// The representative (angle + 2 pi k) about the axis of `rotationVector` that lies nearest `target`. A rotation vector
+/// of angle (near) zero has no axis of its own and takes the target's.
 Vec3 nearestRepresentative(const Vec3& rotationVector, const Vec3& target);
 
 /// The same rotation vector with `turns` whole turns added about its own axis; about `fallbackAxis` where it is zero.
 Vec3 addTurns(const Vec3& rotationVector, int turns, const Vec3& fallbackAxis);
 
-/// An increment of (almost) half a turn goes the way of the one before it, for rounding decides the sign of its logarithm; where that
-/// is zero, to the positive side of its largest coordinate. Others stay as they are.
+/// An increment of (almost) half a turn goes the way of the one before it, for rounding decides the sign of its
+/// logarithm; where that is zero, to the positive side of its largest coordinate. Others stay as they are.
 Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before);
 
 /// Above this the keys leave open which way and how often something turned between them, radians.

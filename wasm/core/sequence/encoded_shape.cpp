@@ -23,19 +23,22 @@ Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
   if (o.reference < 0 || o.reference >= k.keyCount())
     return invalid("The reference is key " + std::to_string(o.reference + 1) + ", but there are " +
                    std::to_string(k.keyCount()) + " keys.");
-  if (o.patches < 0) return invalid("The number of patches is " + grouped(o.patches) + ". Use 0 for the default, or more.");
+  if (o.patches < 0)
+    return invalid("The number of patches is " + grouped(o.patches) + ". Use 0 for the default, or more.");
   if (o.ghostFaces < 0 || (o.ghostFaces > 0 && o.ghostFaces < leastGhostFaces))
-    return invalid("A ghost mesh needs at least " + std::to_string(leastGhostFaces) + " faces, but " + grouped(o.ghostFaces) +
-                   " are asked for. Use 0 to work without one.");
+    return invalid("A ghost mesh needs at least " + std::to_string(leastGhostFaces) + " faces, but " +
+                   grouped(o.ghostFaces) + " are asked for. Use 0 to work without one.");
   for (const auto* tangent : {&o.startTangent, &o.endTangent}) {
     if (!*tangent) continue;
     if (static_cast<int>((*tangent)->size()) != k.vertexCount())
-      return Error{ErrorCode::VertexCountMismatch, "A tangent shape has " + grouped(static_cast<std::int64_t>((*tangent)->size())) +
-                                                       " vertices, but the keys have " + grouped(k.vertexCount()) +
-                                                       ". Use a pose of the same mesh."};
+      return Error{ErrorCode::VertexCountMismatch,
+                   "A tangent shape has " + grouped(static_cast<std::int64_t>((*tangent)->size())) +
+                       " vertices, but the keys have " + grouped(k.vertexCount()) + ". Use a pose of the same mesh."};
     for (std::size_t v = 0; v < (*tangent)->size(); ++v)
       if (!(**tangent)[v].allFinite())
-        return Error{ErrorCode::NotFinite, "A tangent shape's vertex " + grouped(static_cast<std::int64_t>(v)) + " is not finite.", -1, static_cast<int>(v)};
+        return Error{ErrorCode::NotFinite,
+                     "A tangent shape's vertex " + grouped(static_cast<std::int64_t>(v)) + " is not finite.", -1,
+                     static_cast<int>(v)};
   }
   return {};
 }
@@ -65,7 +68,8 @@ void putInOrder(WeldedShape& shape, InputMesh& input, const FractionReport& onPr
 
 }  // namespace
 
-Result<EncodedShape> EncodedShape::build(const Keyframes& keyframes, const EncodingOptions& options, const StageProgress& progress) {
+Result<EncodedShape> EncodedShape::build(const Keyframes& keyframes, const EncodingOptions& options,
+                                         const StageProgress& progress) {
   const Stage welding{progress, "welding"}, factorising{progress, "factorising"};
   welding(0);
   if (Status status = validate(keyframes); !status) return status.error();
@@ -84,13 +88,15 @@ Result<EncodedShape> EncodedShape::build(const Keyframes& keyframes, const Encod
   return encoded;
 }
 
-void EncodedShape::weldKeys(const Keyframes& keyframes, const EncodingOptions& options, const FractionReport& onProgress) {
+void EncodedShape::weldKeys(const Keyframes& keyframes, const EncodingOptions& options,
+                            const FractionReport& onProgress) {
   std::vector<const Positions*> poses;
   for (const Key& key : keyframes.keys) poses.push_back(&key.positions);
   WeldedShape shape;
   shape.keys = keyframes.keyCount();
   shape.reference = options.reference;
-  if (options.startTangent) shape.startTangent = static_cast<int>(poses.size()), poses.push_back(&*options.startTangent);
+  if (options.startTangent)
+    shape.startTangent = static_cast<int>(poses.size()), poses.push_back(&*options.startTangent);
   if (options.endTangent) shape.endTangent = static_cast<int>(poses.size()), poses.push_back(&*options.endTangent);
   for (const Positions* pose : poses) diagonal_ = std::max(diagonal_, boundingDiagonal({&pose, 1}));
   input_.faces = keyframes.faces;
@@ -108,13 +114,14 @@ Status EncodedShape::encodePoses(const EncodingOptions& options, const StageProg
   const Stage simplifying{progress, "simplifying"}, encoding{progress, "encoding"};
   const ShapeParts parts = partsOf(*shape_, wantsGhost ? partOf(simplifying, 0, 0) : partOf(encoding, 0, 0.2));
   if (parts.pieces.count == 0)
-    return Error{ErrorCode::NoArea, "No triangle has area in every key. Use poses in which the shape is not collapsed."};
+    return Error{ErrorCode::NoArea,
+                 "No triangle has area in every key. Use poses in which the shape is not collapsed."};
   stats_.components = parts.pieces.count;
   const auto usedFaces = std::count(parts.hasArea.begin(), parts.hasArea.end(), 1);
   if (wantsGhost && options.ghostFaces < usedFaces) {
-    auto ghost = GhostMotion::create(*shape_, parts,
-                                     {options.ghostFaces, options.optimalPlacement, options.patches, options.stretch, options.transfer},
-                                     progress);
+    auto ghost = GhostMotion::create(
+        *shape_, parts,
+        {options.ghostFaces, options.optimalPlacement, options.patches, options.stretch, options.transfer}, progress);
     if (!ghost) return ghost.error();
     ghost_ = std::move(*ghost);
   } else {
@@ -131,7 +138,8 @@ Status EncodedShape::encodePoses(const EncodingOptions& options, const StageProg
 }
 
 template <class Real>
-Status EncodedShape::makeReconstructor(const ShapeParts& parts, const EncodingOptions& options, const StageProgress& progress) {
+Status EncodedShape::makeReconstructor(const ShapeParts& parts, const EncodingOptions& options,
+                                       const StageProgress& progress) {
   const Stage encoding{progress, "encoding"};
   Stopwatch watch;
   const FramePoses frames = framePoses();
@@ -139,8 +147,8 @@ Status EncodedShape::makeReconstructor(const ShapeParts& parts, const EncodingOp
                                   partOf(encoding, ghost_ ? 0 : 0.7, 1));
   (ghost_ ? stats_.transferMs : stats_.encodeMs) += watch.lap();
   encoding(1);
-  auto reconstructor =
-      Reconstructor<Real>::create({*shape_, parts, frames.ofFace, options.stretch, options.precision}, std::move(coordinates), progress);
+  auto reconstructor = Reconstructor<Real>::create({*shape_, parts, frames.ofFace, options.stretch, options.precision},
+                                                   std::move(coordinates), progress);
   if (!reconstructor) return reconstructor.error();
   stats_.orderMs = reconstructor->times().order;
   stats_.factorMs = reconstructor->times().factor;
@@ -205,23 +213,35 @@ void EncodedShape::numberComponents() {
 
 void EncodedShape::collectWarnings(int wantedGhostFaces) {
   for (int key : mirroredKeys(*shape_))
-    warnings_.push_back({"mirrored-key",
-                         "Key " + std::to_string(key + 1) + " is a mirror image of the surface in the other keys: its faces look "
-                         "inwards, and no motion leads there. Mirror it back (a negative scale does that), or leave it out.",
-                         0, key, -1, {}});
+    warnings_.push_back(
+        {"mirrored-key",
+         "Key " + std::to_string(key + 1) +
+             " is a mirror image of the surface in the other keys: its faces look "
+             "inwards, and no motion leads there. Mirror it back (a negative scale does that), or leave it out.",
+         0,
+         key,
+         -1,
+         {}});
   if (wantedGhostFaces > 0 && stats_.ghostFaces == 0)
-    warnings_.push_back({"ghost-off", "The shape has no more faces than the ghost mesh was to have: it moves without one."});
+    warnings_.push_back(
+        {"ghost-off", "The shape has no more faces than the ghost mesh was to have: it moves without one."});
   if (stats_.ghostFaces > wantedGhostFaces)
-    warnings_.push_back({"ghost-too-large", "The ghost mesh could not be made as coarse as asked for without turning faces over "
-                                           "or changing the topology.", stats_.ghostFaces});
+    warnings_.push_back({"ghost-too-large",
+                         "The ghost mesh could not be made as coarse as asked for without turning faces over "
+                         "or changing the topology.",
+                         stats_.ghostFaces});
   if (stats_.joinedComponents > 0)
-    warnings_.push_back({"ghost-joined-parts", "Some parts are too small for a share of the ghost mesh: they follow their "
-                                              "neighbours. Give the ghost more faces.", stats_.joinedComponents});
+    warnings_.push_back({"ghost-joined-parts",
+                         "Some parts are too small for a share of the ghost mesh: they follow their "
+                         "neighbours. Give the ghost more faces.",
+                         stats_.joinedComponents});
   if (const int pivots = withReconstructor([](const auto& r) { return r.solverStats().regularisedPivots; }); pivots > 0)
-    warnings_.push_back({"regularised", "The mesh has places so thin that the solver had to hold them in place.", pivots});
+    warnings_.push_back(
+        {"regularised", "The mesh has places so thin that the solver had to hold them in place.", pivots});
 }
 
-void EncodedShape::framesAt(const CurvePoint& point, const PatchTurns& turns, FramesScratch& scratch, Frames& frames) const {
+void EncodedShape::framesAt(const CurvePoint& point, const PatchTurns& turns, FramesScratch& scratch,
+                            Frames& frames) const {
   if (ghost_) ghost_->at(point, turns, scratch.ghost, frames);
   else patches_->at(point, turns, scratch.patches, frames);
 }
@@ -235,12 +255,14 @@ const std::vector<int>& EncodedShape::placeOf() const {
 }
 
 const std::vector<AmbiguousFaces>& EncodedShape::ambiguousFaces() const {
-  return withReconstructor([](const auto& r) -> const std::vector<AmbiguousFaces>& { return r.coordinates().ambiguous; });
+  return withReconstructor(
+      [](const auto& r) -> const std::vector<AmbiguousFaces>& { return r.coordinates().ambiguous; });
 }
 
 std::vector<AddedTurns> EncodedShape::turnsOfPatchPieces(std::vector<AddedTurns> turns) const {
   for (AddedTurns& t : turns)
-    if (t.component >= 0) t.component = patches().coordinates().patches.pieceOf[patchOfFace_[firstFaceOf_[t.component]]];
+    if (t.component >= 0)
+      t.component = patches().coordinates().patches.pieceOf[patchOfFace_[firstFaceOf_[t.component]]];
   return turns;
 }
 
@@ -249,9 +271,11 @@ PatchTurns EncodedShape::turnsOfPatches(std::vector<AddedTurns> turns) const {
 }
 
 Eigen::MatrixXd EncodedShape::gramMatrix() const {
-  if (ghost_) return shapespline::gramMatrix(ghost_->patches().coordinates(), ghost_->coordinates(), ghost_->shape(), diagonal_);
-  return withReconstructor(
-      [&](const auto& r) { return shapespline::gramMatrix(patches_->coordinates(), r.coordinates(), *shape_, diagonal_); });
+  if (ghost_)
+    return shapespline::gramMatrix(ghost_->patches().coordinates(), ghost_->coordinates(), ghost_->shape(), diagonal_);
+  return withReconstructor([&](const auto& r) {
+    return shapespline::gramMatrix(patches_->coordinates(), r.coordinates(), *shape_, diagonal_);
+  });
 }
 
 }  // namespace shapespline

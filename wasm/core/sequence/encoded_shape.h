@@ -22,10 +22,10 @@ namespace shapespline {
 
 /// The coarse mesh that leads the motion (paper section 4.3, Fig. 6), and how the input belongs to it.
 struct Ghost {
-  std::vector<Triangle> faces;       ///< of ghost vertices; none without a ghost
-  std::vector<int> vertexOf;         ///< of each ghost vertex: the corresponding vertex of the input
-  std::vector<int> ghostVertexOf;    ///< of each vertex of the input: the ghost vertex that it collapsed to, or -1
-  std::vector<int> ghostFaceOf;      ///< of each face of the input: the ghost face that it follows; -1 without area
+  std::vector<Triangle> faces;     ///< of ghost vertices; none without a ghost
+  std::vector<int> vertexOf;       ///< of each ghost vertex: the corresponding vertex of the input
+  std::vector<int> ghostVertexOf;  ///< of each vertex of the input: the ghost vertex that it collapsed to, or -1
+  std::vector<int> ghostFaceOf;    ///< of each face of the input: the ghost face that it follows; -1 without area
 };
 
 /// What the frames of a shape are computed in.
@@ -34,17 +34,19 @@ struct FramesScratch {
   GhostMotion::Scratch ghost;
 };
 
-/// Welded, partitioned and encoded poses with their factored systems (paper sections 4.2 and 4.3). Immutable; holds no pose of the input.
+/// Welded, partitioned and encoded poses with their factored systems (paper sections 4.2 and 4.3). Immutable; holds no
+/// pose of the input.
 class EncodedShape {
  public:
-  /// progress: stages and fractions as in build_progress.h. Errors: those of validate(), InvalidOption, VertexCountMismatch and NotFinite
-  /// of tangent shapes, NoArea, and those of the solver.
-  static Result<EncodedShape> build(const Keyframes& keyframes, const EncodingOptions& options, const StageProgress& progress = {});
+  /// progress: stages and fractions as in build_progress.h. Errors: those of validate(), InvalidOption,
+  /// VertexCountMismatch and NotFinite of tangent shapes, NoArea, and those of the solver.
+  static Result<EncodedShape> build(const Keyframes& keyframes, const EncodingOptions& options,
+                                    const StageProgress& progress = {});
 
   const WeldedShape& shape() const { return *shape_; }  ///< its mesh in canonical order
   const InputMesh& input() const { return input_; }
   const VertexNormals& normals() const { return *normals_; }
-  double diagonal() const { return diagonal_; }         ///< the largest of one pose
+  double diagonal() const { return diagonal_; }  ///< the largest of one pose
 
   /// The patches that everything follows: of the ghost, with one.
   const PatchMotion& patches() const { return ghost_ ? ghost_->patches() : *patches_; }
@@ -62,8 +64,8 @@ class EncodedShape {
     return std::visit(visit, *reconstructor_);
   }
 
-  const std::vector<Vec3>& meanPosition() const;  ///< one per column
-  const std::vector<int>& placeOf() const;        ///< reconstruct.h
+  const std::vector<Vec3>& meanPosition() const;              ///< one per column
+  const std::vector<int>& placeOf() const;                    ///< reconstruct.h
   const std::vector<AmbiguousFaces>& ambiguousFaces() const;  ///< one per interval between keys
 
   /// Patch of each face of the welded mesh, and of the input; -1 where it has no area.
@@ -107,7 +109,7 @@ class EncodedShape {
   std::optional<VertexNormals> normals_;
   Ghost ghostOfInput_;
   std::vector<int> patchOfFace_, patchOfInputFace_, componentOfInputFace_;
-  std::vector<int> firstFaceOf_;              // of each component, in the welded mesh
+  std::vector<int> firstFaceOf_;  // of each component, in the welded mesh
   double diagonal_ = 0;
   std::vector<Warning> warnings_;
   SequenceStats stats_;

@@ -25,15 +25,16 @@ void Evaluator::frame(const EncodedShape& encoded, const Motion& motion, double 
   fill(encoded, motion, point, motion.globalMotion(encoded, t, point), frame);
 }
 
-void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& blend, Frame& frame) {
+void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& blend,
+                      Frame& frame) {
   const Columns columns{encoded.shape().keys};
   Weights weights = Weights::Zero(columns.count());
   weights.head(columns.keys) = Eigen::Map<const Eigen::VectorXd>(blend.data(), columns.keys);
   fill(encoded, motion, blendedPoint(weights, columns), {}, frame);
 }
 
-void Evaluator::fill(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, const RigidMotion& global,
-                     Frame& frame) {
+void Evaluator::fill(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
+                     const RigidMotion& global, Frame& frame) {
   const Reconstruction found = place(encoded, motion, point, placed_, forkJoin_);
   stats_.facesMs = found.facesMs, stats_.solveMs = found.solveMs, stats_.placeMs = found.placeMs;
   frame.lostDefiniteness = found.indefiniteFaces;
@@ -42,8 +43,8 @@ void Evaluator::fill(const EncodedShape& encoded, const Motion& motion, const Cu
 }
 
 // Leaves the shape in `placed`.
-Reconstruction Evaluator::place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, PlacedShape<float>& placed,
-                                ForkJoin* forkJoin) {
+Reconstruction Evaluator::place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
+                                PlacedShape<float>& placed, ForkJoin* forkJoin) {
   stats_.framesMs = 0;
   if (motion.blendsVertices()) return placeBlend(encoded, point, placed);
   ++stats_.solves;
@@ -89,14 +90,15 @@ void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, dou
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = welded_[weldedOf[v]];
 }
 
-void Evaluator::embed(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, const CurvePoint& point,
-                      PlacedShape<float>& placed) {
+void Evaluator::embed(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding,
+                      const CurvePoint& point, PlacedShape<float>& placed) {
   encoded.framesAt(point, motion.turns(), framesScratch_, frames_);
   embedding.at(poseWeights(point, encoded.shape().roles()), frames_.rotation, embeddingScratch_, placed.places);
   placed.move = Vec3::Zero();
 }
 
-void Evaluator::preview(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t, Frame& frame) {
+void Evaluator::preview(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t,
+                        Frame& frame) {
   const CurvePoint point = motion.at(t);
   frame.lostDefiniteness = 0;
   frame.lostFace = -1;
@@ -105,7 +107,8 @@ void Evaluator::preview(const EncodedShape& encoded, const Motion& motion, const
   draw(encoded, motion.globalMotion(encoded, t, point), frame);
 }
 
-PreviewError Evaluator::previewError(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t) {
+PreviewError Evaluator::previewError(const EncodedShape& encoded, const Motion& motion,
+                                     const PreviewEmbedding& embedding, double t) {
   const CurvePoint point = motion.at(t);
   PlacedShape<float> exact, about;
   const double framesMs = stats_.framesMs;  // of the last frame
@@ -158,7 +161,8 @@ void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double 
     for (const double x : global(p)) positions.push_back(static_cast<float>(x));
 }
 
-void Evaluator::patchRotations(const EncodedShape& encoded, const Motion& motion, double t, std::vector<Quaternion>& rotations) {
+void Evaluator::patchRotations(const EncodedShape& encoded, const Motion& motion, double t,
+                               std::vector<Quaternion>& rotations) {
   const CurvePoint point = motion.at(t);
   encoded.patches().at(point, motion.turns(), framesScratch_.patches, frames_);
   const Quaternion turn = motion.globalMotion(encoded, t, point).rotation;

@@ -39,10 +39,12 @@ class Evaluator {
   void blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& weights, Frame& frame);
 
   /// The shape at time t as it is embedded in its frames (preview_embedding.h); embedding: of the same shape.
-  void preview(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t, Frame& frame);
+  void preview(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t,
+               Frame& frame);
 
   /// What that is off, over the input's vertices, which are what is seen.
-  PreviewError previewError(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t);
+  PreviewError previewError(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding,
+                            double t);
 
   /// xyz of each vertex of the ghost at time t; there must be one.
   void ghost(const EncodedShape& encoded, const Motion& motion, double t, std::vector<float>& positions);
@@ -54,11 +56,13 @@ class Evaluator {
   const SequenceStats& stats() const { return stats_; }
 
  private:
-  Reconstruction place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, PlacedShape<float>& placed, ForkJoin* forkJoin);
+  Reconstruction place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
+                       PlacedShape<float>& placed, ForkJoin* forkJoin);
   Reconstruction placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed);
-  void embed(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, const CurvePoint& point,
-             PlacedShape<float>& placed);
-  void fill(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, const RigidMotion& global, Frame& frame);
+  void embed(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding,
+             const CurvePoint& point, PlacedShape<float>& placed);
+  void fill(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, const RigidMotion& global,
+            Frame& frame);
   void draw(const EncodedShape& encoded, const RigidMotion& global, Frame& frame);
   Reconstructor<float>::Scratch& scratch(const Reconstructor<float>&) { return single_; }
   Reconstructor<double>::Scratch& scratch(const Reconstructor<double>&) { return double_; }

@@ -35,7 +35,8 @@ ShapePlane FeatureCurve::plane(const std::vector<double>& times) const {
 }
 
 Result<DiscretePath> FeatureCurve::discretePath(int samples) const {
-  const Result<DiscreteSpline> spline = DiscreteSpline::fit(motion_.keyTimes(), motion_.options().boundary, motion_.curve(), samples);
+  const Result<DiscreteSpline> spline =
+      DiscreteSpline::fit(motion_.keyTimes(), motion_.options().boundary, motion_.curve(), samples);
   if (!spline) return spline.error();
   const PrincipalPlane plane(gram_, shape_.keys);
   const Eigen::MatrixXd toPoses = columnsToPoses(), columnGram = toPoses * gram_ * toPoses.transpose();
@@ -65,8 +66,7 @@ std::vector<double> FeatureCurve::bendingEnergy(const std::vector<double>& times
   const double h = (motion_.curve().end() - motion_.curve().start()) / 100;
   std::vector<double> result;
   for (double t : times) {
-    const Eigen::VectorXd second =
-        (poseWeightsAt(t - h) - 2 * poseWeightsAt(t) + poseWeightsAt(t + h)) / (h * h);
+    const Eigen::VectorXd second = (poseWeightsAt(t - h) - 2 * poseWeightsAt(t) + poseWeightsAt(t + h)) / (h * h);
     result.push_back(average > 0 ? energy(second) / average : 0);
   }
   return result;

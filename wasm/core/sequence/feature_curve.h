@@ -16,7 +16,8 @@ struct ShapePlane {
   double explained = 0;       ///< share of the keys' variance that the plane holds, in [0, 1]
 };
 
-/// Samples of the feature curve that minimise the bending energy with the keys held (paper Eq. 1-2, Fig. 2; discrete_spline.h).
+/// Samples of the feature curve that minimise the bending energy with the keys held (paper Eq. 1-2, Fig. 2;
+/// discrete_spline.h).
 struct DiscretePath {
   std::vector<double> times;    ///< K; of a periodic motion those of one period
   std::vector<double> weights;  ///< K rows: a weight for each key, then for each tangent shape
@@ -34,13 +35,13 @@ class FeatureCurve {
 
   ShapePlane plane(const std::vector<double>& times) const;
 
-  /// The minimisation that the splines solve in closed form, done by K samples. With tensions, biases or a linear method the curve is
-  /// another one than its limit. Error: InvalidOption (too few samples or too many).
+  /// The minimisation that the splines solve in closed form, done by K samples. With tensions, biases or a linear
+  /// method the curve is another one than its limit. Error: InvalidOption (too few samples or too many).
   Result<DiscretePath> discretePath(int samples) const;
 
   /// Bending energy density |x''(t)|^2 of the feature curve at each time (Eq. 6, Fig. 9), by second differences over a
-  /// hundredth of the range and normalised by the average deformation energy |x_j - x_(j-1)|^2 between keys. Corners of a
-  /// piecewise linear curve show as peaks.
+  /// hundredth of the range and normalised by the average deformation energy |x_j - x_(j-1)|^2 between keys. Corners of
+  /// a piecewise linear curve show as peaks.
   std::vector<double> bendingEnergy(const std::vector<double>& times) const;
 
  private:

@@ -36,7 +36,8 @@ Eigen::MatrixXd gramMatrix(const PatchCoordinates& k, const LriCoordinates<Real>
         gram(a, b) += k.patches.pairs[p].sharedEdges / shared * k.pair[a][p].dot(k.pair[b][p]);
   for (int a = 0; a < columns; ++a)
     for (int b = 0; b < columns; ++b)
-      gram(a, b) += (x.meanPosition[a] - x.meanPosition[0]).dot(x.meanPosition[b] - x.meanPosition[0]) / (diagonal * diagonal);
+      gram(a, b) +=
+          (x.meanPosition[a] - x.meanPosition[0]).dot(x.meanPosition[b] - x.meanPosition[0]) / (diagonal * diagonal);
   return gram;
 }
 

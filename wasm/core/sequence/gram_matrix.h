@@ -11,9 +11,9 @@
 
 namespace shapespline {
 
-/// Inner products of the coordinates' columns (poses), columns x columns. The metric: face numbers weighted by the face's
-/// share of the reference area, patch pairs by their share of the shared edges, mean positions over the diagonal; angles
-/// in radians. The mean rotation moves on its own path and is left out.
+/// Inner products of the coordinates' columns (poses), columns x columns. The metric: face numbers weighted by the
+/// face's share of the reference area, patch pairs by their share of the shared edges, mean positions over the
+/// diagonal; angles in radians. The mean rotation moves on its own path and is left out.
 template <class Real>
 Eigen::MatrixXd gramMatrix(const PatchCoordinates& patches, const LriCoordinates<Real>& coordinates,
                            const WeldedShape& shape, double diagonal);

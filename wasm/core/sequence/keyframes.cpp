@@ -53,7 +53,8 @@ Status validateFaces(const Keyframes& k) {
       if (v < 0 || v >= n)
         return Error{ErrorCode::IndexOutOfRange,
                      "Face " + grouped(f) + " names vertex " + grouped(v) + ", but there are " + grouped(n) +
-                         " vertices (0 to " + grouped(n - 1) + "). Export the mesh again.", -1, v, f};
+                         " vertices (0 to " + grouped(n - 1) + "). Export the mesh again.",
+                     -1, v, f};
   return {};
 }
 
@@ -63,12 +64,14 @@ Status validatePositions(const Keyframes& k, int key) {
   if (pose.positions.size() != n)
     return Error{ErrorCode::VertexCountMismatch,
                  keyName(pose.name, key) + " has " + grouped(pose.positions.size()) + " vertices, but " +
-                     keyName(k.keys[0].name, 0) + " has " + grouped(n) + ". All keys must be poses of one mesh.", key};
+                     keyName(k.keys[0].name, 0) + " has " + grouped(n) + ". All keys must be poses of one mesh.",
+                 key};
   for (std::size_t v = 0; v < n; ++v)
     if (!pose.positions[v].allFinite())
       return Error{ErrorCode::NotFinite,
                    keyName(pose.name, key) + ": the position of vertex " + grouped(v) +
-                       " is not a finite number. Repair the mesh and export it again.", key, static_cast<int>(v)};
+                       " is not a finite number. Repair the mesh and export it again.",
+                   key, static_cast<int>(v)};
   return {};
 }
 
@@ -76,16 +79,19 @@ Status validateArea(const Keyframes& k, int key) {
   const Positions& p = k.keys[key].positions;
   for (const Triangle& f : k.faces)
     if ((p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]]).squaredNorm() > 0) return {};
-  return Error{ErrorCode::NoArea, keyName(k.keys[key].name, key) +
-                                      ": every triangle has zero area. Use a pose in which the shape is not collapsed.", key};
+  return Error{ErrorCode::NoArea,
+               keyName(k.keys[key].name, key) +
+                   ": every triangle has zero area. Use a pose in which the shape is not collapsed.",
+               key};
 }
 
 }  // namespace
 
 Status validate(const Keyframes& k) {
   if (k.keyCount() < 2)
-    return Error{ErrorCode::TooFewKeys, k.keyCount() == 0 ? "There are no keys. Give at least two poses of one mesh."
-                                                          : "There is only one key. Give at least two poses of one mesh."};
+    return Error{ErrorCode::TooFewKeys, k.keyCount() == 0
+                                            ? "There are no keys. Give at least two poses of one mesh."
+                                            : "There is only one key. Give at least two poses of one mesh."};
   if (Status faces = validateFaces(k); !faces) return faces;
   for (int j = 0; j < k.keyCount(); ++j) {
     if (Status positions = validatePositions(k, j); !positions) return positions;
@@ -96,18 +102,21 @@ Status validate(const Keyframes& k) {
   return validateTimes(times, k.keyCount());
 }
 
-Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triangle>& other, int key, const std::string& name) {
+Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triangle>& other, int key,
+                    const std::string& name) {
   if (first.size() != other.size())
     return Error{ErrorCode::FaceCountMismatch,
-                 keyName(name, key) + " has " + grouped(other.size()) + " faces, but key 1 has " + grouped(first.size()) +
-                     ". All keys must be poses of one mesh.", key};
+                 keyName(name, key) + " has " + grouped(other.size()) + " faces, but key 1 has " +
+                     grouped(first.size()) + ". All keys must be poses of one mesh.",
+                 key};
   const auto [a, b] = std::mismatch(first.begin(), first.end(), other.begin(), sameTriangle);
   if (a == first.end()) return {};
   const int face = static_cast<int>(a - first.begin());
   return Error{ErrorCode::FaceMismatch,
                keyName(name, key) + ": face " + grouped(face) + " is " + faceText(*b) + ", but in key 1 it is " +
                    faceText(*a) + "." + sameTrianglesHint(first, other) +
-                   " Export all keys from one mesh without reordering it.", key, -1, face};
+                   " Export all keys from one mesh without reordering it.",
+               key, -1, face};
 }
 
 }  // namespace shapespline

@@ -36,7 +36,9 @@ struct Keyframes {
 Status validate(const Keyframes& keyframes);
 
 /// Compares the faces of key `key` with those of the first key. Error: FaceCountMismatch with both counts, or
-/// FaceMismatch with the first face that differs; says whether the triangles are the same set in another order or winding.
-Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triangle>& other, int key, const std::string& name);
+/// FaceMismatch with the first face that differs; says whether the triangles are the same set in another order or
+/// winding.
+Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triangle>& other, int key,
+                    const std::string& name);
 
 }  // namespace shapespline

@@ -11,11 +11,11 @@ struct MeshReport {
   int vertices = 0;
   int weldedVertices = 0;
   int faces = 0;
-  int components = 0;      ///< pieces that share no welded vertex, faces without area left out
-  int degenerateFaces = 0; ///< without area in some key
-  int unreferencedVertices = 0; ///< of the input, in no face
+  int components = 0;            ///< pieces that share no welded vertex, faces without area left out
+  int degenerateFaces = 0;       ///< without area in some key
+  int unreferencedVertices = 0;  ///< of the input, in no face
   MeshCounts counts;
-  double diagonal = 0;     ///< of the box around all keys
+  double diagonal = 0;  ///< of the box around all keys
 };
 
 /// Of keys that passed validate().

@@ -13,9 +13,11 @@ namespace {
 constexpr int askedVertices = 50000;
 // Curvature of all domes together (a sphere has 4 pi) below which they tell nothing.
 constexpr double leastCurvature = 1;
-// Vertices on the boundary, squared, over all vertices: from a disc on (4 pi, and a bit less for how vertices lie) the shape is a sheet.
+// Vertices on the boundary, squared, over all vertices: from a disc on (4 pi, and a bit less for how vertices lie) the
+// shape is a sheet.
 constexpr double sheetBoundary = 11;
-// Poses of animals and people agree to 0.77 and more, a ball whose spikes grow to 0.04; their mirror images to the opposite.
+// Poses of animals and people agree to 0.77 and more, a ball whose spikes grow to 0.04; their mirror images to the
+// opposite.
 constexpr double mirroredAgreement = -0.5;
 
 // What the faces around a vertex say about the surface there.
@@ -36,7 +38,8 @@ struct Surroundings {
 
   bool isOnBoundary() const { return open != 0; }
 
-  // Integral of the Gaussian curvature, negative where the dome opens to the side that the faces look to; 0 where there is no dome.
+  // Integral of the Gaussian curvature, negative where the dome opens to the side that the faces look to; 0 where there
+  // is no dome.
   double bulge() const {
     const double defect = 2 * std::numbers::pi - angle;
     if (faces == 0 || isOnBoundary() || !(defect > 0)) return 0;
@@ -90,7 +93,8 @@ std::vector<int> mirroredKeys(const WeldedShape& shape) {
   const std::vector<double> reference = bulges(shape, shape.reference, stride);
   std::vector<int> sides[2];
   for (int key = 0; key < shape.keys; ++key) {
-    const bool isOther = key != shape.reference && agreement(reference, bulges(shape, key, stride), stride) < mirroredAgreement;
+    const bool isOther =
+        key != shape.reference && agreement(reference, bulges(shape, key, stride), stride) < mirroredAgreement;
     sides[isOther].push_back(key);
   }
   return sides[sides[1].size() <= sides[0].size()];

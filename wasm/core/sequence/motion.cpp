@@ -15,11 +15,12 @@ Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int compon
   const auto number = [](int index) { return std::to_string(static_cast<std::int64_t>(index) + 1); };  // counted from 1
   for (const AddedTurns& t : turns) {
     if (t.key < 1 || t.key >= keyCount || t.turns < -mostTurns || t.turns > mostTurns)
-      return Error{ErrorCode::InvalidOption, "Whole turns can be added to keys 2 to " + std::to_string(keyCount) + ", up to " +
-                                                 grouped(mostTurns) + " each; got " + std::to_string(t.turns) + " for key " + number(t.key) + "."};
+      return Error{ErrorCode::InvalidOption, "Whole turns can be added to keys 2 to " + std::to_string(keyCount) +
+                                                 ", up to " + grouped(mostTurns) + " each; got " +
+                                                 std::to_string(t.turns) + " for key " + number(t.key) + "."};
     if (t.component < -1 || t.component >= components)
-      return Error{ErrorCode::InvalidOption, "Whole turns are added to component " + number(t.component) + ", but the shape has " +
-                                                 grouped(components) + "."};
+      return Error{ErrorCode::InvalidOption, "Whole turns are added to component " + number(t.component) +
+                                                 ", but the shape has " + grouped(components) + "."};
   }
   return {};
 }
@@ -62,8 +63,8 @@ void Motion::collectWarnings(const EncodedShape& encoded) {
   warnings_.insert(warnings_.begin(), encoded.warnings().begin(), encoded.warnings().end());
 }
 
-// Every period of a loop that ends elsewhere is one more of the rigid motion that takes the first key to the last; so are the keys of
-// other periods that the curve feels.
+// Every period of a loop that ends elsewhere is one more of the rigid motion that takes the first key to the last; so
+// are the keys of other periods that the curve feels.
 RigidMotion Motion::globalMotion(const EncodedShape& encoded, double t, const CurvePoint& point) const {
   RigidMotion global;
   const std::vector<Vec3>& mean = encoded.meanPosition();

@@ -23,8 +23,8 @@ std::vector<double> timesOf(const Keyframes& keyframes) {
 
 }  // namespace
 
-Result<Sequence> Sequence::create(const Keyframes& keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
-                                  const StageProgress& progress) {
+Result<Sequence> Sequence::create(const Keyframes& keyframes, const EncodingOptions& encoding,
+                                  const MotionOptions& motion, const StageProgress& progress) {
   double reached = 0;
   const StageProgress report = [&, withGhost = encoding.ghostFaces > 0](const char* stage, double fraction) {
     reached = std::max(reached, wholeProgress(stage, fraction, withGhost));
@@ -83,8 +83,8 @@ Result<PreviewError> Sequence::previewError(double t) {
 Status Sequence::evaluateBlend(const std::vector<double>& weights, Frame& frame) {
   const int keys = encoded_.shape().keys;
   if (static_cast<int>(weights.size()) != keys)
-    return Error{ErrorCode::InvalidOption, "There are " + grouped(static_cast<std::int64_t>(weights.size())) + " weights for " +
-                                               grouped(keys) + " keys. Give one per key."};
+    return Error{ErrorCode::InvalidOption, "There are " + grouped(static_cast<std::int64_t>(weights.size())) +
+                                               " weights for " + grouped(keys) + " keys. Give one per key."};
   double sum = 0;
   for (const double w : weights) sum += w;
   if (!(std::abs(sum - 1) <= 1e-6)) return Error{ErrorCode::InvalidOption, "The weights must be finite and sum to 1."};

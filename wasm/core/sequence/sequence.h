@@ -16,10 +16,10 @@ namespace shapespline {
 /// keys, options and t, bit for bit. Not thread-safe.
 class Sequence {
  public:
-  /// progress: called with a stage's name and the fraction of the whole work that is done, in [0, 1] and never falling. Errors: those
-  /// of EncodedShape::build and of Motion::fit.
-  static Result<Sequence> create(const Keyframes& keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
-                                 const StageProgress& progress = {});
+  /// progress: called with a stage's name and the fraction of the whole work that is done, in [0, 1] and never falling.
+  /// Errors: those of EncodedShape::build and of Motion::fit.
+  static Result<Sequence> create(const Keyframes& keyframes, const EncodingOptions& encoding,
+                                 const MotionOptions& motion, const StageProgress& progress = {});
 
   /// Another motion through the same keys. Errors: those of Motion::fit; the old motion stays then.
   Status update(const MotionOptions& motion, const std::vector<double>& keyTimes);
@@ -30,19 +30,21 @@ class Sequence {
   /// Frames are made by two from here on, to the same bits, or by one with null. It must outlive the sequence.
   void setForkJoin(ForkJoin* forkJoin) { evaluator_.setForkJoin(forkJoin); }
 
-  /// The same as n positions without rounding them to float: for measures and tests. As exact as the encoding's precision.
+  /// The same as n positions without rounding them to float: for measures and tests. As exact as the encoding's
+  /// precision.
   Status evaluate(double t, Positions& positions);
 
-  /// The shape at time t, about, in about half the time from 332,000 faces on, for while a slider moves. Meets every key; how far
-  /// it is off between and beyond them depends on the motion: ask previewError. Measured on real shapes (wasm/core/README.md): 0.02 to
-  /// 5 % of the diagonal in the mean between the keys, and up to 18 % at one place.
+  /// The shape at time t, about, in about half the time from 332,000 faces on, for while a slider moves. Meets every
+  /// key; how far it is off between and beyond them depends on the motion: ask previewError. Measured on real shapes
+  /// (wasm/core/README.md): 0.02 to 5 % of the diagonal in the mean between the keys, and up to 18 % at one place.
   /// lostDefiniteness is not counted. The baselines are exact.
   Status preview(double t, Frame& frame);
 
   /// What preview(t) is off. Costs one evaluation and one preview, in one thread.
   Result<PreviewError> previewError(double t);
 
-  /// The shape at an affine combination of the keys: one weight a key, sum 1. evaluate(t) is this at the curve's weights.
+  /// The shape at an affine combination of the keys: one weight a key, sum 1. evaluate(t) is this at the curve's
+  /// weights.
   Status evaluateBlend(const std::vector<double>& weights, Frame& frame);
 
   /// The ghost that belongs to the shape at time t: xyz of each ghost vertex. Error: InvalidOption without a ghost.
@@ -62,10 +64,12 @@ class Sequence {
   /// Patch of each face of the input, in [0, stats().patches); -1 for faces without area.
   const std::vector<int>& patchOfFace() const { return encoded_.patchOfInputFace(); }
 
-  /// Component of each face of the input, in [0, stats().components), numbered by their first faces; -1 for faces without area.
+  /// Component of each face of the input, in [0, stats().components), numbered by their first faces; -1 for faces
+  /// without area.
   const std::vector<int>& componentOfFace() const { return encoded_.componentOfInputFace(); }
 
-  /// The rotations G_k of the patches (of the ghost, with one) at time t, as the first system gives them and the whole is turned.
+  /// The rotations G_k of the patches (of the ghost, with one) at time t, as the first system gives them and the whole
+  /// is turned.
   Status patchRotations(double t, std::vector<Quaternion>& rotations);
 
   /// feature_curve.h

@@ -8,20 +8,20 @@ namespace shapespline {
 struct SequenceStats {
   int encodings = 0;
   int factorisations = 0;
-  long long solves = 0;   ///< of the full-resolution system
-  int patches = 0;        ///< of the ghost, with one
+  long long solves = 0;  ///< of the full-resolution system
+  int patches = 0;       ///< of the ghost, with one
   int weldedVertices = 0;
   int components = 0;
-  /// Wall time of each stage; the ghost's own systems count as encoding. Arranging lays the faces' numbers out in the order
-  /// in which the system is eliminated.
+  /// Wall time of each stage; the ghost's own systems count as encoding. Arranging lays the faces' numbers out in the
+  /// order in which the system is eliminated.
   double weldMs = 0, encodeMs = 0, orderMs = 0, factorMs = 0, arrangeMs = 0;
   long long factorBytes = 0;  ///< of the stored factor, entries and row lists: what one sweep of a solve reads
   int ghostFaces = 0, ghostVertices = 0;  ///< 0 without a ghost
   int joinedComponents = 0;               ///< components too small for a ghost of their own
   double simplifyMs = 0, transferMs = 0;  ///< with a ghost: collapses; correspondence and residuals
-  /// Wall time of the last frame's parts: the frames that faces stand in (of patches or of a ghost's faces); splined faces and
-  /// right-hand side; the full-resolution solve; placing the vertices; normals and what is drawn, in the order of the raw
-  /// vertices.
+  /// Wall time of the last frame's parts: the frames that faces stand in (of patches or of a ghost's faces); splined
+  /// faces and right-hand side; the full-resolution solve; placing the vertices; normals and what is drawn, in the
+  /// order of the raw vertices.
   double framesMs = 0, facesMs = 0, solveMs = 0, placeMs = 0, normalsMs = 0;
   double ghostMs = 0;  ///< wall time of the ghost's own last shape, from the spline to its vertices
 };

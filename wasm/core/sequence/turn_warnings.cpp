@@ -13,7 +13,8 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 // Patches that disagree by more with what surrounds them halfway turned in a way that their neighbours did not.
 constexpr double ambiguousResidual = 60 / degrees;
-// Patches smaller than this share of the mean, and fewer or smaller faces than these shares of the shape, are noise: nobody sees them turn.
+// Patches smaller than this share of the mean, and fewer or smaller faces than these shares of the shape, are noise:
+// nobody sees them turn.
 constexpr double smallPatch = 0.3;
 constexpr double fewFaces = 0.001;
 constexpr int fewestFaces = 4;
@@ -44,7 +45,8 @@ class TurnWarnings {
  private:
   // Who adds turns has seen that they are open.
   bool decided(int component) const {
-    return std::any_of(turns_.begin(), turns_.end(), [&](const AddedTurns& t) { return t.turns != 0 && t.component == component; });
+    return std::any_of(turns_.begin(), turns_.end(),
+                       [&](const AddedTurns& t) { return t.turns != 0 && t.component == component; });
   }
 
   std::string interval() const {
@@ -63,8 +65,11 @@ class TurnWarnings {
   void addWhole() {
     const double angle = motion_.wholeTurn(step_);
     if (angle <= ambiguousTurn) return;
-    add("ambiguous-turn", "the whole shape turns by " + angleText(angle) + ". The keys alone do not say which way and how often: add whole "
-                          "turns to the key, or a key in between.", 0, -1, {});
+    add("ambiguous-turn",
+        "the whole shape turns by " + angleText(angle) +
+            ". The keys alone do not say which way and how often: add whole "
+            "turns to the key, or a key in between.",
+        0, -1, {});
   }
 
   void addComponents() {
@@ -83,8 +88,10 @@ class TurnWarnings {
     if (count == 0) return;
     const bool one = count == 1;
     add("ambiguous-part-turn",
-        (one ? "a component turns by " : std::to_string(count) + " components turn by up to ") + angleText(furthest) + " against what carries " +
-            (one ? "it" : "them") + ". The keys alone do not say which way and how often: add whole turns to the component, or a key in between.",
+        (one ? "a component turns by " : std::to_string(count) + " components turn by up to ") + angleText(furthest) +
+            " against what carries " + (one ? "it" : "them") +
+            ". The keys alone do not say which way and how often: add whole turns to the component, or a key in "
+            "between.",
         count, face, std::move(found));
   }
 
@@ -105,15 +112,21 @@ class TurnWarnings {
     if (count == 0) return;
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    add("ambiguous-patch-turn", "neighbouring regions turn by " + angleText(angleThere) + " against each other, and the keys do not say which "
-                                "way. Add a key in between if they go the wrong way.", count, face, std::move(found));
+    add("ambiguous-patch-turn",
+        "neighbouring regions turn by " + angleText(angleThere) +
+            " against each other, and the keys do not say which "
+            "way. Add a key in between if they go the wrong way.",
+        count, face, std::move(found));
   }
 
   void addFaces(const AmbiguousFaces& faces) {
     const double least = std::max<double>(fewestFaces, fewFaces * shape_.faceCount());
     if (faces.worst < 0 || faces.count < least || faces.area < fewFaces) return;
-    add("ambiguous-face-turn", std::to_string(faces.count) + " faces turn by more than 150 degrees against those around them, and the keys do "
-                               "not say which way. Add a key in between if they go the wrong way.", faces.count, faces.worst, {patchOfFace_[faces.worst]});
+    add("ambiguous-face-turn",
+        std::to_string(faces.count) +
+            " faces turn by more than 150 degrees against those around them, and the keys do "
+            "not say which way. Add a key in between if they go the wrong way.",
+        faces.count, faces.worst, {patchOfFace_[faces.worst]});
   }
 
   const WeldedShape& shape_;
@@ -128,12 +141,14 @@ class TurnWarnings {
 
 }  // namespace
 
-std::vector<Warning> turnWarnings(const WeldedShape& shape, const PatchMotion& patches, const std::vector<AmbiguousFaces>& faces,
-                                  const std::vector<int>& patchOfFace, const std::vector<AddedTurns>& turns, bool closes) {
+std::vector<Warning> turnWarnings(const WeldedShape& shape, const PatchMotion& patches,
+                                  const std::vector<AmbiguousFaces>& faces, const std::vector<int>& patchOfFace,
+                                  const std::vector<AddedTurns>& turns, bool closes) {
   TurnWarnings warnings(shape, patches, patchOfFace);
   for (int s = 0; s + 1 < shape.keys; ++s) {
     std::vector<AddedTurns> added;
-    std::copy_if(turns.begin(), turns.end(), std::back_inserter(added), [&](const AddedTurns& t) { return t.key == s + 1; });
+    std::copy_if(turns.begin(), turns.end(), std::back_inserter(added),
+                 [&](const AddedTurns& t) { return t.key == s + 1; });
     warnings.addStep(s, s < static_cast<int>(faces.size()) ? &faces[s] : nullptr, added);
   }
   if (closes) warnings.addStep(KeySteps{shape.keys}.closing(), nullptr);

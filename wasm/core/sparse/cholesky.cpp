@@ -83,9 +83,10 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
 }
 
 Status Cholesky::beginFactorise(const SymmetricMatrix& matrix) {
-  const bool sameStructure = matrix.size == state_->symbolic.size() && matrix.value.size() == state_->assembly.slot.size() &&
-                             patternHash(matrix) == state_->hash;
-  if (!sameStructure || !std::all_of(matrix.value.begin(), matrix.value.end(), [](double v) { return std::isfinite(v); })) {
+  const bool sameStructure = matrix.size == state_->symbolic.size() &&
+                             matrix.value.size() == state_->assembly.slot.size() && patternHash(matrix) == state_->hash;
+  if (!sameStructure ||
+      !std::all_of(matrix.value.begin(), matrix.value.end(), [](double v) { return std::isfinite(v); })) {
     if (Status status = checkSymmetric(matrix); !status) return status;
     return Error{ErrorCode::Internal, "The matrix to factorise has not the structure that was analysed."};
   }
@@ -123,7 +124,8 @@ Status Cholesky::factoriseStatus() const {
   if (state_->failedPosition != -1) {
     const int unknown = state_->symbolic.order[state_->failedPosition];
     Error error{ErrorCode::NotPositiveDefinite,
-                "The matrix is not positive definite: its factorisation breaks down at unknown " + std::to_string(unknown) + "."};
+                "The matrix is not positive definite: its factorisation breaks down at unknown " +
+                    std::to_string(unknown) + "."};
     error.vertex = unknown;
     return error;
   }

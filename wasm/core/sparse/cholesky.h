@@ -21,7 +21,7 @@ struct CholeskyStats {
   std::int64_t workBytes = 0;      ///< largest size of the factorisation's stack
   double flops = 0.0;              ///< of one factorisation
   int supernodes = 0;
-  int regularisedPivots = 0;       ///< pivots that were zero to rounding and were replaced
+  int regularisedPivots = 0;  ///< pivots that were zero to rounding and were replaced
 };
 
 /// Supernodal multifrontal Cholesky factorisation P A Pᵀ = L Lᵀ of a sparse symmetric positive definite matrix.
@@ -35,13 +35,14 @@ class Cholesky {
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
 
-  /// Finds the elimination order and the factor's structure; drops any earlier factor. coordinates: one position an unknown, which
-  /// makes for a better order of a large system, or empty. Error if the matrix is malformed or not finite, or the
-  /// coordinates are of another number. onProgress: fraction of the analysis, below 1.
+  /// Finds the elimination order and the factor's structure; drops any earlier factor. coordinates: one position an
+  /// unknown, which makes for a better order of a large system, or empty. Error if the matrix is malformed or not
+  /// finite, or the coordinates are of another number. onProgress: fraction of the analysis, below 1.
   Status analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision,
                  const FractionReport& onProgress = {});
 
-  /// Starts a factorisation of a matrix with the analysed pattern. Error if the pattern differs or a value is not finite.
+  /// Starts a factorisation of a matrix with the analysed pattern. Error if the pattern differs or a value is not
+  /// finite.
   Status beginFactorise(const SymmetricMatrix& matrix);
 
   /// Goes on with it for about flopBudget operations; true if there is more to do. The chunks do not change the result.
@@ -63,8 +64,9 @@ class Cholesky {
   int paddedSize() const;
 
   /// Solves A x = b in place for three right-hand sides: (x, y, z, pad) of every unknown in elimination order,
-  /// 4 * paddedSize() numbers, 16-byte aligned. Only for the precision given to analyse(), after a factorisation without error.
-  /// The pads are scratch. Allocates nothing and changes nothing but its argument, in one thread or two to the same bits.
+  /// 4 * paddedSize() numbers, 16-byte aligned. Only for the precision given to analyse(), after a factorisation
+  /// without error. The pads are scratch. Allocates nothing and changes nothing but its argument, in one thread or two
+  /// to the same bits.
   void solve(float* xyzp, ForkJoin* forkJoin = nullptr) const;
   void solve(double* xyzp, ForkJoin* forkJoin = nullptr) const;
 

@@ -105,9 +105,10 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
 // Strips that are eliminated together: each strip above is read once for all of them, and they fit a level-2 cache.
 constexpr int kGroup = 8;
 
-// In strips begin ... end - 1 the tile that follows `depth` columns from `rows` on: updated by those and solved. above: the same
-// columns of the strip in which the tile is the diagonal one.
-void solveColumn(double* rows, int begin, int end, Pivots pivots, const double* above, int depth, const double* inverse) {
+// In strips begin ... end - 1 the tile that follows `depth` columns from `rows` on: updated by those and solved. above:
+// the same columns of the strip in which the tile is the diagonal one.
+void solveColumn(double* rows, int begin, int end, Pivots pivots, const double* above, int depth,
+                 const double* inverse) {
   for (int i = begin; i < end; ++i) {
     double* const tile = rows + 4 * static_cast<std::ptrdiff_t>(depth);
     solved(less(Tile::load(tile), rows, above, depth), inverse).store(tile);
@@ -134,8 +135,8 @@ void makeUpdate(const double* below, double* update, Pivots pivots, int begin, i
 
 }  // namespace
 
-void eliminateStrips(double* columns, double* update, Pivots pivots, int begin, int end, const double* reference, double* inverse,
-                     PivotReport& report) {
+void eliminateStrips(double* columns, double* update, Pivots pivots, int begin, int end, const double* reference,
+                     double* inverse, PivotReport& report) {
   const auto solve = outOfLine(solveColumn);
   const auto diagonal = outOfLine(updateDiagonal);
   const auto factor = outOfLine(factorTile);
@@ -153,7 +154,8 @@ void eliminateStrips(double* columns, double* update, Pivots pivots, int begin, 
       solve(columns + pivots.stripAt(next) + 4 * skipped, next, groupEnd, pivots, above, depth, inverted);
     }
     if (groupEnd > pivots.strips)
-      make(columns + pivots.stripAt(pivots.strips), update, pivots, std::max(0, group - pivots.strips), groupEnd - pivots.strips);
+      make(columns + pivots.stripAt(pivots.strips), update, pivots, std::max(0, group - pivots.strips),
+           groupEnd - pivots.strips);
   }
 }
 

@@ -1,7 +1,8 @@
 // The dense part of the factorisation: one front, a lower triangle in strips of four rows.
 //
 // It lies in two places, so that its update matrix is made where it stays and the rest in a place that is at hand:
-//  - its columns: those of the pivots. Strip i holds rows 4i .. 4i + 3, of columns 0 .. 4i + 3 as far as these are pivots';
+//  - its columns: those of the pivots. Strip i holds rows 4i .. 4i + 3, of columns 0 .. 4i + 3 as far as these are
+//  pivots';
 //  - its update matrix: what is below and right of the pivots, in strips that are numbered and begin at zero again.
 // A strip has four doubles a column, so that a 4 x 4 tile is contiguous, and strips are what the kernels stream.
 // Pivots fill whole strips: before the first of them stand up to three of padding, rows and columns of the identity.
@@ -39,11 +40,11 @@ struct Pivots {
 };
 
 /// Eliminates the pivots of a front, for the rows of strips begin ... end - 1; strips before begin must be done.
-/// reference[c] is the matrix's diagonal entry for column c of the front (1 for padding), inverse has room for 16 doubles a
-/// pivot strip: the inverted diagonal tiles, row by row. The update matrix is written, not read: what the front starts from there
-/// is to be added afterwards.
-void eliminateStrips(double* columns, double* update, Pivots pivots, int begin, int end, const double* reference, double* inverse,
-                     PivotReport& report);
+/// reference[c] is the matrix's diagonal entry for column c of the front (1 for padding), inverse has room for 16
+/// doubles a pivot strip: the inverted diagonal tiles, row by row. The update matrix is written, not read: what the
+/// front starts from there is to be added afterwards.
+void eliminateStrips(double* columns, double* update, Pivots pivots, int begin, int end, const double* reference,
+                     double* inverse, PivotReport& report);
 
 /// Floating-point operations (a multiplication and an addition are two) of that call.
 double eliminationFlops(Pivots pivots, int begin, int end);

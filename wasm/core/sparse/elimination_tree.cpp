@@ -85,7 +85,8 @@ int findRoot(std::vector<int>& set, int i) {
 
 }  // namespace
 
-std::vector<int> factorColumnCounts(const Graph& graph, const std::vector<int>& parent, const FractionReport& onProgress) {
+std::vector<int> factorColumnCounts(const Graph& graph, const std::vector<int>& parent,
+                                    const FractionReport& onProgress) {
   const int size = graph.size();
   // Row i of the factor is a subtree rooted at i; a column's count is the number of row subtrees it lies in. Each row
   // subtree adds one at its leaves and takes one off where two branches meet.

@@ -21,6 +21,7 @@ std::vector<int> postorder(const std::vector<int>& parent);
 
 /// Entries of each column of the factor, diagonal included (Gilbert, Ng and Peyton 1994).
 /// The graph must be numbered in a postorder of its elimination tree.
-std::vector<int> factorColumnCounts(const Graph& graph, const std::vector<int>& parent, const FractionReport& onProgress = {});
+std::vector<int> factorColumnCounts(const Graph& graph, const std::vector<int>& parent,
+                                    const FractionReport& onProgress = {});
 
 }  // namespace shapespline

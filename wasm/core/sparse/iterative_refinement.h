@@ -20,9 +20,11 @@ class IterativeRefinement {
   /// matrix: what the solver has factorised, in single precision.
   IterativeRefinement(const SymmetricMatrix& matrix, const Cholesky& solver);
 
-  /// Solves A x = b from the x given until a correction is small beside `extent`. b and x: (x, y, z, pad) of every unknown in elimination
-  /// order, 4 * solver.paddedSize() numbers each. The pads of b must be zero, those of x are kept.
-  void solve(const Cholesky& solver, const double* b, double* x, double extent, Scratch& scratch, ForkJoin* forkJoin = nullptr) const;
+  /// Solves A x = b from the x given until a correction is small beside `extent`. b and x: (x, y, z, pad) of every
+  /// unknown in elimination order, 4 * solver.paddedSize() numbers each. The pads of b must be zero, those of x are
+  /// kept.
+  void solve(const Cholesky& solver, const double* b, double* x, double extent, Scratch& scratch,
+             ForkJoin* forkJoin = nullptr) const;
 
  private:
   void subtractProduct(const double* x, double* residual) const;

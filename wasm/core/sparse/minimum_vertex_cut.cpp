@@ -12,9 +12,9 @@ namespace {
 constexpr int kNone = -1;
 constexpr int kSource = -2;  // the predecessor of a path's first node
 
-// Paths without common nodes through a band, as many as there can be. A node on a path is used: it may be entered once more only to
-// go back to its predecessor, whose path then leaves it on another way. So every node but a used one is left by its own exit, and a
-// search goes from exit to exit.
+// Paths without common nodes through a band, as many as there can be. A node on a path is used: it may be entered once
+// more only to go back to its predecessor, whose path then leaves it on another way. So every node but a used one is
+// left by its own exit, and a search goes from exit to exit.
 class DisjointPaths {
  public:
   DisjointPaths(const Graph& graph, const std::vector<Side>& side) {
@@ -69,7 +69,8 @@ class DisjointPaths {
   // The node that one enters to get to an exit; below 0 where a path has its end.
   int entranceBefore(int exit) const { return used(exit) ? successor_[exit] : exit; }
 
-  // The band's nodes in the order of their distances from the sink, so that a search stays where it is; then those without a way there.
+  // The band's nodes in the order of their distances from the sink, so that a search stays where it is; then those
+  // without a way there.
   void number(const Graph& graph, const std::vector<Side>& side) {
     std::vector<int> local(side.size(), kNone), band;
     const auto add = [&](int v) {
@@ -102,7 +103,8 @@ class DisjointPaths {
     }
   }
 
-  // In rounds (Dinic 1970), nearest starts first. Who has no way to the sink never gets one again: new ways begin where a path was laid.
+  // In rounds (Dinic 1970), nearest starts first. Who has no way to the sink never gets one again: new ways begin where
+  // a path was laid.
   void findPaths() {
     std::vector<int> starts = atSource_;
     const auto distance = [&](int b) { return exitBehind(b) < 0 ? size() : distance_[exitBehind(b)]; };
@@ -110,7 +112,8 @@ class DisjointPaths {
       findDistances();
       std::erase_if(starts, [&](int b) { return distance(b) == size(); });
       if (starts.empty()) return;
-      std::sort(starts.begin(), starts.end(), [&](int a, int b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });
+      std::sort(starts.begin(), starts.end(),
+                [&](int a, int b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });
       std::fill(next_.begin(), next_.end(), 0);
       for (int b : starts)
         if (distance(b) < size()) search(b);
@@ -135,8 +138,8 @@ class DisjointPaths {
     }
   }
 
-  // Depth-first from a node at the source along falling distances. Where that ends the distance is raised, so that others may still come
-  // by on a longer way.
+  // Depth-first from a node at the source along falling distances. Where that ends the distance is raised, so that
+  // others may still come by on a longer way.
   void search(int start) {
     entered_.assign(1, start);
     path_.assign(1, exitBehind(start));
@@ -179,7 +182,8 @@ class DisjointPaths {
     next_[from] = 0;
   }
 
-  // Reroutes the paths. No node is entered twice on the way, so that the old predecessors are those that it was found with.
+  // Reroutes the paths. No node is entered twice on the way, so that the old predecessors are those that it was found
+  // with.
   void apply() {
     predecessor_[entered_[0]] = kSource;
     for (std::size_t i = 1; i < path_.size(); ++i) {

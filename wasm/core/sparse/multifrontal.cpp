@@ -45,7 +45,8 @@ void clear(double* begin, std::size_t n) {
   }
 }
 
-// Values move to their slots, and those of one supernode to their places. To read them at random costs five times as much.
+// Values move to their slots, and those of one supernode to their places. To read them at random costs five times as
+// much.
 void sortValues(std::span<const double> values, const int* slot, double* sorted) {
   for (std::size_t i = 0; i < values.size(); ++i) sorted[slot[i]] = values[i];
 }
@@ -55,7 +56,8 @@ void placeValues(const double* value, const std::size_t* place, int count, doubl
 
 // Adds columns begin ... end - 1 of strip i of an update matrix to a part of its parent's front: entry (4 i + r, c) to
 // part[target[r] + 4 * to[c]]. Rows that only fill up the strip are zero and may go anywhere.
-void addStrip(const double* strip, int i, int begin, int end, double* part, const std::ptrdiff_t* target, const int* to) {
+void addStrip(const double* strip, int i, int begin, int end, double* part, const std::ptrdiff_t* target,
+              const int* to) {
   double *a = part + target[0], *b = part + target[1], *c = part + target[2], *d = part + target[3];
   strip += 4 * begin;
   int k = begin;
@@ -95,8 +97,12 @@ void addUpdate(const double* update, const int* to, int rows, Pivots pivots, boo
 }  // namespace
 
 Multifrontal::Multifrontal(const SymbolicFactor& symbolic, const Assembly& assembly, std::span<const double> values)
-    : symbolic_(symbolic), assembly_(assembly), values_(std::make_unique_for_overwrite<double[]>(values.size())),
-      stackSize_(stackPeak(symbolic)), stack_(std::make_unique_for_overwrite<double[]>(stackSize_)), high_(stackSize_) {
+    : symbolic_(symbolic),
+      assembly_(assembly),
+      values_(std::make_unique_for_overwrite<double[]>(values.size())),
+      stackSize_(stackPeak(symbolic)),
+      stack_(std::make_unique_for_overwrite<double[]>(stackSize_)),
+      high_(stackSize_) {
   outOfLine(sortValues)(values, assembly.slot.data(), values_.get());
   const int count = symbolic.supernodes();
   firstChild_.assign(count, -1);
@@ -120,10 +126,13 @@ void Multifrontal::assembleFront() {
   const Pivots pivots = pivotsOf(symbolic_, s);
   const int pivotRows = 4 * pivots.strips;
   double* columns = stack_.get() + low_;
-  const auto diagonal = [&](int c) -> double& { return columns[stripOffset(c / 4) + 4 * static_cast<std::size_t>(c) + c % 4]; };
+  const auto diagonal = [&](int c) -> double& {
+    return columns[stripOffset(c / 4) + 4 * static_cast<std::size_t>(c) + c % 4];
+  };
   outOfLine(clear)(columns, columnsSize(symbolic_, s));
   for (int c = 0; c < pivots.padding; ++c) diagonal(c) = 1.0;
-  outOfLine(placeValues)(values_.get() + first, assembly_.place.data() + first, assembly_.start[s + 1] - first, columns);
+  outOfLine(placeValues)(values_.get() + first, assembly_.place.data() + first, assembly_.start[s + 1] - first,
+                         columns);
   reference_.resize(pivotRows);
   inverse_.resize(4 * static_cast<std::size_t>(pivotRows));
   for (int c = 0; c < pivotRows; ++c) reference_[c] = diagonal(c);
@@ -136,8 +145,8 @@ void Multifrontal::addChildren(Part part) {
   double* const target = stack_.get() + (isUpdate ? updateBase_[s] : low_);
   const auto add = outOfLine(addUpdate);
   for (int child = firstChild_[s]; child != -1; child = sibling_[child])
-    add(stack_.get() + updateBase_[child], assembly_.parentRow.data() + symbolic_.rowStart[child], symbolic_.rows(child),
-        pivotsOf(symbolic_, s), isUpdate, target);
+    add(stack_.get() + updateBase_[child], assembly_.parentRow.data() + symbolic_.rowStart[child],
+        symbolic_.rows(child), pivotsOf(symbolic_, s), isUpdate, target);
 }
 
 bool Multifrontal::eliminate(double& flopBudget) {

@@ -12,8 +12,8 @@
 
 namespace shapespline {
 
-/// One running factorisation. Update matrices lie on two stacks that grow towards each other, a front's on the one and its children's
-/// on the other: each is made where it stays. Between them are the columns of the current front.
+/// One running factorisation. Update matrices lie on two stacks that grow towards each other, a front's on the one and
+/// its children's on the other: each is made where it stays. Between them are the columns of the current front.
 class Multifrontal {
  public:
   /// The structure must outlive this. values: the matrix's, which are copied in the order in which fronts take them.
@@ -43,7 +43,7 @@ class Multifrontal {
   const SymbolicFactor& symbolic_;
   const Assembly& assembly_;
   std::unique_ptr<double[]> values_;  // by their slots
-  std::size_t stackSize_;  // doubles
+  std::size_t stackSize_;             // doubles
   std::unique_ptr<double[]> stack_;
   std::vector<int> firstChild_, sibling_;  // last pushed child first
   std::vector<char> isHigh_;               // supernodes whose update matrix goes to the high stack

@@ -164,12 +164,13 @@ class Dissection {
   std::vector<int> local_;  // of a leaf's nodes and their neighbours while it is ordered, else -1
   std::vector<int> halo_;
   std::vector<int> order_;
-  int end_ = 0;             // order_ is filled from here on
+  int end_ = 0;  // order_ is filled from here on
 };
 
 }  // namespace
 
-std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress) {
+std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates,
+                                       const FractionReport& onProgress) {
   return Dissection(graph, coordinates, onProgress).takeOrder();
 }
 

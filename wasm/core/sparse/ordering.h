@@ -12,6 +12,7 @@ namespace shapespline {
 
 /// The order the solver uses: nested dissection for large graphs with coordinates, else minimum degree.
 /// coordinates: one position a node, or empty.
-std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress = {});
+std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates,
+                                   const FractionReport& onProgress = {});
 
 }  // namespace shapespline

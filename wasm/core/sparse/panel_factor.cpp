@@ -73,7 +73,8 @@ void PanelFactor<Scalar>::backward(int part, Scalar* x) const {
 template <class Scalar>
 void PanelFactor<Scalar>::solve(Scalar* x, ForkJoin* forkJoin) const {
   const auto at = [x](int i) { return x + 4 * static_cast<std::ptrdiff_t>(i); };
-  std::fill(at(size_), at(paddedSize()), Scalar(0));  // what the zero rows read and write, and what the second part adds to the top
+  std::fill(at(size_), at(paddedSize()),
+            Scalar(0));  // what the zero rows read and write, and what the second part adds to the top
   inTwo(forkJoin, [&](int part) { forward(part, x); });
   const Scalar* copy = at(size_ + 2);
   for (int p : top_)

@@ -149,8 +149,8 @@ void forwardPanel(const Scalar* values, int columns, const int* row, int rows, S
   if (rows > 0) addTo(negativeProduct<V>(values, own, end), x, row);
 }
 
-// Adds to the columns' sums the products with four rows, from the last column to the first, or starts the sums with them.
-// Returns where the values start.
+// Adds to the columns' sums the products with four rows, from the last column to the first, or starts the sums with
+// them. Returns where the values start.
 template <class V, bool start = false, class Scalar>
 const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Scalar* begin, Scalar* sum) {
   const auto add = [](Scalar* to, V p) { (start ? p : V::load(to) + p).store(to); };
@@ -165,7 +165,8 @@ const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Scalar*
 
 // The same with eight rows.
 template <class V, bool start = false, class Scalar>
-const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Group<V>& h, const Scalar* begin, Scalar* sum) {
+const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Group<V>& h, const Scalar* begin,
+                          Scalar* sum) {
   const auto add = [](Scalar* to, V p, V q) { ((start ? p : V::load(to) + p) + q).store(to); };
   while (sum != begin) {
     values = stepBack(values, 8);

@@ -11,7 +11,8 @@ std::size_t PanelLayout::lay(const SymbolicFactor& symbolic) {
   size_ = symbolic.size();
   firstPanel_.resize(symbolic.supernodes());
   const std::vector<int> partOf = cutTree(symbolic);
-  std::vector<int> own(size_ + 1), copied;  // of each row and what fills them up: what the first part and the top call it, and the second
+  std::vector<int> own(size_ + 1),
+      copied;  // of each row and what fills them up: what the first part and the top call it, and the second
   std::iota(own.begin(), own.end(), 0);
   copied = own;
   copied[size_] = size_ + 1;
@@ -32,7 +33,8 @@ std::size_t PanelLayout::lay(const SymbolicFactor& symbolic) {
   return values;
 }
 
-std::size_t PanelLayout::addPanels(const SymbolicFactor& symbolic, int s, const std::vector<int>& nameOf, std::size_t values) {
+std::size_t PanelLayout::addPanels(const SymbolicFactor& symbolic, int s, const std::vector<int>& nameOf,
+                                   std::size_t values) {
   firstPanel_[s] = static_cast<int>(panels_.size());
   const int columns = symbolic.columns(s), count = panelCount(columns);
   for (int i = 0; i < count; ++i) {

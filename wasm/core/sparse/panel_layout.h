@@ -12,8 +12,9 @@ namespace shapespline {
 
 /// A supernode's columns are cut into panels of at most kWidth, all of about the same width.
 ///
-/// The tree of supernodes is cut into two parts for two to work on, and a top (tree_cut.h), which lie one after the other. The
-/// second part does not touch the unknowns of the top: its rows there name copies of them beyond the matrix's size.
+/// The tree of supernodes is cut into two parts for two to work on, and a top (tree_cut.h), which lie one after the
+/// other. The second part does not touch the unknowns of the top: its rows there name copies of them beyond the
+/// matrix's size.
 class PanelLayout {
  public:
   static constexpr int kWidth = 64;
@@ -24,7 +25,7 @@ class PanelLayout {
 
  protected:
   struct Panel {
-    int first;           // column
+    int first;  // column
     int columns;
     int rows;            // below its triangle, a multiple of four
     std::size_t row;     // where they start in row_

@@ -7,7 +7,7 @@ namespace shapespline {
 enum class Precision {
   Single,  ///< what is drawn: 1e-5 of the bounding box
   Double,
-  Exact,   ///< coordinates in double, the factor in single: the solution is refined until it is the double one's equal
+  Exact,  ///< coordinates in double, the factor in single: the solution is refined until it is the double one's equal
 };
 
 }  // namespace shapespline

@@ -37,7 +37,8 @@ std::array<Vec3, 3> principalAxes(std::span<const Vec3> points) {
 std::vector<Side> medianBand(std::span<const Vec3> coordinates, const Vec3& direction) {
   const double size = static_cast<double>(coordinates.size());
   const double halfBand = std::min(kBandFraction * size, kBandDepth * std::sqrt(size));
-  const auto low = static_cast<std::ptrdiff_t>(0.5 * size - halfBand), high = static_cast<std::ptrdiff_t>(0.5 * size + halfBand) + 1;
+  const auto low = static_cast<std::ptrdiff_t>(0.5 * size - halfBand),
+             high = static_cast<std::ptrdiff_t>(0.5 * size + halfBand) + 1;
   std::vector<std::pair<double, int>> sorted(coordinates.size());
   for (std::size_t v = 0; v < sorted.size(); ++v) sorted[v] = {direction.dot(coordinates[v]), static_cast<int>(v)};
   std::nth_element(sorted.begin(), sorted.begin() + low, sorted.end());
@@ -61,7 +62,8 @@ void widenBand(const Graph& graph, std::vector<Side>& side) {
 
 using OnStep = std::function<void()>;
 
-std::vector<Side> separatorAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& direction, const OnStep& onStep) {
+std::vector<Side> separatorAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& direction,
+                                 const OnStep& onStep) {
   std::vector<Side> side = medianBand(coordinates, direction);
   if (onStep) onStep();
   widenBand(graph, side);
@@ -69,7 +71,8 @@ std::vector<Side> separatorAlong(const Graph& graph, std::span<const Vec3> coord
   return side;
 }
 
-// What elimination costs with these sides, about: the cube of the separator, and of each side what nested dissection takes.
+// What elimination costs with these sides, about: the cube of the separator, and of each side what nested dissection
+// takes.
 struct Cut {
   std::vector<Side> side;
   double separator = 0, cost = 0;
@@ -79,7 +82,8 @@ Cut cutAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& 
   Cut cut{separatorAlong(graph, coordinates, direction, onStep)};
   const auto count = [&](Side s) { return static_cast<double>(std::count(cut.side.begin(), cut.side.end(), s)); };
   cut.separator = count(Side::Separator);
-  cut.cost = std::pow(cut.separator, 3) + kDissectionCost * (std::pow(count(Side::Left), 1.5) + std::pow(count(Side::Right), 1.5));
+  cut.cost = std::pow(cut.separator, 3) +
+             kDissectionCost * (std::pow(count(Side::Left), 1.5) + std::pow(count(Side::Right), 1.5));
   return cut;
 }
 
@@ -92,7 +96,10 @@ std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordi
   const struct {
     Vec3 direction;
     double worthAbove;
-  } others[] = {{first + second, kLongSeparator}, {first - second, kLongSeparator}, {second, kVeryLongSeparator}, {third, kVeryLongSeparator}};
+  } others[] = {{first + second, kLongSeparator},
+                {first - second, kLongSeparator},
+                {second, kVeryLongSeparator},
+                {third, kVeryLongSeparator}};
   for (const auto& [direction, worthAbove] : others) {
     if (best.separator <= worthAbove * std::sqrt(graph.size())) break;
     Cut cut = cutAlong(graph, coordinates, direction);

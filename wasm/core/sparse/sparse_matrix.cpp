@@ -69,7 +69,8 @@ Status checkSymmetric(const SymmetricMatrix& matrix) {
     for (int i = begin; i < end; ++i) {
       if (matrix.row[i] <= previous || matrix.row[i] >= matrix.size)
         return malformed(ErrorCode::Internal, "has rows out of order or above the diagonal", column);
-      if (!std::isfinite(matrix.value[i])) return malformed(ErrorCode::NotFinite, "has a value that is not finite", column);
+      if (!std::isfinite(matrix.value[i]))
+        return malformed(ErrorCode::NotFinite, "has a value that is not finite", column);
       previous = matrix.row[i];
     }
   }

@@ -6,13 +6,15 @@
 
 namespace shapespline {
 
-// In a postorder all supernodes before a place are whole subtrees. Of those from there on, the ones with a descendant before
-// the place lie above; the others are whole subtrees again. So one place decides the cut: the one after which both are done first.
+// In a postorder all supernodes before a place are whole subtrees. Of those from there on, the ones with a descendant
+// before the place lie above; the others are whole subtrees again. So one place decides the cut: the one after which
+// both are done first.
 std::vector<int> cutTree(const SymbolicFactor& symbolic) {
   const int count = symbolic.supernodes();
   std::vector<int> firstDescendant(count);
   std::iota(firstDescendant.begin(), firstDescendant.end(), 0);
-  std::vector<std::int64_t> work(count), above(static_cast<std::size_t>(count) + 1, 0);  // above: by how much it changes at each place
+  std::vector<std::int64_t> work(count),
+      above(static_cast<std::size_t>(count) + 1, 0);  // above: by how much it changes at each place
   std::int64_t total = 0;
   for (int s = 0; s < count; ++s) {
     const std::int64_t columns = symbolic.columns(s), rows = symbolic.rows(s);

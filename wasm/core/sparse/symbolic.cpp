@@ -20,11 +20,13 @@ constexpr std::int64_t kCostOfSupernode = 80;
 // One node of the supernode tree while it is being merged.
 struct Node {
   int columns = 0;
-  int front = 0;    // columns and the rows below them
+  int front = 0;  // columns and the rows below them
   int parent = -1;
 };
 
-std::int64_t trapezoid(std::int64_t columns, std::int64_t front) { return columns * front - columns * (columns - 1) / 2; }
+std::int64_t trapezoid(std::int64_t columns, std::int64_t front) {
+  return columns * front - columns * (columns - 1) / 2;
+}
 
 // Maximal runs of columns with the same structure; supernodeOf[j] is the run of column j.
 std::vector<Node> maximalSupernodes(const std::vector<int>& parent, const std::vector<int>& count,
@@ -161,8 +163,8 @@ SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order, 
   for (int p = 0; p < size; ++p) postParent[p] = parent[post[p]] == -1 ? -1 : inverse[parent[post[p]]];
 
   std::vector<int> supernodeOf;
-  const std::vector<int> counts = factorColumnCounts(permuted(graph, postordered, partOf(onProgress, 0.25, 0.4)), postParent,
-                                                     partOf(onProgress, 0.4, 0.5));
+  const std::vector<int> counts = factorColumnCounts(permuted(graph, postordered, partOf(onProgress, 0.25, 0.4)),
+                                                     postParent, partOf(onProgress, 0.4, 0.5));
   std::vector<Node> nodes = maximalSupernodes(postParent, counts, supernodeOf);
   reportFraction(onProgress, 0.55);
   const std::vector<int> mergedInto = mergeSupernodes(nodes);

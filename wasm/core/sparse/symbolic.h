@@ -13,12 +13,12 @@ namespace shapespline {
 /// columns first[s] ... first[s + 1] - 1 and, below its triangle, has the rows row[rowStart[s]] ...
 /// row[rowStart[s + 1] - 1], ascending. Supernodes are in a postorder of their tree.
 struct SymbolicFactor {
-  std::vector<int> order;               ///< order[p]: the unknown eliminated at position p
-  std::vector<int> position;            ///< its inverse
+  std::vector<int> order;     ///< order[p]: the unknown eliminated at position p
+  std::vector<int> position;  ///< its inverse
   std::vector<int> first = {0};
   std::vector<std::size_t> rowStart = {0};
   std::vector<int> row;
-  std::vector<int> parent;              ///< of each supernode, -1 for a root
+  std::vector<int> parent;  ///< of each supernode, -1 for a root
 
   int size() const { return static_cast<int>(order.size()); }
   int supernodes() const { return static_cast<int>(parent.size()); }

@@ -34,7 +34,9 @@ struct Grid {
   }
 };
 
-Affine nothing(Index rows, Index samples, Index columns) { return {MatrixXd::Zero(rows, samples), MatrixXd::Zero(rows, columns)}; }
+Affine nothing(Index rows, Index samples, Index columns) {
+  return {MatrixXd::Zero(rows, samples), MatrixXd::Zero(rows, columns)};
+}
 
 Affine secondDifferences(const Grid& grid, Index columns) {
   const Index first = grid.periodic ? 0 : 1, rows = grid.samples - 2 * first;
@@ -44,7 +46,8 @@ Affine secondDifferences(const Grid& grid, Index columns) {
   return bend;
 }
 
-// The ends' differences with the neighbour that an assigned slope m puts beyond the end: 2 (x_1 - x_0 - h m). They count half.
+// The ends' differences with the neighbour that an assigned slope m puts beyond the end: 2 (x_1 - x_0 - h m). They
+// count half.
 Affine endDifferences(const Grid& grid, const RowVectorXd& startSlope, const RowVectorXd& endSlope) {
   Affine bend = nothing(2, grid.samples, startSlope.size());
   const Index last = grid.samples - 1;
@@ -68,7 +71,8 @@ Affine atKeys(const Grid& grid, const std::vector<double>& keyTimes, Index colum
   Affine keys = nothing(static_cast<Index>(keyTimes.size()), grid.samples, columns);
   for (std::size_t j = 0; j < keyTimes.size(); ++j) {
     const double place = (keyTimes[j] - grid.start) / grid.step;
-    const Index before = std::clamp<Index>(static_cast<Index>(std::floor(place)), 0, grid.samples - (grid.periodic ? 1 : 2));
+    const Index before =
+        std::clamp<Index>(static_cast<Index>(std::floor(place)), 0, grid.samples - (grid.periodic ? 1 : 2));
     const double share = place - static_cast<double>(before);
     grid.add(keys, static_cast<Index>(j), before, 1 - share);
     grid.add(keys, static_cast<Index>(j), before + 1, share);
@@ -78,7 +82,8 @@ Affine atKeys(const Grid& grid, const std::vector<double>& keyTimes, Index colum
 
 }  // namespace
 
-Result<DiscreteSpline> DiscreteSpline::fit(const std::vector<double>& keyTimes, BoundaryKind boundary, const Curve& curve, int samples) {
+Result<DiscreteSpline> DiscreteSpline::fit(const std::vector<double>& keyTimes, BoundaryKind boundary,
+                                           const Curve& curve, int samples) {
   std::vector<double> held = keyTimes;
   // The key that closes a period is its first one again.
   if (curve.periodic() && held.size() > 1 && held.back() >= curve.end()) held.pop_back();
@@ -87,15 +92,17 @@ Result<DiscreteSpline> DiscreteSpline::fit(const std::vector<double>& keyTimes, 
   for (std::size_t j = 1; j < keyTimes.size(); ++j) shortest = std::min(shortest, keyTimes[j] - keyTimes[j - 1]);
   const int least = std::max(4, static_cast<int>(std::min(std::ceil(span / shortest * (1 - 1e-9)), 1e9)) + 1);
   if (samples < least || samples > mostSamples)
-    return Error{ErrorCode::InvalidOption, "The path has " + grouped(samples) + " samples. Take from " + grouped(least) + " to " +
-                                               grouped(mostSamples) + ", so that every interval between keys has one."};
+    return Error{ErrorCode::InvalidOption, "The path has " + grouped(samples) + " samples. Take from " +
+                                               grouped(least) + " to " + grouped(mostSamples) +
+                                               ", so that every interval between keys has one."};
 
   const Index columns = curve.weights(curve.start()).size();
   const Grid grid{curve.start(), span / (curve.periodic() ? samples : samples - 1), samples, curve.periodic(),
                   (curve.weights(curve.end()) - curve.weights(curve.start())).transpose()};
   Affine bend = secondDifferences(grid, columns);
   if (boundary == BoundaryKind::Hermite)
-    bend = stacked(bend, endDifferences(grid, curve.weights(curve.start(), 1).transpose(), curve.weights(curve.end(), 1).transpose()));
+    bend = stacked(bend, endDifferences(grid, curve.weights(curve.start(), 1).transpose(),
+                                        curve.weights(curve.end(), 1).transpose()));
   const Affine keys = atKeys(grid, held, columns);
   const Index count = keys.samples.rows();
 

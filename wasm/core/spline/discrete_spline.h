@@ -1,5 +1,6 @@
-// The bending energy of a curve's samples, and the samples that minimise it with the keys held: what cubic splines do in closed form
-// (paper Eq. 1-2, Fig. 2). The energy is separable, so that one matrix of weights serves every coordinate.
+// The bending energy of a curve's samples, and the samples that minimise it with the keys held: what cubic splines do
+// in closed form (paper Eq. 1-2, Fig. 2). The energy is separable, so that one matrix of weights serves every
+// coordinate.
 #pragma once
 
 #include <vector>
@@ -11,18 +12,20 @@
 
 namespace shapespline {
 
-/// K evenly spaced samples x_i of a curve's range, h apart: of a periodic curve those of one period, which its first sample follows
-/// again. Each is a row of weights over the curve's columns, so that a path is a K x Columns::count() matrix.
+/// K evenly spaced samples x_i of a curve's range, h apart: of a periodic curve those of one period, which its first
+/// sample follows again. Each is a row of weights over the curve's columns, so that a path is a K x Columns::count()
+/// matrix.
 ///
-/// The energy is the sum of |x_(i-1) - 2 x_i + x_(i+1)|^2 / h^3 over the inner samples; with Hermite ends half a term for each end
-/// too, with the neighbour beyond it that gives the assigned slope as the central difference. A key between two samples is held
-/// by their linear interpolation: an error of second order in h, as that of the differences themselves. (Held at the nearest sample, it
-/// would be of first order.)
+/// The energy is the sum of |x_(i-1) - 2 x_i + x_(i+1)|^2 / h^3 over the inner samples; with Hermite ends half a term
+/// for each end too, with the neighbour beyond it that gives the assigned slope as the central difference. A key
+/// between two samples is held by their linear interpolation: an error of second order in h, as that of the differences
+/// themselves. (Held at the nearest sample, it would be of first order.)
 class DiscreteSpline {
  public:
-  /// Of the curve through keyTimes. Costs K^3. Errors: InvalidOption (fewer samples than one for each of the shortest intervals between
-  /// keys, or more than mostSamples).
-  static Result<DiscreteSpline> fit(const std::vector<double>& keyTimes, BoundaryKind boundary, const Curve& curve, int samples);
+  /// Of the curve through keyTimes. Costs K^3. Errors: InvalidOption (fewer samples than one for each of the shortest
+  /// intervals between keys, or more than mostSamples).
+  static Result<DiscreteSpline> fit(const std::vector<double>& keyTimes, BoundaryKind boundary, const Curve& curve,
+                                    int samples);
 
   static constexpr int mostSamples = 1000;
 
@@ -34,11 +37,12 @@ class DiscreteSpline {
   /// Energy of a path. gram: inner products of the columns, for one coordinate v v^T with its values v in them.
   double energy(const Eigen::MatrixXd& path, const Eigen::MatrixXd& gram) const;
 
-  /// Derivative of half the energy by each sample, as weights: its inner product with a change of the path. It vanishes at
-  /// the minimum for every change that keeps the keys.
+  /// Derivative of half the energy by each sample, as weights: its inner product with a change of the path. It vanishes
+  /// at the minimum for every change that keeps the keys.
   Eigen::MatrixXd gradient(const Eigen::MatrixXd& path) const;
 
-  /// What the keys hold: one row a key, the sample's or the two samples' shares. holds() times a change that keeps the keys is 0.
+  /// What the keys hold: one row a key, the sample's or the two samples' shares. holds() times a change that keeps the
+  /// keys is 0.
   const Eigen::MatrixXd& holds() const { return holds_; }
 
  private:

@@ -23,12 +23,15 @@ Status validateTimes(const std::vector<double>& times, int keyCount) {
       return Error{ErrorCode::NotFinite, "The time of key " + std::to_string(j + 1) + " is not a finite number.", j};
     if (j > 0 && times[j] > times[j - 1] && !(times[j] - times[j - 1] > closestTimes * (times.back() - times.front())))
       return Error{ErrorCode::TimesNotIncreasing,
-                   "Key " + std::to_string(j + 1) + " follows key " + std::to_string(j) + " by less than a millionth of a millionth of the whole "
-                   "time. Move the keys further apart.", j};
+                   "Key " + std::to_string(j + 1) + " follows key " + std::to_string(j) +
+                       " by less than a millionth of a millionth of the whole "
+                       "time. Move the keys further apart.",
+                   j};
     if (j > 0 && !(times[j] > times[j - 1]))
       return Error{ErrorCode::TimesNotIncreasing,
                    "Key " + std::to_string(j + 1) + " is at time " + shortNumber(times[j]) + ", not after key " +
-                       std::to_string(j) + " at " + shortNumber(times[j - 1]) + ". Key times must increase.", j};
+                       std::to_string(j) + " at " + shortNumber(times[j - 1]) + ". Key times must increase.",
+                   j};
   }
   return {};
 }

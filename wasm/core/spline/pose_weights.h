@@ -10,9 +10,10 @@
 
 namespace shapespline {
 
-/// Weights closer to zero than this change no sum of numbers of type Real. A cubic spline's weights fall by a factor of about 0.27 from key
-/// to key: all that are left out together come to less than three times the largest, and the numbers (logarithms of rotations,
-/// stretches) are hardly above ten, so that what is missing stays below half a rounding step.
+/// Weights closer to zero than this change no sum of numbers of type Real. A cubic spline's weights fall by a factor of
+/// about 0.27 from key to key: all that are left out together come to less than three times the largest, and the
+/// numbers (logarithms of rotations, stretches) are hardly above ten, so that what is missing stays below half a
+/// rounding step.
 template <class Real>
 inline constexpr double leastWeight = std::numeric_limits<Real>::epsilon() / 64;
 

@@ -24,11 +24,12 @@ struct WholeTurns {
   Vec3 vector;
 };
 
-/// R(t) = R_b prod_s exp(C_s(t) w_s): R_b the rotation at the curve's base key, w_s with exp(w_s) = R_from^T R_to the increment of step s
-/// and C_s its share (spline.h). Exact at the keys, as smooth as the weights, any number of turns, and for two keys the geodesic.
+/// R(t) = R_b prod_s exp(C_s(t) w_s): R_b the rotation at the curve's base key, w_s with exp(w_s) = R_from^T R_to the
+/// increment of step s and C_s its share (spline.h). Exact at the keys, as smooth as the weights, any number of turns,
+/// and for two keys the geodesic.
 struct RotationPaths {
-  std::vector<std::vector<Quaternion>> key;     ///< key[column][path], unit
-  std::vector<std::vector<Vec3>> increment;     ///< increment[step][path], radians; empty for steps that there are not
+  std::vector<std::vector<Quaternion>> key;  ///< key[column][path], unit
+  std::vector<std::vector<Vec3>> increment;  ///< increment[step][path], radians; empty for steps that there are not
 
   /// Every path at `point`, with whole turns added. rotation: resized, unit.
   void at(const CurvePoint& point, std::span<const WholeTurns> turns, std::vector<Quaternion>& rotation) const;

@@ -14,8 +14,8 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-// Solves a tridiagonal system with a matrix of right-hand sides (Thomas). The spline systems are diagonally dominant, so
-// that no pivoting is needed.
+// Solves a tridiagonal system with a matrix of right-hand sides (Thomas). The spline systems are diagonally dominant,
+// so that no pivoting is needed.
 MatrixXd solveTridiagonal(const VectorXd& lower, VectorXd diagonal, const VectorXd& upper, MatrixXd rhs) {
   const Eigen::Index n = diagonal.size();
   for (Eigen::Index i = 1; i < n; ++i) {
@@ -28,13 +28,13 @@ MatrixXd solveTridiagonal(const VectorXd& lower, VectorXd diagonal, const Vector
   return rhs;
 }
 
-// Keys to either side of a period whose influence on it can be felt: a cubic spline's falls by 0.27 from key to key where they are even,
-// and at least by half.
+// Keys to either side of a period whose influence on it can be felt: a cubic spline's falls by 0.27 from key to key
+// where they are even, and at least by half.
 constexpr int knotsBeyond = 40;
 
 struct Spans {
-  VectorXd h;        // knots - 1
-  MatrixXd secant;   // difference quotients, (knots - 1) x columns
+  VectorXd h;       // knots - 1
+  MatrixXd secant;  // difference quotients, (knots - 1) x columns
 };
 
 // columns: the knots and the two tangents.
@@ -50,7 +50,8 @@ Spans spansOf(const VectorXd& times) {
 }
 
 // Slopes of the C2 spline: continuity of the second derivative at inner knots, a boundary row at either end.
-MatrixXd openSlopes(const Spans& s, const CurveOptions& options, const RowVectorXd& startSlope, const RowVectorXd& endSlope) {
+MatrixXd openSlopes(const Spans& s, const CurveOptions& options, const RowVectorXd& startSlope,
+                    const RowVectorXd& endSlope) {
   const Eigen::Index n = s.h.size() + 1;
   VectorXd lower = VectorXd::Zero(n), diagonal(n), upper = VectorXd::Zero(n);
   MatrixXd rhs(n, s.secant.cols());
@@ -89,10 +90,11 @@ Status checkOptions(const CurveOptions& o, int keyCount) {
   return {};
 }
 
-// Bias and tension at one knot: a share |bias| of the C2 slope gives way to the one-sided difference, before the knot for a
-// positive bias and after it for a negative one, as in Kochanek and Bartels (1984), whose splines start from the mean of
-// the two; then the whole is scaled. All of it is linear in the columns, so that the weights stay affine. 0 leaves the
-// slope as it is, bit for bit; anything else costs the continuity of the second derivative there, never of the first.
+// Bias and tension at one knot: a share |bias| of the C2 slope gives way to the one-sided difference, before the knot
+// for a positive bias and after it for a negative one, as in Kochanek and Bartels (1984), whose splines start from the
+// mean of the two; then the whole is scaled. All of it is linear in the columns, so that the weights stay affine. 0
+// leaves the slope as it is, bit for bit; anything else costs the continuity of the second derivative there, never of
+// the first.
 void shapeSlope(MatrixXd& slope, const Spans& s, Eigen::Index knot, double bias, double tension) {
   if (bias != 0) {
     const Eigen::Index before = std::max<Eigen::Index>(knot - 1, 0), after = std::min(knot, s.h.size() - 1);
@@ -150,8 +152,11 @@ Result<Curve> Curve::fit(const std::vector<double>& times, const CurveOptions& o
     end[count + 1] = -1 / spans.h[count - 2];
   }
   curve.slope_ = openSlopes(spans, options, options.startSpeed * start, options.endSpeed * end);
-  const auto at = [&](const std::vector<double>& values, Eigen::Index i) { return values.empty() ? 0 : values[curve.knots_[i].key]; };
-  for (Eigen::Index i = 0; i < count; ++i) shapeSlope(curve.slope_, spans, i, at(options.bias, i), at(options.tension, i));
+  const auto at = [&](const std::vector<double>& values, Eigen::Index i) {
+    return values.empty() ? 0 : values[curve.knots_[i].key];
+  };
+  for (Eigen::Index i = 0; i < count; ++i)
+    shapeSlope(curve.slope_, spans, i, at(options.bias, i), at(options.tension, i));
   return curve;
 }
 
@@ -174,7 +179,9 @@ void Curve::placeKnots(const std::vector<double>& times, double period) {
 
 Weights Curve::atKnots(double t, int derivative) const {
   const auto last = static_cast<Eigen::Index>(knots_.size()) - 1;
-  const auto upper = std::upper_bound(knots_.begin(), knots_.end(), t, [](double time, const Knot& k) { return time < k.time; }) - knots_.begin();
+  const auto upper =
+      std::upper_bound(knots_.begin(), knots_.end(), t, [](double time, const Knot& k) { return time < k.time; }) -
+      knots_.begin();
   const Eigen::Index i = std::clamp<Eigen::Index>(upper - 1, 0, last - 1);
   const double h = knots_[i + 1].time - knots_[i].time;
   const double u = (t - knots_[i].time) / h;
@@ -227,7 +234,8 @@ namespace {
 constexpr double negligibleShare = 1e-12;
 
 // Leaves out what is done and what has not begun. The tangents stand beside the keys that they belong to.
-void gatherSteps(CurvePoint& point, const std::vector<StepShare>& steps, double startWeight, double endWeight, KeySteps numbers) {
+void gatherSteps(CurvePoint& point, const std::vector<StepShare>& steps, double startWeight, double endWeight,
+                 KeySteps numbers) {
   std::size_t first = 0;
   while (startWeight == 0 && first < steps.size() && std::abs(steps[first].share - 1) < negligibleShare) ++first;
   if (startWeight != 0) point.steps.push_back({numbers.startTangent(), startWeight, 0});
@@ -275,7 +283,8 @@ CurvePoint Curve::at(double t) const {
   point.base = base.key;
   point.basePeriod = base.period;
   for (std::size_t i = 0; i < knots_.size(); ++i)
-    if (const double w = atEach[static_cast<Eigen::Index>(i)]; w != 0) point.unrolled.push_back({knots_[i].key, knots_[i].period, w});
+    if (const double w = atEach[static_cast<Eigen::Index>(i)]; w != 0)
+      point.unrolled.push_back({knots_[i].key, knots_[i].period, w});
   return point;
 }
 

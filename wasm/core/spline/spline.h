@@ -21,18 +21,19 @@ enum class Closing {
 };
 
 struct CurveOptions {
-  bool linear = false;             ///< piecewise linear instead of cubic
+  bool linear = false;  ///< piecewise linear instead of cubic
   BoundaryKind boundary = BoundaryKind::Natural;
   double startSpeed = 1, endSpeed = 1;
-  bool startShape = false;         ///< hermite: the start tangent column takes key 2's place in the difference at key 1
-  bool endShape = false;           ///< hermite: the end tangent column takes key J - 1's place in the difference at key J
+  bool startShape = false;  ///< hermite: the start tangent column takes key 2's place in the difference at key 1
+  bool endShape = false;    ///< hermite: the end tangent column takes key J - 1's place in the difference at key J
   Closing closing = Closing::Extra;
   std::optional<double> period = {};
   std::vector<double> tension = {};
   std::vector<double> bias = {};
 };
 
-/// The columns that a weight vector of J keys ranges over: keys 0 to J - 1, then the shapes that stand for end tangents.
+/// The columns that a weight vector of J keys ranges over: keys 0 to J - 1, then the shapes that stand for end
+/// tangents.
 struct Columns {
   int keys;
   int startTangent() const { return keys; }
@@ -42,18 +43,23 @@ struct Columns {
 
 using Weights = Eigen::VectorXd;  ///< Columns::count() entries; they sum to 1 (a derivative's to 0)
 
-/// The ways from one pose to the next, each with an increment of every rotation that moves through the keys. Step s leads from
-/// key s to key s + 1; the others have numbers behind those.
+/// The ways from one pose to the next, each with an increment of every rotation that moves through the keys. Step s
+/// leads from key s to key s + 1; the others have numbers behind those.
 struct KeySteps {
   int keys;
-  int closing() const { return keys - 1; }           ///< from the last key to the first, where a loop closes over an interval of its own
-  int turnedClosing() const { return keys; }         ///< from the last key but one to the first as the last key has it, moved rigidly
-  int startTangent() const { return keys + 1; }      ///< from the first key to the shape that gives the start tangent
-  int endTangent() const { return keys + 2; }        ///< from the last key to the shape that gives the end tangent
+  int closing() const {
+    return keys - 1;
+  }  ///< from the last key to the first, where a loop closes over an interval of its own
+  int turnedClosing() const {
+    return keys;
+  }  ///< from the last key but one to the first as the last key has it, moved rigidly
+  int startTangent() const { return keys + 1; }  ///< from the first key to the shape that gives the start tangent
+  int endTangent() const { return keys + 2; }    ///< from the last key to the shape that gives the end tangent
   int count() const { return keys + 3; }
 };
 
-/// What of a step has been taken: its cumulative weight (Kim, Kim and Shin 1995), 0 before and 1 after it but for the spline's overshoot.
+/// What of a step has been taken: its cumulative weight (Kim, Kim and Shin 1995), 0 before and 1 after it but for the
+/// spline's overshoot.
 struct StepShare {
   int step;
   double share;
@@ -69,12 +75,13 @@ struct KeyWeight {
 /// A point of the curve, for all that is linear in the keys and for all that turns.
 struct CurvePoint {
   Weights weights;
-  int base = 0;        ///< key at which products of increments start: every step before it is done
-  int basePeriod = 0;  ///< of a periodic curve: the period of that key
-  std::vector<StepShare> steps;       ///< from there on, in the order of time; steps not begun are left out
-  std::vector<KeyWeight> unrolled;    ///< of a periodic curve: `weights` before they were added up over the periods; else empty
-  bool closes = false;                ///< whether the closing step is among those that the curve takes
-  int beyond = -1;                    ///< end key that the curve goes on from beyond the keys, or -1 within them
+  int base = 0;                  ///< key at which products of increments start: every step before it is done
+  int basePeriod = 0;            ///< of a periodic curve: the period of that key
+  std::vector<StepShare> steps;  ///< from there on, in the order of time; steps not begun are left out
+  std::vector<KeyWeight>
+      unrolled;         ///< of a periodic curve: `weights` before they were added up over the periods; else empty
+  bool closes = false;  ///< whether the closing step is among those that the curve takes
+  int beyond = -1;      ///< end key that the curve goes on from beyond the keys, or -1 within them
 };
 
 /// The point whose weights are given: a blend of keys that need not lie on any curve.
@@ -86,8 +93,9 @@ struct WrappedTime {
   int periods = 0;  ///< whole periods that were taken off
 };
 
-/// A fitted curve: knots and the slope at each as a combination of the columns. A periodic curve is a natural spline over
-/// so many periods to either side that its ends are not felt; so every period is the next one's copy, whatever turns. Immutable.
+/// A fitted curve: knots and the slope at each as a combination of the columns. A periodic curve is a natural spline
+/// over so many periods to either side that its ends are not felt; so every period is the next one's copy, whatever
+/// turns. Immutable.
 class Curve {
  public:
   /// times: J >= 2, strictly increasing. Errors: InvalidOption (period too short, tensions or biases of another count,

@@ -18,7 +18,10 @@ export class AnalysisCache {
   private observer: AnalysisObserver | null = null;
 
   /** `input` gives what to analyse now, null where nothing is open. */
-  constructor(readonly input: () => AnalysisInput | null, private readonly onError: (error: unknown) => void) {}
+  constructor(
+    readonly input: () => AnalysisInput | null,
+    private readonly onError: (error: unknown) => void,
+  ) {}
 
   get stale(): boolean {
     return this.outOfDate;

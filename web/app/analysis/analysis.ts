@@ -34,8 +34,11 @@ export interface AnalysisInput extends ShapePlaneInput {
 export function analysisInput(running: readonly RunningSequence[], doc: Doc, range: Range, ms: number): AnalysisInput {
   const [main] = running;
   return {
-    sequences: running.filter((one) => one === main || one.ghost === main?.ghost), range, ms,
-    keyTimes: doc.keys.map((key) => key.time), towards: tangentKeys(doc),
+    sequences: running.filter((one) => one === main || one.ghost === main?.ghost),
+    range,
+    ms,
+    keyTimes: doc.keys.map((key) => key.time),
+    towards: tangentKeys(doc),
   };
 }
 

@@ -30,10 +30,12 @@ export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapeP
   const { sequences, keyTimes, range, towards } = input;
   const times = plottedTimes(range, keyTimes, POINTS);
   const inLri = sequences.filter(({ method }) => isInLri(method));
-  const planes = await Promise.all(inLri.map(async ({ method, sequence }) => {
-    const plane = await sequence.shapePlane(times);
-    return { method, plane };
-  }));
+  const planes = await Promise.all(
+    inLri.map(async ({ method, sequence }) => {
+      const plane = await sequence.shapePlane(times);
+      return { method, plane };
+    }),
+  );
   const [main] = planes;
   return { times, range, planes, tangents: main && towards ? tangentsOf(main.plane.keys, towards) : null };
 }
@@ -43,6 +45,6 @@ function tangentsOf(keys: readonly number[], towards: Readonly<Record<End, numbe
   const along = (key: number, target: number, axis: 0 | 1): number =>
     (keys[2 * target + axis]! - keys[2 * key + axis]!) / 3;
   const from = (key: number, target: number | null): [number, number] | null =>
-    (target === null ? null : [along(key, target, 0), along(key, target, 1)]);
+    target === null ? null : [along(key, target, 0), along(key, target, 1)];
   return { start: from(0, towards.start), end: from(keys.length / 2 - 1, towards.end) };
 }

@@ -15,7 +15,10 @@ const LEAST_TOP = 0.001;
 
 /** Positions are 3 x vertices; `percent` is filled where it is given. */
 export function differenceOf(
-  positions: Float32Array, reference: Float32Array, diagonal: number, percent: Float32Array = new Float32Array(positions.length / 3),
+  positions: Float32Array,
+  reference: Float32Array,
+  diagonal: number,
+  percent: Float32Array = new Float32Array(positions.length / 3),
 ): Difference {
   let largest = 0;
   let sum = 0;
@@ -41,7 +44,11 @@ export function roundTop(largest: number): number {
 }
 
 /** 3 x vertices, linear RGB; `colours` are filled where they are given. */
-export function heatColours({ percent }: Difference, top: number, colours: Float32Array = new Float32Array(3 * percent.length)): Float32Array {
+export function heatColours(
+  { percent }: Difference,
+  top: number,
+  colours: Float32Array = new Float32Array(3 * percent.length),
+): Float32Array {
   for (let v = 0; v < percent.length; v += 1) {
     const shade = Math.min(Math.round((percent[v]! / top) * (SHADES - 1)), SHADES - 1);
     for (let c = 0; c < 3; c += 1) colours[3 * v + c] = TABLE[3 * shade + c]!;
@@ -49,5 +56,6 @@ export function heatColours({ percent }: Difference, top: number, colours: Float
   return colours;
 }
 
-const TABLE = Float32Array.from(Array.from({ length: SHADES }, (_, i) => viridis(i / (SHADES - 1))).flat(),
-  (value) => (value / 255 <= 0.04045 ? value / 255 / 12.92 : ((value / 255 + 0.055) / 1.055) ** 2.4));
+const TABLE = Float32Array.from(Array.from({ length: SHADES }, (_, i) => viridis(i / (SHADES - 1))).flat(), (value) =>
+  value / 255 <= 0.04045 ? value / 255 / 12.92 : ((value / 255 + 0.055) / 1.055) ** 2.4,
+);

@@ -33,7 +33,16 @@ export interface Marking {
 
 type Find = (sequence: Sequence) => Promise<number[]>;
 
-export function createMarking({ scene, sequence, warnings, keyTimes, range, seek, onWarning, onError }: MarkingParts): Marking {
+export function createMarking({
+  scene,
+  sequence,
+  warnings,
+  keyTimes,
+  range,
+  seek,
+  onWarning,
+  onError,
+}: MarkingParts): Marking {
   let newest = 0;
   let ofComponent = false;
 
@@ -42,9 +51,11 @@ export function createMarking({ scene, sequence, warnings, keyTimes, range, seek
     const mine = newest;
     const asked = sequence();
     if (!find || !asked) return scene.viewer.setMark(null);
-    find(asked).then((faces) => {
-      if (mine === newest && sequence() === asked) scene.viewer.setMark(faces.length > 0 ? faces : null);
-    }).catch(onError);
+    find(asked)
+      .then((faces) => {
+        if (mine === newest && sequence() === asked) scene.viewer.setMark(faces.length > 0 ? faces : null);
+      })
+      .catch(onError);
   };
 
   return {
@@ -83,7 +94,9 @@ async function facesOf(sequence: Sequence, patches: readonly number[], face: num
 
 function where(values: Int32Array, fits: (value: number) => boolean): number[] {
   const indices: number[] = [];
-  values.forEach((value, index) => { if (fits(value)) indices.push(index); });
+  values.forEach((value, index) => {
+    if (fits(value)) indices.push(index);
+  });
   return indices;
 }
 
@@ -103,6 +116,9 @@ export function momentOf(warning: Warning, keyTimes: readonly number[], range: R
 
 export function warningItems(warnings: readonly Warning[], keys: number): WarningItem[] {
   return warnings.map((warning) => ({
-    code: warning.code, message: warning.message, where: keysInWords(warning, keys), shows: hasPlace(warning) || warning.key >= 0,
+    code: warning.code,
+    message: warning.message,
+    where: keysInWords(warning, keys),
+    shows: hasPlace(warning) || warning.key >= 0,
   }));
 }

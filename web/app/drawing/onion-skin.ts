@@ -10,7 +10,10 @@ export const PHASE_COLOURS: Record<PhaseKind, string> = { key: '#0072b2', betwee
 const ONION_STEP = 0.09;
 /** Nearer skins are more solid. */
 const ONION_SKINS: readonly { steps: number; opacity: number }[] = [
-  { steps: -2, opacity: 0.1 }, { steps: 2, opacity: 0.1 }, { steps: -1, opacity: 0.2 }, { steps: 1, opacity: 0.2 },
+  { steps: -2, opacity: 0.1 },
+  { steps: 2, opacity: 0.1 },
+  { steps: -1, opacity: 0.2 },
+  { steps: 1, opacity: 0.2 },
 ];
 const FILM_STEPS = 6;
 const FILM_BEYOND = 1;
@@ -28,15 +31,21 @@ export function onionTimes({ t, range }: OnionSkinInput): number[] {
 
 export function onionSkins(input: OnionSkinInput, frames: readonly Frame[]): Extra[] {
   return frames.map((frame, index) => ({
-    positions: frame.positions, normals: frame.normals, offset: 0,
-    opacity: ONION_SKINS[index]?.opacity ?? 0.1, colour: colourAt(frame.t, input, 0.01),
+    positions: frame.positions,
+    normals: frame.normals,
+    offset: 0,
+    opacity: ONION_SKINS[index]?.opacity ?? 0.1,
+    colour: colourAt(frame.t, input, 0.01),
   }));
 }
 
 /** Evenly over the keys, and a little beyond both ends. */
 export function filmTimes({ range, periodic }: OnionSkinInput): number[] {
   const beyond = periodic ? 0 : FILM_BEYOND;
-  return Array.from({ length: FILM_STEPS + 1 + 2 * beyond }, (_, index) => range[0] + ((index - beyond) / FILM_STEPS) * length(range));
+  return Array.from(
+    { length: FILM_STEPS + 1 + 2 * beyond },
+    (_, index) => range[0] + ((index - beyond) / FILM_STEPS) * length(range),
+  );
 }
 
 /** Side by side along x, as far apart as the widest needs. */
@@ -47,8 +56,11 @@ export function filmStrip(input: OnionSkinInput, frames: readonly Frame[]): Extr
     const [low, high] = boxes[index]!;
     const place = (index - (frames.length - 1) / 2) * spacing;
     return {
-      positions: frame.positions, normals: frame.normals, opacity: 1,
-      offset: place - (low + high) / 2, colour: colourAt(frame.t, input, 0.01),
+      positions: frame.positions,
+      normals: frame.normals,
+      opacity: 1,
+      offset: place - (low + high) / 2,
+      colour: colourAt(frame.t, input, 0.01),
     };
   });
 }

@@ -56,7 +56,13 @@ export class SceneController {
   private heatColours: Float32Array | null = null;
 
   constructor(host: HTMLElement, events: ViewerEvents) {
-    this.viewer = new Viewer(host, { ...events, onResize: () => { this.place(); events.onResize(); } });
+    this.viewer = new Viewer(host, {
+      ...events,
+      onResize: () => {
+        this.place();
+        events.onResize();
+      },
+    });
   }
 
   /** What is written over the views stands where they stand. */
@@ -80,9 +86,20 @@ export class SceneController {
     const bounds = boundsOf(poses);
     this.width = bounds.max[0] - bounds.min[0];
     this.base = poses[0] && info.report.faces <= MEASURED_FACES ? measure(poses[0], info.indices) : null;
-    this.viewer.setTopology({
-      vertices: info.report.vertices, indices: info.indices, uvs: info.uvs, seams: info.seams, colors: info.colors, groups: info.groups, materials: info.materials, images: info.images,
-    }, bounds, samplePoints(poses));
+    this.viewer.setTopology(
+      {
+        vertices: info.report.vertices,
+        indices: info.indices,
+        uvs: info.uvs,
+        seams: info.seams,
+        colors: info.colors,
+        groups: info.groups,
+        materials: info.materials,
+        images: info.images,
+      },
+      bounds,
+      samplePoints(poses),
+    );
     this.viewer.setViews(1);
     if (camera) this.viewer.setCameraPose(camera);
     else this.viewer.fit('home', false);
@@ -99,11 +116,18 @@ export class SceneController {
   }
 
   /** Copies the frames of a time to the screen, with what belongs to it; measures and onion skins wait for the exact ones. */
-  async show({ t, frames, sequences, preview }: FrameSet, state: AppState, range: Range, eased: boolean): Promise<void> {
+  async show(
+    { t, frames, sequences, preview }: FrameSet,
+    state: AppState,
+    range: Range,
+    eased: boolean,
+  ): Promise<void> {
     const input = onionSkinInput(t, state, range);
     const phase = phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
     if (this.viewer.views !== sequences.length) this.setViews(sequences.length);
-    frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind], eased));
+    frames.forEach((frame, view) =>
+      this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind], eased),
+    );
     if (preview) {
       if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'of the moment when it rests' };
       return this.showGhost(t, sequences[0], state.view);
@@ -116,7 +140,13 @@ export class SceneController {
   }
 
   setLook(view: View, dark: boolean): void {
-    this.viewer.setLook({ colouring: view.colouring, shading: view.shading, wireframe: view.wireframe, floor: view.floor, dark });
+    this.viewer.setLook({
+      colouring: view.colouring,
+      shading: view.shading,
+      wireframe: view.wireframe,
+      floor: view.floor,
+      dark,
+    });
   }
 
   thumbnail(frame: Frame): string {
@@ -127,10 +157,12 @@ export class SceneController {
   async png(): Promise<Blob> {
     await this.viewer.drawn();
     return new Promise((resolve, reject) => {
-      this.viewer.snapshot((canvas) => canvas.toBlob((blob) => {
-        if (blob) resolve(blob);
-        else reject(new Error('The browser could not make a picture of this size. Make the window smaller.'));
-      }, 'image/png'));
+      this.viewer.snapshot((canvas) =>
+        canvas.toBlob((blob) => {
+          if (blob) resolve(blob);
+          else reject(new Error('The browser could not make a picture of this size. Make the window smaller.'));
+        }, 'image/png'),
+      );
     });
   }
 
@@ -144,18 +176,29 @@ export class SceneController {
     const rects = this.viewer.rects();
     return sequences.map((running, index) => {
       const rect = rects[index] ?? { x: 0, y: 0, width: 0 };
-      return { title: titleOf(running), detail: this.measureText(frames[index]), x: rect.x, y: rect.y, width: rect.width };
+      return {
+        title: titleOf(running),
+        detail: this.measureText(frames[index]),
+        x: rect.x,
+        y: rect.y,
+        width: rect.width,
+      };
     });
   }
 
   private measureText(frame: Frame | undefined): string {
     if (!frame || !this.base || !this.info) return '';
     const { volume, area } = measure(frame.positions, this.info.indices);
-    const percent = (value: number, base: number): string => (base === 0 ? '?' : `${((100 * value) / base).toFixed(1)}\u00a0%`);
+    const percent = (value: number, base: number): string =>
+      base === 0 ? '?' : `${((100 * value) / base).toFixed(1)}\u00a0%`;
     return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)}`;
   }
 
-  private async showOnionSkins(input: OnionSkinInput, sequence: Sequence | undefined, { view, doc }: AppState): Promise<void> {
+  private async showOnionSkins(
+    input: OnionSkinInput,
+    sequence: Sequence | undefined,
+    { view, doc }: AppState,
+  ): Promise<void> {
     if (!sequence || (!view.onion && !view.film)) {
       if (this.filmKey === null) return;
       this.viewer.setExtras([]);
@@ -175,7 +218,9 @@ export class SceneController {
   }
 
   private fitTo(skins: readonly Extra[]): void {
-    const placed = skins.map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
+    const placed = skins.map(({ positions, offset }) =>
+      positions.map((value, index) => (index % 3 === 0 ? value + offset : value)),
+    );
     this.film = placed;
     this.viewer.setExtent(boundsOf(placed), samplePoints(placed));
     this.viewer.fit('front', true);
@@ -186,7 +231,12 @@ export class SceneController {
     const [main] = sequences;
     const other = sequences.findIndex((running) => main?.ghost && !running.ghost);
     if (!main || other < 0 || !view.ghostDifference || view.film || !this.info) return this.clearDifference();
-    const difference = differenceOf(frames[0]!.positions, frames[other]!.positions, this.info.report.diagonal, this.difference?.percent);
+    const difference = differenceOf(
+      frames[0]!.positions,
+      frames[other]!.positions,
+      this.info.report.diagonal,
+      this.difference?.percent,
+    );
     const before = this.heat?.of === main.sequence ? this.heat.top : 0;
     const top = Math.max(before, roundTop(difference.largest));
     this.heat = { of: main.sequence, top };
@@ -195,7 +245,11 @@ export class SceneController {
     this.viewer.setHeatColours(this.heatColours);
     const text = (value: number): string => `${Number(value.toPrecision(2))} %`;
     this.colourBar = {
-      title: 'Difference', unit: '% of the diagonal', symbol: '%', top, now: `at most ${text(difference.largest)}, mean ${text(difference.mean)}`,
+      title: 'Difference',
+      unit: '% of the diagonal',
+      symbol: '%',
+      top,
+      now: `at most ${text(difference.largest)}, mean ${text(difference.mean)}`,
       ...besideOf(this.viewer.rects()[0]!),
     };
   }
@@ -207,9 +261,14 @@ export class SceneController {
     this.colourBar = null;
   }
 
-  private async showGhost(t: number, running: RunningSequence | undefined, { ghostWire, ghostBeside, film }: View): Promise<void> {
-    const wanted = (ghostWire || ghostBeside) && !film && running !== undefined && running.ghost && isInLri(running.method);
-    if (wanted && this.ghost?.of !== running.sequence) this.ghost = { of: running.sequence, mesh: await running.sequence.ghost() };
+  private async showGhost(
+    t: number,
+    running: RunningSequence | undefined,
+    { ghostWire, ghostBeside, film }: View,
+  ): Promise<void> {
+    const wanted = (ghostWire || ghostBeside) && !film && running?.ghost && isInLri(running.method);
+    if (wanted && this.ghost?.of !== running.sequence)
+      this.ghost = { of: running.sequence, mesh: await running.sequence.ghost() };
     const mesh = wanted ? this.ghost?.mesh : null;
     const offset = mesh && ghostBeside ? this.width * BESIDE : null;
     if (mesh) {
@@ -225,7 +284,9 @@ export class SceneController {
 
   private withGhost(poses: Float32Array[]): Float32Array[] {
     const { beside } = this;
-    return beside === null ? poses : [...poses, ...poses.map((positions) => positions.map((value, i) => (i % 3 === 0 ? value + beside : value)))];
+    return beside === null
+      ? poses
+      : [...poses, ...poses.map((positions) => positions.map((value, i) => (i % 3 === 0 ? value + beside : value)))];
   }
 
   private async showPatches(sequence: Sequence | undefined, view: View): Promise<void> {

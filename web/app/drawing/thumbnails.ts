@@ -26,7 +26,10 @@ export function createThumbnails({ store, workspace, scene, idle, has, onThumbna
   const next = async (): Promise<boolean> => {
     const sequence = workspace.sequences[0]?.sequence;
     const { pool } = workspace;
-    const key = store.get().doc.keys.slice(0, MAX_KEYS).find(({ pose }) => !has(pose));
+    const key = store
+      .get()
+      .doc.keys.slice(0, MAX_KEYS)
+      .find(({ pose }) => !has(pose));
     if (!sequence || !key || !sequence.keyTimes.includes(key.time)) return false;
     const [frame] = await sequence.evaluateMany([key.time]);
     if (!frame) return false;
@@ -49,7 +52,9 @@ export function createThumbnails({ store, workspace, scene, idle, has, onThumbna
     refresh() {
       if (running) return;
       running = true;
-      void work().finally(() => { running = false; });
+      void work().finally(() => {
+        running = false;
+      });
     },
   };
 }

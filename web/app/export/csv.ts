@@ -7,16 +7,24 @@ export function measuresCsv(analysis: Analysis, doc: Doc, version: string): stri
     { name: `${method} volume`, values: volume },
     { name: `${method} area`, values: area },
     ...(bending ? [{ name: `${method} bending energy`, values: bending }] : []),
-    ...(plane ? [
-      { name: `${method} plane x`, values: every(plane, 0) },
-      { name: `${method} plane y`, values: every(plane, 1) }] : []),
+    ...(plane
+      ? [
+          { name: `${method} plane x`, values: every(plane, 0) },
+          { name: `${method} plane y`, values: every(plane, 1) },
+        ]
+      : []),
   ]);
   const rows = analysis.times.map((t, index) => [t, ...columns.map(({ values }) => values[index] ?? NaN)].join(','));
   return [...preamble(doc, version), ['time', ...columns.map(({ name }) => name)].join(','), ...rows, ''].join('\n');
 }
 
 export function patchesCsv(patches: Int32Array, doc: Doc, version: string): string {
-  return [...preamble(doc, version), 'face,patch', ...Array.from(patches, (patch, face) => `${face},${patch}`), ''].join('\n');
+  return [
+    ...preamble(doc, version),
+    'face,patch',
+    ...Array.from(patches, (patch, face) => `${face},${patch}`),
+    '',
+  ].join('\n');
 }
 
 function preamble(doc: Doc, version: string): string[] {

@@ -42,7 +42,12 @@ export interface ExportController {
 }
 
 export function createExportController(parts: ExportParts): ExportController {
-  const { store, scene: { viewer }, scene, sequence } = parts;
+  const {
+    store,
+    scene: { viewer },
+    scene,
+    sequence,
+  } = parts;
   let abort: AbortController | null = null;
   let last: ExportRequest = DEFAULT_REQUEST;
   let planned = 0;
@@ -69,10 +74,21 @@ export function createExportController(parts: ExportParts): ExportController {
   const runJob = (request: ExportRequest, of: Sequence, before: AppState, signal: AbortSignal): Promise<void> => {
     const { doc, time, source } = before;
     return runExport(request, {
-      sequence: of, signal, doc, time, name: fileStem(source), stretch: stretch(), canvas: viewer.canvas,
-      show, turn: turned(), analysis: () => parts.analysis.get(), png: () => scene.png(),
+      sequence: of,
+      signal,
+      doc,
+      time,
+      name: fileStem(source),
+      stretch: stretch(),
+      canvas: viewer.canvas,
+      show,
+      turn: turned(),
+      analysis: () => parts.analysis.get(),
+      png: () => scene.png(),
       backdrop: (on) => viewer.setBackdrop(on ? stageColour() : null),
-      onProgress: (working) => { if (!signal.aborted) parts.onWorking(working); },
+      onProgress: (working) => {
+        if (!signal.aborted) parts.onWorking(working);
+      },
     });
   };
 
@@ -81,12 +97,15 @@ export function createExportController(parts: ExportParts): ExportController {
       last = request;
       planned += 1;
       const mine = planned;
-      const tell = (plan: ExportPlan | null): void => { if (mine === planned) parts.onPlan({ request, plan }); };
+      const tell = (plan: ExportPlan | null): void => {
+        if (mine === planned) parts.onPlan({ request, plan });
+      };
       const of = sequence();
       tell(null);
       if (!of) return;
-      describeExport(request, of, store.get().time, stretch())
-        .then(tell, (error: unknown) => tell({ text: error instanceof Error ? error.message : '', warnings: [] }));
+      describeExport(request, of, store.get().time, stretch()).then(tell, (error: unknown) =>
+        tell({ text: error instanceof Error ? error.message : '', warnings: [] }),
+      );
     },
     async run(request) {
       const of = sequence();

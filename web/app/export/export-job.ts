@@ -57,7 +57,10 @@ export function engineOptions(request: ExportRequest, time: number, stretch: Str
 function gridOf(request: ExportRequest, { range, fps }: Stretch): Partial<ExportOptions> {
   const [start, end] = request.range ?? range;
   const times = request.frames === null && fps !== null ? frameTimes([start, end], fps) : [];
-  if (times.length > MAX_FRAMES) throw new Error(`These are ${times.length.toLocaleString('en')} frames; ${MAX_FRAMES.toLocaleString('en')} is the most. Take a shorter range or fewer frames per second.`);
+  if (times.length > MAX_FRAMES)
+    throw new Error(
+      `These are ${times.length.toLocaleString('en')} frames; ${MAX_FRAMES.toLocaleString('en')} is the most. Take a shorter range or fewer frames per second.`,
+    );
   return times.length > 1 ? { times } : { frames: framesWanted(request, [start, end], fps), range: [start, end] };
 }
 
@@ -67,14 +70,22 @@ export interface ExportPlan {
   warnings: string[];
 }
 
-export async function describeExport(request: ExportRequest, sequence: Sequence, time: number, stretch: Stretch): Promise<ExportPlan> {
+export async function describeExport(
+  request: ExportRequest,
+  sequence: Sequence,
+  time: number,
+  stretch: Stretch,
+): Promise<ExportPlan> {
   const options = engineOptions(request, time, stretch);
   if (options) {
     const plan = await sequence.planExport(options);
     const size = `about ${bytesText(plan.bytes)}`;
-    return { text: request.kind === 'pose' ? `One shape, ${size}` : `${plan.times.length} frames, ${size}`, warnings: plan.warnings.map(({ message }) => message) };
+    return {
+      text: request.kind === 'pose' ? `One shape, ${size}` : `${plan.times.length} frames, ${size}`,
+      warnings: plan.warnings.map(({ message }) => message),
+    };
   }
-  if (request.kind === 'animation' || request.picture === 'turntable' && request.kind === 'picture') {
+  if (request.kind === 'animation' || (request.picture === 'turntable' && request.kind === 'picture')) {
     const seconds = videoSeconds(request, stretch);
     return { text: `${seconds.toFixed(1)} s of video, takes as long to make`, warnings: [] };
   }
@@ -98,13 +109,22 @@ export async function runExport(request: ExportRequest, job: ExportJob): Promise
   if (!first) return;
   if (files.length > 1) return download(zip(files), `${name}.zip`);
   const extension = first.name.split('.').at(-1) ?? 'glb';
-  download(new Blob([first.bytes as Uint8Array<ArrayBuffer>], { type: extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream' }), `${name}.${extension}`);
+  download(
+    new Blob([first.bytes as Uint8Array<ArrayBuffer>], {
+      type: extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream',
+    }),
+    `${name}.${extension}`,
+  );
 }
 
 async function video(request: ExportRequest, job: ExportJob, draw: (share: number) => Promise<void>): Promise<void> {
   job.backdrop(true);
   const { blob, extension } = await record({
-    canvas: job.canvas, seconds: videoSeconds(request, job.stretch), framesPerSecond: Math.min(job.stretch.fps ?? VIDEO_FPS, MAX_VIDEO_FPS), draw, signal: job.signal,
+    canvas: job.canvas,
+    seconds: videoSeconds(request, job.stretch),
+    framesPerSecond: Math.min(job.stretch.fps ?? VIDEO_FPS, MAX_VIDEO_FPS),
+    draw,
+    signal: job.signal,
     onProgress: (fraction) => job.onProgress({ stage: 'recording', fraction }),
   }).finally(() => job.backdrop(false));
   download(blob, `${job.name}.${extension}`);

@@ -25,12 +25,24 @@ export function videoType(): string | null {
 }
 
 /** Real time passes between the frames, because the encoder stamps them by the clock. */
-export async function record({ canvas, seconds, framesPerSecond, draw, onProgress, signal }: RecordOptions): Promise<Video> {
+export async function record({
+  canvas,
+  seconds,
+  framesPerSecond,
+  draw,
+  onProgress,
+  signal,
+}: RecordOptions): Promise<Video> {
   const type = videoType();
   if (!type) throw new Error('This browser cannot write videos. Export OBJ frames or a GLB instead.');
-  const recorder = new MediaRecorder(canvas.captureStream(framesPerSecond), { mimeType: type, videoBitsPerSecond: BITS_PER_SECOND });
+  const recorder = new MediaRecorder(canvas.captureStream(framesPerSecond), {
+    mimeType: type,
+    videoBitsPerSecond: BITS_PER_SECOND,
+  });
   const chunks: Blob[] = [];
-  recorder.ondataavailable = (event) => { if (event.data.size > 0) chunks.push(event.data); };
+  recorder.ondataavailable = (event) => {
+    if (event.data.size > 0) chunks.push(event.data);
+  };
   const stopped = new Promise<void>((resolve, reject) => {
     recorder.onstop = () => resolve();
     recorder.onerror = () => reject(new Error('The browser stopped writing the video.'));

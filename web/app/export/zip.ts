@@ -21,7 +21,9 @@ export function zip(files: readonly ExportedFile[]): Blob {
     const common = [VERSION, FLAGS, 0, 0, DATE] as const;
     const sums = [crc32(bytes), bytes.length, bytes.length] as const;
     const local = record([LOCAL], common, sums, [encoded.length, 0], encoded);
-    directory.push(record([CENTRAL], [VERSION, ...common], sums, [encoded.length, 0, 0, 0, 0], null, [0, offset], encoded));
+    directory.push(
+      record([CENTRAL], [VERSION, ...common], sums, [encoded.length, 0, 0, 0, 0], null, [0, offset], encoded),
+    );
     parts.push(local, bytes as Uint8Array<ArrayBuffer>);
     offset += local.length + bytes.length;
     if (offset > MAX_BYTES) throw new Error('These frames need more than 4 GB in one zip. Export fewer of them.');
@@ -33,15 +35,36 @@ export function zip(files: readonly ExportedFile[]): Blob {
 
 /** Little-endian fields: one 4-byte signature, 2-byte ones, 4-byte ones, 2-byte ones, perhaps 4-byte ones, bytes. */
 function record(
-  signature: readonly number[], shorts: readonly number[], longs: readonly number[], more: readonly number[],
-  name: Uint8Array | null, last: readonly number[] = [], tail: Uint8Array | null = null,
+  signature: readonly number[],
+  shorts: readonly number[],
+  longs: readonly number[],
+  more: readonly number[],
+  name: Uint8Array | null,
+  last: readonly number[] = [],
+  tail: Uint8Array | null = null,
 ): Uint8Array<ArrayBuffer> {
-  const bytes = new Uint8Array(4 * (signature.length + longs.length + last.length) + 2 * (shorts.length + more.length) + (name?.length ?? 0) + (tail?.length ?? 0));
+  const bytes = new Uint8Array(
+    4 * (signature.length + longs.length + last.length) +
+      2 * (shorts.length + more.length) +
+      (name?.length ?? 0) +
+      (tail?.length ?? 0),
+  );
   const view = new DataView(bytes.buffer);
   let at = 0;
-  const put4 = (value: number): void => { view.setUint32(at, value, true); at += 4; };
-  const put2 = (value: number): void => { view.setUint16(at, value, true); at += 2; };
-  const put = (text: Uint8Array | null): void => { if (text) { bytes.set(text, at); at += text.length; } };
+  const put4 = (value: number): void => {
+    view.setUint32(at, value, true);
+    at += 4;
+  };
+  const put2 = (value: number): void => {
+    view.setUint16(at, value, true);
+    at += 2;
+  };
+  const put = (text: Uint8Array | null): void => {
+    if (text) {
+      bytes.set(text, at);
+      at += text.length;
+    }
+  };
   signature.forEach(put4);
   shorts.forEach(put2);
   longs.forEach(put4);

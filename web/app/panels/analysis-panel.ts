@@ -35,9 +35,16 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
   const area = chart('Area', RELATIVE, 'plot-area', onSeek);
   const bending = chart('Bending energy', BENDING, 'plot-bending', onSeek);
   const legend = h('div', { class: 'legend' });
-  const element = h('section', { class: 'panel', 'aria-labelledby': 'analysis-title', 'data-testid': 'panel-analysis' },
+  const element = h(
+    'section',
+    { class: 'panel', 'aria-labelledby': 'analysis-title', 'data-testid': 'panel-analysis' },
     h('header', {}, h('h2', { id: 'analysis-title' }, 'Analysis')),
-    legend, plane.element, volume.element, area.element, bending.element);
+    legend,
+    plane.element,
+    volume.element,
+    area.element,
+    bending.element,
+  );
   let visible = false;
   let timer = 0;
   let cursor = 0;
@@ -50,16 +57,20 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
 
   const draw = (analysis: Analysis): void => {
     const { times, keyTimes, range, motions } = analysis;
-    const series = (pick: (motion: MotionAnalysis) => number[] | null): Series[] => motions.flatMap((motion) => {
-      const values = pick(motion);
-      return values ? [{ label: METHOD_WORDS[motion.method].label, values, style: motion.method }] : [];
-    });
+    const series = (pick: (motion: MotionAnalysis) => number[] | null): Series[] =>
+      motions.flatMap((motion) => {
+        const values = pick(motion);
+        return values ? [{ label: METHOD_WORDS[motion.method].label, values, style: motion.method }] : [];
+      });
     const common = { times, keyTimes, range };
     const relative = { ...common, include: 100, leastSpan: 4 };
     volume.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.volume, analysis)) });
     area.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.area, analysis)) });
     bending.draw({ ...common, series: series((motion) => motion.bending), include: 0 });
-    drawLegend(legend, motions.map(({ method }) => method));
+    drawLegend(
+      legend,
+      motions.map(({ method }) => method),
+    );
     setCursor(cursor);
   };
 
@@ -69,7 +80,9 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
   };
 
   cache.observe({
-    onChange: () => { if (visible) plane.refresh(); },
+    onChange: () => {
+      if (visible) plane.refresh();
+    },
     onStale: computeSoon,
     onFresh: draw,
   });
@@ -99,8 +112,12 @@ function chart(title: string, unit: string, testId: string, onSeek: (t: number) 
   const value = h('span', { class: 'value', 'data-testid': `${testId}-value` }, '');
   let data: Parameters<Figure['draw']>[0] | null = null;
   return {
-    element: h('figure', { class: 'figure', 'data-testid': testId },
-      h('figcaption', {}, h('strong', {}, title), value, h('span', { class: 'unit' }, unit)), plot.element),
+    element: h(
+      'figure',
+      { class: 'figure', 'data-testid': testId },
+      h('figcaption', {}, h('strong', {}, title), value, h('span', { class: 'unit' }, unit)),
+      plot.element,
+    ),
     draw(next) {
       data = next;
       plot.draw({ ...next, title, unit });
@@ -117,9 +134,11 @@ function chart(title: string, unit: string, testId: string, onSeek: (t: number) 
 
 function drawLegend(legend: HTMLElement, methods: readonly Method[]): void {
   setHidden(legend, methods.length < 2);
-  legend.replaceChildren(...methods.map((method) => {
-    const sample = make('svg', { viewBox: '0 0 22 8', 'aria-hidden': 'true' });
-    sample.append(make('line', { class: method, x1: 0, x2: 22, y1: 4, y2: 4 }));
-    return h('span', {}, sample, METHOD_WORDS[method].label);
-  }));
+  legend.replaceChildren(
+    ...methods.map((method) => {
+      const sample = make('svg', { viewBox: '0 0 22 8', 'aria-hidden': 'true' });
+      sample.append(make('line', { class: method, x1: 0, x2: 22, y1: 4, y2: 4 }));
+      return h('span', {}, sample, METHOD_WORDS[method].label);
+    }),
+  );
 }

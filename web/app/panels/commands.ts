@@ -1,13 +1,31 @@
 /** What the controls do to the document, the time and the view. */
 import { PER_KEY } from '../../engine/api/option-table.ts';
 import type { Method } from '../../engine/api/types.ts';
-import { addKey, moveKey, removeKey, renameKey, retimeKey, setEncoding, setMotion, setShaping, setTurns } from '../../model/edits.ts';
+import {
+  addKey,
+  moveKey,
+  removeKey,
+  renameKey,
+  retimeKey,
+  setEncoding,
+  setMotion,
+  setShaping,
+  setTurns,
+} from '../../model/edits.ts';
 import { undoName } from '../../model/page-options.ts';
 import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
 import type { End } from '../../model/speeds.ts';
 import { SPEED_NAME } from '../../model/speeds.ts';
 import type { Doc, Encoding, LoopMode, Motion, Play, View } from '../../model/state.ts';
-import { BOUNDARIES, DEFAULT_ENCODING, DEFAULT_MOTION, GHOST_FACES, METHODS, SPEEDS, ignoresHermite } from '../../model/state.ts';
+import {
+  BOUNDARIES,
+  DEFAULT_ENCODING,
+  DEFAULT_MOTION,
+  GHOST_FACES,
+  METHODS,
+  SPEEDS,
+  ignoresHermite,
+} from '../../model/state.ts';
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { loopRange, withEnd } from '../../model/frames.ts';
@@ -60,15 +78,21 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
     motion,
     endSpeed: (end: End, speed: number): void => motion({ [SPEED_NAME[end]]: speed }, SPEED_NAME[end]),
     encoding,
-    toggleGhost: (): void => store.edit('ghost mesh', (doc) => setEncoding(doc, { ghostFaces: doc.encoding.ghostFaces > 0 ? 0 : GHOST_FACES })),
-    resetMotion: (): void => store.edit('motion defaults', (doc) => setMotion(doc, initial()?.motion ?? DEFAULT_MOTION)),
-    resetShape: (): void => store.edit('shape defaults', (doc) => setEncoding(doc, initial()?.encoding ?? DEFAULT_ENCODING)),
+    toggleGhost: (): void =>
+      store.edit('ghost mesh', (doc) =>
+        setEncoding(doc, { ghostFaces: doc.encoding.ghostFaces > 0 ? 0 : GHOST_FACES }),
+      ),
+    resetMotion: (): void =>
+      store.edit('motion defaults', (doc) => setMotion(doc, initial()?.motion ?? DEFAULT_MOTION)),
+    resetShape: (): void =>
+      store.edit('shape defaults', (doc) => setEncoding(doc, initial()?.encoding ?? DEFAULT_ENCODING)),
     compare: (methods: Method[]): void => view({ compare: methods }),
 
     moveKey: (from: number, to: number): void => store.edit('order of keys', (doc) => moveKey(doc, from, to)),
     removeKey: (key: number): void => store.edit('remove a key', (doc) => removeKey(doc, key)),
     renameKey: (key: number, name: string): void => store.edit('rename a key', (doc) => renameKey(doc, key, name)),
-    retimeKey: (key: number, time: number): void => store.edit('time of a key', (doc) => retimeKey(doc, key, time), `time ${key}`),
+    retimeKey: (key: number, time: number): void =>
+      store.edit('time of a key', (doc) => retimeKey(doc, key, time), `time ${key}`),
     shaping: (key: number, name: ShapingNumber, value: number): void =>
       store.edit(PER_KEY[name].undo, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
     turns: (key: number, added: KeyTurns): void => {

@@ -98,22 +98,63 @@ export function createComponents(input: ComponentsInput): Components {
   const keyPicker = createPicker('key-file-input', (picked) => void files.addKeys(picked));
   const dropZone = createDropZone(openFiles);
   const header = createHeader({
-    onSample: (id) => void files.sample(id), onOpen: picker.open, onUndo: input.onUndo, onRedo: input.onRedo,
-    onExport: () => openExport(), onLink: input.onLink, onRemember: input.onRemember, onHelp: () => help.open(), onTheme: input.onTheme,
+    onSample: (id) => void files.sample(id),
+    onOpen: picker.open,
+    onUndo: input.onUndo,
+    onRedo: input.onRedo,
+    onExport: () => openExport(),
+    onLink: input.onLink,
+    onRemember: input.onRemember,
+    onHelp: () => help.open(),
+    onTheme: input.onTheme,
   });
-  const timeline = createTimeline({ onSeek: commands.seek, onRetime: commands.retimeKey, onBetween: commands.between, onWindow: commands.window, onSpeed: commands.endSpeed });
+  const timeline = createTimeline({
+    onSeek: commands.seek,
+    onRetime: commands.retimeKey,
+    onBetween: commands.between,
+    onWindow: commands.window,
+    onSpeed: commands.endSpeed,
+  });
   const clockMenu = createClockMenu({
-    onFps: commands.fps, onLoopEnd: commands.loopEnd, onBetween: commands.between, onZoom: commands.zoomTime, onWindow: commands.window,
+    onFps: commands.fps,
+    onLoopEnd: commands.loopEnd,
+    onBetween: commands.between,
+    onZoom: commands.zoomTime,
+    onWindow: commands.window,
   });
-  const transport = createTransport(timeline.element, clockMenu.element, { onTogglePlay: commands.togglePlay, onLoop: commands.loop, onSpeed: commands.speed, onSeek: commands.seek });
+  const transport = createTransport(timeline.element, clockMenu.element, {
+    onTogglePlay: commands.togglePlay,
+    onLoop: commands.loop,
+    onSpeed: commands.speed,
+    onSeek: commands.seek,
+  });
   const keyStrip = createKeyStrip({
-    onSeek: commands.seek, onMove: commands.moveKey, onRemove: commands.removeKey, onRetime: commands.retimeKey, onRename: commands.renameKey,
-    onShaping: commands.shaping, onTurns: commands.turns, onPart: input.marking.component, onReference: commands.reference,
-    onAddCurrent: () => void commands.addCurrent(), onAddFile: keyPicker.open,
+    onSeek: commands.seek,
+    onMove: commands.moveKey,
+    onRemove: commands.removeKey,
+    onRetime: commands.retimeKey,
+    onRename: commands.renameKey,
+    onShaping: commands.shaping,
+    onTurns: commands.turns,
+    onPart: input.marking.component,
+    onReference: commands.reference,
+    onAddCurrent: () => void commands.addCurrent(),
+    onAddFile: keyPicker.open,
   });
-  const motionPanel = createMotionPanel({ onMotion: commands.motion, onSpeed: commands.endSpeed, onEncoding: commands.encoding, onCompare: commands.compare, onReset: commands.resetMotion });
+  const motionPanel = createMotionPanel({
+    onMotion: commands.motion,
+    onSpeed: commands.endSpeed,
+    onEncoding: commands.encoding,
+    onCompare: commands.compare,
+    onReset: commands.resetMotion,
+  });
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
-  const shapePanel = createShapePanel(ghostPanel.element, { onEncoding: commands.encoding, onReset: commands.resetShape, onSample: (animation, times) => void files.resample(animation, times), onOrient: (orientation) => void files.reorient(orientation) });
+  const shapePanel = createShapePanel(ghostPanel.element, {
+    onEncoding: commands.encoding,
+    onReset: commands.resetShape,
+    onSample: (animation, times) => void files.resample(animation, times),
+    onOrient: (orientation) => void files.reorient(orientation),
+  });
   const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
   const phaseLabel = createPhaseLabel(() => input.marking.around(input.indefiniteFace()));
   const tileLabels = createTileLabels();
@@ -125,10 +166,17 @@ export function createComponents(input: ComponentsInput): Components {
   const welcome = createWelcome(picker.open);
   const exporting = createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
   const help = createHelp(input.shortcuts, input.onSingleKeys);
-  const openExport = (): void => { input.onExportOpen(); exporting.open(); };
+  const openExport = (): void => {
+    input.onExportOpen();
+    exporting.open();
+  };
 
   layout.mount(input.root, {
-    header: header.element, transport: transport.element, keyStrip: keyStrip.element, warnings: warnings.element, status: status.element,
+    header: header.element,
+    transport: transport.element,
+    keyStrip: keyStrip.element,
+    warnings: warnings.element,
+    status: status.element,
     overlays: [tileLabels.element, colourBar.element, welcome.element, phaseLabel.element, viewBar.element],
     messages: [errorMessage.element, progress.element],
     panels: [motionPanel.element, shapePanel.element, analysis.element],
@@ -140,41 +188,103 @@ export function createComponents(input: ComponentsInput): Components {
     const { info } = viewState;
     const disabled = info === null;
     const periodic = doc.motion.boundary === 'periodic';
-    const phase = phaseOf({ t: time, keys: doc.keys, range, periodic, tolerance: play.playing ? PLAYING_TOLERANCE : undefined });
+    const phase = phaseOf({
+      t: time,
+      keys: doc.keys,
+      range,
+      periodic,
+      tolerance: play.playing ? PLAYING_TOLERANCE : undefined,
+    });
     header.update({
-      samples: viewState.samples, sample: source.kind === 'sample' ? source.id : null, theme, undo, redo,
-      fileName: source.kind === 'files' ? sourceName(source.names) : '', canExport: !disabled, own: source.kind === 'files', remembered: viewState.remembered,
+      samples: viewState.samples,
+      sample: source.kind === 'sample' ? source.id : null,
+      theme,
+      undo,
+      redo,
+      fileName: source.kind === 'files' ? sourceName(source.names) : '',
+      canExport: !disabled,
+      own: source.kind === 'files',
+      remembered: viewState.remembered,
     });
     const { fps, between, playing } = play;
-    const speeds = doc.motion.boundary === 'hermite' && !disabled ? { start: doc.motion.startSpeed, end: doc.motion.endSpeed } : null;
-    timeline.update({ range, keys: doc.keys, time, playing, phase, periodic, disabled, fps, between, window: view.window, speeds });
+    const speeds =
+      doc.motion.boundary === 'hermite' && !disabled
+        ? { start: doc.motion.startSpeed, end: doc.motion.endSpeed }
+        : null;
+    timeline.update({
+      range,
+      keys: doc.keys,
+      time,
+      playing,
+      phase,
+      periodic,
+      disabled,
+      fps,
+      between,
+      window: view.window,
+      speeds,
+    });
     clockMenu.update({ range, time, fps, between, window: view.window, disabled });
     transport.update({ play, time, range, periodic, disabled });
     keyStrip.update({
-      keys: keyItems(state, viewState), time, range, disabled, canRemove: doc.keys.length > 2, components: viewState.stats?.components ?? 1,
-      addReason: addReason(doc.keys.map((key) => key.time), time, range),
+      keys: keyItems(state, viewState),
+      time,
+      range,
+      disabled,
+      canRemove: doc.keys.length > 2,
+      components: viewState.stats?.components ?? 1,
+      addReason: addReason(
+        doc.keys.map((key) => key.time),
+        time,
+        range,
+      ),
     });
     motionPanel.update({
-      motion: doc.motion, encoding: doc.encoding, compare: view.compare, keys: doc.keys, period: range[1] - range[0], disabled,
+      motion: doc.motion,
+      encoding: doc.encoding,
+      compare: view.compare,
+      keys: doc.keys,
+      period: range[1] - range[0],
+      disabled,
       defaults: viewState.initial?.motion ?? DEFAULT_MOTION,
     });
     shapePanel.update({
-      encoding: doc.encoding, keys: doc.keys, reference: referenceKey(doc), info, stats: viewState.stats, threads: viewState.threads,
-      canSample: source.kind === 'files', orientation: viewState.orientation, disabled,
-      defaults: viewState.initial?.encoding ?? DEFAULT_ENCODING, lriMethod: isInLri(doc.motion.method),
+      encoding: doc.encoding,
+      keys: doc.keys,
+      reference: referenceKey(doc),
+      info,
+      stats: viewState.stats,
+      threads: viewState.threads,
+      canSample: source.kind === 'files',
+      orientation: viewState.orientation,
+      disabled,
+      defaults: viewState.initial?.encoding ?? DEFAULT_ENCODING,
+      lriMethod: isInLri(doc.motion.method),
     });
     ghostPanel.update({
-      encoding: doc.encoding, view, faces: info?.report.faces ?? 0, stats: viewState.stats, lriMethod: isInLri(doc.motion.method), disabled,
+      encoding: doc.encoding,
+      view,
+      faces: info?.report.faces ?? 0,
+      stats: viewState.stats,
+      lriMethod: isInLri(doc.motion.method),
+      disabled,
     });
     ghostStudy.update();
     viewBar.update({ view, hasTexture: hasTexture(info), disabled });
-    phaseLabel.update(disabled ? null : phase, { share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1), hasPlace: viewState.indefiniteFace >= 0 });
+    phaseLabel.update(disabled ? null : phase, {
+      share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1),
+      hasPlace: viewState.indefiniteFace >= 0,
+    });
     tileLabels.update(labels);
     colourBar.update(heat);
     status.update({
-      keys: doc.keys.length, vertices: info?.report.vertices ?? 0, faces: info?.report.faces ?? 0,
-      ms: viewState.previewMs ?? viewState.ms, preview: viewState.previewMs !== null,
-      warnings: viewState.warnings.length, offline: viewState.offline,
+      keys: doc.keys.length,
+      vertices: info?.report.vertices ?? 0,
+      faces: info?.report.faces ?? 0,
+      ms: viewState.previewMs ?? viewState.ms,
+      preview: viewState.previewMs !== null,
+      warnings: viewState.warnings.length,
+      offline: viewState.offline,
     });
     warnings.update({ items: itemsOf(viewState.warnings, doc.keys.length), shown: viewState.shownWarning });
     progress.update(viewState.working);
@@ -187,7 +297,12 @@ export function createComponents(input: ComponentsInput): Components {
     analysis.setSpeeds(speeds);
   };
   return {
-    update, openFiles: picker.open, openExport, openHelp: help.open, toggleLook: viewBar.toggleLook, toggleClock: clockMenu.toggle,
+    update,
+    openFiles: picker.open,
+    openExport,
+    openHelp: help.open,
+    toggleLook: viewBar.toggleLook,
+    toggleClock: clockMenu.toggle,
   };
 }
 
@@ -200,7 +315,8 @@ function sourceName(names: readonly string[]): string {
 const keyItems = (() => {
   let last: { doc: unknown; thumbnails: unknown; items: ReturnType<typeof makeItems> } | null = null;
   return ({ doc }: AppState, { thumbnails }: ViewState): ReturnType<typeof makeItems> => {
-    if (last?.doc !== doc || last.thumbnails !== thumbnails) last = { doc, thumbnails, items: makeItems(doc, thumbnails) };
+    if (last?.doc !== doc || last.thumbnails !== thumbnails)
+      last = { doc, thumbnails, items: makeItems(doc, thumbnails) };
     return last.items;
   };
 })();
@@ -209,12 +325,17 @@ const keyItems = (() => {
 const itemsOf = (() => {
   let last: { warnings: unknown; keys: number; items: WarningItem[] } | null = null;
   return (warnings: readonly Warning[], keys: number): WarningItem[] => {
-    if (last?.warnings !== warnings || last.keys !== keys) last = { warnings, keys, items: warningItems(warnings, keys) };
+    if (last?.warnings !== warnings || last.keys !== keys)
+      last = { warnings, keys, items: warningItems(warnings, keys) };
     return last.items;
   };
 })();
 
 function makeItems(doc: AppState['doc'], thumbnails: ViewState['thumbnails']): KeyItem[] {
   const reference = referenceKey(doc);
-  return doc.keys.map((key, index) => ({ ...key, isReference: index === reference, thumbnail: thumbnails.get(key.pose) ?? null }));
+  return doc.keys.map((key, index) => ({
+    ...key,
+    isReference: index === reference,
+    thumbnail: thumbnails.get(key.pose) ?? null,
+  }));
 }

@@ -28,12 +28,29 @@ export interface GhostStudyPanel {
 }
 
 export function createGhostStudyPanel({ engine, store, pool, range, onError }: GhostStudyParts): GhostStudyPanel {
-  const start = button({ label: 'Compare sizes of the ghost mesh', testId: 'study-start', icon: 'chart', text: 'Compare sizes', kind: 'plain', onClick: () => void run() });
+  const start = button({
+    label: 'Compare sizes of the ghost mesh',
+    testId: 'study-start',
+    icon: 'chart',
+    text: 'Compare sizes',
+    kind: 'plain',
+    onClick: () => void run(),
+  });
   const stage = h('span', { class: 'muted stage', role: 'status' });
   const bar = h('div', { class: 'bar' });
-  const cancel = button({ label: 'Cancel the comparison', testId: 'study-cancel', text: 'Cancel', kind: 'plain', onClick: () => abort?.abort() });
-  const working = h('div', { class: 'field row', hidden: true, 'data-testid': 'study-working' },
-    h('div', { class: 'progress-text' }, stage, h('div', { class: 'meter' }, bar)), cancel);
+  const cancel = button({
+    label: 'Cancel the comparison',
+    testId: 'study-cancel',
+    text: 'Cancel',
+    kind: 'plain',
+    onClick: () => abort?.abort(),
+  });
+  const working = h(
+    'div',
+    { class: 'field row', hidden: true, 'data-testid': 'study-working' },
+    h('div', { class: 'progress-text' }, stage, h('div', { class: 'meter' }, bar)),
+    cancel,
+  );
   const result = h('div', { class: 'group', 'data-testid': 'study', hidden: true });
   const element = h('div', { class: 'group' }, start, working, result);
   let abort: AbortController | null = null;
@@ -56,11 +73,15 @@ export function createGhostStudyPanel({ engine, store, pool, range, onError }: G
       const times = Array.from({ length: FRAMES }, (_, i) => start + ((i + 0.5) / FRAMES) * (end - start));
       const pose = (index: number | null): Float32Array | null => (index === null ? null : poses.keys.positions(index));
       const options = {
-        ...encodingFor(spec, variant!), placement: spec.encoding.placement, ...motionFor(spec, variant!.method),
-        startTangent: pose(spec.startTangentPose), endTangent: pose(spec.endTangentPose),
+        ...encodingFor(spec, variant!),
+        placement: spec.encoding.placement,
+        ...motionFor(spec, variant!.method),
+        startTangent: pose(spec.startTangentPose),
+        endTangent: pose(spec.endTangentPose),
       };
       const study = await studyGhosts(engine, keys, options, {
-        times, signal: own.signal,
+        times,
+        signal: own.signal,
         onProgress: (progress) => {
           setText(stage, progress.stage);
           setStyle(bar, 'width', `${(100 * progress.fraction).toFixed(1)}%`);
@@ -85,39 +106,103 @@ export function createGhostStudyPanel({ engine, store, pool, range, onError }: G
   };
 
   const draw = async (study: GhostStudy): Promise<void> => {
-    const [{ verdictOf, msText, percentText }, { drawGhostChart }] = await Promise.all([import('../../study/ghost-study.ts'), import('../../plots/ghost-chart.ts')]);
+    const [{ verdictOf, msText, percentText }, { drawGhostChart }] = await Promise.all([
+      import('../../study/ghost-study.ts'),
+      import('../../plots/ghost-chart.ts'),
+    ]);
     const sizes = [...new Set(study.rows.map(({ wanted }) => wanted))];
-    const row = (size: number, transfer: Transfer): GhostStudy['rows'][number] => study.rows.find((one) => one.wanted === size && one.transfer === transfer)!;
+    const row = (size: number, transfer: Transfer): GhostStudy['rows'][number] =>
+      study.rows.find((one) => one.wanted === size && one.transfer === transfer)!;
     const names = [...sizes.map(short), 'none'];
     const series = (last: number, pick: (one: GhostStudy['rows'][number]) => number) =>
       (['exact', 'paper'] as const).map((transfer) => ({
-        label: NAMES[transfer], style: `transfer-${transfer}`, values: [...sizes.map((size) => pick(row(size, transfer))), last],
+        label: NAMES[transfer],
+        style: `transfer-${transfer}`,
+        values: [...sizes.map((size) => pick(row(size, transfer))), last],
       }));
     const figure = (title: string, unit: string, svg: SVGSVGElement): HTMLElement =>
-      h('figure', { class: 'figure' }, h('figcaption', {}, h('strong', {}, title), h('span', { class: 'unit' }, unit)), svg);
-    const kg = { title: 'Error', unit: 'KG error against no ghost mesh, %', sizes: names, series: series(0, (one) => one.kg), level: null };
-    const ms = { title: 'Time', unit: 'median of a frame, ms', sizes: names, series: series(study.ms, (one) => one.ms), level: { label: 'No ghost mesh', value: study.ms } };
+      h(
+        'figure',
+        { class: 'figure' },
+        h('figcaption', {}, h('strong', {}, title), h('span', { class: 'unit' }, unit)),
+        svg,
+      );
+    const kg = {
+      title: 'Error',
+      unit: 'KG error against no ghost mesh, %',
+      sizes: names,
+      series: series(0, (one) => one.kg),
+      level: null,
+    };
+    const ms = {
+      title: 'Time',
+      unit: 'median of a frame, ms',
+      sizes: names,
+      series: series(study.ms, (one) => one.ms),
+      level: { label: 'No ghost mesh', value: study.ms },
+    };
     const cells = (name: string, one: { kg: number; ms: number }): HTMLElement[] => [
-      h('td', { 'data-testid': `study-${name}-kg` }, percentText(one.kg)), h('td', { 'data-testid': `study-${name}-ms` }, msText(one.ms)),
+      h('td', { 'data-testid': `study-${name}-kg` }, percentText(one.kg)),
+      h('td', { 'data-testid': `study-${name}-ms` }, msText(one.ms)),
     ];
-    const rows = sizes.map((size) => h('tr', {}, h('th', { scope: 'row' }, size.toLocaleString('en')),
-      ...(['exact', 'paper'] as const).flatMap((transfer) => cells(`${size}-${transfer}`, row(size, transfer)))));
-    rows.push(h('tr', {}, h('th', { scope: 'row' }, 'none'), ...cells('none-exact', { kg: 0, ms: study.ms }), ...cells('none-paper', { kg: 0, ms: study.ms })));
+    const rows = sizes.map((size) =>
+      h(
+        'tr',
+        {},
+        h('th', { scope: 'row' }, size.toLocaleString('en')),
+        ...(['exact', 'paper'] as const).flatMap((transfer) => cells(`${size}-${transfer}`, row(size, transfer))),
+      ),
+    );
+    rows.push(
+      h(
+        'tr',
+        {},
+        h('th', { scope: 'row' }, 'none'),
+        ...cells('none-exact', { kg: 0, ms: study.ms }),
+        ...cells('none-paper', { kg: 0, ms: study.ms }),
+      ),
+    );
     result.replaceChildren(
       h('p', { class: 'verdict', 'data-testid': 'study-verdict' }, verdictOf(study)),
-      ...(sizes.length > 0 ? [
-        h('div', { class: 'legend' }, legend('exact'), legend('paper')),
-        figure(kg.title, kg.unit, drawGhostChart(kg)), figure(ms.title, ms.unit, drawGhostChart(ms)),
-        h('details', { class: 'details' }, h('summary', {}, 'Numbers'), h('table', { class: 'numbers' },
-          h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Faces'), h('th', { scope: 'colgroup', colspan: 2 }, NAMES.exact), h('th', { scope: 'colgroup', colspan: 2 }, NAMES.paper))),
-          h('tbody', {}, ...rows))),
-      ] : []));
+      ...(sizes.length > 0
+        ? [
+            h('div', { class: 'legend' }, legend('exact'), legend('paper')),
+            figure(kg.title, kg.unit, drawGhostChart(kg)),
+            figure(ms.title, ms.unit, drawGhostChart(ms)),
+            h(
+              'details',
+              { class: 'details' },
+              h('summary', {}, 'Numbers'),
+              h(
+                'table',
+                { class: 'numbers' },
+                h(
+                  'thead',
+                  {},
+                  h(
+                    'tr',
+                    {},
+                    h('th', { scope: 'col' }, 'Faces'),
+                    h('th', { scope: 'colgroup', colspan: 2 }, NAMES.exact),
+                    h('th', { scope: 'colgroup', colspan: 2 }, NAMES.paper),
+                  ),
+                ),
+                h('tbody', {}, ...rows),
+              ),
+            ),
+          ]
+        : []),
+    );
   };
 
   /** What a study depends on: the motion as it is without a ghost. */
   const subject = (): string => {
     const { doc, source } = store.get();
-    const { encoding: { ghostFaces, transfer, ...encoding }, variants, ...rest } = specOf(doc, []);
+    const {
+      encoding: { ghostFaces, transfer, ...encoding },
+      variants,
+      ...rest
+    } = specOf(doc, []);
     return JSON.stringify([source, doc.motion.method, encoding, rest]);
   };
 

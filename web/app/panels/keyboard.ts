@@ -30,16 +30,31 @@ export function createShortcuts(store: Store, commands: Commands, targets: Keybo
   return [
     { keys: [' '], shown: 'Space', does: 'Play or pause', run: commands.togglePlay },
     { keys: [], shown: '←  →', does: 'A step in time; with Shift ten', run: () => undefined },
-    { keys: [], shown: 'Home  End', does: 'First and last key; once more for the ends of the margins', run: () => undefined },
+    {
+      keys: [],
+      shown: 'Home  End',
+      does: 'First and last key; once more for the ends of the margins',
+      run: () => undefined,
+    },
     { keys: ['['], shown: '[', does: 'Previous key', run: () => commands.jumpKey(-1) },
     { keys: [']'], shown: ']', does: 'Next key', run: () => commands.jumpKey(1) },
     { keys: ['l'], shown: 'L', does: 'Back and forth, loop, or once', run: commands.nextLoop },
     { keys: [','], shown: ',', does: 'Slower', run: () => commands.stepSpeed(-1) },
     { keys: ['.'], shown: '.', does: 'Faster', run: () => commands.stepSpeed(1) },
-    { keys: ['ctrl+home'], shown: 'Ctrl+Home', does: 'Playing starts here', run: () => commands.loopEnd('start', null) },
+    {
+      keys: ['ctrl+home'],
+      shown: 'Ctrl+Home',
+      does: 'Playing starts here',
+      run: () => commands.loopEnd('start', null),
+    },
     { keys: ['ctrl+end'], shown: 'Ctrl+End', does: 'Playing ends here', run: () => commands.loopEnd('end', null) },
     { keys: ['p'], shown: 'P', does: 'Play all keys again', run: () => commands.between(null) },
-    { keys: ['+', '='], shown: '+', does: 'Zoom into the timeline; the wheel does it about the pointer', run: () => commands.zoomTime(2) },
+    {
+      keys: ['+', '='],
+      shown: '+',
+      does: 'Zoom into the timeline; the wheel does it about the pointer',
+      run: () => commands.zoomTime(2),
+    },
     { keys: ['-'], shown: '-', does: 'Zoom out of the timeline', run: () => commands.zoomTime(0.5) },
     { keys: ['0'], shown: '0', does: 'The whole timeline', run: () => commands.window(null) },
     { keys: ['t'], shown: 'T', does: 'Frames, loop and zoom', run: targets.toggleClock },
@@ -102,8 +117,13 @@ export function listenToCamera(viewer: Viewer, viewport: HTMLElement): void {
       else viewer.orbit(right * TURN, up * TURN);
     };
     const actions: Record<string, () => void> = {
-      ArrowLeft: () => move(-1, 0), ArrowRight: () => move(1, 0), ArrowUp: () => move(0, 1), ArrowDown: () => move(0, -1),
-      '+': () => viewer.zoom(1 / ZOOM), '=': () => viewer.zoom(1 / ZOOM), '-': () => viewer.zoom(ZOOM),
+      ArrowLeft: () => move(-1, 0),
+      ArrowRight: () => move(1, 0),
+      ArrowUp: () => move(0, 1),
+      ArrowDown: () => move(0, -1),
+      '+': () => viewer.zoom(1 / ZOOM),
+      '=': () => viewer.zoom(1 / ZOOM),
+      '-': () => viewer.zoom(ZOOM),
     };
     const action = actions[event.key];
     if (!action) return;

@@ -43,7 +43,10 @@ const SHEETS: readonly { name: Sheet; label: string; icon: IconName }[] = [
 
 export function createLayout(): Layout {
   const viewport = h('div', {
-    class: 'picture', tabindex: 0, role: 'application', 'data-testid': 'viewport',
+    class: 'picture',
+    tabindex: 0,
+    role: 'application',
+    'data-testid': 'viewport',
     'aria-label': 'The shape. Arrow keys turn it, plus and minus zoom, Shift with arrows moves it.',
   });
   const covered = (views: number): { top: number; bottom: number } => {
@@ -56,16 +59,30 @@ export function createLayout(): Layout {
     const buttons = height('.view-buttons', (box) => host.bottom - box.top);
     const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
     const welcome = height('.welcome', (box) => box.bottom - host.top);
-    return { top: Math.max(status + (views > 1 ? TILE_LABEL_PX : 0), welcome), bottom: buttons + (small ? PHASE_PX : 0) };
+    return {
+      top: Math.max(status + (views > 1 ? TILE_LABEL_PX : 0), welcome),
+      bottom: buttons + (small ? PHASE_PX : 0),
+    };
   };
   return {
     viewport,
     covered,
     mount(root, parts) {
-      const app = h('div', { class: 'app' }, parts.header,
-        h('main', { class: 'viewport', 'aria-label': 'Viewport' }, viewport, ...parts.overlays, h('div', { class: 'overlay-top' }, ...parts.messages)),
+      const app = h(
+        'div',
+        { class: 'app' },
+        parts.header,
+        h(
+          'main',
+          { class: 'viewport', 'aria-label': 'Viewport' },
+          viewport,
+          ...parts.overlays,
+          h('div', { class: 'overlay-top' }, ...parts.messages),
+        ),
         createSide(parts.panels),
-        h('div', { class: 'deck' }, parts.keyStrip, parts.transport, parts.warnings), parts.status);
+        h('div', { class: 'deck' }, parts.keyStrip, parts.transport, parts.warnings),
+        parts.status,
+      );
       app.append(createTabs(app));
       root.replaceChildren(app, ...parts.floating);
     },
@@ -75,9 +92,19 @@ export function createLayout(): Layout {
 /** The panels under each other, and a row of their names that stays in sight. */
 function createSide(panels: HTMLElement[]): HTMLElement {
   const names = panels.map((panel) => panel.querySelector('h2')?.textContent ?? '');
-  const buttons = names.map((name, index) => h('button', {
-    type: 'button', 'data-testid': `side-${index}`, onclick: () => { side.scrollTop = panels[index]!.offsetTop - row.offsetHeight; },
-  }, name));
+  const buttons = names.map((name, index) =>
+    h(
+      'button',
+      {
+        type: 'button',
+        'data-testid': `side-${index}`,
+        onclick: () => {
+          side.scrollTop = panels[index]!.offsetTop - row.offsetHeight;
+        },
+      },
+      name,
+    ),
+  );
   const row = h('nav', { class: 'side-nav', 'aria-label': 'Options' }, ...buttons);
   const side = h('aside', { class: 'side', 'aria-label': 'Options', tabindex: 0 }, row, ...panels);
   const mark = (): void => {
@@ -92,13 +119,25 @@ function createSide(panels: HTMLElement[]): HTMLElement {
 }
 
 function createTabs(app: HTMLElement): HTMLElement {
-  const buttons = SHEETS.map(({ name, label, icon: symbol }) => h('button', {
-    type: 'button', 'data-testid': `tab-${name}`, 'aria-pressed': 'false', onclick: () => show(app.dataset['sheet'] === name ? null : name),
-  }, icon(symbol), h('span', {}, label)));
+  const buttons = SHEETS.map(({ name, label, icon: symbol }) =>
+    h(
+      'button',
+      {
+        type: 'button',
+        'data-testid': `tab-${name}`,
+        'aria-pressed': 'false',
+        onclick: () => show(app.dataset['sheet'] === name ? null : name),
+      },
+      icon(symbol),
+      h('span', {}, label),
+    ),
+  );
   const show = (sheet: Sheet | null): void => {
     setAttribute(app, 'data-sheet', sheet);
     SHEETS.forEach(({ name }, index) => setAttribute(buttons[index]!, 'aria-pressed', String(name === sheet)));
   };
-  app.addEventListener('keydown', (event) => { if (event.key === 'Escape' && app.dataset['sheet']) show(null); });
+  app.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && app.dataset['sheet']) show(null);
+  });
   return h('nav', { class: 'tabs', 'aria-label': 'Panels' }, ...buttons);
 }

@@ -55,7 +55,9 @@ export function createPage(parts: PageParts): Page {
   const closeError = (): void => viewState.change({ errorMessage: null });
   const shortcuts = createShortcuts(store, commands, {
     openFiles: () => components.openFiles(),
-    openExport: () => { if (viewState.get().info) components.openExport(); },
+    openExport: () => {
+      if (viewState.get().info) components.openExport();
+    },
     openHelp: () => components.openHelp(),
     toggleLook: () => components.toggleLook(),
     toggleClock: () => components.toggleClock(),
@@ -65,16 +67,32 @@ export function createPage(parts: PageParts): Page {
     escape: () => (viewState.get().working ? onCancel() : closeError()),
   });
   const components = createComponents({
-    root: parts.root, layout, toast: parts.toast, commands, files: parts.files, marking: parts.marking,
+    root: parts.root,
+    layout,
+    toast: parts.toast,
+    commands,
+    files: parts.files,
+    marking: parts.marking,
     analysis: createAnalysisPanel(parts.analysis, {
-      onSeek: commands.seek, onSpeed: commands.endSpeed, onError: parts.onAnalysisError,
+      onSeek: commands.seek,
+      onSpeed: commands.endSpeed,
+      onError: parts.onAnalysisError,
     }),
     ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),
-    indefiniteFace: () => viewState.get().indefiniteFace, videoReason: parts.videoReason,
-    shortcuts: shortcutLines(shortcuts), onUndo: store.undo, onRedo: store.redo, onTheme: theme.next, onCancel,
-    onLink: parts.onLink, onRemember: parts.onRemember,
-    onCloseError: closeError, onSingleKeys: (singleKeys) => viewState.change({ singleKeys }),
-    onExportOpen: () => parts.onExportPlan(), onExportChange: parts.onExportPlan, onExport: parts.onExport,
+    indefiniteFace: () => viewState.get().indefiniteFace,
+    videoReason: parts.videoReason,
+    shortcuts: shortcutLines(shortcuts),
+    onUndo: store.undo,
+    onRedo: store.redo,
+    onTheme: theme.next,
+    onCancel,
+    onLink: parts.onLink,
+    onRemember: parts.onRemember,
+    onCloseError: closeError,
+    onSingleKeys: (singleKeys) => viewState.change({ singleKeys }),
+    onExportOpen: () => parts.onExportPlan(),
+    onExportChange: parts.onExportPlan,
+    onExport: parts.onExport,
   });
   listen(shortcuts, () => viewState.get().singleKeys);
   listenToArrows({ store, commands, viewport: layout.viewport, range, isOpen: () => viewState.get().info !== null });
@@ -84,9 +102,19 @@ export function createPage(parts: PageParts): Page {
   const draw = (): void => {
     frame = 0;
     components.update({
-      state: store.get(), viewState: viewState.get(), range: range(), theme: theme.theme(), labels: scene.labels,
-      colourBar: scene.colourBar, undo: store.undoLabel(), redo: store.redoLabel(),
+      state: store.get(),
+      viewState: viewState.get(),
+      range: range(),
+      theme: theme.theme(),
+      labels: scene.labels,
+      colourBar: scene.colourBar,
+      undo: store.undoLabel(),
+      redo: store.redoLabel(),
     });
   };
-  return { redraw: () => { if (frame === 0) frame = requestAnimationFrame(draw); } };
+  return {
+    redraw: () => {
+      if (frame === 0) frame = requestAnimationFrame(draw);
+    },
+  };
 }

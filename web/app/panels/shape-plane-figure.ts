@@ -24,10 +24,11 @@ export interface ShapePlaneFigure {
   setSpeeds(speeds: Speeds | null): void;
 }
 
-const TITLE = 'The plane of the keys\' two leading principal components; distances in it are those between shapes';
+const TITLE = "The plane of the keys' two leading principal components; distances in it are those between shapes";
 
 export function createShapePlaneFigure(
-  input: () => ShapePlaneInput | null, { onSpeed, onError }: ShapePlaneFigureEvents,
+  input: () => ShapePlaneInput | null,
+  { onSpeed, onError }: ShapePlaneFigureEvents,
 ): ShapePlaneFigure {
   let speeds: Speeds | null = null;
   let cursor = 0;
@@ -40,7 +41,9 @@ export function createShapePlaneFigure(
     onSpeed(end, speed);
   };
   const plot = createShapePlane({
-    most: MAX_SPEED, label: (end) => SPEED_WORDS[end].label, words: formatSpeed,
+    most: MAX_SPEED,
+    label: (end) => SPEED_WORDS[end].label,
+    words: formatSpeed,
     onSpeed: (end, speed) => set(end, offeredSpeed(speed)),
     onReset: (end) => set(end, DEFAULT_SPEED),
     onKey(end, event) {
@@ -51,8 +54,12 @@ export function createShapePlaneFigure(
     },
   });
   const explained = h('span', { class: 'unit' });
-  const element = h('figure', { class: 'figure', 'data-testid': 'plot-plane' },
-    h('figcaption', { title: TITLE }, h('strong', {}, 'Shape plane'), explained), plot.element);
+  const element = h(
+    'figure',
+    { class: 'figure', 'data-testid': 'plot-plane' },
+    h('figcaption', { title: TITLE }, h('strong', {}, 'Shape plane'), explained),
+    plot.element,
+  );
 
   const work = async (): Promise<void> => {
     const asked = input();
@@ -64,9 +71,14 @@ export function createShapePlaneFigure(
     const percent = (100 * main.plane.explained).toFixed(0);
     setText(explained, `Principal plane of the keys, explains ${percent} % of the variance`);
     plot.draw({
-      times, range, keys: main.plane.keys, tangents,
+      times,
+      range,
+      keys: main.plane.keys,
+      tangents,
       curves: planes.map(({ method, plane }) => ({
-        label: METHOD_WORDS[method].label, points: plane.curve, style: method,
+        label: METHOD_WORDS[method].label,
+        points: plane.curve,
+        style: method,
       })),
     });
     plot.setSpeeds(speeds);

@@ -49,8 +49,18 @@ export interface ViewStateHolder {
 export function openedView(opened: OpenedFiles, before: ViewState): Partial<ViewState> {
   const { info, initial, orientation, source } = opened;
   return {
-    info, initial, orientation, warnings: info.warnings, thumbnails: new Map(), stats: null, shownWarning: null,
-    indefinite: 0, indefiniteFace: -1, ms: null, threads: null, welcome: before.welcome && source.kind === 'sample',
+    info,
+    initial,
+    orientation,
+    warnings: info.warnings,
+    thumbnails: new Map(),
+    stats: null,
+    shownWarning: null,
+    indefinite: 0,
+    indefiniteFace: -1,
+    ms: null,
+    threads: null,
+    welcome: before.welcome && source.kind === 'sample',
   };
 }
 
@@ -58,8 +68,11 @@ export function openedView(opened: OpenedFiles, before: ViewState): Partial<View
 export function shownView(frame: Frame | undefined, preview: boolean): Partial<ViewState> {
   if (preview) return { previewMs: frame?.ms ?? null };
   return {
-    ms: frame?.ms ?? null, threads: frame?.threads ?? null, previewMs: null,
-    indefinite: frame?.lostDefiniteness ?? 0, indefiniteFace: frame?.lostFace ?? -1,
+    ms: frame?.ms ?? null,
+    threads: frame?.threads ?? null,
+    previewMs: null,
+    indefinite: frame?.lostDefiniteness ?? 0,
+    indefiniteFace: frame?.lostFace ?? -1,
   };
 }
 
@@ -75,8 +88,24 @@ export function createViewState(onChange: () => void): ViewStateHolder {
 }
 
 const EMPTY_VIEW_STATE: ViewState = {
-  samples: [], info: null, orientation: null, initial: null, warnings: [], shownWarning: null, working: null,
-  errorMessage: null, stats: null, ms: null, threads: null, previewMs: null, indefinite: 0, indefiniteFace: -1,
-  thumbnails: new Map(), welcome: true, offline: false, remembered: false, singleKeys: true,
+  samples: [],
+  info: null,
+  orientation: null,
+  initial: null,
+  warnings: [],
+  shownWarning: null,
+  working: null,
+  errorMessage: null,
+  stats: null,
+  ms: null,
+  threads: null,
+  previewMs: null,
+  indefinite: 0,
+  indefiniteFace: -1,
+  thumbnails: new Map(),
+  welcome: true,
+  offline: false,
+  remembered: false,
+  singleKeys: true,
   exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

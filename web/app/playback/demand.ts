@@ -34,7 +34,10 @@ export class Demand {
   private restsAt = -Infinity;
   private screen: Shown = { t: NaN, sequences: [], preview: false };
 
-  constructor(readonly sequences: () => readonly RunningSequence[], readonly policy: PreviewPolicy) {}
+  constructor(
+    readonly sequences: () => readonly RunningSequence[],
+    readonly policy: PreviewPolicy,
+  ) {}
 
   get wanted(): Wanted {
     return this.newest;

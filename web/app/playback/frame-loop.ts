@@ -31,7 +31,10 @@ export class FrameLoop {
   private calls: (() => void)[] = [];
   private readonly survey: PreviewSurvey;
 
-  constructor(private readonly screen: Screen, private readonly demand: Demand) {
+  constructor(
+    private readonly screen: Screen,
+    private readonly demand: Demand,
+  ) {
     this.survey = new PreviewSurvey(demand, () => !this.running);
   }
 
@@ -129,7 +132,7 @@ export class FrameLoop {
 
   private async serve(wanted: Wanted, preview: boolean): Promise<void> {
     try {
-      if (!await this.draw(wanted, preview)) return;
+      if (!(await this.draw(wanted, preview))) return;
     } catch (error) {
       this.screen.onError(error);
     }
@@ -163,8 +166,9 @@ export class FrameLoop {
   private async ask(t: number, preview: boolean): Promise<FrameSet | null> {
     const sequences = this.demand.sequences();
     try {
-      const frames = await gather(sequences, t, preview,
-        (sequence) => (preview ? sequence.preview(t) : sequence.evaluate(t)));
+      const frames = await gather(sequences, t, preview, (sequence) =>
+        preview ? sequence.preview(t) : sequence.evaluate(t),
+      );
       if (frames) this.demand.policy.noteCost(frames);
       if (this.demand.isCurrent({ sequences })) return frames;
       frames?.release();
@@ -178,7 +182,9 @@ export class FrameLoop {
   /** Waits until what is shown has been drawn; false as soon as a newer time is asked for. */
   private async drawnBeforeNewer(wanted: Wanted): Promise<boolean> {
     let drawn = false;
-    const drawing = this.drawing.then(() => { drawn = true; });
+    const drawing = this.drawing.then(() => {
+      drawn = true;
+    });
     while (!drawn && this.demand.isNewest(wanted)) await Promise.race([drawing, this.called()]);
     if (!drawn) this.drawing = Promise.resolve();
     return drawn;

@@ -16,12 +16,15 @@ export interface FrameSet {
 
 /** Null where a sequence was overtaken by another request; throws what a sequence throws, when all have answered. */
 export async function gather(
-  sequences: readonly RunningSequence[], t: number, preview: boolean,
+  sequences: readonly RunningSequence[],
+  t: number,
+  preview: boolean,
   ask: (sequence: Sequence) => Promise<Frame | null>,
 ): Promise<FrameSet | null> {
   const outcomes = await Promise.allSettled(sequences.map(({ sequence }) => ask(sequence)));
   const frames = outcomes.flatMap((outcome) =>
-    (outcome.status === 'fulfilled' && outcome.value ? [outcome.value] : []));
+    outcome.status === 'fulfilled' && outcome.value ? [outcome.value] : [],
+  );
   const ms = frames.reduce((most, frame) => Math.max(most, frame.ms), 0);
   const release = (): void => frames.forEach((frame) => frame.release());
   const set: FrameSet = { t, frames, sequences, preview, ms, release };

@@ -30,7 +30,8 @@ export class Player implements Clock {
 
   /** `onTick` hears of every refresh, `move` of those with another time. */
   constructor(
-    private readonly view: () => PlayerView, private readonly move: (time: number, playing: boolean) => void,
+    private readonly view: () => PlayerView,
+    private readonly move: (time: number, playing: boolean) => void,
     private readonly onTick: () => void = () => undefined,
   ) {}
 
@@ -61,7 +62,8 @@ export class Player implements Clock {
     const { play, range, periodic } = this.stretch();
     const step = this.tickSeconds() * play.speed;
     let at = { time: this.reached, direction: this.direction, playing: true };
-    for (let ticks = this.tick; ticks < later && at.playing; ticks += 1) at = tick({ ...at, step, range, loop: play.loop, periodic });
+    for (let ticks = this.tick; ticks < later && at.playing; ticks += 1)
+      at = tick({ ...at, step, range, loop: play.loop, periodic });
     return heldTime(at.time, play.fps, range[0]);
   }
 

@@ -68,7 +68,7 @@ export class PreviewPolicy {
   /** Where to measure the error of previews next, nearest to t first; null where that is known, or does not matter. */
   unmeasured(sequences: readonly RunningSequence[], t: number): Sample | null {
     this.follow(sequences);
-    return this.measures ? this.trust?.next(t) ?? null : null;
+    return this.measures ? (this.trust?.next(t) ?? null) : null;
   }
 
   /** The errors of the sequences' previews. Not noted where the motion is another one now. */
@@ -99,8 +99,9 @@ export class PreviewPolicy {
   /** Other sequences have other costs; the same ones keep theirs when they are refitted, but the motion is another. */
   private follow(sequences: readonly RunningSequence[]): void {
     if (sequences === this.sequences) return;
-    const same = sequences.length === this.sequences.length
-      && sequences.every(({ sequence }, index) => sequence === this.sequences[index]!.sequence);
+    const same =
+      sequences.length === this.sequences.length &&
+      sequences.every(({ sequence }, index) => sequence === this.sequences[index]!.sequence);
     this.sequences = sequences;
     const [main] = sequences;
     this.trust = main ? new PreviewTrust(lineOf(main)) : null;

@@ -12,7 +12,10 @@ export class PreviewSurvey {
   private measuring = false;
 
   /** `isIdle` tells whether nothing else is asked for. */
-  constructor(private readonly demand: Demand, private readonly isIdle: () => boolean) {}
+  constructor(
+    private readonly demand: Demand,
+    private readonly isIdle: () => boolean,
+  ) {}
 
   /** Nothing is asked for now. */
   schedule(): void {
@@ -32,8 +35,9 @@ export class PreviewSurvey {
     while (wanted() && sequences === now()) {
       const sample = policy.unmeasured(sequences, t);
       // A failure is left to whoever asks for a frame.
-      const errors = sample
-        && await Promise.all(sequences.map(({ sequence }) => sequence.previewError(sample.t))).catch(() => null);
+      const errors =
+        sample &&
+        (await Promise.all(sequences.map(({ sequence }) => sequence.previewError(sample.t))).catch(() => null));
       if (!sample || !errors) break;
       policy.noteErrors(sequences, sample, errors);
     }
@@ -50,8 +54,9 @@ export class PreviewSurvey {
     const sequences = now();
     for (let tries = 0; tries < TRIES && this.isIdle() && sequences === now(); tries += 1) {
       // A failure is left to whoever asks for a frame.
-      const frames = await gather(sequences, t, true, (sequence) => sequence.evaluateAhead(t, { preview: true }))
-        .catch(() => null);
+      const frames = await gather(sequences, t, true, (sequence) => sequence.evaluateAhead(t, { preview: true })).catch(
+        () => null,
+      );
       if (!frames) return;
       policy.noteCost(frames);
       frames.release();

@@ -56,7 +56,10 @@ export class PreviewTrust {
 
   /** What to measure next, on the stretch nearest to t of those that are not known; null where all are. */
   next(t: number): Sample | null {
-    const stretch = this.nearest(t, this.stretches.filter(({ moments }) => moments.length > 0));
+    const stretch = this.nearest(
+      t,
+      this.stretches.filter(({ moments }) => moments.length > 0),
+    );
     const moment = this.stretches[stretch]?.moments[0];
     return moment === undefined ? null : { t: moment, stretch };
   }
@@ -78,7 +81,9 @@ export class PreviewTrust {
     const distance = ({ start, end }: Stretch): number => Math.max(start - inside, inside - end, 0);
     const [first, ...rest] = candidates;
     if (!first) return -1;
-    return this.stretches.indexOf(rest.reduce((best, other) => (distance(other) < distance(best) ? other : best), first));
+    return this.stretches.indexOf(
+      rest.reduce((best, other) => (distance(other) < distance(best) ? other : best), first),
+    );
   }
 }
 
@@ -91,16 +96,21 @@ function stretchesOf({ keyTimes, range, periodic }: TimeLine): Stretch[] {
   const ends = [...keyTimes.filter((t) => t > range[0] && t < range[1]), range[1]];
   const between = ends.map((end, index) => stretchOf(ends[index - 1] ?? range[0], end, BETWEEN, MOMENTS_BETWEEN));
   if (periodic) return between;
-  const beyond = (from: number, to: number): Stretch[] => Array.from({ length: STEPS_BEYOND }, (_, step) => {
-    const at = (index: number): number => (index === STEPS_BEYOND ? to : from + ((to - from) * index) / STEPS_BEYOND);
-    return stretchOf(at(step), at(step + 1), BEYOND, MOMENTS_BEYOND);
-  });
+  const beyond = (from: number, to: number): Stretch[] =>
+    Array.from({ length: STEPS_BEYOND }, (_, step) => {
+      const at = (index: number): number => (index === STEPS_BEYOND ? to : from + ((to - from) * index) / STEPS_BEYOND);
+      return stretchOf(at(step), at(step + 1), BEYOND, MOMENTS_BEYOND);
+    });
   return [...between, ...beyond(range[0], low), ...beyond(range[1], high)];
 }
 
 /** `from` may be later than `to`: moments are counted from it. */
 function stretchOf(from: number, to: number, limit: PreviewError, moments: readonly number[]): Stretch {
   return {
-    start: Math.min(from, to), end: Math.max(from, to), limit, close: true, moments: moments.map((share) => from + share * (to - from)),
+    start: Math.min(from, to),
+    end: Math.max(from, to),
+    limit,
+    close: true,
+    moments: moments.map((share) => from + share * (to - from)),
   };
 }

@@ -11,8 +11,12 @@ import type { PosePool } from './pose-pool.ts';
 export function docOf(info: KeysInfo, pool: PosePool): Doc {
   const project = info.project ?? {};
   return {
-    keys: info.times.map((time, pose) =>
-      ({ pose, time, name: shortName(info.names[pose] ?? '', pose), shaping: shapingOf(project, pose) })),
+    keys: info.times.map((time, pose) => ({
+      pose,
+      time,
+      name: shortName(info.names[pose] ?? '', pose),
+      shaping: shapingOf(project, pose),
+    })),
     motion: fromProject(MOTION, project, pool),
     encoding: fromProject(ENCODING, project, pool),
   };
@@ -25,7 +29,7 @@ function fromProject<T extends OptionTable>(table: T, project: Project, pool: Po
     if (option.kind === 'shape') return tangentPose(project, name as ShapeName, pool);
     const value = project[name as keyof SequenceOptions];
     // The first key is the reference unless another is chosen.
-    return option.kind === 'key' ? value || null : value ?? option.default;
+    return option.kind === 'key' ? value || null : (value ?? option.default);
   });
 }
 

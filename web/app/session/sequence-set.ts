@@ -27,7 +27,11 @@ export class SequenceSet {
   private building: { shape: string; abort: AbortController } | null = null;
   private running: Promise<void> | null = null;
 
-  constructor(private readonly engine: Engine, private readonly pool: { readonly keys: Keys }, private readonly events: SequenceSetEvents) {}
+  constructor(
+    private readonly engine: Engine,
+    private readonly pool: { readonly keys: Keys },
+    private readonly events: SequenceSetEvents,
+  ) {}
 
   get all(): readonly RunningSequence[] {
     return this.sequences;
@@ -105,7 +109,12 @@ export class SequenceSet {
           this.events.onProgress({ stage, fraction: (index + fraction) / variants.length });
         const keys = this.pool.keys.arrange(spec.order, spec.times, spec.names);
         const options = { ...this.encoding(spec, variant), ...motionFor(spec, variant.method) };
-        built.push({ ...variant, key: laneKey(spec, variant), keys, sequence: await this.engine.createSequence(keys, options, { signal: abort.signal, onProgress }) });
+        built.push({
+          ...variant,
+          key: laneKey(spec, variant),
+          keys,
+          sequence: await this.engine.createSequence(keys, options, { signal: abort.signal, onProgress }),
+        });
       }
       return built;
     } catch (error) {
@@ -119,7 +128,8 @@ export class SequenceSet {
 
   private encoding(spec: Spec, variant: Variant): Partial<EncodingOptions> {
     const { startTangentPose, endTangentPose } = spec;
-    const pose = (index: number | null): Float32Array | null => (index === null ? null : this.pool.keys.positions(index));
+    const pose = (index: number | null): Float32Array | null =>
+      index === null ? null : this.pool.keys.positions(index);
     return { ...encodingFor(spec, variant), startTangent: pose(startTangentPose), endTangent: pose(endTangentPose) };
   }
 }

@@ -9,7 +9,10 @@ export class WorkerRestart {
   private restartedAt = -Infinity;
 
   /** `again` asks for a frame. */
-  constructor(private readonly again: () => void, private readonly now: () => number = () => performance.now()) {}
+  constructor(
+    private readonly again: () => void,
+    private readonly now: () => number = () => performance.now(),
+  ) {}
 
   /** A worker has ended. Returns whether another try is worth it. */
   tryAgain(): boolean {

@@ -42,7 +42,10 @@ export class Workspace {
   private current: Current | null = null;
   private opening: AbortController | null = null;
 
-  constructor(private readonly engine: Engine, private readonly events: WorkspaceEvents) {}
+  constructor(
+    private readonly engine: Engine,
+    private readonly events: WorkspaceEvents,
+  ) {}
 
   get sequences(): readonly RunningSequence[] {
     return this.current?.set.all ?? NOTHING_RUNNING;
@@ -89,11 +92,14 @@ export class Workspace {
     this.opening = abort;
     let keys: Keys | null = null;
     try {
-      const report = (stage: string, fraction: number): void => this.progress(abort, { stage, fraction: READING * fraction });
+      const report = (stage: string, fraction: number): void =>
+        this.progress(abort, { stage, fraction: READING * fraction });
       report('reading the files', 0);
       const fetched = typeof source === 'function' ? FETCHING : 0;
-      const input = typeof source === 'function'
-        ? await source((fraction) => report('reading the files', fetched * fraction), abort.signal) : source;
+      const input =
+        typeof source === 'function'
+          ? await source((fraction) => report('reading the files', fetched * fraction), abort.signal)
+          : source;
       abort.signal.throwIfAborted();
       const onProgress = ({ stage, fraction }: Progress): void => report(stage, fetched + (1 - fetched) * fraction);
       keys = await this.engine.importKeyframes(input, options, { signal: abort.signal, onProgress });
@@ -140,7 +146,9 @@ export class Workspace {
         if (open) this.events.onProgress(progress);
         else if (progress) this.progress(abort, { ...progress, fraction: READING + (1 - READING) * progress.fraction });
       },
-      onReady: (ready) => { if (open) this.events.onReady(ready); },
+      onReady: (ready) => {
+        if (open) this.events.onReady(ready);
+      },
       onRefused: (error, current) => {
         failure = error;
         if (open) this.events.onRefused(error, current);

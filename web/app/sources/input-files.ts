@@ -13,7 +13,11 @@ export interface NewPose {
 const MODEL = /\.(glb|gltf|obj|ply|off)$/i;
 
 /** One after the other; `report` hears the share of all bytes that is there. */
-export async function readFiles(files: readonly PickedFile[], report?: (fraction: number) => void, signal?: AbortSignal): Promise<InputFile[]> {
+export async function readFiles(
+  files: readonly PickedFile[],
+  report?: (fraction: number) => void,
+  signal?: AbortSignal,
+): Promise<InputFile[]> {
   const all = files.reduce((sum, { file }) => sum + file.size, 0);
   const read: InputFile[] = [];
   let before = 0;
@@ -47,18 +51,30 @@ async function bytesOf(file: File, report: (done: number) => void, signal?: Abor
 }
 
 /** Every pose that the files hold; each must be a pose of the mesh that is open, which was read with these options. */
-export async function importPoses(engine: Engine, files: InputFile[], open: KeysInfo, { up, unit }: ImportOptions): Promise<NewPose[]> {
+export async function importPoses(
+  engine: Engine,
+  files: InputFile[],
+  open: KeysInfo,
+  { up, unit }: ImportOptions,
+): Promise<NewPose[]> {
   const { keys, count } = await importAny(engine, files, { up, unit, like: open.indices });
   try {
     checkSameMesh(files[0]?.name ?? 'The file', keys.info, open);
-    return Array.from({ length: count }, (_, key) => ({ name: keys.info.names[key] ?? '', positions: keys.positions(key) }));
+    return Array.from({ length: count }, (_, key) => ({
+      name: keys.info.names[key] ?? '',
+      positions: keys.positions(key),
+    }));
   } finally {
     keys.dispose();
   }
 }
 
 /** An import needs two keys; a file with one pose is read as both. */
-async function importAny(engine: Engine, files: InputFile[], options: ImportOptions): Promise<{ keys: Keys; count: number }> {
+async function importAny(
+  engine: Engine,
+  files: InputFile[],
+  options: ImportOptions,
+): Promise<{ keys: Keys; count: number }> {
   const models = files.filter(({ name }) => MODEL.test(name));
   try {
     const keys = await engine.importKeyframes(files, options);
@@ -75,10 +91,14 @@ async function importAny(engine: Engine, files: InputFile[], options: ImportOpti
 function checkSameMesh(name: string, { report, indices }: KeysInfo, open: KeysInfo): void {
   const mesh = open.report;
   if (report.vertices !== mesh.vertices || report.faces !== mesh.faces) {
-    throw new Error(`${name} has ${report.vertices} vertices and ${report.faces} faces, the open shape ${mesh.vertices} and ${mesh.faces}. A key must be a pose of the same mesh.`);
+    throw new Error(
+      `${name} has ${report.vertices} vertices and ${report.faces} faces, the open shape ${mesh.vertices} and ${mesh.faces}. A key must be a pose of the same mesh.`,
+    );
   }
   const other = firstOtherFace(indices, open.indices);
   if (other >= 0) {
-    throw new Error(`${name} joins other vertices than the open shape, first in face ${other}. A key must be a pose of the same mesh.`);
+    throw new Error(
+      `${name} joins other vertices than the open shape, first in face ${other}. A key must be a pose of the same mesh.`,
+    );
   }
 }

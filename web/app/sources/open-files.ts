@@ -74,7 +74,15 @@ interface Request {
 }
 
 export function createOpenFiles({
-  engine, store, workspace, samples, reducedMotion, onStart, onOpened, onWorking, onError,
+  engine,
+  store,
+  workspace,
+  samples,
+  reducedMotion,
+  onStart,
+  onOpened,
+  onWorking,
+  onError,
 }: OpenFilesParts): OpenFiles {
   let fetching = new AbortController();
   const running = new Set<Promise<unknown>>();
@@ -91,10 +99,22 @@ export function createOpenFiles({
     const { info, doc } = opened;
     const view = left ? { ...DEFAULT_VIEW, ...left.state.view } : openingView(store.get().view, info, link);
     onOpened({
-      info, pool: workspace.pool!, source, doc, initial, orientation: orientationOf(source, options), camera: view.camera,
+      info,
+      pool: workspace.pool!,
+      source,
+      doc,
+      initial,
+      orientation: orientationOf(source, options),
+      camera: view.camera,
     });
     const time = left?.state.time ?? link?.time ?? doc.keys[0]?.time ?? 0;
-    store.reset({ source, doc, view, play: left ? { ...left.state.play, playing: false } : openingPlay(opened, source, link), time });
+    store.reset({
+      source,
+      doc,
+      view,
+      play: left ? { ...left.state.play, playing: false } : openingPlay(opened, source, link),
+      time,
+    });
     return true;
   };
 
@@ -126,7 +146,10 @@ export function createOpenFiles({
     try {
       const poses = await importPoses(engine, await readFiles(files), info, workspace.options);
       if (workspace.pool !== pool) return false;
-      const added = poses.map(({ name, positions }) => ({ name: name.replace(/\.[a-z]+$/i, ''), pose: pool.add(name, positions) }));
+      const added = poses.map(({ name, positions }) => ({
+        name: name.replace(/\.[a-z]+$/i, ''),
+        pose: pool.add(name, positions),
+      }));
       store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => added.reduce(appendKey, doc));
       return true;
     } finally {
@@ -135,46 +158,76 @@ export function createOpenFiles({
   };
 
   return {
-    sample: (id, link = null) => guarded(async () => {
-      const sample = samples().find((one) => one.id === id);
-      if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
-      fetching.abort();
-      fetching = new AbortController();
-      const { signal } = fetching;
-      const input = await fetchSample(sample, signal).catch((error: unknown) => {
-        if (signal.aborted) return null;
-        throw error;
-      });
-      if (!input || signal.aborted) return false;
-      const options = sample.times ? { keyTimes: sample.times } : {};
-      return open({ input, options, source: { kind: 'sample', id }, adjust: (doc) => ofSample(doc, sample), link });
-    }),
-    files: (given) => guarded(async () => {
-      fetching.abort();
-      fetching = new AbortController();
-      const { signal } = fetching;
-      const files = await given;
-      if (signal.aborted || files.length === 0) return false;
-      const input: Input = (report, signal) => readFiles(files, report, signal);
-      return open({ input, options: {}, source: { kind: 'files', names: files.map(({ name }) => name) }, adjust: (doc) => doc, link: null });
-    }),
-    again: (left) => guarded(() => open({
-      input: left.files, options: left.options, source: left.state.source, adjust: (doc) => doc, link: null, left,
-    })),
-    resample: (animation, times) => guarded(() => {
-      const { source } = store.get();
-      return open({ input: workspace.input, options: { animation, sample: times }, source, adjust: (doc) => doc, link: null });
-    }),
-    reorient: (orientation) => guarded(() => {
-      const { source, doc } = store.get();
-      const options = { ...workspace.options, ...orientation };
-      // Everything but poses that were taken from the shape as it lay before.
-      const adjust = (fresh: Doc): Doc => (doc.keys.every(({ pose }) => pose < fresh.keys.length) ? doc : fresh);
-      return open({ input: workspace.input, options, source, adjust, link: null });
-    }),
-    addKeys: async (files) => { await guarded(() => addKeys(files)); },
-    get busy() { return running.size > 0; },
-    idle: async () => { while (running.size > 0) await Promise.all(running); },
+    sample: (id, link = null) =>
+      guarded(async () => {
+        const sample = samples().find((one) => one.id === id);
+        if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
+        fetching.abort();
+        fetching = new AbortController();
+        const { signal } = fetching;
+        const input = await fetchSample(sample, signal).catch((error: unknown) => {
+          if (signal.aborted) return null;
+          throw error;
+        });
+        if (!input || signal.aborted) return false;
+        const options = sample.times ? { keyTimes: sample.times } : {};
+        return open({ input, options, source: { kind: 'sample', id }, adjust: (doc) => ofSample(doc, sample), link });
+      }),
+    files: (given) =>
+      guarded(async () => {
+        fetching.abort();
+        fetching = new AbortController();
+        const { signal } = fetching;
+        const files = await given;
+        if (signal.aborted || files.length === 0) return false;
+        const input: Input = (report, signal) => readFiles(files, report, signal);
+        return open({
+          input,
+          options: {},
+          source: { kind: 'files', names: files.map(({ name }) => name) },
+          adjust: (doc) => doc,
+          link: null,
+        });
+      }),
+    again: (left) =>
+      guarded(() =>
+        open({
+          input: left.files,
+          options: left.options,
+          source: left.state.source,
+          adjust: (doc) => doc,
+          link: null,
+          left,
+        }),
+      ),
+    resample: (animation, times) =>
+      guarded(() => {
+        const { source } = store.get();
+        return open({
+          input: workspace.input,
+          options: { animation, sample: times },
+          source,
+          adjust: (doc) => doc,
+          link: null,
+        });
+      }),
+    reorient: (orientation) =>
+      guarded(() => {
+        const { source, doc } = store.get();
+        const options = { ...workspace.options, ...orientation };
+        // Everything but poses that were taken from the shape as it lay before.
+        const adjust = (fresh: Doc): Doc => (doc.keys.every(({ pose }) => pose < fresh.keys.length) ? doc : fresh);
+        return open({ input: workspace.input, options, source, adjust, link: null });
+      }),
+    addKeys: async (files) => {
+      await guarded(() => addKeys(files));
+    },
+    get busy() {
+      return running.size > 0;
+    },
+    idle: async () => {
+      while (running.size > 0) await Promise.all(running);
+    },
   };
 }
 

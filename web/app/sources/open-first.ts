@@ -15,7 +15,7 @@ export async function openFirst({ files, remembered, onSamples }: OpenFirstParts
   const link = readPermalink(location.hash);
   const [samples, left] = await Promise.all([fetchSamples(), link ? null : remembered.recall()]);
   onSamples(samples);
-  if (left && await files.again(left)) return;
+  if (left && (await files.again(left))) return;
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
   if (!first) throw new Error('There are no samples beside this page. Open files of your own.');
   await files.sample(first.id, first.id === link?.sample ? link : null);

@@ -53,10 +53,20 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   const keys = doc.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(',');
   put('keys', keys, initial.keys.map((key) => `${key.pose}@${shortest(key.time)}`).join(','));
   const shapings = doc.keys.map((key) => key.shaping);
-  for (const name of SHAPING_NUMBERS) putList(name, shapings.map((shaping) => shaping[name]), PER_KEY[name].default);
-  putList('turns', shapings.map((shaping) => turnsOf(shaping)), 0);
+  for (const name of SHAPING_NUMBERS)
+    putList(
+      name,
+      shapings.map((shaping) => shaping[name]),
+      PER_KEY[name].default,
+    );
+  putList(
+    'turns',
+    shapings.map((shaping) => turnsOf(shaping)),
+    0,
+  );
   const partTurns = shapings.flatMap(({ turns }, key) =>
-    turns.flatMap((one) => (one.component === undefined ? [] : [`${key}:${one.component}:${one.turns}`])));
+    turns.flatMap((one) => (one.component === undefined ? [] : [`${key}:${one.component}:${one.turns}`])),
+  );
   put('partTurns', partTurns.join(','), '');
   const putOptions = (options: object, fallbacks: object): void =>
     Object.entries(fallbacks).forEach(([name, fallback]) => put(name, options[name as never], fallback));
@@ -66,7 +76,8 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   put('shading', view.shading, DEFAULT_VIEW.shading);
   for (const name of FLAGS) put(name, view[name], DEFAULT_VIEW[name]);
   put('compare', view.compare.join(','), '');
-  if (view.camera) params.set('camera', [...view.camera.position, ...view.camera.target].map((x) => x.toPrecision(5)).join(','));
+  if (view.camera)
+    params.set('camera', [...view.camera.position, ...view.camera.target].map((x) => x.toPrecision(5)).join(','));
   params.set('t', shortest(state.time));
   put('speed', state.play.speed, null);
   put('loop', state.play.loop, 'bounce');
@@ -84,10 +95,11 @@ export function readPermalink(fragment: string): Permalink | null {
     sample,
     keys: readKeys(params.get('keys')),
     shaping: readShaping(params),
-    turns: numbers(params.get('turns'))?.filter((value) => Number.isInteger(value) && Math.abs(value) <= MAX_TURNS) ?? [],
+    turns:
+      numbers(params.get('turns'))?.filter((value) => Number.isInteger(value) && Math.abs(value) <= MAX_TURNS) ?? [],
     partTurns: readPartTurns(params.get('partTurns')),
-    motion: defined(forPage(MOTION, ({ page, option }) => valueOf(option, params.get(page)))),
-    encoding: defined(forPage(ENCODING, ({ page, option }) => valueOf(option, params.get(page)))),
+    motion: defined(forPage(MOTION, ({ page, option }) => optionValue(option, params.get(page)))),
+    encoding: defined(forPage(ENCODING, ({ page, option }) => optionValue(option, params.get(page)))),
     view: readView(params),
     time: number(params.get('t')) ?? null,
     speed: positive(params.get('speed')) ?? null,
@@ -111,18 +123,23 @@ export function applyPermalink(doc: Doc, link: Permalink, components = Infinity)
     if (values.length === keys.length) values.forEach((value, key) => set(key, value));
   };
   for (const name of SHAPING_NUMBERS) {
-    each(link.shaping[name], (key, value) => { next = setShaping(next, name, key, value); });
+    each(link.shaping[name], (key, value) => {
+      next = setShaping(next, name, key, value);
+    });
   }
-  each(link.turns, (key, turns) => { next = setTurns(next, key, { turns }); });
+  each(link.turns, (key, turns) => {
+    next = setTurns(next, key, { turns });
+  });
   for (const { key, ...added } of link.partTurns) if (added.component < components) next = setTurns(next, key, added);
   return next;
 }
 
 const POSES = pageOptions(ENCODING).flatMap(({ page, option }) =>
-  (isPose(option) ? [page as 'referencePose' | 'startTangentPose' | 'endTangentPose'] : []));
+  isPose(option) ? [page as 'referencePose' | 'startTangentPose' | 'endTangentPose'] : [],
+);
 
 /** The value of an option, where it is one that the option can have. */
-function valueOf(option: Option, text: string | null): unknown {
+function optionValue(option: Option, text: string | null): unknown {
   if (isPose(option)) return index(text);
   const value = option.kind === 'choice' ? text : option.kind === 'flag' ? flag(text) : number(text);
   return value !== undefined && value !== null && wrongWith(option, value) === null ? value : undefined;
@@ -135,11 +152,17 @@ function readShaping(params: URLSearchParams): Permalink['shaping'] {
 }
 
 function readView(params: URLSearchParams): Partial<View> {
-  const compare = params.get('compare')?.split(',').flatMap((name) => oneOf(name, METHODS) ?? []);
+  const compare = params
+    .get('compare')
+    ?.split(',')
+    .flatMap((name) => oneOf(name, METHODS) ?? []);
   return defined({
     colouring: oneOf(params.get('colour'), ['phase', 'texture', 'patches'] as const satisfies readonly Colouring[]),
     shading: oneOf(params.get('shading'), ['smooth', 'flat'] as const),
-    ...Object.fromEntries(FLAGS.map((name) => [name, flag(params.get(name))])) as Record<(typeof FLAGS)[number], boolean | undefined>,
+    ...(Object.fromEntries(FLAGS.map((name) => [name, flag(params.get(name))])) as Record<
+      (typeof FLAGS)[number],
+      boolean | undefined
+    >),
     compare: compare && [...new Set(compare)],
     camera: readCamera(params.get('camera')),
     window: stretch(params.get('window')),
@@ -148,7 +171,7 @@ function readView(params: URLSearchParams): Partial<View> {
 
 function readCamera(text: string | null): CameraPose | undefined {
   const values = numbers(text);
-  if (!values || values.length !== 6) return undefined;
+  if (values?.length !== 6) return undefined;
   const [px, py, pz, tx, ty, tz] = values as [number, number, number, number, number, number];
   return { position: [px, py, pz], target: [tx, ty, tz] };
 }
@@ -167,19 +190,28 @@ function fpsOf(text: string | null): number | null {
 function readKeys(text: string | null): [number, number][] | null {
   if (!text) return null;
   const keys = text.split(',').map((entry) => entry.split('@').map(Number) as [number, number]);
-  const good = keys.length <= MAX_KEYS && keys.every(([pose, time], i) =>
-    Number.isInteger(pose) && pose >= 0 && Number.isFinite(time) && (i === 0 || time > keys[i - 1]![1]));
+  const good =
+    keys.length <= MAX_KEYS &&
+    keys.every(
+      ([pose, time], i) =>
+        Number.isInteger(pose) && pose >= 0 && Number.isFinite(time) && (i === 0 || time > keys[i - 1]![1]),
+    );
   return good ? keys : null;
 }
 
 /** Those of the entries that can be meant. */
 function readPartTurns(text: string | null): Required<AddedTurns>[] {
-  const entries = (text ?? '').split(',').slice(0, MAX_PART_TURNS).map((entry) => entry.split(':').map(Number));
-  return entries.filter((entry) => {
-    const [key, component, turns] = entry;
-    const whole = entry.length === 3 && entry.every(Number.isInteger);
-    return whole && key! >= 0 && component! >= 0 && Math.abs(turns!) <= MAX_TURNS;
-  }).map(([key, component, turns]) => ({ key: key!, component: component!, turns: turns! }));
+  const entries = (text ?? '')
+    .split(',')
+    .slice(0, MAX_PART_TURNS)
+    .map((entry) => entry.split(':').map(Number));
+  return entries
+    .filter((entry) => {
+      const [key, component, turns] = entry;
+      const whole = entry.length === 3 && entry.every(Number.isInteger);
+      return whole && key! >= 0 && component! >= 0 && Math.abs(turns!) <= MAX_TURNS;
+    })
+    .map(([key, component, turns]) => ({ key: key!, component: component!, turns: turns! }));
 }
 
 function numbers(text: string | null): number[] | undefined {
@@ -214,7 +246,9 @@ function oneOf<T extends string>(text: string | null, values: readonly T[]): T |
 
 /** The object without its undefined entries. */
 function defined<T extends object>(object: T): { [K in keyof T]?: Exclude<T[K], undefined> } {
-  return Object.fromEntries(Object.entries(object).filter(([, value]) => value !== undefined)) as { [K in keyof T]?: Exclude<T[K], undefined> };
+  return Object.fromEntries(Object.entries(object).filter(([, value]) => value !== undefined)) as {
+    [K in keyof T]?: Exclude<T[K], undefined>;
+  };
 }
 
 function shortest(value: number): string {

@@ -37,7 +37,13 @@ const SAVE_DELAY_MS = 500;
 /** Raised when older visits can no longer be read. */
 const FORMAT = 1;
 
-export function createRememberedFiles({ store, workspace, onChange, say, onError }: RememberedFilesParts): RememberedFiles {
+export function createRememberedFiles({
+  store,
+  workspace,
+  onChange,
+  say,
+  onError,
+}: RememberedFilesParts): RememberedFiles {
   const shelf = createStore('shapespline', 'remembered');
   let saved: InputFile[] | null = null;
   let timer = 0;
@@ -52,10 +58,17 @@ export function createRememberedFiles({ store, workspace, onChange, say, onError
     const state = store.get();
     const { input, options, pool } = workspace;
     if (!pool || state.source.kind !== 'files') return;
-    const poses = Array.from({ length: pool.count - pool.imported }, (_, index) => pool.imported + index)
-      .map((pose) => ({ name: pool.keys.info.names[pose] ?? '', positions: pool.keys.positions(pose) }));
+    const poses = Array.from({ length: pool.count - pool.imported }, (_, index) => pool.imported + index).map(
+      (pose) => ({ name: pool.keys.info.names[pose] ?? '', positions: pool.keys.positions(pose) }),
+    );
     // Files may be large: they are written once, the state with every change.
-    const files: [string, unknown][] = input === saved ? [] : [['files', input], ['format', FORMAT]];
+    const files: [string, unknown][] =
+      input === saved
+        ? []
+        : [
+            ['files', input],
+            ['format', FORMAT],
+          ];
     await setMany([...files, ['rest', { options, poses, state }]], shelf);
     saved = input;
   };
@@ -80,7 +93,11 @@ export function createRememberedFiles({ store, workspace, onChange, say, onError
         say('Remembered on this computer: the next visit starts with these files.');
       } catch {
         await forget().catch(() => undefined);
-        onError(new Error('This browser has no room for these files, or keeps nothing in a private window. Export saves them as a project.'));
+        onError(
+          new Error(
+            'This browser has no room for these files, or keeps nothing in a private window. Export saves them as a project.',
+          ),
+        );
       }
     },
     follow() {
@@ -90,8 +107,9 @@ export function createRememberedFiles({ store, workspace, onChange, say, onError
     },
     async recall() {
       // A browser that keeps nothing has nothing to recall.
-      const [format, files, rest] = await Promise.all(['format', 'files', 'rest'].map((key) => get<unknown>(key, shelf)))
-        .catch(() => []);
+      const [format, files, rest] = await Promise.all(
+        ['format', 'files', 'rest'].map((key) => get<unknown>(key, shelf)),
+      ).catch(() => []);
       if (format !== FORMAT || !files || !rest) return null;
       change(true);
       return { files: files as InputFile[], ...(rest as Omit<Remembered, 'files'>) };

@@ -22,15 +22,20 @@ export async function fetchSamples(): Promise<Sample[]> {
 }
 
 export async function fetchSample(sample: Sample, signal: AbortSignal): Promise<InputFile[]> {
-  return Promise.all(sample.files.map(async (name) => {
-    const response = await request(FOLDER + name, signal);
-    return { name, bytes: new Uint8Array(await response.arrayBuffer()) };
-  }));
+  return Promise.all(
+    sample.files.map(async (name) => {
+      const response = await request(FOLDER + name, signal);
+      return { name, bytes: new Uint8Array(await response.arrayBuffer()) };
+    }),
+  );
 }
 
 async function request(path: string, signal?: AbortSignal): Promise<Response> {
   const response = await fetch(new URL(path, document.baseURI), signal ? { signal } : {});
-  if (!response.ok) throw new Error(`The sample could not be fetched: ${path} answered ${response.status}. Is the page's folder complete?`);
+  if (!response.ok)
+    throw new Error(
+      `The sample could not be fetched: ${path} answered ${response.status}. Is the page's folder complete?`,
+    );
   return response;
 }
 
@@ -39,12 +44,14 @@ function readSample(entry: unknown): Sample[] {
   const { id, title, description, file, files, times, boundary } = entry as Record<string, unknown>;
   const names = Array.isArray(files) ? files : [file];
   if (typeof id !== 'string' || !names.every((name) => typeof name === 'string')) return [];
-  return [{
-    id,
-    title: typeof title === 'string' ? title : id,
-    description: typeof description === 'string' ? description : '',
-    files: names,
-    times: Array.isArray(times) && times.every((time) => Number.isFinite(time)) ? times : null,
-    boundary: BOUNDARIES.find((known) => known === boundary) ?? 'natural',
-  }];
+  return [
+    {
+      id,
+      title: typeof title === 'string' ? title : id,
+      description: typeof description === 'string' ? description : '',
+      files: names,
+      times: Array.isArray(times) && times.every((time) => Number.isFinite(time)) ? times : null,
+      boundary: BOUNDARIES.find((known) => known === boundary) ?? 'natural',
+    },
+  ];
 }

@@ -1,7 +1,23 @@
 /** The engine as its users see it. Implemented by client.ts (browser worker) and node.ts (Node worker thread). */
 import type {
-  EncodingOptions, ErrorPlace, ExportedFile, ExportOptions, ExportPlan, Frame, Ghost, ImportOptions, InputFile, KeysInfo, Measures,
-  MotionOptions, PreviewError, Progress, SequenceOptions, SequenceStats, ShapePlane, Warning,
+  EncodingOptions,
+  ErrorPlace,
+  ExportedFile,
+  ExportOptions,
+  ExportPlan,
+  Frame,
+  Ghost,
+  ImportOptions,
+  InputFile,
+  KeysInfo,
+  Measures,
+  MotionOptions,
+  PreviewError,
+  Progress,
+  SequenceOptions,
+  SequenceStats,
+  ShapePlane,
+  Warning,
 } from './types.ts';
 
 export interface CallOptions {

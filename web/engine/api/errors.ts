@@ -49,13 +49,18 @@ export function disposed(what: string): EngineError {
 }
 
 export function crashed(reason: string): EngineError {
-  return engineError('crashed', `The computation stopped unexpectedly (${reason}). It starts afresh with the next step; `
-    + 'if it happens again, try fewer or smaller keys.');
+  return engineError(
+    'crashed',
+    `The computation stopped unexpectedly (${reason}). It starts afresh with the next step; ` +
+      'if it happens again, try fewer or smaller keys.',
+  );
 }
 
 export function outOfMemory(): EngineError {
-  return engineError('out-of-memory', 'There is not enough memory for this. Close other pages, or use fewer keys or a mesh '
-    + 'with fewer faces.');
+  return engineError(
+    'out-of-memory',
+    'There is not enough memory for this. Close other pages, or use fewer keys or a mesh ' + 'with fewer faces.',
+  );
 }
 
 export function invalidOption(message: string): EngineError {
@@ -69,7 +74,9 @@ export function messageOf(reason: unknown): string {
 
 /** Whether an engine's own words mean that memory ran out (they differ between browsers and Emscripten). */
 export function isOutOfMemory(text: string): boolean {
-  return /out of memory|\bOOM\b|enlarge memory|allocation (failed|size)|could not allocate|ERR_WORKER_OUT_OF_MEMORY/i.test(text);
+  return /out of memory|\bOOM\b|enlarge memory|allocation (failed|size)|could not allocate|ERR_WORKER_OUT_OF_MEMORY/i.test(
+    text,
+  );
 }
 
 /** The work's own outcome, or 'cancelled' as soon as the signal says so; the work itself is left to end unheard. */

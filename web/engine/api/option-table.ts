@@ -82,36 +82,64 @@ export type KeyOption =
 
 /** The type of an option's value. */
 export type ValueOf<O> =
-  | (O extends { choices: readonly (infer C)[] } ? C
-    : O extends { kind: infer K extends keyof Values } ? Values[K] : never)
+  | (O extends { choices: readonly (infer C)[] }
+      ? C
+      : O extends { kind: infer K extends keyof Values }
+        ? Values[K]
+        : never)
   | (O extends { default: null } ? null : never);
 export type ValuesOf<T> = { -readonly [N in keyof T]: ValueOf<T[N]> };
 
 /** Choices that refit the spline only: changing them never encodes or factorises again. */
 export const MOTION = {
   method: {
-    kind: 'choice', choices: ['lri', 'geodesic', 'linear', 'cubic-vertex'], default: 'lri',
-    flag: 'method', help: 'the method, or one of those that it is compared with', page: 'method', undo: 'method',
+    kind: 'choice',
+    choices: ['lri', 'geodesic', 'linear', 'cubic-vertex'],
+    default: 'lri',
+    flag: 'method',
+    help: 'the method, or one of those that it is compared with',
+    page: 'method',
+    undo: 'method',
   },
   boundary: {
-    kind: 'choice', choices: ['natural', 'hermite', 'periodic'], default: 'natural',
-    flag: 'boundary', help: 'no bending at the ends, speeds at the ends, or a loop', page: 'boundary', undo: 'boundary',
+    kind: 'choice',
+    choices: ['natural', 'hermite', 'periodic'],
+    default: 'natural',
+    flag: 'boundary',
+    help: 'no bending at the ends, speeds at the ends, or a loop',
+    page: 'boundary',
+    undo: 'boundary',
   },
   /** Hermite: times the one-sided difference at the first key; 0 = ease. */
   startSpeed: {
-    kind: 'number', default: 1, flag: 'start-speed', value: 'S',
+    kind: 'number',
+    default: 1,
+    flag: 'start-speed',
+    value: 'S',
     help: "hermite: times the keys' own speed at the first key; 0 eases",
-    page: 'startSpeed', undo: 'start speed',
+    page: 'startSpeed',
+    undo: 'start speed',
   },
   /** Hermite: the same at the last key. */
   endSpeed: {
-    kind: 'number', default: 1, flag: 'end-speed', value: 'S', help: 'hermite: the same at the last key',
-    page: 'endSpeed', undo: 'end speed',
+    kind: 'number',
+    default: 1,
+    flag: 'end-speed',
+    value: 'S',
+    help: 'hermite: the same at the last key',
+    page: 'endSpeed',
+    undo: 'end speed',
   },
   /** Periodic: the whole period in units of time; null = the default. */
   period: {
-    kind: 'number', above: 0, default: null, flag: 'period', value: 'P', help: 'periodic: length of one whole period',
-    page: 'period', undo: 'period',
+    kind: 'number',
+    above: 0,
+    default: null,
+    flag: 'period',
+    value: 'P',
+    help: 'periodic: length of one whole period',
+    page: 'period',
+    undo: 'period',
   },
   /** Take out the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'without the motion of the whole' },
@@ -124,21 +152,34 @@ export const MOTION = {
 export const PER_KEY = {
   /** Slope at the key = (1 - tension) times the C2 spline's own. */
   tension: {
-    kind: 'number', default: 0, flag: 'tension', value: 'X,X,...', help: 'for each key: 0 as it is, 1 stops there',
+    kind: 'number',
+    default: 0,
+    flag: 'tension',
+    value: 'X,X,...',
+    help: 'for each key: 0 as it is, 1 stops there',
     undo: 'tension',
   },
   /** Above 0 the slope goes over to the difference from the key before, below 0 to that to the key after. */
   bias: {
-    kind: 'number', least: -1, most: 1, default: 0, flag: 'bias', value: 'X,X,...',
-    help: 'for each key, from -1 to 1: below 0 its slope leans towards that to the key after it, above 0 towards that '
-      + 'from the key before',
+    kind: 'number',
+    least: -1,
+    most: 1,
+    default: 0,
+    flag: 'bias',
+    value: 'X,X,...',
+    help:
+      'for each key, from -1 to 1: below 0 its slope leans towards that to the key after it, above 0 towards that ' +
+      'from the key before',
     undo: 'bias',
   },
   /** Whole turns added on the way to the key. */
   turns: {
-    kind: 'turns', flag: 'turns', value: 'KEY:N[@COMPONENT],...',
-    help: 'whole turns added on the way to a key: of the whole, or of one of its separate parts, counted from 1 as '
-      + 'their faces come in the file',
+    kind: 'turns',
+    flag: 'turns',
+    value: 'KEY:N[@COMPONENT],...',
+    help:
+      'whole turns added on the way to a key: of the whole, or of one of its separate parts, counted from 1 as ' +
+      'their faces come in the file',
     undo: 'turns',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
@@ -147,46 +188,92 @@ export const PER_KEY = {
 export const ENCODING = {
   /** 0-based key that deformation gradients are measured from. */
   reference: {
-    kind: 'key', default: 0, flag: 'reference', value: 'KEY', help: 'key that the others are measured against',
-    page: 'referencePose', undo: 'reference pose',
+    kind: 'key',
+    default: 0,
+    flag: 'reference',
+    value: 'KEY',
+    help: 'key that the others are measured against',
+    page: 'referencePose',
+    undo: 'reference pose',
   },
   /** Wanted number of patches; 0 = the default formula. */
   patches: {
-    kind: 'number', whole: true, least: 0, default: 0, flag: 'patches', value: 'N',
-    help: 'default: about the square root of the number of faces', page: 'patches', undo: 'patches',
+    kind: 'number',
+    whole: true,
+    least: 0,
+    default: 0,
+    flag: 'patches',
+    value: 'N',
+    help: 'default: about the square root of the number of faces',
+    page: 'patches',
+    undo: 'patches',
   },
   stretch: {
-    kind: 'choice', choices: ['linear', 'log'], default: 'linear',
-    flag: 'stretch', help: 'how stretch is interpolated; log never turns inside out', page: 'stretch', undo: 'stretch',
+    kind: 'choice',
+    choices: ['linear', 'log'],
+    default: 'linear',
+    flag: 'stretch',
+    help: 'how stretch is interpolated; log never turns inside out',
+    page: 'stretch',
+    undo: 'stretch',
   },
   /** 0 = off, else at least 4: the splines run on a ghost mesh of about so many faces, and the shape follows it. */
   ghostFaces: {
-    kind: 'number', whole: true, least: 4, zero: 'off', default: 0, flag: 'ghost-faces', value: 'N|off',
-    help: 'let a coarse mesh of N faces lead the shape; default off', page: 'ghostFaces', undo: 'ghost faces',
+    kind: 'number',
+    whole: true,
+    least: 4,
+    zero: 'off',
+    default: 0,
+    flag: 'ghost-faces',
+    value: 'N|off',
+    help: 'let a coarse mesh of N faces lead the shape; default off',
+    page: 'ghostFaces',
+    undo: 'ghost faces',
   },
   /** With a ghost mesh. */
   transfer: {
-    kind: 'choice', choices: ['exact', 'paper'], default: 'exact',
-    flag: 'transfer', help: 'with it: through every key (default), or as published', page: 'transfer', undo: 'transfer',
+    kind: 'choice',
+    choices: ['exact', 'paper'],
+    default: 'exact',
+    flag: 'transfer',
+    help: 'with it: through every key (default), or as published',
+    page: 'transfer',
+    undo: 'transfer',
   },
   placement: {
-    kind: 'choice', choices: ['vertices', 'optimal'], default: 'vertices',
-    flag: 'placement', help: 'of the coarse mesh; default: on vertices of the shape', page: 'placement',
+    kind: 'choice',
+    choices: ['vertices', 'optimal'],
+    default: 'vertices',
+    flag: 'placement',
+    help: 'of the coarse mesh; default: on vertices of the shape',
+    page: 'placement',
     undo: 'placement',
   },
   precision: {
-    kind: 'choice', choices: ['single', 'double', 'exact'], default: 'single',
-    flag: 'precision', help: 'exact: as accurate as double, in less memory',
+    kind: 'choice',
+    choices: ['single', 'double', 'exact'],
+    default: 'single',
+    flag: 'precision',
+    help: 'exact: as accurate as double, in less memory',
   },
   /** Hermite: a shape that takes the neighbour key's place in the difference at that end. */
   startTangent: {
-    kind: 'shape', default: null, flag: 'start-tangent', value: 'FILE',
+    kind: 'shape',
+    default: null,
+    flag: 'start-tangent',
+    value: 'FILE',
     help: 'hermite: a shape that the motion comes from',
-    page: 'startTangentPose', undo: 'start tangent pose',
+    page: 'startTangentPose',
+    undo: 'start tangent pose',
   },
   endTangent: {
-    kind: 'shape', default: null, flag: 'end-tangent', value: 'FILE', help: 'hermite: a shape that the motion goes to',
-    page: 'endTangentPose', undo: 'end tangent pose',
+    kind: 'shape',
+    default: null,
+    flag: 'end-tangent',
+    value: 'FILE',
+    help: 'hermite: a shape that the motion goes to',
+    page: 'endTangentPose',
+    undo: 'end tangent pose',
   },
 } as const satisfies OptionTable;
 
@@ -194,27 +281,40 @@ export const ENCODING = {
 export const IMPORT = {
   /** Key times; default: the animation's own, else evenly over [0, 1]. */
   keyTimes: {
-    kind: 'numbers', flag: 'key-times', value: 'T,T,...',
+    kind: 'numbers',
+    flag: 'key-times',
+    value: 'T,T,...',
     help: "default: evenly over [0,1], or the animation's own times",
   },
   /** Name or index of the animation to sample keys from; default: the first. */
   animation: {
-    kind: 'animation', flag: 'animation', value: 'NAME|INDEX',
+    kind: 'animation',
+    flag: 'animation',
+    value: 'NAME|INDEX',
     help: 'take the keys from this animation of the one file',
   },
   /** Times on the animation's own time line, in seconds, or how many evenly spaced ones; default 8. */
   sample: {
-    kind: 'sample', flag: 'sample', value: 'T,T,...|N',
+    kind: 'sample',
+    flag: 'sample',
+    value: 'T,T,...|N',
     help: 'at these seconds of it, or N evenly spaced (default 8)',
   },
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
   up: {
-    kind: 'choice', choices: ['y', 'z'], default: 'y', flag: 'up',
+    kind: 'choice',
+    choices: ['y', 'z'],
+    default: 'y',
+    flag: 'up',
     help: 'axis that points up in .obj, .ply and .off files',
   },
   /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
   unit: {
-    kind: 'number', above: 0, default: 1, flag: 'unit', value: 'METRES',
+    kind: 'number',
+    above: 0,
+    default: 1,
+    flag: 'unit',
+    value: 'METRES',
     help: 'metres per unit of .obj, .ply and .off files',
   },
   /** 3 x faces of a mesh that the files are further poses of: their polygons are cut into its triangles. */
@@ -226,27 +326,45 @@ export const IMPORT = {
 
 export const EXPORT = {
   format: {
-    kind: 'choice', choices: ['glb', 'obj', 'ply'], default: 'glb',
+    kind: 'choice',
+    choices: ['glb', 'obj', 'ply'],
+    default: 'glb',
     help: 'one file with an animation, or a file for each shape',
   },
   /** These times instead of frames and range, in any order; a GLB gets the keys between them too. */
   times: {
-    kind: 'numbers', some: true, default: null, flag: 'at', value: 'T,T,...',
+    kind: 'numbers',
+    some: true,
+    default: null,
+    flag: 'at',
+    value: 'T,T,...',
     help: 'these times, which may lie beyond the keys: --at=-0.3,1.3',
   },
   /** Evenly spaced frames over the range; a GLB gets the keys inside it too, so that it passes through them. */
   frames: {
-    kind: 'number', whole: true, least: 2, default: 60, flag: 'frames', value: 'K',
+    kind: 'number',
+    whole: true,
+    least: 2,
+    default: 60,
+    flag: 'frames',
+    value: 'K',
     help: 'or K evenly spaced ones; default 60',
   },
   /** First and last time; default: first and last key. */
   range: {
-    kind: 'range', default: null, flag: 'range', value: 'A:B',
+    kind: 'range',
+    default: null,
+    flag: 'range',
+    value: 'A:B',
     help: 'from A to B; default: over the keys; may lie beyond them: --range=-0.3:1.3',
   },
   /** Seconds that the exported animation plays; default: the length of the range. GLB only. */
   duration: {
-    kind: 'number', above: 0, default: null, flag: 'duration', value: 'SECONDS',
+    kind: 'number',
+    above: 0,
+    default: null,
+    flag: 'duration',
+    value: 'SECONDS',
     help: 'of the exported animation; its times start at 0 and include the keys in range',
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
@@ -266,6 +384,8 @@ export function defaultsOf<T extends OptionTable>(table: T): ValuesOf<T> {
 
 /** The options whose value is a shape: read from a file, written in a form of their own. */
 export type ShapeName = {
-  [N in keyof typeof ENCODING]: (typeof ENCODING)[N] extends { kind: 'shape' } ? N : never
+  [N in keyof typeof ENCODING]: (typeof ENCODING)[N] extends { kind: 'shape' } ? N : never;
 }[keyof typeof ENCODING];
-export const SHAPES = optionsIn(ENCODING).filter(([, { kind }]) => kind === 'shape').map(([name]) => name as ShapeName);
+export const SHAPES = optionsIn(ENCODING)
+  .filter(([, { kind }]) => kind === 'shape')
+  .map(([name]) => name as ShapeName);

@@ -6,8 +6,16 @@ import { invalidOption } from './errors.ts';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from './option-table.ts';
 import type { KeyOption, NumberOption, Option, OptionTable } from './option-table.ts';
 import {
-  ENCODING_DEFAULTS, EXPORT_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS, SEQUENCE_DEFAULTS,
-  type EncodingOptions, type ExportOptions, type ImportOptions, type MotionOptions, type SequenceOptions,
+  ENCODING_DEFAULTS,
+  EXPORT_DEFAULTS,
+  IMPORT_DEFAULTS,
+  MOTION_DEFAULTS,
+  SEQUENCE_DEFAULTS,
+  type EncodingOptions,
+  type ExportOptions,
+  type ImportOptions,
+  type MotionOptions,
+  type SequenceOptions,
 } from './types.ts';
 
 /** What is wrong with a value, such as 'must be a number', or null. */
@@ -18,10 +26,12 @@ const isNumber = (value: unknown): value is number => typeof value === 'number' 
 
 /** Of what the core holds in 32 bits. */
 const MOST = 2 ** 31 - 1;
-const wholeFrom = (least: number): Check => (v) => {
-  if (!isNumber(v) || !Number.isInteger(v) || v < least) return `must be a whole number of at least ${least}`;
-  return v <= MOST ? null : `must be at most ${MOST}`;
-};
+const wholeFrom =
+  (least: number): Check =>
+  (v) => {
+    if (!isNumber(v) || !Number.isInteger(v) || v < least) return `must be a whole number of at least ${least}`;
+    return v <= MOST ? null : `must be at most ${MOST}`;
+  };
 const numbers: Check = (v) => (Array.isArray(v) && v.every(isNumber) ? null : 'must be an array of finite numbers');
 
 const turns: Check = (v) => {
@@ -30,7 +40,8 @@ const turns: Check = (v) => {
     const { key, turns: count, component = 0, ...rest } = entry as Record<string, unknown>;
     return !wholeFrom(1)(key) && !wholeFrom(-MOST)(count) && !wholeFrom(0)(component) && Object.keys(rest).length === 0;
   };
-  return Array.isArray(v) && v.every(good) ? null
+  return Array.isArray(v) && v.every(good)
+    ? null
     : 'must be an array of { key, turns, component? } with whole numbers, key at least 1 and component at least 0';
 };
 
@@ -46,8 +57,10 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
   shape: (v) => (v instanceof Float32Array ? null : 'must be a Float32Array of positions'),
   turns,
   numbers,
-  range: (v) => (Array.isArray(v) && v.length === 2 && v.every(isNumber) && v[0] < v[1] ? null
-    : 'must be [first, last] with first < last'),
+  range: (v) =>
+    Array.isArray(v) && v.length === 2 && v.every(isNumber) && v[0] < v[1]
+      ? null
+      : 'must be [first, last] with first < last',
   animation: (v) => (typeof v === 'string' || !wholeFrom(0)(v) ? null : "must be an animation's name or index"),
   sample,
   faces: (v) => (v instanceof Uint32Array ? null : 'must be a Uint32Array of vertices'),
@@ -95,8 +108,10 @@ export function wrongWith(option: Option, value: unknown): string | null {
 function listCheck(option: KeyOption): Check {
   if (option.kind === 'turns') return turns;
   const good = numberCheck(option);
-  return (v) => (Array.isArray(v) && v.every((one) => good(one) === null) ? null
-    : `must be an array with ${inWords(option)} per key`);
+  return (v) =>
+    Array.isArray(v) && v.every((one) => good(one) === null)
+      ? null
+      : `must be an array with ${inWords(option)} per key`;
 }
 
 const checksOf = (table: OptionTable): Checks =>
@@ -137,14 +152,21 @@ export function checkSequenceOptions(given?: object): SequenceOptions {
 }
 
 /** A change of motion options over the present ones, and the key times taken out of it. */
-export function checkUpdate(present: MotionOptions, change: object): { motion: MotionOptions; keyTimes: number[] | null } {
+export function checkUpdate(
+  present: MotionOptions,
+  change: object,
+): { motion: MotionOptions; keyTimes: number[] | null } {
   const { keyTimes, ...rest } = change as { keyTimes?: unknown };
   const name = Object.keys(rest).find((key) => Object.hasOwn(encodingChecks, key));
   if (name) {
     throw invalidOption(`The option '${name}' changes the encoding: make a new sequence with createSequence for it.`);
   }
-  if (keyTimes !== undefined && numbers(keyTimes)) throw invalidOption("'keyTimes' must be an array of finite numbers.");
-  return { motion: checked('motion', motionChecks, present, rest), keyTimes: (keyTimes as number[] | undefined) ?? null };
+  if (keyTimes !== undefined && numbers(keyTimes))
+    throw invalidOption("'keyTimes' must be an array of finite numbers.");
+  return {
+    motion: checked('motion', motionChecks, present, rest),
+    keyTimes: (keyTimes as number[] | undefined) ?? null,
+  };
 }
 
 export function motionOf(options: SequenceOptions): MotionOptions {

@@ -20,7 +20,7 @@ export const IMPORT_DEFAULTS: Readonly<ImportOptions> = defaultsOf(IMPORT);
 
 /** Lists of what is chosen for each key: numbers, empty or one per key, and the turns that there are. */
 export type PerKey = {
-  -readonly [N in keyof typeof PER_KEY]: (typeof PER_KEY)[N] extends { kind: 'number' } ? number[] : AddedTurns[]
+  -readonly [N in keyof typeof PER_KEY]: (typeof PER_KEY)[N] extends { kind: 'number' } ? number[] : AddedTurns[];
 };
 
 /** Choices that refit the spline only: changing them never encodes or factorises again. */

@@ -32,7 +32,7 @@ export class EngineClient implements Engine {
 
   constructor(platform: Platform) {
     this.platform = platform;
-    platform.module.catch(() => undefined);  // said by the first call
+    platform.module.catch(() => undefined); // said by the first call
   }
 
   /** Starts a worker ahead of the first call, which then need not wait for it. */
@@ -46,10 +46,11 @@ export class EngineClient implements Engine {
     checkCall(call);
     const checked = checkImportOptions(options);
     checkFiles(files);
-    if (bytesOf(files) >= LARGE * VERTEX_BYTES) void this.platform.threaded?.();  // to be there when the keys are
+    if (bytesOf(files) >= LARGE * VERTEX_BYTES) void this.platform.threaded?.(); // to be there when the keys are
     const client = this.takeWorker();
     const imported = await this.task(client, call, () =>
-      client.call('import', { files, options: checked }, { onProgress: call?.onProgress }));
+      client.call('import', { files, options: checked }, { onProgress: call?.onProgress }),
+    );
     this.keepIdle(client);
     return KeysHandle.of(imported);
   }
@@ -67,7 +68,9 @@ export class EngineClient implements Engine {
       onDispose: (gone: SequenceClient) => void this.sequences.delete(gone),
     };
     const client = this.takeWorker(large);
-    const sequence = await this.task(client, call, () => SequenceClient.create(parts, client, { onProgress: call?.onProgress }));
+    const sequence = await this.task(client, call, () =>
+      SequenceClient.create(parts, client, { onProgress: call?.onProgress }),
+    );
     this.sequences.add(sequence);
     return sequence;
   }
@@ -84,7 +87,7 @@ export class EngineClient implements Engine {
     const { idle } = this;
     this.idle = null;
     if (!large && idle?.alive) return idle;
-    idle?.terminate(disposed('engine'));  // with the memory that reading large files took
+    idle?.terminate(disposed('engine')); // with the memory that reading large files took
     return this.freshWorker(large);
   }
 
@@ -144,5 +147,5 @@ function bytesOf(files: InputFile[]): number {
 /** Does the work when it is first asked for, and remembers what came of it. */
 export function onlyOnce<T>(work: () => Promise<T>): () => Promise<T> {
   let result: Promise<T> | null = null;
-  return () => result ??= work();
+  return () => (result ??= work());
 }

@@ -23,11 +23,18 @@ export interface Frames {
 }
 
 /** `range`: what is exported unless the options say otherwise. */
-export function framesOf(options: ExportOptions, keyTimes: readonly number[], range: readonly [number, number]): Frames {
+export function framesOf(
+  options: ExportOptions,
+  keyTimes: readonly number[],
+  range: readonly [number, number],
+): Frames {
   if (options.pose !== null) return { times: [options.pose], seconds: [0], stills: [] };
   const asked = options.times ?? evenly(options.range ?? range, options.frames);
   if (options.format !== 'glb' || asked.length === 1) return { times: asked, seconds: asked.map(() => 0), stills: [] };
-  const times = withKeys([...asked].sort((a, b) => a - b), keyTimes);
+  const times = withKeys(
+    [...asked].sort((a, b) => a - b),
+    keyTimes,
+  );
   return onTimeLine(times, keyTimes, options.duration);
 }
 
@@ -51,14 +58,18 @@ function onTimeLine(times: number[], keyTimes: readonly number[], duration: numb
   if (!(length > 0)) throw invalidOption('An animation needs at least two different times.');
   const scale = (duration ?? length) / length;
   const seconds = times.map((t) => Math.fround((t - first) * scale));
-  if (seconds.some((s, i) => i > 0 && !(s > seconds[i - 1]!) )) {
-    throw invalidOption('Some frames are closer together than the file can tell apart: take fewer frames or a longer duration.');
+  if (seconds.some((s, i) => i > 0 && !(s > seconds[i - 1]!))) {
+    throw invalidOption(
+      'Some frames are closer together than the file can tell apart: take fewer frames or a longer duration.',
+    );
   }
   const stills = keyTimes.filter((t) => !times.includes(t));
   const targets = times.length + stills.length - 1;
   if (times.length * targets > MOST_WEIGHTS) {
-    throw tooLarge(`An animation of ${grouped(times.length)} frames would not open again: its ${grouped(targets)} morph targets need more than `
-      + `${grouped(MOST_WEIGHTS)} weights. Export fewer frames, or an OBJ sequence.`);
+    throw tooLarge(
+      `An animation of ${grouped(times.length)} frames would not open again: its ${grouped(targets)} morph targets need more than ` +
+        `${grouped(MOST_WEIGHTS)} weights. Export fewer frames, or an OBJ sequence.`,
+    );
   }
   return { times, seconds, stills };
 }
@@ -66,7 +77,9 @@ function onTimeLine(times: number[], keyTimes: readonly number[], duration: numb
 /** Refuses a GLB of so many bytes where that would not open again. */
 export function checkBytes({ format }: ExportOptions, bytes: number): void {
   if (format !== 'glb' || bytes <= MOST_GLB_BYTES) return;
-  throw tooLarge(`The file would have ${(bytes / 1e9).toFixed(1)} GB and not open again; a GLB may have 2.1 GB. Export fewer frames, or an OBJ sequence.`);
+  throw tooLarge(
+    `The file would have ${(bytes / 1e9).toFixed(1)} GB and not open again; a GLB may have 2.1 GB. Export fewer frames, or an OBJ sequence.`,
+  );
 }
 
 const grouped = (count: number): string => count.toLocaleString('en');
@@ -76,7 +89,8 @@ const tooLarge = (sentence: string): EngineError => new EngineError('too-large',
 export function exportWarnings(options: ExportOptions, frames: Frames): Warning[] {
   const targets = frames.times.length + frames.stills.length - 1;
   if (options.format !== 'glb' || targets <= SAFE_TARGETS) return [];
-  const message = `The animation has ${targets} morph targets; some players take no more than ${SAFE_TARGETS}. `
-    + 'Fewer frames make it safe.';
+  const message =
+    `The animation has ${targets} morph targets; some players take no more than ${SAFE_TARGETS}. ` +
+    'Fewer frames make it safe.';
   return [{ ...NO_PLACE, code: 'many-targets', message, count: targets }];
 }

@@ -31,7 +31,11 @@ export async function planExport(source: ExportSource, options: ExportOptions): 
   return { times: frames.times, bytes, warnings: exportWarnings(options, frames) };
 }
 
-export async function exportFiles(source: ExportSource, options: ExportOptions, call: CallOptions): Promise<ExportedFile[]> {
+export async function exportFiles(
+  source: ExportSource,
+  options: ExportOptions,
+  call: CallOptions,
+): Promise<ExportedFile[]> {
   const frames = framesOf(options, source.keyTimes, source.range);
   await planExport(source, options);
   const writer = source.freshWorker();
@@ -62,21 +66,35 @@ function report({ call, frames }: Job, done: number): void {
 }
 
 async function writeAnimation(job: Job): Promise<ExportedFile[]> {
-  const { source, frames: { times, seconds, stills }, writer, call: { signal } } = job;
+  const {
+    source,
+    frames: { times, seconds, stills },
+    writer,
+    call: { signal },
+  } = job;
   for (const [index, t] of [...times, ...stills].entries()) {
     const { positions, normals } = await untilAborted(signal, source.frame(t));
     const transfer = [positions.buffer, normals.buffer] as ArrayBuffer[];
     await writer.call('addFrame', { positions, normals }, { transfer });
     report(job, index + 1);
   }
-  const { keys: { faces }, scene } = source;
+  const {
+    keys: { faces },
+    scene,
+  } = source;
   const project = projectOf(source, job.frames);
   const bytes = await writer.call('writeAnimation', { faces, scene, seconds, stills: stills.length, project });
   return [{ name: 'shapespline.glb', bytes }];
 }
 
 async function writePoses(job: Job): Promise<ExportedFile[]> {
-  const { source, options: { format }, frames, writer, call: { signal } } = job;
+  const {
+    source,
+    options: { format },
+    frames,
+    writer,
+    call: { signal },
+  } = job;
   const files: ExportedFile[] = [];
   const scene = sceneOf(format, source.scene);
   for (const [index, t] of frames.times.entries()) {
@@ -108,7 +126,10 @@ async function estimate(source: ExportSource, { format }: ExportOptions, frames:
   if (format === 'ply') return frames * (12 * vertices + 13 * faces);
   if (format === 'obj') return frames * objBytes(vertices, faces, (source.scene.uvs?.length ?? 0) / 2);
   const images = source.scene.images.reduce((sum, image) => sum + image.bytes.length, 0);
-  const bare = { ...source.scene, images: source.scene.images.map((image) => ({ ...image, bytes: new Uint8Array(0) })) };
+  const bare = {
+    ...source.scene,
+    images: source.scene.images.map((image) => ({ ...image, bytes: new Uint8Array(0) })),
+  };
   return images + (await source.glbSize(vertices, faces, frames, bare));
 }
 

@@ -101,13 +101,17 @@ function increasing(times: number[], count: number): number[] {
   if (times.length !== count) throw countMismatch('times', times.length, count);
   const place = times.findIndex((t, i) => i > 0 && !(t > times[i - 1]!));
   if (place > 0) {
-    const sentence = `Key ${place + 1} is at time ${times[place]}, not after key ${place} at ${times[place - 1]}: `
-      + 'give the keys increasing times.';
+    const sentence =
+      `Key ${place + 1} is at time ${times[place]}, not after key ${place} at ${times[place - 1]}: ` +
+      'give the keys increasing times.';
     throw new EngineError('times-not-increasing', sentence, { key: place });
   }
   return times;
 }
 
 function countMismatch(what: string, given: number, wanted: number): EngineError {
-  return new EngineError('time-count-mismatch', `There are ${given} ${what} for ${wanted} keys: give one for each key.`);
+  return new EngineError(
+    'time-count-mismatch',
+    `There are ${given} ${what} for ${wanted} keys: give one for each key.`,
+  );
 }

@@ -4,7 +4,12 @@ import { EngineError } from '../api/errors.ts';
 import type { ImportOptions, InputFile } from '../api/types.ts';
 
 /** 3 x vertices; `options` say how the keys were read. Errors: those of an import, and another number of vertices or other faces than the keys have. */
-export async function readPose(engine: Engine, files: InputFile[], keys: Keys, { up, unit }: ImportOptions = {}): Promise<Float32Array> {
+export async function readPose(
+  engine: Engine,
+  files: InputFile[],
+  keys: Keys,
+  { up, unit }: ImportOptions = {},
+): Promise<Float32Array> {
   // An import holds at least two keys: the same pose stands for both.
   const pose = await engine.importKeyframes([...files, { ...files[0]! }], { up, unit, like: keys.info.indices });
   try {
@@ -31,7 +36,8 @@ export async function readPose(engine: Engine, files: InputFile[], keys: Keys, {
 
 /** The first triangle that is another one, or -1; they may start at other corners. */
 export function firstOtherFace(a: Uint32Array, b: Uint32Array): number {
-  const same = (at: number, turn: number): boolean => [0, 1, 2].every((corner) => a[at + corner] === b[at + ((corner + turn) % 3)]);
+  const same = (at: number, turn: number): boolean =>
+    [0, 1, 2].every((corner) => a[at + corner] === b[at + ((corner + turn) % 3)]);
   const place = a.findIndex((_, at) => at % 3 === 0 && !same(at, 0) && !same(at, 1) && !same(at, 2));
   return place < 0 ? place : place / 3;
 }

@@ -22,7 +22,13 @@ export class Scheduler {
     return new Promise<T>((resolve, reject) => {
       if (signal?.aborted) return reject(cancelled());
       const task: Task = { urgency: level, start: () => work().then(resolve, reject) };
-      signal?.addEventListener('abort', () => { if (this.withdraw(task)) reject(cancelled()); }, { once: true });
+      signal?.addEventListener(
+        'abort',
+        () => {
+          if (this.withdraw(task)) reject(cancelled());
+        },
+        { once: true },
+      );
       this.add(task);
     });
   }

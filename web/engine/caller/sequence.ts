@@ -2,14 +2,33 @@
 import type { AheadOptions, CallOptions, Sequence } from '../api/api.ts';
 import { disposed, untilAborted, type EngineError } from '../api/errors.ts';
 import { exportFiles, planExport, type ExportSource } from './export.ts';
-import { checkCall, checkExportOptions, checkTime, checkTimes, checkUpdate, encodingOf, motionOf } from '../api/options.ts';
+import {
+  checkCall,
+  checkExportOptions,
+  checkTime,
+  checkTimes,
+  checkUpdate,
+  encodingOf,
+  motionOf,
+} from '../api/options.ts';
 import { FramePool } from './frame-pool.ts';
 import type { CallName, KeyData, MotionSpec, RequestOf, ResultOf, SceneData } from '../wire/protocol.ts';
 import type { WorkerClient, WorkerCall } from './worker-client.ts';
 import { Scheduler, urgency, type Task, type Urgency } from './scheduler.ts';
 import type {
-  EncodingOptions, ExportedFile, ExportOptions, ExportPlan, Frame, Ghost, Measures, MotionOptions, PreviewError, SequenceOptions,
-  SequenceStats, ShapePlane, Warning,
+  EncodingOptions,
+  ExportedFile,
+  ExportOptions,
+  ExportPlan,
+  Frame,
+  Ghost,
+  Measures,
+  MotionOptions,
+  PreviewError,
+  SequenceOptions,
+  SequenceStats,
+  ShapePlane,
+  Warning,
 } from '../api/types.ts';
 
 export interface SequenceParts {
@@ -88,7 +107,8 @@ export class SequenceClient implements Sequence {
         start: () => {
           this.shown = null;
           return this.frame(t, this.motion, preview).then(resolve, (error: EngineError) =>
-            error.code === 'disposed' ? resolve(null) : reject(error));
+            error.code === 'disposed' ? resolve(null) : reject(error),
+          );
         },
       };
       this.shown = { task, supersede: () => resolve(null) };
@@ -229,7 +249,11 @@ export class SequenceClient implements Sequence {
     this.state = await this.client.call('create', { keys, encoding: this.encoding, motion: this.motion });
   }
 
-  private async scheduled<K extends CallName>(level: Urgency, type: K, request: () => RequestOf<K>): Promise<ResultOf<K>> {
+  private async scheduled<K extends CallName>(
+    level: Urgency,
+    type: K,
+    request: () => RequestOf<K>,
+  ): Promise<ResultOf<K>> {
     this.checkAlive();
     return this.scheduler.run(level, () => this.ask(type, request()));
   }
@@ -239,7 +263,11 @@ export class SequenceClient implements Sequence {
   }
 
   /** One step after the other, with progress, until all are done or the caller cancels. */
-  private async each(times: number[], call: CallOptions | undefined, step: (t: number) => Promise<void>): Promise<void> {
+  private async each(
+    times: number[],
+    call: CallOptions | undefined,
+    step: (t: number) => Promise<void>,
+  ): Promise<void> {
     for (const [index, t] of times.entries()) {
       await untilAborted(call?.signal, step(t));
       call?.onProgress?.({ stage: 'evaluating', fraction: (index + 1) / times.length });
@@ -248,9 +276,10 @@ export class SequenceClient implements Sequence {
 
   private async exportSource({ inPlace }: ExportOptions): Promise<ExportSource> {
     const settled = await this.settledMotion();
-    const motion = inPlace && !settled.options.inPlace
-      ? { ...settled, version: ++this.versions, options: { ...settled.options, inPlace } }
-      : settled;
+    const motion =
+      inPlace && !settled.options.inPlace
+        ? { ...settled, version: ++this.versions, options: { ...settled.options, inPlace } }
+        : settled;
     return {
       keys: this.parts.keys,
       keyTimes: motion.keyTimes,
@@ -259,7 +288,8 @@ export class SequenceClient implements Sequence {
       range: this.range,
       freshWorker: this.parts.freshWorker,
       frame: (t) => this.batch(() => this.frame(t, motion)),
-      glbSize: (vertices, faces, frames, scene) => this.scheduled(urgency.shown, 'glbSize', () => ({ vertices, faces, frames, scene })),
+      glbSize: (vertices, faces, frames, scene) =>
+        this.scheduled(urgency.shown, 'glbSize', () => ({ vertices, faces, frames, scene })),
     };
   }
 }

@@ -52,7 +52,11 @@ export class WorkerClient {
     return this.ended === null;
   }
 
-  call<K extends CallName>(type: K, request: RequestOf<K>, { transfer, onProgress }: WorkerCall = {}): Promise<ResultOf<K>> {
+  call<K extends CallName>(
+    type: K,
+    request: RequestOf<K>,
+    { transfer, onProgress }: WorkerCall = {},
+  ): Promise<ResultOf<K>> {
     if (this.ended) return Promise.reject(this.ended);
     const id = ++this.lastId;
     return new Promise<ResultOf<K>>((resolve, reject) => {
@@ -77,7 +81,8 @@ export class WorkerClient {
     if (this.ended) return;
     try {
       this.port.post(message, transfer);
-    } catch (error) {  // a clone that does not fit into memory, an array that was transferred elsewhere
+    } catch (error) {
+      // a clone that does not fit into memory, an array that was transferred elsewhere
       this.terminate(endedWorker(error));
     }
   }

@@ -4,8 +4,22 @@
  */
 import type { ErrorData } from '../api/errors.ts';
 import type {
-  AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, MotionOptions,
-  PreviewError, Seams, SequenceOptions, SequenceStats, ShapePlane, TextureImage, Warning,
+  AnimationInfo,
+  EncodingOptions,
+  Ghost,
+  ImportOptions,
+  InputFile,
+  Material,
+  MaterialGroup,
+  MeshReport,
+  MotionOptions,
+  PreviewError,
+  Seams,
+  SequenceOptions,
+  SequenceStats,
+  ShapePlane,
+  TextureImage,
+  Warning,
 } from '../api/types.ts';
 
 /** Everything that a sequence is made from, apart from its options. Never changed once made. */
@@ -69,7 +83,10 @@ export interface Calls {
   };
   /** Refits; on an error the motion before stays. */
   update: { request: { motion: MotionSpec }; result: { range: [number, number]; warnings: Warning[] } };
-  evaluate: { request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null; preview: boolean }; result: FrameData };
+  evaluate: {
+    request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null; preview: boolean };
+    result: FrameData;
+  };
   previewError: { request: { motion: MotionSpec; t: number }; result: PreviewError };
   measure: { request: { motion: MotionSpec; t: number }; result: { volume: number; area: number } };
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };

@@ -31,4 +31,3 @@ export function lockReleased(name: string): Promise<void> {
     deleting.onsuccess = () => resolve();
   });
 }
-

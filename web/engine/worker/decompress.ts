@@ -42,7 +42,7 @@ interface Job {
 async function decodeFile(job: Job): Promise<InputFile> {
   const name = lastOf(job.file.name);
   const json = parsed(job.text);
-  if (!json) return job.file;  // the core says where it is broken
+  if (!json) return job.file; // the core says where it is broken
   try {
     return { name: job.file.name, bytes: await uncompress(job, json) };
   } catch (error) {
@@ -68,7 +68,7 @@ function jsonOf(bytes: Uint8Array): string | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const decode = (start: number, end: number): string => new TextDecoder().decode(bytes.subarray(start, end));
   if (bytes.length >= 20 && view.getUint32(0, true) === GLB_MAGIC) {
-    if (view.getUint32(8, true) > bytes.length) return null;  // cut off
+    if (view.getUint32(8, true) > bytes.length) return null; // cut off
     const length = view.getUint32(12, true);
     return view.getUint32(16, true) === JSON_CHUNK && 20 + length <= bytes.length ? decode(20, 20 + length) : null;
   }
@@ -101,7 +101,10 @@ function binaryOf(bytes: Uint8Array): Uint8Array | null {
 }
 
 async function reader(text: string, dracoWasm: () => Promise<Uint8Array>) {
-  const [{ Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([import('@gltf-transform/core'), import('@gltf-transform/extensions')]);
+  const [{ Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([
+    import('@gltf-transform/core'),
+    import('@gltf-transform/extensions'),
+  ]);
   const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
   if (text.includes('"KHR_draco_mesh_compression"')) {
     const { default: createDecoder } = await import('draco3dgltf/draco_decoder_gltf_nodejs.js');
@@ -119,7 +122,8 @@ async function reader(text: string, dracoWasm: () => Promise<Uint8Array>) {
 function addResources({ json, resources }: JSONDocument, name: string, files: InputFile[]): void {
   const wanted = (list: { uri?: string }[] | undefined): string[] =>
     (list ?? []).map(({ uri }) => uri).filter((uri) => typeof uri === 'string' && !uri.startsWith('data:')) as string[];
-  for (const uri of wanted(json.images)) resources[uri] = (find(uri, name, files)?.bytes ?? new Uint8Array(0)) as Uint8Array<ArrayBuffer>;
+  for (const uri of wanted(json.images))
+    resources[uri] = (find(uri, name, files)?.bytes ?? new Uint8Array(0)) as Uint8Array<ArrayBuffer>;
   for (const uri of wanted(json.buffers)) {
     const found = find(uri, name, files);
     if (!found) throw missing(uri, name);

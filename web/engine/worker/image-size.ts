@@ -36,7 +36,7 @@ function pngSize(view: DataView): Size | null {
 /** The first frame header, behind any other segments (ITU T.81, annex B). */
 function jpegSize(view: DataView): Size | null {
   if (view.getUint16(0) !== 0xffd8) return null;
-  for (let at = 2; ;) {
+  for (let at = 2; ; ) {
     const marker = view.getUint16(at);
     const isFrame = marker >= 0xffc0 && marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker);
     if (isFrame) return { width: view.getUint16(at + 7), height: view.getUint16(at + 5) };
@@ -50,20 +50,26 @@ function webpSize(view: DataView): Size | null {
   if (view.getUint32(0) !== 0x52494646 || view.getUint32(8) !== 0x57454250) return null;
   const uint24 = (at: number): number => view.getUint16(at, true) + 65536 * view.getUint8(at + 2);
   switch (view.getUint32(12)) {
-    case 0x56503858: return { width: uint24(24) + 1, height: uint24(27) + 1 };
-    case 0x56503820: return { width: view.getUint16(26, true) & 0x3fff, height: view.getUint16(28, true) & 0x3fff };
+    case 0x56503858:
+      return { width: uint24(24) + 1, height: uint24(27) + 1 };
+    case 0x56503820:
+      return { width: view.getUint16(26, true) & 0x3fff, height: view.getUint16(28, true) & 0x3fff };
     case 0x5650384c: {
       const bits = view.getUint32(21, true);
       return { width: (bits & 0x3fff) + 1, height: ((bits >>> 14) & 0x3fff) + 1 };
     }
-    default: return null;
+    default:
+      return null;
   }
 }
 
 type Encoded = Pick<TextureImage, 'mimeType' | 'bytes'>;
 
 /** Which of the images that materials are coloured by can be drawn, and how large; what cannot is a warning. */
-export function drawnImages(images: readonly Encoded[], materials: readonly Material[]): { images: TextureImage[]; warnings: Warning[] } {
+export function drawnImages(
+  images: readonly Encoded[],
+  materials: readonly Material[],
+): { images: TextureImage[]; warnings: Warning[] } {
   const used = new Set(materials.map(({ baseColorImage }) => baseColorImage));
   const refused = { 'large-texture': 0, 'unknown-texture': 0 };
   let left = MOST_PIXELS_KEPT;
@@ -80,7 +86,10 @@ export function drawnImages(images: readonly Encoded[], materials: readonly Mate
     left -= pixels;
     return { ...image, scale };
   });
-  return { images: planned, warnings: Object.entries(refused).flatMap(([code, count]) => (count > 0 ? [warning(code, count)] : [])) };
+  return {
+    images: planned,
+    warnings: Object.entries(refused).flatMap(([code, count]) => (count > 0 ? [warning(code, count)] : [])),
+  };
 }
 
 function scaleOf({ width, height }: Size): number {
@@ -88,8 +97,14 @@ function scaleOf({ width, height }: Size): number {
 }
 
 function warning(code: string, count: number): Warning {
-  const what = code === 'large-texture'
-    ? `textures of more than ${Math.round(MOST_PIXELS / 1e6)} million pixels, or more than ${Math.round(MOST_PIXELS_KEPT / 1e6)} million together,`
-    : 'textures that are cut off, or in a format that browsers do not read,';
-  return { ...NO_PLACE, code, count, message: `The shape is drawn without some of its textures: ${what} are not shown. The exported file keeps them.` };
+  const what =
+    code === 'large-texture'
+      ? `textures of more than ${Math.round(MOST_PIXELS / 1e6)} million pixels, or more than ${Math.round(MOST_PIXELS_KEPT / 1e6)} million together,`
+      : 'textures that are cut off, or in a format that browsers do not read,';
+  return {
+    ...NO_PLACE,
+    code,
+    count,
+    message: `The shape is drawn without some of its textures: ${what} are not shown. The exported file keeps them.`,
+  };
 }

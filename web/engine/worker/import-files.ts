@@ -26,7 +26,11 @@ const UNREADABLE: Warning = {
 const DECODING = 0.3;
 const READING = 0.95;
 
-export async function importFiles(core: WasmCore, decode: Decode, { files, options, report }: ImportJob): Promise<ImportedData> {
+export async function importFiles(
+  core: WasmCore,
+  decode: Decode,
+  { files, options, report }: ImportJob,
+): Promise<ImportedData> {
   let start = 0;
   report('reading the file', start);
   const decoded = await decode(files, (fraction) => {
@@ -34,7 +38,8 @@ export async function importFiles(core: WasmCore, decode: Decode, { files, optio
     report('decoding compressed meshes', start);
   });
   const { project: text, ...rest } = core.importKeys(decoded, options, (stage, fraction) =>
-    report(stage, start + (READING - start) * fraction));
+    report(stage, start + (READING - start) * fraction),
+  );
   report('taking the keys', READING);
   const { images, warnings } = drawnImages(rest.scene.images, rest.scene.materials);
   const imported = { ...rest, scene: { ...rest.scene, images }, warnings: [...rest.warnings, ...warnings] };

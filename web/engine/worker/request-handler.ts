@@ -1,9 +1,28 @@
 /** A worker's inside: one core, at most one sequence, requests answered in the order in which they came. */
 import { WasmCore, type OnProgress } from './wasm-core.ts';
-import { crashed, EngineError, engineError, isOutOfMemory, messageOf, outOfMemory, type ErrorData } from '../api/errors.ts';
+import {
+  crashed,
+  EngineError,
+  engineError,
+  isOutOfMemory,
+  messageOf,
+  outOfMemory,
+  type ErrorData,
+} from '../api/errors.ts';
 import type { SecondThreadStart } from './second-thread.ts';
 import { importFiles, type Decode } from './import-files.ts';
-import type { CallName, FrameBuffers, FrameData, FromWorker, MotionSpec, Request, RequestOf, ResultOf, Start, ToWorker } from '../wire/protocol.ts';
+import type {
+  CallName,
+  FrameBuffers,
+  FrameData,
+  FromWorker,
+  MotionSpec,
+  Request,
+  RequestOf,
+  ResultOf,
+  Start,
+  ToWorker,
+} from '../wire/protocol.ts';
 import { ThreadChoice } from './thread-choice.ts';
 import type { CreateWasmModule } from './wasm-module.ts';
 
@@ -43,21 +62,24 @@ export class RequestHandler {
       this.core = this.start(message).catch((reason: unknown) => {
         throw reason instanceof WebAssembly.LinkError ? mismatch(reason) : reason;
       });
-      this.core.catch(() => undefined);  // said by the first request
+      this.core.catch(() => undefined); // said by the first request
       return;
     }
     this.tail = this.tail.then(() => this.serve(message));
   }
 
   private async start({ module, threaded }: Start): Promise<WasmCore> {
-    const core = threaded && await this.startThreaded(threaded).catch(() => null);
+    const core = threaded && (await this.startThreaded(threaded).catch(() => null));
     return core ?? WasmCore.start(this.host.create, module);
   }
 
   private async startThreaded(compiled: WebAssembly.Module): Promise<WasmCore> {
     const core = await WasmCore.start(await this.host.createThreaded(), compiled);
     const start = core.helperStart(compiled);
-    if (start) this.host.hire(start, () => { this.choices = { exact: new ThreadChoice(), preview: new ThreadChoice() }; });
+    if (start)
+      this.host.hire(start, () => {
+        this.choices = { exact: new ThreadChoice(), preview: new ThreadChoice() };
+      });
     return core;
   }
 
@@ -68,7 +90,11 @@ export class RequestHandler {
       const core = await this.core;
       if (!core) throw crashed('the worker was not started');
       // Request and handler belong to the same name, which the compiler cannot follow through the table.
-      const handler = this.handlers[type] as (core: WasmCore, request: Request, report: OnProgress) => ResultOf<CallName>;
+      const handler = this.handlers[type] as (
+        core: WasmCore,
+        request: Request,
+        report: OnProgress,
+      ) => ResultOf<CallName>;
       const value = await handler(core, request, report);
       this.host.post({ type: 'result', id, value }, buffersOf(value));
     } catch (reason) {
@@ -81,7 +107,7 @@ export class RequestHandler {
     return {
       import: (core, { files, options }, report) => importFiles(core, this.host.decode, { files, options, report }),
       create: (core, { keys, encoding, motion }, report) => {
-        report('welding', 0);  // large keys take a moment to be copied and checked
+        report('welding', 0); // large keys take a moment to be copied and checked
         const { handle, range, warnings } = core.createSequence(keys, encoding, motion, report);
         this.sequence = handle;
         this.motionVersion = motion.version;
@@ -154,8 +180,11 @@ function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
 
 // Files of two releases, say from a cache that holds an old one.
 function mismatch(reason: Error): EngineError {
-  return engineError('not-loaded', 'The parts of the program that were loaded do not belong together. Reload the page without its '
-    + `cache, or build anew (${reason.message}).`);
+  return engineError(
+    'not-loaded',
+    'The parts of the program that were loaded do not belong together. Reload the page without its ' +
+      `cache, or build anew (${reason.message}).`,
+  );
 }
 
 function trapped(text: string): EngineError {

@@ -21,7 +21,8 @@ interface HelperExports {
 export function help({ module, memory, stack }: SecondThreadStart, onReady: () => void): void {
   const imports: WebAssembly.Imports = {};
   for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
-    (imports[from] ??= {})[name] = kind === 'memory' ? memory : notHere(name);
+    imports[from] ??= {};
+    imports[from][name] = kind === 'memory' ? memory : notHere(name);
   }
   // Not seen by the types: that the module exports just these.
   const helper = new WebAssembly.Instance(module, imports).exports as unknown as HelperExports;

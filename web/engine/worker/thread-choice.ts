@@ -4,7 +4,8 @@
  */
 
 /** Frames of each kind that count in a comparison; before the first one, those that run in code that is not yet optimised. */
-const COUNTED = 5, WARM_UP = 2;
+const COUNTED = 5,
+  WARM_UP = 2;
 /** A second thread that gains less is left to others. */
 const GAIN = 0.95;
 /** Frames between two comparisons. After each that one thread wins twice as many: then those made by two are lost time. */
@@ -46,7 +47,10 @@ export class ThreadChoice {
   }
 
   private compare(): void {
-    const [one, two] = [this.times[1], this.times[2]].map((times) => median(times.slice(this.left))) as [number, number];
+    const [one, two] = [this.times[1], this.times[2]].map((times) => median(times.slice(this.left))) as [
+      number,
+      number,
+    ];
     this.winner = two < GAIN * one ? 2 : 1;
     this.alone = one;
     this.apart = this.winner === 2 ? APART : 2 * this.apart;

@@ -2,10 +2,29 @@
 import { EngineError, outOfMemory } from '../api/errors.ts';
 import type { SecondThreadStart } from './second-thread.ts';
 import { HeapScope, readBytes, readFloats, readInts, readText, writeFloats, type Range } from './heap.ts';
-import type { FrameBuffers, FrameData, ImportedData, KeyData, MotionSpec, RequestOf, SceneData } from '../wire/protocol.ts';
 import type {
-  AnimationInfo, EncodingOptions, Ghost, ImportOptions, InputFile, Material, MaterialGroup, MeshReport, PreviewError, SequenceStats,
-  ShapePlane, TextureImage, Warning,
+  FrameBuffers,
+  FrameData,
+  ImportedData,
+  KeyData,
+  MotionSpec,
+  RequestOf,
+  SceneData,
+} from '../wire/protocol.ts';
+import type {
+  AnimationInfo,
+  EncodingOptions,
+  Ghost,
+  ImportOptions,
+  InputFile,
+  Material,
+  MaterialGroup,
+  MeshReport,
+  PreviewError,
+  SequenceStats,
+  ShapePlane,
+  TextureImage,
+  Warning,
 } from '../api/types.ts';
 import type { Address, CreateWasmModule, WasmModule } from './wasm-module.ts';
 
@@ -130,14 +149,21 @@ export class WasmCore {
   }
 
   /** Builds a sequence and returns its handle. */
-  createSequence(keys: KeyData, encoding: EncodingOptions, motion: MotionSpec, onProgress: OnProgress): SequenceState & { handle: number } {
+  createSequence(
+    keys: KeyData,
+    encoding: EncodingOptions,
+    motion: MotionSpec,
+    onProgress: OnProgress,
+  ): SequenceState & { handle: number } {
     this.module.onProgress = (stage, fraction) => onProgress(readText(this.module, stage), fraction);
     return this.lend((scope) => {
       const request = {
         faces: scope.put(keys.faces),
         normals: scope.putOrNull(keys.normals),
         keys: keys.positions.map((positions, key) => ({
-          name: keys.names[key], time: motion.keyTimes[key], positions: scope.put(positions),
+          name: keys.names[key],
+          time: motion.keyTimes[key],
+          positions: scope.put(positions),
         })),
         encoding: {
           ...encoding,
@@ -156,8 +182,18 @@ export class WasmCore {
   }
 
   /** Fills `buffers` where they are given and fit. */
-  evaluate(handle: number, t: number, buffers: FrameBuffers | null, preview = false): Omit<FrameData, 'ms' | 'threads'> {
-    interface FrameAnswer { positions: Range; normals: Range; lostDefiniteness: number; lostFace?: number }
+  evaluate(
+    handle: number,
+    t: number,
+    buffers: FrameBuffers | null,
+    preview = false,
+  ): Omit<FrameData, 'ms' | 'threads'> {
+    interface FrameAnswer {
+      positions: Range;
+      normals: Range;
+      lostDefiniteness: number;
+      lostFace?: number;
+    }
     const frame = this.answer<FrameAnswer>(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0));
     return {
       positions: readFloats(this.module, frame.positions, buffers?.positions),
@@ -180,7 +216,8 @@ export class WasmCore {
   }
 
   bending(handle: number, times: number[]): number[] {
-    return this.ask<{ energy: number[] }>({ times }, (address) => this.module._shapespline_bending(handle, address)).energy;
+    return this.ask<{ energy: number[] }>({ times }, (address) => this.module._shapespline_bending(handle, address))
+      .energy;
   }
 
   patches(handle: number): Int32Array {
@@ -206,15 +243,24 @@ export class WasmCore {
   }
 
   ghostPositions(handle: number, t: number): Float32Array {
-    return readFloats(this.module, this.answer<{ positions: Range }>(this.module._shapespline_ghost_positions(handle, t)).positions);
+    return readFloats(
+      this.module,
+      this.answer<{ positions: Range }>(this.module._shapespline_ghost_positions(handle, t)).positions,
+    );
   }
 
   stats(handle: number): Omit<SequenceStats, 'threads'> {
-    return { ...this.answer<Omit<SequenceStats, 'threads' | 'heapBytes'>>(this.module._shapespline_stats(handle)), heapBytes: this.heapBytes };
+    return {
+      ...this.answer<Omit<SequenceStats, 'threads' | 'heapBytes'>>(this.module._shapespline_stats(handle)),
+      heapBytes: this.heapBytes,
+    };
   }
 
   /** One GLB that plays `frames` at their seconds; the last `stills` of them are in the file but never shown. */
-  writeAnimation(frames: FrameBuffers[], { faces, scene, seconds, stills, project }: RequestOf<'writeAnimation'>): Uint8Array {
+  writeAnimation(
+    frames: FrameBuffers[],
+    { faces, scene, seconds, stills, project }: RequestOf<'writeAnimation'>,
+  ): Uint8Array {
     this.module.takeFrame = (index, positions, normals) => {
       const frame = frames[index];
       if (!frame) return false;
@@ -233,7 +279,9 @@ export class WasmCore {
   animationSize({ vertices, faces, frames, scene }: RequestOf<'glbSize'>): number {
     return this.lend((scope) => {
       const request = { vertices, faces, frames, scene: lendScene(scope, scene) };
-      return this.answer<{ bytes: number }>(this.module._shapespline_animation_size(scope.putText(JSON.stringify(request)))).bytes;
+      return this.answer<{ bytes: number }>(
+        this.module._shapespline_animation_size(scope.putText(JSON.stringify(request))),
+      ).bytes;
     });
   }
 
@@ -257,7 +305,9 @@ export class WasmCore {
   private readImport(answer: ImportAnswer): RawImport {
     const { module } = this;
     const positions = answer.names.map((_, key) => {
-      const range = this.answer<{ positions: Range }>(module._shapespline_import_positions(answer.handle, key)).positions;
+      const range = this.answer<{ positions: Range }>(
+        module._shapespline_import_positions(answer.handle, key),
+      ).positions;
       return readFloats(module, range);
     });
     const { uvs, colors, seams, groups, materials, images } = answer.scene;
@@ -272,7 +322,10 @@ export class WasmCore {
       scene: {
         uvs: uvs && readFloats(module, uvs),
         colors: colors && readFloats(module, colors),
-        seams: seams && { copyOf: readInts(module, seams.copyOf), indices: new Uint32Array(readInts(module, seams.indices).buffer) },
+        seams: seams && {
+          copyOf: readInts(module, seams.copyOf),
+          indices: new Uint32Array(readInts(module, seams.indices).buffer),
+        },
         groups,
         materials,
         images: images.map(({ mimeType, bytes }) => ({ mimeType, bytes: readBytes(module, bytes) })),
