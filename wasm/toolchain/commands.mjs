@@ -4,6 +4,7 @@ import { benchArguments } from './bench-arguments.mjs';
 import { benchBundle, benchPrograms, nodeBundle, page, wasmModule } from './build.mjs';
 import { run } from './exec.mjs';
 import { fuzz } from './fuzz.mjs';
+import { format, lint } from './lint.mjs';
 import { step } from './log.mjs';
 import { inRoot } from './paths.mjs';
 import { prepare } from './prepare.mjs';
@@ -26,7 +27,9 @@ async function start() {
 
 async function dev(args) {
   await prepare(forWasm, [wasmModule]);
-  await run(process.execPath, [inRoot('node_modules/vite/bin/vite.js'), '--config', 'web/vite.config.ts', ...args], { inherit: true });
+  await run(process.execPath, [inRoot('node_modules/vite/bin/vite.js'), '--config', 'web/vite.config.ts', ...args], {
+    inherit: true,
+  });
 }
 
 // Runs a bundled program as if it had been started itself, where the user is.
@@ -48,4 +51,8 @@ async function bench(args) {
   await runBundle(inRoot('build/node/bench.mjs'), args);
 }
 
-export const commands = { start, dev, build, test, bench, fuzz, cli };
+async function lintAlone() {
+  if ((await lint()).failed > 0) process.exitCode = 1;
+}
+
+export const commands = { start, dev, build, test, bench, fuzz, cli, lint: lintAlone, format };

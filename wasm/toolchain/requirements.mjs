@@ -8,7 +8,13 @@ import { which } from './exec.mjs';
 import { Explained } from './log.mjs';
 import { headersDir } from './paths.mjs';
 
-const includeFolders = [`${headersDir}/usr/include`, '/usr/include', '/usr/local/include', '/opt/homebrew/include', '/opt/local/include'];
+const includeFolders = [
+  `${headersDir}/usr/include`,
+  '/usr/include',
+  '/usr/local/include',
+  '/opt/homebrew/include',
+  '/opt/local/include',
+];
 const hasHeader = (...names) => includeFolders.some((f) => names.some((name) => existsSync(path.join(f, name))));
 
 const headers = [
@@ -33,12 +39,17 @@ const all = {
   },
   headers: {
     get name() {
-      return headers.filter(({ files }) => !hasHeader(...files)).map(({ name }) => name).join(', ') + ' (C++ headers)';
+      const missing = headers.filter(({ files }) => !hasHeader(...files)).map(({ name }) => name);
+      return `${missing.join(', ')} (C++ headers)`;
     },
     hint: `Debian 13: apt-get install ${headers.map((h) => h.package).join(' ')}; macOS: brew install eigen tinygltf nlohmann-json doctest`,
     has: () => headers.every(({ files }) => hasHeader(...files)),
     packages: [],
-    install: () => unpackPackages(headers.map((h) => h.package), headersDir),
+    install: () =>
+      unpackPackages(
+        headers.map((h) => h.package),
+        headersDir,
+      ),
   },
   cmake: {
     name: 'CMake 3.20 or newer',
@@ -64,6 +75,12 @@ const all = {
     has: hasBrowser,
     packages: ['chromium', 'fonts-liberation'],
   },
+  formatter: {
+    name: 'clang-format 19',
+    hint: 'Debian: apt-get install clang-format-19; macOS: brew install clang-format',
+    has: () => onPath('clang-format-19', 'clang-format'),
+    packages: ['clang-format-19'],
+  },
   fuzzer: {
     name: 'clang 19 with libFuzzer',
     hint: 'Debian: apt-get install clang-19 libclang-rt-19-dev',
@@ -75,6 +92,7 @@ const all = {
 export const forWasm = ['emscripten', 'headers', 'cmake', 'ninja'];
 export const forNative = ['headers', 'cmake', 'ninja', 'compiler'];
 export const forBrowser = ['chromium'];
+export const forLinting = ['formatter'];
 export const forFuzzing = ['headers', 'cmake', 'ninja', 'fuzzer'];
 
 /** The requirements among `names` that are not met. */

@@ -3,11 +3,12 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:f
 import path from 'node:path';
 import { buildNative, buildWasm, nodeBundle, page, wasmModule } from './build.mjs';
 import { run } from './exec.mjs';
+import { lint } from './lint.mjs';
 import { whileLocked } from './lock.mjs';
 import { Explained, step } from './log.mjs';
 import { buildDir, inRoot } from './paths.mjs';
 import { prepare, prepareSystem } from './prepare.mjs';
-import { forBrowser, forNative, forWasm } from './requirements.mjs';
+import { forBrowser, forLinting, forNative, forWasm } from './requirements.mjs';
 import { freePort } from './serve.mjs';
 
 const node = process.execPath;
@@ -16,7 +17,9 @@ const nothing = { passed: 0, failed: 0, skipped: 0 };
 const bin = (...parts) => inRoot('node_modules', ...parts);
 
 function hasFiles(folder, ending) {
-  return existsSync(inRoot(folder)) && readdirSync(inRoot(folder), { recursive: true }).some((name) => name.endsWith(ending));
+  return (
+    existsSync(inRoot(folder)) && readdirSync(inRoot(folder), { recursive: true }).some((name) => name.endsWith(ending))
+  );
 }
 
 // Runs a program that writes a JSON report; one that leaves none, or fails without a failed test, counts as a failure.
@@ -41,7 +44,9 @@ async function typecheck() {
 }
 
 const doctestArguments = (words) => [
-  '--no-version', '--no-colors', ...words.map((word) => (word.startsWith('-') ? word : `--test-case=*${word}*`)),
+  '--no-version',
+  '--no-colors',
+  ...words.map((word) => (word.startsWith('-') ? word : `--test-case=*${word}*`)),
 ];
 
 async function native(words) {
@@ -54,12 +59,18 @@ async function native(words) {
 async function wasm(words) {
   const folder = await whileLocked(() => buildWasm(['shapespline_tests']));
   step('the same tests as wasm, in Node');
-  const args = (report) => [path.join(folder, 'shapespline_tests.js'), `--report=${report}`, ...doctestArguments(words)];
+  const args = (report) => [
+    path.join(folder, 'shapespline_tests.js'),
+    `--report=${report}`,
+    ...doctestArguments(words),
+  ];
   return runReported('wasm', node, args, (counts) => counts);
 }
 
 function countVitest(report) {
-  const brokenFiles = report.testResults.filter((file) => file.status === 'failed' && file.assertionResults.length === 0);
+  const brokenFiles = report.testResults.filter(
+    (file) => file.status === 'failed' && file.assertionResults.length === 0,
+  );
   return {
     passed: report.numPassedTests,
     failed: report.numFailedTests + brokenFiles.length,
@@ -70,8 +81,16 @@ function countVitest(report) {
 const vitest = (project) => async (words) => {
   step(`${project} tests`);
   const args = (report) => [
-    bin('vitest/vitest.mjs'), 'run', '--config', 'tests/vitest.config.ts', '--project', project,
-    '--reporter=default', '--reporter=json', `--outputFile.json=${report}`, ...words,
+    bin('vitest/vitest.mjs'),
+    'run',
+    '--config',
+    'tests/vitest.config.ts',
+    '--project',
+    project,
+    '--reporter=default',
+    '--reporter=json',
+    `--outputFile.json=${report}`,
+    ...words,
   ];
   return runReported(project, node, args, countVitest);
 };
@@ -82,7 +101,14 @@ function countPlaywright({ stats, errors }) {
 
 async function endToEnd(words) {
   step('end-to-end tests in Chromium, on the development server and on the built page');
-  const args = () => [bin('@playwright/test/cli.js'), 'test', '--config', 'tests/e2e', '--reporter=list,json', ...words];
+  const args = () => [
+    bin('@playwright/test/cli.js'),
+    'test',
+    '--config',
+    'tests/e2e',
+    '--reporter=list,json',
+    ...words,
+  ];
   const env = {
     PLAYWRIGHT_JSON_OUTPUT_NAME: path.join(reports, 'e2e.json'),
     SHAPESPLINE_DEV_PORT: String(await freePort()),
@@ -94,12 +120,23 @@ async function endToEnd(words) {
 
 /** In the order they run: `files` tells whether there is anything to run, the rest what it needs. */
 const suites = {
+  lint: { run: lint, files: ['web', '.ts'], requirements: forLinting, steps: [] },
   typecheck: { run: typecheck, files: ['web', '.ts'], requirements: forWasm, steps: [wasmModule] },
   unit: { run: vitest('unit'), files: ['tests/unit', '.test.ts'], requirements: [], steps: [] },
   native: { run: native, files: ['tests/native', '_test.cpp'], requirements: forNative, steps: [] },
   wasm: { run: wasm, files: ['tests/native', '_test.cpp'], requirements: forWasm, steps: [] },
-  engine: { run: vitest('engine'), files: ['tests/engine', '.test.ts'], requirements: forWasm, steps: [wasmModule, nodeBundle] },
-  e2e: { run: endToEnd, files: ['tests/e2e', '.spec.ts'], requirements: [...forWasm, ...forBrowser], steps: [wasmModule, page] },
+  engine: {
+    run: vitest('engine'),
+    files: ['tests/engine', '.test.ts'],
+    requirements: forWasm,
+    steps: [wasmModule, nodeBundle],
+  },
+  e2e: {
+    run: endToEnd,
+    files: ['tests/e2e', '.spec.ts'],
+    requirements: [...forWasm, ...forBrowser],
+    steps: [wasmModule, page],
+  },
 };
 
 // A suite that cannot be built has failed; the others still run.

@@ -1,0 +1,38 @@
+// `npm run lint` and `npm run format`: clang-format for C++, Biome for TypeScript and the scripts here.
+import { readdirSync } from 'node:fs';
+import path from 'node:path';
+import { run, which } from './exec.mjs';
+import { step } from './log.mjs';
+import { inRoot } from './paths.mjs';
+import { prepareSystem } from './prepare.mjs';
+import { forLinting } from './requirements.mjs';
+
+const sources = (folder) =>
+  readdirSync(inRoot(folder), { recursive: true })
+    .filter((name) => /\.(h|cpp)$/.test(name))
+    .map((name) => path.join(folder, name));
+
+const cpp = (...how) => [which('clang-format-19') ?? 'clang-format', how, ['wasm', 'tests'].flatMap(sources)];
+const biome = (...how) => [process.execPath, [inRoot('node_modules/@biomejs/biome/bin/biome'), ...how], []];
+
+async function each(tools) {
+  const counts = { passed: 0, failed: 0, skipped: 0 };
+  for (const [program, how, files] of tools) {
+    const { code } = await run(program, [...how, ...files], { show: 'all', allowFailure: true });
+    ++counts[code === 0 ? 'passed' : 'failed'];
+  }
+  return counts;
+}
+
+/** Whether everything is formatted and no rule is broken; what is not is named. */
+export async function lint() {
+  await prepareSystem(forLinting);
+  step('format and lint rules (npm run format mends the format)');
+  return each([cpp('--dry-run', '-Werror'), biome('check', '--error-on-warnings')]);
+}
+
+export async function format() {
+  await prepareSystem(forLinting);
+  step('formatting');
+  await each([cpp('-i'), biome('format', '--write')]);
+}
