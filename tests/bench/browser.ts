@@ -6,25 +6,25 @@ import { chromium } from '@playwright/test';
 import { build, type Plugin } from 'esbuild';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 import { serve } from '../../wasm/toolchain/serve.mjs';
+import { wasmStaysOutside } from '../../wasm/toolchain/wasm-outside.mjs';
 import type { Place } from './place.ts';
 
 // The address of a worker within a worker stays as it was written.
-const helperAddress: Plugin = {
-  name: 'helper-address',
+const secondThreadAddress: Plugin = {
+  name: 'second-thread-address',
   setup: ({ onLoad }) =>
     onLoad({ filter: /engine\.worker\.ts$/ }, async ({ path: file }) => {
       const text = await readFile(file, 'utf8');
-      return { contents: text.replace('helper.worker.ts', 'helper.worker.js'), loader: 'ts' };
+      return { contents: text.replace('second-thread.worker.ts', 'second-thread.worker.js'), loader: 'ts' };
     }),
 };
 
-// Page and worker at the depth below the repository at which the path to the wasm module is the engine's own.
 async function bundle(repository: string): Promise<void> {
   await build({
     entryPoints: [
       { in: path.join(repository, 'tests/bench/page.ts'), out: 'page' },
-      { in: path.join(repository, 'web/engine/engine.worker.ts'), out: 'worker' },
-      { in: path.join(repository, 'web/engine/helper.worker.ts'), out: 'helper.worker' },
+      { in: path.join(repository, 'web/engine/worker/engine.worker.ts'), out: 'worker' },
+      { in: path.join(repository, 'web/engine/worker/second-thread.worker.ts'), out: 'second-thread.worker' },
     ],
     outdir: path.join(repository, 'build/bench-page'),
     bundle: true,
@@ -34,8 +34,7 @@ async function bundle(repository: string): Promise<void> {
     format: 'esm',
     // The decoders of compressed meshes are loaded when a file needs them, and the generated ones do not.
     packages: 'external',
-    external: ['../../build/wasm/*'],
-    plugins: [helperAddress],
+    plugins: [secondThreadAddress, wasmStaysOutside],
     logLevel: 'warning',
   });
 }

@@ -7,7 +7,7 @@ const BUILT = fileURLToPath(new URL('../../dist', import.meta.url));
 
 const FACES = 84_000; // 42,002 vertices: above what threads are tried for
 const PLAIN = `http://localhost:${process.env['SHAPESPLINE_BUILT_PORT'] ?? '5274'}/some/sub/path/`;
-const HELPER = /helper\.worker-[\w-]+\.js/g;
+const HELPER = /second-thread\.worker-[\w-]+\.js/g;
 /** What the browser says where a test keeps service workers out. */
 const BLOCKED = 'warning: Service Worker registration blocked by Playwright';
 const TIMES = [0.1, 0.35, 0.5, 0.8, 1.2];
@@ -75,7 +75,7 @@ async function show(app: App, patience = 0): Promise<Shown> {
   await app.by('mesh-report').locator('summary').click();
   return {
     isolated: await app.page.evaluate(() => crossOriginIsolated),
-    helper: app.page.workers().some((worker) => worker.url().includes('helper')),
+    helper: app.page.workers().some((worker) => worker.url().includes('second-thread')),
     threads: (await app.stats()).threads,
     said: await app.by('mesh-report').locator('dt:text-is("Threads") + dd').textContent(),
     positions: frames.map((frame) => Float32Array.from(frame)),

@@ -7,6 +7,7 @@ import { run } from './exec.mjs';
 import { step } from './log.mjs';
 import { buildDir, inRoot } from './paths.mjs';
 import { digest, isStamped, stamp } from './stamps.mjs';
+import { wasmStaysOutside } from './wasm-outside.mjs';
 
 const node = process.execPath;
 const jobs = process.env.SHAPESPLINE_JOBS ?? String(availableParallelism());
@@ -114,8 +115,7 @@ export const page = guarded(
   },
 );
 
-// Bundled for Node, which reads no TypeScript. The wasm module is not part of the bundle: the relative path to it is the
-// same from web/engine and from build/node.
+// Bundled for Node, which reads no TypeScript.
 async function bundle(entries) {
   const { build } = await import('esbuild');
   await build({
@@ -129,7 +129,8 @@ async function bundle(entries) {
     sourcemap: true,
     // The decoders of compressed meshes stay packages of their own, loaded when a file needs them.
     packages: 'external',
-    external: ['../../build/wasm/*', '../../wasm/toolchain/*'],
+    external: ['../../wasm/toolchain/*'],
+    plugins: [wasmStaysOutside],
     logLevel: 'warning',
   });
 }
