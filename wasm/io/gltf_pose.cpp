@@ -37,7 +37,7 @@ using Matrices = std::vector<Eigen::Affine3d>;
 
 struct PartTransforms {
   const GltfPart& part;
-  std::span<const Eigen::Affine3d> matrices;  // one a joint, or one for the whole part
+  std::span<const Eigen::Affine3d> matrices;  // one per joint, or one for the whole part
 
   Eigen::Affine3d of(std::size_t vertex) const {
     if (part.influences == 0) return matrices[0];

@@ -36,7 +36,7 @@ struct GltfShape {
   std::vector<GltfPart> parts;
   std::vector<GltfSkin> skins;
   std::vector<Triangle> faces;        ///< over all parts, in the file's order
-  std::vector<MaterialGroup> groups;  ///< one a primitive
+  std::vector<MaterialGroup> groups;  ///< one per primitive
   int vertexCount = 0;
   bool hasNormals = false;  ///< every part has them
   std::vector<Warning> warnings;

@@ -18,7 +18,7 @@ using Mat3 = Eigen::Matrix3d;
 /// Vertex indices of one triangle, counter-clockwise seen from outside.
 using Triangle = std::array<int, 3>;
 
-/// n positions, one a vertex, in the unit of the input file.
+/// n positions, one per vertex, in the unit of the input file.
 using Positions = std::vector<Vec3>;
 
 }  // namespace shapespline

@@ -18,7 +18,7 @@ struct SimplifyOptions {
 /// A coarse mesh with the shape's poses.
 struct GhostMesh {
   std::vector<Triangle> faces;   ///< of ghost vertices
-  std::vector<Positions> poses;  ///< one a column of the shape
+  std::vector<Positions> poses;  ///< one per column of the shape
   std::vector<int>
       vertexOf;  ///< of each ghost vertex: the shape's vertex at (or, moved, nearest) it among those it stands for
   std::vector<int>

@@ -18,7 +18,7 @@ struct FramePoses {
 
 /// The frames at one time.
 struct Frames {
-  std::vector<Quaternion> rotation;  ///< one a frame
+  std::vector<Quaternion> rotation;  ///< one per frame
   std::vector<Mat3> gradient;        ///< what faces are multiplied by, where that is more than the rotation; else empty
 };
 

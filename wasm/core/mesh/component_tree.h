@@ -17,7 +17,7 @@ struct ComponentLink {
 };
 
 struct ComponentTree {
-  std::vector<ComponentLink> link;  ///< one a component
+  std::vector<ComponentLink> link;  ///< one per component
   std::vector<int> order;           ///< components, parents before children; the root is first
   int root() const { return order.front(); }
 };

@@ -2,15 +2,11 @@
 
 #include <cmath>
 
+#include "core/base/centroid.h"
+
 namespace shapespline {
 
 namespace {
-
-Vec3 centroidOf(const Positions& p) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& x : p) sum += x;
-  return sum / static_cast<double>(p.size());
-}
 
 Positions averageShape(const std::vector<Positions>& sequence) {
   Positions average(sequence.front().size(), Vec3::Zero());

@@ -30,7 +30,7 @@ double inSteps(double exact) { return std::nearbyint(exact * 0x1p20); }
 
 // A patch while it grows.
 struct Centre {
-  std::vector<Quaternion> rotation;  // one a key
+  std::vector<Quaternion> rotation;  // one per key
   Vec3 position;
   double inverseRadiusSquared;
   int seed;
@@ -61,7 +61,7 @@ class Partition {
     return distanceWeight * (centroid - centre.position).squaredNorm() * centre.inverseRadiusSquared;
   }
 
-  // rotation: the face's, one a key.
+  // rotation: the face's, one per key.
   static double cost(const Vec3& centroid, const Quaternion* rotation, const Centre& centre) {
     double rotationCost = 0;  // |R - G|_F^2 = 8 (1 - (q . g)^2)
     for (std::size_t j = 0; j < centre.rotation.size(); ++j) {

@@ -123,7 +123,7 @@ void blend(const Real* block, const ColumnWeights<Real>& weights, Passing<Real>&
   store(s, passing.number + 3);
 }
 
-// Symmetric 2x2 matrices, one a lane.
+// Symmetric 2x2 matrices, one per lane.
 template <class L>
 struct Symmetric {
   L xx, xy, yy;

@@ -62,14 +62,14 @@ class PreviewEmbedding {
     int frame, piece;  // piece -1: anchored vertices
     int begin, end;    // in vertex_ and place_, in whole blocks of four
     int size;
-    std::vector<Vec3> turn;  // against its frame, one a column
+    std::vector<Vec3> turn;  // against its frame, one per column
   };
   // Where `to` lies from `from`, in the frame halfway between theirs.
   struct Link {
     int from, to;
     double weight;
-    std::vector<Vec3> offset;       // one a column; directions only where there are
-    std::vector<double> logLength;  // one a column, or none
+    std::vector<Vec3> offset;       // one per column; directions only where there are
+    std::vector<double> logLength;  // one per column, or none
   };
   // A component, or anchored vertices, at an anchor face: a point that lies at `offset` from one cell, seen from the
   // face, and at `reach` from the other, seen from that.
@@ -92,7 +92,7 @@ class PreviewEmbedding {
   std::vector<Cell> cells_;
   std::vector<int> place_;  // of the vertices, cell by cell; -1 fills up a block
   std::vector<float> numbers_;
-  std::vector<Vec3> mean_;   // of all vertices, one a column
+  std::vector<Vec3> mean_;   // of all vertices, one per column
   std::vector<Link> links_;  // between neighbouring cells
   std::vector<Attachment> attachments_;
   Cholesky laplacian_;

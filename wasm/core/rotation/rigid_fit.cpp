@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "core/base/centroid.h"
 #include "core/rotation/rotation.h"
 
 namespace shapespline {
-
-Vec3 centroidOf(const Positions& p) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& x : p) sum += x;
-  return sum / static_cast<double>(p.size());
-}
 
 RigidFit fitRigid(const Positions& from, const Positions& to) {
   const Vec3 a = centroidOf(from), b = centroidOf(to);

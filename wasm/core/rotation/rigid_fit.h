@@ -5,9 +5,6 @@
 
 namespace shapespline {
 
-/// The mean of the positions.
-Vec3 centroidOf(const Positions& positions);
-
 /// The rotation and the largest distance that remain when `from` is moved rigidly onto `to` (least squares, Kabsch).
 struct RigidFit {
   Mat3 rotation;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/centroid.h"
 #include "core/base/format.h"
 #include "core/base/stopwatch.h"
 #include "core/mesh/canonical_order.h"

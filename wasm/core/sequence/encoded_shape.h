@@ -85,8 +85,8 @@ class EncodedShape {
 
   /// What the keys say, whatever the motion.
   const std::vector<Warning>& warnings() const { return warnings_; }
-  /// What the building cost; nothing of any frame.
-  const SequenceStats& stats() const { return stats_; }
+  /// What the building cost.
+  const BuildStats& stats() const { return stats_; }
 
  private:
   using AnyReconstructor = std::variant<Reconstructor<float>, Reconstructor<double>>;
@@ -112,7 +112,7 @@ class EncodedShape {
   std::vector<int> firstFaceOf_;  // of each component, in the welded mesh
   double diagonal_ = 0;
   std::vector<Warning> warnings_;
-  SequenceStats stats_;
+  BuildStats stats_;
 };
 
 }  // namespace shapespline

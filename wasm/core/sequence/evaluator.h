@@ -53,7 +53,7 @@ class Evaluator {
   void patchRotations(const EncodedShape& encoded, const Motion& motion, double t, std::vector<Quaternion>& rotations);
 
   /// What was counted and timed here: solves and the last frame's times.
-  const SequenceStats& stats() const { return stats_; }
+  const FrameStats& stats() const { return stats_; }
 
  private:
   Reconstruction place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
@@ -68,7 +68,7 @@ class Evaluator {
   Reconstructor<double>::Scratch& scratch(const Reconstructor<double>&) { return double_; }
 
   ForkJoin* forkJoin_ = nullptr;
-  SequenceStats stats_;
+  FrameStats stats_;
   FramesScratch framesScratch_;
   Frames frames_;
   Reconstructor<float>::Scratch single_;

@@ -106,15 +106,6 @@ Status Sequence::patchRotations(double t, std::vector<Quaternion>& rotations) {
   return {};
 }
 
-SequenceStats Sequence::stats() const {
-  SequenceStats stats = encoded_.stats();
-  const SequenceStats& frames = evaluator_.stats();
-  stats.solves = frames.solves;
-  stats.framesMs = frames.framesMs, stats.facesMs = frames.facesMs, stats.solveMs = frames.solveMs;
-  stats.placeMs = frames.placeMs, stats.normalsMs = frames.normalsMs, stats.ghostMs = frames.ghostMs;
-  return stats;
-}
-
 FeatureCurve Sequence::featureCurve() {
   if (gram_.size() == 0) gram_ = encoded_.gramMatrix();
   return {encoded_, motion_, gram_};

@@ -55,7 +55,7 @@ class Sequence {
   const Motion& motion() const { return motion_; }
   /// Of the input.
   const std::vector<Triangle>& faces() const { return encoded_.input().faces; }
-  SequenceStats stats() const;
+  SequenceStats stats() const { return {encoded_.stats(), evaluator_.stats()}; }
   const std::vector<Warning>& warnings() const { return motion_.warnings(); }
 
   /// First and last time at which the curve is defined by keys (for periodic: one whole period).

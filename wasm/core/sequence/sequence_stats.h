@@ -3,13 +3,11 @@
 
 namespace shapespline {
 
-/// How often the costly stages ran. Neither encodings nor factorisations move while t, the motion options or the key
-/// times change.
-struct SequenceStats {
+/// Of the encoded shape: neither encodings nor factorisations move while t, the motion options or the key times change.
+struct BuildStats {
   int encodings = 0;
   int factorisations = 0;
-  long long solves = 0;  ///< of the full-resolution system
-  int patches = 0;       ///< of the ghost, with one
+  int patches = 0;  ///< of the ghost, with one
   int weldedVertices = 0;
   int components = 0;
   /// Wall time of each stage; the ghost's own systems count as encoding. Arranging lays the faces' numbers out in the
@@ -19,11 +17,18 @@ struct SequenceStats {
   int ghostFaces = 0, ghostVertices = 0;  ///< 0 without a ghost
   int joinedComponents = 0;               ///< components too small for a ghost of their own
   double simplifyMs = 0, transferMs = 0;  ///< with a ghost: collapses; correspondence and residuals
+};
+
+/// Of the evaluator.
+struct FrameStats {
+  long long solves = 0;  ///< of the full-resolution system
   /// Wall time of the last frame's parts: the frames that faces stand in (of patches or of a ghost's faces); splined
   /// faces and right-hand side; the full-resolution solve; placing the vertices; normals and what is drawn, in the
   /// order of the raw vertices.
   double framesMs = 0, facesMs = 0, solveMs = 0, placeMs = 0, normalsMs = 0;
   double ghostMs = 0;  ///< wall time of the ghost's own last shape, from the spline to its vertices
 };
+
+struct SequenceStats : BuildStats, FrameStats {};
 
 }  // namespace shapespline

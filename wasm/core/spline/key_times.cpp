@@ -17,7 +17,7 @@ constexpr double closestTimes = 1e-12;
 Status validateTimes(const std::vector<double>& times, int keyCount) {
   if (static_cast<int>(times.size()) != keyCount)
     return Error{ErrorCode::TimeCountMismatch, "There are " + grouped(times.size()) + " key times for " +
-                                                   grouped(keyCount) + " keys. Give one time a key."};
+                                                   grouped(keyCount) + " keys. Give one time per key."};
   for (int j = 0; j < keyCount; ++j) {
     if (!std::isfinite(times[j]))
       return Error{ErrorCode::NotFinite, "The time of key " + std::to_string(j + 1) + " is not a finite number.", j};

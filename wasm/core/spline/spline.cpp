@@ -79,12 +79,12 @@ Status checkOptions(const CurveOptions& o, int keyCount) {
     return Error{ErrorCode::InvalidOption, "A Hermite speed is not a finite number. Use 0 to ease, 1 for the default."};
   if (!o.tension.empty() && static_cast<int>(o.tension.size()) != keyCount)
     return Error{ErrorCode::InvalidOption, "There are " + grouped(o.tension.size()) + " tensions for " +
-                                               grouped(keyCount) + " keys. Give one a key, or none."};
+                                               grouped(keyCount) + " keys. Give one per key, or none."};
   for (double tension : o.tension)
     if (!std::isfinite(tension)) return Error{ErrorCode::InvalidOption, "A tension is not a finite number."};
   if (!o.bias.empty() && static_cast<int>(o.bias.size()) != keyCount)
     return Error{ErrorCode::InvalidOption, "There are " + grouped(o.bias.size()) + " biases for " + grouped(keyCount) +
-                                               " keys. Give one a key, or none."};
+                                               " keys. Give one per key, or none."};
   for (double bias : o.bias)
     if (!(std::abs(bias) <= 1)) return Error{ErrorCode::InvalidOption, "A bias is not a number from -1 to 1."};
   return {};

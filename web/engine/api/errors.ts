@@ -1,7 +1,7 @@
 /** The only thing that the engine throws, and the sentences of those failures that the engine itself finds. */
 import type { ErrorPlace } from './types.ts';
 
-/** Codes that arise outside the core; the core's own are listed in wasm/core/status.h. */
+/** Codes that arise outside the core; the core's own are listed in wasm/core/base/status.h. */
 export type EngineCode =
   | 'cancelled' // the caller's AbortSignal
   | 'disposed' // a call on something that was disposed of
