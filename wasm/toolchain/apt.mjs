@@ -1,6 +1,7 @@
 // Debian packages: installed into the system where that is what they are for, or unpacked into a folder
 // of the repository where the system's own versions must stay as they are.
-import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { capture, run, which, withRetries } from './exec.mjs';
 import { Explained, step } from './log.mjs';
@@ -93,6 +94,22 @@ function separateWorld() {
   return ['-c', path.join(folder, 'apt.conf')];
 }
 
+/** The archives that `apt-get download --print-uris` names: `{ file, sha256 }` each. */
+export function namedArchives(printed) {
+  const lines = [...printed.matchAll(/^'[^']*' (\S+) \d+ SHA256:([0-9a-f]{64})$/gm)];
+  return lines.map(([, file, sha256]) => ({ file, sha256 }));
+}
+
+/** Fails where an archive in `folder` is not what the signed package lists say; a bad one is deleted, to be fetched again. */
+export function verifyArchives(folder, archives) {
+  for (const { file, sha256 } of archives) {
+    const full = path.join(folder, file);
+    if (existsSync(full) && createHash('sha256').update(readFileSync(full)).digest('hex') === sha256) continue;
+    rmSync(full, { force: true });
+    throw new Explained(`${file} was not downloaded whole, or is not what the package lists promise; run this again`);
+  }
+}
+
 /** Downloads packages of the newer release and unpacks them into `folder`, which appears only when complete. */
 export async function unpackPackages(names, folder, finish = () => {}) {
   const options = separateWorld();
@@ -102,12 +119,16 @@ export async function unpackPackages(names, folder, finish = () => {}) {
   mkdirSync(partial, { recursive: true });
   mkdirSync(archives, { recursive: true });
   await update(options, ` of Debian ${emscriptenSuite}`);
+  const download = [...options, ...patience, '-q', 'download'];
+  const named = namedArchives(capture('apt-get', [...download, '--print-uris', ...names], { env: quiet }) ?? '');
+  if (named.length < names.length)
+    throw new Explained(`Debian ${emscriptenSuite} does not list all of ${names.join(' ')}`);
   step(`downloading ${names.join(' ')} from Debian ${emscriptenSuite}`);
-  await withRetries('apt-get download', () =>
-    run('apt-get', [...options, ...patience, '-q', 'download', ...names], { cwd: archives, env: quiet }),
-  );
-  const wanted = (file) => file.endsWith('.deb') && names.includes(file.split('_')[0]);
-  for (const file of readdirSync(archives).filter(wanted)) {
+  await withRetries('apt-get download', async () => {
+    await run('apt-get', [...download, ...names], { cwd: archives, env: quiet });
+    verifyArchives(archives, named);
+  });
+  for (const { file } of named) {
     step(`unpacking ${file.split('_', 2).join(' ')}`);
     await run('dpkg', ['-x', path.join(archives, file), partial]);
   }

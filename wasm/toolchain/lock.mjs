@@ -1,38 +1,81 @@
 // One run at a time prepares a checkout; others wait for it.
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { linkSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { step } from './log.mjs';
+import { capture } from './exec.mjs';
+import { Explained, step } from './log.mjs';
 import { buildDir } from './paths.mjs';
 
-const file = path.join(buildDir, 'preparing.pid');
-
-function holder() {
+// Ids of processes are used again: the moment of its start tells one from another. '' if there is no such process.
+function startOf(pid) {
   try {
-    const pid = Number(readFileSync(file, 'utf8'));
-    process.kill(pid, 0);
-    return pid;
+    // The name of the program, in parentheses, may hold blanks; the start is the 22nd field of the line.
+    const stat = readFileSync(`/proc/${pid}/stat`, 'utf8');
+    return stat.slice(stat.lastIndexOf(')') + 2).split(' ')[19];
+  } catch {
+    return process.platform === 'linux' ? '' : (capture('ps', ['-o', 'lstart=', '-p', String(pid)]) ?? '').trim();
+  }
+}
+
+const read = (file) => {
+  try {
+    return readFileSync(file, 'utf8');
+  } catch {
+    return null;
+  }
+};
+
+// Who holds a lock with this content, or null where nobody does: it is no lock, or its process has ended.
+function holderIn(text) {
+  try {
+    const holder = JSON.parse(text);
+    return Number.isInteger(holder.pid) && holder.start && startOf(holder.pid) === holder.start ? holder : null;
   } catch {
     return null;
   }
 }
 
-function tryLock() {
+// The lock appears with all that it says or not at all, also on a disk that is full.
+function tryLock(file) {
+  const own = `${file}.${process.pid}`;
+  const holder = { pid: process.pid, start: startOf(process.pid), since: new Date().toISOString() };
   try {
-    writeFileSync(file, String(process.pid), { flag: 'wx' });
+    writeFileSync(own, JSON.stringify(holder));
+    linkSync(own, file);
     return true;
   } catch (error) {
-    if (error.code !== 'EEXIST') throw error;
-    return false;
+    if (error.code === 'EEXIST') return false;
+    throw new Explained(`cannot write ${file}: ${error.code === 'ENOSPC' ? 'the disk is full' : error.message}`);
+  } finally {
+    rmSync(own, { force: true });
   }
 }
 
-/** Runs the action while no other process of this checkout runs one. */
-export async function whileLocked(action) {
-  mkdirSync(buildDir, { recursive: true });
-  for (let waited = 0; !tryLock(); ++waited) {
-    const pid = holder();
-    if (pid === null) rmSync(file, { force: true });
-    else if (waited === 0) step(`waiting for another run in this folder (process ${pid})`);
+// Another may have taken the stale lock over meanwhile: what was moved away and is not it goes back.
+function removeStale(file, text) {
+  const away = `${file}.stale.${process.pid}`;
+  try {
+    renameSync(file, away);
+    if (read(away) !== text) linkSync(away, file);
+  } catch {
+    // Somebody else was first.
+  }
+  rmSync(away, { force: true });
+}
+
+/** Runs the action while no other process holds the lock `file`; says for whom it waits. */
+export async function whileHolding(file, action) {
+  mkdirSync(path.dirname(file), { recursive: true });
+  let told = false;
+  while (!tryLock(file)) {
+    const text = read(file);
+    if (text === null) continue;
+    const holder = holderIn(text);
+    if (!holder) {
+      removeStale(file, text);
+      continue;
+    }
+    if (!told) step(`waiting for another run in this folder (process ${holder.pid}, since ${holder.since})`);
+    told = true;
     await new Promise((wake) => setTimeout(wake, 300));
   }
   const release = () => rmSync(file, { force: true });
@@ -44,3 +87,6 @@ export async function whileLocked(action) {
     process.off('exit', release);
   }
 }
+
+/** Runs the action while no other process of this checkout runs one. */
+export const whileLocked = (action) => whileHolding(path.join(buildDir, 'preparing.lock'), action);

@@ -1,0 +1,2 @@
+export function whileHolding<T>(file: string, action: () => T | Promise<T>): Promise<T>;
+export function whileLocked<T>(action: () => T | Promise<T>): Promise<T>;
