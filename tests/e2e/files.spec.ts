@@ -1,7 +1,6 @@
 /** Files of the user: real ones where they are, broken ones, dropped and picked. */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { columns } from './png.ts';
 import { bytesOf, changedShare, difference, expect, realFile, test } from './support.ts';
 import type { App } from './support.ts';
@@ -246,63 +245,5 @@ test('a key with polygons is added however it would be cut by itself, and the fi
     1e-6,
   );
   await expect(app.by('up-axis-z')).toBeChecked();
-  await app.expectNoProblems();
-});
-
-test('files are remembered only where the user says so, with all that was done to them', async ({ app }) => {
-  const bar = fileURLToPath(new URL('../../public/samples/twisted-bar.glb', import.meta.url));
-  await app.open();
-  await expect(app.by('remember')).toBeHidden();
-  await app.by('file-input').setInputFiles(bar);
-  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
-  await app.settled();
-  await app.page.reload();
-  await app.open();
-  expect((await app.state()).source.kind).toBe('sample');
-
-  await app.by('file-input').setInputFiles(bar);
-  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
-  await app.settled();
-  await app.by('remember').click();
-  await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'true');
-  await app.setTime(0.3);
-  await app.by('add-current').click();
-  await app.settled();
-  await app.by('boundary-hermite').check();
-  await app.settled();
-  const before = { ...(await app.state()), shape: await app.positionsAt(0.2) };
-  await expect
-    .poll(() =>
-      app.page.evaluate(
-        () =>
-          new Promise<number>((resolve, reject) => {
-            const open = indexedDB.open('shapespline');
-            open.onerror = () => reject(open.error);
-            open.onsuccess = () => {
-              const rest = open.result.transaction('remembered').objectStore('remembered').get('rest');
-              rest.onsuccess = () => {
-                open.result.close();
-                resolve(rest.result.state.time);
-              };
-            };
-          }),
-      ),
-    )
-    .toBe(0.2);
-
-  await app.page.reload();
-  await app.open();
-  const after = await app.state();
-  expect(after.source).toEqual(before.source);
-  expect(after.doc).toEqual(before.doc);
-  expect(after.time).toBe(0.2);
-  expect(await app.positions()).toEqual(before.shape);
-  await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'true');
-
-  await app.by('remember').click();
-  await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'false');
-  await app.page.reload();
-  await app.open();
-  expect((await app.state()).source.kind).toBe('sample');
   await app.expectNoProblems();
 });

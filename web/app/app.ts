@@ -5,7 +5,8 @@ import type { Progress } from '../engine/api/types.ts';
 import { EMPTY_STATE } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { clampTime } from '../model/time-scale.ts';
-import { createToast } from '../ui/messages.ts';
+import { registerServiceWorker } from '../offline/register.ts';
+import { createOffer, createToast } from '../ui/messages.ts';
 import { plural } from '../ui/status-line.ts';
 import { createTheme } from '../ui/theme.ts';
 import { analysisInput } from './analysis/analysis.ts';
@@ -44,6 +45,8 @@ export function startApp(root: HTMLElement): void {
   const store = createStore(EMPTY_STATE);
   const layout = createLayout();
   const toast = createToast();
+  const newVersion = createOffer('new-version');
+  const notReopened = createOffer('not-reopened');
   const viewState = createViewState(() => page.redraw());
   const sequence = (): Sequence | undefined => workspace.sequences[0]?.sequence;
   const range = (): Range => motionRange(store.get().doc, workspace.range);
@@ -174,6 +177,7 @@ export function startApp(root: HTMLElement): void {
     root,
     layout,
     toast: toast.element,
+    offers: [newVersion.element, notReopened.element],
     engine,
     store,
     viewState,
@@ -256,7 +260,7 @@ export function startApp(root: HTMLElement): void {
   listenToNetwork((offline) => viewState.change({ offline }));
 
   const onSamples = (samples: readonly Sample[]): void => viewState.change({ samples, offline: !navigator.onLine });
-  const ready = openFirst({ files, remembered, onSamples }).then(() => frameLoop.idle());
+  const ready = openFirst({ files, remembered, onSamples, onStopped: notReopened.offer }).then(() => frameLoop.idle());
   ready.catch(onError);
   installTestHook(
     createTestHook({
@@ -279,6 +283,9 @@ export function startApp(root: HTMLElement): void {
       busy: () => files.busy || (frameLoop.busy && !store.get().play.playing),
     }),
   );
+  registerServiceWorker((reload) => {
+    newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
+  });
   applyLook();
   page.redraw();
 }

@@ -1,10 +1,8 @@
 /** The page's entrance. */
-import { registerServiceWorker } from '../offline/register.ts';
 import { startApp } from './app.ts';
 
 const root = document.getElementById('app');
 if (root) start(root);
-registerServiceWorker();
 
 function start(element: HTMLElement): void {
   try {

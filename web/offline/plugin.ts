@@ -1,4 +1,4 @@
-/** Writes sw.js into the build: the service worker with the list of all files and a digest of their contents. */
+/** Writes sw.js into the build: the service worker with the digests of all files. */
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -6,8 +6,31 @@ import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 
 const SOURCE = fileURLToPath(new URL('./service-worker.js', import.meta.url));
-/** Maps are not needed to work offline. The module for two threads is kept once it was used. */
-const LEFT_OUT = /(\.map$|\.md$|^sw\.js$|^\.|shapespline_threads-[^/]*\.wasm$)/;
+/** Not needed to work offline. */
+const LEFT_OUT = /(\.map$|\.md$|^sw\.js$|^\.)/;
+/** Kept once it was used: what only some visitors need. */
+const LATER = /shapespline_threads-[^/]*\.wasm$/;
+
+const sha256 = (content: Uint8Array | string): string => createHash('sha256').update(content).digest('hex');
+
+/** Writes sw.js into a folder that holds everything else of the page. */
+export function writeServiceWorker(folder: string): void {
+  const digests = list(folder)
+    .filter((file) => !LEFT_OUT.test(file))
+    .sort()
+    .map(
+      (file) => [file === 'index.html' ? './' : `./${file}`, sha256(readFileSync(path.join(folder, file)))] as const,
+    );
+  const source = readFileSync(SOURCE, 'utf8');
+  const constants = {
+    BUILD: sha256(JSON.stringify(digests) + source).slice(0, 16),
+    FILES: Object.fromEntries(digests.filter(([file]) => !LATER.test(file))),
+    ENTRY: /<script [^>]*\bsrc="(?:\.\/)?([^"]+)"/.exec(readFileSync(path.join(folder, 'index.html'), 'utf8'))?.[1],
+    LATER: Object.fromEntries(digests.filter(([file]) => LATER.test(file))),
+  };
+  const head = Object.entries(constants).map(([name, value]) => `const ${name} = ${JSON.stringify(value)};\n`);
+  writeFileSync(path.join(folder, 'sw.js'), head.join('') + source);
+}
 
 export function offline(): Plugin {
   let folder = '';
@@ -17,16 +40,7 @@ export function offline(): Plugin {
     configResolved(config) {
       folder = config.build.outDir;
     },
-    closeBundle() {
-      const files = list(folder)
-        .filter((file) => !LEFT_OUT.test(file))
-        .sort();
-      const digest = createHash('sha256');
-      for (const file of files) digest.update(file).update(readFileSync(path.join(folder, file)));
-      const wanted = files.map((file) => (file === 'index.html' ? './' : `./${file}`));
-      const head = `const FILES = ${JSON.stringify(wanted)};\nconst BUILD = ${JSON.stringify(digest.digest('hex').slice(0, 16))};\n`;
-      writeFileSync(path.join(folder, 'sw.js'), head + readFileSync(SOURCE, 'utf8'));
-    },
+    closeBundle: () => writeServiceWorker(folder),
   };
 }
 

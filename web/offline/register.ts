@@ -1,7 +1,56 @@
 /** Starts the service worker of a built page. Where it cannot run (no https, forbidden storage) the page works as before. */
-export function registerServiceWorker(): void {
+
+/** How often at most a page that is looked at again asks for a newer build. */
+const ASK_EVERY_MS = 3_600_000;
+
+/** `onNewVersion`: another build is ready; `reload` opens it. */
+export function registerServiceWorker(onNewVersion: (reload: () => void) => void): void {
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
+  const { serviceWorker } = navigator;
+  serviceWorker.addEventListener('message', ({ data, ports }: MessageEvent<{ type?: string }>) => {
+    if (data.type === 'which script') ports[0]?.postMessage(ownScript());
+  });
+  serviceWorker.startMessages();
   window.addEventListener('load', () => {
-    navigator.serviceWorker.register(new URL('./sw.js', document.baseURI)).catch(() => undefined);
+    serviceWorker
+      .register(new URL('./sw.js', document.baseURI))
+      .then((registration) => follow(registration, onNewVersion))
+      .catch(() => undefined);
+  });
+}
+
+const ownScript = (): string => document.querySelector<HTMLScriptElement>('script[type="module"][src]')?.src ?? '';
+
+function follow(registration: ServiceWorkerRegistration, onNewVersion: (reload: () => void) => void): void {
+  const offer = async (worker: ServiceWorker): Promise<void> => {
+    // Without a worker so far this is the first visit. A page that was loaded from the new build already has nothing to gain.
+    if (!navigator.serviceWorker.controller || (await holds(worker, ownScript()))) return;
+    onNewVersion(() => {
+      navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });
+      worker.postMessage({ type: 'take over' });
+      // Another page may have called it already.
+      if (worker.state === 'activated') location.reload();
+    });
+  };
+  const watch = (worker: ServiceWorker | null): void => {
+    if (worker?.state === 'installed') void offer(worker);
+    else worker?.addEventListener('statechange', () => worker.state === 'installed' && void offer(worker));
+  };
+  watch(registration.waiting ?? registration.installing);
+  registration.addEventListener('updatefound', () => watch(registration.installing));
+  let asked = Date.now();
+  document.addEventListener('visibilitychange', () => {
+    if (document.hidden || Date.now() - asked < ASK_EVERY_MS) return;
+    asked = Date.now();
+    registration.update().catch(() => undefined);
+  });
+}
+
+/** Whether the build of this worker has the file. */
+function holds(worker: ServiceWorker, url: string): Promise<boolean> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = ({ data }: MessageEvent<boolean>) => resolve(data);
+    worker.postMessage({ type: 'holds', url }, [port2]);
   });
 }

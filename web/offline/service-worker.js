@@ -1,48 +1,111 @@
-// Keeps the files of one build. FILES and BUILD are put in front of this text by the build.
-/* global FILES, BUILD */
+// Keeps the files of one build, and those of older builds while a page still needs them. The build puts BUILD, FILES and LATER in
+// front of this text: what is kept at once, and what is kept once it was used, as { path: digest }; and ENTRY, the page's first script.
+/* global BUILD, FILES, LATER, ENTRY */
 // Another release of the page may stand beside this one on the same host: each keeps its own.
-const OURS = `shapespline ${new URL(self.registration.scope).pathname} `;
+const SCOPE = self.registration.scope;
+const OURS = `shapespline ${new URL(SCOPE).pathname} `;
 const CACHE = OURS + BUILD;
+const REPLY_MS = 3000;
+const LISTED = new Map(Object.entries({ ...FILES, ...LATER }).map(([file, digest]) => [new URL(file, SCOPE).href, digest]));
 
-self.addEventListener('install', (event) => {
-  event.waitUntil(fill().then(() => self.skipWaiting()));
-});
+// A worker of a newer build waits until no page is open or a page asks for it: what is open goes on as it was.
+self.addEventListener('install', (event) => event.waitUntil(fill()));
 
-self.addEventListener('activate', (event) => {
-  event.waitUntil(dropOthers().then(() => self.clients.claim()));
+self.addEventListener('activate', (event) => event.waitUntil(self.clients.claim().then(dropUnused)));
+
+self.addEventListener('message', (event) => {
+  if (event.data?.type === 'take over') event.waitUntil(self.skipWaiting());
+  if (event.data?.type === 'holds') event.ports[0]?.postMessage(LISTED.has(event.data.url));
 });
 
 self.addEventListener('fetch', (event) => {
   const url = new URL(event.request.url);
-  if (event.request.method !== 'GET' || url.origin !== self.location.origin || !url.href.startsWith(self.registration.scope)) return;
+  if (event.request.method !== 'GET' || !url.href.startsWith(SCOPE)) return;
+  url.search = url.hash = '';
   event.respondWith(answer(event, url));
+  if (event.request.mode === 'navigate') event.waitUntil(dropUnused());
 });
+
+async function digestOf(response) {
+  const digest = await crypto.subtle.digest('SHA-256', await response.arrayBuffer());
+  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+// A host may answer for a file that is gone with its start page, or still with another build's: neither is kept. Hosts add to a page
+// itself, so that it is known by its script.
+async function isListed(href, response) {
+  if (!response.ok) return false;
+  if (href === SCOPE) return (await response.clone().text()).includes(ENTRY);
+  return LISTED.get(href) === (await digestOf(response.clone()));
+}
 
 async function fill() {
   const cache = await caches.open(CACHE);
-  await cache.addAll(FILES.map((file) => new Request(file, { cache: 'no-cache' })));
+  const keep = async (file) => {
+    const { href } = new URL(file, SCOPE);
+    const response = await fetch(href, { cache: 'no-cache' });
+    if (!(await isListed(href, response))) throw new Error(`${href} is not what the build made`);
+    await cache.put(href, response);
+  };
+  await Promise.all(Object.keys(FILES).map(keep));
 }
 
-async function dropOthers() {
-  const names = await caches.keys();
-  await Promise.all(names.filter((name) => name.startsWith(OURS) && name !== CACHE).map((name) => caches.delete(name)));
-}
-
-// Files with a hash in their name never change: those that are not on the list are kept, too, once they were used. The others are
-// asked for first, so that a new build is seen at once.
+// Files with a digest in their name never change: they come from whichever build is kept. The others are asked for first, so that a
+// new build is seen at once.
 async function answer(event, url) {
-  const { request } = event;
-  const cache = await caches.open(CACHE);
-  const kept = await cache.match(request, { ignoreSearch: true });
-  const hashed = /\/assets\//.test(url.pathname);
-  if (kept && hashed) return kept;
+  const named = url.pathname.includes('/assets/');
+  const kept = named ? await match(url.href) : undefined;
+  if (kept) return kept;
   try {
-    const response = await fetch(request);
-    if (hashed && response.ok) event.waitUntil(cache.put(request, response.clone()).catch(() => undefined));
+    const response = await fetch(event.request);
+    if (named && LISTED.has(url.href)) event.waitUntil(keepUsed(url.href, response.clone()));
     return response;
   } catch (error) {
-    const page = request.mode === 'navigate' ? await cache.match('./') : undefined;
-    if (kept ?? page) return kept ?? page;
+    const instead = (await match(url.href)) ?? (event.request.mode === 'navigate' ? await match(SCOPE) : undefined);
+    if (instead) return instead;
     throw error;
   }
+}
+
+async function keepUsed(href, response) {
+  const listed = await isListed(href, response).catch(() => false);
+  if (listed) await (await caches.open(CACHE)).put(href, response).catch(() => undefined);
+}
+
+const ownCaches = async () => (await caches.keys()).filter((name) => name.startsWith(OURS));
+
+// This build's first: others may hold another version of a file without a digest in its name.
+async function match(href) {
+  const others = (await ownCaches()).filter((name) => name !== CACHE);
+  for (const cacheName of [CACHE, ...others]) {
+    const found = (await caches.has(cacheName)) && (await caches.match(href, { cacheName }));
+    if (found) return found;
+  }
+  return undefined;
+}
+
+/** Where a page's script lies, or null where the page does not say. */
+function scriptOf(client) {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = ({ data }) => resolve(data);
+    setTimeout(resolve, REPLY_MS, null);
+    client.postMessage({ type: 'which script' }, [port2]);
+  });
+}
+
+// A page that says nothing may have been left meanwhile.
+async function runsByThis(client) {
+  const script = await scriptOf(client);
+  return script === null ? !(await self.clients.get(client.id)) : LISTED.has(script);
+}
+
+// Older builds go when every open page has said that it runs by this one; a page that does not answer may need any of them.
+async function dropUnused() {
+  const older = (await ownCaches()).filter((name) => name !== CACHE);
+  // A worker that waits fills the cache of the build to come.
+  if (older.length === 0 || self.registration.installing || self.registration.waiting) return;
+  const pages = await self.clients.matchAll({ type: 'window', includeUncontrolled: true });
+  const unused = await Promise.all(pages.map(runsByThis));
+  if (unused.every(Boolean)) await Promise.all(older.map((name) => caches.delete(name)));
 }

@@ -72,6 +72,52 @@ export function createProblem(onClose: () => void): { element: HTMLElement; upda
   return { element, update: (problem) => draw({ problem }) };
 }
 
+export interface Offer {
+  message: string;
+  /** What can be done about it. */
+  action: string;
+  onAccept(): void;
+}
+
+/** Something that waits for the user's word, and goes when it is taken up or put off. */
+export function createOffer(testId: string): { element: HTMLElement; offer(offer: Offer): void } {
+  let current: Offer | null = null;
+  const show = (now: Offer | null): void => {
+    current = now;
+    setHidden(element, now === null);
+  };
+  const accept = (): void => {
+    const taken = current;
+    show(null);
+    taken?.onAccept();
+  };
+  const message = h('p', { class: 'message' });
+  const action = button({
+    label: 'Accept',
+    testId: `${testId}-accept`,
+    text: 'Accept',
+    kind: 'plain',
+    onClick: accept,
+  });
+  const later = button({ label: 'Not now', testId: `${testId}-later`, icon: 'close', onClick: () => show(null) });
+  const element = h(
+    'div',
+    { class: 'card offer', role: 'status', 'data-testid': testId, hidden: true },
+    message,
+    action,
+    later,
+  );
+  return {
+    element,
+    offer(now) {
+      setText(message, now.message);
+      setText(action, now.action);
+      setAttribute(action, 'aria-label', now.action);
+      show(now);
+    },
+  };
+}
+
 /** Says in one sentence what the page does, until the visitor has done something; gives way to other messages in the same place. */
 export function createWelcome(onPick: () => void): {
   element: HTMLElement;

@@ -48,6 +48,8 @@ export interface ComponentsInput {
   root: HTMLElement;
   /** Where short news appear. */
   toast: HTMLElement;
+  /** What waits for the user's word. */
+  offers: readonly HTMLElement[];
   commands: Commands;
   files: OpenFiles;
   analysis: AnalysisPanel;
@@ -178,7 +180,7 @@ export function createComponents(input: ComponentsInput): Components {
     warnings: warnings.element,
     status: status.element,
     overlays: [tileLabels.element, colourBar.element, welcome.element, phaseLabel.element, viewBar.element],
-    messages: [errorMessage.element, progress.element],
+    messages: [errorMessage.element, progress.element, ...input.offers],
     panels: [motionPanel.element, shapePanel.element, analysis.element],
     floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, input.toast],
   });

@@ -22,6 +22,7 @@ export interface PageParts {
   root: HTMLElement;
   layout: Layout;
   toast: HTMLElement;
+  offers: readonly HTMLElement[];
   engine: Engine;
   store: Store;
   viewState: ViewStateHolder;
@@ -70,6 +71,7 @@ export function createPage(parts: PageParts): Page {
     root: parts.root,
     layout,
     toast: parts.toast,
+    offers: parts.offers,
     commands,
     files: parts.files,
     marking: parts.marking,

@@ -11,7 +11,7 @@ import type { Orientation } from '../../ui/orientation.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Input, Opened, Workspace } from '../session/workspace.ts';
-import type { Remembered } from './remembered-files.ts';
+import type { Remembered } from './project-shelf.ts';
 import { importPoses, readFiles } from './input-files.ts';
 import { applyPermalink } from './permalink.ts';
 import type { Permalink } from './permalink.ts';

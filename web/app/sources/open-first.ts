@@ -1,4 +1,5 @@
 /** What a visit starts with: what a link names, else what an earlier visit left, else the first sample. */
+import type { Offer } from '../../ui/messages.ts';
 import type { OpenFiles } from './open-files.ts';
 import { readPermalink } from './permalink.ts';
 import type { RememberedFiles } from './remembered-files.ts';
@@ -9,13 +10,21 @@ export interface OpenFirstParts {
   files: OpenFiles;
   remembered: RememberedFiles;
   onSamples(samples: readonly Sample[]): void;
+  /** An earlier visit ended while it opened these files: they may end this one, too, so that they are opened on demand. */
+  onStopped(offer: Offer): void;
 }
 
-export async function openFirst({ files, remembered, onSamples }: OpenFirstParts): Promise<void> {
+export async function openFirst({ files, remembered, onSamples, onStopped }: OpenFirstParts): Promise<void> {
   const link = readPermalink(location.hash);
   const [samples, left] = await Promise.all([fetchSamples(), link ? null : remembered.recall()]);
   onSamples(samples);
-  if (left && (await files.again(left))) return;
+  if (left?.opening) {
+    onStopped({
+      message: `“${left.remembered.files[0]?.name ?? 'A file'}” was not opened again: the last visit ended while it was being opened.`,
+      action: 'Open it',
+      onAccept: () => void remembered.reopen(left, files.again),
+    });
+  } else if (left && (await remembered.reopen(left, files.again))) return;
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
   if (!first) throw new Error('There are no samples beside this page. Open files of your own.');
   await files.sample(first.id, first.id === link?.sample ? link : null);

@@ -1,19 +1,16 @@
 /** The user's own files, kept in this browser between visits where the user has asked for it. They are sent nowhere. */
-import { clear, createStore, get, setMany } from 'idb-keyval';
-import type { ImportOptions, InputFile } from '../../engine/api/types.ts';
-import type { AppState } from '../../model/state.ts';
+import type { InputFile } from '../../engine/api/types.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
-import type { NewPose } from './input-files.ts';
-
-/** Everything that opens the files again as they were left. */
-export interface Remembered {
-  files: InputFile[];
-  options: ImportOptions;
-  /** Poses that are not of the files: taken from shapes, or from further files. */
-  poses: NewPose[];
-  state: AppState;
-}
+import {
+  forgetProject,
+  keepProject,
+  newProjectId,
+  readProject,
+  setProjectAside,
+  updateProject,
+} from './project-shelf.ts';
+import type { Changing, KeptProject, Remembered } from './project-shelf.ts';
 
 export interface RememberedFilesParts {
   store: Store;
@@ -25,17 +22,32 @@ export interface RememberedFilesParts {
 }
 
 export interface RememberedFiles {
-  /** Remembers what is open, or forgets everything. */
+  /** Remembers what is open, or forgets it. */
   toggle(): Promise<void>;
   /** The state has changed. */
   follow(): void;
-  /** What an earlier visit left, or null. */
-  recall(): Promise<Remembered | null>;
+  /** What an earlier visit left, or null. Nothing that goes wrong here keeps the page from starting. */
+  recall(): Promise<KeptProject | null>;
+  /** Opens what was recalled by `open`; a visit that ends meanwhile leaves a sign of it. */
+  reopen(kept: KeptProject, open: (remembered: Remembered) => Promise<boolean>): Promise<boolean>;
+}
+
+/** From one tab to the others of this page. */
+interface News {
+  /** The project that is kept now; null: it was forgotten. */
+  kept: string | null;
+  /** The project that was kept before. */
+  before: string;
 }
 
 const SAVE_DELAY_MS = 500;
-/** Raised when older visits can no longer be read. */
-const FORMAT = 1;
+/** Another tab can hold a browser's storage for any time: the page starts without it then. */
+const RECALL_MS = 10_000;
+
+const NO_ROOM =
+  'This browser has no room for these files, or keeps nothing in a private window. Export saves them as a project.';
+const NOT_WRITTEN =
+  'The last change could not be remembered: this browser has no room for it. What was remembered before is kept. Export saves a project.';
 
 export function createRememberedFiles({
   store,
@@ -44,75 +56,125 @@ export function createRememberedFiles({
   say,
   onError,
 }: RememberedFilesParts): RememberedFiles {
-  const shelf = createStore('shapespline', 'remembered');
-  let saved: InputFile[] | null = null;
+  const tabs = typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('shapespline remembered files');
+  /** The project of this tab that is kept, and its files. */
+  let own: { id: string; files: InputFile[] | null } | null = null;
   let timer = 0;
-  let remembered = false;
+  let saving: Promise<void> = Promise.resolve();
 
-  const change = (now: boolean): void => {
-    remembered = now;
-    onChange(now);
+  const change = (now: typeof own): void => {
+    own = now;
+    if (!now) window.clearTimeout(timer);
+    onChange(now !== null);
   };
 
-  const save = async (): Promise<void> => {
+  const tell = (news: News): void => tabs?.postMessage(news);
+
+  const lose = (why: string): void => {
+    change(null);
+    say(why);
+  };
+
+  tabs?.addEventListener('message', ({ data }: MessageEvent<News>) => {
+    if (!own || data.kept === own.id) return;
+    if (data.kept === null && data.before === own.id) lose('Forgotten in another tab.');
+    else if (data.kept !== null) lose('Another tab remembers its files now, in place of these.');
+  });
+
+  const changing = (): Changing | null => {
+    const { options, pool } = workspace;
     const state = store.get();
-    const { input, options, pool } = workspace;
-    if (!pool || state.source.kind !== 'files') return;
+    if (!pool || state.source.kind !== 'files') return null;
     const poses = Array.from({ length: pool.count - pool.imported }, (_, index) => pool.imported + index).map(
       (pose) => ({ name: pool.keys.info.names[pose] ?? '', positions: pool.keys.positions(pose) }),
     );
-    // Files may be large: they are written once, the state with every change.
-    const files: [string, unknown][] =
-      input === saved
-        ? []
-        : [
-            ['files', input],
-            ['format', FORMAT],
-          ];
-    await setMany([...files, ['rest', { options, poses, state }]], shelf);
-    saved = input;
+    return { options, poses, state };
   };
 
-  const forget = async (): Promise<void> => {
-    window.clearTimeout(timer);
-    saved = null;
-    change(false);
-    await clear(shelf);
+  /** Files are written once, the rest with every change. */
+  const save = async (): Promise<void> => {
+    const part = changing();
+    const { input } = workspace;
+    if (!part || !own) return;
+    const { id, files } = own;
+    if (files === input) {
+      if (!(await updateProject(id, part)) && own)
+        lose('Another tab has changed what is remembered: these files no longer are.');
+      return;
+    }
+    const next = newProjectId();
+    if (!(await keepProject(next, { files: input, ...part }, id))) {
+      lose('Another tab has changed what is remembered: these files are not.');
+      return;
+    }
+    if (own) change({ id: next, files: input });
+    tell({ kept: next, before: id });
+  };
+
+  /** One after the other, so that a later state is not overtaken. */
+  const saveInTurn = (): Promise<void> => {
+    saving = saving.then(save).catch(() => {
+      change(null);
+      onError(new Error(NOT_WRITTEN));
+    });
+    return saving;
+  };
+
+  const remember = async (): Promise<void> => {
+    const part = changing();
+    if (!part) return;
+    const id = newProjectId();
+    const { input } = workspace;
+    try {
+      await keepProject(id, { files: input, ...part }, null);
+    } catch {
+      onError(new Error(NO_ROOM));
+      return;
+    }
+    change({ id, files: input });
+    tell({ kept: id, before: '' });
+    say('Remembered on this computer: the next visit starts with these files.');
+  };
+
+  const forget = async (id: string): Promise<void> => {
+    change(null);
+    await saving;
+    await forgetProject(id);
+    tell({ kept: null, before: id });
+    say('Forgotten: the next visit starts with a sample.');
   };
 
   return {
-    async toggle() {
-      if (remembered) {
-        await forget();
-        say('Forgotten: the next visit starts with a sample.');
-        return;
-      }
-      try {
-        await save();
-        change(true);
-        say('Remembered on this computer: the next visit starts with these files.');
-      } catch {
-        await forget().catch(() => undefined);
-        onError(
-          new Error(
-            'This browser has no room for these files, or keeps nothing in a private window. Export saves them as a project.',
-          ),
-        );
-      }
-    },
+    toggle: () => (own ? forget(own.id) : remember()),
     follow() {
-      if (!remembered) return;
+      if (!own) return;
       window.clearTimeout(timer);
-      timer = window.setTimeout(() => void save().catch(() => forget().catch(onError)), SAVE_DELAY_MS);
+      timer = window.setTimeout(() => void saveInTurn(), SAVE_DELAY_MS);
     },
     async recall() {
-      // A browser that keeps nothing has nothing to recall.
-      const [format, files, rest] = await Promise.all(
-        ['format', 'files', 'rest'].map((key) => get<unknown>(key, shelf)),
-      ).catch(() => []);
-      if (format !== FORMAT || !files || !rest) return null;
-      change(true);
-      return { files: files as InputFile[], ...(rest as Omit<Remembered, 'files'>) };
+      try {
+        return await within(RECALL_MS, readProject());
+      } catch {
+        // A browser that keeps nothing has nothing to set aside.
+        const aside = await within(
+          RECALL_MS,
+          setProjectAside().then(() => true),
+        ).catch(() => false);
+        if (aside) say('What an earlier visit remembered does not read any more. It was set aside.');
+        return null;
+      }
+    },
+    async reopen({ id, remembered }, open) {
+      await updateProject(id, { opening: true }).catch(() => undefined);
+      const opened = await open(remembered);
+      await updateProject(id, { opening: false }).catch(() => undefined);
+      // The files as the workspace holds them now are those that are kept.
+      if (opened) change({ id, files: workspace.input });
+      return opened;
     },
   };
+}
+
+function within<T>(ms: number, work: Promise<T>): Promise<T | null> {
+  return Promise.race([work, new Promise<null>((resolve) => setTimeout(resolve, ms, null))]);
 }

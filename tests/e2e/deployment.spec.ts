@@ -1,0 +1,186 @@
+/** A new build of the page is published while a tab is open. */
+import { cpSync, mkdtempSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import type { Server } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { writeServiceWorker } from '../../web/offline/plugin.ts';
+import { App, expect, test } from './support.ts';
+
+const BUILT = fileURLToPath(new URL('../../dist', import.meta.url));
+const TYPES: Record<string, string> = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.wasm': 'application/wasm',
+  '.json': 'application/json',
+};
+
+/** A host of pages with one entrance: for what is not there it answers with the start page. */
+class Host {
+  readonly folder = mkdtempSync(path.join(tmpdir(), 'deployment-'));
+  readonly #server: Server;
+
+  constructor() {
+    cpSync(BUILT, this.folder, { recursive: true });
+    this.#server = createServer((request, response) => {
+      const name = new URL(request.url ?? '/', 'http://localhost').pathname.slice(1) || 'index.html';
+      const send = (file: string): void => {
+        const content = readFileSync(path.join(this.folder, file));
+        response
+          .writeHead(200, { 'content-type': TYPES[path.extname(file)] ?? 'application/octet-stream' })
+          .end(content);
+      };
+      try {
+        send(name);
+      } catch {
+        send('index.html');
+      }
+    });
+  }
+
+  async listen(): Promise<string> {
+    await new Promise<void>((ready) => this.#server.listen(0, 'localhost', ready));
+    return `http://localhost:${(this.#server.address() as AddressInfo).port}/`;
+  }
+
+  /** The next build: every file with a digest in its name has another name, and those of the last build are gone. */
+  deploy(mark: string): void {
+    const assets = path.join(this.folder, 'assets');
+    const names = readdirSync(assets).map((name) => [name, name.replace(/\.(\w+)$/, `${mark}.$1`)] as const);
+    for (const [from, to] of names) renameSync(path.join(assets, from), path.join(assets, to));
+    const texts = [...names.map(([, to]) => path.join('assets', to)), 'index.html'];
+    for (const file of texts.filter((name) => /\.(js|css|html)$/.test(name))) {
+      const full = path.join(this.folder, file);
+      writeFileSync(
+        full,
+        names.reduce((text, [from, to]) => text.replaceAll(from, to), readFileSync(full, 'utf8')),
+      );
+    }
+    writeServiceWorker(this.folder);
+  }
+
+  close(): void {
+    this.#server.close();
+    this.#server.closeAllConnections();
+    rmSync(this.folder, { recursive: true, force: true });
+  }
+}
+
+const entry = (app: App): Promise<string> =>
+  app.page.evaluate(() => document.querySelector<HTMLScriptElement>('script[type="module"]')!.src);
+
+const kept = (app: App): Promise<string[]> =>
+  app.page.evaluate(async () => {
+    const caches = await Promise.all((await window.caches.keys()).map((name) => window.caches.open(name)));
+    return (await Promise.all(caches.map((cache) => cache.keys()))).flat().map(({ url }) => url);
+  });
+
+async function open(app: App, url: string): Promise<void> {
+  await app.page.goto(url);
+  await app.page.waitForFunction(() => window.__shapespline !== undefined);
+  await app.page.evaluate(() => window.__shapespline!.ready);
+  await app.settled();
+}
+
+const askForUpdate = (app: App): Promise<void> =>
+  app.page.evaluate(async () => {
+    await (await navigator.serviceWorker.ready).update();
+  });
+
+/** Needs a worker's script and decoders that the page has not loaded so far. */
+async function opensAnotherSample(app: App): Promise<void> {
+  const before = await app.positions();
+  await app.by('sample').selectOption({ index: 2 });
+  await app.settled();
+  await expect(app.by('error')).toBeHidden();
+  expect(await app.positions()).not.toEqual(before);
+}
+
+test('leaves open tabs as they are, is offered, and takes over where it is asked for', async ({
+  app,
+  context,
+}, info) => {
+  test.skip(info.project.name === 'dev', 'the development server has no service worker');
+  const host = new Host();
+  try {
+    const url = await host.listen();
+    await open(app, url);
+    await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+    const other = new App(await context.newPage());
+    await open(other, url);
+    const first = await entry(app);
+    await expect(app.by('new-version')).toBeHidden();
+
+    host.deploy('B');
+    await askForUpdate(app);
+    await expect(app.by('new-version')).toBeVisible();
+    await expect(other.by('new-version')).toBeVisible();
+    await opensAnotherSample(app);
+
+    await app.by('new-version-accept').click();
+    await expect.poll(() => entry(app).catch(() => first)).not.toBe(first);
+    const second = await entry(app);
+    await expect(app.by('new-version')).toBeHidden();
+    // The other tab runs on, by the new service worker and the old files.
+    await opensAnotherSample(other);
+    expect(await entry(other)).toBe(first);
+    expect(await kept(other)).toEqual(expect.arrayContaining([first, second]));
+    await app.expectNoProblems();
+
+    // The old files go when no page uses them.
+    await other.page.close();
+    await open(app, url);
+    await expect.poll(async () => (await kept(app)).includes(first)).toBe(false);
+    expect(await kept(app)).toContain(second);
+  } finally {
+    host.close();
+  }
+});
+
+test('nothing is kept under a file name but that file', async ({ app }, info) => {
+  test.skip(info.project.name === 'dev', 'the development server has no service worker');
+  const host = new Host();
+  try {
+    const url = await host.listen();
+    await open(app, url);
+    await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+    const wrong = await app.page.evaluate(async () => {
+      const response = await fetch('./assets/index-gone.js');
+      return response.headers.get('content-type');
+    });
+    expect(wrong).toBe('text/html');
+    // A build that is published file by file: its list is there before a file of it.
+    host.deploy('C');
+    rmSync(path.join(host.folder, 'assets', readdirSync(path.join(host.folder, 'assets'))[0]!));
+    await askForUpdate(app).catch(() => undefined);
+    await expect
+      .poll(() =>
+        app.page.evaluate(async () => {
+          const { installing, waiting } = await navigator.serviceWorker.ready;
+          return [installing, waiting];
+        }),
+      )
+      .toEqual([null, null]);
+    await expect(app.by('new-version')).toBeHidden();
+    const types = await app.page.evaluate(async () => {
+      const responses = await Promise.all(
+        (await caches.keys()).map(async (name) => {
+          const cache = await caches.open(name);
+          const requests = (await cache.keys()).filter(({ url: asset }) => asset.includes('/assets/'));
+          return Promise.all(
+            requests.map(async (request) => (await cache.match(request))!.headers.get('content-type')),
+          );
+        }),
+      );
+      return responses.flat();
+    });
+    expect(types.length).toBeGreaterThan(5);
+    expect(types).not.toContain('text/html');
+    await open(app, url.replace(/$/, '?again'));
+  } finally {
+    host.close();
+  }
+});
