@@ -1,16 +1,16 @@
 // The steps of a build. Each has `isCurrent()`, which is quick and silent, and `make()`.
 import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
-import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { emccOnPath, findEmscripten } from './emscripten.mjs';
 import { run } from './exec.mjs';
 import { step } from './log.mjs';
+import { cores } from './parallel.mjs';
 import { buildDir, inRoot } from './paths.mjs';
 import { digest, isStamped, stamp } from './stamps.mjs';
 import { wasmStaysOutside } from './wasm-outside.mjs';
 
 const node = process.execPath;
-const jobs = process.env.SHAPESPLINE_JOBS ?? String(availableParallelism());
+const jobs = String(cores);
 
 // A build folder belongs to one compiler: with another it starts afresh.
 function useFolder(folder, compiler) {

@@ -1,5 +1,5 @@
 // Finds Emscripten, or puts Debian's together in a folder of the repository.
-import { chmodSync, cpSync, existsSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { chmodSync, existsSync, mkdirSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { unpackPackages } from './apt.mjs';
 import { capture, which } from './exec.mjs';
@@ -100,12 +100,13 @@ function writeShellEnvironment() {
   writeFileSync(path.join(toolchainDir, 'env.sh'), `${lines.join('\n')}\n`);
 }
 
-// Emscripten's own script looks for this package beside itself, where Debian does not put it.
+// Emscripten's own script looks for this package beside itself, where Debian does not put it. A link, as `npm ci` may still be at work.
 function addAcorn(folder) {
-  const modules = path.join(folder, 'usr/share/emscripten/node_modules');
-  rmSync(path.join(modules, 'acorn'), { recursive: true, force: true });
-  mkdirSync(modules, { recursive: true });
-  cpSync(inRoot('node_modules/acorn'), path.join(modules, 'acorn'), { recursive: true });
+  const modules = 'usr/share/emscripten/node_modules';
+  mkdirSync(path.join(folder, modules), { recursive: true });
+  const link = path.join(folder, modules, 'acorn');
+  rmSync(link, { recursive: true, force: true });
+  symlinkSync(path.relative(path.join(emscriptenDir, modules), inRoot('node_modules/acorn')), link);
 }
 
 /** Unpacks Debian 13's Emscripten; needs clang-19, lld-19, llvm-19 and python3 in the system. */

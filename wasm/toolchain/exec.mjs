@@ -22,7 +22,7 @@ for (const [signal, number] of [
 
 /**
  * Runs a program to its end; rejects with the last part of what it printed when it fails.
- * `show` 'all' passes its output on to stderr as it comes, 'quiet' keeps it for the error message;
+ * `show` 'all' passes its output on to stderr as it comes, 'after' when the program has ended, 'quiet' keeps it for the error message;
  * `inherit` connects all three streams, for programs whose output is the command's own.
  */
 export function run(
@@ -39,16 +39,19 @@ export function run(
     running.add(child);
     child.on('close', () => running.delete(child));
     let tail = '';
+    const kept = [];
     const take = (chunk) => {
       tail = (tail + chunk).slice(-tailLength);
       if (show === 'all') process.stderr.write(chunk);
+      if (show === 'after') kept.push(chunk);
     };
     child.stdout?.on('data', take);
     child.stderr?.on('data', take);
     child.on('error', (error) => reject(new Explained(`cannot run ${program}: ${error.message}`)));
     child.on('close', (code, signal) => {
+      process.stderr.write(Buffer.concat(kept));
       if (code === 0 || allowFailure) return resolve({ code: code ?? 1, tail });
-      const said = show === 'all' || inherit ? '' : `\n${tail.trimEnd()}`;
+      const said = show !== 'quiet' || inherit ? '' : `\n${tail.trimEnd()}`;
       reject(new Explained(`${program} ${args.join(' ')} failed (${signal ?? `exit code ${code}`})${said}`));
     });
   });

@@ -1,8 +1,10 @@
 // `npm run lint` and `npm run format`: clang-format for C++, Biome for TypeScript and the scripts here.
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
+import { nothing, sum } from './counts.mjs';
 import { run, which } from './exec.mjs';
 import { step } from './log.mjs';
+import { inParallel } from './parallel.mjs';
 import { inRoot } from './paths.mjs';
 import { prepareSystem } from './prepare.mjs';
 import { forLinting } from './requirements.mjs';
@@ -16,12 +18,11 @@ const cpp = (...how) => [which('clang-format-19') ?? 'clang-format', how, ['wasm
 const biome = (...how) => [process.execPath, [inRoot('node_modules/@biomejs/biome/bin/biome'), ...how], []];
 
 async function each(tools) {
-  const counts = { passed: 0, failed: 0, skipped: 0 };
-  for (const [program, how, files] of tools) {
-    const { code } = await run(program, [...how, ...files], { show: 'all', allowFailure: true });
-    ++counts[code === 0 ? 'passed' : 'failed'];
-  }
-  return counts;
+  const tasks = tools.map(([program, how, files]) => async () => {
+    const { code } = await run(program, [...how, ...files], { show: 'after', allowFailure: true });
+    return { ...nothing, [code === 0 ? 'passed' : 'failed']: 1 };
+  });
+  return sum(await inParallel(tasks));
 }
 
 /** Whether everything is formatted and no rule is broken; what is not is named. */

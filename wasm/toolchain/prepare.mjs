@@ -3,6 +3,7 @@ import { accessSync, constants } from 'node:fs';
 import { whileLocked } from './lock.mjs';
 import { Explained } from './log.mjs';
 import { npmPackages } from './packages.mjs';
+import { inParallel } from './parallel.mjs';
 import { root } from './paths.mjs';
 import { checkInstallable, installMissing } from './requirements.mjs';
 
@@ -33,7 +34,9 @@ export async function prepareSystem(requirements) {
   checkWritable();
   checkInstallable(requirements, npmPackages.isCurrent() || mayInstall() ? [] : [packagesAsRequirement]);
   await whileLocked(async () => {
-    if (!npmPackages.isCurrent()) await npmPackages.make();
-    await installMissing(requirements);
+    const npm = async () => {
+      if (!npmPackages.isCurrent()) await npmPackages.make();
+    };
+    await inParallel([npm, () => installMissing(requirements)], 2);
   });
 }

@@ -1,19 +1,20 @@
-// `npm test [-- SUITE [ARGUMENTS]]`: runs the suites in order of their cost and adds up what their reports say.
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+// `npm test [-- SUITE [ARGUMENTS]]`: runs the suites one after the other, each on all cores, and says where the time went.
+import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { buildNative, buildWasm, nodeBundle, page, wasmModule } from './build.mjs';
+import { nothing, reports, runReported, sentence, sum } from './counts.mjs';
+import { runDoctest } from './doctest.mjs';
 import { run } from './exec.mjs';
 import { lint } from './lint.mjs';
 import { whileLocked } from './lock.mjs';
 import { Explained, step } from './log.mjs';
-import { buildDir, inRoot } from './paths.mjs';
+import { inParallel } from './parallel.mjs';
+import { inRoot } from './paths.mjs';
 import { prepare, prepareSystem } from './prepare.mjs';
 import { forBrowser, forLinting, forNative, forWasm } from './requirements.mjs';
 import { freePort } from './serve.mjs';
 
 const node = process.execPath;
-const reports = path.join(buildDir, 'reports');
-const nothing = { passed: 0, failed: 0, skipped: 0 };
 const bin = (...parts) => inRoot('node_modules', ...parts);
 
 function hasFiles(folder, ending) {
@@ -22,49 +23,27 @@ function hasFiles(folder, ending) {
   );
 }
 
-// Runs a program that writes a JSON report; one that leaves none, or fails without a failed test, counts as a failure.
-async function runReported(name, program, args, count, env = {}) {
-  const report = path.join(reports, `${name}.json`);
-  rmSync(report, { force: true });
-  const { code } = await run(program, args(report), { show: 'all', allowFailure: true, env });
-  if (!existsSync(report)) return { ...nothing, failed: 1 };
-  const counts = count(JSON.parse(readFileSync(report, 'utf8')));
-  return code !== 0 && counts.failed === 0 ? { ...counts, failed: 1 } : counts;
-}
-
 async function typecheck() {
-  const counts = { ...nothing };
-  for (const folder of ['web', 'tests']) {
-    if (!hasFiles(folder, '.ts')) continue;
+  const folders = ['web', 'tests'].filter((folder) => hasFiles(folder, '.ts'));
+  const tasks = folders.map((folder) => async () => {
     step(`checking the types of ${folder}`);
-    const { code } = await run(node, [bin('typescript/bin/tsc'), '-p', folder], { show: 'all', allowFailure: true });
-    ++counts[code === 0 ? 'passed' : 'failed'];
-  }
-  return counts;
+    const { code } = await run(node, [bin('typescript/bin/tsc'), '-p', folder], { show: 'after', allowFailure: true });
+    return { ...nothing, [code === 0 ? 'passed' : 'failed']: 1 };
+  });
+  return sum(await inParallel(tasks));
 }
 
-const doctestArguments = (words) => [
-  '--no-version',
-  '--no-colors',
-  ...words.map((word) => (word.startsWith('-') ? word : `--test-case=*${word}*`)),
-];
+const compileNative = () => whileLocked(() => buildNative(['shapespline_tests']));
+const compileWasm = () => whileLocked(() => buildWasm(['shapespline_tests']));
 
-async function native(words) {
-  const folder = await whileLocked(() => buildNative(['shapespline_tests']));
+function native(words, folder) {
   step('native tests, under AddressSanitizer and UBSan');
-  const args = (report) => [`--report=${report}`, ...doctestArguments(words)];
-  return runReported('native', path.join(folder, 'shapespline_tests'), args, (counts) => counts);
+  return runDoctest('native', [path.join(folder, 'shapespline_tests')], words);
 }
 
-async function wasm(words) {
-  const folder = await whileLocked(() => buildWasm(['shapespline_tests']));
+function wasm(words, folder) {
   step('the same tests as wasm, in Node');
-  const args = (report) => [
-    path.join(folder, 'shapespline_tests.js'),
-    `--report=${report}`,
-    ...doctestArguments(words),
-  ];
-  return runReported('wasm', node, args, (counts) => counts);
+  return runDoctest('wasm', [node, path.join(folder, 'shapespline_tests.js')], words);
 }
 
 function countVitest(report) {
@@ -92,7 +71,7 @@ const vitest = (project) => async (words) => {
     `--outputFile.json=${report}`,
     ...words,
   ];
-  return runReported(project, node, args, countVitest);
+  return runReported(project, node, args, { count: countVitest });
 };
 
 function countPlaywright({ stats, errors }) {
@@ -115,16 +94,25 @@ async function endToEnd(words) {
     SHAPESPLINE_BUILT_PORT: String(await freePort()),
     SHAPESPLINE_ISOLATED_PORT: String(await freePort()),
   };
-  return runReported('e2e', node, args, countPlaywright, env);
+  return runReported('e2e', node, args, { count: countPlaywright, env });
 }
 
-/** In the order they run: `files` tells whether there is anything to run, the rest what it needs. */
+/**
+ * In the order they run: `files` tells whether there is anything to run, `requirements`, `steps` and `compile` what it
+ * needs; `run` is told the words and what `compile` returns.
+ */
 const suites = {
   lint: { run: lint, files: ['web', '.ts'], requirements: forLinting, steps: [] },
   typecheck: { run: typecheck, files: ['web', '.ts'], requirements: forWasm, steps: [wasmModule] },
   unit: { run: vitest('unit'), files: ['tests/unit', '.test.ts'], requirements: [], steps: [] },
-  native: { run: native, files: ['tests/native', '_test.cpp'], requirements: forNative, steps: [] },
-  wasm: { run: wasm, files: ['tests/native', '_test.cpp'], requirements: forWasm, steps: [] },
+  native: {
+    run: native,
+    files: ['tests/native', '_test.cpp'],
+    requirements: forNative,
+    steps: [],
+    compile: compileNative,
+  },
+  wasm: { run: wasm, files: ['tests/native', '_test.cpp'], requirements: forWasm, steps: [], compile: compileWasm },
   engine: {
     run: vitest('engine'),
     files: ['tests/engine', '.test.ts'],
@@ -139,44 +127,58 @@ const suites = {
   },
 };
 
+const secondsSince = (moment) => (performance.now() - moment) / 1000;
+
 // A suite that cannot be built has failed; the others still run.
 async function runSuite(name, words) {
   const suite = suites[name];
   if (!hasFiles(...suite.files)) return nothing;
-  const started = Date.now();
+  const started = performance.now();
+  let making;
   try {
     await prepare(suite.requirements, suite.steps);
-    return { ...(await suite.run(words)), seconds: (Date.now() - started) / 1000 };
+    const made = await suite.compile?.();
+    making = secondsSince(started);
+    const counts = await suite.run(words, made);
+    return { ...counts, making, running: secondsSince(started) - making };
   } catch (error) {
     if (!(error instanceof Explained)) throw error;
     process.stderr.write(`${error.message}\n`);
-    return { ...nothing, failed: 1, seconds: (Date.now() - started) / 1000 };
+    making ??= secondsSince(started);
+    return { ...nothing, failed: 1, making, running: secondsSince(started) - making };
   }
 }
 
-const sentence = ({ passed, failed, skipped }) => `${passed} passed, ${failed} failed, ${skipped} skipped`;
+// What is done in less than half a second is not worth a number.
+const duration = (seconds) => (seconds >= 0.5 ? `${seconds.toFixed(0)} s` : '');
+const row = (name, counts, making, running) =>
+  [name.padEnd(10), counts.padEnd(36), making.padStart(8), running.padStart(8)].join(' ').trimEnd();
 
-function summarise(results) {
-  const total = { ...nothing };
-  console.log('');
+function summarise(results, settingUp, total) {
+  console.log(`\n${row('', '', 'making', 'running')}`);
+  console.log(row('setting up', '', duration(settingUp), ''));
   for (const [name, counts] of Object.entries(results)) {
-    for (const key of Object.keys(total)) total[key] += counts[key];
-    const time = counts.seconds === undefined ? 'no files yet' : `${counts.seconds.toFixed(0)} s`;
-    console.log(`${name.padEnd(10)} ${sentence(counts).padEnd(36)} ${time}`);
+    const missing = counts.running === undefined;
+    console.log(
+      row(name, missing ? 'no files yet' : sentence(counts), duration(counts.making), duration(counts.running)),
+    );
   }
-  console.log(sentence(total));
-  return total;
+  const all = sum(Object.values(results));
+  console.log(`${sentence(all)}, in ${Math.floor(total / 60)} min ${(total % 60).toFixed(0)} s`);
+  return all;
 }
 
 export async function test([only, ...words]) {
   if (only && !Object.hasOwn(suites, only)) {
     throw new Explained(`no such suite: ${only} (${Object.keys(suites).join(', ')})`);
   }
+  const started = performance.now();
   const names = only ? [only] : Object.keys(suites);
   mkdirSync(reports, { recursive: true });
   await prepareSystem(names.flatMap((name) => suites[name].requirements));
+  const settingUp = secondsSince(started);
   const results = {};
   for (const name of names) results[name] = await runSuite(name, words);
-  const total = summarise(results);
+  const total = summarise(results, settingUp, secondsSince(started));
   if (total.failed > 0 || total.passed === 0) process.exitCode = 1;
 }

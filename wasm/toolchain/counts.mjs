@@ -1,0 +1,30 @@
+// What a suite's report says: how many of its tests passed, failed and were skipped.
+import { existsSync, readFileSync, rmSync } from 'node:fs';
+import path from 'node:path';
+import { run } from './exec.mjs';
+import { buildDir } from './paths.mjs';
+
+export const reports = path.join(buildDir, 'reports');
+export const nothing = { passed: 0, failed: 0, skipped: 0 };
+
+export const sum = (list) =>
+  list.reduce(
+    (total, { passed, failed, skipped }) => ({
+      passed: total.passed + passed,
+      failed: total.failed + failed,
+      skipped: total.skipped + skipped,
+    }),
+    nothing,
+  );
+
+export const sentence = ({ passed, failed, skipped }) => `${passed} passed, ${failed} failed, ${skipped} skipped`;
+
+/** Runs a program that writes a JSON report; one that leaves none, or fails without a failed test, counts as a failure. */
+export async function runReported(name, program, args, { count = (counts) => counts, env = {}, show = 'all' } = {}) {
+  const report = path.join(reports, `${name}.json`);
+  rmSync(report, { force: true });
+  const { code } = await run(program, args(report), { show, allowFailure: true, env });
+  if (!existsSync(report)) return { ...nothing, failed: 1 };
+  const counts = count(JSON.parse(readFileSync(report, 'utf8')));
+  return code !== 0 && counts.failed === 0 ? { ...counts, failed: 1 } : counts;
+}
