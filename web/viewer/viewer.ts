@@ -301,8 +301,8 @@ export class Viewer {
     shape.setColour(colour);
     const picture = this.drawAlone(width, height);
     shape.dispose();
-    // The browser may show the canvas at any time.
-    this.draw();
+    // Before the browser shows the canvas again: several pictures in a row cost one drawing.
+    this.invalidate();
     return picture;
   }
 
