@@ -62,8 +62,9 @@ export default defineConfig({
   forbidOnly: Boolean(process.env.CI),
   use: {
     launchOptions: { executablePath: findBrowser(chromium) ?? undefined, args },
-    // Without pictures: to take them costs every test.
-    trace: { mode: 'retain-on-failure', screenshots: false },
+    // Its steps alone: pictures and copies of the page would cost every test an eighth of its time, for the few that fail.
+    trace: { mode: 'retain-on-failure', screenshots: false, snapshots: false, sources: false },
+    screenshot: 'only-on-failure',
   },
   // Everything is asked of the built page under a sub-path; of the development server what a server can break (tagged @server):
   // loading the page, its worker, samples, files and decoders, and the motion itself.
