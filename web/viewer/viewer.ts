@@ -1,15 +1,16 @@
 /** The picture: shapes in one to four views with one camera, drawn only when something changed. */
-import { BufferAttribute, NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
+import { NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
+import type { KeysInfo } from '../engine/api/types.ts';
 import { CameraRig, NO_INSETS } from './camera.ts';
 import type { Insets } from './camera.ts';
 import { GhostView } from './ghost.ts';
-import { Shape } from './shape.ts';
-import type { SharedTopology } from './shape.ts';
+import { Shape, topologyOf } from './shape.ts';
+import type { Topology } from './shape.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
 import { decodeTextures } from './textures.ts';
 import { tiles } from './tiles.ts';
-import type { CameraPose, Extra, GhostPicture, Look, Rect, Topology, ViewName } from './types.ts';
+import type { CameraPose, Extra, GhostPicture, Look, Rect, ViewName } from './types.ts';
 
 export interface ViewerEvents {
   /** The user, or a standard view, has moved the camera. */
@@ -34,7 +35,7 @@ export class Viewer {
   private readonly scene = new Scene();
   private readonly stage = new Stage();
   private readonly rig: CameraRig;
-  private topology: SharedTopology | null = null;
+  private topology: Topology | null = null;
   private shapes: Shape[] = [];
   private extras: Shape[] = [];
   private ghost: GhostView | null = null;
@@ -84,16 +85,10 @@ export class Viewer {
   }
 
   /** A new import: fresh buffers for `views` shapes, which stay hidden until their first frame. */
-  setTopology(topology: Topology, bounds: Bounds, points: Float32Array): void {
+  setImport(info: KeysInfo, bounds: Bounds, points: Float32Array): void {
     this.clearShapes();
     for (const texture of this.topology?.textures ?? []) texture?.dispose();
-    this.topology = {
-      ...topology,
-      index: new BufferAttribute(topology.seams?.indices ?? topology.indices, 1),
-      uv: topology.uvs ? new BufferAttribute(topology.uvs, 2) : null,
-      tint: topology.colors && withoutAlpha(topology.colors),
-      textures: [],
-    };
+    this.topology = topologyOf(info);
     this.patchColours = null;
     this.stage.setBounds(bounds);
     this.home = { bounds, points, radius: new Vector3(...bounds.max).distanceTo(new Vector3(...bounds.min)) / 2 };
@@ -344,8 +339,8 @@ export class Viewer {
     this.shapes.forEach((shape, index) => shape.setColour(this.colours[index] ?? '#888888'));
   }
 
-  private async loadTextures(topology: SharedTopology): Promise<void> {
-    const textures = await decodeTextures(topology.images, topology.materials);
+  private async loadTextures(topology: Topology): Promise<void> {
+    const textures = await decodeTextures(topology.scene.images, topology.scene.materials);
     if (this.topology !== topology) return;
     topology.textures = textures;
     this.setLook(this.look);
@@ -442,10 +437,6 @@ export class Viewer {
     this.stage.follow(this.rig.camera, this.rig.target);
     this.renderer.render(this.scene, this.rig.camera);
   }
-}
-
-function withoutAlpha(colors: Float32Array): Float32Array {
-  return Float32Array.from({ length: (colors.length / 4) * 3 }, (_, i) => colors[4 * Math.floor(i / 3) + (i % 3)]!);
 }
 
 /** The bottom left corner of the canvas as a PNG; in the same task as the drawing, before the buffer is cleared. */

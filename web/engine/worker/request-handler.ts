@@ -106,11 +106,11 @@ export class RequestHandler {
   private makeHandlers(): Handlers {
     return {
       import: (core, { files, options }, report) => importFiles(core, this.host.decode, { files, options, report }),
-      create: (core, { keys, encoding, motion }, report) => {
+      create: (core, request, report) => {
         report('welding', 0); // large keys take a moment to be copied and checked
-        const { handle, range, warnings } = core.createSequence(keys, encoding, motion, report);
+        const { handle, range, warnings } = core.createSequence(request, report);
         this.sequence = handle;
-        this.motionVersion = motion.version;
+        this.motionVersion = request.motion.version;
         return { range, warnings };
       },
       update: (core, { motion }) => this.refit(core, motion),
