@@ -56,7 +56,7 @@ export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; 
     label: 'Add the current shape as a key',
     testId: 'add-current',
     icon: 'plus',
-    text: 'Key here',
+    text: 'Add key',
     shortcut: 'K',
     kind: 'plain',
     onClick: () => events.onAddCurrent(),
@@ -65,7 +65,7 @@ export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; 
     label: 'Add a key from a file',
     testId: 'add-file',
     icon: 'open',
-    text: 'From file',
+    text: 'Import pose',
     kind: 'plain',
     onClick: () => events.onAddFile(),
   });

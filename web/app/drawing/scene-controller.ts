@@ -126,7 +126,7 @@ export class SceneController {
       this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind], eased),
     );
     if (preview) {
-      if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'of the moment when it rests' };
+      if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'updated when the shape rests' };
       return this.showGhost(t, sequences[0], state.view);
     }
     this.labels = sequences.length > 1 ? this.tileLabels(frames, sequences) : [];

@@ -9,7 +9,7 @@ import { shapingOf } from '../../model/shaping.ts';
 import type { Doc } from '../../model/state.ts';
 import type { PosePool } from './pose-pool.ts';
 
-export function docOf(info: KeysInfo, pool: PosePool): Doc {
+export function documentFromImport(info: KeysInfo, pool: PosePool): Doc {
   const project = info.project ?? {};
   return {
     keys: info.times.map((time, pose) => ({

@@ -146,7 +146,7 @@ export const MOTION = {
     undo: 'period',
   },
   /** Take out the translation that accumulates along the sequence. */
-  inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'without the motion of the whole' },
+  inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'without the translation of the whole' },
 } as const satisfies OptionTable;
 
 /**
@@ -190,7 +190,7 @@ export const PER_KEY = {
     flag: 'turns',
     value: 'KEY:N[@COMPONENT],...',
     help:
-      'whole turns added on the way to a key: of the whole, or of one of its separate parts, counted from 1 as ' +
+      'whole turns added on the way to a key: of the whole shape, or of one of its components, counted from 1 as ' +
       'their faces come in the file',
     undo: 'turns',
     label: 'Added turns',
@@ -229,7 +229,7 @@ export const ENCODING = {
     choices: ['linear', 'log'],
     default: 'linear',
     flag: 'stretch',
-    help: 'how stretch is interpolated; log never turns inside out',
+    help: 'how stretch is interpolated; with log, no stretch turns inside out',
     page: 'stretch',
     undo: 'stretch',
   },
@@ -385,7 +385,7 @@ export const EXPORT = {
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
   pose: { kind: 'number', default: null, help: 'one pose only, at this time' },
-  inPlace: { kind: 'flag', default: false, help: 'without the motion of the whole' },
+  inPlace: { kind: 'flag', default: false, help: 'without the translation of the whole' },
 } as const satisfies OptionTable;
 
 /** The entries of a table, with the type that every option has. */

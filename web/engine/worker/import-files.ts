@@ -40,7 +40,7 @@ export async function importFiles(
   const { info, ...poses } = core.importKeys(decoded, options, (stage, fraction) =>
     report(stage, start + (READING - start) * fraction),
   );
-  report('taking the keys', READING);
+  report('reading the poses', READING);
   const { scene } = info;
   const { images, warnings } = drawnImages(scene.images, scene.materials);
   const project = info.project === '' ? null : readOptions(info.project);

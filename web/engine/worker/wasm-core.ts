@@ -47,7 +47,7 @@ function placeOf({ key, vertex, face }: Failure): EngineError['place'] {
 }
 
 /** Bytes: many times what a frame's kernels need. */
-const HELPER_STACK = 1 << 18;
+const SECOND_STACK = 1 << 18;
 
 export class WasmCore {
   private readonly module: WasmModule;
@@ -62,12 +62,12 @@ export class WasmCore {
   }
 
   /** What a second thread needs to work in this core's memory; null where that is not shared. */
-  helperStart(compiled: WebAssembly.Module): SecondThreadStart | null {
+  secondThreadStart(compiled: WebAssembly.Module): SecondThreadStart | null {
     const { wasmMemory: memory } = this.module;
     if (!memory) return null;
-    const stack = this.module._malloc(HELPER_STACK) >>> 0;
+    const stack = this.module._malloc(SECOND_STACK) >>> 0;
     if (stack === 0) throw outOfMemory();
-    return { module: compiled, memory, stack: stack + HELPER_STACK };
+    return { module: compiled, memory, stack: stack + SECOND_STACK };
   }
 
   /** From the next frame on; the frames are the same. */
@@ -76,7 +76,7 @@ export class WasmCore {
   }
 
   /** The second thread broke down in the middle of a frame: what it was to write cannot be relied on. */
-  get helpLost(): boolean {
+  get secondThreadLost(): boolean {
     return this.module._shapespline_is_help_lost() !== 0;
   }
 
