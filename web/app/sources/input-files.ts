@@ -90,14 +90,16 @@ async function importAny(
 function checkSameMesh(name: string, { report, faces }: KeysInfo, open: KeysInfo): void {
   const mesh = open.report;
   if (report.vertices !== mesh.vertices || report.faces !== mesh.faces) {
+    const count = (number: number): string => number.toLocaleString('en');
     throw new Error(
-      `${name} has ${report.vertices} vertices and ${report.faces} faces, the open shape ${mesh.vertices} and ${mesh.faces}. A key must be a pose of the same mesh.`,
+      `${name} has ${count(report.vertices)} vertices and ${count(report.faces)} faces, the open shape ` +
+        `${count(mesh.vertices)} and ${count(mesh.faces)}. A key must be a pose of the same mesh.`,
     );
   }
   const other = firstOtherFace(faces, open.faces);
   if (other >= 0) {
     throw new Error(
-      `${name} joins other vertices than the open shape, first in face ${other}. A key must be a pose of the same mesh.`,
+      `${name} joins other vertices than the open shape, first in face ${other + 1}. A key must be a pose of the same mesh.`,
     );
   }
 }
