@@ -7,7 +7,7 @@ import { build, type Plugin } from 'esbuild';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 import { serve } from '../../wasm/toolchain/serve.mjs';
 import { wasmStaysOutside } from '../../wasm/toolchain/wasm-outside.mjs';
-import type { Place } from './place.ts';
+import type { Runner } from './runner.ts';
 
 // The address of a worker within a worker stays as it was written.
 const secondThreadAddress: Plugin = {
@@ -39,7 +39,7 @@ async function bundle(repository: string): Promise<void> {
   });
 }
 
-export async function browserPlace(repository: string): Promise<Place> {
+export async function browserRunner(repository: string): Promise<Runner> {
   await bundle(repository);
   const { url, server } = await serve(repository, { port: 4273, isolated: true });
   const args = process.getuid?.() === 0 ? ['--no-sandbox'] : [];

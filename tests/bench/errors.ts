@@ -24,7 +24,7 @@ async function withFrame<T>(answer: Promise<Frame | null>, use: (positions: Floa
   return result;
 }
 
-export async function errorsOf(sequence: Sequence, led: Sequence | null, reference: Reference): Promise<Errors> {
+export async function errorsOf(sequence: Sequence, withGhost: Sequence | null, reference: Reference): Promise<Errors> {
   const double: DistanceAt[] = [],
     preview: DistanceAt[] = [],
     ghost: DistanceAt[] = [];
@@ -35,9 +35,12 @@ export async function errorsOf(sequence: Sequence, led: Sequence | null, referen
       t,
       ...(await withFrame(sequence.preview(t), (positions) => distanceOf(positions, exact.positions))),
     });
-    if (led)
-      ghost.push({ t, ...(await withFrame(led.evaluate(t), (positions) => distanceOf(positions, exact.positions))) });
+    if (withGhost)
+      ghost.push({
+        t,
+        ...(await withFrame(withGhost.evaluate(t), (positions) => distanceOf(positions, exact.positions))),
+      });
     exact.release();
   }
-  return { double: sweptParts(double), preview: sweptParts(preview), ghost: led ? sweptParts(ghost) : null };
+  return { double: sweptParts(double), preview: sweptParts(preview), ghost: withGhost ? sweptParts(ghost) : null };
 }

@@ -94,10 +94,10 @@ async function measure(page: Page, url: string, file: string, pid: number): Prom
   await page.waitForFunction(() => window.__shapespline!.state.source.kind === 'files');
   await settled();
   const openMs = performance.now() - opened;
-  const led = performance.now();
+  const withGhost = performance.now();
   await page.getByTestId('ghost').check();
   await settled();
-  const ghostMs = performance.now() - led;
+  const ghostMs = performance.now() - withGhost;
   const scrub = await page.evaluate(async (moves) => {
     const hook = window.__shapespline!;
     const tasks: number[] = [];

@@ -8,14 +8,14 @@ import { cpus } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { benchArguments, type Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
-import { browserPlace } from './browser.ts';
+import { browserRunner } from './browser.ts';
 import { benchGhostInBrowser } from './ghost-browser.ts';
 import { benchGhost } from './ghost.ts';
 import { FEW_KEYS, MANY_KEYS } from './key-counts.ts';
 import { withNative } from './native.ts';
-import { nodePlace } from './node-place.ts';
+import { nodeRunner } from './node-runner.ts';
 import { TABLE_2 } from './paper.ts';
-import type { Place } from './place.ts';
+import type { Runner } from './runner.ts';
 import { report, type Results } from './report.ts';
 import type { Family } from './tables.ts';
 import { threadsLine } from './threads.ts';
@@ -59,8 +59,8 @@ const endsOf = (sizes: number[]): number[] => [
   ...new Set(sizes.length > 0 ? [Math.min(...sizes), Math.max(...sizes)] : []),
 ];
 
-async function runAll(place: Place, sizes: number[]): Promise<Results> {
-  const results: Results = { where: `${place.name}, ${machine()}`, sizes: [], motions: [], resolutions: [], keys: [] };
+async function runAll(runner: Runner, sizes: number[]): Promise<Results> {
+  const results: Results = { where: `${runner.name}, ${machine()}`, sizes: [], motions: [], resolutions: [], keys: [] };
   const measure = async (family: Family, faces: number): Promise<void> => {
     say(`${faces} faces${family === 'parts' ? ' in parts' : ''}`);
     const mesh = meshOf(faces, { kind: family === 'parts' ? '-parts' : '' });
@@ -68,7 +68,7 @@ async function runAll(place: Place, sizes: number[]): Promise<Results> {
       await withNative(mesh, async (native, runEigen) => ({
         family,
         native,
-        run: await place.measure(mesh, runEigen),
+        run: await runner.measure(mesh, runEigen),
       })),
     );
   };
@@ -76,17 +76,17 @@ async function runAll(place: Place, sizes: number[]): Promise<Results> {
   for (const faces of sizes.filter((one) => one <= LARGEST_PARTS)) await measure('parts', faces);
   for (const row of TABLE_2.filter(({ faces }) => faces <= 1.2 * Math.max(...sizes))) {
     say(`${row.model}, ${row.shapes} shapes`);
-    results.motions.push({ row, run: await place.motion(meshOf(row.faces), row) });
+    results.motions.push({ row, run: await runner.motion(meshOf(row.faces), row) });
   }
   // Where the list has a size of about four times the faces.
   for (const faces of sizes.filter((one) => sizes.some((other) => Math.abs(other - 4 * one) < 0.05 * other))) {
     say(`${faces} faces and each of them split into four`);
-    results.resolutions.push(await place.resolutions(meshOf(faces), meshOf(faces, { kind: '-split' })));
+    results.resolutions.push(await runner.resolutions(meshOf(faces), meshOf(faces, { kind: '-split' })));
   }
   for (const faces of endsOf(sizes.filter((one) => one <= LARGEST_MANY_KEYS))) {
     for (const keys of MANY_KEYS) {
       say(`${faces} faces, ${keys} keys`);
-      results.keys.push(await place.keys(meshOf(faces), meshOf(faces, { keys }), keys));
+      results.keys.push(await runner.keys(meshOf(faces), meshOf(faces, { keys }), keys));
     }
   }
   return results;
@@ -100,20 +100,20 @@ function save(text: string, browser: boolean): void {
   say(`saved as ${path.relative(repository, file)}`);
 }
 
-async function withPlace(browser: boolean, work: (place: Place) => Promise<void>): Promise<void> {
+async function withRunner(browser: boolean, work: (runner: Runner) => Promise<void>): Promise<void> {
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
-  const place = browser ? await browserPlace(repository) : nodePlace(reader);
+  const runner = browser ? await browserRunner(repository) : nodeRunner(reader);
   try {
-    await work(place);
+    await work(runner);
   } finally {
-    await place.close();
+    await runner.close();
   }
 }
 
 function bench(wanted: Wanted): Promise<void> {
-  return withPlace(wanted.browser, async (place) => {
-    const { text, verdict } = report(await runAll(place, facesOf(wanted)));
+  return withRunner(wanted.browser, async (runner) => {
+    const { text, verdict } = report(await runAll(runner, facesOf(wanted)));
     console.log(text);
     if (wanted.save) save(text, wanted.browser);
     say(verdict);
@@ -121,8 +121,8 @@ function bench(wanted: Wanted): Promise<void> {
 }
 
 function benchThreads(wanted: Wanted): Promise<void> {
-  return withPlace(wanted.browser, async (place) => {
-    for (const faces of facesOf(wanted)) console.log(threadsLine(await place.threads(meshOf(faces))));
+  return withRunner(wanted.browser, async (runner) => {
+    for (const faces of facesOf(wanted)) console.log(threadsLine(await runner.threads(meshOf(faces))));
   });
 }
 

@@ -5,7 +5,7 @@ import { buildRepeatedly, Listener, refitGrowth, type Builds, type Silence } fro
 import type { RunEigen } from './eigen.ts';
 import { errorsOf, type Errors, type Reference } from './errors.ts';
 import { cheapFrames, exactFrames, roundOf, type CheapFrames, type ExactFrames, type Round } from './frames.ts';
-import { createLed, ledRun, type LedRun } from './led.ts';
+import { createWithGhost, ghostFrames, type GhostFrames } from './ghost-frames.ts';
 
 /** The paper's ghost, and shapes to take its time from. */
 const GHOST_FACES = 2000,
@@ -21,7 +21,7 @@ export interface Run {
   exact: ExactFrames;
   cheap: CheapFrames;
   /** For GHOST_SHAPES shapes, with how many that is; null where the mesh is hardly larger than the ghost. */
-  led: (LedRun & { shapes: number }) | null;
+  withGhost: (GhostFrames & { shapes: number }) | null;
   /** Heap after many refits over the heap after one. */
   refitGrowth: number;
   heapBytes: number;
@@ -55,13 +55,13 @@ export async function measure(
     rounds.push(await roundOf(built, readBandwidth, runEigen));
   });
   const { vertices, faces } = keys.info.report;
-  const led = faces > 2 * GHOST_FACES ? await createLed(engine, keys, GHOST_FACES) : null;
-  const errors = await errorsOf(sequence, led?.sequence ?? null, reference);
+  const withGhost = faces > 2 * GHOST_FACES ? await createWithGhost(engine, keys, GHOST_FACES) : null;
+  const errors = await errorsOf(sequence, withGhost?.sequence ?? null, reference);
   const growth = await refitGrowth(sequence);
   const { heapBytes, factorBytes } = await sequence.stats();
   sequence.dispose();
-  const ledTimes = led && { ...(await ledRun(led, GHOST_SHAPES)), shapes: GHOST_SHAPES };
-  led?.sequence.dispose();
+  const ghostTimes = withGhost && { ...(await ghostFrames(withGhost, GHOST_SHAPES)), shapes: GHOST_SHAPES };
+  withGhost?.sequence.dispose();
   return {
     faces,
     vertices,
@@ -70,7 +70,7 @@ export async function measure(
     builds,
     exact: exactFrames(rounds),
     cheap: cheapFrames(rounds),
-    led: ledTimes,
+    withGhost: ghostTimes,
     refitGrowth: growth,
     // The import's memory was the first build's heap.
     heapBytes: Math.max(builds.heapBytes, heapBytes),

@@ -1,9 +1,9 @@
 /** Eigen and our own solver on the same system, native, on the same machine, and the double solutions that frames are compared with. */
 import { rm } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
-import { withProgram } from './answers.ts';
+import { withProgram } from './line-protocol.ts';
 import type { EigenRound, RunEigen } from './eigen.ts';
-import { REFERENCE } from './place.ts';
+import { REFERENCE } from './runner.ts';
 import { SWEEP } from './sweep.ts';
 
 // Relative to the bundle, build/node/bench.mjs.

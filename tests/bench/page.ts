@@ -6,7 +6,7 @@ import type { FromWorker } from '../../web/engine/wire/protocol.ts';
 import type { RunEigen } from './eigen.ts';
 import { compareKeys, type KeysRun } from './key-counts.ts';
 import { measure, type Run } from './measure.ts';
-import { REFERENCE } from './place.ts';
+import { REFERENCE } from './runner.ts';
 import { compareResolutions, type Resolutions } from './resolutions.ts';
 import { compareThreads, type ThreadsRun } from './threads.ts';
 import { runMotion, type Motion, type MotionRun } from './whole-sequences.ts';

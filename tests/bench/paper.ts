@@ -1,6 +1,6 @@
 /** The paper's Tables 1 and 2, laid out as there, with our own numbers beside them. */
 import { CLOCK_MS, msText, short, table } from './format.ts';
-import type { LedRun } from './led.ts';
+import type { GhostFrames } from './ghost-frames.ts';
 import type { Run } from './measure.ts';
 import type { Motion, MotionRun } from './whole-sequences.ts';
 
@@ -69,7 +69,7 @@ export const TABLE_2: readonly Table2Row[] = [
 ];
 
 /** Milliseconds of one shape out of so many. */
-function partsOf({ irMs, tsMs }: LedRun, shapes: number): Pick<Times, 'ir' | 'ts'> {
+function partsOf({ irMs, tsMs }: GhostFrames, shapes: number): Pick<Times, 'ir' | 'ts'> {
   return { ir: irMs / shapes, ts: tsMs / shapes };
 }
 
@@ -88,8 +88,8 @@ export function table1(runs: Run[]): string | null {
   });
   if (columns.length === 0) return null;
   const ours = columns.map(
-    ({ run: { led, exact } }): Times => ({
-      ...(led ? partsOf(led, led.shapes) : { ir: NaN, ts: NaN }),
+    ({ run: { withGhost, exact } }): Times => ({
+      ...(withGhost ? partsOf(withGhost, withGhost.shapes) : { ir: NaN, ts: NaN }),
       o: exact.stages.median,
     }),
   );
@@ -101,14 +101,14 @@ export function table1(runs: Run[]): string | null {
     'paper / here',
     ...columns.map(({ paper }, i) => timesFaster(of(paper), of(ours[i]!))),
   ];
-  const led = ({ ir, ts }: Times): number => ir + ts;
+  const withGhost = ({ ir, ts }: Times): number => ir + ts;
   return table(
     ['', ...columns.map(({ model }) => model)],
     [
       ...rows('t_ir', ({ ir }) => ir),
       ...rows('t_ts', ({ ts }) => ts),
-      ...rows('t_ir + t_ts', led),
-      faster(led),
+      ...rows('t_ir + t_ts', withGhost),
+      faster(withGhost),
       ...rows('t_o', ({ o }) => o),
       faster(({ o }) => o),
     ],
@@ -133,12 +133,12 @@ export function table2(results: { row: Table2Row; run: MotionRun }[]): string {
       'built once, with ghost',
       'without',
     ],
-    results.map(({ row, run: { led, buildMs, wholeMs } }) => [
+    results.map(({ row, run: { withGhost, buildMs, wholeMs } }) => [
       `${row.model} (${row.shapes}, ${row.fraction})`,
       ...three(inMs(row.other)),
       ...three(inMs(row.paper)),
-      ...three({ ...partsOf(led, 1), o: wholeMs }),
-      msText(led.buildMs),
+      ...three({ ...partsOf(withGhost, 1), o: wholeMs }),
+      msText(withGhost.buildMs),
       msText(buildMs),
     ]),
   );

@@ -1,7 +1,7 @@
 /** The same motion at two resolutions (the paper's Fig. 10): a mesh, and the same with every face split into four. */
 import type { Engine } from '../../web/engine/api/api.ts';
 import { distanceOf, NO_DISTANCE, worse, type Distance } from './distance.ts';
-import { evenTimes } from './led.ts';
+import { evenTimes } from './ghost-frames.ts';
 
 const SHAPES = 13;
 

@@ -1,6 +1,6 @@
 /** Whole motions as in the paper's Table 2: so many shapes, without a ghost mesh and led by one. */
 import type { Engine } from '../../web/engine/api/api.ts';
-import { createLed, ledRun, stagesOf, type LedRun } from './led.ts';
+import { createWithGhost, ghostFrames, stagesOf, type GhostFrames } from './ghost-frames.ts';
 
 export interface Motion {
   faces: number;
@@ -11,7 +11,7 @@ export interface Motion {
 
 /** Milliseconds for all shapes, medians of five. */
 export interface MotionRun {
-  led: LedRun;
+  withGhost: GhostFrames;
   buildMs: number;
   /** t_o: all stages of the frames without a ghost. */
   wholeMs: number;
@@ -29,9 +29,9 @@ export async function runMotion(
   const buildMs = performance.now() - start;
   const wholeMs = await stagesOf(sequence, shapes);
   sequence.dispose();
-  const led = await createLed(engine, keys, Math.round(fraction * keys.info.report.faces));
-  const run = await ledRun(led, shapes);
-  led.sequence.dispose();
+  const withGhost = await createWithGhost(engine, keys, Math.round(fraction * keys.info.report.faces));
+  const run = await ghostFrames(withGhost, shapes);
+  withGhost.sequence.dispose();
   keys.dispose();
-  return { led: run, buildMs, wholeMs };
+  return { withGhost: run, buildMs, wholeMs };
 }

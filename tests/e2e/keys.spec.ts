@@ -109,7 +109,7 @@ test('methods stand side by side with one camera and one clock', async ({ app })
   expect(difference(spline, linear)).toBeGreaterThan(1e-3 * diagonal(spline));
   expect(await changedShare(app.page, alone, await app.picture())).toBeGreaterThan(0.01);
   await expect(app.by('tile-0')).toContainText('LRI spline');
-  await expect(app.by('tile-1')).toContainText('Linear vertices');
+  await expect(app.by('tile-1')).toContainText('Linear blend');
   const volume = async (tile: number): Promise<number> =>
     Number(/volume ([\d.]+)\s%/.exec(await app.by(`tile-${tile}`).innerText())![1]);
   // What the method is for: the spline keeps more of the volume than a blend of positions.

@@ -82,7 +82,7 @@ const shown = (app: App): Promise<{ time: number; preview: boolean }> =>
   app.page.evaluate(() => window.__shapespline!.shown);
 
 test('a shape is a preview while it is dragged or plays, and exact when it rests', async ({ app }) => {
-  await app.open({ search: '?moving=about' });
+  await app.open({ search: '?moving=preview' });
   await app.openGenerated(FACES);
   const status = app.by('status-ms');
   for (const t of [0.2, 0.3, 0.25]) await app.setTime(t);
@@ -202,7 +202,7 @@ test('a moving shape is a preview only where that was measured to be close', asy
 });
 
 test('and always where the address asks for it', async ({ app }) => {
-  await app.open({ search: '?moving=about' });
+  await app.open({ search: '?moving=preview' });
   await openRolledUp(app);
   await app.setTime(0.25);
   expect((await drag(app, 0.05, 0.45)).some(({ preview }) => preview)).toBe(true);

@@ -190,7 +190,7 @@ test('whole turns are given to the shape or to one of its parts, which is marked
   await app.open();
   await app.by('key-1-edit').click();
   await expect(app.by('key-turns')).toBeVisible();
-  await expect(app.by('key-turns-part')).toBeHidden();
+  await expect(app.by('key-turns-component')).toBeHidden();
   await app.by('key-editor-close').click();
 
   const poses = [0, 0.5, 1].map((turn, index) => ({
@@ -202,15 +202,15 @@ test('whole turns are given to the shape or to one of its parts, which is marked
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.settled();
   await app.by('key-1-edit').click();
-  const part = app.by('key-turns-part');
-  await expect(part.locator('option')).toHaveText(['Whole shape', 'Part 1', 'Part 2']);
-  await part.selectOption('Part 2');
+  const part = app.by('key-turns-component');
+  await expect(part.locator('option')).toHaveText(['Whole shape', 'Component 1', 'Component 2']);
+  await part.selectOption('Component 2');
   await expect.poll(() => markedShare(app)).toBeGreaterThan(SEEN);
   await app.by('key-turns').fill('1');
   await app.by('key-turns').press('Enter');
   await app.settled();
   expect(await turns()).toEqual([[], [{ component: 1, turns: 1 }], []]);
-  await expect(part.locator('option')).toHaveText(['Whole shape', 'Part 1', 'Part 2: +1']);
+  await expect(part.locator('option')).toHaveText(['Whole shape', 'Component 1', 'Component 2: +1']);
   await part.selectOption('Whole shape');
   await expect(app.by('key-turns')).toHaveValue('0');
   expect(await markedShare(app)).toBeLessThan(SEEN);

@@ -32,11 +32,11 @@ describe('the bindings', () => {
     const { core } = await localCore();
     const mesh = bar();
     const poses = [0, 90].map((degrees) => bent(mesh, degrees));
-    const { keys } = core.importKeys(poseFiles(mesh, poses), IMPORT_DEFAULTS);
-    expect(keys.names).toEqual(['pose-1', 'pose-2']);
-    expect(keys.times).toEqual([0, 1]);
-    expect(keys.faces).toEqual(mesh.indices);
-    expect(keys.positions).toEqual(poses);
+    const { info, positions } = core.importKeys(poseFiles(mesh, poses), IMPORT_DEFAULTS);
+    expect(info.names).toEqual(['pose-1', 'pose-2']);
+    expect(info.times).toEqual([0, 1]);
+    expect(info.faces).toEqual(mesh.indices);
+    expect(positions).toEqual(poses);
     expect(core.objects).toBe(0);
   });
 
@@ -72,7 +72,11 @@ describe('the bindings', () => {
     const { core } = await localCore();
     const far = (options: Partial<typeof ENCODING_DEFAULTS>, boundary: 'natural' | 'hermite' = 'natural'): string => {
       const spec = { ...motion, options: { ...MOTION_DEFAULTS, boundary } };
-      const { handle } = core.createSequence(bendData(), { ...ENCODING_DEFAULTS, ...options }, spec, () => undefined);
+      const { handle } = core.createSequence({
+        ...bendData(),
+        encoding: { ...ENCODING_DEFAULTS, ...options },
+        motion: spec,
+      });
       const frame = core.evaluate(handle, 1.4, null);
       core.release(handle);
       return frame.positions.join();
@@ -118,7 +122,7 @@ describe('the bindings', () => {
   it('report progress that ends at 1 and names its stages', async () => {
     const { core } = await localCore();
     const seen: [string, number][] = [];
-    core.createSequence(bendData(), ENCODING_DEFAULTS, motion, (stage, fraction) => seen.push([stage, fraction]));
+    core.createSequence({ ...bendData(), motion }, (stage, fraction) => seen.push([stage, fraction]));
     expect(seen.length).toBeGreaterThan(2);
     expect(seen.every(([stage, fraction]) => stage.length > 0 && fraction >= 0 && fraction <= 1)).toBe(true);
     expect(seen.map(([, f]) => f)).toEqual(seen.map(([, f]) => f).sort((a, b) => a - b));

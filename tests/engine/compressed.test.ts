@@ -31,7 +31,7 @@ describe('compressed meshes', () => {
     const keys = await engine.importKeyframes(files);
     expect(keys.info.names).toEqual(['pose-1', 'pose-2']);
     expect(keys.positions(1)).toEqual(poses[1]);
-    expect(facesOf(keys.info.indices)).toEqual(facesOf(mesh.indices));
+    expect(facesOf(keys.info.faces)).toEqual(facesOf(mesh.indices));
   });
 
   it('with KHR_draco_mesh_compression are read to its quantisation', async () => {
@@ -40,7 +40,7 @@ describe('compressed meshes', () => {
     const keys = await engine.importKeyframes(files);
     expect(keys.info.report.faces).toBe(mesh.indices.length / 3);
     expect(diagonal(keys.positions(1))).toBeCloseTo(diagonal(poses[1]!), 3);
-    expect(cornersOf(keys.positions(0), keys.info.indices)).toEqual(cornersOf(poses[0]!, mesh.indices));
+    expect(cornersOf(keys.positions(0), keys.info.faces)).toEqual(cornersOf(poses[0]!, mesh.indices));
   });
 
   it('find their buffers as other files do, and miss only the buffers', async () => {

@@ -45,15 +45,17 @@ describe('an animated GLB', () => {
     const sequence = await engine.createSequence(keys);
     const bytes = await expectPlayed(sequence, { frames: 6, range: [sequence.range[0] - 0.2, sequence.range[1]] });
     const again = (await engine.importKeyframes([{ name: 'again.glb', bytes }])).info;
-    const plain = keys.info.materials.length === 0; // then the export has one that says so
-    if (!plain) expect(again.materials).toEqual(keys.info.materials);
-    expect(again.groups).toEqual(keys.info.groups.map((group) => (plain ? { ...group, material: 0 } : group)));
-    expect(again.images).toEqual(keys.info.images);
-    expect(again.uvs).toEqual(keys.info.uvs);
-    expect(again.indices).toEqual(keys.info.indices);
+    const plain = keys.info.scene.materials.length === 0; // then the export has one that says so
+    if (!plain) expect(again.scene.materials).toEqual(keys.info.scene.materials);
+    expect(again.scene.groups).toEqual(
+      keys.info.scene.groups.map((group) => (plain ? { ...group, material: 0 } : group)),
+    );
+    expect(again.scene.images).toEqual(keys.info.scene.images);
+    expect(again.scene.uvs).toEqual(keys.info.scene.uvs);
+    expect(again.faces).toEqual(keys.info.faces);
     if (file.name === 'painted.glb') {
-      expect(keys.info.materials.map(({ name }) => name)).toEqual(['skin', 'cloth']);
-      expect(keys.info.materials[0]!.normalImage).toBeGreaterThanOrEqual(0);
+      expect(keys.info.scene.materials.map(({ name }) => name)).toEqual(['skin', 'cloth']);
+      expect(keys.info.scene.materials[0]!.normalImage).toBeGreaterThanOrEqual(0);
       expect(keys.info.report.weldedVertices).toBeLessThan(keys.info.report.vertices / 4);
     }
     sequence.dispose();
@@ -203,7 +205,7 @@ describe('single shapes and series of files', () => {
       ];
       const keys = await engine.importKeyframes(files);
       expect(largestDistance(keys.positions(0), wanted)).toBeLessThan(1e-6);
-      expect(keys.info.indices).toEqual(bend.mesh.indices);
+      expect(keys.info.faces).toEqual(bend.mesh.indices);
     }
   });
 

@@ -104,8 +104,8 @@ describe('the heap', () => {
     const mesh = bar();
     const poses = [0, 60, 120].map((degrees) => bent(mesh, degrees));
     const files = poses.map((positions, i) => ({ name: `${i}.glb`, bytes: meshGlb(mesh, positions) }));
-    const { keys } = core.importKeys(files, IMPORT_DEFAULTS);
-    expect(keys.positions).toEqual(poses);
+    const { positions } = core.importKeys(files, IMPORT_DEFAULTS);
+    expect(positions).toEqual(poses);
     const high = core.evaluate(createBend(core, bendData()), 0.3, null).positions;
     const low = (await localCore()).core;
     expect(high).toEqual(low.evaluate(createBend(low), 0.3, null).positions);

@@ -78,7 +78,7 @@ describe('importing', () => {
     expect(keys.info.names).toEqual(['pose-2', 'pose-1']);
     expect(keys.info.times).toEqual([0, 1]);
     expect(keys.positions(0)).toEqual(curved);
-    expect(keys.info.indices).toEqual(mesh.indices);
+    expect(keys.info.faces).toEqual(mesh.indices);
     expect(keys.info.report).toMatchObject({
       vertices: straight.length / 3,
       weldedVertices: straight.length / 3,

@@ -35,14 +35,17 @@ const files = poses.map((positions, index) => objOf(`pose-${index}.obj`, positio
 
 /** Coordinates of every corner of every face, as they are drawn. */
 function corners({ info }: Keys): number[] {
-  return Array.from(info.seams?.indices ?? info.indices).flatMap((v) => [info.uvs![2 * v]!, info.uvs![2 * v + 1]!]);
+  return Array.from(info.scene.seams?.indices ?? info.faces).flatMap((v) => [
+    info.scene.uvs![2 * v]!,
+    info.scene.uvs![2 * v + 1]!,
+  ]);
 }
 
-/** The drawn vertices' places. */
+/** The positions of the drawn vertices. */
 function drawn(positions: Float32Array, { info }: Keys): Float32Array {
   return Float32Array.from([
     ...positions,
-    ...Array.from(info.seams!.copyOf).flatMap((v) => [...positions.subarray(3 * v, 3 * v + 3)]),
+    ...Array.from(info.scene.seams!.copyOf).flatMap((v) => [...positions.subarray(3 * v, 3 * v + 3)]),
   ]);
 }
 
@@ -51,10 +54,10 @@ describe('an OBJ whose texture has seams', () => {
     const { info } = await engine.importKeyframes([...files, ...paint]);
     expect(info.report).toMatchObject({ vertices, weldedVertices: vertices, faces: mesh.indices.length / 3 });
     expect(info.warnings).toEqual([]);
-    expect(info.indices).toEqual(mesh.indices);
-    expect(info.images).toMatchObject([{ mimeType: 'image/png', scale: 1 }]);
-    const { copyOf, indices } = info.seams!;
-    expect(info.uvs).toHaveLength(2 * (vertices + copyOf.length));
+    expect(info.faces).toEqual(mesh.indices);
+    expect(info.scene.images).toMatchObject([{ mimeType: 'image/png', scale: 1 }]);
+    const { copyOf, indices } = info.scene.seams!;
+    expect(info.scene.uvs).toHaveLength(2 * (vertices + copyOf.length));
     expect(Array.from(indices, (v) => (v < vertices ? v : copyOf[v - vertices]!))).toEqual(Array.from(mesh.indices));
     const wanted = Array.from(mesh.indices).flatMap((v, i) => [
       Math.fround(v / vertices),
@@ -82,7 +85,7 @@ describe('an OBJ whose texture has seams', () => {
     const again = await engine.importKeyframes([{ name: 'again.glb', bytes }]);
     expect(again.info.report).toEqual({ ...keys.info.report, diagonal: expect.closeTo(keys.info.report.diagonal, 4) });
     expect(again.info.names).toEqual(['pose-0', 'pose-1', 'pose-2']);
-    expect(again.info.indices).toEqual(keys.info.indices);
+    expect(again.info.faces).toEqual(keys.info.faces);
     expect(corners(again)).toEqual(corners(keys));
     expect(again.info.project).toEqual(sequence.options);
     const other = await engine.createSequence(again, { ...again.info.project });
@@ -102,7 +105,7 @@ describe('an OBJ whose texture has seams', () => {
     const plan = await sequence.planExport({ format: 'obj', frames: 3 });
     expect(Math.abs(plan.bytes / written.reduce((sum, { bytes }) => sum + bytes.length, 0) - 1)).toBeLessThan(0.35);
     const again = await engine.importKeyframes(written);
-    expect(again.info.indices).toEqual(mesh.indices);
+    expect(again.info.faces).toEqual(mesh.indices);
     expect(corners(again)).toEqual(corners(keys));
     expect(largestDistance(again.positions(1), (await frameAt(sequence, 0.5)).positions)).toBeLessThan(1e-5);
     sequence.dispose();

@@ -37,7 +37,7 @@ async function started(
 async function withHelper(): Promise<{ core: WasmCore; module: WasmModule; helper: Worker }> {
   const { core, module, compiled } = await started(createThreaded, 'shapespline_threads');
   const helper = new Worker(new URL('../../build/node/node-helper.mjs', import.meta.url), {
-    workerData: core.helperStart(compiled),
+    workerData: core.secondThreadStart(compiled),
   });
   helpers.push(helper);
   await new Promise((resolve, reject) => helper.once('message', resolve).once('error', reject));

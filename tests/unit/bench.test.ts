@@ -7,12 +7,12 @@ import { describe, expect, it } from 'vitest';
 import { benchArguments } from '../../wasm/toolchain/bench-arguments.mjs';
 import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import type { Frame, ImportOptions, SequenceStats } from '../../web/engine/api/types.ts';
-import { withProgram } from '../bench/answers.ts';
+import { withProgram } from '../bench/line-protocol.ts';
 import { errorsOf } from '../bench/errors.ts';
 import { msText } from '../bench/format.ts';
 import { fromFramesMs, stagesMs } from '../bench/frames.ts';
 import { compareKeys, ratioOf, type KeysRun } from '../bench/key-counts.ts';
-import { ledRun, stagesOf } from '../bench/led.ts';
+import { ghostFrames, stagesOf } from '../bench/ghost-frames.ts';
 import type { Run } from '../bench/measure.ts';
 import { table1, timesFaster } from '../bench/paper.ts';
 import { quantile, spread } from '../bench/quantile.ts';
@@ -116,7 +116,7 @@ function runWith(rounds: Round[], errors: Partial<Run['errors']> = {}): Run {
     vertices: 650_000,
     importMs: 1,
     importSilence: silence,
-    led: null,
+    withGhost: null,
     refitGrowth: 1,
     heapBytes: 1,
     factorBytes: 0.01 * GB,
@@ -285,7 +285,7 @@ describe('times', () => {
     expect(timesFaster(20, 0)).toBe('> 2000');
   });
 
-  it('of a led shape are those of the stages after its frames', () => {
+  it('of a shape that follows a ghost are those of the stages after its frames', () => {
     const stats = { framesMs: 1, facesMs: 2, solveMs: 4, placeMs: 8, normalsMs: 16, ghostMs: 32 } as SequenceStats;
     expect(stagesMs(stats)).toBe(31);
     expect(fromFramesMs(stats)).toBe(30);
@@ -293,8 +293,8 @@ describe('times', () => {
 
   it("stand beside the paper's, of one shape, in milliseconds", () => {
     const run = runWith(disturbed);
-    const led = { ghostFaces: 2000, buildMs: 1, irMs: 24, tsMs: 48, shapes: 12 };
-    const rows = cellsOf(table1([{ ...run, led }])!);
+    const withGhost = { ghostFaces: 2000, buildMs: 1, irMs: 24, tsMs: 48, shapes: 12 };
+    const rows = cellsOf(table1([{ ...run, withGhost }])!);
     expect(rows.map((row) => row['Armadillo (1.3M)'])).toEqual([
       '39.0',
       '2.00',
@@ -369,8 +369,8 @@ describe('a sequence', () => {
       return Promise.resolve(new Float64Array([0.5 + (SWEEP[k] === 1.4 ? 0.06 : 0), 0, 0, 0, 0, 0, 0.6, 0.8, 0]));
     };
     const exact = asSequence(new FakeSequence(1)),
-      led = asSequence(new FakeSequence(1, 0.09));
-    const { double, preview, ghost } = await errorsOf(exact, led, reference);
+      withGhost = asSequence(new FakeSequence(1, 0.09));
+    const { double, preview, ghost } = await errorsOf(exact, withGhost, reference);
     expect(asked).toEqual(SWEEP.map((_, k) => k));
     expect(double.inside.worst).toBeCloseTo(0, 6);
     expect([double.margins.worst, double.margins.at]).toEqual([expect.closeTo(0.06, 5), 1.4]);
@@ -381,9 +381,9 @@ describe('a sequence', () => {
   });
 
   it('that a ghost leads takes what its own clocks say, for all shapes', async () => {
-    const led = { sequence: asSequence(new FakeSequence(100)), buildMs: 9 };
-    expect(await ledRun(led, 12)).toEqual({ ghostFaces: 7, buildMs: 9, irMs: 12 * 6, tsMs: 12 * 14 });
-    expect(await stagesOf(led.sequence, 12)).toBe(12 * 15);
+    const withGhost = { sequence: asSequence(new FakeSequence(100)), buildMs: 9 };
+    expect(await ghostFrames(withGhost, 12)).toEqual({ ghostFaces: 7, buildMs: 9, irMs: 12 * 6, tsMs: 12 * 14 });
+    expect(await stagesOf(withGhost.sequence, 12)).toBe(12 * 15);
   });
 
   it('with many keys is measured in turn with the one with few, and both are let go', async () => {
@@ -460,7 +460,10 @@ describe('the report', () => {
     const parts = { ...smooth, exact: { ...smooth.exact, stages: { median: 77, slow: 77 } } };
     const times = { ir: 1, ts: 1, o: 1 };
     const row = { model: 'Cactus', faces: 10_000, shapes: 20, fraction: 0.05, other: times, paper: times };
-    const motion = { row, run: { led: { ghostFaces: 500, buildMs: 1, irMs: 1, tsMs: 1 }, buildMs: 1, wholeMs: 1 } };
+    const motion = {
+      row,
+      run: { withGhost: { ghostFaces: 500, buildMs: 1, irMs: 1, tsMs: 1 }, buildMs: 1, wholeMs: 1 },
+    };
     const { text, verdict: sentence } = report({
       where,
       sizes: [resultOf(parts, 'parts'), resultOf(smooth)],

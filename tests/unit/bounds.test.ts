@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { boundsOf, measure, patchColours, samplePoints } from '../../web/app/drawing/bounds.ts';
+import { extentOf, measure, patchColours } from '../../web/app/drawing/bounds.ts';
 import { tiles } from '../../web/viewer/tiles.ts';
 
 /** A tetrahedron on the unit axes. */
@@ -19,14 +19,14 @@ describe('measures on the page', () => {
   });
 
   it('find the box around several poses', () => {
-    const bounds = boundsOf([positions, positions.map((value) => -2 * value)]);
+    const { bounds } = extentOf([positions, positions.map((value) => -2 * value)]);
     expect(bounds).toEqual({ min: [-2, -2, -2], max: [1, 1, 1] });
   });
 
   it('keep the extreme vertices in a sample', () => {
     const many = new Float32Array(3 * 10_000);
     many.set([9, 0, 0], 3 * 7777);
-    expect(Math.max(...samplePoints([many]))).toBe(9);
+    expect(Math.max(...extentOf([many]).points)).toBe(9);
   });
 
   it('colour every vertex of a patch alike and different patches differently', () => {

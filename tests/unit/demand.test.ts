@@ -18,7 +18,7 @@ const running = (): RunningSequence => ({ method: 'lri', sequence }) as unknown 
 /** Previews are drawn for everything that moves. */
 function setUp() {
   let sequences: readonly RunningSequence[] = [running()];
-  const demand = new Demand(() => sequences, new PreviewPolicy('about'));
+  const demand = new Demand(() => sequences, new PreviewPolicy('preview'));
   const frames = (t: number, preview: boolean): FrameSet => ({
     t,
     frames: [],

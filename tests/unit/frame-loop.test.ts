@@ -238,7 +238,7 @@ describe('while the time moves', () => {
   });
 
   it('small shapes are previews, too, where the address asks for it, and exact when they rest', async () => {
-    const { loop, shown, answer, pass, draw } = setUp({ moving: 'about' });
+    const { loop, shown, answer, pass, draw } = setUp({ moving: 'preview' });
     loop.follow(0.5);
     await pass();
     await answer();
@@ -251,7 +251,7 @@ describe('while the time moves', () => {
   });
 
   it('methods that blend positions are exact whatever the address asks for', async () => {
-    const { loop, shown, answer, pass } = setUp({ moving: 'about', method: 'linear' });
+    const { loop, shown, answer, pass } = setUp({ moving: 'preview', method: 'linear' });
     loop.follow(0.5);
     await pass();
     await answer();
@@ -259,9 +259,9 @@ describe('while the time moves', () => {
   });
 
   it('the address says how shapes are drawn while they move, and nonsense in it changes nothing', () => {
-    expect(['', '?moving=about', '?a=b&moving=exact', '?moving=fast', '?moving'].map(readMoving)).toEqual([
+    expect(['', '?moving=preview', '?a=b&moving=exact', '?moving=fast', '?moving'].map(readMoving)).toEqual([
       'measured',
-      'about',
+      'preview',
       'exact',
       'measured',
       'measured',
@@ -499,7 +499,7 @@ describe('a cheap shape that is not close', () => {
   });
 
   it('is drawn where the address asks for it, and nothing is measured then', async () => {
-    const { loop, measured, ready, pass, wanted } = setUp({ ...slow, moving: 'about', off });
+    const { loop, measured, ready, pass, wanted } = setUp({ ...slow, moving: 'preview', off });
     await ready();
     loop.follow(0.7);
     await pass();

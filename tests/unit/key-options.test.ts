@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { parseArguments } from '../../web/cli/arguments.ts';
 import { COMPLETE, sequenceOptions } from '../../web/cli/settings.ts';
 import { patchesCsv } from '../../web/app/export/csv.ts';
-import { docOf } from '../../web/app/session/document-from-import.ts';
-import { specOf } from '../../web/app/session/sequence-plan.ts';
+import { documentFromImport } from '../../web/app/session/document-from-import.ts';
+import { sequencePlan } from '../../web/app/session/sequence-plan.ts';
 import type { PosePool } from '../../web/app/session/pose-pool.ts';
 import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { PER_KEY } from '../../web/engine/api/option-table.ts';
@@ -31,10 +31,10 @@ describe.each(SHAPING_NUMBERS)('%s of a key', (name) => {
   });
 
   it('is in the project', () => {
-    const { times, names, motion } = specOf(doc, []);
+    const { times, names, motion } = sequencePlan(doc, []);
     expect(motion[name]).toEqual(list);
     const project = readOptions(writeProject({ times, names, frames: [0, 1, 2] }, checkSequenceOptions(motion)));
-    expect(docOf({ names, times, project } as unknown as KeysInfo, {} as PosePool)).toEqual(doc);
+    expect(documentFromImport({ names, times, project } as unknown as KeysInfo, {} as PosePool)).toEqual(doc);
   });
 
   it('is on the command line', () => {

@@ -1,6 +1,6 @@
 /** What older versions wrote opens with the same state: links, projects, and documents that a browser has kept. */
 import { describe, expect, it } from 'vitest';
-import { docOf } from '../../web/app/session/document-from-import.ts';
+import { documentFromImport } from '../../web/app/session/document-from-import.ts';
 import type { PosePool } from '../../web/app/session/pose-pool.ts';
 import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { readOptions, writeProject } from '../../web/engine/wire/project.ts';
@@ -53,9 +53,9 @@ describe('what older versions saved', () => {
         startTangent: startTangent && Float32Array.from(startTangent),
       });
       const { keys } = JSON.parse(text) as { keys: { times: number[]; names: string[]; frames: number[] } };
-      expect(spelt(docOf({ names: keys.names, times: keys.times, project } as unknown as KeysInfo, poolOf()))).toEqual(
-        expected,
-      );
+      expect(
+        spelt(documentFromImport({ names: keys.names, times: keys.times, project } as unknown as KeysInfo, poolOf())),
+      ).toEqual(expected);
       expect(JSON.parse(writeProject(keys, project))).toMatchObject(JSON.parse(text) as object);
     },
   );

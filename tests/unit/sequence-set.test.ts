@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { SequenceSet } from '../../web/app/session/sequence-set.ts';
-import type { Spec } from '../../web/app/session/sequence-plan.ts';
-import { specOf } from '../../web/app/session/sequence-plan.ts';
+import type { SequencePlan } from '../../web/app/session/sequence-plan.ts';
+import { sequencePlan } from '../../web/app/session/sequence-plan.ts';
 import type { Engine, Keys, Sequence } from '../../web/engine/api/api.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
 import type { Method, MotionOptions } from '../../web/engine/api/types.ts';
@@ -46,11 +46,11 @@ function fakeEngine() {
 
 function setUp() {
   const fake = fakeEngine();
-  const ready: Spec[] = [];
+  const ready: SequencePlan[] = [];
   const refused: string[] = [];
   const set = new SequenceSet(fake.engine, fake.pool, {
     onProgress: () => undefined,
-    onReady: (spec) => ready.push(spec),
+    onReady: (plan) => ready.push(plan),
     onRefused: (error) => refused.push((error as Error).message),
   });
   const tick = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
@@ -65,11 +65,11 @@ function setUp() {
 describe('sequence sets', () => {
   it('build once and refit for other times and boundaries', async () => {
     const { set, log, build, ready } = setUp();
-    set.want(specOf(doc, []));
+    set.want(sequencePlan(doc, []));
     await build();
-    set.want(specOf(setMotion(doc, { boundary: 'periodic' }), []));
+    set.want(sequencePlan(setMotion(doc, { boundary: 'periodic' }), []));
     await set.idle();
-    set.want(specOf(retimeKey(doc, 1, 3), []));
+    set.want(sequencePlan(retimeKey(doc, 1, 3), []));
     await set.idle();
     expect(log).toEqual(['build lri linear', 'update lri periodic 0,1', 'update lri natural 0,3']);
     expect(ready).toHaveLength(3);
@@ -77,10 +77,10 @@ describe('sequence sets', () => {
 
   it('build again for another encoding and dispose of the old sequence only then', async () => {
     const { set, log, build, alive, tick } = setUp();
-    set.want(specOf(doc, []));
+    set.want(sequencePlan(doc, []));
     await build();
     const before = set.all;
-    set.want(specOf(setEncoding(doc, { stretch: 'log' }), []));
+    set.want(sequencePlan(setEncoding(doc, { stretch: 'log' }), []));
     await tick();
     expect(set.all).toBe(before);
     expect(alive()).toBe(1);
@@ -93,16 +93,16 @@ describe('sequence sets', () => {
 
   it('add a sequence for a compared method and keep the first', async () => {
     const { set, log, build, alive } = setUp();
-    set.want(specOf(doc, []));
+    set.want(sequencePlan(doc, []));
     await build();
     const first = set.all[0];
-    set.want(specOf(doc, ['linear']));
+    set.want(sequencePlan(doc, ['linear']));
     await build();
     await set.idle();
     expect(set.all[0]).toBe(first);
     expect(set.all.map(({ method }) => method)).toEqual(['lri', 'linear']);
     expect(log.filter((line) => line.startsWith('build'))).toEqual(['build lri linear', 'build linear linear']);
-    set.want(specOf(doc, []));
+    set.want(sequencePlan(doc, []));
     await set.idle();
     expect(alive()).toBe(1);
   });
@@ -110,10 +110,10 @@ describe('sequence sets', () => {
   it('put the motion without a ghost mesh beside the first, and keep what serves on', async () => {
     const { set, log, build, alive } = setUp();
     const led = setEncoding(doc, { ghostFaces: 2000 });
-    set.want(specOf(doc, []));
+    set.want(sequencePlan(doc, []));
     await build();
     const [full] = set.all;
-    set.want(specOf(led, [], true));
+    set.want(sequencePlan(led, [], true));
     await build();
     await set.idle();
     expect(set.all.map(({ method, ghost }) => [method, ghost])).toEqual([
@@ -121,7 +121,7 @@ describe('sequence sets', () => {
       ['lri', false],
     ]);
     expect(set.all[1]!.sequence).toBe(full!.sequence);
-    set.want(specOf(setEncoding(led, { transfer: 'paper' }), ['geodesic'], true));
+    set.want(sequencePlan(setEncoding(led, { transfer: 'paper' }), ['geodesic'], true));
     await build();
     await build();
     await set.idle();
@@ -131,7 +131,7 @@ describe('sequence sets', () => {
       ['geodesic', true],
     ]);
     expect(set.all[1]!.sequence).toBe(full!.sequence);
-    set.want(specOf(doc, [], true));
+    set.want(sequencePlan(doc, [], true));
     await set.idle();
     expect(set.all.map(({ sequence }) => sequence)).toEqual([full!.sequence]);
     expect(alive()).toBe(1);
@@ -140,14 +140,14 @@ describe('sequence sets', () => {
 
   it('have no use for a difference where positions are blended', () => {
     const led = setEncoding(setMotion(doc, { method: 'linear' }), { ghostFaces: 2000 });
-    expect(specOf(led, ['lri'], true).variants.map(({ method }) => method)).toEqual(['linear', 'lri']);
+    expect(sequencePlan(led, ['lri'], true).variants.map(({ method }) => method)).toEqual(['linear', 'lri']);
   });
 
   it('give up a build that is no longer wanted', async () => {
     const { set, log, build, refused, builds, tick, alive } = setUp();
-    set.want(specOf(doc, []));
+    set.want(sequencePlan(doc, []));
     await tick();
-    set.want(specOf(setEncoding(doc, { stretch: 'log' }), []));
+    set.want(sequencePlan(setEncoding(doc, { stretch: 'log' }), []));
     await tick();
     expect(builds).toHaveLength(2);
     builds.shift();
@@ -160,50 +160,50 @@ describe('sequence sets', () => {
 
   it('fit key times that moved during a build in afterwards', async () => {
     const { set, log, build } = setUp();
-    set.want(specOf(doc, []));
-    set.want(specOf(retimeKey(doc, 1, 2), []));
+    set.want(sequencePlan(doc, []));
+    set.want(sequencePlan(retimeKey(doc, 1, 2), []));
     await build();
     await set.idle();
     expect(log[0]).toBe('build lri linear');
-    expect(set.spec?.times).toEqual([0, 2]);
+    expect(set.plan?.times).toEqual([0, 2]);
   });
 
   it('serve on what they served when a build is cancelled or refused', async () => {
     const { set, build, refused, builds, tick } = setUp();
-    set.want(specOf(doc, []));
+    set.want(sequencePlan(doc, []));
     await build();
     const before = set.all;
-    const spec = set.spec;
-    set.want(specOf(setEncoding(doc, { patches: 9 }), []));
+    const plan = set.plan;
+    set.want(sequencePlan(setEncoding(doc, { patches: 9 }), []));
     await tick();
     set.cancel();
     await set.idle();
     expect(set.all).toBe(before);
     expect(refused).toEqual([]);
-    set.want(specOf(setEncoding(doc, { patches: 10 }), []));
+    set.want(sequencePlan(setEncoding(doc, { patches: 10 }), []));
     await tick();
     builds.at(-1)!.reject(new EngineError('out-of-memory', 'Too large.'));
     await set.idle();
     expect(refused).toEqual(['Too large.']);
     expect(set.all).toBe(before);
-    expect(set.spec).toBe(spec);
+    expect(set.plan).toBe(plan);
   });
 
   it('report a refused refit and can be asked for something else afterwards', async () => {
     const { set, build, refused } = setUp();
-    set.want(specOf(doc, []));
+    set.want(sequencePlan(doc, []));
     await build();
-    set.want(specOf(retimeKey(doc, 1, 99), []));
+    set.want(sequencePlan(retimeKey(doc, 1, 99), []));
     await set.idle();
     expect(refused).toEqual(['Refused.']);
-    set.want(specOf(retimeKey(doc, 1, 5), []));
+    set.want(sequencePlan(retimeKey(doc, 1, 5), []));
     await set.idle();
-    expect(set.spec?.times).toEqual([0, 5]);
+    expect(set.plan?.times).toEqual([0, 5]);
   });
 
   it('leave nothing behind', async () => {
     const { set, build, alive } = setUp();
-    set.want(specOf(doc, ['linear']));
+    set.want(sequencePlan(doc, ['linear']));
     await build();
     await build();
     await set.idle();

@@ -1,7 +1,7 @@
 /** Whole turns on their way between the document, the engine and a saved project. */
 import { expect, it } from 'vitest';
-import { docOf } from '../../web/app/session/document-from-import.ts';
-import { specOf } from '../../web/app/session/sequence-plan.ts';
+import { documentFromImport } from '../../web/app/session/document-from-import.ts';
+import { sequencePlan } from '../../web/app/session/sequence-plan.ts';
 import type { PosePool } from '../../web/app/session/pose-pool.ts';
 import type { AddedTurns, KeysInfo } from '../../web/engine/api/types.ts';
 import { setTurns } from '../../web/model/edits.ts';
@@ -9,7 +9,10 @@ import type { Doc } from '../../web/model/state.ts';
 
 const pool = {} as PosePool;
 const opened = (turns?: AddedTurns[]): Doc =>
-  docOf({ names: ['a', 'b', 'c'], times: [0, 0.5, 1], project: turns ? { turns } : null } as unknown as KeysInfo, pool);
+  documentFromImport(
+    { names: ['a', 'b', 'c'], times: [0, 0.5, 1], project: turns ? { turns } : null } as unknown as KeysInfo,
+    pool,
+  );
 const turnsIn = (doc: Doc): object[] => doc.keys.map(({ shaping }) => shaping.turns);
 const whole: AddedTurns = { key: 1, turns: -2 };
 const parts: AddedTurns[] = [
@@ -20,16 +23,16 @@ const parts: AddedTurns[] = [
 it('a project gives the whole shape and its parts the turns that it was saved with', () => {
   const doc = opened([whole, ...parts]);
   expect(turnsIn(doc)).toEqual([[], [{ turns: -2 }, { component: 3, turns: 1 }], [{ component: 0, turns: 2 }]]);
-  expect(specOf(doc, []).motion.turns).toEqual([whole, ...parts]);
+  expect(sequencePlan(doc, []).motion.turns).toEqual([whole, ...parts]);
 });
 
 it('one of before parts could turn opens as it was', () => {
   const doc = opened([whole]);
   expect(turnsIn(doc)).toEqual([[], [{ turns: -2 }], []]);
-  expect(specOf(doc, []).motion.turns).toEqual([whole]);
-  expect(specOf(opened(), []).motion.turns).toEqual([]);
+  expect(sequencePlan(doc, []).motion.turns).toEqual([whole]);
+  expect(sequencePlan(opened(), []).motion.turns).toEqual([]);
 });
 
 it('nothing leads to the first key', () => {
-  expect(specOf(setTurns(opened(), 0, { component: 1, turns: 1 }), []).motion.turns).toEqual([]);
+  expect(sequencePlan(setTurns(opened(), 0, { component: 1, turns: 1 }), []).motion.turns).toEqual([]);
 });

@@ -27,7 +27,7 @@ import { createPlayback } from './playback/playback.ts';
 import { readMoving } from './playback/preview-policy.ts';
 import { motionRange } from './session/motion-range.ts';
 import { isCancelled } from './session/sequence-set.ts';
-import { specOf } from './session/sequence-plan.ts';
+import { sequencePlan } from './session/sequence-plan.ts';
 import { ServedDocument } from './session/served-document.ts';
 import { changesBetween } from './session/state-changes.ts';
 import { createStore } from './session/store.ts';
@@ -78,7 +78,7 @@ export function startApp(root: HTMLElement): void {
     onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
     onResize: () => page.redraw(),
     covered: (views) => layout.covered(views),
-    onContextLost: () => say('The graphics card was taken away. The picture comes back by itself.'),
+    onContextLost: () => say('The browser lost the graphics card. The picture comes back by itself.'),
     onContextRestored: () => void frameLoop.request(store.get().time),
   });
   const { frameLoop, follow: play } = createPlayback({
@@ -242,7 +242,7 @@ export function startApp(root: HTMLElement): void {
   store.subscribe((state) => {
     const changed = changesBetween(before, state);
     before = state;
-    if (changed.motions) workspace.want(specOf(state.doc, state.view.compare, state.view.ghostDifference));
+    if (changed.motions) workspace.want(sequencePlan(state.doc, state.view.compare, state.view.ghostDifference));
     if (changed.look) applyLook();
     play(state, changed);
     if (changed.motions && !changed.opened) viewState.change({ welcome: false });

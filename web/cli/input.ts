@@ -1,7 +1,8 @@
-/** Named files, and what a .gltf or .obj among them names: from its own folder only, and never over the network. */
+/** Named files on the disk, and what a .gltf or .obj among them names: from its own folder only, and never over the network. */
 import { readFile, realpath } from 'node:fs/promises';
 import path from 'node:path';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
+import { beside, decodedUri, extensionOf, isExternal, resourceUris } from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
 
 export async function readInputs(names: string[]): Promise<InputFile[]> {
@@ -9,7 +10,7 @@ export async function readInputs(names: string[]): Promise<InputFile[]> {
   for (const name of names) {
     const file = { name: toSlashes(name), bytes: await read(name) };
     files.push(file);
-    const named = /\.obj$/i.test(name) ? await librariesOf(file) : urisOf(file.bytes);
+    const named = extensionOf(name) === 'obj' ? await librariesOf(file) : urisOf(file.bytes);
     for (const uri of named) {
       const resource = await readBeside(name, uri);
       if (resource && !files.some((other) => other.name === resource.name)) files.push(resource);
@@ -24,7 +25,7 @@ async function librariesOf({ name, bytes }: InputFile): Promise<string[]> {
   const images = await Promise.all(
     libraries.map(async (library) => {
       const text = (await readBeside(name, library))?.bytes ?? new Uint8Array(0);
-      return namedIn(text, IMAGE).map((image) => path.join(path.dirname(library), toPath(image)));
+      return namedIn(text, IMAGE).map((image) => beside(library, image));
     }),
   );
   return [...libraries, ...images.flat()];
@@ -33,8 +34,6 @@ async function librariesOf({ name, bytes }: InputFile): Promise<string[]> {
 const OBJ_HEAD = 1 << 16;
 /** Behind options such as -s 1 1 1 and -clamp on. */
 const IMAGE = /^[ \t]*map_Kd[ \t]+(?:-\w+(?:[ \t]+(?:[-+]?[.\d][^ \t]*|on|off))*[ \t]+)*(.+?)[ \t]*$/gm;
-
-const toPath = (name: string): string => name.replaceAll('\\', '/');
 
 function namedIn(bytes: Uint8Array, pattern: RegExp): string[] {
   return [
@@ -53,14 +52,12 @@ async function read(name: string): Promise<Uint8Array> {
   }
 }
 
-/** Relative URIs of the buffers and images of a .gltf; what is not JSON is for the engine to judge. */
+/** URIs of the buffers and images of a .gltf; what is not JSON is for the engine to judge. */
 function urisOf(bytes: Uint8Array): string[] {
   if (!/^[\uFEFF\s]*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)))) return [];
   try {
-    const { buffers, images } = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, unknown>;
-    const entries = [buffers, images].flatMap((list): unknown[] => (Array.isArray(list) ? list : []));
-    const uris = entries.map((entry) => (entry as { uri?: unknown } | null)?.uri);
-    return uris.filter((uri): uri is string => typeof uri === 'string' && !/^[a-z][a-z0-9+.-]*:/i.test(uri));
+    const { buffers, images } = resourceUris(JSON.parse(new TextDecoder().decode(bytes).replace(/^\uFEFF/, '')));
+    return [...buffers, ...images];
   } catch {
     return [];
   }
@@ -68,12 +65,12 @@ function urisOf(bytes: Uint8Array): string[] {
 
 /** The file that a URI names, or null where it is missing or leaves the folder: the engine says so in its own words. */
 async function readBeside(gltf: string, uri: string): Promise<InputFile | null> {
+  if (isExternal(uri)) return null;
   try {
-    const relative = decodeURIComponent(uri);
     const folder = await realpath(path.dirname(gltf));
-    const found = await realpath(path.resolve(folder, relative));
+    const found = await realpath(path.resolve(folder, decodedUri(uri).replaceAll('\\', '/')));
     if (!found.startsWith(folder + path.sep)) return null;
-    return { name: toSlashes(path.join(path.dirname(gltf), relative)), bytes: await readFile(found) };
+    return { name: beside(toSlashes(gltf), decodedUri(uri)), bytes: await readFile(found) };
   } catch {
     return null;
   }

@@ -37,7 +37,7 @@ export function createClockMenu(events: ClockMenuEvents): {
   let lastFps = USUAL_FPS;
   const seconds = (value: number): number => (shown?.fps ? value / shown.fps : value);
 
-  const frames = checkbox('Whole frames', 'whole-frames', (on) => events.onFps(on ? lastFps : null));
+  const frames = checkbox('Snap to frames', 'whole-frames', (on) => events.onFps(on ? lastFps : null));
   const fps = numberField({
     label: 'Frames per second',
     testId: 'fps',
@@ -118,7 +118,7 @@ export function createClockMenu(events: ClockMenuEvents): {
       'div',
       { class: 'group' },
       h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Play'), from, to, reset),
-      h('div', { class: 'button-row' }, here('start', 'Start here', 'Ctrl+Home'), here('end', 'End here', 'Ctrl+End')),
+      h('div', { class: 'button-row' }, here('start', 'Set start', 'Ctrl+Home'), here('end', 'Set end', 'Ctrl+End')),
     ),
     h('div', { class: 'field row' }, zoom, farther, nearer, whole),
   );
@@ -143,7 +143,7 @@ export function createClockMenu(events: ClockMenuEvents): {
       fpsHint,
       props.fps === null
         ? 'Plays as smoothly as the screen allows.'
-        : 'Playing, the slider and exports keep to these frames of the motion’s own time; the time is shown as frame number.',
+        : 'Playing, the slider and exports snap to these frames; the time is shown as a frame number.',
     );
     const [start, end] = playRange(between, range);
     setField(from, formatMoment(start, range, props.fps));

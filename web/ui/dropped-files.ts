@@ -1,17 +1,16 @@
 /** What was dropped -> files: folders are walked through, and everything in them that is no model or part of one is left out. */
 
+import { COMPANIONS, MODELS, extensionOf, isModel } from '../engine/api/paths.ts';
+
 export interface PickedFile {
   /** Path relative to what was dropped. */
   name: string;
   file: File;
 }
 
-const MODELS = ['glb', 'gltf', 'obj', 'ply', 'off'];
-const COMPANIONS = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp', 'ktx2'];
-
 /** The file that gives several their name: the first that is no material, buffer or image. */
 export function leadingName(names: readonly string[]): string {
-  return names.find((name) => MODELS.includes(extensionOf(name))) ?? names[0] ?? '';
+  return names.find(isModel) ?? names[0] ?? '';
 }
 
 /** For the system's picker. */
@@ -66,8 +65,6 @@ export async function filesOf(entries: readonly FileSystemEntry[]): Promise<Pick
 function belongs(name: string): boolean {
   return !name.startsWith('.') && [...MODELS, ...COMPANIONS].includes(extensionOf(name));
 }
-
-const extensionOf = (name: string): string => name.slice(name.lastIndexOf('.') + 1).toLowerCase();
 
 async function childrenOf(folder: FileSystemDirectoryEntry, name: string): Promise<FileSystemEntry[]> {
   const reader = folder.createReader();

@@ -58,14 +58,14 @@ export interface ExportDialogEvents {
 
 const WORDS: Record<string, string> = {
   glb: 'Plays in Blender, three.js and most viewers, with the materials of the files. It is also the project: opened here again, it brings back keys, times and options.',
-  obj: 'One OBJ a frame in a zip, in the order of vertices and faces of your files.',
-  webm: 'A video of the view as it is now, played once through.',
+  obj: 'One OBJ per frame in a zip, in the order of vertices and faces of your files.',
+  webm: 'A video of the view as it is now, played once.',
   'pose-glb': 'The shape as it is now, with the materials of the files.',
   'pose-obj': 'The shape as it is now.',
   'pose-ply': 'The shape as it is now, binary.',
   png: 'A picture of the view as it is now, without background.',
-  turntable: 'A video of the shape as it is now, turned once.',
-  measures: 'A table of volume, area, bending energy and place in the shape plane over time.',
+  turntable: 'A video of the shape as it is now, turning once.',
+  measures: 'A table of volume, area, bending energy and position in the shape plane over time.',
   patches: 'A table of the patch that each face belongs to.',
 };
 
@@ -119,7 +119,7 @@ export function createExportDialog(events: ExportDialogEvents): {
     'export-picture',
     [
       { value: 'png', label: 'PNG' },
-      { value: 'turntable', label: 'Turning video' },
+      { value: 'turntable', label: 'Turntable' },
     ],
     (value) => change({ picture: value }),
   );
@@ -164,7 +164,7 @@ export function createExportDialog(events: ExportDialogEvents): {
     max: 3600,
     onInput: (value) => change({ duration: value }),
   });
-  const inPlace = checkbox('Stay in place', 'export-in-place', (on) => change({ inPlace: on }));
+  const inPlace = checkbox('Without travel (in place)', 'export-in-place', (on) => change({ inPlace: on }));
   const row = (label: string, ...fields: Node[]): HTMLElement =>
     h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
   const framesRow = row('Frames', frames);

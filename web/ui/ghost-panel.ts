@@ -22,11 +22,11 @@ export interface GhostPanelEvents {
 }
 
 const TRANSFERS: readonly Choice<Transfer>[] = [
-  { value: 'exact', label: 'Exact', hint: 'Passes through every key: what the ghost leaves over is splined too' },
+  { value: 'exact', label: 'Exact', hint: 'Passes through every key: what the ghost misses is splined, too' },
   {
     value: 'paper',
     label: 'As published',
-    hint: 'The details of the reference follow the ghost; other keys are only met nearly',
+    hint: 'The details of the reference follow the ghost; other keys are met approximately',
   },
 ];
 
@@ -60,7 +60,7 @@ export function createGhostPanel(
   );
   const wire = checkbox('Wireframe', 'ghost-wire', (on) => events.onView({ ghostWire: on }));
   const beside = checkbox('Beside the shape', 'ghost-beside', (on) => events.onView({ ghostBeside: on }));
-  const difference = checkbox('Difference to no ghost', 'ghost-difference', (on) =>
+  const difference = checkbox('Difference to no ghost mesh', 'ghost-difference', (on) =>
     events.onView({ ghostDifference: on }),
   );
   const shown = h(

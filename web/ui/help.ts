@@ -28,12 +28,12 @@ export function createHelp(
     h(
       'p',
       {},
-      'Give the page two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Rotations and stretches are joined by cubic splines, not positions, so the shape bends and twists without shrinking.',
+      'Give the page two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Cubic splines run through rotations and stretches, not through positions, so that the shape bends and twists and hardly shrinks.',
     ),
     h(
       'p',
       {},
-      'Drag the slider through the motion, and past both ends, where it goes on as the end keys suggest. Your files stay on your machine.',
+      'Drag the slider through the motion, and past both ends, where the motion is extrapolated. Drag the shape to turn it; the right button moves it, the wheel zooms. Your files stay on your machine.',
     ),
     h('h3', {}, 'Keyboard'),
     h(

@@ -23,7 +23,7 @@ export interface KeyStripProps {
   range: Range;
   disabled: boolean;
   canRemove: boolean;
-  /** Separate parts of the shape. */
+  /** How many components the shape has. */
   components: number;
   /** Why the current shape cannot become a key, or null when it can. */
   addReason: string | null;
@@ -37,8 +37,8 @@ export interface KeyStripEvents {
   onRename(key: number, name: string): void;
   onShaping(key: number, name: ShapingNumber, value: number): void;
   onTurns(key: number, added: KeyTurns): void;
-  /** The part that whole turns are given to, null for the whole shape or when the editor closes. */
-  onPart(component: number | null): void;
+  /** The component that whole turns are given to, null for the whole shape or when the editor closes. */
+  onComponent(component: number | null): void;
   onReference(key: number): void;
   onAddCurrent(): void;
   onAddFile(): void;
@@ -56,7 +56,7 @@ export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; 
     label: 'Add the current shape as a key',
     testId: 'add-current',
     icon: 'plus',
-    text: 'Key here',
+    text: 'Add key',
     shortcut: 'K',
     kind: 'plain',
     onClick: () => events.onAddCurrent(),
@@ -65,7 +65,7 @@ export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; 
     label: 'Add a key from a file',
     testId: 'add-file',
     icon: 'open',
-    text: 'From file',
+    text: 'Import pose',
     kind: 'plain',
     onClick: () => events.onAddFile(),
   });
@@ -168,15 +168,15 @@ function createCard(events: KeyStripEvents, onEdit: (index: number, from: HTMLEl
 }
 
 /** More of them cannot be told apart in a list. */
-const MOST_PARTS = 400;
+const MOST_COMPONENTS = 400;
 
 /** Those that turn already say so. */
-function partChoices(parts: number, turnsOf: (component: number) => number): Choice<string>[] {
+function componentChoices(count: number, turnsOf: (component: number) => number): Choice<string>[] {
   const label = (component: number): string => {
     const turns = turnsOf(component);
-    return `Part ${component + 1}${turns === 0 ? '' : `: ${turns > 0 ? '+' : ''}${turns}`}`;
+    return `Component ${component + 1}${turns === 0 ? '' : `: ${turns > 0 ? '+' : ''}${turns}`}`;
   };
-  const each = Array.from({ length: parts }, (_, component) => ({ value: String(component), label: label(component) }));
+  const each = Array.from({ length: count }, (_, component) => ({ value: String(component), label: label(component) }));
   return [{ value: '', label: 'Whole shape' }, ...each];
 }
 
@@ -186,24 +186,6 @@ interface Editor {
   open(index: number, from: HTMLElement): void;
   update(props: KeyStripProps): void;
 }
-
-/** Of the options that are a number for each key. */
-const SLIDERS: Record<ShapingNumber, { label: string; min: number; max: number; hint: string }> = {
-  tension: {
-    label: 'Tension',
-    min: 0,
-    max: 1,
-    hint: 'Slope at this key = (1 - tension) times the smooth one: 1 stops there, which takes overshooting away',
-  },
-  bias: {
-    label: 'Bias',
-    min: PER_KEY.bias.least,
-    max: PER_KEY.bias.most,
-    hint:
-      'Lets the slope at this key lean: to the left it looks ahead to the next key, to the right it carries the ' +
-      'motion from the key before on',
-  },
-};
 
 /** Not modal: the shape, and the time, can be moved while a key is changed. */
 function createEditor(events: KeyStripEvents): Editor {
@@ -222,43 +204,42 @@ function createEditor(events: KeyStripEvents): Editor {
   const sliders = SHAPING_NUMBERS.map((option) => ({
     option,
     control: slider({
-      ...SLIDERS[option],
+      label: PER_KEY[option].label,
+      hint: PER_KEY[option].hint,
+      min: PER_KEY[option].slider[0],
+      max: PER_KEY[option].slider[1],
       testId: `key-${option}`,
       step: 0.05,
       fallback: DEFAULT_SHAPING[option],
       onInput: (value) => events.onShaping(index, option, value),
     }),
   }));
-  let part: number | null = null;
+  let component: number | null = null;
   const turns = numberField({
-    label: 'Whole turns added on the way to this key; negative ones go the other way',
+    label: PER_KEY.turns.label,
     testId: 'key-turns',
     min: -MAX_TURNS,
     max: MAX_TURNS,
     step: 1,
     onInput: (value) => {
       const added = { turns: Math.round(value) };
-      events.onTurns(index, part === null ? added : { component: part, ...added });
+      events.onTurns(index, component === null ? added : { component, ...added });
     },
   });
-  const turningPart = select<string>('Made by', 'key-turns-part', [], (value) =>
-    choosePart(value === '' ? null : Number(value)),
+  const turningComponent = select<string>('Of', 'key-turns-component', [], (value) =>
+    chooseComponent(value === '' ? null : Number(value)),
   );
   const turnsRow = h(
     'div',
     { class: 'field row' },
-    h(
-      'span',
-      { class: 'label', title: 'Keys do not say how often the shape turned between them' },
-      'Whole turns before it',
-    ),
+    h('span', { class: 'label', title: PER_KEY.turns.hint }, PER_KEY.turns.label),
     turns,
   );
-  turningPart.element.classList.add('row');
+  turningComponent.element.classList.add('row');
   const bend = h(
     'p',
     { class: 'reason', 'data-testid': 'key-bend', hidden: true },
-    'With tension or bias the motion still has one slope at this key, but its acceleration jumps there: it is C1, no longer C2.',
+    'With tension or bias the velocity stays smooth at this key, but the acceleration jumps (C1, not C2).',
   );
   const earlier = button({
     label: 'Earlier in the order',
@@ -310,7 +291,7 @@ function createEditor(events: KeyStripEvents): Editor {
     ...sliders.map(({ control }) => control.element),
     bend,
     turnsRow,
-    turningPart.element,
+    turningComponent.element,
     h('div', { class: 'button-row' }, earlier, later),
     h('div', { class: 'button-row' }, reference, remove),
     reason,
@@ -324,14 +305,14 @@ function createEditor(events: KeyStripEvents): Editor {
   const close = (): void => {
     if (element.hidden) return;
     element.hidden = true;
-    choosePart(null);
+    chooseComponent(null);
     opener?.focus();
   };
 
-  const choosePart = (component: number | null): void => {
-    if (part === component) return;
-    part = component;
-    events.onPart(part);
+  const chooseComponent = (chosen: number | null): void => {
+    if (component === chosen) return;
+    component = chosen;
+    events.onComponent(component);
     draw();
   };
 
@@ -349,12 +330,12 @@ function createEditor(events: KeyStripEvents): Editor {
     setField(name, item.name);
     setField(time, formatTime(item.time, props.range));
     for (const { option, control } of sliders) control.update(item.shaping[option]);
-    const parts = index > 0 && props.components > 1 ? Math.min(props.components, MOST_PARTS) : 0;
-    if (part !== null && part >= parts) choosePart(null);
-    const ofPart = (component: number): number => turnsOf(item.shaping, component);
-    setField(turns, String(turnsOf(item.shaping, part ?? undefined)));
-    setHidden(turningPart.element, parts === 0);
-    turningPart.update(String(part ?? ''), parts === 0 ? [] : partChoices(parts, ofPart));
+    const count = index > 0 && props.components > 1 ? Math.min(props.components, MOST_COMPONENTS) : 0;
+    if (component !== null && component >= count) chooseComponent(null);
+    const turnsOfOne = (which: number): number => turnsOf(item.shaping, which);
+    setField(turns, String(turnsOf(item.shaping, component ?? undefined)));
+    setHidden(turningComponent.element, count === 0);
+    turningComponent.update(String(component ?? ''), count === 0 ? [] : componentChoices(count, turnsOfOne));
     setHidden(turnsRow, index === 0);
     setHidden(bend, item.shaping.tension === 0 && item.shaping.bias === 0);
     earlier.disabled = index === 0;

@@ -75,7 +75,7 @@ export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents)
       'data-testid': `loop-${end}`,
       'aria-label': LABELS[end],
       'aria-orientation': 'horizontal',
-      title: `${LABELS[end]}: drag it (hold Alt not to snap); twice to play all keys again`,
+      title: `${LABELS[end]}: drag it (Alt: without snapping); double-click to play all keys again`,
       onpointerdown: (event: PointerEvent) => pressed(end, event),
       onkeydown: (event: KeyboardEvent) => typed(end, event),
       ondblclick: () => events.onBetween(null),

@@ -12,20 +12,20 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
   lri: {
     label: 'LRI spline',
     short: 'LRI spline',
-    hint: 'Cubic splines of rotations and stretches. Smooth, and the shape keeps its volume.',
+    hint: 'Cubic splines of rotations and stretches. Smooth; the volume changes little.',
   },
   geodesic: {
     label: 'LRI geodesic',
     short: 'Geodesic',
-    hint: 'The same space, straight from key to key. Keeps the volume, jerks at the keys.',
+    hint: 'The same space, straight from key to key. The volume changes little; the motion jerks at the keys.',
   },
   linear: {
-    label: 'Linear vertices',
+    label: 'Linear blend',
     short: 'Linear',
     hint: 'Blends positions, as morph targets do. Shrinks and shears where the shape turns.',
   },
   'cubic-vertex': {
-    label: 'Cubic vertices',
+    label: 'Cubic blend',
     short: 'Cubic',
     hint: 'Cubic splines of positions. Smooth, but shrinks and shears where the shape turns.',
   },
@@ -120,7 +120,7 @@ export function createMotionPanel(events: MotionPanelEvents): {
     h(
       'fieldset',
       { class: 'field' },
-      h('legend', {}, 'Side by side with'),
+      h('legend', {}, 'Compare with'),
       h('div', { class: 'chips' }, ...others.map((o) => o.toggle.element)),
     ),
     boundary.element,

@@ -46,7 +46,7 @@ export function createSampling(onTake: (animation: number, times: number[]) => v
     if (event.key === 'Enter') list.blur();
   });
   const count = numberField({
-    label: 'Spread so many keys evenly',
+    label: 'Space this many keys evenly',
     testId: 'sample-count',
     min: 2,
     max: MOST_KEYS,
@@ -54,9 +54,9 @@ export function createSampling(onTake: (animation: number, times: number[]) => v
     onInput: (value) => choose(evenly(span(), Math.round(value))),
   });
   const take = button({
-    label: 'Take the keys at these times of the animation',
+    label: 'Use these times of the animation as keys',
     testId: 'sample-apply',
-    text: 'Take',
+    text: 'Apply',
     kind: 'plain',
     onClick: () => onTake(chosen, times),
   });
@@ -69,7 +69,7 @@ export function createSampling(onTake: (animation: number, times: number[]) => v
     track.element,
     list,
     reason,
-    row('Evenly spaced keys', count, take),
+    row('Number of keys', count, take),
   );
 
   function complain(text: string): void {

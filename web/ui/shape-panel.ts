@@ -35,8 +35,8 @@ export interface ShapePanelEvents {
 }
 
 const STRETCHES: readonly Choice<Stretch>[] = [
-  { value: 'linear', label: 'Linear', hint: 'As in the paper: stretches are blended as they are' },
-  { value: 'log', label: 'Logarithmic', hint: 'By what they multiply: never turns a triangle inside out' },
+  { value: 'linear', label: 'Linear', hint: 'Blends stretches, as in the paper' },
+  { value: 'log', label: 'Logarithmic', hint: 'Blends logarithms of stretches: none turns inside out' },
 ];
 
 /** `ghost`: the section on the ghost mesh. */
@@ -49,7 +49,7 @@ export function createShapePanel(
     events.onEncoding({ referencePose: Number(value) }),
   );
   const patches = numberField({
-    label: 'Patches; 0 lets the app choose',
+    label: 'Number of patches; 0: chosen automatically',
     testId: 'patches',
     min: 0,
     max: 5000,
@@ -79,7 +79,7 @@ export function createShapePanel(
         'span',
         {
           class: 'label',
-          title: 'Pieces that the shape is cut into; each turns as one, and the faces turn within them',
+          title: 'Regions that the shape is divided into; each turns as a whole, and the faces turn within them',
         },
         'Patches',
       ),
@@ -89,12 +89,7 @@ export function createShapePanel(
     sampling.element,
     orientation.element,
     ghost,
-    h(
-      'details',
-      { class: 'details', 'data-testid': 'mesh-report' },
-      h('summary', {}, 'What was read and built'),
-      facts,
-    ),
+    h('details', { class: 'details', 'data-testid': 'mesh-report' }, h('summary', {}, 'Mesh details'), facts),
   );
 
   const draw = memo((props: ShapePanelProps) => {

@@ -80,7 +80,7 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
       'aria-orientation': 'horizontal',
       'aria-valuemin': 0,
       'aria-valuemax': MAX_SPEED,
-      title: `${label}: times the speed straight from ${neighbour}. Drag it, or use the arrow keys; twice for ${formatSpeed(DEFAULT_SPEED)}`,
+      title: `${label}: times the speed straight from ${neighbour}. Drag it, or use the arrow keys; double-click for ${formatSpeed(DEFAULT_SPEED)}`,
       onpointerdown: (event: PointerEvent) => pressed(end, event),
       onkeydown: (event: KeyboardEvent) => typed(end, event),
       ondblclick: () => set(end, DEFAULT_SPEED),

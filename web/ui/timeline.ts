@@ -81,7 +81,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
       'aria-label': 'Time',
       'aria-orientation': 'horizontal',
       'data-testid': 'timeline',
-      title: 'Drag through the motion, also past both ends (arrow keys; hold Alt not to snap); the wheel zooms',
+      title: 'Drag through the motion, also past both ends (arrow keys step; Alt: without snapping; the wheel zooms)',
     },
     track,
     marks,

@@ -30,7 +30,7 @@ export function createViewBar(events: ViewBarEvents): {
     [
       { value: 'phase', label: 'Time', hint: 'Blue at a key, green between, yellow beyond the ends' },
       { value: 'texture', label: 'Texture', hint: 'As the file has it' },
-      { value: 'patches', label: 'Patches', hint: 'The pieces that turn as one' },
+      { value: 'patches', label: 'Patches', hint: 'Regions that turn as a whole' },
     ],
     (value) => events.onView({ colouring: value }),
   );
@@ -55,10 +55,10 @@ export function createViewBar(events: ViewBarEvents): {
     h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element),
   );
   const toggle = button({
-    label: 'Look',
+    label: 'Display',
     testId: 'look-toggle',
     icon: 'eye',
-    text: 'Look',
+    text: 'Display',
     shortcut: 'V',
     kind: 'plain',
     onClick: () => toggleLook(),

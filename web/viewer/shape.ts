@@ -10,19 +10,32 @@ import {
   MeshStandardMaterial,
 } from 'three';
 import type { Material as ThreeMaterial, Texture } from 'three';
-import type { Material } from '../engine/api/types.ts';
+import type { KeysInfo, Material, Scene } from '../engine/api/types.ts';
 import { Easing } from './easing.ts';
 import { Mark } from './mark.ts';
-import type { Look, Topology } from './types.ts';
+import type { Look } from './types.ts';
 
-/** What several shapes of one import share: the index and the decoded images. */
-export interface SharedTopology extends Topology {
+/** What the shapes of one import share: everything but where their vertices are. */
+export interface Topology {
+  vertices: number;
+  scene: Scene;
   index: BufferAttribute;
   uv: BufferAttribute | null;
   /** The file's own colours without their opacity, 3 x vertices. */
   tint: Float32Array | null;
   /** Of each material; empty while they are decoded. */
   textures: (Texture | null)[];
+}
+
+export function topologyOf({ report, faces, scene }: KeysInfo): Topology {
+  return {
+    vertices: report.vertices,
+    scene,
+    index: new BufferAttribute(scene.seams?.indices ?? faces, 1),
+    uv: scene.uvs && new BufferAttribute(scene.uvs, 2),
+    tint: scene.colors && withoutAlpha(scene.colors),
+    textures: [],
+  };
 }
 
 export class Shape {
@@ -44,22 +57,22 @@ export class Shape {
   private readonly lines = new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 });
   private textured: MeshStandardMaterial[] = [];
   /** What those were made of: textures come later than the shape. */
-  private texturedBy: SharedTopology['textures'] | null = null;
+  private texturedBy: Topology['textures'] | null = null;
   private patchColours: Float32Array | null = null;
   private heatColours: Float32Array | null = null;
   private mark: Mark | null = null;
   private readonly mesh: Mesh;
   private readonly wire: Mesh;
 
-  constructor(private readonly topology: SharedTopology) {
-    const drawn = topology.vertices + (topology.seams?.copyOf.length ?? 0);
+  constructor(private readonly topology: Topology) {
+    const drawn = topology.vertices + (topology.scene.seams?.copyOf.length ?? 0);
     this.position = dynamic(drawn);
     this.normal = dynamic(drawn);
     this.geometry.setIndex(topology.index);
     this.geometry.setAttribute('position', this.position);
     this.geometry.setAttribute('normal', this.normal);
     if (topology.uv) this.geometry.setAttribute('uv', topology.uv);
-    for (const [index, group] of topology.groups.entries())
+    for (const [index, group] of topology.scene.groups.entries())
       this.geometry.addGroup(group.start * 3, group.count * 3, index);
     this.mesh = new Mesh(this.geometry, this.plain);
     this.wire = new Mesh(this.geometry, this.lines);
@@ -169,7 +182,7 @@ export class Shape {
     const array = attribute.array as Float32Array;
     array.set(values);
     let at = values.length;
-    for (const vertex of this.topology.seams?.copyOf ?? []) {
+    for (const vertex of this.topology.scene.seams?.copyOf ?? []) {
       for (let c = 0; c < 3; c += 1, at += 1) array[at] = values[3 * vertex + c]!;
     }
     attribute.needsUpdate = true;
@@ -188,8 +201,8 @@ export class Shape {
     if (this.texturedBy !== this.topology.textures) {
       for (const material of this.textured) material.dispose();
       this.texturedBy = this.topology.textures;
-      this.textured = this.topology.groups.map((group) =>
-        texturedMaterial(this.topology.materials[group.material], this.topology.textures[group.material]),
+      this.textured = this.topology.scene.groups.map((group) =>
+        texturedMaterial(this.topology.scene.materials[group.material], this.topology.textures[group.material]),
       );
       for (const material of this.textured) this.easing.install(material);
     }
@@ -222,4 +235,8 @@ function texturedMaterial(material: Material | undefined, map: Texture | null | 
   result.roughness = Math.max(material.roughness, 0.4);
   result.map = map ?? null;
   return result;
+}
+
+function withoutAlpha(colors: Float32Array): Float32Array {
+  return Float32Array.from({ length: (colors.length / 4) * 3 }, (_, i) => colors[4 * Math.floor(i / 3) + (i % 3)]!);
 }

@@ -1,21 +1,4 @@
 /** What the viewer is given and gives back: plain data, so that nobody else needs three.js. */
-import type { Material, MaterialGroup, Seams, TextureImage } from '../engine/api/types.ts';
-
-/** What stays the same for all shapes of one import. */
-export interface Topology {
-  vertices: number;
-  /** 3 x faces. */
-  indices: Uint32Array;
-  /** 2 x drawn vertices, or null. */
-  uvs: Float32Array | null;
-  seams: Seams | null;
-  /** 4 x vertices, linear RGBA, or null. */
-  colors: Float32Array | null;
-  groups: MaterialGroup[];
-  materials: Material[];
-  images: TextureImage[];
-}
-
 export interface Look {
   colouring: 'phase' | 'texture' | 'patches';
   shading: 'smooth' | 'flat';

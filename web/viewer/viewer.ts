@@ -1,15 +1,13 @@
-/** The picture: shapes in one to four views with one camera, drawn only when something changed. */
-import { BufferAttribute, NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
+/** The picture: what it shows in one to four views with one camera, drawn only when something changed. */
+import { NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
+import type { KeysInfo } from '../engine/api/types.ts';
 import { CameraRig, NO_INSETS } from './camera.ts';
 import type { Insets } from './camera.ts';
-import { GhostView } from './ghost.ts';
-import { Shape } from './shape.ts';
-import type { SharedTopology } from './shape.ts';
+import { Contents } from './contents.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
-import { decodeTextures } from './textures.ts';
 import { tiles } from './tiles.ts';
-import type { CameraPose, Extra, GhostPicture, Look, Rect, Topology, ViewName } from './types.ts';
+import type { CameraPose, Extra, GhostPicture, Look, Rect, ViewName } from './types.ts';
 
 export interface ViewerEvents {
   /** The user, or a standard view, has moved the camera. */
@@ -22,11 +20,8 @@ export interface ViewerEvents {
   covered(views: number): { top: number; bottom: number };
 }
 
-/** How long a shape takes to go over into the exact one. */
-const EASE_MS = 150;
 /** The largest share of a view's height that is given to what lies over it. */
 const MOST_COVERED = 0.4;
-const DEFAULT_LOOK: Look = { colouring: 'phase', shading: 'smooth', wireframe: false, floor: true, dark: false };
 
 export class Viewer {
   readonly canvas: HTMLCanvasElement;
@@ -34,18 +29,9 @@ export class Viewer {
   private readonly scene = new Scene();
   private readonly stage = new Stage();
   private readonly rig: CameraRig;
-  private topology: SharedTopology | null = null;
-  private shapes: Shape[] = [];
-  private extras: Shape[] = [];
-  private ghost: GhostView | null = null;
-  private colours: string[] = [];
-  private look = DEFAULT_LOOK;
-  private patchColours: Float32Array | null = null;
-  private hideShapes = false;
+  private readonly contents = new Contents(() => this.invalidate());
   private home: { bounds: Bounds; points: Float32Array; radius: number } | null = null;
   private pending = 0;
-  /** When the shapes began to be eased: 0 = with the next drawing, null = they are not. */
-  private easedSince: number | null = null;
   private waiting: (() => void)[] = [];
   private readonly resize: ResizeObserver;
 
@@ -62,7 +48,7 @@ export class Viewer {
     this.renderer.autoClear = false;
     this.canvas = this.renderer.domElement;
     host.append(this.canvas);
-    this.scene.add(this.stage.object);
+    this.scene.add(this.stage.object, this.contents.object);
     this.rig = new CameraRig(
       this.canvas,
       () => this.invalidate(),
@@ -83,121 +69,59 @@ export class Viewer {
     this.fitCanvas();
   }
 
-  /** A new import: fresh buffers for `views` shapes, which stay hidden until their first frame. */
-  setTopology(topology: Topology, bounds: Bounds, points: Float32Array): void {
-    this.clearShapes();
-    for (const texture of this.topology?.textures ?? []) texture?.dispose();
-    this.topology = {
-      ...topology,
-      index: new BufferAttribute(topology.seams?.indices ?? topology.indices, 1),
-      uv: topology.uvs ? new BufferAttribute(topology.uvs, 2) : null,
-      tint: topology.colors && withoutAlpha(topology.colors),
-      textures: [],
-    };
-    this.patchColours = null;
+  /** A new import; nothing of it is seen until its first frame. */
+  setImport(info: KeysInfo, bounds: Bounds, points: Float32Array): void {
+    this.contents.setImport(info);
     this.stage.setBounds(bounds);
-    this.home = { bounds, points, radius: new Vector3(...bounds.max).distanceTo(new Vector3(...bounds.min)) / 2 };
+    this.home = { bounds, points, radius: radiusOf(bounds) };
     this.rig.setPoints(points, this.home.radius);
-    void this.loadTextures(this.topology);
   }
 
   get views(): number {
-    return this.shapes.length;
+    return this.contents.views;
   }
 
   /** How many shapes are shown side by side; those that exist keep their frame. */
   setViews(count: number): void {
-    if (!this.topology) return;
-    while (this.shapes.length > count) this.shapes.pop()?.dispose();
-    while (this.shapes.length < count) {
-      const shape = this.addShape();
-      shape.setPatchColours(this.patchColours);
-      shape.setLook(this.look);
-      shape.object.visible = false;
-      this.shapes.push(shape);
-    }
+    this.contents.setViews(count);
     this.invalidate();
   }
 
-  /**
-   * A frame of another import, which was on its way when this one came, is left out. `eased`: the frame before goes over into
-   * it; all views are eased together, or none.
-   */
+  /** `eased`: the frame before goes over into it; all views are eased together, or none. */
   setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string, eased = false): void {
-    const shape = this.shapes[view];
-    if (!shape || !this.fits(positions)) return;
-    if (eased) shape.setFrameEased(positions, normals);
-    else shape.setFrame(positions, normals);
-    this.easedSince = eased ? 0 : null;
-    shape.object.visible = true;
-    this.colours[view] = colour;
-    this.applyColours();
+    this.contents.setFrame(view, positions, normals, colour, eased);
     this.invalidate();
   }
 
   /** Onion skins or a film strip; `instead` hides the moving shapes. */
   setExtras(extras: readonly Extra[], instead = false): void {
-    if (!extras.every(({ positions }) => this.fits(positions))) return;
-    while (this.extras.length > extras.length) this.extras.pop()?.dispose();
-    while (this.extras.length < extras.length && this.topology) this.extras.push(this.addShape());
-    extras.forEach((extra, index) => {
-      const shape = this.extras[index];
-      if (!shape) return;
-      shape.setFrame(extra.positions, extra.normals);
-      shape.setColour(extra.colour);
-      shape.setOpacity(extra.opacity);
-      shape.object.position.x = extra.offset;
-    });
-    this.hideShapes = instead;
+    this.contents.setExtras(extras, instead);
     this.invalidate();
   }
 
-  /** Colour of each patch on the shape: 3 x vertices, linear RGB; null takes them away. */
   setPatchColours(colours: Float32Array | null): void {
-    this.patchColours = colours;
-    for (const shape of this.shapes) shape.setPatchColours(colours);
-    this.setLook(this.look);
+    this.contents.setPatchColours(colours);
+    this.invalidate();
   }
 
-  /** Amounts as colours on the first view's shape: 3 x vertices, linear RGB; null takes them away. */
   setHeatColours(colours: Float32Array | null): void {
-    const shape = this.shapes[0];
-    if (!shape || (colours && !this.fits(colours))) return;
-    shape.setHeatColours(colours);
-    shape.setLook(this.look);
-    this.applyColours();
+    this.contents.setHeatColours(colours);
     this.invalidate();
   }
 
-  /** Marks faces of the first view's shape; null takes the mark away. */
   setMark(faces: readonly number[] | null): void {
-    const corners = this.topology?.index.array;
-    if (!corners) return;
-    const index =
-      faces &&
-      Uint32Array.from({ length: 3 * faces.length }, (_, i) => corners[3 * faces[Math.floor(i / 3)]! + (i % 3)]!);
-    this.shapes[0]?.setMark(index);
+    this.contents.setMark(faces);
     this.invalidate();
   }
 
-  /** The ghost mesh of the first view's shape, as it is at the moment that is drawn; null takes it away. */
   setGhost(ghost: GhostPicture | null): void {
-    const shape = this.shapes[0];
-    if (!ghost || !this.ghost?.fits(ghost)) {
-      this.ghost?.dispose();
-      this.ghost = ghost && new GhostView(ghost);
-      if (this.ghost) this.scene.add(this.ghost.object);
-    }
-    if (ghost && shape) this.ghost?.setFrame(ghost, shape.positions, this.look.dark);
+    this.contents.setGhost(ghost);
     this.invalidate();
   }
 
   setLook(look: Look): void {
-    this.look = look;
-    for (const shape of this.shapes) shape.setLook(look);
-    for (const shape of this.extras) shape.setLook({ ...look, colouring: 'phase', wireframe: false });
+    this.contents.setLook(look);
     this.stage.setLook(look.floor, look.dark);
-    this.applyColours();
     this.invalidate();
   }
 
@@ -216,7 +140,7 @@ export class Viewer {
   /** Lets light, floor and fitted views follow other shapes than the keys: what is extrapolated, a film strip. */
   setExtent(bounds: Bounds, points: Float32Array): void {
     this.stage.setBounds(bounds);
-    this.rig.setPoints(points, new Vector3(...bounds.max).distanceTo(new Vector3(...bounds.min)) / 2);
+    this.rig.setPoints(points, radiusOf(bounds));
     this.invalidate();
   }
 
@@ -242,8 +166,7 @@ export class Viewer {
 
   /** Positions drawn in a view now, copied; empty before the first frame. */
   positions(view: number): Float32Array {
-    const shape = this.shapes[view];
-    return shape?.object.visible ? shape.positions.slice() : new Float32Array();
+    return this.contents.positions(view);
   }
 
   /** Where points (xyz interleaved) appear: x, y in CSS pixels from the canvas' top left corner. */
@@ -264,7 +187,7 @@ export class Viewer {
   /** The parts of the canvas that the views take, in CSS pixels. */
   rects(): Rect[] {
     return tiles(
-      Math.max(this.shapes.length, 1),
+      Math.max(this.contents.views, 1),
       Math.max(this.host.clientWidth, 1),
       Math.max(this.host.clientHeight, 1),
     );
@@ -294,67 +217,29 @@ export class Viewer {
 
   /** A small picture of one shape in the current look, as a data URL. */
   thumbnail(positions: Float32Array, normals: Float32Array, width: number, height: number, colour: string): string {
-    if (!this.topology || !this.fits(positions)) return '';
-    const shape = this.addShape();
-    shape.setFrame(positions, normals);
-    shape.setLook({ ...this.look, wireframe: false });
-    shape.setColour(colour);
-    const picture = this.drawAlone(width, height);
-    shape.dispose();
+    const picture = this.contents.alone(positions, normals, colour, () => this.drawHome(width, height));
     // Before the browser shows the canvas again: several pictures in a row cost one drawing.
-    this.invalidate();
-    return picture;
+    if (picture !== null) this.invalidate();
+    return picture ?? '';
   }
 
   dispose(): void {
     cancelAnimationFrame(this.pending);
     this.resize.disconnect();
-    this.clearShapes();
+    this.contents.clear();
     this.rig.dispose();
     this.renderer.dispose();
     this.canvas.remove();
   }
 
   private get moving(): boolean {
-    return this.rig.turning || this.easedSince !== null;
-  }
-
-  private fits(positions: Float32Array): boolean {
-    return positions.length === 3 * (this.topology?.vertices ?? -1);
-  }
-
-  private addShape(): Shape {
-    const shape = new Shape(this.topology!);
-    shape.setLook(this.look);
-    this.scene.add(shape.object);
-    return shape;
-  }
-
-  private clearShapes(): void {
-    for (const shape of [...this.shapes, ...this.extras]) shape.dispose();
-    this.shapes = [];
-    this.extras = [];
-    this.ghost?.dispose();
-    this.ghost = null;
-    this.hideShapes = false;
-    this.easedSince = null;
-  }
-
-  private applyColours(): void {
-    this.shapes.forEach((shape, index) => shape.setColour(this.colours[index] ?? '#888888'));
-  }
-
-  private async loadTextures(topology: SharedTopology): Promise<void> {
-    const textures = await decodeTextures(topology.images, topology.materials);
-    if (this.topology !== topology) return;
-    topology.textures = textures;
-    this.setLook(this.look);
+    return this.rig.turning || this.contents.easing;
   }
 
   /** What covers the views, as shares of their height; never so much that little is left. */
   private insets(): Insets {
     const { height } = this.rects()[0]!;
-    const { top, bottom } = this.events.covered(this.shapes.length);
+    const { top, bottom } = this.events.covered(this.contents.views);
     const scale = Math.min(1, MOST_COVERED / Math.max((top + bottom) / height, 1e-6));
     return { top: (scale * top) / height, bottom: (scale * bottom) / height };
   }
@@ -376,56 +261,31 @@ export class Viewer {
   private draw(): void {
     cancelAnimationFrame(this.pending);
     this.pending = 0;
-    this.ease();
-    const visible = this.shapes.map((shape) => shape.object.visible);
-    this.rects().forEach((rect, view) => {
-      // Onion skins and film strip belong to the first view's motion.
-      for (const extra of this.extras) extra.object.visible = view === 0;
-      const hidden = this.hideShapes && view === 0;
-      if (this.ghost) this.ghost.object.visible = view === 0 && !hidden;
-      this.shapes.forEach((shape, index) => {
-        shape.object.visible = visible[index]! && index === view && !hidden;
-      });
-      this.renderOne(rect);
-    });
-    this.shapes.forEach((shape, index) => {
-      shape.object.visible = visible[index]!;
-    });
+    this.contents.ease(performance.now());
+    if (this.contents.easing) this.invalidate();
+    const rects = this.rects();
+    this.contents.eachView(rects.length, (view) => this.renderOne(rects[view]!));
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();
   }
 
-  /** The clock starts with the first drawing: to bring large shapes to the graphics card takes a moment. */
-  private ease(): void {
-    if (this.easedSince === null) return;
-    const now = performance.now();
-    if (this.easedSince === 0) this.easedSince = now;
-    const share = Math.min((now - this.easedSince) / EASE_MS, 1);
-    for (const shape of this.shapes) shape.ease(share * share * (3 - 2 * share));
-    if (share < 1) this.invalidate();
-    else this.easedSince = null;
-  }
-
-  /** Uses a corner of the canvas, where the picture has to be drawn again. */
-  private drawAlone(width: number, height: number): string {
+  /** From where a new import is seen. Uses a corner of the canvas, where the picture has to be drawn again. */
+  private drawHome(width: number, height: number): string {
     const { clientWidth, clientHeight } = this.host;
     const scale = Math.min(1, clientWidth / width, clientHeight / height);
     const [w, h] = [Math.max(Math.floor(width * scale), 1), Math.max(Math.floor(height * scale), 1)];
-    const all = [...this.shapes, ...this.extras, ...(this.ghost ? [this.ghost] : [])];
-    const shown = all.map((other) => [other, other.object.visible] as const);
-    for (const [other] of shown) other.object.visible = false;
     const before = this.rig.extent();
     const pose = this.rig.pose();
     const insets = this.rig.setInsets(NO_INSETS);
+    const { floor, dark } = this.contents.look;
     if (this.home) this.rig.setPoints(this.home.points, this.home.radius);
     this.rig.setAspect(w / h);
     this.rig.setPose(this.rig.fittedPose('home'));
-    this.stage.setLook(false, this.look.dark);
+    this.stage.setLook(false, dark);
     this.renderOne({ x: 0, y: clientHeight - h, width: w, height: h });
     const picture = cut(this.canvas, w, h, this.renderer.getPixelRatio());
-    this.stage.setLook(this.look.floor, this.look.dark);
-    for (const [other, visible] of shown) other.object.visible = visible;
+    this.stage.setLook(floor, dark);
     this.rig.setPoints(before.points, before.radius);
     this.rig.setInsets(insets);
     this.rig.setPose(pose);
@@ -444,8 +304,8 @@ export class Viewer {
   }
 }
 
-function withoutAlpha(colors: Float32Array): Float32Array {
-  return Float32Array.from({ length: (colors.length / 4) * 3 }, (_, i) => colors[4 * Math.floor(i / 3) + (i % 3)]!);
+function radiusOf({ min, max }: Bounds): number {
+  return new Vector3(...max).distanceTo(new Vector3(...min)) / 2;
 }
 
 /** The bottom left corner of the canvas as a PNG; in the same task as the drawing, before the buffer is cleared. */

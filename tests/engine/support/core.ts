@@ -3,7 +3,7 @@
 import { readFile } from 'node:fs/promises';
 import createWasm from '../../../build/wasm/shapespline.mjs';
 import { WasmCore } from '../../../web/engine/worker/wasm-core.ts';
-import type { KeyData, MotionSpec } from '../../../web/engine/wire/protocol.ts';
+import type { MotionSpec, RequestOf } from '../../../web/engine/wire/protocol.ts';
 import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../../web/engine/api/types.ts';
 import type { WasmModule } from '../../../web/engine/worker/wasm-module.ts';
 import { bar, bent, type Mesh } from './shapes.ts';
@@ -26,16 +26,16 @@ export async function localCore(): Promise<LocalCore> {
 
 export const motion: MotionSpec = { version: 0, options: MOTION_DEFAULTS, keyTimes: [0, 0.5, 1] };
 
-export function bendData(mesh: Mesh = bar()): KeyData {
+export function bendData(mesh: Mesh = bar()): Omit<RequestOf<'create'>, 'motion'> {
   return {
     names: ['a', 'b', 'c'],
-    times: [0, 0.5, 1],
     faces: mesh.indices,
     positions: [0, 60, 120].map((degrees) => bent(mesh, degrees)),
     normals: null,
+    encoding: ENCODING_DEFAULTS,
   };
 }
 
 export function createBend(core: WasmCore, data = bendData(), spec = motion): number {
-  return core.createSequence(data, ENCODING_DEFAULTS, spec, () => undefined).handle;
+  return core.createSequence({ ...data, motion: spec }).handle;
 }

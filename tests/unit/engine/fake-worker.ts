@@ -42,19 +42,19 @@ export function answerTo(request: Request): FromWorker {
   switch (request.type) {
     case 'import':
       return result({
-        keys: {
+        info: {
           names: ['a', 'b'],
           times: [0, 1],
           faces: Uint32Array.of(0, 1, 2),
-          positions: [positions, positions.slice()],
-          normals: null,
+          scene: { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] },
+          report: { vertices: 3, faces: 1 },
+          warnings: [],
+          animations: [],
+          animation: -1,
+          project: null,
         },
-        scene: { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] },
-        report: { vertices: 3, faces: 1 },
-        warnings: [],
-        animations: [],
-        animation: -1,
-        project: null,
+        positions: [positions, positions.slice()],
+        normals: null,
       });
     case 'create':
     case 'update':

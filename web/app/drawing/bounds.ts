@@ -4,30 +4,28 @@ import type { Bounds } from '../../viewer/stage.ts';
 /** Enough to fit a view tightly, few enough to go through at once. */
 const POINTS_PER_POSE = 1500;
 
-export function boundsOf(poses: readonly Float32Array[]): Bounds {
-  const min: [number, number, number] = [Infinity, Infinity, Infinity];
-  const max: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  for (const positions of poses) {
-    for (let i = 0; i < positions.length; i += 1) {
-      const axis = (i % 3) as 0 | 1 | 2;
-      const value = positions[i]!;
-      if (value < min[axis]) min[axis] = value;
-      if (value > max[axis]) max[axis] = value;
-    }
-  }
-  return { min, max };
+/** What a view has to show: the box, and some vertices of every pose, xyz interleaved, the extreme ones along each axis among them. */
+export interface Extent {
+  bounds: Bounds;
+  points: Float32Array;
 }
 
-/** Some vertices of every pose, xyz interleaved. The extreme ones along each axis are always among them. */
-export function samplePoints(poses: readonly Float32Array[]): Float32Array {
+export function extentOf(poses: Iterable<Float32Array>): Extent {
+  const min: Bounds['min'] = [Infinity, Infinity, Infinity];
+  const max: Bounds['max'] = [-Infinity, -Infinity, -Infinity];
   const points: number[] = [];
   for (const positions of poses) {
     const vertices = positions.length / 3;
     const step = Math.max(1, Math.floor(vertices / POINTS_PER_POSE));
     for (let v = 0; v < vertices; v += step) push(points, positions, v);
-    for (const v of extremes(positions)) push(points, positions, v);
+    for (const [index, v] of extremes(positions).entries()) {
+      push(points, positions, v);
+      const axis = Math.floor(index / 2) as 0 | 1 | 2;
+      min[axis] = Math.min(min[axis], positions[3 * v + axis]!);
+      max[axis] = Math.max(max[axis], positions[3 * v + axis]!);
+    }
   }
-  return Float32Array.from(points);
+  return { bounds: { min, max }, points: Float32Array.from(points) };
 }
 
 function push(points: number[], positions: Float32Array, vertex: number): void {

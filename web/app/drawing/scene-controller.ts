@@ -15,7 +15,7 @@ import { PHASE_COLOURS, filmStrip, filmTimes, onionSkins, onionTimes } from './o
 import type { OnionSkinInput } from './onion-skin.ts';
 import { differenceOf, heatColours, roundTop } from './difference.ts';
 import type { Difference } from './difference.ts';
-import { boundsOf, measure, patchColours, samplePoints } from './bounds.ts';
+import { extentOf, measure, patchColours } from './bounds.ts';
 import type { Measure } from './bounds.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
@@ -82,24 +82,10 @@ export class SceneController {
     this.ghost = null;
     this.beside = null;
     this.clearDifference();
-    const poses = info.times.map((_, pose) => pool.keys.positions(pose));
-    const bounds = boundsOf(poses);
+    const { bounds, points } = extentOf(pool.poses(pool.imported));
     this.width = bounds.max[0] - bounds.min[0];
-    this.base = poses[0] && info.report.faces <= MEASURED_FACES ? measure(poses[0], info.indices) : null;
-    this.viewer.setTopology(
-      {
-        vertices: info.report.vertices,
-        indices: info.indices,
-        uvs: info.uvs,
-        seams: info.seams,
-        colors: info.colors,
-        groups: info.groups,
-        materials: info.materials,
-        images: info.images,
-      },
-      bounds,
-      samplePoints(poses),
-    );
+    this.base = info.report.faces <= MEASURED_FACES ? measure(pool.keys.positions(0), info.faces) : null;
+    this.viewer.setImport(info, bounds, points);
     this.viewer.setViews(1);
     if (camera) this.viewer.setCameraPose(camera);
     else this.viewer.fit('home', false);
@@ -108,11 +94,22 @@ export class SceneController {
   /** Fits the view to the keys and to what is drawn now, which may have left them. */
   fit(view: 'home' | 'front' | 'top' | 'right' | null, eased: boolean): void {
     if (!this.pool) return;
-    const poses = Array.from({ length: this.pool.count }, (_, pose) => this.pool!.keys.positions(pose));
-    for (let index = 0; index < this.viewer.views; index += 1) poses.push(this.viewer.positions(index));
-    const drawn = this.film ?? this.withGhost(poses.filter((positions) => positions.length > 0));
-    this.viewer.setExtent(boundsOf(drawn), samplePoints(drawn));
+    this.setExtent(this.film ?? this.withGhost(this.shown()));
     this.viewer.fit(view, eased);
+  }
+
+  private setExtent(shapes: Iterable<Float32Array>): void {
+    const { bounds, points } = extentOf(shapes);
+    this.viewer.setExtent(bounds, points);
+  }
+
+  /** The keys' poses and what is drawn now, one after the other: they are large. */
+  private *shown(): Generator<Float32Array> {
+    yield* this.pool?.poses() ?? [];
+    for (let view = 0; view < this.viewer.views; view += 1) {
+      const positions = this.viewer.positions(view);
+      if (positions.length > 0) yield positions;
+    }
   }
 
   /** Copies the frames of a time to the screen, with what belongs to it; measures and onion skins wait for the exact ones. */
@@ -129,7 +126,7 @@ export class SceneController {
       this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind], eased),
     );
     if (preview) {
-      if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'of the moment when it rests' };
+      if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'updated when the shape rests' };
       return this.showGhost(t, sequences[0], state.view);
     }
     this.labels = sequences.length > 1 ? this.tileLabels(frames, sequences) : [];
@@ -188,7 +185,7 @@ export class SceneController {
 
   private measureText(frame: Frame | undefined): string {
     if (!frame || !this.base || !this.info) return '';
-    const { volume, area } = measure(frame.positions, this.info.indices);
+    const { volume, area } = measure(frame.positions, this.info.faces);
     const percent = (value: number, base: number): string =>
       base === 0 ? '?' : `${((100 * value) / base).toFixed(1)}\u00a0%`;
     return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)}`;
@@ -222,7 +219,7 @@ export class SceneController {
       positions.map((value, index) => (index % 3 === 0 ? value + offset : value)),
     );
     this.film = placed;
-    this.viewer.setExtent(boundsOf(placed), samplePoints(placed));
+    this.setExtent(placed);
     this.viewer.fit('front', true);
   }
 
@@ -282,18 +279,19 @@ export class SceneController {
     this.fit(null, true);
   }
 
-  private withGhost(poses: Float32Array[]): Float32Array[] {
+  private *withGhost(shapes: Iterable<Float32Array>): Generator<Float32Array> {
     const { beside } = this;
-    return beside === null
-      ? poses
-      : [...poses, ...poses.map((positions) => positions.map((value, i) => (i % 3 === 0 ? value + beside : value)))];
+    for (const positions of shapes) {
+      yield positions;
+      if (beside !== null) yield positions.map((value, i) => (i % 3 === 0 ? value + beside : value));
+    }
   }
 
   private async showPatches(sequence: Sequence | undefined, view: View): Promise<void> {
     if (!sequence || !this.info || view.colouring !== 'patches' || this.patchesOf === sequence) return;
     const patches = await sequence.patches();
     this.patchesOf = sequence;
-    this.viewer.setPatchColours(patchColours(patches, this.info.indices, this.info.report.vertices));
+    this.viewer.setPatchColours(patchColours(patches, this.info.faces, this.info.report.vertices));
   }
 }
 

@@ -1,4 +1,5 @@
 /** The export dialog's side of things: the plan while it is open, the work and its cancel afterwards. */
+import { modelName } from '../../engine/api/paths.ts';
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import { playRange } from '../../model/frames.ts';
@@ -145,5 +146,5 @@ function stageColour(): string {
 function fileStem(source: AppState['source']): string {
   if (source.kind === 'sample') return source.id;
   const first = source.kind === 'files' ? leadingName(source.names) : '';
-  return first.replace(/^.*[/\\]/, '').replace(/\.[a-z]+$/i, '') || 'shapespline';
+  return modelName(first) || 'shapespline';
 }

@@ -138,7 +138,7 @@ export function createComponents(input: ComponentsInput): Components {
     onRename: commands.renameKey,
     onShaping: commands.shaping,
     onTurns: commands.turns,
-    onPart: input.marking.component,
+    onComponent: input.marking.component,
     onReference: commands.reference,
     onAddCurrent: () => void commands.addCurrent(),
     onAddFile: keyPicker.open,

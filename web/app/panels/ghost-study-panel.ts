@@ -6,7 +6,7 @@ import { button } from '../../ui/controls.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { h, setHidden, setStyle, setText, svg } from '../../ui/dom.ts';
 import { isCancelled } from '../session/sequence-set.ts';
-import { encodingFor, motionFor, specOf } from '../session/sequence-plan.ts';
+import { encodingFor, motionFor, sequencePlan } from '../session/sequence-plan.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 
@@ -60,24 +60,24 @@ export function createGhostStudyPanel({ engine, store, pool, range, onError }: G
   const run = async (): Promise<void> => {
     const poses = pool();
     if (!poses || abort) return;
-    const spec = specOf(store.get().doc, []);
-    const [variant] = spec.variants;
+    const plan = sequencePlan(store.get().doc, []);
+    const [variant] = plan.variants;
     const own = new AbortController();
     abort = own;
     of = { pool: poses, subject: subject() };
     show(null);
-    const keys = poses.keys.arrange(spec.order, spec.times, spec.names);
+    const keys = poses.keys.arrange(plan.order, plan.times, plan.names);
     try {
       const { studyGhosts } = await import('../../study/ghost-study.ts');
       const [start, end] = range();
       const times = Array.from({ length: FRAMES }, (_, i) => start + ((i + 0.5) / FRAMES) * (end - start));
       const pose = (index: number | null): Float32Array | null => (index === null ? null : poses.keys.positions(index));
       const options = {
-        ...encodingFor(spec, variant!),
-        placement: spec.encoding.placement,
-        ...motionFor(spec, variant!.method),
-        startTangent: pose(spec.startTangentPose),
-        endTangent: pose(spec.endTangentPose),
+        ...encodingFor(plan, variant!),
+        placement: plan.encoding.placement,
+        ...motionFor(plan, variant!.method),
+        startTangent: pose(plan.startTangentPose),
+        endTangent: pose(plan.endTangentPose),
       };
       const study = await studyGhosts(engine, keys, options, {
         times,
@@ -202,7 +202,7 @@ export function createGhostStudyPanel({ engine, store, pool, range, onError }: G
       encoding: { ghostFaces, transfer, ...encoding },
       variants,
       ...rest
-    } = specOf(doc, []);
+    } = sequencePlan(doc, []);
     return JSON.stringify([source, doc.motion.method, encoding, rest]);
   };
 

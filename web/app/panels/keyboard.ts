@@ -67,7 +67,7 @@ export function createShortcuts(store: Store, commands: Commands, targets: Keybo
     { keys: ['3'], shown: '3', does: 'Right view', run: () => commands.fit('right') },
     { keys: ['7'], shown: '7', does: 'Top view', run: () => commands.fit('top') },
     { keys: ['h'], shown: 'H', does: 'The view it started with', run: () => commands.fit('home') },
-    { keys: ['v'], shown: 'V', does: 'Look: colour and shading', run: targets.toggleLook },
+    { keys: ['v'], shown: 'V', does: 'Display: colour and shading', run: targets.toggleLook },
     { keys: ['w'], shown: 'W', does: 'Wireframe', run: toggle('wireframe') },
     { keys: ['g'], shown: 'G', does: 'Floor', run: toggle('floor') },
     { keys: ['o'], shown: 'O', does: 'Onion skin', run: toggle('onion') },

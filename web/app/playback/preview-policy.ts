@@ -10,7 +10,7 @@ import type { FrameSet } from './frame-set.ts';
 import { PreviewTrust } from './preview-trust.ts';
 import type { Sample, TimeLine } from './preview-trust.ts';
 
-const MOVING = ['measured', 'close', 'about', 'exact'] as const;
+const MOVING = ['measured', 'close', 'preview', 'exact'] as const;
 
 /**
  * How shapes are drawn while they move: as measured; by previews where they are close, however fast exact frames are;
@@ -44,7 +44,7 @@ export class PreviewPolicy {
   /** Whether a preview is drawn at t while the shape moves. */
   allows(sequences: readonly RunningSequence[], t: number): boolean {
     this.follow(sequences);
-    return this.worthwhile && (this.moving === 'about' || this.trust?.closeAt(t) === true);
+    return this.worthwhile && (this.moving === 'preview' || this.trust?.closeAt(t) === true);
   }
 
   /** What a frame that plays at t costs, in milliseconds; 0 where that is not known yet. */
@@ -79,7 +79,7 @@ export class PreviewPolicy {
   }
 
   private get measures(): boolean {
-    return this.worthwhile && this.moving !== 'about';
+    return this.worthwhile && this.moving !== 'preview';
   }
 
   /** Previews are wanted as far as their cost is concerned. */

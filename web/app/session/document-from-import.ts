@@ -1,6 +1,7 @@
 /** The document that an import starts with: its keys, and the options that a saved project brought along. */
 import { ENCODING, MOTION } from '../../engine/api/option-table.ts';
 import type { OptionTable, ShapeName } from '../../engine/api/option-table.ts';
+import { modelName } from '../../engine/api/paths.ts';
 import type { KeysInfo, SequenceOptions } from '../../engine/api/types.ts';
 import type { PageOptions } from '../../model/page-options.ts';
 import { forPage } from '../../model/page-options.ts';
@@ -8,7 +9,7 @@ import { shapingOf } from '../../model/shaping.ts';
 import type { Doc } from '../../model/state.ts';
 import type { PosePool } from './pose-pool.ts';
 
-export function docOf(info: KeysInfo, pool: PosePool): Doc {
+export function documentFromImport(info: KeysInfo, pool: PosePool): Doc {
   const project = info.project ?? {};
   return {
     keys: info.times.map((time, pose) => ({
@@ -38,8 +39,6 @@ function tangentPose(project: Project, end: ShapeName, pool: PosePool): number |
   return shape ? pool.add(end === 'startTangent' ? 'start tangent' : 'end tangent', shape) : null;
 }
 
-/** The file's name without folder and ending; it is the user's own word for the pose. */
 function shortName(name: string, pose: number): string {
-  const short = name.replace(/^.*[/\\]/, '').replace(/\.(glb|gltf|obj|ply|off)$/i, '');
-  return short || `pose ${pose + 1}`;
+  return modelName(name) || `pose ${pose + 1}`;
 }

@@ -11,6 +11,11 @@ export class PosePool {
     this.count = this.imported;
   }
 
+  /** The first so many, one after the other: each is a copy. */
+  *poses(count = this.count): Generator<Float32Array> {
+    for (let pose = 0; pose < count; pose += 1) yield this.keys.positions(pose);
+  }
+
   /** Returns the new pose's index. */
   add(name: string, positions: Float32Array): number {
     const last = this.keys.info.times.at(-1) ?? 0;

@@ -16,7 +16,7 @@ export interface Variant {
 }
 
 /** One sequence is built per variant; they share everything else. */
-export interface Spec {
+export interface SequencePlan {
   order: number[];
   names: string[];
   times: number[];
@@ -28,7 +28,7 @@ export interface Spec {
 }
 
 /** `difference` puts the motion without a ghost beside the first one, which has one. */
-export function specOf(doc: Doc, compare: readonly Method[], difference = false): Spec {
+export function sequencePlan(doc: Doc, compare: readonly Method[], difference = false): SequencePlan {
   const { keys, motion, encoding } = doc;
   const { method, ...rest } = motion;
   const { referencePose: _, startTangentPose, endTangentPose, ...plain } = encoding;
@@ -50,19 +50,19 @@ export function specOf(doc: Doc, compare: readonly Method[], difference = false)
   };
 }
 
-export function encodingFor({ encoding }: Spec, { ghost }: Variant): Encoding {
+export function encodingFor({ encoding }: SequencePlan, { ghost }: Variant): Encoding {
   const { ghostFaces, transfer, placement } = ENCODING_DEFAULTS;
   return ghost ? encoding : { ...encoding, ghostFaces, transfer, placement };
 }
 
 /** Variants with the same key are served by the same encodings and factorisations. */
-export function laneKey(spec: Spec, variant: Variant): string {
-  const { order, startTangentPose, endTangentPose } = spec;
-  return JSON.stringify([order, encodingFor(spec, variant), startTangentPose, endTangentPose]);
+export function variantKey(plan: SequencePlan, variant: Variant): string {
+  const { order, startTangentPose, endTangentPose } = plan;
+  return JSON.stringify([order, encodingFor(plan, variant), startTangentPose, endTangentPose]);
 }
 
 /** The boundary that a method makes use of: straight motion has no end derivatives. */
-export function motionFor(spec: Spec, method: Method): MotionOptions {
-  const boundary = ignoresHermite(method) && spec.motion.boundary === 'hermite' ? 'natural' : spec.motion.boundary;
-  return { ...spec.motion, method, boundary };
+export function motionFor(plan: SequencePlan, method: Method): MotionOptions {
+  const boundary = ignoresHermite(method) && plan.motion.boundary === 'hermite' ? 'natural' : plan.motion.boundary;
+  return { ...plan.motion, method, boundary };
 }

@@ -1,11 +1,11 @@
 /** The running sequences: one per motion that is shown. Follows the wanted plan, the newest one wins. */
 import type { Engine, Keys, Sequence } from '../../engine/api/api.ts';
 import type { EncodingOptions, Progress } from '../../engine/api/types.ts';
-import type { Spec, Variant } from './sequence-plan.ts';
-import { encodingFor, laneKey, motionFor } from './sequence-plan.ts';
+import type { SequencePlan, Variant } from './sequence-plan.ts';
+import { encodingFor, variantKey, motionFor } from './sequence-plan.ts';
 
 export interface RunningSequence extends Variant {
-  /** What the sequence was built for (laneKey). */
+  /** What the sequence was built for (variantKey). */
   key: string;
   sequence: Sequence;
   /** The keys that the sequence was made of. */
@@ -14,16 +14,16 @@ export interface RunningSequence extends Variant {
 
 export interface SequenceSetEvents {
   onProgress(progress: Progress | null): void;
-  /** The sequences now serve this spec: draw again. */
-  onReady(spec: Spec): void;
-  /** The wanted spec was refused; the sequences still serve `current`, if there is one. */
-  onRefused(error: unknown, current: Spec | null): void;
+  /** The sequences now serve this plan: draw again. */
+  onReady(plan: SequencePlan): void;
+  /** The wanted plan was refused; the sequences still serve `current`, if there is one. */
+  onRefused(error: unknown, current: SequencePlan | null): void;
 }
 
 export class SequenceSet {
   private sequences: RunningSequence[] = [];
-  private served: Spec | null = null;
-  private wanted: Spec | null = null;
+  private served: SequencePlan | null = null;
+  private wanted: SequencePlan | null = null;
   private building: { shape: string; abort: AbortController } | null = null;
   private running: Promise<void> | null = null;
 
@@ -37,7 +37,7 @@ export class SequenceSet {
     return this.sequences;
   }
 
-  get spec(): Spec | null {
+  get plan(): SequencePlan | null {
     return this.served;
   }
 
@@ -46,9 +46,9 @@ export class SequenceSet {
     while (this.running) await this.running;
   }
 
-  want(spec: Spec): void {
-    this.wanted = spec;
-    if (this.building && this.building.shape !== buildKey(spec)) this.building.abort.abort();
+  want(plan: SequencePlan): void {
+    this.wanted = plan;
+    if (this.building && this.building.shape !== buildKey(plan)) this.building.abort.abort();
     this.running ??= this.run();
   }
 
@@ -70,13 +70,13 @@ export class SequenceSet {
     // The caller's store is in the middle of telling everyone about the change that led here.
     await Promise.resolve();
     while (this.wanted && this.wanted !== this.served) {
-      const spec = this.wanted;
+      const plan = this.wanted;
       try {
-        if (JSON.stringify(spec) !== JSON.stringify(this.served)) await this.serve(spec);
-        this.served = spec;
-        this.events.onReady(spec);
+        if (JSON.stringify(plan) !== JSON.stringify(this.served)) await this.serve(plan);
+        this.served = plan;
+        this.events.onReady(plan);
       } catch (error) {
-        const superseded = this.wanted !== spec;
+        const superseded = this.wanted !== plan;
         if (!superseded) this.wanted = this.served;
         if (!superseded || isFailure(error)) this.events.onRefused(error, this.served);
       }
@@ -84,13 +84,15 @@ export class SequenceSet {
     this.running = null;
   }
 
-  private async serve(spec: Spec): Promise<void> {
+  private async serve(plan: SequencePlan): Promise<void> {
     const spare = [...this.sequences];
-    const kept = spec.variants.map((variant) => takeWhere(spare, (running) => running.key === laneKey(spec, variant)));
-    const missing = spec.variants.filter((_, index) => !kept[index]);
-    const added = missing.length > 0 ? await this.build(spec, missing) : [];
+    const kept = plan.variants.map((variant) =>
+      takeWhere(spare, (running) => running.key === variantKey(plan, variant)),
+    );
+    const missing = plan.variants.filter((_, index) => !kept[index]);
+    const added = missing.length > 0 ? await this.build(plan, missing) : [];
     try {
-      await Promise.all(kept.map((running, index) => running && refit(running, spec, spec.variants[index]!)));
+      await Promise.all(kept.map((running, index) => running && refit(running, plan, plan.variants[index]!)));
     } catch (error) {
       disposeAll(added);
       throw error;
@@ -99,19 +101,19 @@ export class SequenceSet {
     this.sequences = kept.map((running) => running ?? added.shift()!);
   }
 
-  private async build(spec: Spec, variants: readonly Variant[]): Promise<RunningSequence[]> {
+  private async build(plan: SequencePlan, variants: readonly Variant[]): Promise<RunningSequence[]> {
     const abort = new AbortController();
     const built: RunningSequence[] = [];
-    this.building = { shape: buildKey(spec), abort };
+    this.building = { shape: buildKey(plan), abort };
     try {
       for (const [index, variant] of variants.entries()) {
         const onProgress = ({ stage, fraction }: Progress): void =>
           this.events.onProgress({ stage, fraction: (index + fraction) / variants.length });
-        const keys = this.pool.keys.arrange(spec.order, spec.times, spec.names);
-        const options = { ...this.encoding(spec, variant), ...motionFor(spec, variant.method) };
+        const keys = this.pool.keys.arrange(plan.order, plan.times, plan.names);
+        const options = { ...this.encoding(plan, variant), ...motionFor(plan, variant.method) };
         built.push({
           ...variant,
-          key: laneKey(spec, variant),
+          key: variantKey(plan, variant),
           keys,
           sequence: await this.engine.createSequence(keys, options, { signal: abort.signal, onProgress }),
         });
@@ -126,17 +128,17 @@ export class SequenceSet {
     }
   }
 
-  private encoding(spec: Spec, variant: Variant): Partial<EncodingOptions> {
-    const { startTangentPose, endTangentPose } = spec;
+  private encoding(plan: SequencePlan, variant: Variant): Partial<EncodingOptions> {
+    const { startTangentPose, endTangentPose } = plan;
     const pose = (index: number | null): Float32Array | null =>
       index === null ? null : this.pool.keys.positions(index);
-    return { ...encodingFor(spec, variant), startTangent: pose(startTangentPose), endTangent: pose(endTangentPose) };
+    return { ...encodingFor(plan, variant), startTangent: pose(startTangentPose), endTangent: pose(endTangentPose) };
   }
 }
 
 /** A build is abandoned when what it builds is no longer wanted; other key times or speeds are fitted in afterwards. */
-function buildKey(spec: Spec): string {
-  return spec.variants.map((variant) => laneKey(spec, variant)).join();
+function buildKey(plan: SequencePlan): string {
+  return plan.variants.map((variant) => variantKey(plan, variant)).join();
 }
 
 /** Takes the first that fits out of the list. */
@@ -145,8 +147,8 @@ function takeWhere<T>(list: T[], fits: (item: T) => boolean): T | undefined {
   return index < 0 ? undefined : list.splice(index, 1)[0];
 }
 
-async function refit(running: RunningSequence, spec: Spec, { method }: Variant): Promise<void> {
-  await running.sequence.update({ ...motionFor(spec, method), keyTimes: spec.times });
+async function refit(running: RunningSequence, plan: SequencePlan, { method }: Variant): Promise<void> {
+  await running.sequence.update({ ...motionFor(plan, method), keyTimes: plan.times });
   running.method = method;
 }
 

@@ -3,12 +3,12 @@ import type { Engine, Keys } from '../../engine/api/api.ts';
 import type { ImportOptions, InputFile, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
-import { docOf } from './document-from-import.ts';
+import { documentFromImport } from './document-from-import.ts';
 import { SequenceSet, isCancelled } from './sequence-set.ts';
 import type { RunningSequence } from './sequence-set.ts';
 import { PosePool } from './pose-pool.ts';
-import type { Spec } from './sequence-plan.ts';
-import { specOf } from './sequence-plan.ts';
+import type { SequencePlan } from './sequence-plan.ts';
+import { sequencePlan } from './sequence-plan.ts';
 
 export interface Opened {
   info: KeysInfo;
@@ -17,8 +17,8 @@ export interface Opened {
 
 export interface WorkspaceEvents {
   onProgress(progress: Progress | null): void;
-  onReady(spec: Spec): void;
-  onRefused(error: unknown, current: Spec | null): void;
+  onReady(plan: SequencePlan): void;
+  onRefused(error: unknown, current: SequencePlan | null): void;
 }
 
 interface Current {
@@ -105,8 +105,8 @@ export class Workspace {
       keys = await this.engine.importKeyframes(input, options, { signal: abort.signal, onProgress });
       const { info } = keys;
       const pool = new PosePool(keys);
-      const doc = adjust(docOf(info, pool), pool);
-      const set = await this.firstSet(pool, specOf(doc, []), abort);
+      const doc = adjust(documentFromImport(info, pool), pool);
+      const set = await this.firstSet(pool, sequencePlan(doc, []), abort);
       this.close();
       this.current = { info, set, pool, input, options };
       return { info, doc };
@@ -120,8 +120,8 @@ export class Workspace {
     }
   }
 
-  want(spec: Spec): void {
-    this.current?.set.want(spec);
+  want(plan: SequencePlan): void {
+    this.current?.set.want(plan);
   }
 
   /** Ends what is under way; what is open stays. */
@@ -138,7 +138,7 @@ export class Workspace {
     if (this.opening === abort) this.events.onProgress(progress);
   }
 
-  private async firstSet(pool: PosePool, spec: Spec, abort: AbortController): Promise<SequenceSet> {
+  private async firstSet(pool: PosePool, plan: SequencePlan, abort: AbortController): Promise<SequenceSet> {
     let failure: unknown = null;
     let open = false;
     const set = new SequenceSet(this.engine, pool, {
@@ -156,10 +156,10 @@ export class Workspace {
     });
     const stop = (): void => set.cancel();
     abort.signal.addEventListener('abort', stop);
-    set.want(spec);
+    set.want(plan);
     await set.idle();
     abort.signal.removeEventListener('abort', stop);
-    if (abort.signal.aborted || set.spec === null) {
+    if (abort.signal.aborted || set.plan === null) {
       set.dispose();
       throw failure ?? abort.signal.reason;
     }

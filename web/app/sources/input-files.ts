@@ -1,5 +1,6 @@
 /** Picked files -> bytes, and poses out of further files of the same mesh. */
 import type { Engine, Keys } from '../../engine/api/api.ts';
+import { isModel } from '../../engine/api/paths.ts';
 import { firstOtherFace } from '../../engine/caller/read-pose.ts';
 import type { ImportOptions, InputFile, KeysInfo } from '../../engine/api/types.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
@@ -9,8 +10,6 @@ export interface NewPose {
   /** 3 x vertices. */
   positions: Float32Array;
 }
-
-const MODEL = /\.(glb|gltf|obj|ply|off)$/i;
 
 /** One after the other; `report` hears the share of all bytes that is there. */
 export async function readFiles(
@@ -57,7 +56,7 @@ export async function importPoses(
   open: KeysInfo,
   { up, unit }: ImportOptions,
 ): Promise<NewPose[]> {
-  const { keys, count } = await importAny(engine, files, { up, unit, like: open.indices });
+  const { keys, count } = await importAny(engine, files, { up, unit, like: open.faces });
   try {
     checkSameMesh(files[0]?.name ?? 'The file', keys.info, open);
     return Array.from({ length: count }, (_, key) => ({
@@ -75,7 +74,7 @@ async function importAny(
   files: InputFile[],
   options: ImportOptions,
 ): Promise<{ keys: Keys; count: number }> {
-  const models = files.filter(({ name }) => MODEL.test(name));
+  const models = files.filter(({ name }) => isModel(name));
   try {
     const keys = await engine.importKeyframes(files, options);
     return { keys, count: keys.info.times.length };
@@ -88,17 +87,19 @@ async function importAny(
   }
 }
 
-function checkSameMesh(name: string, { report, indices }: KeysInfo, open: KeysInfo): void {
+function checkSameMesh(name: string, { report, faces }: KeysInfo, open: KeysInfo): void {
   const mesh = open.report;
   if (report.vertices !== mesh.vertices || report.faces !== mesh.faces) {
+    const count = (number: number): string => number.toLocaleString('en');
     throw new Error(
-      `${name} has ${report.vertices} vertices and ${report.faces} faces, the open shape ${mesh.vertices} and ${mesh.faces}. A key must be a pose of the same mesh.`,
+      `${name} has ${count(report.vertices)} vertices and ${count(report.faces)} faces, the open shape ` +
+        `${count(mesh.vertices)} and ${count(mesh.faces)}. A key must be a pose of the same mesh.`,
     );
   }
-  const other = firstOtherFace(indices, open.indices);
+  const other = firstOtherFace(faces, open.faces);
   if (other >= 0) {
     throw new Error(
-      `${name} joins other vertices than the open shape, first in face ${other}. A key must be a pose of the same mesh.`,
+      `${name} joins other vertices than the open shape, first in face ${other + 1}. A key must be a pose of the same mesh.`,
     );
   }
 }

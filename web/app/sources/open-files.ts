@@ -1,5 +1,6 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
 import type { Engine } from '../../engine/api/api.ts';
+import { extensionOf, isModel, modelName } from '../../engine/api/paths.ts';
 import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.ts';
 import { addKey, setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
@@ -147,7 +148,7 @@ export function createOpenFiles({
       const poses = await importPoses(engine, await readFiles(files), info, workspace.options);
       if (workspace.pool !== pool) return false;
       const added = poses.map(({ name, positions }) => ({
-        name: name.replace(/\.[a-z]+$/i, ''),
+        name: modelName(name),
         pose: pool.add(name, positions),
       }));
       store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => added.reduce(appendKey, doc));
@@ -259,9 +260,12 @@ function openingView(view: View, info: KeysInfo, link: Permalink | null): View {
 
 /** glTF says which way is up and how long a metre is; the other formats do not. */
 function orientationOf(source: Source, { up = 'y', unit = 1 }: ImportOptions): Orientation | null {
-  return source.kind === 'files' && source.names.some((name) => /\.(obj|ply|off)$/i.test(name)) ? { up, unit } : null;
+  return source.kind === 'files' &&
+    source.names.some((name) => !['glb', 'gltf'].includes(extensionOf(name)) && isModel(name))
+    ? { up, unit }
+    : null;
 }
 
 export function hasTexture(info: KeysInfo | null): boolean {
-  return info !== null && (info.materials.length > 0 || info.colors !== null);
+  return info !== null && (info.scene.materials.length > 0 || info.scene.colors !== null);
 }

@@ -28,7 +28,7 @@ export interface CallOptions {
 
 /** How frames are fetched ahead. */
 export interface AheadOptions {
-  /** About, as `preview` has it. */
+  /** Previews instead of exact frames. */
   preview?: boolean;
   /** Takes the request back: what has not begun rejects with code 'cancelled'. */
   signal?: AbortSignal;
@@ -64,7 +64,7 @@ export interface Sequence {
   /** Latest wins: a request that a newer one overtakes resolves to null. */
   evaluate(t: number): Promise<Frame | null>;
   /**
-   * The shape at t, about, in about half the time on large meshes. For while a slider moves; the first one takes a moment longer.
+   * An approximate shape at t, in about half the time on large meshes. For while a slider moves; the first one takes a moment longer.
    * How far it is off depends on the motion: `previewError` measures it (on real shapes from 0.02 to 5 % of the diagonal in the mean
    * between the keys, see wasm/core/README.md). Takes its place among evaluate's requests: latest wins.
    */

@@ -45,6 +45,9 @@ interface Described {
   page?: string;
   /** In the page: what undo calls a change. */
   undo?: string;
+  /** In the page: what the control is called, and says when it is pointed at. */
+  label?: string;
+  hint?: string;
 }
 
 export interface NumberOption extends Described {
@@ -75,10 +78,11 @@ export interface OtherOption extends Described {
 
 export type Option = NumberOption | ChoiceOption | OtherOption;
 export type OptionTable = Readonly<Record<string, Option>>;
+type Shown = Required<Pick<Described, 'undo' | 'label' | 'hint'>>;
 /** What can be chosen for each key: one number, or whole turns. */
 export type KeyOption =
-  | (NumberOption & { default: number; undo: string })
-  | (OtherOption & { kind: 'turns'; undo: string });
+  | (NumberOption & Shown & { default: number; slider: readonly [first: number, last: number] })
+  | (OtherOption & Shown & { kind: 'turns' });
 
 /** The type of an option's value. */
 export type ValueOf<O> =
@@ -142,7 +146,7 @@ export const MOTION = {
     undo: 'period',
   },
   /** Take out the translation that accumulates along the sequence. */
-  inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'without the motion of the whole' },
+  inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'without the translation of the whole' },
 } as const satisfies OptionTable;
 
 /**
@@ -158,6 +162,9 @@ export const PER_KEY = {
     value: 'X,X,...',
     help: 'for each key: 0 as it is, 1 stops there',
     undo: 'tension',
+    label: 'Tension',
+    hint: 'Slope at this key = (1 - tension) times the smooth one: 1 stops there, which takes overshooting away',
+    slider: [0, 1],
   },
   /** Above 0 the slope goes over to the difference from the key before, below 0 to that to the key after. */
   bias: {
@@ -171,6 +178,11 @@ export const PER_KEY = {
       'for each key, from -1 to 1: below 0 its slope leans towards that to the key after it, above 0 towards that ' +
       'from the key before',
     undo: 'bias',
+    label: 'Bias',
+    hint:
+      'Slope at this key: to the left it leans towards the next key, to the right it carries on the motion from the ' +
+      'key before',
+    slider: [-1, 1],
   },
   /** Whole turns added on the way to the key. */
   turns: {
@@ -178,9 +190,13 @@ export const PER_KEY = {
     flag: 'turns',
     value: 'KEY:N[@COMPONENT],...',
     help:
-      'whole turns added on the way to a key: of the whole, or of one of its separate parts, counted from 1 as ' +
+      'whole turns added on the way to a key: of the whole shape, or of one of its components, counted from 1 as ' +
       'their faces come in the file',
     undo: 'turns',
+    label: 'Added turns',
+    hint:
+      'Whole turns added on the way from the key before, because keys do not say how often the shape turned between ' +
+      'them; negative ones go the other way',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
 
@@ -213,7 +229,7 @@ export const ENCODING = {
     choices: ['linear', 'log'],
     default: 'linear',
     flag: 'stretch',
-    help: 'how stretch is interpolated; log never turns inside out',
+    help: 'how stretch is interpolated; with log, no stretch turns inside out',
     page: 'stretch',
     undo: 'stretch',
   },
@@ -369,7 +385,7 @@ export const EXPORT = {
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
   pose: { kind: 'number', default: null, help: 'one pose only, at this time' },
-  inPlace: { kind: 'flag', default: false, help: 'without the motion of the whole' },
+  inPlace: { kind: 'flag', default: false, help: 'without the translation of the whole' },
 } as const satisfies OptionTable;
 
 /** The entries of a table, with the type that every option has. */

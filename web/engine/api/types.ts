@@ -155,18 +155,8 @@ export interface AnimationInfo {
   keys: number;
 }
 
-/** Keys that a worker holds, with everything needed to list and draw them. */
-export interface KeysInfo {
-  names: string[];
-  times: number[];
-  report: MeshReport;
-  warnings: Warning[];
-  /** Animations that the input offers, to sample keys from. */
-  animations: AnimationInfo[];
-  /** Index of the animation that the keys were taken from, or -1. */
-  animation: number;
-  /** 3 x faces. */
-  indices: Uint32Array;
+/** How a mesh looks, besides its shape. */
+export interface Scene {
   /** 2 x drawn vertices, origin at the upper left, or null. */
   uvs: Float32Array | null;
   /** null where the drawn vertices are the mesh's own. */
@@ -176,7 +166,22 @@ export interface KeysInfo {
   groups: MaterialGroup[];
   materials: Material[];
   images: TextureImage[];
-  /** Options that a project file brought along; empty for other files. */
+}
+
+/** What an import found, with everything needed to list and draw its keys. */
+export interface KeysInfo {
+  names: string[];
+  times: number[];
+  report: MeshReport;
+  warnings: Warning[];
+  /** Animations that the input offers, to sample keys from. */
+  animations: AnimationInfo[];
+  /** Index of the animation that the keys were taken from, or -1. */
+  animation: number;
+  /** 3 x faces, of vertices. */
+  faces: Uint32Array;
+  scene: Scene;
+  /** Options that a project file brought along; null for other files. */
   project: Partial<SequenceOptions> | null;
 }
 

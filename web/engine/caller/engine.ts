@@ -52,7 +52,7 @@ export class EngineClient implements Engine {
       client.call('import', { files, options: checked }, { onProgress: call?.onProgress }),
     );
     this.keepIdle(client);
-    return KeysHandle.of(imported);
+    return new KeysHandle(imported);
   }
 
   async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence> {
@@ -62,7 +62,6 @@ export class EngineClient implements Engine {
     const large = Boolean(this.platform.threaded) && keys.info.report.vertices >= LARGE;
     const parts = {
       keys: keys.data,
-      scene: keys.scene,
       options: checkSequenceOptions(options),
       freshWorker: () => this.freshWorker(),
       onDispose: (gone: SequenceClient) => void this.sequences.delete(gone),

@@ -6,23 +6,22 @@ import type { CallOptions } from '../api/api.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
 import { checkBytes, exportWarnings, framesOf, type Frames } from './export-plan.ts';
 import { writeProject } from '../wire/project.ts';
-import type { KeyData, SceneData } from '../wire/protocol.ts';
+import type { KeyData } from '../wire/protocol.ts';
 import type { WorkerClient } from './worker-client.ts';
-import type { ExportedFile, ExportOptions, ExportPlan, Frame, SequenceOptions } from '../api/types.ts';
+import type { ExportedFile, ExportOptions, ExportPlan, Frame, Scene, SequenceOptions } from '../api/types.ts';
 
 export interface ExportSource {
   keys: KeyData;
   keyTimes: readonly number[];
-  scene: SceneData;
   options: SequenceOptions;
   range: readonly [number, number];
   freshWorker(): WorkerClient;
   frame(t: number): Promise<Frame>;
   /** Bytes of an animated GLB without its images. */
-  glbSize(vertices: number, faces: number, frames: number, scene: SceneData): Promise<number>;
+  glbSize(vertices: number, faces: number, frames: number, scene: Scene): Promise<number>;
 }
 
-const NO_SCENE: SceneData = { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] };
+const NO_SCENE: Scene = { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] };
 
 export async function planExport(source: ExportSource, options: ExportOptions): Promise<ExportPlan> {
   const frames = framesOf(options, source.keyTimes, source.range);
@@ -78,10 +77,7 @@ async function writeAnimation(job: Job): Promise<ExportedFile[]> {
     await writer.call('addFrame', { positions, normals }, { transfer });
     report(job, index + 1);
   }
-  const {
-    keys: { faces },
-    scene,
-  } = source;
+  const { faces, scene } = source.keys.info;
   const project = projectOf(source, job.frames);
   const bytes = await writer.call('writeAnimation', { faces, scene, seconds, stills: stills.length, project });
   return [{ name: 'shapespline.glb', bytes }];
@@ -96,11 +92,12 @@ async function writePoses(job: Job): Promise<ExportedFile[]> {
     call: { signal },
   } = job;
   const files: ExportedFile[] = [];
-  const scene = sceneOf(format, source.scene);
+  const { faces } = source.keys.info;
+  const scene = sceneOf(format, source.keys.info.scene);
   for (const [index, t] of frames.times.entries()) {
     const frame = await untilAborted(signal, source.frame(t));
     const pose = { positions: frame.positions, normals: frame.normals };
-    const bytes = await writer.call('writePose', { format, faces: source.keys.faces, scene, pose });
+    const bytes = await writer.call('writePose', { format, faces, scene, pose });
     frame.release();
     files.push({ name: `${String(index).padStart(4, '0')}.${format}`, bytes });
     report(job, index + 1);
@@ -109,7 +106,7 @@ async function writePoses(job: Job): Promise<ExportedFile[]> {
 }
 
 /** What a format keeps of the look. */
-function sceneOf(format: ExportOptions['format'], { uvs, seams, ...rest }: SceneData): SceneData {
+function sceneOf(format: ExportOptions['format'], { uvs, seams, ...rest }: Scene): Scene {
   if (format === 'glb') return { uvs, seams, ...rest };
   return format === 'obj' ? { ...NO_SCENE, uvs, seams } : NO_SCENE;
 }
@@ -117,20 +114,25 @@ function sceneOf(format: ExportOptions['format'], { uvs, seams, ...rest }: Scene
 /** Every key is one of the frames, shown or not. */
 function projectOf({ keys, keyTimes, options }: ExportSource, { times, stills }: Frames): string {
   const all = [...times, ...stills];
-  return writeProject({ names: keys.names, times: keyTimes, frames: keyTimes.map((t) => all.indexOf(t)) }, options);
+  return writeProject(
+    { names: keys.info.names, times: keyTimes, frames: keyTimes.map((t) => all.indexOf(t)) },
+    options,
+  );
 }
 
-async function estimate(source: ExportSource, { format }: ExportOptions, frames: number): Promise<number> {
-  const vertices = source.keys.positions[0]!.length / 3;
-  const faces = source.keys.faces.length / 3;
+async function estimate(
+  { keys: { info, positions }, glbSize }: ExportSource,
+  { format }: ExportOptions,
+  frames: number,
+): Promise<number> {
+  const { scene } = info;
+  const vertices = positions[0]!.length / 3;
+  const faces = info.faces.length / 3;
   if (format === 'ply') return frames * (12 * vertices + 13 * faces);
-  if (format === 'obj') return frames * objBytes(vertices, faces, (source.scene.uvs?.length ?? 0) / 2);
-  const images = source.scene.images.reduce((sum, image) => sum + image.bytes.length, 0);
-  const bare = {
-    ...source.scene,
-    images: source.scene.images.map((image) => ({ ...image, bytes: new Uint8Array(0) })),
-  };
-  return images + (await source.glbSize(vertices, faces, frames, bare));
+  if (format === 'obj') return frames * objBytes(vertices, faces, (scene.uvs?.length ?? 0) / 2);
+  const images = scene.images.reduce((sum, image) => sum + image.bytes.length, 0);
+  const bare = { ...scene, images: scene.images.map((image) => ({ ...image, bytes: new Uint8Array(0) })) };
+  return images + (await glbSize(vertices, faces, frames, bare));
 }
 
 /** Numbers of about 10 characters; indices as long as the largest, twice a corner where there are coordinates. */

@@ -11,19 +11,19 @@ export async function readPose(
   { up, unit }: ImportOptions = {},
 ): Promise<Float32Array> {
   // An import holds at least two keys: the same pose stands for both.
-  const pose = await engine.importKeyframes([...files, { ...files[0]! }], { up, unit, like: keys.info.indices });
+  const pose = await engine.importKeyframes([...files, { ...files[0]! }], { up, unit, like: keys.info.faces });
   try {
     const [file, positions, { vertices, faces }] = [files[0]!.name, pose.positions(0), keys.info.report];
     if (positions.length !== 3 * vertices) {
       const sentence = `${file} has ${positions.length / 3} vertices, the keys have ${vertices}: a pose must be of the same mesh.`;
       throw new EngineError('vertex-count-mismatch', sentence, { file });
     }
-    const { indices } = pose.info;
+    const { faces: indices } = pose.info;
     if (indices.length !== 3 * faces) {
       const sentence = `${file} has ${indices.length / 3} faces, the keys have ${faces}: a pose must be of the same mesh.`;
       throw new EngineError('face-count-mismatch', sentence, { file });
     }
-    const face = firstOtherFace(indices, keys.info.indices);
+    const face = firstOtherFace(indices, keys.info.faces);
     if (face >= 0) {
       const sentence = `${file} has other faces than the keys from face ${face + 1} on: a pose must be of the same mesh.`;
       throw new EngineError('face-mismatch', sentence, { file, face });

@@ -12,7 +12,7 @@ import {
   motionOf,
 } from '../api/options.ts';
 import { FramePool } from './frame-pool.ts';
-import type { CallName, KeyData, MotionSpec, RequestOf, ResultOf, SceneData } from '../wire/protocol.ts';
+import type { CallName, KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
 import type { WorkerClient, WorkerCall } from './worker-client.ts';
 import { Scheduler, urgency, type Task, type Urgency } from './scheduler.ts';
 import type {
@@ -33,7 +33,6 @@ import type {
 
 export interface SequenceParts {
   keys: KeyData;
-  scene: SceneData;
   options: SequenceOptions;
   /** Starts a worker that no other sequence uses, with one thread. */
   freshWorker(): WorkerClient;
@@ -68,8 +67,8 @@ export class SequenceClient implements Sequence {
 
   /** Builds it in `client`, which is the sequence's own from here on. */
   static async create(parts: SequenceParts, client: WorkerClient, call: WorkerCall): Promise<SequenceClient> {
-    const motion: MotionSpec = { version: 0, options: motionOf(parts.options), keyTimes: parts.keys.times };
-    const state = await client.call('create', { keys: parts.keys, encoding: encodingOf(parts.options), motion }, call);
+    const motion: MotionSpec = { version: 0, options: motionOf(parts.options), keyTimes: parts.keys.info.times };
+    const state = await client.call('create', createRequest(parts.keys, encodingOf(parts.options), motion), call);
     return new SequenceClient(parts, client, motion, state);
   }
 
@@ -245,8 +244,8 @@ export class SequenceClient implements Sequence {
 
   private async revive(): Promise<void> {
     this.client = this.parts.freshWorker();
-    const { keys } = this.parts;
-    this.state = await this.client.call('create', { keys, encoding: this.encoding, motion: this.motion });
+    const request = createRequest(this.parts.keys, this.encoding, this.motion);
+    this.state = await this.client.call('create', request);
   }
 
   private async scheduled<K extends CallName>(
@@ -283,7 +282,6 @@ export class SequenceClient implements Sequence {
     return {
       keys: this.parts.keys,
       keyTimes: motion.keyTimes,
-      scene: this.parts.scene,
       options: { ...this.encoding, ...motion.options },
       range: this.range,
       freshWorker: this.parts.freshWorker,
@@ -292,4 +290,12 @@ export class SequenceClient implements Sequence {
         this.scheduled(urgency.shown, 'glbSize', () => ({ vertices, faces, frames, scene })),
     };
   }
+}
+
+function createRequest(
+  { info: { names, faces }, positions, normals }: KeyData,
+  encoding: EncodingOptions,
+  motion: MotionSpec,
+): RequestOf<'create'> {
+  return { names, faces, positions, normals, encoding, motion };
 }

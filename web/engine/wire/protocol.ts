@@ -4,54 +4,26 @@
  */
 import type { ErrorData } from '../api/errors.ts';
 import type {
-  AnimationInfo,
   EncodingOptions,
   Ghost,
   ImportOptions,
   InputFile,
-  Material,
-  MaterialGroup,
-  MeshReport,
+  KeysInfo,
   MotionOptions,
   PreviewError,
-  Seams,
-  SequenceOptions,
+  Scene,
   SequenceStats,
   ShapePlane,
-  TextureImage,
   Warning,
 } from '../api/types.ts';
 
-/** Everything that a sequence is made from, apart from its options. Never changed once made. */
+/** An import: what callers see of it, and its poses, which all sequences share. Never changed once made. */
 export interface KeyData {
-  names: readonly string[];
-  times: readonly number[];
-  /** 3 x faces. */
-  faces: Uint32Array;
+  info: KeysInfo;
   /** 3 x vertices for each key. */
   positions: readonly Float32Array[];
   /** 3 x vertices of the first key as the file had them, or null. */
   normals: Float32Array | null;
-}
-
-/** What is kept of the look of the input. */
-export interface SceneData {
-  uvs: Float32Array | null;
-  seams: Seams | null;
-  colors: Float32Array | null;
-  groups: MaterialGroup[];
-  materials: Material[];
-  images: TextureImage[];
-}
-
-export interface ImportedData {
-  keys: KeyData;
-  scene: SceneData;
-  report: MeshReport;
-  warnings: Warning[];
-  animations: AnimationInfo[];
-  animation: number;
-  project: Partial<SequenceOptions> | null;
 }
 
 /** The motion that a request means; the worker refits when `version` is not the one that it holds. */
@@ -76,9 +48,10 @@ export interface FrameData extends FrameBuffers {
 
 /** Request and result of every call. */
 export interface Calls {
-  import: { request: { files: InputFile[]; options: ImportOptions }; result: ImportedData };
+  import: { request: { files: InputFile[]; options: ImportOptions }; result: KeyData };
   create: {
-    request: { keys: KeyData; encoding: EncodingOptions; motion: MotionSpec };
+    request: Pick<KeysInfo, 'names' | 'faces'> &
+      Omit<KeyData, 'info'> & { encoding: EncodingOptions; motion: MotionSpec };
     result: { range: [number, number]; warnings: Warning[] };
   };
   /** Refits; on an error the motion before stays. */
@@ -98,15 +71,15 @@ export interface Calls {
   ghostPositions: { request: { motion: MotionSpec; t: number }; result: Float32Array };
   stats: { request: object; result: SequenceStats };
   /** Bytes of an animated GLB, to a few percent; the images' own bytes are not in it. */
-  glbSize: { request: { vertices: number; faces: number; frames: number; scene: SceneData }; result: number };
+  glbSize: { request: { vertices: number; faces: number; frames: number; scene: Scene }; result: number };
   /** Takes one frame of the animation that is about to be written: those that are shown, then the stills. */
   addFrame: { request: FrameBuffers; result: null };
   writeAnimation: {
-    request: { faces: Uint32Array; scene: SceneData; seconds: number[]; stills: number; project: string };
+    request: { faces: Uint32Array; scene: Scene; seconds: number[]; stills: number; project: string };
     result: Uint8Array;
   };
   writePose: {
-    request: { format: 'glb' | 'obj' | 'ply'; faces: Uint32Array; scene: SceneData; pose: FrameBuffers };
+    request: { format: 'glb' | 'obj' | 'ply'; faces: Uint32Array; scene: Scene; pose: FrameBuffers };
     result: Uint8Array;
   };
 }

@@ -4,6 +4,7 @@
  */
 import type { Document, JSONDocument } from '@gltf-transform/core';
 import { EngineError, messageOf } from '../api/errors.ts';
+import { fileName, findByUri, isExternal, resourceUris } from '../api/paths.ts';
 import type { Decode } from './import-files.ts';
 import type { InputFile } from '../api/types.ts';
 
@@ -40,7 +41,7 @@ interface Job {
 }
 
 async function decodeFile(job: Job): Promise<InputFile> {
-  const name = lastOf(job.file.name);
+  const name = fileName(job.file.name);
   const json = parsed(job.text);
   if (!json) return job.file; // the core says where it is broken
   try {
@@ -60,8 +61,6 @@ function parsed(text: string): JSONDocument['json'] | null {
     return null;
   }
 }
-
-const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
 /** The JSON text of a .glb or .gltf file; null for anything else, which is for the core to judge. */
 function jsonOf(bytes: Uint8Array): string | null {
@@ -120,49 +119,18 @@ async function reader(text: string, dracoWasm: () => Promise<Uint8Array>) {
 
 /** Files beside this one that it names; nothing else is looked for anywhere. A missing image costs the texture only. */
 function addResources({ json, resources }: JSONDocument, name: string, files: InputFile[]): void {
-  const wanted = (list: { uri?: string }[] | undefined): string[] =>
-    (list ?? []).map(({ uri }) => uri).filter((uri) => typeof uri === 'string' && !uri.startsWith('data:')) as string[];
-  for (const uri of wanted(json.images))
-    resources[uri] = (find(uri, name, files)?.bytes ?? new Uint8Array(0)) as Uint8Array<ArrayBuffer>;
-  for (const uri of wanted(json.buffers)) {
-    const found = find(uri, name, files);
+  const { buffers, images } = resourceUris(json);
+  for (const uri of images)
+    resources[uri] = (findByUri(uri, name, files)?.bytes ?? new Uint8Array(0)) as Uint8Array<ArrayBuffer>;
+  for (const uri of buffers) {
+    const found = findByUri(uri, name, files);
     if (!found) throw missing(uri, name);
     resources[uri] = found.bytes as Uint8Array<ArrayBuffer>;
   }
 }
 
-/** As the core finds them: by path, or by name alone where files came without their folders. */
-function find(uri: string, from: string, files: InputFile[]): InputFile | undefined {
-  if (isExternal(uri)) return undefined;
-  const path = normalised(unescaped(uri));
-  const beside = normalised(from.slice(0, from.lastIndexOf('/') + 1) + unescaped(uri));
-  const exact = files.find((file) => normalised(file.name) === beside);
-  if (exact || path.startsWith('..')) return exact;
-  const byName = files.filter((file) => lastOf(normalised(file.name)) === lastOf(path));
-  return byName.length === 1 ? byName[0] : undefined;
-}
-
-const isExternal = (uri: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(uri);
-
-function unescaped(uri: string): string {
-  try {
-    return decodeURIComponent(uri);
-  } catch {
-    return uri;
-  }
-}
-
-function normalised(path: string): string {
-  const parts: string[] = [];
-  for (const part of path.split(/[/\\]/)) {
-    if (part === '..' && parts.length > 0 && parts.at(-1) !== '..') parts.pop();
-    else if (part !== '' && part !== '.') parts.push(part);
-  }
-  return parts.join('/');
-}
-
 function missing(uri: string, from: string): EngineError {
-  const name = lastOf(from);
+  const name = fileName(from);
   const sentence = isExternal(uri)
     ? `${name} refers to "${uri}". Nothing outside the given files is ever fetched: save that file beside it and give both together.`
     : `${name} needs the file "${uri}", which was not given. Give both files together.`;

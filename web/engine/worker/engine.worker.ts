@@ -16,7 +16,7 @@ const handler = new RequestHandler({
   post: (message, transfer) => self.postMessage(message, { transfer }),
   create: createWasm,
   createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
-  hire: (start, onReady) => {
+  startSecondThread: (start, onReady) => {
     const helper = new Worker(new URL('./second-thread.worker.ts', import.meta.url), { type: 'module' });
     helper.onmessage = onReady;
     helper.onerror = (event) => event.preventDefault();

@@ -13,11 +13,40 @@ export interface Range {
 
 type NumberArray = Uint8Array | Int32Array | Uint32Array | Float32Array;
 
+/** What the ranges of the bindings' JSON hold, by their names. */
+const ARRAYS = {
+  bytes: Uint8Array,
+  faces: Uint32Array,
+  indices: Uint32Array,
+  copyOf: Int32Array,
+  vertexOf: Int32Array,
+  ghostVertexOf: Int32Array,
+  ghostFaceOf: Int32Array,
+  patches: Int32Array,
+  components: Int32Array,
+  positions: Float32Array,
+  normals: Float32Array,
+  uvs: Float32Array,
+  colors: Float32Array,
+};
+
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
 function bytesOf(array: NumberArray): Uint8Array {
   return new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+}
+
+const isRange = (value: unknown): value is Range => typeof value === 'object' && value !== null && 'address' in value;
+
+/** JSON of the bindings, with copies of its ranges in their places. */
+export function readJson(module: WasmModule, text: string): unknown {
+  return JSON.parse(text, (name, value: unknown) => {
+    if (!isRange(value)) return value;
+    const ArrayType = ARRAYS[name as keyof typeof ARRAYS];
+    const start = value.address >>> 0;
+    return new ArrayType(module.HEAPU8.slice(start, start + value.length * ArrayType.BYTES_PER_ELEMENT).buffer);
+  });
 }
 
 /** Copies a range out, into `target` where that has the right length. */
@@ -27,12 +56,10 @@ export function readFloats(module: WasmModule, { address, length }: Range, targe
   return copy;
 }
 
-export function readInts(module: WasmModule, { address, length }: Range): Int32Array {
-  return new Int32Array(module.HEAPU8.buffer, address >>> 0, length).slice();
-}
-
-export function readBytes(module: WasmModule, { address, length }: Range): Uint8Array {
-  return module.HEAPU8.slice(address >>> 0, (address >>> 0) + length);
+/** Where threads can share memory, an array that goes to further workers without a copy. Nobody writes into it again. */
+export function sharedFloats(length: number): Float32Array {
+  const shared = typeof SharedArrayBuffer === 'function' && globalThis.crossOriginIsolated !== false;
+  return new Float32Array(shared ? new SharedArrayBuffer(4 * length) : new ArrayBuffer(4 * length));
 }
 
 /** Text up to its NUL. */
@@ -54,12 +81,11 @@ export class HeapScope {
     this.module = module;
   }
 
-  put(array: NumberArray): Range {
-    return { address: this.write(bytesOf(array)), length: array.length };
-  }
-
-  putOrNull(array: NumberArray | null): Range | null {
-    return array && this.put(array);
+  /** As JSON; arrays are copied into the heap, and their ranges stand in their places. */
+  putJson(value: object): Address {
+    return this.putText(
+      JSON.stringify(value, (_, part: unknown) => (ArrayBuffer.isView(part) ? this.put(part as NumberArray) : part)),
+    );
   }
 
   putText(text: string): Address {
@@ -69,6 +95,10 @@ export class HeapScope {
   free(): void {
     for (const address of this.addresses) this.module._free(address);
     this.addresses.length = 0;
+  }
+
+  private put(array: NumberArray): Range {
+    return { address: this.write(bytesOf(array)), length: array.length };
   }
 
   private write(bytes: Uint8Array): Address {

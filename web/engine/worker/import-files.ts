@@ -2,7 +2,7 @@
 import type { WasmCore, OnProgress } from './wasm-core.ts';
 import { drawnImages } from './image-size.ts';
 import { readOptions } from '../wire/project.ts';
-import type { ImportedData } from '../wire/protocol.ts';
+import type { KeyData } from '../wire/protocol.ts';
 import { NO_PLACE } from '../api/types.ts';
 import type { ImportOptions, InputFile, Warning } from '../api/types.ts';
 
@@ -30,20 +30,28 @@ export async function importFiles(
   core: WasmCore,
   decode: Decode,
   { files, options, report }: ImportJob,
-): Promise<ImportedData> {
+): Promise<KeyData> {
   let start = 0;
   report('reading the file', start);
   const decoded = await decode(files, (fraction) => {
     start = DECODING * fraction;
     report('decoding compressed meshes', start);
   });
-  const { project: text, ...rest } = core.importKeys(decoded, options, (stage, fraction) =>
+  const { info, ...poses } = core.importKeys(decoded, options, (stage, fraction) =>
     report(stage, start + (READING - start) * fraction),
   );
-  report('taking the keys', READING);
-  const { images, warnings } = drawnImages(rest.scene.images, rest.scene.materials);
-  const imported = { ...rest, scene: { ...rest.scene, images }, warnings: [...rest.warnings, ...warnings] };
-  if (text === '') return { ...imported, project: null };
-  const project = readOptions(text);
-  return project ? { ...imported, project } : { ...imported, project, warnings: [...imported.warnings, UNREADABLE] };
+  report('reading the poses', READING);
+  const { scene } = info;
+  const { images, warnings } = drawnImages(scene.images, scene.materials);
+  const project = info.project === '' ? null : readOptions(info.project);
+  const unreadable = info.project !== '' && !project ? [UNREADABLE] : [];
+  return {
+    ...poses,
+    info: {
+      ...info,
+      scene: { ...scene, images },
+      warnings: [...info.warnings, ...warnings, ...unreadable],
+      project,
+    },
+  };
 }

@@ -13,7 +13,7 @@ const handler = new RequestHandler({
   post: (message, transfer) => parentPort?.postMessage(message, transfer),
   create: createWasm,
   createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
-  hire: (start, onReady) => {
+  startSecondThread: (start, onReady) => {
     const helper = new Worker(new URL('./node-helper.mjs', import.meta.url), { workerData: start });
     helper.on('message', onReady);
     helper.on('error', () => undefined);

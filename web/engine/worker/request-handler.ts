@@ -32,7 +32,7 @@ export interface HandlerHost {
   /** The glue of the threaded module. */
   createThreaded(): Promise<CreateWasmModule>;
   /** Starts a second thread; one that never gets ready is never waited for. */
-  hire(start: SecondThreadStart, onReady: () => void): void;
+  startSecondThread(start: SecondThreadStart, onReady: () => void): void;
   /** Undoes mesh compression that the core does not know, before it sees the files. */
   decode: Decode;
 }
@@ -45,7 +45,7 @@ export class RequestHandler {
   private readonly host: HandlerHost;
   private readonly handlers: Handlers;
   private core: Promise<WasmCore> | null = null;
-  /** Once there is a second thread: for exact frames, and for those that are about right, of which it does less. */
+  /** Once there is a second thread: for exact frames, and for previews, of which it does less. */
   private choices: Record<'exact' | 'preview', ThreadChoice> | null = null;
   private tail: Promise<void> = Promise.resolve();
   private sequence = 0;
@@ -75,9 +75,9 @@ export class RequestHandler {
 
   private async startThreaded(compiled: WebAssembly.Module): Promise<WasmCore> {
     const core = await WasmCore.start(await this.host.createThreaded(), compiled);
-    const start = core.helperStart(compiled);
+    const start = core.secondThreadStart(compiled);
     if (start)
-      this.host.hire(start, () => {
+      this.host.startSecondThread(start, () => {
         this.choices = { exact: new ThreadChoice(), preview: new ThreadChoice() };
       });
     return core;
@@ -106,11 +106,11 @@ export class RequestHandler {
   private makeHandlers(): Handlers {
     return {
       import: (core, { files, options }, report) => importFiles(core, this.host.decode, { files, options, report }),
-      create: (core, { keys, encoding, motion }, report) => {
+      create: (core, request, report) => {
         report('welding', 0); // large keys take a moment to be copied and checked
-        const { handle, range, warnings } = core.createSequence(keys, encoding, motion, report);
+        const { handle, range, warnings } = core.createSequence(request, report);
         this.sequence = handle;
-        this.motionVersion = motion.version;
+        this.motionVersion = request.motion.version;
         return { range, warnings };
       },
       update: (core, { motion }) => this.refit(core, motion),
@@ -153,7 +153,7 @@ export class RequestHandler {
       return { ...frame, threads: this.threads };
     } catch (reason) {
       // It takes this worker with it: nobody could say what it still writes.
-      throw core.helpLost ? crashed('its second thread broke down in the middle of a frame') : reason;
+      throw core.secondThreadLost ? crashed('its second thread broke down in the middle of a frame') : reason;
     }
   }
 

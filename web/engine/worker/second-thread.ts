@@ -11,7 +11,7 @@ export interface SecondThreadStart {
   stack: Address;
 }
 
-interface HelperExports {
+interface SecondThreadExports {
   __stack_pointer: WebAssembly.Global;
   shapespline_help(): void;
   shapespline_help_lost(): void;
@@ -25,7 +25,7 @@ export function help({ module, memory, stack }: SecondThreadStart, onReady: () =
     imports[from][name] = kind === 'memory' ? memory : notHere(name);
   }
   // Not seen by the types: that the module exports just these.
-  const helper = new WebAssembly.Instance(module, imports).exports as unknown as HelperExports;
+  const helper = new WebAssembly.Instance(module, imports).exports as unknown as SecondThreadExports;
   helper.__stack_pointer.value = stack;
   onReady();
   try {

@@ -1,26 +1,15 @@
 /** The core as TypeScript sees it: typed calls into the bindings, arrays copied in and out. Runs inside a worker. */
 import { EngineError, outOfMemory } from '../api/errors.ts';
 import type { SecondThreadStart } from './second-thread.ts';
-import { HeapScope, readBytes, readFloats, readInts, readText, writeFloats, type Range } from './heap.ts';
+import { HeapScope, readFloats, readJson, readText, sharedFloats, writeFloats, type Range } from './heap.ts';
+import type { FrameBuffers, FrameData, KeyData, MotionSpec, RequestOf } from '../wire/protocol.ts';
 import type {
-  FrameBuffers,
-  FrameData,
-  ImportedData,
-  KeyData,
-  MotionSpec,
-  RequestOf,
-  SceneData,
-} from '../wire/protocol.ts';
-import type {
-  AnimationInfo,
-  EncodingOptions,
   Ghost,
   ImportOptions,
   InputFile,
-  Material,
-  MaterialGroup,
-  MeshReport,
+  KeysInfo,
   PreviewError,
+  Scene,
   SequenceStats,
   ShapePlane,
   TextureImage,
@@ -39,33 +28,10 @@ interface Failure {
   face: number;
 }
 
-interface SceneAnswer {
-  uvs: Range | null;
-  colors: Range | null;
-  seams: { copyOf: Range; indices: Range } | null;
-  groups: MaterialGroup[];
-  materials: Material[];
-  images: { mimeType: string; bytes: Range }[];
-}
-
-interface ImportAnswer {
-  handle: number;
-  names: string[];
-  times: number[];
-  faces: Range;
-  normals: Range | null;
-  scene: SceneAnswer;
-  report: MeshReport;
-  warnings: Warning[];
-  animations: AnimationInfo[];
-  animation: number;
+/** The core's JSON of an import: of KeysInfo the project is still a text, and nobody has looked into the images. */
+export type ImportedInfo = Omit<KeysInfo, 'project' | 'scene'> & {
   project: string;
-}
-
-/** An import with the project's JSON text still unread, and its images not looked into. */
-export type RawImport = Omit<ImportedData, 'project' | 'scene'> & {
-  project: string;
-  scene: Omit<SceneData, 'images'> & { images: Omit<TextureImage, 'scale'>[] };
+  scene: Omit<Scene, 'images'> & { images: Omit<TextureImage, 'scale'>[] };
 };
 
 export interface SequenceState {
@@ -81,7 +47,7 @@ function placeOf({ key, vertex, face }: Failure): EngineError['place'] {
 }
 
 /** Bytes: many times what a frame's kernels need. */
-const HELPER_STACK = 1 << 18;
+const SECOND_STACK = 1 << 18;
 
 export class WasmCore {
   private readonly module: WasmModule;
@@ -96,12 +62,12 @@ export class WasmCore {
   }
 
   /** What a second thread needs to work in this core's memory; null where that is not shared. */
-  helperStart(compiled: WebAssembly.Module): SecondThreadStart | null {
+  secondThreadStart(compiled: WebAssembly.Module): SecondThreadStart | null {
     const { wasmMemory: memory } = this.module;
     if (!memory) return null;
-    const stack = this.module._malloc(HELPER_STACK) >>> 0;
+    const stack = this.module._malloc(SECOND_STACK) >>> 0;
     if (stack === 0) throw outOfMemory();
-    return { module: compiled, memory, stack: stack + HELPER_STACK };
+    return { module: compiled, memory, stack: stack + SECOND_STACK };
   }
 
   /** From the next frame on; the frames are the same. */
@@ -110,7 +76,7 @@ export class WasmCore {
   }
 
   /** The second thread broke down in the middle of a frame: what it was to write cannot be relied on. */
-  get helpLost(): boolean {
+  get secondThreadLost(): boolean {
     return this.module._shapespline_is_help_lost() !== 0;
   }
 
@@ -123,57 +89,47 @@ export class WasmCore {
     return this.answer<{ count: number }>(this.module._shapespline_objects()).count;
   }
 
-  importKeys(files: InputFile[], options: ImportOptions, onProgress: OnProgress = () => undefined): RawImport {
-    this.module.onProgress = (stage, fraction) => onProgress(readText(this.module, stage), fraction);
+  importKeys(
+    files: InputFile[],
+    options: ImportOptions,
+    onProgress: OnProgress = () => undefined,
+  ): Omit<KeyData, 'info'> & { info: ImportedInfo } {
+    this.hear(onProgress);
+    const { animation, sample, keyTimes, up, unit, like } = options;
+    const request = {
+      files,
+      options: {
+        animation: animation ?? null,
+        sampleTimes: Array.isArray(sample) ? sample : [],
+        sampleCount: typeof sample === 'number' ? sample : null,
+        keyTimes: keyTimes ?? [],
+        zUp: up === 'z',
+        unit: unit ?? 1,
+        like: like ?? null,
+      },
+    };
     return this.lend((scope) => {
-      const { animation, sample, keyTimes, up, unit, like } = options;
-      const request = {
-        files: files.map(({ name, bytes }) => ({ name, bytes: scope.put(bytes) })),
-        options: {
-          animation: animation ?? null,
-          sampleTimes: Array.isArray(sample) ? sample : [],
-          sampleCount: typeof sample === 'number' ? sample : null,
-          keyTimes: keyTimes ?? [],
-          zUp: up === 'z',
-          unit: unit ?? 1,
-          like: like ? scope.put(like) : null,
-        },
-      };
-      const answer = this.answer<ImportAnswer>(this.module._shapespline_import(scope.putText(JSON.stringify(request))));
+      const { handle, normals, ...info } = this.answer<ImportedInfo & { handle: number; normals: Float32Array | null }>(
+        this.module._shapespline_import(scope.putJson(request)),
+      );
       try {
-        return this.readImport(answer);
+        return { info, normals, positions: info.names.map((_, key) => this.importedPositions(handle, key)) };
       } finally {
-        this.release(answer.handle);
+        this.release(handle);
       }
     });
   }
 
   /** Builds a sequence and returns its handle. */
   createSequence(
-    keys: KeyData,
-    encoding: EncodingOptions,
-    motion: MotionSpec,
-    onProgress: OnProgress,
+    { names, faces, positions, normals, encoding, motion }: RequestOf<'create'>,
+    onProgress: OnProgress = () => undefined,
   ): SequenceState & { handle: number } {
-    this.module.onProgress = (stage, fraction) => onProgress(readText(this.module, stage), fraction);
-    return this.lend((scope) => {
-      const request = {
-        faces: scope.put(keys.faces),
-        normals: scope.putOrNull(keys.normals),
-        keys: keys.positions.map((positions, key) => ({
-          name: keys.names[key],
-          time: motion.keyTimes[key],
-          positions: scope.put(positions),
-        })),
-        encoding: {
-          ...encoding,
-          startTangent: scope.putOrNull(encoding.startTangent),
-          endTangent: scope.putOrNull(encoding.endTangent),
-        },
-        motion: motion.options,
-      };
-      return this.answer(this.module._shapespline_sequence(scope.putText(JSON.stringify(request))));
-    });
+    this.hear(onProgress);
+    const keys = positions.map((of, key) => ({ name: names[key], time: motion.keyTimes[key], positions: of }));
+    return this.ask({ faces, normals, keys, encoding, motion: motion.options }, (address) =>
+      this.module._shapespline_sequence(address),
+    );
   }
 
   update(handle: number, motion: MotionSpec): SequenceState {
@@ -194,7 +150,7 @@ export class WasmCore {
       lostDefiniteness: number;
       lostFace?: number;
     }
-    const frame = this.answer<FrameAnswer>(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0));
+    const frame = this.rawAnswer<FrameAnswer>(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0));
     return {
       positions: readFloats(this.module, frame.positions, buffers?.positions),
       normals: readFloats(this.module, frame.normals, buffers?.normals),
@@ -221,32 +177,20 @@ export class WasmCore {
   }
 
   patches(handle: number): Int32Array {
-    const { patches } = this.answer<{ patches: Range }>(this.module._shapespline_patches(handle));
-    return readInts(this.module, patches);
+    return this.answer<{ patches: Int32Array }>(this.module._shapespline_patches(handle)).patches;
   }
 
   components(handle: number): Int32Array {
-    const { components } = this.answer<{ components: Range }>(this.module._shapespline_components(handle));
-    return readInts(this.module, components);
+    return this.answer<{ components: Int32Array }>(this.module._shapespline_components(handle)).components;
   }
 
   ghost(handle: number): Ghost | null {
-    const ranges = this.answer<Record<keyof Ghost, Range>>(this.module._shapespline_ghost(handle));
-    if (ranges.faces.length === 0) return null;
-    const read = (range: Range): Int32Array => readInts(this.module, range);
-    return {
-      faces: new Uint32Array(read(ranges.faces).buffer),
-      vertexOf: read(ranges.vertexOf),
-      ghostVertexOf: read(ranges.ghostVertexOf),
-      ghostFaceOf: read(ranges.ghostFaceOf),
-    };
+    const ghost = this.answer<Ghost>(this.module._shapespline_ghost(handle));
+    return ghost.faces.length > 0 ? ghost : null;
   }
 
   ghostPositions(handle: number, t: number): Float32Array {
-    return readFloats(
-      this.module,
-      this.answer<{ positions: Range }>(this.module._shapespline_ghost_positions(handle, t)).positions,
-    );
+    return this.answer<{ positions: Float32Array }>(this.module._shapespline_ghost_positions(handle, t)).positions;
   }
 
   stats(handle: number): Omit<SequenceStats, 'threads'> {
@@ -269,82 +213,38 @@ export class WasmCore {
       delete frames[index]; // asked for once; the file grows by as much
       return true;
     };
-    return this.lend((scope) => {
-      const vertices = (frames[0]?.positions.length ?? 0) / 3;
-      const request = { faces: scope.put(faces), scene: lendScene(scope, scene), vertices, seconds, stills, project };
-      return this.takeBytes(this.module._shapespline_write_animation(scope.putText(JSON.stringify(request))));
-    });
+    const vertices = (frames[0]?.positions.length ?? 0) / 3;
+    return this.written({ faces, scene, vertices, seconds, stills, project }, (address) =>
+      this.module._shapespline_write_animation(address),
+    );
   }
 
-  animationSize({ vertices, faces, frames, scene }: RequestOf<'glbSize'>): number {
-    return this.lend((scope) => {
-      const request = { vertices, faces, frames, scene: lendScene(scope, scene) };
-      return this.answer<{ bytes: number }>(
-        this.module._shapespline_animation_size(scope.putText(JSON.stringify(request))),
-      ).bytes;
-    });
+  animationSize(request: RequestOf<'glbSize'>): number {
+    return this.ask<{ bytes: number }>(request, (address) => this.module._shapespline_animation_size(address)).bytes;
   }
 
   writePose({ format, faces, scene, pose }: RequestOf<'writePose'>): Uint8Array {
-    return this.lend((scope) => {
-      const request = {
-        format,
-        faces: scope.put(faces),
-        positions: scope.put(pose.positions),
-        normals: scope.put(pose.normals),
-        scene: lendScene(scope, scene),
-      };
-      return this.takeBytes(this.module._shapespline_write_pose(scope.putText(JSON.stringify(request))));
-    });
+    return this.written({ format, faces, scene, ...pose }, (address) => this.module._shapespline_write_pose(address));
   }
 
   release(handle: number): void {
     this.module._shapespline_release(handle);
   }
 
-  private readImport(answer: ImportAnswer): RawImport {
-    const { module } = this;
-    const positions = answer.names.map((_, key) => {
-      const range = this.answer<{ positions: Range }>(
-        module._shapespline_import_positions(answer.handle, key),
-      ).positions;
-      return readFloats(module, range);
-    });
-    const { uvs, colors, seams, groups, materials, images } = answer.scene;
-    return {
-      keys: {
-        names: answer.names,
-        times: answer.times,
-        faces: new Uint32Array(readInts(module, answer.faces).buffer),
-        positions,
-        normals: answer.normals && readFloats(module, answer.normals),
-      },
-      scene: {
-        uvs: uvs && readFloats(module, uvs),
-        colors: colors && readFloats(module, colors),
-        seams: seams && {
-          copyOf: readInts(module, seams.copyOf),
-          indices: new Uint32Array(readInts(module, seams.indices).buffer),
-        },
-        groups,
-        materials,
-        images: images.map(({ mimeType, bytes }) => ({ mimeType, bytes: readBytes(module, bytes) })),
-      },
-      report: answer.report,
-      warnings: answer.warnings,
-      animations: answer.animations,
-      animation: answer.animation,
-      project: answer.project,
-    };
+  private hear(onProgress: OnProgress): void {
+    this.module.onProgress = (stage, fraction) => onProgress(readText(this.module, stage), fraction);
   }
 
-  private takeBytes(address: Address): Uint8Array {
-    const { handle, bytes } = this.answer<{ handle: number; bytes: Range }>(address);
-    try {
-      return readBytes(this.module, bytes);
-    } finally {
-      this.release(handle);
-    }
+  private importedPositions(handle: number, key: number): Float32Array {
+    const { positions } = this.rawAnswer<{ positions: Range }>(this.module._shapespline_import_positions(handle, key));
+    return readFloats(this.module, positions, sharedFloats(positions.length));
+  }
+
+  /** The bytes of a file that the core keeps until they are copied. */
+  private written(request: object, call: (address: Address) => Address): Uint8Array {
+    const { handle, bytes } = this.ask<{ handle: number; bytes: Uint8Array }>(request, call);
+    this.release(handle);
+    return bytes;
   }
 
   private lend<T>(work: (scope: HeapScope) => T): T {
@@ -357,25 +257,23 @@ export class WasmCore {
   }
 
   private ask<T>(request: object, call: (address: Address) => Address): T {
-    return this.lend((scope) => this.answer<T>(call(scope.putText(JSON.stringify(request)))));
+    return this.lend((scope) => this.answer<T>(call(scope.putJson(request))));
   }
 
   private answer<T>(address: Address): T {
-    const answer = JSON.parse(readText(this.module, address)) as Answer<T>;
-    if (!answer.ok) throw new EngineError(answer.code, answer.message, placeOf(answer));
-    const { ok, ...value } = answer;
-    return value as T;
+    return checked(readJson(this.module, readText(this.module, address)) as Answer<T>);
+  }
+
+  /** With ranges where others have copies of the arrays. */
+  private rawAnswer<T>(address: Address): T {
+    return checked(JSON.parse(readText(this.module, address)) as Answer<T>);
   }
 }
 
-function lendScene(scope: HeapScope, scene: SceneData): object {
-  return {
-    ...scene,
-    uvs: scope.putOrNull(scene.uvs),
-    colors: scope.putOrNull(scene.colors),
-    seams: scene.seams && { copyOf: scope.put(scene.seams.copyOf), indices: scope.put(scene.seams.indices) },
-    images: scene.images.map(({ mimeType, bytes }) => ({ mimeType, bytes: scope.put(bytes) })),
-  };
+function checked<T>(answer: Answer<T>): T {
+  if (!answer.ok) throw new EngineError(answer.code, answer.message, placeOf(answer));
+  const { ok, ...value } = answer;
+  return value as T;
 }
 
 function instantiate(create: CreateWasmModule, compiled: WebAssembly.Module): Promise<WasmModule> {

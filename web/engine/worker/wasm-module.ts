@@ -38,7 +38,7 @@ export interface WasmModule extends JsImports {
   _shapespline_set_threads(handle: number, threads: number): void;
   _shapespline_helped(): number;
   _shapespline_is_help_lost(): number;
-  /** For the helper's own instance alone (helper.ts). */
+  /** For the second thread's own instance alone (second-thread.ts). */
   _shapespline_help(): void;
   _shapespline_help_lost(): void;
 }

@@ -2,7 +2,7 @@
 import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
 
-export interface Answers {
+export interface LineProtocol {
   /** What it says unasked. */
   next(): Promise<unknown>;
   ask(): Promise<unknown>;
@@ -12,7 +12,7 @@ export interface Answers {
 export async function withProgram<T>(
   program: string,
   args: string[],
-  work: (answers: Answers) => Promise<T>,
+  work: (lines: LineProtocol) => Promise<T>,
 ): Promise<T> {
   const child = spawn(program, args, { stdio: ['pipe', 'pipe', 'inherit'] });
   child.stdin.on('error', () => undefined); // one that has ended is noticed by its answer

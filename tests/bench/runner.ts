@@ -6,7 +6,7 @@ import type { Resolutions } from './resolutions.ts';
 import type { ThreadsRun } from './threads.ts';
 import type { Motion, MotionRun } from './whole-sequences.ts';
 
-export interface Place {
+export interface Runner {
   /** Program and version. */
   name: string;
   /** The double references lie beside the mesh. */

@@ -6,13 +6,13 @@ import { quantile } from './quantile.ts';
 
 const REPEATS = 5;
 
-export interface Led {
+export interface WithGhost {
   sequence: Sequence;
   buildMs: number;
 }
 
 /** Milliseconds for all shapes, medians of five passes. */
-export interface LedRun {
+export interface GhostFrames {
   ghostFaces: number;
   buildMs: number;
   /** t_ir: interpolation and reconstruction of the ghost's own shape, its vertices included, as in the paper; a frame needs no more than
@@ -52,13 +52,13 @@ async function statsOf(sequence: Sequence, answer: Promise<Frame | null>): Promi
 }
 
 /** To be disposed of by the caller. */
-export async function createLed(engine: Engine, keys: Keys, ghostFaces: number): Promise<Led> {
+export async function createWithGhost(engine: Engine, keys: Keys, ghostFaces: number): Promise<WithGhost> {
   const start = performance.now();
   const sequence = await engine.createSequence(keys, { ghostFaces });
   return { sequence, buildMs: performance.now() - start };
 }
 
-export async function ledRun({ sequence, buildMs }: Led, shapes: number): Promise<LedRun> {
+export async function ghostFrames({ sequence, buildMs }: WithGhost, shapes: number): Promise<GhostFrames> {
   const times = evenTimes(sequence.range, shapes);
   const tsMs = await passes(times, async (t) => fromFramesMs(await statsOf(sequence, sequence.evaluate(t))));
   const irMs = await passes(times, async (t) => {

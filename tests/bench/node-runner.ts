@@ -4,7 +4,7 @@ import path from 'node:path';
 import { withEngine } from '../../web/engine/node.ts';
 import { compareKeys } from './key-counts.ts';
 import { measure } from './measure.ts';
-import { REFERENCE, type Place } from './place.ts';
+import { REFERENCE, type Runner } from './runner.ts';
 import { compareResolutions } from './resolutions.ts';
 import { compareThreads } from './threads.ts';
 import { runMotion } from './whole-sequences.ts';
@@ -13,7 +13,7 @@ import { runMotion } from './whole-sequences.ts';
 const ONE_THREAD = { threadsUrl: null };
 
 /** `reader`: the module that reads memory. */
-export function nodePlace(reader: string): Place {
+export function nodeRunner(reader: string): Runner {
   const bytesOf = (file: string): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(file));
   return {
     name: `Node ${process.version}`,

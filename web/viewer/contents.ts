@@ -1,0 +1,231 @@
+/** What is in the picture: the shapes, one per view, onion skins or a film strip, and the ghost mesh. */
+import { Group } from 'three';
+import type { KeysInfo } from '../engine/api/types.ts';
+import { GhostView } from './ghost.ts';
+import { Shape, topologyOf } from './shape.ts';
+import type { Topology } from './shape.ts';
+import { decodeTextures } from './textures.ts';
+import type { Extra, GhostPicture, Look } from './types.ts';
+
+/** How long a shape takes to go over into the exact one. */
+const EASE_MS = 150;
+const DEFAULT_LOOK: Look = { colouring: 'phase', shading: 'smooth', wireframe: false, floor: true, dark: false };
+
+export class Contents {
+  readonly object = new Group();
+  private topology: Topology | null = null;
+  private shapes: Shape[] = [];
+  private extras: Shape[] = [];
+  private ghost: GhostView | null = null;
+  private colours: string[] = [];
+  private current = DEFAULT_LOOK;
+  private patchColours: Float32Array | null = null;
+  private hideShapes = false;
+  /** When the shapes began to be eased: 0 = with the next drawing, null = they are not. */
+  private easedSince: number | null = null;
+
+  /** `onTextures`: they are decoded later than the shapes are shown. */
+  constructor(private readonly onTextures: () => void) {}
+
+  get look(): Look {
+    return this.current;
+  }
+
+  get views(): number {
+    return this.shapes.length;
+  }
+
+  get easing(): boolean {
+    return this.easedSince !== null;
+  }
+
+  /** A new import: fresh buffers. */
+  setImport(info: KeysInfo): void {
+    this.clear();
+    for (const texture of this.topology?.textures ?? []) texture?.dispose();
+    this.topology = topologyOf(info);
+    this.patchColours = null;
+    void this.loadTextures(this.topology);
+  }
+
+  /** How many shapes are shown side by side; those that exist keep their frame. */
+  setViews(count: number): void {
+    if (!this.topology) return;
+    while (this.shapes.length > count) this.shapes.pop()?.dispose();
+    while (this.shapes.length < count) {
+      const shape = this.addShape();
+      shape.setPatchColours(this.patchColours);
+      shape.setLook(this.current);
+      shape.object.visible = false;
+      this.shapes.push(shape);
+    }
+  }
+
+  /**
+   * A frame of another import, which was on its way when this one came, is left out. `eased`: the frame before goes over into
+   * it; all views are eased together, or none.
+   */
+  setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string, eased = false): void {
+    const shape = this.shapes[view];
+    if (!shape || !this.fits(positions)) return;
+    if (eased) shape.setFrameEased(positions, normals);
+    else shape.setFrame(positions, normals);
+    this.easedSince = eased ? 0 : null;
+    shape.object.visible = true;
+    this.colours[view] = colour;
+    this.applyColours();
+  }
+
+  /** Onion skins or a film strip; `instead` hides the moving shapes. */
+  setExtras(extras: readonly Extra[], instead = false): void {
+    if (!extras.every(({ positions }) => this.fits(positions))) return;
+    while (this.extras.length > extras.length) this.extras.pop()?.dispose();
+    while (this.extras.length < extras.length && this.topology) this.extras.push(this.addShape());
+    extras.forEach((extra, index) => {
+      const shape = this.extras[index];
+      if (!shape) return;
+      shape.setFrame(extra.positions, extra.normals);
+      shape.setColour(extra.colour);
+      shape.setOpacity(extra.opacity);
+      shape.object.position.x = extra.offset;
+    });
+    this.hideShapes = instead;
+  }
+
+  /** Colour of each patch on the shape: 3 x vertices, linear RGB; null takes them away. */
+  setPatchColours(colours: Float32Array | null): void {
+    this.patchColours = colours;
+    for (const shape of this.shapes) shape.setPatchColours(colours);
+    this.setLook(this.current);
+  }
+
+  /** Amounts as colours on the first view's shape: 3 x vertices, linear RGB; null takes them away. */
+  setHeatColours(colours: Float32Array | null): void {
+    const shape = this.shapes[0];
+    if (!shape || (colours && !this.fits(colours))) return;
+    shape.setHeatColours(colours);
+    shape.setLook(this.current);
+    this.applyColours();
+  }
+
+  /** Marks faces of the first view's shape; null takes the mark away. */
+  setMark(faces: readonly number[] | null): void {
+    const corners = this.topology?.index.array;
+    if (!corners) return;
+    const index =
+      faces &&
+      Uint32Array.from({ length: 3 * faces.length }, (_, i) => corners[3 * faces[Math.floor(i / 3)]! + (i % 3)]!);
+    this.shapes[0]?.setMark(index);
+  }
+
+  /** The ghost mesh of the first view's shape, as it is at the moment that is drawn; null takes it away. */
+  setGhost(ghost: GhostPicture | null): void {
+    const shape = this.shapes[0];
+    if (!ghost || !this.ghost?.fits(ghost)) {
+      this.ghost?.dispose();
+      this.ghost = ghost && new GhostView(ghost);
+      if (this.ghost) this.object.add(this.ghost.object);
+    }
+    if (ghost && shape) this.ghost?.setFrame(ghost, shape.positions, this.current.dark);
+  }
+
+  setLook(look: Look): void {
+    this.current = look;
+    for (const shape of this.shapes) shape.setLook(look);
+    for (const shape of this.extras) shape.setLook({ ...look, colouring: 'phase', wireframe: false });
+    this.applyColours();
+  }
+
+  /** Positions drawn in a view now, copied; empty before the first frame. */
+  positions(view: number): Float32Array {
+    const shape = this.shapes[view];
+    return shape?.object.visible ? shape.positions.slice() : new Float32Array();
+  }
+
+  /** The clock starts with the first drawing: large shapes take a moment to reach the graphics card. */
+  ease(now: number): void {
+    if (this.easedSince === null) return;
+    if (this.easedSince === 0) this.easedSince = now;
+    const share = Math.min((now - this.easedSince) / EASE_MS, 1);
+    for (const shape of this.shapes) shape.ease(share * share * (3 - 2 * share));
+    if (share === 1) this.easedSince = null;
+  }
+
+  /** Draws each view with what belongs to it. Onion skins and film strip belong to the first view's motion. */
+  eachView(count: number, draw: (view: number) => void): void {
+    this.restoring(() => {
+      const visible = this.shapes.map((shape) => shape.object.visible);
+      for (let view = 0; view < count; view += 1) {
+        const hidden = this.hideShapes && view === 0;
+        for (const extra of this.extras) extra.object.visible = view === 0;
+        if (this.ghost) this.ghost.object.visible = view === 0 && !hidden;
+        this.shapes.forEach((shape, index) => {
+          shape.object.visible = visible[index]! && index === view && !hidden;
+        });
+        draw(view);
+      }
+    });
+  }
+
+  /** Draws one further shape alone, or nothing where it is of another import. */
+  alone<T>(positions: Float32Array, normals: Float32Array, colour: string, draw: () => T): T | null {
+    if (!this.topology || !this.fits(positions)) return null;
+    return this.restoring(() => {
+      for (const other of this.drawn) other.object.visible = false;
+      const shape = this.addShape();
+      shape.setFrame(positions, normals);
+      shape.setLook({ ...this.current, wireframe: false });
+      shape.setColour(colour);
+      const result = draw();
+      shape.dispose();
+      return result;
+    });
+  }
+
+  clear(): void {
+    for (const shape of [...this.shapes, ...this.extras]) shape.dispose();
+    this.shapes = [];
+    this.extras = [];
+    this.ghost?.dispose();
+    this.ghost = null;
+    this.hideShapes = false;
+    this.easedSince = null;
+  }
+
+  private get drawn(): { object: { visible: boolean } }[] {
+    return [...this.shapes, ...this.extras, ...(this.ghost ? [this.ghost] : [])];
+  }
+
+  /** What is visible is so again after the work. */
+  private restoring<T>(work: () => T): T {
+    const before = this.drawn.map(({ object }) => [object, object.visible] as const);
+    try {
+      return work();
+    } finally {
+      for (const [object, visible] of before) object.visible = visible;
+    }
+  }
+
+  private fits(positions: Float32Array): boolean {
+    return positions.length === 3 * (this.topology?.vertices ?? -1);
+  }
+
+  private addShape(): Shape {
+    const shape = new Shape(this.topology!);
+    shape.setLook(this.current);
+    this.object.add(shape.object);
+    return shape;
+  }
+
+  private applyColours(): void {
+    this.shapes.forEach((shape, index) => shape.setColour(this.colours[index] ?? '#888888'));
+  }
+
+  private async loadTextures(topology: Topology): Promise<void> {
+    const textures = await decodeTextures(topology.scene.images, topology.scene.materials);
+    if (this.topology !== topology) return;
+    topology.textures = textures;
+    this.setLook(this.current);
+    this.onTextures();
+  }
+}
