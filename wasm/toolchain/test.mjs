@@ -2,7 +2,7 @@
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { buildNative, buildWasm, nodeBundle, page, wasmModule } from './build.mjs';
-import { run } from './exec.mjs';
+import { run, which } from './exec.mjs';
 import { lint } from './lint.mjs';
 import { whileLocked } from './lock.mjs';
 import { Explained, step } from './log.mjs';
@@ -32,6 +32,12 @@ async function runReported(name, program, args, count, env = {}) {
   return code !== 0 && counts.failed === 0 ? { ...counts, failed: 1 } : counts;
 }
 
+const sum = (list) =>
+  list.reduce(
+    (total, counts) => Object.fromEntries(Object.keys(nothing).map((k) => [k, total[k] + counts[k]])),
+    nothing,
+  );
+
 async function typecheck() {
   const counts = { ...nothing };
   for (const folder of ['web', 'tests']) {
@@ -49,11 +55,24 @@ const doctestArguments = (words) => [
   ...words.map((word) => (word.startsWith('-') ? word : `--test-case=*${word}*`)),
 ];
 
+// ThreadSanitizer needs addresses that are not randomised much.
+const atFixedAddresses = (program) =>
+  which('setarch') ? { program: 'setarch', before: ['-R', program] } : { program, before: [] };
+
 async function native(words) {
-  const folder = await whileLocked(() => buildNative(['shapespline_tests']));
-  step('native tests, under AddressSanitizer and UBSan');
+  const folder = await whileLocked(() => buildNative(['shapespline_tests', 'shapespline_thread_tests']));
   const args = (report) => [`--report=${report}`, ...doctestArguments(words)];
-  return runReported('native', path.join(folder, 'shapespline_tests'), args, (counts) => counts);
+  step('native tests, under AddressSanitizer and UBSan');
+  const all = await runReported('native', path.join(folder, 'shapespline_tests'), args, (counts) => counts);
+  step('native tests of what two threads share, under ThreadSanitizer');
+  const { program, before } = atFixedAddresses(path.join(folder, 'shapespline_thread_tests'));
+  const shared = await runReported(
+    'native-threads',
+    program,
+    (report) => [...before, ...args(report)],
+    (counts) => counts,
+  );
+  return sum([all, shared]);
 }
 
 async function wasm(words) {
