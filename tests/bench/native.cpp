@@ -67,7 +67,7 @@ CotangentLaplacian laplacianOf(const Keyframes& keyframes) {
   const MeshOrder order = canonicalOrder(shape.faces, shape.poses);
   shape.faces = order.apply(shape.faces);
   for (Positions& pose : shape.poses) pose = order.apply(pose);
-  const ShapeParts parts = partsOf(shape);
+  const ShapeTopology parts = topologyOf(shape);
   return cotangentLaplacian(shape.faces, parts.hasArea, parts.pieces, shape.poses[0]);
 }
 

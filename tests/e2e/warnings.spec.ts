@@ -30,9 +30,9 @@ const WARNINGS: Warning[] = [
 /** Adds to what the workers answer, before the page hears it. */
 async function answering(
   page: Page,
-  change: { warnings?: Warning[]; lost?: number; lostFace?: number },
+  change: { warnings?: Warning[]; indefiniteFaces?: number; indefiniteFace?: number },
 ): Promise<void> {
-  await page.addInitScript(({ warnings, lost, lostFace }) => {
+  await page.addInitScript(({ warnings, indefiniteFaces, indefiniteFace }) => {
     const Original = window.Worker;
     window.Worker = class extends Original {
       constructor(url: string | URL, options?: WorkerOptions) {
@@ -41,8 +41,8 @@ async function answering(
           const { value } = data;
           if (!value) return;
           if (warnings && 'range' in value) value['warnings'] = structuredClone(warnings);
-          if (lost !== undefined && 'lostDefiniteness' in value)
-            Object.assign(value, { lostDefiniteness: lost, lostFace });
+          if (indefiniteFaces !== undefined && 'indefiniteFaces' in value)
+            Object.assign(value, { indefiniteFaces, indefiniteFace });
         });
       }
     };
@@ -137,7 +137,7 @@ test('a warning shows its place in colour and goes to its moment, until somethin
 });
 
 test('faces that have turned inside out are spoken of where they can be seen, once, and shown', async ({ app }) => {
-  await answering(app.page, { lost: 200, lostFace: 40 });
+  await answering(app.page, { indefiniteFaces: 200, indefiniteFace: 40 });
   await app.open();
   await app.setTime(0.25);
   await expect(app.by('lost')).toContainText(
@@ -154,7 +154,7 @@ test('faces that have turned inside out are spoken of where they can be seen, on
 });
 
 test('and not for one in ten thousand', async ({ app }) => {
-  await answering(app.page, { lost: 1, lostFace: 40 });
+  await answering(app.page, { indefiniteFaces: 1, indefiniteFace: 40 });
   await app.open();
   await app.setTime(0.25);
   await expect(app.by('phase')).toBeVisible();

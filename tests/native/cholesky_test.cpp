@@ -141,13 +141,31 @@ TEST_CASE("cholesky: random definite matrices agree with Eigen") {
     }
 }
 
-TEST_CASE("cholesky: a dense matrix is one supernode of many panels") {
-  const int size = 203;
+TEST_CASE("cholesky: a dense matrix is one supernode of panels, full ones and others") {
   Random random(2);
-  std::vector<Triplet> triplets;
-  for (int r = 0; r < size; ++r)
-    for (int c = 0; c <= r; ++c) triplets.push_back({r, c, r == c ? size + 1.0 : random.signedUnit()});
-  checkAgainstEigen(assembleSymmetric(size, triplets), {}, 1e-13, 1e-5);
+  for (const int size : {2, 3, 4, 5, 8, 63, 64, 65, 150, 203}) {
+    CAPTURE(size);
+    std::vector<Triplet> triplets;
+    for (int r = 0; r < size; ++r)
+      for (int c = 0; c <= r; ++c) triplets.push_back({r, c, r == c ? size + 1.0 : random.signedUnit()});
+    checkAgainstEigen(assembleSymmetric(size, triplets), {}, 1e-13, 1e-5);
+  }
+}
+
+TEST_CASE("cholesky: dense blocks that share rows agree with Eigen, whatever the sizes") {
+  Random random(8);
+  for (const int pivots : {1, 4, 6, 33})
+    for (const int rows : {1, 4, 7, 50}) {
+      CAPTURE(pivots);
+      CAPTURE(rows);
+      const int size = 2 * pivots + rows;
+      std::vector<Triplet> triplets;
+      for (int r = 0; r < size; ++r)
+        for (int c = 0; c <= r; ++c)
+          if (r < pivots || c >= pivots || r >= 2 * pivots)  // the blocks know each other through the shared rows alone
+            triplets.push_back({r, c, r == c ? size + 1.0 : random.signedUnit()});
+      checkAgainstEigen(assembleSymmetric(size, triplets), {}, 1e-13, 1e-5);
+    }
 }
 
 TEST_CASE("cholesky: mesh Laplacians with shuffled vertices agree with Eigen") {
@@ -193,7 +211,7 @@ TEST_CASE("cholesky: several components, isolated unknowns and a dense row") {
     ++size;
   }
   checkAgainstEigen(assembleSymmetric(size, triplets), coordinates, 1e-10, 1e-3);
-  for (int i = 0; i < size; ++i) {  // one unknown tied to all
+  for (int i = 0; i < size; ++i) {  // one unknown coupled with all
     triplets.push_back({size, i, -0.5});
     triplets.push_back({i, i, 0.5});
     triplets.push_back({size, size, 0.5});
@@ -269,9 +287,9 @@ TEST_CASE("cholesky: a floating component is regularised and reported, and diffe
   // One over the smallest numbers is no number.
   const SymmetricMatrix tiny =
       assembleSymmetric(3, std::vector<Triplet>{{0, 0, 1e-310}, {1, 1, 1e-310}, {2, 2, 1}, {1, 0, -1e-310}});
-  const Cholesky tied = factorised(tiny, {}, Precision::Double);
-  CHECK(tied.stats().regularisedPivots == 2);
-  CHECK(solve<double>(tied, Eigen::MatrixX3d::Ones(3, 3)).allFinite());
+  const Cholesky pinned = factorised(tiny, {}, Precision::Double);
+  CHECK(pinned.stats().regularisedPivots == 2);
+  CHECK(solve<double>(pinned, Eigen::MatrixX3d::Ones(3, 3)).allFinite());
 }
 
 TEST_CASE("cholesky: an indefinite matrix is an error that names the unknown") {

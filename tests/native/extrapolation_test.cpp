@@ -88,7 +88,7 @@ TEST_CASE("beyond the keys linear stretch keeps above its lower limit: no face i
     for (const double t : {1.1, 1.4, 2.0, 11.0, 1e6}) {
       CAPTURE(t);
       const Frame frame = frameAt(s, t);
-      CHECK(frame.lostDefiniteness == 0);
+      CHECK(frame.indefiniteFaces == 0);
       CHECK(enclosedVolume(toPositions(frame.positions), k.faces) > 2.6);  // the limit's: 8/3
       // 0.4 - 0.6 (t - 1) eases towards 0.4 / 1.5.
       const double change = 0.6 * (t - 1), room = 0.4 - 0.4 / 1.5;
@@ -97,7 +97,7 @@ TEST_CASE("beyond the keys linear stretch keeps above its lower limit: no face i
     }
     CHECK(lengthOf(shapeAt(s, -1)) == doctest::Approx(16).epsilon(1e-5));  // upwards it has none
     // A blend is what was asked for, also outside the keys, and says what it loses.
-    CHECK(blendOf(s, {-1, 2}).lostDefiniteness > 100);
+    CHECK(blendOf(s, {-1, 2}).indefiniteFaces > 100);
   }
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("beyond the keys logarithmic stretch keeps between both limits") {
     const double f = eased(-change * far / room);
     CHECK(lengthOf(shapeAt(s, 1 + far)) == doctest::Approx(10 * std::exp(change * (1 + f * far))).epsilon(1e-9));
     CHECK(lengthOf(shapeAt(s, -far)) == doctest::Approx(10 * std::exp(-change * f * far)).epsilon(1e-9));
-    CHECK(frameAt(s, 1 + far).lostDefiniteness == 0);
+    CHECK(frameAt(s, 1 + far).indefiniteFaces == 0);
   }
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("beyond the keys logarithmic stretch grows boundedly, with a ghost and
       Sequence s = make(k, Stretch::Log, ghostFaces);
       for (const double t : {-0.4, -0.2, 1.2, 1.4}) {  // two intervals out
         const Frame frame = frameAt(s, t);
-        CHECK(frame.lostDefiniteness == 0);
+        CHECK(frame.indefiniteFaces == 0);
         Frame preview;
         REQUIRE(s.preview(t, preview).ok());
         exact = std::max(exact, diagonalOf(toPositions(frame.positions)) / boundOf(k));

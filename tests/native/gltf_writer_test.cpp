@@ -5,7 +5,7 @@
 
 #include "gltf_maker.h"
 #include "io/export.h"
-#include "io/glb_container.h"
+#include "io/gltf/glb_container.h"
 
 using namespace shapespline;
 using namespace shapespline::test;

@@ -146,7 +146,7 @@ inline std::vector<Triplet> cotangentTriplets(const PlainMesh& mesh, double limi
   return triplets;
 }
 
-/// The Laplacian with vertex 0 tied to its place by a weight of one.
+/// The Laplacian with vertex 0 pinned to its place by a weight of one.
 inline SymmetricMatrix pinnedLaplacian(const PlainMesh& mesh) {
   std::vector<Triplet> triplets = cotangentTriplets(mesh);
   triplets.push_back({0, 0, 1.0});

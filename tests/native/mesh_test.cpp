@@ -122,14 +122,14 @@ TEST_CASE("repeated faces are counted in any order of their vertices, those with
   CHECK(countMesh(4, faces).duplicateFaces == 3);
 }
 
-TEST_CASE("pieces are counted as they are numbered: faces that share a vertex belong together") {
+TEST_CASE("components are counted as they are numbered: faces that share a vertex belong together") {
   Shape shape = joined(joined(sphere({0, 3, 0}, 0.2), tetrahedron()), bar());
   shape.faces.push_back({0, static_cast<int>(shape.positions.size()) - 1, 1});  // joins the first part to the last
   std::vector<char> use(shape.faces.size(), 1);
   const auto n = static_cast<int>(shape.positions.size());
   const auto bothCounts = [&] {
-    const int numbered = connectedPieces(dualGraph(n, shape.faces, use), use).count;
-    CHECK(countPieces(n, shape.faces, use) == numbered);
+    const int numbered = connectedComponents(dualGraph(n, shape.faces, use), use).count;
+    CHECK(countComponents(n, shape.faces, use) == numbered);
     return numbered;
   };
   CHECK(bothCounts() == 2);
@@ -138,9 +138,9 @@ TEST_CASE("pieces are counted as they are numbered: faces that share a vertex be
   std::fill(use.begin(), use.end(), 0);
   CHECK(bothCounts() == 0);
   use[0] = use[4] = 1;
-  const Pieces pieces = connectedPieces(dualGraph(n, shape.faces, use), use);
-  CHECK(pieces.ofFace[0] == 0);
-  CHECK(pieces.ofFace[1] == -1);
+  const Components components = connectedComponents(dualGraph(n, shape.faces, use), use);
+  CHECK(components.ofFace[0] == 0);
+  CHECK(components.ofFace[1] == -1);
 }
 
 TEST_CASE("long work is reported block by block, in order and to its end") {
@@ -193,39 +193,41 @@ TEST_CASE("kd-tree: the nearest point with another label, below the bound, witho
   CHECK(KdTree(line, {}).sharedLabels(label).empty());
 }
 
-TEST_CASE("components hang on their nearest neighbour, rooted at the largest") {
+TEST_CASE("components are attached to their nearest neighbour, rooted at the largest") {
   const Shape parts = joined(joined(sphere({0, 3, 0}, 0.2), sphere({0, 0, 0}, 1)), sphere({0, 1.6, 0}, 0.4));
   const std::vector<char> use(parts.faces.size(), 1);
-  const Pieces pieces = connectedPieces(dualGraph(static_cast<int>(parts.positions.size()), parts.faces, use), use);
-  REQUIRE(pieces.count == 3);
+  const Components components =
+      connectedComponents(dualGraph(static_cast<int>(parts.positions.size()), parts.faces, use), use);
+  REQUIRE(components.count == 3);
   const Positions* poses[] = {&parts.positions};
-  const ComponentTree tree = linkComponents(parts.faces, pieces, poses);
+  const ComponentTree tree = linkComponents(parts.faces, components, poses);
   CHECK(tree.root() == 1);
   CHECK(tree.link[2].parent == 1);
   CHECK(tree.link[0].parent == 2);
-  CHECK(pieces.ofFace[tree.link[0].anchorFace] == 2);
-  CHECK(pieces.ofFace[tree.link[0].contactFace] == 0);
+  CHECK(components.ofFace[tree.link[0].anchorFace] == 2);
+  CHECK(components.ofFace[tree.link[0].contactFace] == 0);
 }
 
-TEST_CASE("rounding does not decide where a part hangs that is as near at several places") {
+TEST_CASE("rounding does not decide where a component is attached that is as near at several places") {
   Shape hat = box(0.5, 0.5, 0.5, 1, 1, 1);
   for (Vec3& p : hat.positions) p += Vec3(0, 0, 10.3);
   const Shape parts = joined(box(1, 1, 10, 2, 2, 20), hat);
   const std::vector<char> use(parts.faces.size(), 1);
-  const Pieces pieces = connectedPieces(dualGraph(static_cast<int>(parts.positions.size()), parts.faces, use), use);
-  REQUIRE(pieces.count == 2);
-  const auto hangs = [&](double noise, unsigned seed) {
+  const Components components =
+      connectedComponents(dualGraph(static_cast<int>(parts.positions.size()), parts.faces, use), use);
+  REQUIRE(components.count == 2);
+  const auto attached = [&](double noise, unsigned seed) {
     std::mt19937 random(seed);
     std::vector<Positions> poses(3, parts.positions);
     for (Positions& pose : poses)
       for (Vec3& p : pose)
         for (double& x : p) x += noise * (random() / 0x1p32 - 0.5);
     const Positions* all[] = {&poses[0], &poses[1], &poses[2]};
-    const ComponentLink link = linkComponents(parts.faces, pieces, all).link[1];
+    const ComponentLink link = linkComponents(parts.faces, components, all).link[1];
     return std::pair(link.anchorFace, link.contactFace);
   };
-  const auto exact = hangs(0, 0);
-  for (unsigned seed = 1; seed <= 30; ++seed) CHECK(hangs(1e-6, seed) == exact);
+  const auto exact = attached(0, 0);
+  for (unsigned seed = 1; seed <= 30; ++seed) CHECK(attached(1e-6, seed) == exact);
 }
 
 TEST_CASE("the zoo moves: every kind of mesh gives its keys back and stays finite") {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gltf_maker.h"
-#include "io/polygon_mesh.h"
+#include "io/polygon/polygon_mesh.h"
 
 using namespace shapespline;
 using namespace shapespline::test;

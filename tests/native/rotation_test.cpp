@@ -80,15 +80,15 @@ TEST_CASE("the mean of rotations is the projection of their mean matrix") {
 namespace {
 
 // One rotation alone, moving through the keys.
-RotationPaths pathThrough(const std::vector<Quaternion>& keys) {
-  RotationPaths paths;
+RotationSplines pathThrough(const std::vector<Quaternion>& keys) {
+  RotationSplines paths;
   for (const Quaternion& q : keys) paths.key.push_back({q});
   for (std::size_t j = 1; j < keys.size(); ++j)
     paths.increment.push_back({logRotation(Quaternion(keys[j - 1].conjugate() * keys[j]))});
   return paths;
 }
 
-Quaternion at(const RotationPaths& paths, const CurvePoint& point) {
+Quaternion at(const RotationSplines& paths, const CurvePoint& point) {
   std::vector<Quaternion> rotation;
   paths.at(point, {}, rotation);
   return rotation[0];
@@ -138,11 +138,11 @@ TEST_CASE("a rotation path passes through its keys and is the geodesic between t
   std::mt19937 random(4);
   std::vector<Quaternion> keys;
   for (int j = 0; j < 4; ++j) keys.push_back(expQuaternion(randomVector(random, 2)));
-  const RotationPaths path = pathThrough(keys);
+  const RotationSplines path = pathThrough(keys);
   const Curve curve = std::move(*Curve::fit({0, 1, 2.5, 3}, {}));
   int j = 0;
   for (double t : {0.0, 1.0, 2.5, 3.0}) CHECK(at(path, curve.at(t)).angularDistance(keys[j++]) < 1e-12);
-  const RotationPaths two = pathThrough({keys[0], keys[1]});
+  const RotationSplines two = pathThrough({keys[0], keys[1]});
   const Curve line = std::move(*Curve::fit({0, 1}, {}));
   const Vec3 increment = logRotation(Quaternion(keys[0].conjugate() * keys[1]));
   CHECK(at(two, line.at(0.3)).angularDistance(keys[0] * expQuaternion(0.3 * increment)) < 1e-12);
@@ -152,7 +152,7 @@ TEST_CASE("a rotation path through many keys starts at the last key that is done
   std::mt19937 random(6);
   std::vector<Quaternion> keys = {Quaternion::Identity()};
   for (int j = 1; j < 100; ++j) keys.push_back(keys.back() * expQuaternion(randomVector(random, 1)));
-  const RotationPaths path = pathThrough(keys);
+  const RotationSplines path = pathThrough(keys);
   std::vector<double> times(100);
   std::iota(times.begin(), times.end(), 0);
   const Curve curve = std::move(*Curve::fit(times, {}));

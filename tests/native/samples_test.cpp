@@ -184,7 +184,7 @@ TEST_CASE("samples: a bend turns what lies beyond it by the whole angle and what
   const auto joints = jointTransforms(body, pose);
   CHECK((joints[0].matrix() - Eigen::Matrix4d::Identity()).norm() < 1e-15);
   CHECK(Eigen::AngleAxisd(joints[12].linear()).angle() == doctest::Approx(1.2));
-  // The arm hangs on the trunk's middle joint and has no turns of its own.
+  // The arm is attached to the trunk's middle joint and has no turns of its own.
   CHECK((joints[20].matrix() - joints[6].matrix()).norm() < 1e-15);
 }
 
@@ -308,11 +308,12 @@ TEST_CASE("bench meshes of parts: the parts turn on their own, the same argument
 
   // The balls against the body beside them: up to 60 degrees of their own, and some ten by which the body bends there.
   const std::vector<char> all(a.faces.size(), 1);
-  const std::vector<int> pieceOf = connectedPieces(dualGraph(a.vertexCount(), a.faces, all), all).ofFace;
-  std::vector<std::set<int>> piece(*std::max_element(pieceOf.begin(), pieceOf.end()) + 1);
-  for (std::size_t f = 0; f < a.faces.size(); ++f) piece[pieceOf[f]].insert(a.faces[f].begin(), a.faces[f].end());
-  const auto body =
-      *std::max_element(piece.begin(), piece.end(), [](const auto& p, const auto& q) { return p.size() < q.size(); });
+  const std::vector<int> componentOf = connectedComponents(dualGraph(a.vertexCount(), a.faces, all), all).ofFace;
+  std::vector<std::set<int>> component(*std::max_element(componentOf.begin(), componentOf.end()) + 1);
+  for (std::size_t f = 0; f < a.faces.size(); ++f)
+    component[componentOf[f]].insert(a.faces[f].begin(), a.faces[f].end());
+  const auto body = *std::max_element(component.begin(), component.end(),
+                                      [](const auto& p, const auto& q) { return p.size() < q.size(); });
   std::vector<Triangle> bodyFaces;
   std::copy_if(a.faces.begin(), a.faces.end(), std::back_inserter(bodyFaces),
                [&](const Triangle& face) { return body.count(face[0]) > 0; });
@@ -326,7 +327,7 @@ TEST_CASE("bench meshes of parts: the parts turn on their own, the same argument
   };
   int balls = 0;
   double most = 0;
-  for (const auto& part : piece) {
+  for (const auto& part : component) {
     Eigen::AlignedBox3d box;
     for (int v : part) box.extend(a.keys[0].positions[v]);
     if (box.sizes().maxCoeff() > 0.41) continue;

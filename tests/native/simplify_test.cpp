@@ -26,11 +26,11 @@ WeldedShape posed(const Shape& shape, const std::vector<Map>& maps) {
 }
 
 GhostMesh simplified(const WeldedShape& shape, int target, bool optimal = false) {
-  return simplify(shape, partsOf(shape), {target, optimal}, [](double) {});
+  return simplify(shape, topologyOf(shape), {target, optimal}, [](double) {});
 }
 
 struct Topology {
-  int euler, boundaryEdges, loops, pieces;
+  int euler, boundaryEdges, loops, components;
 };
 
 // Of a mesh that must be a consistently wound manifold without repeated faces.
@@ -74,7 +74,7 @@ Topology topologyOf(const GhostMesh& ghost) {
     ++loops;
     for (int v = start; seen.insert(v).second;) v = next[v];
   }
-  return {n - counts.edges + m, counts.boundaryEdges, loops, connectedPieces(graph, std::vector<char>(m, 1)).count};
+  return {n - counts.edges + m, counts.boundaryEdges, loops, connectedComponents(graph, std::vector<char>(m, 1)).count};
 }
 
 Shape torus(int around, int across) {
@@ -237,26 +237,27 @@ TEST_CASE("simplify: a small share of the faces for every part") {
   const Shape body = box(1, 1, 10, 8, 8, 80);
   const Shape parts = joined(joined(body, sphere({1.2, 0, 5}, 0.2)), sphere({0, 1.5, 9}, 0.02));
   const WeldedShape shape = posed(parts, bends);
-  const ShapeParts whole = partsOf(shape);
+  const ShapeTopology whole = topologyOf(shape);
   for (int target : {1000, 200, 20}) {
     const GhostMesh ghost = simplified(shape, target);
-    CHECK(topologyOf(ghost).pieces == 3);
+    CHECK(topologyOf(ghost).components == 3);
     CHECK(topologyOf(ghost).euler == 6);
-    CHECK(ghost.joinedPieces == 0);
+    CHECK(ghost.joinedComponents == 0);
     CHECK(static_cast<int>(ghost.faces.size()) <= target);
     std::vector<int> count(3, 0);
     for (const Triangle& t : ghost.faces) {
       const int v = ghost.vertexOf[t[0]];
       for (int f = 0; f < shape.faceCount(); ++f)
         if (shape.faces[f][0] == v || shape.faces[f][1] == v || shape.faces[f][2] == v) {
-          ++count[whole.pieces.ofFace[f]];
+          ++count[whole.components.ofFace[f]];
           break;
         }
     }
-    for (int piece = 0; piece < 3; ++piece) {
+    for (int component = 0; component < 3; ++component) {
       const double share =
-          double(std::count(whole.pieces.ofFace.begin(), whole.pieces.ofFace.end(), piece)) / shape.faceCount();
-      CHECK(count[piece] >= std::max(4, int(target * share / 2)));
+          double(std::count(whole.components.ofFace.begin(), whole.components.ofFace.end(), component)) /
+          shape.faceCount();
+      CHECK(count[component] >= std::max(4, int(target * share / 2)));
     }
   }
 }
@@ -268,8 +269,8 @@ TEST_CASE("simplify: parts too small for a tetrahedron of their own join the res
   const GhostMesh ghost = simplified(shape, 24);
   checkHalfEdge(shape, ghost);
   CHECK(ghost.faces.size() <= 24);
-  CHECK(ghost.joinedPieces > 0);
-  CHECK(topologyOf(ghost).pieces == 10 - ghost.joinedPieces);
+  CHECK(ghost.joinedComponents > 0);
+  CHECK(topologyOf(ghost).components == 10 - ghost.joinedComponents);
   const int n = static_cast<int>(shape.poses.front().size());
   CHECK(ghost.ghostOf[0] >= 0);                                               // of the bar
   CHECK(ghost.ghostOf[int(box(1, 1, 10, 4, 4, 40).positions.size())] == -1);  // of the smallest sphere
@@ -292,7 +293,7 @@ TEST_CASE("simplify: the same input gives the same ghost, and so does a pose tha
   }
 }
 
-TEST_CASE("simplify: non-manifold meshes keep their pieces") {
+TEST_CASE("simplify: non-manifold meshes keep their components") {
   SUBCASE("three sheets that meet in a line keep the line") {
     Shape book;
     const Shape page = sheet(16);
@@ -332,8 +333,8 @@ TEST_CASE("simplify: non-manifold meshes keep their pieces") {
     const GhostMesh ghost = simplified(posed(both, {wave(0), wave(0.1)}), 100);
     const int m = static_cast<int>(ghost.faces.size());
     CHECK(m <= 100);
-    CHECK(connectedPieces(dualGraph(int(ghost.vertexOf.size()), ghost.faces, std::vector<char>(m, 1)),
-                          std::vector<char>(m, 1))
+    CHECK(connectedComponents(dualGraph(int(ghost.vertexOf.size()), ghost.faces, std::vector<char>(m, 1)),
+                              std::vector<char>(m, 1))
               .count == 1);
     CHECK(countMesh(int(ghost.vertexOf.size()), ghost.faces).nonManifoldEdges == 0);
   }
@@ -361,8 +362,8 @@ TEST_CASE("simplify: survives any list of triangles") {
         pose.emplace_back(coordinate(), coordinate(), coordinate());
       }
     for (int f = 0; f < m; ++f) shape.faces.push_back({random.below(n), random.below(n), random.below(n)});
-    const ShapeParts parts = partsOf(shape);
-    if (parts.pieces.count == 0) continue;
+    const ShapeTopology parts = topologyOf(shape);
+    if (parts.components.count == 0) continue;
     for (int target : {4, m / 2 + 4}) {
       const GhostMesh ghost = simplify(shape, parts, {target, round % 2 == 1}, [](double) {});
       checkMaps(shape, ghost);
@@ -377,7 +378,7 @@ TEST_CASE("simplify: progress rises from 0 to 1") {
   const WeldedShape shape = posed(box(1, 1, 10, 16, 16, 160), bends);
   double last = 0;
   int calls = 0;
-  simplify(shape, partsOf(shape), {500, false}, [&](double fraction) {
+  simplify(shape, topologyOf(shape), {500, false}, [&](double fraction) {
     CHECK(fraction >= last);
     CHECK(fraction <= 1);
     last = fraction;

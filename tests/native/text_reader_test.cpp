@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/text_reader.h"
+#include "io/polygon/text_reader.h"
 
 using namespace shapespline;
 

@@ -61,7 +61,7 @@ std::vector<double> bitsOf(Sequence& sequence) {
     REQUIRE(sequence.evaluate(t, frame).ok());
     all.insert(all.end(), frame.positions.begin(), frame.positions.end());
     all.insert(all.end(), frame.normals.begin(), frame.normals.end());
-    all.push_back(frame.lostDefiniteness);
+    all.push_back(frame.indefiniteFaces);
     for (const Vec3& p : shapeAt(sequence, t)) all.insert(all.end(), {p.x(), p.y(), p.z()});
   }
   return all;

@@ -45,7 +45,7 @@ function setUp({
       normals: new Float32Array(),
       ms,
       threads: 1,
-      lostDefiniteness: 0,
+      indefiniteFaces: 0,
       release: () => {
         released += 1;
       },

@@ -11,8 +11,8 @@
 #include "core/sequence/keyframes.h"
 #include "core/sequence/options.h"
 #include "core/sequence/sequence.h"
+#include "io/base/scene.h"
 #include "io/import.h"
-#include "io/scene.h"
 
 namespace shapespline::bindings {
 

@@ -44,8 +44,8 @@ EXPORT const char* shapespline_update(int handle, const char* request) {
   });
 }
 
-/// {positions, normals, lostDefiniteness, lostFace} of the shape at t, about where preview is not 0: 3n floats each,
-/// valid until the next frame of this handle.
+/// {positions, normals, indefiniteFaces, indefiniteFace} of the shape at t, about where preview is not 0: 3n floats
+/// each, valid until the next frame of this handle.
 EXPORT const char* shapespline_evaluate(int handle, double t, int preview) {
   return callResult([&]() -> Result<Json> {
     auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
@@ -53,8 +53,8 @@ EXPORT const char* shapespline_evaluate(int handle, double t, int preview) {
     if (!status) return status.error();
     return Json{{"positions", range(frame.positions.data(), frame.positions.size())},
                 {"normals", range(frame.normals.data(), frame.normals.size())},
-                {"lostDefiniteness", frame.lostDefiniteness},
-                {"lostFace", frame.lostFace}};
+                {"indefiniteFaces", frame.indefiniteFaces},
+                {"indefiniteFace", frame.indefiniteFace}};
   });
 }
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "io/byte_text.h"
-#include "io/glb_container.h"
+#include "io/base/byte_text.h"
+#include "io/gltf/glb_container.h"
 
 namespace shapespline {
 

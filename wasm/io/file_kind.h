@@ -2,9 +2,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/base/status.h"
-#include "io/import.h"
+#include "io/base/named_bytes.h"
 
 namespace shapespline {
 

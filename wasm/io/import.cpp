@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #include "core/base/format.h"
-#include "io/byte_text.h"
+#include "io/base/byte_text.h"
 #include "io/file_kind.h"
-#include "io/gltf_reader.h"
-#include "io/polygon_readers.h"
+#include "io/gltf/gltf_reader.h"
+#include "io/polygon/polygon_readers.h"
 
 namespace shapespline {
 

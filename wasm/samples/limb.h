@@ -64,7 +64,7 @@ struct Body {
 /// A limb along a Catmull-Rom curve through the knots, resampled to `joints` samples (at least 2).
 Limb makeLimb(const std::vector<Knot>& knots, int joints);
 
-/// Adds a limb that hangs on the joint of `parent` nearest to its own first joint. Returns its index.
+/// Adds a limb that is attached to the joint of `parent` nearest to its own first joint. Returns its index.
 int attach(Body& body, int parent, Limb limb);
 
 /// The place on a limb nearest to a point.

@@ -12,7 +12,7 @@ namespace shapespline {
 using Rigid = Eigen::Isometry3d;
 
 /// Rotation vectors, in the axes of the rest pose, about each joint; everything further along the limb and every limb
-/// that hangs there follows.
+/// that is attached there follows.
 struct Pose {
   explicit Pose(const Body& body) : turns(body.jointCount(), Vec3::Zero()) {}
   std::vector<Vec3> turns;

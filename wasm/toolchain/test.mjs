@@ -4,7 +4,7 @@ import path from 'node:path';
 import { buildNative, buildWasm, nodeBundle, page, wasmModule } from './build.mjs';
 import { nothing, reports, runReported, sentence, sum } from './counts.mjs';
 import { runDoctest } from './doctest.mjs';
-import { run } from './exec.mjs';
+import { run, which } from './exec.mjs';
 import { lint } from './lint.mjs';
 import { whileLocked } from './lock.mjs';
 import { Explained, step } from './log.mjs';
@@ -33,12 +33,18 @@ async function typecheck() {
   return sum(await inParallel(tasks));
 }
 
-const compileNative = () => whileLocked(() => buildNative(['shapespline_tests']));
+const compileNative = () => whileLocked(() => buildNative(['shapespline_tests', 'shapespline_thread_tests']));
 const compileWasm = () => whileLocked(() => buildWasm(['shapespline_tests']));
 
-function native(words, folder) {
+// ThreadSanitizer needs addresses that are not randomised much.
+const atFixedAddresses = (program) => (which('setarch') ? ['setarch', '-R', program] : [program]);
+
+async function native(words, folder) {
   step('native tests, under AddressSanitizer and UBSan');
-  return runDoctest('native', [path.join(folder, 'shapespline_tests')], words);
+  const all = await runDoctest('native', [path.join(folder, 'shapespline_tests')], words);
+  step('native tests of what two threads share, under ThreadSanitizer');
+  const program = atFixedAddresses(path.join(folder, 'shapespline_thread_tests'));
+  return sum([all, await runDoctest('native-threads', program, words)]);
 }
 
 function wasm(words, folder) {

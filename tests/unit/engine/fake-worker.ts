@@ -64,7 +64,7 @@ export function answerTo(request: Request): FromWorker {
         ...(request.buffers ?? { positions, normals: positions.slice() }),
         ms: 0,
         threads: 1,
-        lostDefiniteness: 0,
+        indefiniteFaces: 0,
       });
     default:
       return result(null);

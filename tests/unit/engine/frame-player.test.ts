@@ -22,7 +22,7 @@ function heldSequence(ms = 1) {
         normals: none,
         ms,
         threads: 1,
-        lostDefiniteness: 0,
+        indefiniteFaces: 0,
         release: () => void --counts.out,
       };
       asked.push({

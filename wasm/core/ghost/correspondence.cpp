@@ -32,7 +32,7 @@ double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
   return std::min({squaredDistanceToEdge(p, a, b), squaredDistanceToEdge(p, b, c), squaredDistanceToEdge(p, c, a)});
 }
 
-std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeParts& parts, const GhostMesh& ghost,
+std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeTopology& topology, const GhostMesh& ghost,
                                     const FractionReport& onProgress) {
   const Positions& p = shape.poses[shape.reference];
   const Positions& g = ghost.poses[shape.reference];
@@ -58,16 +58,16 @@ std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeParts& 
     return face;
   };
   for (int f = 0; f < shape.faceCount(); ++f) {
-    if (parts.hasArea[f]) result[f] = nearest(f);
+    if (topology.hasArea[f]) result[f] = nearest(f);
     if (f % facesPerReport == 0) onProgress(static_cast<double>(f) / shape.faceCount());
   }
 
-  std::vector<int> follows(parts.pieces.count, 0);  // ghost face of components without their own
-  for (int piece : parts.tree.order)
-    if (const ComponentLink& link = parts.tree.link[piece]; link.parent >= 0)
-      follows[piece] = result[link.anchorFace] >= 0 ? result[link.anchorFace] : follows[link.parent];
+  std::vector<int> follows(topology.components.count, 0);  // ghost face of components without their own
+  for (int component : topology.tree.order)
+    if (const ComponentLink& link = topology.tree.link[component]; link.parent >= 0)
+      follows[component] = result[link.anchorFace] >= 0 ? result[link.anchorFace] : follows[link.parent];
   for (int f = 0; f < shape.faceCount(); ++f)
-    if (parts.hasArea[f] && result[f] < 0) result[f] = follows[parts.pieces.ofFace[f]];
+    if (topology.hasArea[f] && result[f] < 0) result[f] = follows[topology.components.ofFace[f]];
   return result;
 }
 

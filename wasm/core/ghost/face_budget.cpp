@@ -14,16 +14,16 @@ constexpr int tetrahedron = 4;
 
 }  // namespace
 
-FaceShares shareFaces(const WeldedShape& shape, const ShapeParts& parts, int target) {
-  const int pieces = parts.pieces.count;
-  std::vector<int> count(pieces, 0);
-  std::vector<double> area(pieces, 0);
+FaceShares shareFaces(const WeldedShape& shape, const ShapeTopology& topology, int target) {
+  const int components = topology.components.count;
+  std::vector<int> count(components, 0);
+  std::vector<double> area(components, 0);
   std::int64_t total = 0;
   for (int f = 0; f < shape.faceCount(); ++f) {
-    if (!parts.hasArea[f]) continue;
+    if (!topology.hasArea[f]) continue;
     ++total;
-    ++count[parts.pieces.ofFace[f]];
-    area[parts.pieces.ofFace[f]] += referenceFrame(shape, f).area;
+    ++count[topology.components.ofFace[f]];
+    area[topology.components.ofFace[f]] += referenceFrame(shape, f).area;
   }
 
   FaceShares shares;
@@ -33,14 +33,14 @@ FaceShares shareFaces(const WeldedShape& shape, const ShapeParts& parts, int tar
     shares.least.push_back(std::min(c, std::max(tetrahedron, half)));
     sum += shares.least.back();
   }
-  std::vector<int> order(pieces);
+  std::vector<int> order(components);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return coarse(area[a]) < coarse(area[b]); });
-  for (int piece : order) {
+  for (int component : order) {
     if (sum <= target) break;
-    if (piece == parts.tree.root()) continue;
-    sum -= shares.least[piece];
-    shares.least[piece] = 0;
+    if (component == topology.tree.root()) continue;
+    sum -= shares.least[component];
+    shares.least[component] = 0;
     ++shares.joined;
   }
   return shares;

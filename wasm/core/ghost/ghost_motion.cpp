@@ -19,7 +19,7 @@ int ghostPatchCount(int shapeFaces, int ghostFaces) {
 
 }  // namespace
 
-Result<GhostMotion> GhostMotion::create(const WeldedShape& full, const ShapeParts& fullParts, const Options& options,
+Result<GhostMotion> GhostMotion::create(const WeldedShape& full, const ShapeTopology& fullParts, const Options& options,
                                         const StageProgress& progress) {
   Stopwatch watch;
   Times times;
@@ -27,15 +27,15 @@ Result<GhostMotion> GhostMotion::create(const WeldedShape& full, const ShapePart
   auto shape = std::make_unique<const WeldedShape>(full.withMesh(mesh.faces, mesh.poses));
   times.simplify = watch.lap();
 
-  const ShapeParts parts = partsOf(*shape);
+  const ShapeTopology topology = topologyOf(*shape);
   const int wanted = options.patches > 0 ? options.patches : ghostPatchCount(full.faceCount(), shape->faceCount());
-  auto coordinates = encodePatches(*shape, parts, wanted);
+  auto coordinates = encodePatches(*shape, topology, wanted);
   if (!coordinates) return coordinates.error();
   auto patches = PatchMotion::create(*shape, std::move(*coordinates));
   if (!patches) return patches.error();
-  auto reconstructor =
-      Reconstructor<double>::create({*shape, parts, patches->poses().ofFace, options.stretch, Precision::Double},
-                                    encode<double>(*shape, parts, patches->poses(), options.stretch, Transfer::Exact));
+  auto reconstructor = Reconstructor<double>::create(
+      {*shape, topology, patches->poses().ofFace, options.stretch, Precision::Double},
+      encode<double>(*shape, topology, patches->poses(), options.stretch, Transfer::Exact));
   if (!reconstructor) return reconstructor.error();
   GhostMotion ghost(options, std::move(mesh), std::move(shape), std::move(*patches), std::move(*reconstructor));
   times.encode = watch.lap();

@@ -45,7 +45,7 @@ class GhostMotion {
   };
 
   /// Simplifies the shape, encodes the ghost and factorises its systems. Error: that of a solver.
-  static Result<GhostMotion> create(const WeldedShape& shape, const ShapeParts& parts, const Options& options,
+  static Result<GhostMotion> create(const WeldedShape& shape, const ShapeTopology& topology, const Options& options,
                                     const StageProgress& progress);
 
   /// The rotations of the ghost's faces at `point`, and their gradients where the paper's transfer asks for them.

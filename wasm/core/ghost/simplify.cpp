@@ -61,15 +61,15 @@ struct Entry {
 
 class Simplifier {
  public:
-  Simplifier(const WeldedShape& shape, const ShapeParts& parts, const SimplifyOptions& options,
+  Simplifier(const WeldedShape& shape, const ShapeTopology& topology, const SimplifyOptions& options,
              const FractionReport& onProgress)
       : shape_(shape),
         options_(options),
         onProgress_(onProgress),
         columns_(shape.columns()),
-        pieceOf_(shape.vertexCount(), -1),
-        share_(shareFaces(shape, parts, options.targetFaces)),
-        mesh_(shape.vertexCount(), facesToUse(parts)) {
+        componentOf_(shape.vertexCount(), -1),
+        share_(shareFaces(shape, topology, options.targetFaces)),
+        mesh_(shape.vertexCount(), facesToUse(topology)) {
     const std::size_t n = shape.vertexCount();
     position_.resize(n * columns_);
     for (std::size_t v = 0; v < n; ++v)
@@ -113,15 +113,15 @@ class Simplifier {
 
  private:
   // The faces of components with a share, each set of three vertices once.
-  std::vector<Triangle> facesToUse(const ShapeParts& parts) {
+  std::vector<Triangle> facesToUse(const ShapeTopology& topology) {
     onProgress_(0);
     std::vector<Triangle> faces;
-    std::vector<int> piece;
+    std::vector<int> component;
     for (int f = 0; f < shape_.faceCount(); ++f) {
-      if (!parts.hasArea[f] || share_.least[parts.pieces.ofFace[f]] == 0) continue;
+      if (!topology.hasArea[f] || share_.least[topology.components.ofFace[f]] == 0) continue;
       faces.push_back(shape_.faces[f]);
-      piece.push_back(parts.pieces.ofFace[f]);
-      for (int v : shape_.faces[f]) pieceOf_[v] = piece.back();
+      component.push_back(topology.components.ofFace[f]);
+      for (int v : shape_.faces[f]) componentOf_[v] = component.back();
     }
     const int m = static_cast<int>(faces.size());
     std::vector<Triangle> sorted = faces;
@@ -135,7 +135,7 @@ class Simplifier {
     count_.assign(share_.least.size(), 0);
     std::vector<Triangle> distinct;
     for (int f = 0; f < m; ++f)
-      if (!repeated[f]) distinct.push_back(faces[f]), ++count_[piece[f]];
+      if (!repeated[f]) distinct.push_back(faces[f]), ++count_[component[f]];
     onProgress_(setUpShare / 8);
     return distinct;
   }
@@ -215,7 +215,7 @@ class Simplifier {
     const Entry entry = queue_.top();
     queue_.pop();
     const int v = entry.vertex;
-    if (entry.version != version_[v] || count_[pieceOf_[v]] <= share_.least[pieceOf_[v]]) return;
+    if (entry.version != version_[v] || count_[componentOf_[v]] <= share_.least[componentOf_[v]]) return;
     const Candidate candidate = best(v);
     if (candidate.target < 0) return;
     if (candidate.cost > entry.cost) return push(v, candidate);
@@ -252,7 +252,7 @@ class Simplifier {
     };
     check(from, to);
     if (moves(from, to)) check(to, from);
-    return fair && count_[pieceOf_[from]] - gone >= share_.least[pieceOf_[from]];
+    return fair && count_[componentOf_[from]] - gone >= share_.least[componentOf_[from]];
   }
 
   // Of face (v, x, y) when v moves to the place of the collapse.
@@ -291,7 +291,7 @@ class Simplifier {
       position_[static_cast<std::size_t>(to) * columns_ + c] = placed_[c];
       error_[to] += sum.c;
     }
-    count_[pieceOf_[from]] -= mesh_.collapse(from, to);
+    count_[componentOf_[from]] -= mesh_.collapse(from, to);
     goneTo_[from] = to;
     ++version_[from];
     for (const auto& n : touched_) rejected_[n.vertex] = {};
@@ -302,7 +302,7 @@ class Simplifier {
   GhostMesh collect() {
     const int n = shape_.vertexCount();
     GhostMesh ghost;
-    ghost.joinedPieces = share_.joined;
+    ghost.joinedComponents = share_.joined;
     std::vector<int> number(n, -1), kept;
     for (int v = 0; v < n; ++v)
       if (mesh_.valence(v) > 0) number[v] = static_cast<int>(kept.size()), kept.push_back(v);
@@ -346,7 +346,7 @@ class Simplifier {
   const FractionReport& onProgress_;
   int columns_;
   int faceCount_ = 0;
-  std::vector<int> pieceOf_;
+  std::vector<int> componentOf_;
   std::vector<int> count_;  // faces left of each component
   FaceShares share_;
   CollapseMesh mesh_;
@@ -365,9 +365,9 @@ class Simplifier {
 
 }  // namespace
 
-GhostMesh simplify(const WeldedShape& shape, const ShapeParts& parts, const SimplifyOptions& options,
+GhostMesh simplify(const WeldedShape& shape, const ShapeTopology& topology, const SimplifyOptions& options,
                    const FractionReport& onProgress) {
-  return Simplifier(shape, parts, options, onProgress).run();
+  return Simplifier(shape, topology, options, onProgress).run();
 }
 
 }  // namespace shapespline

@@ -22,8 +22,8 @@ struct GhostMesh {
   std::vector<int>
       vertexOf;  ///< of each ghost vertex: the shape's vertex at (or, moved, nearest) it among those it stands for
   std::vector<int>
-      ghostOf;           ///< of each vertex of the shape: the ghost vertex that it collapsed to; -1 where it has none
-  int joinedPieces = 0;  ///< components too small for a share: they have no ghost of their own
+      ghostOf;  ///< of each vertex of the shape: the ghost vertex that it collapsed to; -1 where it has none
+  int joinedComponents = 0;  ///< components too small for a share: they have no ghost of their own
 };
 
 /// One collapse sequence for all poses. The cost of a collapse is the sum of its quadric errors over the poses; a
@@ -34,7 +34,7 @@ struct GhostMesh {
 /// Deterministic. A rigid motion of a pose changes nothing: costs are compared to three digits, and ties fall to the
 /// vertex. The result may have more faces than asked for where no legal collapse is left. Time: O(m log m) for bounded
 /// valence. onProgress: fraction in [0, 1], called a few thousand steps apart.
-GhostMesh simplify(const WeldedShape& shape, const ShapeParts& parts, const SimplifyOptions& options,
+GhostMesh simplify(const WeldedShape& shape, const ShapeTopology& topology, const SimplifyOptions& options,
                    const FractionReport& onProgress);
 
 }  // namespace shapespline

@@ -30,9 +30,9 @@ Vec3 meanOf(const Positions& pose) {
 template <class Real>
 class Encoder {
  public:
-  Encoder(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames, Stretch stretch,
+  Encoder(const WeldedShape& shape, const ShapeTopology& topology, const FramePoses& frames, Stretch stretch,
           Transfer transfer)
-      : shape_(shape), parts_(parts), frames_(frames), stretch_(stretch), rests_(transfer == Transfer::Paper) {}
+      : shape_(shape), topology_(topology), frames_(frames), stretch_(stretch), rests_(transfer == Transfer::Paper) {}
 
   LriCoordinates<Real> run(const FractionReport& onProgress) {
     out_.face =
@@ -75,7 +75,7 @@ class Encoder {
       if (largest > tameAngle) wild.push_back(f);
       if (largest > ambiguousTurn / 2) turning.push_back(f);
     };
-    parts_.eachUsedFace(encodeFace, partOf(onProgress, 0, 0.9));
+    topology_.eachUsedFace(encodeFace, partOf(onProgress, 0, 0.9));
     unwrapWildFaces(wild);
     findAmbiguousFaces(turning, area);
     reportFraction(onProgress, 0.95);
@@ -89,11 +89,11 @@ class Encoder {
     for (int f : wild) open[f] = 1;
     std::queue<std::pair<int, int>> next;  // face, settled neighbour or -1
     const auto spread = [&](int settled) {
-      for (int g : parts_.graph.of(settled))
+      for (int g : topology_.graph.of(settled))
         if (open[g] && frames_.ofFace[g] == frames_.ofFace[settled]) next.emplace(g, settled);
     };
     for (int f : wild)
-      for (int g : parts_.graph.of(f))
+      for (int g : topology_.graph.of(f))
         if (!open[g] && frames_.ofFace[g] == frames_.ofFace[f]) {
           next.emplace(f, g);
           break;
@@ -143,11 +143,11 @@ class Encoder {
   }
 
   void encodePlaces() {
-    for (int piece : parts_.tree.order) {
-      const ComponentLink& link = parts_.tree.link[piece];
+    for (int component : topology_.tree.order) {
+      const ComponentLink& link = topology_.tree.link[component];
       if (link.parent < 0) continue;
       const int a = link.anchorFace, b = link.contactFace;
-      ComponentPlace place{piece, a, b, frames_.ofFace[a], frames_.ofFace[b], Vec3::Zero(), {}};
+      ComponentPlace place{component, a, b, frames_.ofFace[a], frames_.ofFace[b], Vec3::Zero(), {}};
       std::vector<Mat3> turn;  // of b against a
       for (int c = 0; c < shape_.columns(); ++c) {
         const Quaternion anchor = turnOf(a, c);
@@ -184,7 +184,7 @@ class Encoder {
 
   void encodeLoose() {
     std::vector<int> faceAt(shape_.vertexCount(), -1);  // a face with area
-    parts_.eachUsedFace([&](int f) {
+    topology_.eachUsedFace([&](int f) {
       for (int v : shape_.faces[f])
         if (faceAt[v] < 0) faceAt[v] = f;
     });
@@ -214,7 +214,7 @@ class Encoder {
       const int v = settled.front();
       settled.pop();
       for (int f : facesAt.of(v)) {
-        if (parts_.hasArea[f]) continue;
+        if (topology_.hasArea[f]) continue;
         for (int u : shape_.faces[f])
           if (anchor[u] < 0) anchor[u] = anchor[v], settled.push(u);
       }
@@ -255,7 +255,7 @@ class Encoder {
   }
 
   const WeldedShape& shape_;
-  const ShapeParts& parts_;
+  const ShapeTopology& topology_;
   const FramePoses& frames_;
   Stretch stretch_;
   bool rests_;
@@ -265,14 +265,14 @@ class Encoder {
 }  // namespace
 
 template <class Real>
-LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames,
+LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeTopology& topology, const FramePoses& frames,
                             Stretch stretch, Transfer transfer, const FractionReport& onProgress) {
-  return Encoder<Real>(shape, parts, frames, stretch, transfer).run(onProgress);
+  return Encoder<Real>(shape, topology, frames, stretch, transfer).run(onProgress);
 }
 
-template LriCoordinates<float> encode<float>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch,
+template LriCoordinates<float> encode<float>(const WeldedShape&, const ShapeTopology&, const FramePoses&, Stretch,
                                              Transfer, const FractionReport&);
-template LriCoordinates<double> encode<double>(const WeldedShape&, const ShapeParts&, const FramePoses&, Stretch,
+template LriCoordinates<double> encode<double>(const WeldedShape&, const ShapeTopology&, const FramePoses&, Stretch,
                                                Transfer, const FractionReport&);
 
 }  // namespace shapespline

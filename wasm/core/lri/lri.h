@@ -28,7 +28,7 @@ struct LooseVertex {
 /// such as the axle of a wheel or the joint of a hoof. A point elsewhere would be splined along chords while the
 /// component turns.
 struct ComponentPlace {
-  int piece;
+  int component;
   int anchorFace, contactFace;  ///< the link's two faces
   int anchorFrame, contactFrame;
   Vec3 pivot;                ///< R_b^T (that point - centroid of b), the same in every column
@@ -55,7 +55,7 @@ struct LriCoordinates {
 
 /// Encodes all poses in the given frames. With Transfer::Paper faces rest in their frames as they do in the reference.
 template <class Real>
-LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeParts& parts, const FramePoses& frames,
+LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeTopology& topology, const FramePoses& frames,
                             Stretch stretch, Transfer transfer, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

@@ -20,24 +20,24 @@ Quaternion rotationOf(const WeldedShape& shape, int face, int column) {
   return Quaternion(deformationOf(shape, face, referenceFrame(shape, face), column).rotation);
 }
 
-ShapeParts partsOf(const WeldedShape& shape, const FractionReport& onProgress) {
-  ShapeParts parts;
-  parts.hasArea.resize(shape.faceCount());
-  inBlocks(partOf(onProgress, 0, 0.2), parts.hasArea.size(), [&](std::size_t begin, std::size_t end) {
+ShapeTopology topologyOf(const WeldedShape& shape, const FractionReport& onProgress) {
+  ShapeTopology topology;
+  topology.hasArea.resize(shape.faceCount());
+  inBlocks(partOf(onProgress, 0, 0.2), topology.hasArea.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const Triangle& t = shape.faces[f];
-      parts.hasArea[f] = std::none_of(shape.poses.begin(), shape.poses.end(),
-                                      [&](const Positions& p) { return isDegenerate(p[t[0]], p[t[1]], p[t[2]]); });
+      topology.hasArea[f] = std::none_of(shape.poses.begin(), shape.poses.end(),
+                                         [&](const Positions& p) { return isDegenerate(p[t[0]], p[t[1]], p[t[2]]); });
     }
   });
-  parts.graph = dualGraph(shape.vertexCount(), shape.faces, parts.hasArea, partOf(onProgress, 0.2, 0.9));
-  parts.pieces = connectedPieces(parts.graph, parts.hasArea, partOf(onProgress, 0.9, 1));
+  topology.graph = dualGraph(shape.vertexCount(), shape.faces, topology.hasArea, partOf(onProgress, 0.2, 0.9));
+  topology.components = connectedComponents(topology.graph, topology.hasArea, partOf(onProgress, 0.9, 1));
   reportFraction(onProgress, 1);
-  if (parts.pieces.count == 0) return parts;
+  if (topology.components.count == 0) return topology;
   std::vector<const Positions*> poses;
   for (const Positions& p : shape.poses) poses.push_back(&p);
-  parts.tree = linkComponents(shape.faces, parts.pieces, poses);
-  return parts;
+  topology.tree = linkComponents(shape.faces, topology.components, poses);
+  return topology;
 }
 
 }  // namespace shapespline

@@ -51,11 +51,11 @@ FaceDeformation deformationOf(const WeldedShape& shape, int face, const FaceFram
 Quaternion rotationOf(const WeldedShape& shape, int face, int column);
 
 /// The faces that have area in every pose, and the components that they form.
-struct ShapeParts {
+struct ShapeTopology {
   std::vector<char> hasArea;
   FaceGraph graph;  ///< of those faces
-  Pieces pieces;
-  ComponentTree tree;  ///< empty where there is no piece
+  Components components;
+  ComponentTree tree;  ///< empty where there is no component
 
   /// The faces that take part, in order.
   template <class Visit>
@@ -67,6 +67,6 @@ struct ShapeParts {
   }
 };
 
-ShapeParts partsOf(const WeldedShape& shape, const FractionReport& onProgress = {});
+ShapeTopology topologyOf(const WeldedShape& shape, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

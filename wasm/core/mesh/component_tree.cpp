@@ -12,7 +12,7 @@ namespace shapespline {
 
 namespace {
 
-// Queries for the nearest other component: enough to find the place of contact, bounded for meshes of many pieces.
+// Queries for the nearest other component: enough to find the place of contact, bounded for meshes of many components.
 constexpr int maximumQueries = 40000;
 constexpr int minimumQueriesPerComponent = 4;
 // Contacts that are farther by no more than this share, or by what files round, are as near: symmetric shapes have
@@ -85,19 +85,19 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
 
 }  // namespace
 
-ComponentTree linkComponents(const std::vector<Triangle>& faces, const Pieces& pieces,
+ComponentTree linkComponents(const std::vector<Triangle>& faces, const Components& components,
                              std::span<const Positions* const> poses) {
   ComponentTree tree;
-  tree.link.resize(pieces.count);
-  if (pieces.count == 1) {
+  tree.link.resize(components.count);
+  if (components.count == 1) {
     tree.order = {0};
     return tree;
   }
   const std::size_t vertices = poses[0]->size();
   std::vector<int> componentOfVertex(vertices, -1), faceOfVertex(vertices, -1);
-  std::vector<double> area(pieces.count, 0);
+  std::vector<double> area(components.count, 0);
   for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
-    const int c = pieces.ofFace[f];
+    const int c = components.ofFace[f];
     if (c < 0) continue;
     const Triangle& t = faces[f];
     for (const Positions* p : poses) area[c] += ((*p)[t[1]] - (*p)[t[0]]).cross((*p)[t[2]] - (*p)[t[0]]).norm() / 2;
@@ -107,8 +107,8 @@ ComponentTree linkComponents(const std::vector<Triangle>& faces, const Pieces& p
 
   const auto smaller = [](double a, double b) { return coarse(a) < coarse(b); };  // rounding decides nothing
   const int root = static_cast<int>(std::max_element(area.begin(), area.end(), smaller) - area.begin());
-  std::vector<std::vector<Edge>> at(pieces.count);
-  for (const Edge& e : spanningEdges(componentOfVertex, pieces.count, poses)) {
+  std::vector<std::vector<Edge>> at(components.count);
+  for (const Edge& e : spanningEdges(componentOfVertex, components.count, poses)) {
     at[e.a].push_back(e);
     at[e.b].push_back({e.b, e.a, e.atB, e.atA});
   }

@@ -1,4 +1,4 @@
-// Meshes of several pieces (eyes, clothes, hooves): each piece hangs on its neighbour, so that parts stay attached.
+// Meshes of several components (eyes, clothes, hooves): each is attached to its neighbour.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace shapespline {
 
-/// How one component hangs on another.
+/// How one component is attached to another.
 struct ComponentLink {
   int parent = -1;       ///< -1 for the root
   int anchorFace = -1;   ///< face of the parent that carries this component
@@ -23,8 +23,8 @@ struct ComponentTree {
 };
 
 /// Minimum spanning tree of the components, the distance of two being the largest over all poses, rooted at the
-/// component of largest area, summed over all poses. faceUse: faces without area take no part.
-ComponentTree linkComponents(const std::vector<Triangle>& faces, const Pieces& pieces,
+/// component of largest area, summed over all poses. Faces without area, which are in no component, take no part.
+ComponentTree linkComponents(const std::vector<Triangle>& faces, const Components& components,
                              std::span<const Positions* const> poses);
 
 }  // namespace shapespline

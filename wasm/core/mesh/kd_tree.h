@@ -1,4 +1,4 @@
-// Nearest neighbour among points, with a filter: the core's own because the filter ("in another piece") prunes the
+// Nearest neighbour among points, with a filter: the core's own because the filter ("in another component") prunes the
 // search.
 #pragma once
 

@@ -173,19 +173,19 @@ int countUnreferenced(int vertexCount, const std::vector<Triangle>& faces) {
   return static_cast<int>(std::count(seen.begin(), seen.end(), 0));
 }
 
-int countPieces(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
-                const FractionReport& onProgress) {
+int countComponents(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
+                    const FractionReport& onProgress) {
   UnionFind joined(vertexCount);
   std::vector<char> seen(vertexCount, 0);
-  int pieces = 0;
+  int components = 0;
   inBlocks(onProgress, faces.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       if (!use[f]) continue;
-      for (int v : faces[f]) pieces += !seen[v], seen[v] = 1;
-      for (int c = 1; c < 3; ++c) pieces -= joined.join(faces[f][0], faces[f][c]);
+      for (int v : faces[f]) components += !seen[v], seen[v] = 1;
+      for (int c = 1; c < 3; ++c) components -= joined.join(faces[f][0], faces[f][c]);
     }
   });
-  return pieces;
+  return components;
 }
 
 FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
@@ -228,23 +228,23 @@ std::vector<int> nextAlongEdge(int vertexCount, const std::vector<Triangle>& fac
   return next;
 }
 
-Pieces connectedPieces(const FaceGraph& graph, const std::vector<char>& use, const FractionReport& onProgress) {
-  Pieces pieces;
+Components connectedComponents(const FaceGraph& graph, const std::vector<char>& use, const FractionReport& onProgress) {
+  Components components;
   UnionFind joined(static_cast<int>(use.size()));
   inBlocks(partOf(onProgress, 0, 0.8), use.size(), [&](std::size_t begin, std::size_t end) {
     for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f)
       for (int g : graph.of(f))
         if (g > f) joined.join(f, g);
   });
-  pieces.ofFace.assign(use.size(), -1);
+  components.ofFace.assign(use.size(), -1);
   inBlocks(partOf(onProgress, 0.8, 1), use.size(), [&](std::size_t begin, std::size_t end) {
     for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) {
       if (!use[f]) continue;
-      const int first = joined.find(f);  // the lowest face of its piece
-      pieces.ofFace[f] = first == f ? pieces.count++ : pieces.ofFace[first];
+      const int first = joined.find(f);  // the lowest face of its component
+      components.ofFace[f] = first == f ? components.count++ : components.ofFace[first];
     }
   });
-  return pieces;
+  return components;
 }
 
 double boundingDiagonal(std::span<const Positions* const> poses) {

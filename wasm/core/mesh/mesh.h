@@ -1,4 +1,4 @@
-// What a list of triangles says about itself: shared edges, neighbours, pieces, and the flaws that real files have.
+// What a list of triangles says about itself: shared edges, neighbours, components, and the flaws that real files have.
 #pragma once
 
 #include <span>
@@ -46,12 +46,13 @@ MeshCounts countMesh(int vertexCount, const std::vector<Triangle>& faces, const 
 /// Vertices that no face has.
 int countUnreferenced(int vertexCount, const std::vector<Triangle>& faces);
 
-/// How many pieces those faces form for which `use` is true: faces that share a vertex are of one piece.
-int countPieces(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
-                const FractionReport& onProgress = {});
+/// How many components those faces form for which `use` is true: faces that share a vertex are of one component.
+int countComponents(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
+                    const FractionReport& onProgress = {});
 
 /// Neighbours across edges, between those faces for which `use` is true. Where faces meet only in a vertex (and no
-/// chain of edges joins them) one link is added, so that the pieces of this graph are the pieces that share vertices.
+/// chain of edges joins them) one link is added, so that the components of this graph are the components that share
+/// vertices.
 FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
                     const FractionReport& onProgress = {});
 
@@ -60,14 +61,15 @@ FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const s
 std::vector<int> nextAlongEdge(int vertexCount, const std::vector<Triangle>& faces,
                                const FractionReport& onProgress = {});
 
-/// Connected pieces of a face graph.
-struct Pieces {
-  std::vector<int> ofFace;  ///< piece of each face; -1 where the face is not used
+/// Connected components of a face graph.
+struct Components {
+  std::vector<int> ofFace;  ///< component of each face; -1 where the face is not used
   int count = 0;
 };
 
 /// Of those faces for which `use` is true, numbered by their lowest face.
-Pieces connectedPieces(const FaceGraph& graph, const std::vector<char>& use, const FractionReport& onProgress = {});
+Components connectedComponents(const FaceGraph& graph, const std::vector<char>& use,
+                               const FractionReport& onProgress = {});
 
 /// Length of the diagonal of the box around all positions of all poses.
 double boundingDiagonal(std::span<const Positions* const> poses);

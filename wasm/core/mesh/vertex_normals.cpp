@@ -26,7 +26,7 @@ std::vector<int> sortedBy(const std::vector<int>& key) {
 // Face normal times twice the area.
 Float4 areaNormal(Float4 a, Float4 b, Float4 c) {
   const Float4 u = b - a, v = c - a;
-  return turnedXyz(u * turnedXyz(v) - turnedXyz(u) * v);
+  return rotatedXyz(u * rotatedXyz(v) - rotatedXyz(u) * v);
 }
 
 // Four sums to unit length; a sum of zero becomes (0, 0, 1). Divided by their largest component first: the squares of a
@@ -34,7 +34,7 @@ Float4 areaNormal(Float4 a, Float4 b, Float4 c) {
 void normalise(Float4 (&sum)[4]) {
   Float4 &x = sum[0], &y = sum[1], &z = sum[2], &w = sum[3];
   transpose(x, y, z, w);
-  const Float4 largest = largerMagnitude(largerMagnitude(x, y), z);
+  const Float4 largest = larger(larger(magnitude(x), magnitude(y)), magnitude(z));
   const int flat = notPositive(largest);
   x = x / largest, y = y / largest, z = z / largest, w = Float4::zero();
   const Float4 shorten = Float4::splat(1) / squareRoot((x * x + y * y) + z * z);

@@ -11,7 +11,7 @@ constexpr int steps = 3;
 
 }  // namespace
 
-Alignment::Alignment(const std::vector<std::vector<Quaternion>>& halfway, const std::vector<double>& area) {
+GlobalAlignment::GlobalAlignment(const std::vector<std::vector<Quaternion>>& halfway, const std::vector<double>& area) {
   // The medoid: least sum over j of area (1 - cos) = greatest sum of area (q_i . q_j)^2, a quadratic form in q_i.
   std::vector<double> agreement(area.size(), 0);
   for (const auto& x : halfway) {
@@ -34,7 +34,7 @@ Alignment::Alignment(const std::vector<std::vector<Quaternion>>& halfway, const 
   for (double& w : weight_) w /= sum;
 }
 
-Quaternion Alignment::at(const std::vector<Quaternion>& path, const std::vector<Quaternion>& rotation) const {
+Quaternion GlobalAlignment::at(const std::vector<Quaternion>& path, const std::vector<Quaternion>& rotation) const {
   Quaternion turn = path[medoid_] * rotation[medoid_].conjugate();
   for (int i = 0; i < steps; ++i) {
     Vec3 sum = Vec3::Zero();

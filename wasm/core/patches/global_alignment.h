@@ -13,13 +13,13 @@ namespace shapespline {
 /// Every path says how the whole would be turned, X_i = P_i G_i^T; where they agree, that is it. The mean of rotations
 /// that differ much jumps (a projection, an eigenvector), so a fixed number of reweighted steps is taken from a patch
 /// that speaks for most. Smooth wherever the paths and the rotations are.
-class Alignment {
+class GlobalAlignment {
  public:
-  Alignment() = default;
+  GlobalAlignment() = default;
 
   /// halfway[step][patch]: X_i halfway through each step, from which the spokesman and the weights are taken. area: of
   /// each patch.
-  Alignment(const std::vector<std::vector<Quaternion>>& halfway, const std::vector<double>& area);
+  GlobalAlignment(const std::vector<std::vector<Quaternion>>& halfway, const std::vector<double>& area);
 
   /// The rotation Q that takes `rotation` to where `path` has it: G_k <- Q G_k.
   Quaternion at(const std::vector<Quaternion>& path, const std::vector<Quaternion>& rotation) const;

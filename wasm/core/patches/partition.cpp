@@ -79,18 +79,18 @@ class Partition {
   }
 
   void chooseSeeds(int wanted) {
-    std::vector<std::vector<int>> members(in_.pieces.count);
+    std::vector<std::vector<int>> members(in_.components.count);
     int used = 0;
     for (int f = 0; f < faceCount_; ++f)
-      if (in_.pieces.ofFace[f] >= 0) members[in_.pieces.ofFace[f]].push_back(f), ++used;
-    for (int piece = 0; piece < in_.pieces.count; ++piece) {
-      const auto size = static_cast<int>(members[piece].size());
+      if (in_.components.ofFace[f] >= 0) members[in_.components.ofFace[f]].push_back(f), ++used;
+    for (int component = 0; component < in_.components.count; ++component) {
+      const auto size = static_cast<int>(members[component].size());
       const auto share = static_cast<int>(std::lround(static_cast<double>(wanted) * size / std::max(1, used)));
-      chooseSeedsOf(piece, members[piece], std::clamp(share, 1, size), wanted);
+      chooseSeedsOf(component, members[component], std::clamp(share, 1, size), wanted);
     }
   }
 
-  void chooseSeedsOf(int piece, const std::vector<int>& members, int count, int wanted) {
+  void chooseSeedsOf(int component, const std::vector<int>& members, int count, int wanted) {
     double area = 0;
     Vec3 middle = Vec3::Zero();
     for (int f : members) area += in_.area[f], middle += in_.area[f] * in_.centroid[f];
@@ -121,7 +121,7 @@ class Partition {
       if (s % 16 == 0)
         reportFraction(onProgress_, shareOfSeeds * std::min(1.0, static_cast<double>(centres_.size()) / wanted));
       centres_.push_back(centreAt(candidates[next], inverseRadiusSquared));
-      patches_.pieceOf.push_back(piece);
+      patches_.componentOf.push_back(component);
       nearest[next] = -1;
       inBlocks({}, nearest.size(), [&](std::size_t begin, std::size_t end) {
         const Centre& centre = centres_.back();

@@ -21,10 +21,10 @@ struct FaceRotations {
   const Quaternion* of(int face) const { return values.data() + static_cast<std::size_t>(poses) * face; }
 };
 
-/// Everything the partition looks at. All arrays are indexed by face; faces outside every piece are left out.
+/// Everything the partition looks at. All arrays are indexed by face; faces outside every component are left out.
 struct PatchInput {
   const FaceGraph& graph;
-  const Pieces& pieces;
+  const Components& components;
   const std::vector<double>& area;  ///< in the reference pose
   const Positions& centroid;        ///< in the reference pose
   const FaceRotations& rotations;
@@ -37,9 +37,9 @@ struct PatchPair {
 };
 
 struct Patches {
-  std::vector<int> ofFace;  ///< -1 where the face is in no piece
+  std::vector<int> ofFace;  ///< -1 where the face is in no component
   int count = 0;
-  std::vector<int> pieceOf;      ///< piece of each patch
+  std::vector<int> componentOf;  ///< component of each patch
   std::vector<PatchPair> pairs;  ///< ascending
 };
 
@@ -47,8 +47,8 @@ struct Patches {
 /// number a few times sqrt(m), so that the first system stays tiny beside the second.
 int defaultPatchCount(int faceCount);
 
-/// Farthest-point seeds, then rounds of region growing on the dual graph and re-seeding (Lloyd). Every piece gets at
-/// least one patch, so that the count may exceed `wanted`; it never exceeds the number of faces.
+/// Farthest-point seeds, then rounds of region growing on the dual graph and re-seeding (Lloyd). Every component gets
+/// at least one patch, so that the count may exceed `wanted`; it never exceeds the number of faces.
 Patches partitionFaces(const PatchInput& input, int wanted, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

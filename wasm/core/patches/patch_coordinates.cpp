@@ -11,7 +11,7 @@ namespace {
 
 class PatchEncoder {
  public:
-  PatchEncoder(const WeldedShape& shape, const ShapeParts& parts) : shape_(shape), parts_(parts) {}
+  PatchEncoder(const WeldedShape& shape, const ShapeTopology& topology) : shape_(shape), topology_(topology) {}
 
   Result<PatchCoordinates> run(int wantedPatches, const FractionReport& onProgress) {
     partition(wantedPatches, onProgress);
@@ -36,13 +36,13 @@ class PatchEncoder {
       for (int c = 0, to = 0; c < columns; ++c)
         if (!shape_.repeatsFirst(c)) distinct.of(f)[to++] = rotations.of(f)[c];
     };
-    parts_.eachUsedFace(measure, partOf(onProgress, 0, 0.3));
-    const int used = static_cast<int>(std::count(parts_.hasArea.begin(), parts_.hasArea.end(), 1));
+    topology_.eachUsedFace(measure, partOf(onProgress, 0, 0.3));
+    const int used = static_cast<int>(std::count(topology_.hasArea.begin(), topology_.hasArea.end(), 1));
     const int wanted = wantedPatches > 0 ? std::min(wantedPatches, used) : defaultPatchCount(used);
-    out_.patches =
-        partitionFaces({parts_.graph, parts_.pieces, area, centroid, distinct}, wanted, partOf(onProgress, 0.3, 0.9));
+    out_.patches = partitionFaces({topology_.graph, topology_.components, area, centroid, distinct}, wanted,
+                                  partOf(onProgress, 0.3, 0.9));
     area_.assign(out_.patches.count, 0);
-    parts_.eachUsedFace([&](int f) { area_[out_.patches.ofFace[f]] += area[f]; });
+    topology_.eachUsedFace([&](int f) { area_[out_.patches.ofFace[f]] += area[f]; });
     averageRotations(area, rotations, partOf(onProgress, 0.9, 1));
   }
 
@@ -53,7 +53,7 @@ class PatchEncoder {
     for (int c = 0; c < columns; ++c) {
       std::vector<RotationMean> mean(out_.patches.count);
       const auto add = [&](int f) { mean[out_.patches.ofFace[f]].add(rotations.of(f)[c], area[f]); };
-      parts_.eachUsedFace(add, partOf(onProgress, static_cast<double>(c) / columns, (c + 1.0) / columns));
+      topology_.eachUsedFace(add, partOf(onProgress, static_cast<double>(c) / columns, (c + 1.0) / columns));
       std::vector<Quaternion> rotation(out_.patches.count);
       for (int k = 0; k < out_.patches.count; ++k) rotation[k] = mean[k].mean();
       out_.rotation.push_back(std::move(rotation));
@@ -76,17 +76,17 @@ class PatchEncoder {
   std::vector<PatchLink> collectLinks() {
     std::vector<PatchLink> links;
     for (const PatchPair& p : out_.patches.pairs) links.push_back({p.first, p.second, p.sharedEdges});
-    for (const int piece : parts_.tree.order) {
-      const ComponentLink& link = parts_.tree.link[piece];
+    for (const int component : topology_.tree.order) {
+      const ComponentLink& link = topology_.tree.link[component];
       if (link.parent < 0) continue;
       links.push_back({out_.patches.ofFace[link.anchorFace], out_.patches.ofFace[link.contactFace], 0});
-      out_.bridgedPiece.push_back(piece);
+      out_.bridgedComponent.push_back(component);
     }
     return links;
   }
 
   const WeldedShape& shape_;
-  const ShapeParts& parts_;
+  const ShapeTopology& topology_;
   std::vector<double> area_;  // of each patch in the reference pose
   PatchCoordinates out_;
 };
@@ -184,9 +184,9 @@ Status encodeConnections(const WeldedShape& shape, std::vector<PatchLink> links,
   return ConnectionEncoder(shape, patches).run(std::move(links), std::move(area));
 }
 
-Result<PatchCoordinates> encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches,
+Result<PatchCoordinates> encodePatches(const WeldedShape& shape, const ShapeTopology& topology, int wantedPatches,
                                        const FractionReport& onProgress) {
-  return PatchEncoder(shape, parts).run(wantedPatches, onProgress);
+  return PatchEncoder(shape, topology).run(wantedPatches, onProgress);
 }
 
 }  // namespace shapespline

@@ -16,14 +16,14 @@ struct PatchCoordinates {
   std::vector<std::vector<Quaternion>> rotation;  ///< G_k: rotation[column][patch]
   std::vector<std::vector<Vec3>> pair;  ///< log(G_i^T G_j): pair[column][p] for patches.pairs[p], for the metric
   PatchGraph graph;  ///< links: patches.pairs in their order, then a bridge for each component but the root
-  std::vector<int> bridgedPiece;              ///< the component that each bridge attaches
-  RotationPaths connection;                   ///< C = G_from^T G_to of each link
+  std::vector<int> bridgedComponent;          ///< the component that each bridge attaches
+  RotationSplines connection;                 ///< C = G_from^T G_to of each link
   std::vector<std::vector<double>> residual;  ///< residual[step][link]: disagreement halfway (turn_branches.h), radians
 };
 
-/// Partitions the faces and encodes their patches in all poses. wantedPatches: 0 = default. Needs some piece. Error:
-/// that of the solver.
-Result<PatchCoordinates> encodePatches(const WeldedShape& shape, const ShapeParts& parts, int wantedPatches,
+/// Partitions the faces and encodes their patches in all poses. wantedPatches: 0 = default. Needs some component.
+/// Error: that of the solver.
+Result<PatchCoordinates> encodePatches(const WeldedShape& shape, const ShapeTopology& topology, int wantedPatches,
                                        const FractionReport& onProgress = {});
 
 /// The part that follows from `rotation` alone: graph, connections and residuals. links: either way round; area: of

@@ -152,7 +152,7 @@ void PatchMotion::findOwnIncrements(const Solver& solver, int step) {
   }
 }
 
-Alignment PatchMotion::makeAlignment(const Solver& solver, const std::vector<int>& steps) const {
+GlobalAlignment PatchMotion::makeAlignment(const Solver& solver, const std::vector<int>& steps) const {
   std::vector<std::vector<Quaternion>> halfway;
   for (const int s : steps) {
     std::vector<Quaternion> x;
@@ -162,7 +162,7 @@ Alignment PatchMotion::makeAlignment(const Solver& solver, const std::vector<int
       x[k] = own_.key[from][k] * expQuaternion(own_.increment[s][k] / 2) * x[k].conjugate();
     halfway.push_back(std::move(x));
   }
-  return Alignment(halfway, patches_.graph.area());
+  return GlobalAlignment(halfway, patches_.graph.area());
 }
 
 Vec3 PatchMotion::worldTurn(int step) const {
@@ -187,7 +187,7 @@ Vec3 PatchMotion::turnAxis(const WeldedShape& shape, int step, std::size_t bridg
   const std::vector<int>& ofFace = patches_.patches.ofFace;
   std::vector<char> ofPart;
   for (const int patch : ofFace)
-    ofPart.push_back(patch >= 0 && patches_.patches.pieceOf[patch] == patches_.bridgedPiece[bridge]);
+    ofPart.push_back(patch >= 0 && patches_.patches.componentOf[patch] == patches_.bridgedComponent[bridge]);
   return wheelAxis(shape.poses[shape.reference], shape.faces, ofPart);
 }
 
@@ -195,12 +195,12 @@ PatchTurns PatchMotion::addedTurns(const WeldedShape& shape, const std::vector<A
   PatchTurns result;
   result.whole.assign(steps_.count(), 0);
   const auto add = [&](int step, const AddedTurns& t) {
-    const auto piece = std::find(patches_.bridgedPiece.begin(), patches_.bridgedPiece.end(), t.component);
-    if (piece == patches_.bridgedPiece.end()) {  // the whole, or the component that carries all others
+    const auto component = std::find(patches_.bridgedComponent.begin(), patches_.bridgedComponent.end(), t.component);
+    if (component == patches_.bridgedComponent.end()) {  // the whole, or the component that carries all others
       result.whole[step] += t.turns;
       return;
     }
-    const auto bridge = static_cast<std::size_t>(piece - patches_.bridgedPiece.begin());
+    const auto bridge = static_cast<std::size_t>(component - patches_.bridgedComponent.begin());
     const Vec3 axis = turnAxis(shape, t.key - 1, bridge);
     result.bridges.push_back({step, patches_.patches.pairs.size() + bridge, t.turns * twoPi * axis});
   };

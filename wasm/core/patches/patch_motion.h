@@ -46,7 +46,7 @@ class PatchMotion {
   // One for the steps of an open curve, one for those of a loop with its closing interval.
   struct Solver {
     PatchRotationSystem system;
-    Alignment alignment;
+    GlobalAlignment alignment;
   };
   explicit PatchMotion(PatchCoordinates coordinates) : patches_(std::move(coordinates)) {}
   Status build(const WeldedShape& shape);
@@ -54,7 +54,7 @@ class PatchMotion {
   Result<Solver> makeSolver(const std::vector<int>& steps) const;
   void partWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const;
   void findOwnIncrements(const Solver& solver, int step);
-  Alignment makeAlignment(const Solver& solver, const std::vector<int>& steps) const;
+  GlobalAlignment makeAlignment(const Solver& solver, const std::vector<int>& steps) const;
   Vec3 worldTurn(int step) const;
   Vec3 turnAxis(const WeldedShape& shape, int step, std::size_t bridge) const;
   Quaternion addedTurn(const CurvePoint& point, const PatchTurns& turns) const;
@@ -63,7 +63,7 @@ class PatchMotion {
   std::vector<StepPoses> posesOf_;      // at either end of each step
   std::optional<RigidMotion> closing_;  // of a loop whose last key is the first one again
   PatchCoordinates patches_;
-  RotationPaths own_;  // the rotation of each patch by itself
+  RotationSplines own_;  // the rotation of each patch by itself
   std::optional<Solver> open_, loop_;
   std::vector<Vec3> axis_;  // of each step, world, at the key where it begins
 };

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/base/lanes.h"
+#include "core/base/simd.h"
 #include "core/lri/face_frame.h"
 #include "core/reconstruct/stretch_limits.h"
 #include "core/rotation/rotation_series.h"
@@ -260,10 +260,10 @@ void scatter(const FaceBlock<Real>& face, int lane, const Real* frames, const Fo
   (L::load(at(2)) - (b0 + b1)).store(at(2));
 }
 
-// Where each face's corners lie; in the dump for faces that take no part.
+// Where each face's corners lie; in the trashSlot for faces that take no part.
 std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>& frameOf,
-                                const std::vector<int>& position, int dump, const FractionReport& onProgress) {
-  std::vector<Triangle> corners(shape.faces.size(), {dump, dump, dump});
+                                const std::vector<int>& position, int trashSlot, const FractionReport& onProgress) {
+  std::vector<Triangle> corners(shape.faces.size(), {trashSlot, trashSlot, trashSlot});
   inBlocks(onProgress, corners.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
       for (int c = 0; c < 3 && frameOf[f] >= 0; ++c) corners[f][c] = position[shape.faces[f][c]];
@@ -275,10 +275,10 @@ std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>
 
 template <class Real>
 FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
-                             const std::vector<int>& position, int dump, const FractionReport& onProgress)
+                             const std::vector<int>& position, int trashSlot, const FractionReport& onProgress)
     : stretch_(stretch) {
-  const std::vector<Triangle> corners = cornersOf(shape, frameOf, position, dump, partOf(onProgress, 0, 0.1));
-  FaceHalves halves = halveFaces(corners, dump + 1, dump, partOf(onProgress, 0.1, 0.4));
+  const std::vector<Triangle> corners = cornersOf(shape, frameOf, position, trashSlot, partOf(onProgress, 0, 0.1));
+  FaceHalves halves = halveFaces(corners, trashSlot + 1, trashSlot, partOf(onProgress, 0.1, 0.4));
   order_ = std::move(halves.order);
   const FractionReport onBlocks = partOf(onProgress, 0.4, 1);
   ranges_ = halves.ranges;
@@ -288,7 +288,7 @@ FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& f
     reportItem(onBlocks, i, order_.size());
     FaceBlock<Real>& block = blocks_[i / faceLanes];
     const int lane = static_cast<int>(i % faceLanes);
-    for (int c = 0; c < 3; ++c) block.corner[c][lane] = dump;
+    for (int c = 0; c < 3; ++c) block.corner[c][lane] = trashSlot;
     if (i >= order_.size() || frameOf[order_[i]] < 0) continue;  // zero gradients contribute nothing
     const Triangle& t = shape.faces[order_[i]];
     const FaceFrame frame = faceFrame(p[t[0]], p[t[1]], p[t[2]]);

@@ -15,11 +15,11 @@ constexpr std::int64_t flopsPerChunk = 100'000'000;
 }  // namespace
 
 CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const std::vector<char>& hasArea,
-                                      const Pieces& pieces, const Positions& reference,
+                                      const Components& components, const Positions& reference,
                                       const FractionReport& onProgress) {
   CotangentLaplacian result;
   result.unknown.assign(reference.size(), -1);
-  std::vector<char> tied(pieces.count, 0);
+  std::vector<char> pinned(components.count, 0);
   std::vector<char> seen(reference.size(), 0);
   int count = 0;
   inBlocks(partOf(onProgress, 0, 0.1), faces.size(), [&](std::size_t begin, std::size_t end) {
@@ -28,9 +28,9 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
       for (int v : faces[f]) {
         if (seen[v]) continue;
         seen[v] = 1;
-        char& isTied = tied[pieces.ofFace[f]];
-        if (!isTied) {
-          isTied = 1;
+        char& isPinned = pinned[components.ofFace[f]];
+        if (!isPinned) {
+          isPinned = 1;
           continue;
         }
         result.unknown[v] = count++;
@@ -120,7 +120,7 @@ Status PoissonSystem::factorise(const CotangentLaplacian& laplacian, const Fract
   slot_.resize(laplacian.unknown.size());
   inBlocks({}, slot_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
-      slot_[v] = laplacian.unknown[v] >= 0 ? position[laplacian.unknown[v]] : dump();
+      slot_[v] = laplacian.unknown[v] >= 0 ? position[laplacian.unknown[v]] : trashSlot();
   });
   return {};
 }

@@ -14,15 +14,15 @@
 namespace shapespline {
 
 /// Cotangent Laplacian of the faces that have area, over the welded vertices that such a face holds. One vertex of each
-/// piece is left out (it is tied to zero), which makes the matrix positive definite.
+/// component is left out (it is pinned to zero), which makes the matrix positive definite.
 struct CotangentLaplacian {
   SymmetricMatrix matrix;
-  std::vector<int> unknown;       ///< of each vertex; -1 where it is tied or loose
+  std::vector<int> unknown;       ///< of each vertex; -1 where it is pinned or loose
   std::vector<Vec3> coordinates;  ///< reference position of each unknown
 };
 
 CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const std::vector<char>& hasArea,
-                                      const Pieces& pieces, const Positions& reference,
+                                      const Components& components, const Positions& reference,
                                       const FractionReport& onProgress = {});
 
 /// The factored system and where each vertex lies in its vectors. Immutable.
@@ -38,10 +38,10 @@ class PoissonSystem {
   static Result<PoissonSystem> create(const CotangentLaplacian& laplacian, Precision precision,
                                       const FractionReport& ordering, const FractionReport& factorising);
 
-  /// Slot of each vertex in right-hand sides and solutions; dump() for tied and loose ones.
+  /// Slot of each vertex in right-hand sides and solutions; trashSlot() for pinned and loose ones.
   const std::vector<int>& slot() const { return slot_; }
-  int dump() const { return solver_.paddedSize(); }
-  /// Length of the vectors, in slots: the solver's and the dump, which reads as zero after solve().
+  int trashSlot() const { return solver_.paddedSize(); }
+  /// Length of the vectors, in slots: the solver's and the trashSlot, which reads as zero after solve().
   int size() const { return solver_.paddedSize() + 1; }
   /// The slots that vertices are in come first.
   int unknowns() const { return static_cast<int>(solver_.eliminationPosition().size()); }
@@ -50,7 +50,7 @@ class PoissonSystem {
   template <class Real>
   void solve(Real* xyzp, ForkJoin* forkJoin = nullptr) const {
     solver_.solve(xyzp, forkJoin);
-    for (int i = 0; i < 4; ++i) xyzp[4 * static_cast<std::size_t>(dump()) + i] = 0;
+    for (int i = 0; i < 4; ++i) xyzp[4 * static_cast<std::size_t>(trashSlot()) + i] = 0;
   }
 
   /// Likewise to double accuracy, from the x given (iterative_refinement.h); 4 * size() numbers each. Only with

@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "core/base/permutation.h"
+#include "core/base/precision.h"
 #include "core/base/simd.h"
 #include "core/reconstruct/stretch_limits.h"
-#include "core/sparse/precision.h"
 
 namespace shapespline {
 
@@ -73,7 +73,7 @@ Status PreviewEmbedding::build(const Input& input) {
   // What belongs together: same frame and component, or same anchor.
   const auto key = [&](int v) {
     const int f = input.faceOfVertex[v];
-    return std::tuple(isLoose[v] ? f : -1, input.frameOf[f], input.pieceOf[f]);
+    return std::tuple(isLoose[v] ? f : -1, input.frameOf[f], input.componentOf[f]);
   };
   std::vector<int> vertices(vertexCount_);
   std::iota(vertices.begin(), vertices.end(), 0);
@@ -115,7 +115,7 @@ void PreviewEmbedding::addCell(const Input& input, std::span<int> vertices, int 
   std::sort(vertices.begin(), vertices.end(), [&](int a, int b) { return input.placeOf[a] < input.placeOf[b]; });
   const int face = input.faceOfVertex[vertices[0]], begin = static_cast<int>(vertex_.size());
   Cell cell{
-      input.frameOf[face], anchor < 0 ? input.pieceOf[face] : -1, begin, 0, static_cast<int>(vertices.size()), {}};
+      input.frameOf[face], anchor < 0 ? input.componentOf[face] : -1, begin, 0, static_cast<int>(vertices.size()), {}};
   anchorOf_.push_back(anchor);
   vertex_.insert(vertex_.end(), vertices.begin(), vertices.end());
   while (vertex_.size() % 4 != 0) vertex_.push_back(-1);
@@ -222,7 +222,7 @@ Status PreviewEmbedding::buildLinks(const Input& input) {
     root[std::max(x, y)] = std::min(x, y);
   }
   for (int k = 0; k < count; ++k)
-    if (find(k) == k) entries.push_back({k, k, 1.0});  // tied to zero
+    if (find(k) == k) entries.push_back({k, k, 1.0});  // pinned to zero
   for (const auto& [anchor, contact, pivot] : input.anchors)
     attachments_.push_back(
         attach(input, anchor, cellOf[input.shape.faces[anchor][0]], cellOf[input.shape.faces[contact][0]], pivot));
@@ -253,10 +253,10 @@ void PreviewEmbedding::settle(const PoseWeights& weights, const std::vector<Quat
     const Quaternion anchor = frames[h.frame] * expQuaternion(blend(h.turn, weights));
     const Vec3 shift =
         centre[h.from] + anchor * blend(h.offset, weights) - centre[h.to] - rotation[h.to] * blend(h.reach, weights);
-    const int piece = cells_[h.to].piece;
-    if (piece < 0) centre[h.to] += shift;
-    for (std::size_t k = 0; k < cells_.size() && piece >= 0; ++k)
-      if (cells_[k].piece == piece) centre[k] += shift;
+    const int component = cells_[h.to].component;
+    if (component < 0) centre[h.to] += shift;
+    for (std::size_t k = 0; k < cells_.size() && component >= 0; ++k)
+      if (cells_[k].component == component) centre[k] += shift;
   }
   Vec3 mean = Vec3::Zero();
   for (std::size_t k = 0; k < cells_.size(); ++k) mean += cells_[k].size * centre[k] / vertexCount_;

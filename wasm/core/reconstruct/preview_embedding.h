@@ -33,7 +33,7 @@ class PreviewEmbedding {
     std::span<const int> faceOfVertex;  ///< a face of the vertex, or the one that a loose vertex is anchored at
     std::span<const int> loose;         ///< vertices that are anchored
     std::span<const int> frameOf;       ///< frame of each face
-    std::span<const int> pieceOf;       ///< component of each face
+    std::span<const int> componentOf;   ///< component of each face
     const std::vector<std::vector<Quaternion>>& frames;  ///< frames[column][frame]
     std::function<Vec3(int face, int column)> turn;      ///< log(G^T R_f)
     std::vector<EmbeddedPlace> anchors;                  ///< parents before children
@@ -59,8 +59,8 @@ class PreviewEmbedding {
   Status build(const Input& input);
   // Vertices of one cell, four side by side: numbers_ holds x, y and z of each column for each block.
   struct Cell {
-    int frame, piece;  // piece -1: anchored vertices
-    int begin, end;    // in vertex_ and place_, in whole blocks of four
+    int frame, component;  // component -1: anchored vertices
+    int begin, end;        // in vertex_ and place_, in whole blocks of four
     int size;
     std::vector<Vec3> turn;  // against its frame, one per column
   };

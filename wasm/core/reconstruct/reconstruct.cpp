@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/base/lanes.h"
 #include "core/base/permutation.h"
+#include "core/base/simd.h"
 #include "core/base/stopwatch.h"
 
 namespace shapespline {
@@ -33,7 +33,7 @@ Result<Reconstructor<Real>> Reconstructor<Real>::create(const Input& in, LriCoor
                                                         const StageProgress& onProgress) {
   const Stage ordering{onProgress, "ordering"}, factorising{onProgress, "factorising"};
   Stopwatch watch;
-  const CotangentLaplacian laplacian = cotangentLaplacian(in.shape.faces, in.parts.hasArea, in.parts.pieces,
+  const CotangentLaplacian laplacian = cotangentLaplacian(in.shape.faces, in.topology.hasArea, in.topology.components,
                                                           in.shape.poses[in.shape.reference], partOf(ordering, 0, 0.1));
   const double laplacianMs = watch.lap();
   auto poisson = PoissonSystem::create(laplacian, in.precision, partOf(ordering, 0.1, 1), partOf(factorising, 0, 0.8));
@@ -54,26 +54,26 @@ Reconstructor<Real>::Reconstructor(const Input& in, LriCoordinates<Real> coordin
       frameOf_(in.frameOf.begin(), in.frameOf.end()),
       lri_(std::move(coordinates)),
       poisson_(std::move(poisson)),
-      kernel_(in.shape, frameOf_, in.stretch, poisson_.slot(), poisson_.dump(), partOf(onProgress, 0.8, 0.93)),
-      pieceOfVertex_(in.shape.vertexCount(), -1),
-      pieceOfFace_(in.parts.pieces.ofFace) {
+      kernel_(in.shape, frameOf_, in.stretch, poisson_.slot(), poisson_.trashSlot(), partOf(onProgress, 0.8, 0.93)),
+      componentOfVertex_(in.shape.vertexCount(), -1),
+      componentOfFace_(in.topology.components.ofFace) {
   lri_.face.reorder(kernel_.order(), partOf(onProgress, 0.93, 0.95));
   const Positions* reference = &shape_->poses[shape_->reference];
   extent_ = boundingDiagonal({&reference, 1});
   for (int f = 0; f < shape_->faceCount(); ++f)
-    if (in.parts.hasArea[f])
-      for (int v : shape_->faces[f]) pieceOfVertex_[v] = pieceOfFace_[f];
-  const auto pieces = static_cast<std::size_t>(in.parts.pieces.count);
-  verticesOfPiece_.assign(pieces, 0);
-  for (int piece : pieceOfVertex_)
-    if (piece >= 0) ++verticesOfPiece_[piece];
+    if (in.topology.hasArea[f])
+      for (int v : shape_->faces[f]) componentOfVertex_[v] = componentOfFace_[f];
+  const auto components = static_cast<std::size_t>(in.topology.components.count);
+  verticesOfComponent_.assign(components, 0);
+  for (int component : componentOfVertex_)
+    if (component >= 0) ++verticesOfComponent_[component];
   placeOf_ = poisson_.slot();
   int next = poisson_.unknowns();
   for (int& place : placeOf_)
-    if (place == poisson_.dump()) place = next++;
+    if (place == poisson_.trashSlot()) place = next++;
   assert(isPermutation(placeOf_));
-  pieceAt_.assign(pieces > 1 ? placeOf_.size() : 0, 0);
-  for (std::size_t v = 0; v < pieceAt_.size(); ++v) pieceAt_[placeOf_[v]] = std::max(0, pieceOfVertex_[v]);
+  componentAt_.assign(components > 1 ? placeOf_.size() : 0, 0);
+  for (std::size_t v = 0; v < componentAt_.size(); ++v) componentAt_[placeOf_[v]] = std::max(0, componentOfVertex_[v]);
 }
 
 template <class Real>
@@ -115,15 +115,16 @@ void Reconstructor<Real>::startFromKey(const PoseWeights& weights, Scratch& scra
   const auto first = weights.column.begin();
   const Positions& key = shape_->poses[std::max_element(first, first + shape_->keys) - first];
   scratch.rightHandSide.assign(x, x + 4 * static_cast<std::size_t>(poisson_.size()));
-  std::vector<Vec3> tied(verticesOfPiece_.size(), Vec3::Zero());
+  std::vector<Vec3> pinned(verticesOfComponent_.size(), Vec3::Zero());
   for (std::size_t v = 0; v < key.size(); ++v)
-    if (pieceOfVertex_[v] >= 0 && poisson_.slot()[v] == poisson_.dump()) tied[pieceOfVertex_[v]] = key[v];
+    if (componentOfVertex_[v] >= 0 && poisson_.slot()[v] == poisson_.trashSlot())
+      pinned[componentOfVertex_[v]] = key[v];
   for (std::size_t v = 0; v < key.size(); ++v) {
-    if (poisson_.slot()[v] == poisson_.dump()) continue;
-    const Vec3 p = key[v] - tied[pieceOfVertex_[v]];
+    if (poisson_.slot()[v] == poisson_.trashSlot()) continue;
+    const Vec3 p = key[v] - pinned[componentOfVertex_[v]];
     for (int i = 0; i < 3; ++i) x[4 * static_cast<std::size_t>(poisson_.slot()[v]) + i] = static_cast<Real>(p[i]);
   }
-  for (int i = 0; i < 4; ++i) x[4 * static_cast<std::size_t>(poisson_.dump()) + i] = 0;
+  for (int i = 0; i < 4; ++i) x[4 * static_cast<std::size_t>(poisson_.trashSlot()) + i] = 0;
 }
 
 template <class Real>
@@ -141,7 +142,7 @@ void Reconstructor<Real>::solve(const PoseWeights& weights, Scratch& scratch, Re
 template <class Real>
 Vec3 Reconstructor<Real>::placedVertex(int v, const Scratch& scratch, const Real* x) const {
   const Real* p = x + 4 * static_cast<std::size_t>(poisson_.slot()[v]);
-  return Vec3(p[0], p[1], p[2]) + scratch.shift[pieceOfVertex_[v]];
+  return Vec3(p[0], p[1], p[2]) + scratch.shift[componentOfVertex_[v]];
 }
 
 template <class Real>
@@ -154,12 +155,12 @@ Vec3 Reconstructor<Real>::placedCentroid(int face, const Scratch& scratch, const
 template <class Real>
 void Reconstructor<Real>::placeComponents(const PoseWeights& weights, const Frames& frames, Scratch& scratch,
                                           const Real* x) const {
-  scratch.shift.assign(verticesOfPiece_.size(), Vec3::Zero());
+  scratch.shift.assign(verticesOfComponent_.size(), Vec3::Zero());
   for (const ComponentPlace& place : lri_.places) {
     const Quaternion anchor = faceRotation(place.anchorFace, place.anchorFrame, weights, frames);
     const Quaternion contact = faceRotation(place.contactFace, place.contactFrame, weights, frames);
     const Vec3 wanted = placedCentroid(place.anchorFace, scratch, x) + anchor * blend(place.offset, weights);
-    scratch.shift[place.piece] = wanted - (placedCentroid(place.contactFace, scratch, x) + contact * place.pivot);
+    scratch.shift[place.component] = wanted - (placedCentroid(place.contactFace, scratch, x) + contact * place.pivot);
   }
 }
 
@@ -177,23 +178,23 @@ void Reconstructor<Real>::placeLoose(const PoseWeights& weights, const Frames& f
 template <class Real>
 Vec3 Reconstructor<Real>::meanMove(const PoseWeights& weights, const Scratch& scratch, const Real* x) const {
   Vec3 sum = sumOf(x, static_cast<std::size_t>(poisson_.unknowns()));
-  for (std::size_t p = 0; p < scratch.shift.size(); ++p) sum += verticesOfPiece_[p] * scratch.shift[p];
+  for (std::size_t p = 0; p < scratch.shift.size(); ++p) sum += verticesOfComponent_[p] * scratch.shift[p];
   for (const Vec3& p : scratch.loose) sum += p;
   return blend(lri_.meanPosition, weights) - sum / shape_->vertexCount();
 }
 
-// The solver's slots come first among the places; each piece is moved by its shift, and the vertices without a slot
+// The solver's slots come first among the places; each component is moved by its shift, and the vertices without a slot
 // follow.
 template <class Real>
 void Reconstructor<Real>::slotsToPlaces(Scratch& scratch, Real* x) const {
   using L = Lanes<Real>;
   const std::size_t unknowns = static_cast<std::size_t>(poisson_.unknowns());
-  std::fill(x + 4 * unknowns, x + 4 * placeOf_.size(), Real(0));  // tied to zero
+  std::fill(x + 4 * unknowns, x + 4 * placeOf_.size(), Real(0));  // pinned to zero
   scratch.shiftLanes.assign(4 * scratch.shift.size(), Real(0));
   for (std::size_t p = 0; p < scratch.shift.size(); ++p)
     for (int k = 0; k < 3; ++k) scratch.shiftLanes[4 * p + k] = static_cast<Real>(scratch.shift[p][k]);
-  for (std::size_t i = 0; i < pieceAt_.size(); ++i)
-    (L::load(x + 4 * i) + L::load(&scratch.shiftLanes[4 * static_cast<std::size_t>(pieceAt_[i])])).store(x + 4 * i);
+  for (std::size_t i = 0; i < componentAt_.size(); ++i)
+    (L::load(x + 4 * i) + L::load(&scratch.shiftLanes[4 * static_cast<std::size_t>(componentAt_[i])])).store(x + 4 * i);
   for (std::size_t i = 0; i < scratch.loose.size(); ++i)
     for (int k = 0; k < 3; ++k)
       x[4 * static_cast<std::size_t>(placeOf_[lri_.loose[i].vertex]) + k] = static_cast<Real>(scratch.loose[i][k]);
@@ -255,8 +256,8 @@ Result<PreviewEmbedding> Reconstructor<Real>::makePreview(const FramePoses& pose
                                      anchor * place.offset[c]);
     }
   }
-  return PreviewEmbedding::create({*shape_, placeOf_, faceOfVertex, loose, frameOf_, pieceOfFace_, poses.rotation, turn,
-                                   std::move(anchors), stretch_ == Stretch::Log});
+  return PreviewEmbedding::create({*shape_, placeOf_, faceOfVertex, loose, frameOf_, componentOfFace_, poses.rotation,
+                                   turn, std::move(anchors), stretch_ == Stretch::Log});
 }
 
 template class Reconstructor<float>;

@@ -36,7 +36,7 @@ class Reconstructor {
  public:
   struct Input {
     const WeldedShape& shape;  ///< must outlive the reconstructor
-    const ShapeParts& parts;
+    const ShapeTopology& topology;
     std::span<const int> frameOf;  ///< frame of each face; -1 where it has no area
     Stretch stretch;
     Precision precision;
@@ -48,7 +48,7 @@ class Reconstructor {
     IterativeRefinement::Scratch refinement;
     std::vector<Real> matrices;  // of the frames
     PlacedShape<Real> placed;
-    std::vector<Vec3> shift;       // translation of each piece against the others
+    std::vector<Vec3> shift;       // translation of each component against the others
     std::vector<Real> shiftLanes;  // the same as (x, y, z, 0)
     std::vector<Vec3> loose;       // where each loose vertex lies
   };
@@ -82,7 +82,7 @@ class Reconstructor {
   const Times& times() const { return times_; }
 
   /// Component of each face, -1 without area.
-  const std::vector<int>& pieceOfFace() const { return pieceOfFace_; }
+  const std::vector<int>& componentOfFace() const { return componentOfFace_; }
 
   /// Of each welded vertex, a permutation: as they are eliminated, then those that are not. Neighbours of the mesh are
   /// near each other in this order, so that passes over it stay in the processor's caches.
@@ -111,12 +111,13 @@ class Reconstructor {
   LriCoordinates<Real> lri_;
   PoissonSystem poisson_;
   FaceKernel<Real> kernel_;
-  double extent_ = 0;               // diagonal of the reference pose
-  std::vector<int> pieceOfVertex_;  // -1 for loose vertices
+  double extent_ = 0;                   // diagonal of the reference pose
+  std::vector<int> componentOfVertex_;  // -1 for loose vertices
   std::vector<int> placeOf_;
-  std::vector<int> pieceAt_;  // of the vertex at each place; 0 for loose vertices. Empty where there is one piece only
-  std::vector<int> verticesOfPiece_;
-  std::vector<int> pieceOfFace_;
+  std::vector<int>
+      componentAt_;  // of the vertex at each place; 0 for loose vertices. Empty where there is one component only
+  std::vector<int> verticesOfComponent_;
+  std::vector<int> componentOfFace_;
   Times times_;
 };
 

@@ -10,7 +10,7 @@ inline constexpr double stretchMargin = 1.5;
 
 /// What a change is scaled by that would reach a limit when it is 1/u of itself: (1 + u^4)^(-1/4). u times that goes to
 /// 1 and starts as u - u^5 / 4: a curve that goes on straight eases off without a step in its first four derivatives.
-/// Roots and quotients alone, each of which rounds once in every build. Number: double, or lanes (core/lanes.h).
+/// Roots and quotients alone, each of which rounds once in every build. Number: double, or Lanes (core/base/simd.h).
 inline double easing(double u) { return 1 / std::sqrt(std::sqrt(1 + u * u * (u * u))); }
 template <class Lanes>
 Lanes easing(Lanes u) {

@@ -24,7 +24,7 @@ constexpr RotationSeries makeRotationSeries() {
 
 inline constexpr RotationSeries rotationSeries = makeRotationSeries();
 
-/// The sum of coefficient[k] x^k for k < terms. Number: a floating-point type, or lanes (core/lanes.h).
+/// The sum of coefficient[k] x^k for k < terms. Number: a floating-point type, or Lanes (core/base/simd.h).
 template <int terms, int k = 0, class Number>
 Number horner(const double (&coefficient)[RotationSeries::mostTerms], Number x) {
   Number term;

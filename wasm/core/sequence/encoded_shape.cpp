@@ -113,43 +113,43 @@ void EncodedShape::weldKeys(const Keyframes& keyframes, const EncodingOptions& o
 Status EncodedShape::encodePoses(const EncodingOptions& options, const StageProgress& progress) {
   const bool wantsGhost = options.ghostFaces > 0;
   const Stage simplifying{progress, "simplifying"}, encoding{progress, "encoding"};
-  const ShapeParts parts = partsOf(*shape_, wantsGhost ? partOf(simplifying, 0, 0) : partOf(encoding, 0, 0.2));
-  if (parts.pieces.count == 0)
+  const ShapeTopology topology = topologyOf(*shape_, wantsGhost ? partOf(simplifying, 0, 0) : partOf(encoding, 0, 0.2));
+  if (topology.components.count == 0)
     return Error{ErrorCode::NoArea,
                  "No triangle has area in every key. Use poses in which the shape is not collapsed."};
-  stats_.components = parts.pieces.count;
-  const auto usedFaces = std::count(parts.hasArea.begin(), parts.hasArea.end(), 1);
+  stats_.components = topology.components.count;
+  const auto usedFaces = std::count(topology.hasArea.begin(), topology.hasArea.end(), 1);
   if (wantsGhost && options.ghostFaces < usedFaces) {
     auto ghost = GhostMotion::create(
-        *shape_, parts,
+        *shape_, topology,
         {options.ghostFaces, options.optimalPlacement, options.patches, options.stretch, options.transfer}, progress);
     if (!ghost) return ghost.error();
     ghost_ = std::move(*ghost);
   } else {
     Stopwatch watch;
-    auto coordinates = encodePatches(*shape_, parts, options.patches, partOf(encoding, 0.2, 0.7));
+    auto coordinates = encodePatches(*shape_, topology, options.patches, partOf(encoding, 0.2, 0.7));
     if (!coordinates) return coordinates.error();
     auto patches = PatchMotion::create(*shape_, std::move(*coordinates));
     if (!patches) return patches.error();
     patches_ = std::move(*patches);
     stats_.encodeMs += watch.lap();
   }
-  return options.precision == Precision::Single ? makeReconstructor<float>(parts, options, progress)
-                                                : makeReconstructor<double>(parts, options, progress);
+  return options.precision == Precision::Single ? makeReconstructor<float>(topology, options, progress)
+                                                : makeReconstructor<double>(topology, options, progress);
 }
 
 template <class Real>
-Status EncodedShape::makeReconstructor(const ShapeParts& parts, const EncodingOptions& options,
+Status EncodedShape::makeReconstructor(const ShapeTopology& topology, const EncodingOptions& options,
                                        const StageProgress& progress) {
   const Stage encoding{progress, "encoding"};
   Stopwatch watch;
   const FramePoses frames = framePoses();
-  auto coordinates = encode<Real>(*shape_, parts, frames, options.stretch, ghost_ ? options.transfer : Transfer::Exact,
-                                  partOf(encoding, ghost_ ? 0 : 0.7, 1));
+  auto coordinates = encode<Real>(*shape_, topology, frames, options.stretch,
+                                  ghost_ ? options.transfer : Transfer::Exact, partOf(encoding, ghost_ ? 0 : 0.7, 1));
   (ghost_ ? stats_.transferMs : stats_.encodeMs) += watch.lap();
   encoding(1);
-  auto reconstructor = Reconstructor<Real>::create({*shape_, parts, frames.ofFace, options.stretch, options.precision},
-                                                   std::move(coordinates), progress);
+  auto reconstructor = Reconstructor<Real>::create(
+      {*shape_, topology, frames.ofFace, options.stretch, options.precision}, std::move(coordinates), progress);
   if (!reconstructor) return reconstructor.error();
   stats_.orderMs = reconstructor->times().order;
   stats_.factorMs = reconstructor->times().factor;
@@ -187,7 +187,7 @@ void EncodedShape::describeGhost() {
     ghostOfInput_.ghostFaceOf = input_.ofInputFaces(ghost_->correspondence());
     stats_.ghostFaces = ghost_->shape().faceCount();
     stats_.ghostVertices = ghost_->shape().vertexCount();
-    stats_.joinedComponents = mesh.joinedPieces;
+    stats_.joinedComponents = mesh.joinedComponents;
     stats_.simplifyMs = ghost_->times().simplify;
     stats_.encodeMs += ghost_->times().encode;
     stats_.transferMs += ghost_->times().match;
@@ -197,18 +197,18 @@ void EncodedShape::describeGhost() {
 }
 
 void EncodedShape::numberComponents() {
-  const std::vector<int>& pieceOfFace =
-      withReconstructor([](const auto& r) -> const std::vector<int>& { return r.pieceOfFace(); });
+  const std::vector<int>& componentOfFace =
+      withReconstructor([](const auto& r) -> const std::vector<int>& { return r.componentOfFace(); });
   const std::vector<int>& inputFaceOf = input_.inputFaceOf;
   std::vector<int> faceOfInput(inputFaceOf.size()), number(inputFaceOf.size(), -1);
   for (std::size_t f = 0; f < inputFaceOf.size(); ++f) faceOfInput[inputFaceOf[f]] = static_cast<int>(f);
   for (const int face : faceOfInput) {
-    const int piece = pieceOfFace[face];
-    if (piece >= 0 && number[piece] < 0) {
-      number[piece] = static_cast<int>(firstFaceOf_.size());
+    const int component = componentOfFace[face];
+    if (component >= 0 && number[component] < 0) {
+      number[component] = static_cast<int>(firstFaceOf_.size());
       firstFaceOf_.push_back(face);
     }
-    componentOfInputFace_.push_back(piece < 0 ? -1 : number[piece]);
+    componentOfInputFace_.push_back(component < 0 ? -1 : number[component]);
   }
 }
 
@@ -260,15 +260,15 @@ const std::vector<AmbiguousFaces>& EncodedShape::ambiguousFaces() const {
       [](const auto& r) -> const std::vector<AmbiguousFaces>& { return r.coordinates().ambiguous; });
 }
 
-std::vector<AddedTurns> EncodedShape::turnsOfPatchPieces(std::vector<AddedTurns> turns) const {
+std::vector<AddedTurns> EncodedShape::turnsOfPatchComponents(std::vector<AddedTurns> turns) const {
   for (AddedTurns& t : turns)
     if (t.component >= 0)
-      t.component = patches().coordinates().patches.pieceOf[patchOfFace_[firstFaceOf_[t.component]]];
+      t.component = patches().coordinates().patches.componentOf[patchOfFace_[firstFaceOf_[t.component]]];
   return turns;
 }
 
 PatchTurns EncodedShape::turnsOfPatches(std::vector<AddedTurns> turns) const {
-  return patches().addedTurns(ghost_ ? ghost_->shape() : *shape_, turnsOfPatchPieces(std::move(turns)));
+  return patches().addedTurns(ghost_ ? ghost_->shape() : *shape_, turnsOfPatchComponents(std::move(turns)));
 }
 
 Eigen::MatrixXd EncodedShape::gramMatrix() const {

@@ -78,7 +78,7 @@ class EncodedShape {
   /// Turns of the input's components, and of the whole, taken to the patches.
   PatchTurns turnsOfPatches(std::vector<AddedTurns> turns) const;
   /// The components as the patches count them: with a ghost both are its own.
-  std::vector<AddedTurns> turnsOfPatchPieces(std::vector<AddedTurns> turns) const;
+  std::vector<AddedTurns> turnsOfPatchComponents(std::vector<AddedTurns> turns) const;
 
   /// Inner products of the columns in the metric of the coordinates (gram_matrix.h).
   Eigen::MatrixXd gramMatrix() const;
@@ -95,7 +95,8 @@ class EncodedShape {
   void weldKeys(const Keyframes& keyframes, const EncodingOptions& options, const FractionReport& onProgress);
   Status encodePoses(const EncodingOptions& options, const StageProgress& progress);
   template <class Real>
-  Status makeReconstructor(const ShapeParts& parts, const EncodingOptions& options, const StageProgress& progress);
+  Status makeReconstructor(const ShapeTopology& topology, const EncodingOptions& options,
+                           const StageProgress& progress);
   void prepareNormals(const Positions& normals, const FractionReport& onProgress);
   void describeGhost();
   void numberComponents();

@@ -37,8 +37,8 @@ void Evaluator::fill(const EncodedShape& encoded, const Motion& motion, const Cu
                      const RigidMotion& global, Frame& frame) {
   const Reconstruction found = place(encoded, motion, point, placed_, forkJoin_);
   stats_.facesMs = found.facesMs, stats_.solveMs = found.solveMs, stats_.placeMs = found.placeMs;
-  frame.lostDefiniteness = found.indefiniteFaces;
-  frame.lostFace = found.indefiniteFaces > 0 ? encoded.input().inputFaceOf[found.indefiniteFace] : -1;
+  frame.indefiniteFaces = found.indefiniteFaces;
+  frame.indefiniteFace = found.indefiniteFaces > 0 ? encoded.input().inputFaceOf[found.indefiniteFace] : -1;
   draw(encoded, global, frame);
 }
 
@@ -100,8 +100,8 @@ void Evaluator::embed(const EncodedShape& encoded, const Motion& motion, const P
 void Evaluator::preview(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t,
                         Frame& frame) {
   const CurvePoint point = motion.at(t);
-  frame.lostDefiniteness = 0;
-  frame.lostFace = -1;
+  frame.indefiniteFaces = 0;
+  frame.indefiniteFace = -1;
   stats_.framesMs = stats_.facesMs = stats_.solveMs = stats_.placeMs = 0;
   embed(encoded, motion, embedding, point, placed_);
   draw(encoded, motion.globalMotion(encoded, t, point), frame);

@@ -14,8 +14,8 @@ namespace shapespline {
 struct Frame {
   std::vector<float> positions;  ///< 3n, xyz interleaved
   std::vector<float> normals;    ///< 3n, unit, xyz interleaved
-  int lostDefiniteness = 0;      ///< faces whose interpolated S_f is not positive definite
-  int lostFace = -1;             ///< one of them, of the input; -1 where there is none
+  int indefiniteFaces = 0;       ///< faces whose interpolated S_f is not positive definite
+  int indefiniteFace = -1;       ///< one of them, of the input; -1 where there is none
 };
 
 /// How far the preview's vertices are from the shape's, as a share of the reference pose's diagonal.

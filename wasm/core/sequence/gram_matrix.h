@@ -18,7 +18,7 @@ template <class Real>
 Eigen::MatrixXd gramMatrix(const PatchCoordinates& patches, const LriCoordinates<Real>& coordinates,
                            const WeldedShape& shape, double diagonal);
 
-/// The plane of the two leading principal components of the first `keys` columns.
+/// Principal component analysis: the plane of the two leading components of the first `keys` columns.
 class PrincipalPlane {
  public:
   PrincipalPlane(const Eigen::MatrixXd& gram, int keys);

@@ -39,7 +39,7 @@ MeshReport reportOf(const Keyframes& keyframes, const FractionReport& onProgress
   report.counts = countMesh(welding.count, faces, partOf(onProgress, 0.3, 0.8));
   const std::vector<char> use = facesWithArea(keyframes, partOf(onProgress, 0.8, 0.9));
   report.degenerateFaces = static_cast<int>(std::count(use.begin(), use.end(), 0));
-  report.components = countPieces(welding.count, faces, use, partOf(onProgress, 0.9, 1));
+  report.components = countComponents(welding.count, faces, use, partOf(onProgress, 0.9, 1));
   return report;
 }
 

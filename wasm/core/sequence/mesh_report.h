@@ -6,12 +6,12 @@
 
 namespace shapespline {
 
-/// Counts of the input; edges and pieces are those of the welded mesh, so that seams are no boundary.
+/// Counts of the input; edges and components are those of the welded mesh, so that seams are no boundary.
 struct MeshReport {
   int vertices = 0;
   int weldedVertices = 0;
   int faces = 0;
-  int components = 0;            ///< pieces that share no welded vertex, faces without area left out
+  int components = 0;            ///< components that share no welded vertex, faces without area left out
   int degenerateFaces = 0;       ///< without area in some key
   int unreferencedVertices = 0;  ///< of the input, in no face
   MeshCounts counts;

@@ -56,7 +56,7 @@ void Motion::collectWarnings(const EncodedShape& encoded) {
   const bool closes = options_.boundary == BoundaryKind::Periodic && !curve_.closesOnLastKey();
   if (!blendsVertices()) {
     warnings_ = turnWarnings(encoded.shape(), encoded.patches(), encoded.ambiguousFaces(), encoded.patchOfFace(),
-                             encoded.turnsOfPatchPieces(options_.turns), closes);
+                             encoded.turnsOfPatchComponents(options_.turns), closes);
     for (Warning& w : warnings_)
       if (w.face >= 0) w.face = encoded.input().inputFaceOf[w.face];
   }

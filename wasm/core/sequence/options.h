@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/precision.h"
 #include "core/base/types.h"
 #include "core/lri/face_frame.h"
 #include "core/lri/lri.h"
-#include "core/sparse/precision.h"
 #include "core/spline/rotation_spline.h"
 #include "core/spline/spline.h"
 
@@ -29,9 +29,9 @@ struct MotionOptions {
   double endSpeed = 1;           ///< hermite: the same at the last key
   std::optional<double> period;  ///< periodic: whole period in units of time; default: see BoundaryKind in spline.h
   std::vector<double> tension;   ///< empty, or J values: slope at a key = (1 - tension) * the C2 spline's own
-  std::vector<double>
-      bias;  ///< empty, or J values in [-1, 1]: from 0 to 1 the slope at a key goes over to the difference from
-             ///< the key before, from 0 to -1 to that to the key after (at an end key to the only one)
+  /// Kochanek-Bartels bias: empty, or J values in [-1, 1]. From 0 to 1 the slope at a key goes over to the difference
+  /// from the key before, from 0 to -1 to that to the key after (at an end key to the only one).
+  std::vector<double> bias;
   std::vector<AddedTurns> turns;
   bool inPlace = false;  ///< take out the translation that accumulates along the sequence
 };

@@ -37,7 +37,7 @@ class Sequence {
   /// The shape at time t, about, in about half the time from 332,000 faces on, for while a slider moves. Meets every
   /// key; how far it is off between and beyond them depends on the motion: ask previewError. Measured on real shapes
   /// (wasm/core/README.md): 0.02 to 5 % of the diagonal in the mean between the keys, and up to 18 % at one place.
-  /// lostDefiniteness is not counted. The baselines are exact.
+  /// indefiniteFaces is not counted. The baselines are exact.
   Status preview(double t, Frame& frame);
 
   /// What preview(t) is off. Costs one evaluation and one preview, in one thread.

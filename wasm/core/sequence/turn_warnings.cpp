@@ -77,11 +77,11 @@ class TurnWarnings {
     std::vector<int> found;
     int face = -1, count = 0;
     double furthest = ambiguousTurn;
-    for (std::size_t b = 0; b < patches_.bridgedPiece.size(); ++b) {
+    for (std::size_t b = 0; b < patches_.bridgedComponent.size(); ++b) {
       const double angle = patches_.connection.increment[step_][first + b].norm();
-      if (angle <= ambiguousTurn || decided(patches_.bridgedPiece[b])) continue;
+      if (angle <= ambiguousTurn || decided(patches_.bridgedComponent[b])) continue;
       for (int k = 0; k < patches_.patches.count; ++k)
-        if (patches_.patches.pieceOf[k] == patches_.bridgedPiece[b]) found.push_back(k);
+        if (patches_.patches.componentOf[k] == patches_.bridgedComponent[b]) found.push_back(k);
       ++count;
       if (angle > furthest) furthest = angle, face = faceOf(patches_.graph.links()[first + b].to);
     }

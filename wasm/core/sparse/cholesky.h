@@ -6,10 +6,10 @@
 #include <span>
 
 #include "core/base/fork_join.h"
+#include "core/base/precision.h"
 #include "core/base/progress.h"
 #include "core/base/status.h"
 #include "core/base/types.h"
-#include "core/sparse/precision.h"
 #include "core/sparse/sparse_matrix.h"
 
 namespace shapespline {
@@ -27,7 +27,7 @@ struct CholeskyStats {
 /// Supernodal multifrontal Cholesky factorisation P A Pᵀ = L Lᵀ of a sparse symmetric positive definite matrix.
 ///
 /// A pivot that is zero to rounding, as the last one of a floating component of a Laplacian, is replaced by its
-/// diagonal entry, which ties that unknown to zero; stats() counts such pivots.
+/// diagonal entry, which pins that unknown to zero; stats() counts such pivots.
 class Cholesky {
  public:
   Cholesky();

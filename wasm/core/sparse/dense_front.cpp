@@ -78,7 +78,7 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
     const double scale = std::abs(reference[c]);
     if (!(pivot > std::max(kSemidefinite * scale, kSmallest))) {
       if (!(pivot >= kIndefinite * scale) && report.failed == -1) report.failed = firstColumn + c;
-      // As if this unknown were tied to zero with the strength of its own diagonal entry: any weaker tie would let
+      // As if this unknown were pinned to zero with the strength of its own diagonal entry: any weaker pin would let
       // rounding errors of the right-hand side through.
       pivot = scale > kSmallest ? scale : 1.0;
       ++report.regularised;

@@ -12,9 +12,9 @@ namespace {
 constexpr int kNone = -1;
 constexpr int kSource = -2;  // the predecessor of a path's first node
 
-// Paths without common nodes through a band, as many as there can be. A node on a path is used: it may be entered once
-// more only to go back to its predecessor, whose path then leaves it on another way. So every node but a used one is
-// left by its own exit, and a search goes from exit to exit.
+// Vertex-disjoint maximum flow with node splitting: every node of the band has an entrance and an exit of capacity one
+// between them. A node on a path may be entered once more only to go back to its predecessor, whose path then leaves it
+// on another way. So every node but a used one is left by its own exit, and a search goes from exit to exit.
 class DisjointPaths {
  public:
   DisjointPaths(const Graph& graph, const std::vector<Side>& side) {

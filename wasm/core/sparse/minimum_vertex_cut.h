@@ -13,8 +13,8 @@ enum class Side : unsigned char { Left, Right, Separator };
 /// nodes join a side. No edge may join the two sides. Of the smallest separators it takes the one nearest to either
 /// side that leaves the better balance.
 ///
-/// By Menger's theorem their size is the largest number of paths from Left to Right without common nodes; these are
-/// found as a maximum flow with blocking flows (Dinic 1970), which for unit capacities takes few rounds.
+/// By Menger's theorem their size is the largest number of vertex-disjoint paths from Left to Right: a maximum flow
+/// with node splitting, found by blocking flows (Dinic 1970), which for unit capacities takes few rounds.
 void shrinkSeparator(const Graph& graph, std::vector<Side>& side);
 
 }  // namespace shapespline

@@ -17,11 +17,11 @@ namespace shapespline {
 namespace {
 
 constexpr int kLeafSize = 32;
-// A separator of more than this part of the nodes is none: no mesh, so minimum degree does better.
+// A separator of more than this share of the nodes is none: no mesh, so minimum degree does better.
 constexpr double kUselessSeparator = 0.3;
 
-// A piece of the graph, compactly renumbered.
-struct Piece {
+// A subgraph, compactly renumbered.
+struct Subgraph {
   Graph graph;
   std::vector<Vec3> coordinates;
   std::vector<int> original;
@@ -32,34 +32,34 @@ class Dissection {
   Dissection(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress)
       : whole_(graph), onProgress_(onProgress), local_(graph.size(), -1) {
     order_.resize(graph.size());
-    Piece piece{graph, {coordinates.begin(), coordinates.end()}, std::vector<int>(graph.size())};
-    std::iota(piece.original.begin(), piece.original.end(), 0);
+    Subgraph subgraph{graph, {coordinates.begin(), coordinates.end()}, std::vector<int>(graph.size())};
+    std::iota(subgraph.original.begin(), subgraph.original.end(), 0);
     end_ = graph.size();
-    dissect(std::move(piece));
+    dissect(std::move(subgraph));
   }
 
   std::vector<int> takeOrder() { return std::move(order_); }
 
  private:
   // Fills the order from its end: the separator, then the right side, then the left one.
-  void dissect(Piece piece) {
-    const int size = piece.graph.size();
-    if (size <= kLeafSize) return orderLeaf(piece.original);
+  void dissect(Subgraph subgraph) {
+    const int size = subgraph.graph.size();
+    if (size <= kLeafSize) return orderLeaf(subgraph.original);
     reportWork(size);
-    const std::vector<Side> side = findSeparator(piece.graph, piece.coordinates, [&] { reportWork(0.3 * size); });
+    const std::vector<Side> side = findSeparator(subgraph.graph, subgraph.coordinates, [&] { reportWork(0.3 * size); });
     reportWork(0.4 * size);
     std::array<int, 3> count = {0, 0, 0};
     for (Side s : side) ++count[static_cast<int>(s)];
-    if (count[0] == 0 || count[1] == 0 || count[2] > kUselessSeparator * size) return orderByDegree(piece);
-    placeSeparator(piece, side);
-    Piece right = extract(piece, side, Side::Right);
-    Piece left = extract(piece, side, Side::Left);
-    piece = {};
+    if (count[0] == 0 || count[1] == 0 || count[2] > kUselessSeparator * size) return orderByDegree(subgraph);
+    placeSeparator(subgraph, side);
+    Subgraph right = extract(subgraph, side, Side::Right);
+    Subgraph left = extract(subgraph, side, Side::Left);
+    subgraph = {};
     dissect(std::move(right));
     dissect(std::move(left));
   }
 
-  // Every node is divided off about as often as pieces can be halved, each time in two steps: finding, extracting.
+  // Every node is divided off about as often as subgraphs can be halved, each time in two steps: finding, extracting.
   void reportWork(double nodes) {
     const double halvings = std::max(1.0, std::log2(static_cast<double>(whole_.size()) / kLeafSize));
     work_ += nodes / (2 * halvings * whole_.size());
@@ -69,46 +69,46 @@ class Dissection {
   }
 
   // Along its longest axis, so that the rows that a neighbouring block shares with it are contiguous.
-  void placeSeparator(const Piece& piece, const std::vector<Side>& side) {
+  void placeSeparator(const Subgraph& subgraph, const std::vector<Side>& side) {
     std::vector<int> nodes;
     Vec3 low = Vec3::Constant(1e300), high = -low;
-    for (int v = 0; v < piece.graph.size(); ++v) {
+    for (int v = 0; v < subgraph.graph.size(); ++v) {
       if (side[v] != Side::Separator) continue;
       nodes.push_back(v);
-      low = low.cwiseMin(piece.coordinates[v]);
-      high = high.cwiseMax(piece.coordinates[v]);
+      low = low.cwiseMin(subgraph.coordinates[v]);
+      high = high.cwiseMax(subgraph.coordinates[v]);
     }
     int axis = 0;
     (high - low).maxCoeff(&axis);
     std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
-      return std::pair(piece.coordinates[a][axis], a) < std::pair(piece.coordinates[b][axis], b);
+      return std::pair(subgraph.coordinates[a][axis], a) < std::pair(subgraph.coordinates[b][axis], b);
     });
     end_ -= static_cast<int>(nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) order_[end_ + static_cast<int>(i)] = piece.original[nodes[i]];
+    for (std::size_t i = 0; i < nodes.size(); ++i) order_[end_ + static_cast<int>(i)] = subgraph.original[nodes[i]];
   }
 
-  static Piece extract(const Piece& piece, const std::vector<Side>& side, Side which) {
-    Piece result;
-    std::vector<int> renumbered(piece.graph.size(), -1);
-    for (int v = 0; v < piece.graph.size(); ++v) {
+  static Subgraph extract(const Subgraph& subgraph, const std::vector<Side>& side, Side which) {
+    Subgraph result;
+    std::vector<int> renumbered(subgraph.graph.size(), -1);
+    for (int v = 0; v < subgraph.graph.size(); ++v) {
       if (side[v] != which) continue;
       renumbered[v] = static_cast<int>(result.original.size());
-      result.original.push_back(piece.original[v]);
-      result.coordinates.push_back(piece.coordinates[v]);
+      result.original.push_back(subgraph.original[v]);
+      result.coordinates.push_back(subgraph.coordinates[v]);
     }
-    for (int v = 0; v < piece.graph.size(); ++v) {
+    for (int v = 0; v < subgraph.graph.size(); ++v) {
       if (side[v] != which) continue;
-      for (int u : piece.graph.neighbours(v))
+      for (int u : subgraph.graph.neighbours(v))
         if (renumbered[u] != -1) result.graph.neighbour.push_back(renumbered[u]);
       result.graph.start.push_back(static_cast<int>(result.graph.neighbour.size()));
     }
     return result;
   }
 
-  void orderByDegree(const Piece& piece) {
-    const std::vector<int> order = minimumDegreeOrder(piece.graph);
-    end_ -= piece.graph.size();
-    for (std::size_t i = 0; i < order.size(); ++i) order_[end_ + static_cast<int>(i)] = piece.original[order[i]];
+  void orderByDegree(const Subgraph& subgraph) {
+    const std::vector<int> order = minimumDegreeOrder(subgraph.graph);
+    end_ -= subgraph.graph.size();
+    for (std::size_t i = 0; i < order.size(); ++i) order_[end_ + static_cast<int>(i)] = subgraph.original[order[i]];
   }
 
   // Minimum degree on bit sets. Neighbours outside the leaf are eliminated later but count in the degrees.

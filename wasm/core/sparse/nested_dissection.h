@@ -11,7 +11,7 @@
 namespace shapespline {
 
 /// Elimination order: order[p] is the node at position p. Graph halves come first, their separator last, recursively;
-/// small pieces are ordered by minimum degree among all their neighbours. coordinates: one finite position a node.
+/// small subgraphs are ordered by minimum degree among all their neighbours. coordinates: one finite position a node.
 std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates,
                                        const FractionReport& onProgress = {});
 

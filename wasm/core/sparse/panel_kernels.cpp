@@ -12,17 +12,6 @@ namespace shapespline {
 
 namespace {
 
-template <class Scalar>
-struct VectorOf;
-template <>
-struct VectorOf<float> {
-  using type = Float4;
-};
-template <>
-struct VectorOf<double> {
-  using type = Double4;
-};
-
 constexpr int kMaxColumns = 64;
 
 constexpr int triangle(int n) { return n * (n + 1) / 2; }
@@ -216,7 +205,7 @@ void backwardPanel(const Scalar* values, int columns, const int* row, int rows, 
 
 template <class Scalar>
 PanelKernels<Scalar> panelKernels() {
-  using V = typename VectorOf<Scalar>::type;
+  using V = Lanes<Scalar>;
   return {outOfLine(forwardPanel<V, Scalar>), outOfLine(backwardPanel<V, Scalar>)};
 }
 

@@ -16,10 +16,10 @@ namespace {
 // mesh. Wider bands shorten separators little (1 % for twice the width) and cost time and balance.
 constexpr double kBandDepth = 24.0;
 constexpr double kBandFraction = 0.22;
-// Times the square root of all nodes, the side of a square piece: separators longer than this are worth a try along the
-// diagonals, and along the other axes. The cubes of the largest separators are most of a factorisation's work.
+// Times the square root of all nodes, the side of a square subgraph: separators longer than this are worth a try along
+// the diagonals, and along the other axes. The cubes of the largest separators are most of a factorisation's work.
 constexpr double kLongSeparator = 1.1, kVeryLongSeparator = 1.6;
-// Of a piece of n nodes over n^1.5, in units of a separator's cube. Lopsided cuts would be too cheap without it.
+// Of a subgraph of n nodes over n^1.5, in units of a separator's cube. Lopsided cuts would be too cheap without it.
 constexpr double kDissectionCost = 5.0;
 
 // The principal axes, longest first.

@@ -4,8 +4,8 @@
 
 namespace shapespline {
 
-void RotationPaths::at(const CurvePoint& point, std::span<const WholeTurns> turns,
-                       std::vector<Quaternion>& rotation) const {
+void RotationSplines::at(const CurvePoint& point, std::span<const WholeTurns> turns,
+                         std::vector<Quaternion>& rotation) const {
   rotation = key[point.base];
   for (const StepShare& step : point.steps) {
     const std::vector<Vec3>& w = increment[step.step];

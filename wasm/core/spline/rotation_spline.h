@@ -27,7 +27,7 @@ struct WholeTurns {
 /// R(t) = R_b prod_s exp(C_s(t) w_s): R_b the rotation at the curve's base key, w_s with exp(w_s) = R_from^T R_to the
 /// increment of step s and C_s its share (spline.h). Exact at the keys, as smooth as the weights, any number of turns,
 /// and for two keys the geodesic.
-struct RotationPaths {
+struct RotationSplines {
   std::vector<std::vector<Quaternion>> key;  ///< key[column][path], unit
   std::vector<std::vector<Vec3>> increment;  ///< increment[step][path], radians; empty for steps that there are not
 

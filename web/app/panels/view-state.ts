@@ -71,8 +71,8 @@ export function shownView(frame: Frame | undefined, preview: boolean): Partial<V
     ms: frame?.ms ?? null,
     threads: frame?.threads ?? null,
     previewMs: null,
-    indefinite: frame?.lostDefiniteness ?? 0,
-    indefiniteFace: frame?.lostFace ?? -1,
+    indefinite: frame?.indefiniteFaces ?? 0,
+    indefiniteFace: frame?.indefiniteFace ?? -1,
   };
 }
 

@@ -246,9 +246,9 @@ export interface Frame {
   /** As in SequenceStats, which is what was known when the frame was made. */
   threads: 1 | 2;
   /** Faces whose interpolated stretch is not positive definite. */
-  lostDefiniteness: number;
+  indefiniteFaces: number;
   /** One of them; absent where none is known. */
-  lostFace?: number;
+  indefiniteFace?: number;
   release(): void;
 }
 

@@ -14,7 +14,7 @@ export class FramePool {
   }
 
   frame(t: number, data: FrameData): Frame {
-    const { positions, normals, ms, threads, lostDefiniteness, lostFace } = data;
+    const { positions, normals, ms, threads, indefiniteFaces, indefiniteFace } = data;
     let buffers: FrameBuffers | null = { positions, normals };
     const release = (): void => {
       // A frame whose arrays the receiver transferred elsewhere has nothing to give back.
@@ -22,6 +22,6 @@ export class FramePool {
       if (buffers && whole && this.spares.length < MOST_SPARES) this.spares.push(buffers);
       buffers = null;
     };
-    return { t, positions, normals, ms, threads, lostDefiniteness, lostFace, release };
+    return { t, positions, normals, ms, threads, indefiniteFaces, indefiniteFace, release };
   }
 }

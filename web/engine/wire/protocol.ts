@@ -42,8 +42,8 @@ export interface FrameBuffers {
 export interface FrameData extends FrameBuffers {
   ms: number;
   threads: 1 | 2;
-  lostDefiniteness: number;
-  lostFace?: number;
+  indefiniteFaces: number;
+  indefiniteFace?: number;
 }
 
 /** Request and result of every call. */

@@ -147,15 +147,15 @@ export class WasmCore {
     interface FrameAnswer {
       positions: Range;
       normals: Range;
-      lostDefiniteness: number;
-      lostFace?: number;
+      indefiniteFaces: number;
+      indefiniteFace?: number;
     }
     const frame = this.rawAnswer<FrameAnswer>(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0));
     return {
       positions: readFloats(this.module, frame.positions, buffers?.positions),
       normals: readFloats(this.module, frame.normals, buffers?.normals),
-      lostDefiniteness: frame.lostDefiniteness,
-      lostFace: frame.lostFace,
+      indefiniteFaces: frame.indefiniteFaces,
+      indefiniteFace: frame.indefiniteFace,
     };
   }
 

@@ -1,0 +1,46 @@
+// What an import is asked for, and what it gives: keyframes and the scene around them.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/types.h"
+#include "core/base/warning.h"
+#include "core/sequence/keyframes.h"
+#include "io/base/scene.h"
+
+namespace shapespline {
+
+struct ImportOptions {
+  std::variant<std::monostate, int, std::string> animation;  ///< default: the first one
+  std::vector<double> sampleTimes;  ///< seconds on the animation's own time line; wins over sampleCount
+  int sampleCount = 8;       ///< evenly spaced, used when the animation has more than 32 key times or there are several
+  bool sampleAsked = false;  ///< sampleCount was given by the user: use it even for few key times
+  std::vector<double> keyTimes;  ///< default: the animation's own times, else evenly over [0, 1]
+  bool zUp = false;              ///< OBJ, PLY and OFF only
+  double unit = 1;               ///< metres per unit, OBJ, PLY and OFF only
+  std::vector<Triangle> like;    ///< of a mesh that the files are further poses of: polygons are cut into its triangles
+
+  bool animationAsked() const {
+    return !std::holds_alternative<std::monostate>(animation) || !sampleTimes.empty() || sampleAsked;
+  }
+};
+
+struct AnimationInfo {
+  std::string name;
+  double start = 0, end = 0;  ///< seconds
+  int keys = 0;               ///< distinct key times
+};
+
+struct Import {
+  Keyframes keyframes;
+  Scene scene;
+  std::vector<AnimationInfo> animations;
+  int animation = -1;  ///< which one the keys were taken from
+  std::vector<Warning> warnings;
+  /// JSON of extras.shapespline where the keys were taken from a saved project, else empty.
+  std::string project;
+};
+
+}  // namespace shapespline

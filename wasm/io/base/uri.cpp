@@ -1,0 +1,160 @@
+#include "io/base/uri.h"
+
+#include <array>
+#include <optional>
+
+#include "io/base/byte_text.h"
+
+namespace shapespline {
+
+namespace {
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+std::string percentDecoded(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool escape =
+        text[i] == '%' && i + 2 < text.size() && hexDigit(text[i + 1]) >= 0 && hexDigit(text[i + 2]) >= 0;
+    if (!escape) {
+      out += text[i];
+      continue;
+    }
+    out += static_cast<char>(16 * hexDigit(text[i + 1]) + hexDigit(text[i + 2]));
+    i += 2;
+  }
+  return out;
+}
+
+constexpr std::array<std::int8_t, 256> makeBase64Table() {
+  std::array<std::int8_t, 256> table{};
+  for (auto& value : table) value = -1;
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (int i = 0; i < 64; ++i) table[static_cast<unsigned char>(digits[i])] = static_cast<std::int8_t>(i);
+  return table;
+}
+constexpr std::array<std::int8_t, 256> kBase64 = makeBase64Table();
+
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+// White space counts for nothing, as in browsers.
+std::optional<std::vector<std::uint8_t>> base64Decoded(std::string_view text) {
+  while (!text.empty() && (text.back() == '=' || isSpace(text.back()))) text.remove_suffix(1);
+  std::vector<std::uint8_t> out;
+  out.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int have = 0;
+  for (char c : text) {
+    if (isSpace(c)) continue;
+    const int value = kBase64[static_cast<unsigned char>(c)];
+    if (value < 0) return std::nullopt;
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    have += 6;
+    if (have >= 8) out.push_back(static_cast<std::uint8_t>(bits >> (have -= 8)));
+  }
+  return out;
+}
+
+// data:[mime][;parameters][;base64],content (RFC 2397)
+Result<Resource> dataResource(std::string_view uri, const std::string& where) {
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string_view::npos)
+    return Error{ErrorCode::MalformedFile, where + " holds a data URI without content. Export it again."};
+  const std::string_view head = uri.substr(5, comma - 5);
+  const std::string_view body = uri.substr(comma + 1);
+  Resource resource;
+  resource.mimeType = head.substr(0, head.find(';'));
+  if (head.ends_with(";base64")) {
+    auto bytes = base64Decoded(body.find('%') == std::string_view::npos ? body : percentDecoded(body));
+    if (!bytes)
+      return Error{ErrorCode::MalformedFile, where + " holds a data URI that is not valid base64. Export it again."};
+    resource.owned = std::move(*bytes);
+  } else {
+    const std::string text = percentDecoded(body);
+    resource.owned.assign(text.begin(), text.end());
+  }
+  resource.bytes = resource.owned;
+  return resource;
+}
+
+// A letter, then letters, digits, +, - and ., then a colon (RFC 3986). One letter alone is a Windows drive.
+bool hasScheme(std::string_view uri) {
+  const std::size_t colon = uri.find(':');
+  if (colon == std::string_view::npos || colon == 0) return false;
+  for (char c : uri.substr(0, colon)) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (!letter && !(c >= '0' && c <= '9') && c != '+' && c != '-' && c != '.') return false;
+  }
+  return true;
+}
+
+struct Path {
+  std::string text;     // segments joined by '/', "." and ".." resolved
+  bool leaves = false;  // climbs above where it started
+};
+
+Path normalised(std::string_view path) {
+  std::vector<std::string_view> segments;
+  Path out;
+  while (!path.empty()) {
+    const std::size_t slash = path.find_first_of("/\\");
+    const std::string_view segment = path.substr(0, slash);
+    path.remove_prefix(slash == std::string_view::npos ? path.size() : slash + 1);
+    if (segment.empty() || segment == ".") continue;
+    if (segment != "..") segments.push_back(segment);
+    else if (!segments.empty() && segments.back() != "..") segments.pop_back();
+    else segments.push_back(segment);
+  }
+  out.leaves = !segments.empty() && segments.front() == "..";
+  for (std::string_view segment : segments) out.text += (out.text.empty() ? "" : "/") + std::string(segment);
+  return out;
+}
+
+const NamedBytes* findFile(std::string_view path, std::string_view from, std::span<const NamedBytes> files) {
+  const std::string_view folder = from.substr(0, from.size() - baseName(from).size());
+  const std::string joined = normalised(std::string(folder) + std::string(path)).text;
+  for (const NamedBytes& file : files)
+    if (normalised(file.name).text == joined) return &file;
+  if (normalised(path).leaves) return nullptr;
+  const NamedBytes* byName = nullptr;  // dropped without its folder
+  for (const NamedBytes& file : files) {
+    if (baseName(file.name) != baseName(path)) continue;
+    if (byName) return nullptr;  // ambiguous
+    byName = &file;
+  }
+  return byName;
+}
+
+}  // namespace
+
+Result<Resource> resolveUri(std::string_view uri, std::string_view from, std::span<const NamedBytes> files,
+                            const std::string& where) {
+  if (uri.starts_with("data:")) return dataResource(uri, where);
+  if (uri.starts_with("//") || (hasScheme(uri) && uri.find(':') > 1))
+    return Error{
+        ErrorCode::ExternalResource,
+        where + " refers to " + inQuotes(uri) +
+            ". Nothing outside the given files is ever fetched: save that file beside it and give both together."};
+  const std::string path = percentDecoded(uri);
+  const bool absolute = path.starts_with('/') || path.starts_with('\\') || hasScheme(path);
+  if (!absolute)
+    if (const NamedBytes* file = findFile(path, from, files)) {
+      Resource resource;
+      resource.bytes = file->bytes;
+      return resource;
+    }
+  if (absolute || normalised(path).leaves)
+    return Error{ErrorCode::ExternalResource,
+                 where + " refers to " + inQuotes(uri) +
+                     ", which lies outside the given files. Put it into the same folder and give both together."};
+  return Error{ErrorCode::MissingResource,
+               where + " needs the file " + inQuotes(uri) + ", which was not given. Give both files together."};
+}
+
+}  // namespace shapespline

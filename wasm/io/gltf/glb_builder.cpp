@@ -1,0 +1,39 @@
+#include "io/gltf/glb_builder.h"
+
+#include <string>
+#include <utility>
+
+#include "io/base/byte_text.h"
+
+namespace shapespline {
+
+namespace {
+
+// Whole numbers in a file are read up to here (gltf_json); other programs fail there as well.
+constexpr std::uint64_t kMostGlbBytes = 0x7fffffff;
+
+}  // namespace
+
+// The header is put before the bytes in place, so that they are held once.
+Result<std::vector<std::uint8_t>> GlbBuilder::finish() {
+  align();
+  doc["buffers"] = {{{"byteLength", bin.size()}}};
+  std::string text = doc.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::uint64_t total = 12 + 8 + text.size() + 8 + bin.size();
+  if (total > kMostGlbBytes)
+    return Error{ErrorCode::TooLarge, "The file would be " + sizeText(total) + "; a GLB of more than " +
+                                          sizeText(kMostGlbBytes) + " would not open again. Export fewer frames."};
+  std::string head = "glTF";
+  const auto word = [&](std::uint64_t value) {
+    for (int shift = 0; shift < 32; shift += 8) head += static_cast<char>(value >> shift & 0xff);
+  };
+  word(2), word(total), word(text.size());
+  head += "JSON" + text;
+  word(bin.size());
+  head += std::string("BIN\0", 4);
+  bin.insert(bin.begin(), head.begin(), head.end());
+  return std::move(bin);
+}
+
+}  // namespace shapespline

@@ -1,0 +1,27 @@
+// glTF accessors -> numbers, every byte range checked before it is read.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/status.h"
+#include "io/gltf/gltf_document.h"
+
+namespace shapespline {
+
+/// Number of elements of accessor `index`, or 0 where there is no such accessor.
+std::size_t accessorCount(const GltfDocument& doc, int index);
+
+/// The accessor as numbers, `components` an element; normalised integers are mapped to [-1, 1] or [0, 1], sparse
+/// substitutions applied; only the first `most` elements. `what` names it in messages ("POSITION of mesh 0").
+/// Errors: MalformedFile, TooLarge.
+Result<std::vector<double>> readNumbers(const GltfDocument& doc, int index, int components, const std::string& what,
+                                        std::size_t most = ~std::size_t{0}, const FractionReport& onProgress = {});
+
+/// The accessor as whole numbers of an unsigned integer type, `components` an element.
+Result<std::vector<std::uint32_t>> readWholeNumbers(const GltfDocument& doc, int index, int components,
+                                                    const std::string& what, const FractionReport& onProgress = {});
+
+}  // namespace shapespline

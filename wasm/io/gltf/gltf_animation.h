@@ -1,0 +1,49 @@
+// glTF animations: samplers and their values at a time.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/status.h"
+#include "io/gltf/gltf_document.h"
+#include "io/gltf/gltf_nodes.h"
+
+namespace shapespline {
+
+/// What can move: node transforms and morph weights (a list a node).
+struct SceneState {
+  std::vector<NodeTransform> local;
+  std::vector<std::vector<double>> weights;
+};
+
+/// One channel with its sampler's numbers.
+struct AnimationCurve {
+  enum class Path { Translation, Rotation, Scale, Weights } path = Path::Translation;
+  enum class Interpolation { Step, Linear, CubicSpline } interpolation = Interpolation::Linear;
+  int node = -1;
+  int width = 3;               ///< numbers a value
+  std::vector<double> times;   ///< strictly increasing seconds
+  std::vector<double> values;  ///< width a time; for cubic splines in-tangent, value, out-tangent
+
+  /// The value at time t, held beyond both ends. `out` has `width` numbers (glTF 2.0, appendix C).
+  void sample(double t, double* out) const;
+};
+
+struct GltfAnimation {
+  std::string name;
+  std::vector<AnimationCurve> curves;
+  std::vector<double> keyTimes;  ///< the distinct times of all curves, increasing
+  bool weightsOnly = true;
+};
+
+/// All animations with at least one channel that moves a node. Errors: MalformedFile, NotFinite, TooLarge.
+Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc);
+
+/// How many numbers applyAnimation writes. Channels may share theirs, so that a small file could ask for any amount.
+std::uint64_t animationCost(const GltfAnimation& animation);
+
+/// Writes the animation's values at time t into the state.
+void applyAnimation(const GltfAnimation& animation, double t, SceneState& state);
+
+}  // namespace shapespline

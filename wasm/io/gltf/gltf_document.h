@@ -1,0 +1,34 @@
+// A glTF file whose outer shell has been checked: JSON, version, extensions, buffers, images.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/status.h"
+#include "core/base/warning.h"
+#include "io/base/named_bytes.h"
+#include "io/base/scene.h"
+#include "io/base/uri.h"
+#include "io/gltf/tinygltf.h"
+
+namespace shapespline {
+
+/// tinygltf gives the JSON types; buffers and images are resolved here, because tinygltf copies, guesses and opens
+/// where we must check. `model.buffers` and `model.images` are therefore empty.
+struct GltfDocument {
+  std::string where;  ///< how messages call the file
+  tinygltf::Model model;
+  std::vector<Resource> buffers;  ///< byteLength bytes each, or none for a placeholder
+  std::uint64_t bufferBytes = 0;  ///< of all buffers together
+  std::vector<Image> images;      ///< those that could be had, each once
+  std::vector<int> imageOf;       ///< of the file's images: place in `images`, or -1
+  std::string project;            ///< JSON of extras.shapespline, or empty
+  std::vector<Warning> warnings;
+};
+
+/// Opens .glb (told by its magic) or .gltf. Errors: all of reading; see ErrorCode.
+Result<GltfDocument> openGltf(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where);
+
+}  // namespace shapespline

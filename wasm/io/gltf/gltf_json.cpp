@@ -1,0 +1,202 @@
+#include "io/gltf/gltf_json.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/format.h"
+#include "io/base/byte_text.h"
+
+namespace shapespline {
+
+namespace {
+
+using nlohmann::json;
+
+// Deeper than any tool writes, and shallow enough for the recursive functions that follow.
+constexpr int kDeepest = 100;
+
+constexpr std::array kCollections{"accessors", "animations", "buffers", "bufferViews", "cameras",
+                                  "images",    "materials",  "meshes",  "nodes",       "samplers",
+                                  "scenes",    "skins",      "textures"};
+
+// Members that hold an index, a count or a size wherever they stand.
+constexpr std::array kWholeNumbers{
+    "buffer",        "bufferView", "byteLength", "byteOffset", "byteStride", "camera",
+    "componentType", "count",      "index",      "indices",    "input",      "inverseBindMatrices",
+    "material",      "mesh",       "mode",       "node",       "output",     "sampler",
+    "scene",         "skeleton",   "skin",       "source",     "texCoord",   "wrapS",
+    "wrapT"};
+
+constexpr std::array kReadExtensions{"KHR_texture_transform", "EXT_texture_webp", "KHR_texture_basisu",
+                                     "KHR_materials_unlit", "KHR_materials_emissive_strength"};
+
+// Extensions without which the shape is still the same; what they add to the look is not kept.
+constexpr std::array kHarmlessExtensions{"KHR_mesh_quantization",
+                                         "KHR_lights_punctual",
+                                         "KHR_materials_anisotropy",
+                                         "KHR_materials_clearcoat",
+                                         "KHR_materials_diffuse_transmission",
+                                         "KHR_materials_dispersion",
+                                         "KHR_materials_ior",
+                                         "KHR_materials_iridescence",
+                                         "KHR_materials_pbrSpecularGlossiness",
+                                         "KHR_materials_sheen",
+                                         "KHR_materials_specular",
+                                         "KHR_materials_transmission",
+                                         "KHR_materials_variants",
+                                         "KHR_materials_volume",
+                                         "KHR_xmp_json_ld",
+                                         "EXT_lights_image_based",
+                                         "MSFT_texture_dds"};
+
+template <std::size_t N>
+bool contains(const std::array<const char*, N>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+Error malformed(const std::string& where, const std::string& what) {
+  return {ErrorCode::MalformedFile, where + ": " + what + ". Export the file again."};
+}
+
+bool tooDeep(std::string_view text) {
+  int depth = 0;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inString && c == '\\') ++i;
+    else if (c == '"') inString = !inString;
+    else if (inString) continue;
+    else if (c == '{' || c == '[') {
+      if (++depth > kDeepest) return true;
+    } else if (c == '}' || c == ']') --depth;
+  }
+  return false;
+}
+
+Result<json> parse(std::string_view text, const std::string& where) {
+  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.remove_suffix(1);  // chunk padding
+  if (tooDeep(text))
+    return malformed(where, "its JSON is nested more than " + std::to_string(kDeepest) + " levels deep");
+  try {
+    return json::parse(text.begin(), text.end());
+  } catch (const json::parse_error& e) {
+    if (e.byte > text.size())
+      return Error{ErrorCode::TruncatedFile,
+                   where + " is cut off: its JSON ends after " + sizeText(text.size()) + ". Copy or export it again."};
+    return malformed(where, "its JSON is broken at byte " + grouped(static_cast<std::int64_t>(e.byte)));
+  } catch (const json::exception&) {
+    return malformed(where, "its JSON holds a number that is out of range");
+  }
+}
+
+// Walks the document once; returns what is wrong, or "".
+std::string tidy(json& node);
+
+std::string tidyMember(const std::string& name, json& value, bool isIndex) {
+  if (value.is_number_float()) {
+    const double number = value.get<double>();
+    if (std::floor(number) == number && std::abs(number) < 9e15) value = static_cast<std::int64_t>(number);
+  }
+  if (!isIndex) return tidy(value);
+  // scene.nodes and the like are arrays; "camera", "index" and so on are numbers only.
+  if (value.is_array() || value.is_object()) return tidy(value);
+  if (!value.is_number_integer()) return inQuotes(name) + " is not a whole number";
+  if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0) return inQuotes(name) + " is negative";
+  const auto number = value.get<std::uint64_t>();
+  if (number > 0x7fffffffu) return inQuotes(name) + " is " + value.dump() + ", more than can be held";
+  value = number;  // unsigned, as tinygltf wants it
+  return "";
+}
+
+void dropUnreadExtensions(json& node) {
+  if (auto it = node.find("extensions"); it != node.end()) {
+    if (!it->is_object()) node.erase(it);
+    else
+      for (auto e = it->begin(); e != it->end();) e = contains(kReadExtensions, e.key()) ? std::next(e) : it->erase(e);
+  }
+  if (auto it = node.find("extras"); it != node.end()) {
+    const auto names = it->is_object() ? it->find("targetNames") : it->end();
+    json kept = json::object();
+    if (it->is_object() && names != it->end() && names->is_array()) kept["targetNames"] = *names;
+    *it = kept;
+  }
+}
+
+std::string tidy(json& node) {
+  if (node.is_array()) {
+    for (json& item : node)
+      if (std::string wrong = tidyMember("", item, false); !wrong.empty()) return wrong;
+    return "";
+  }
+  if (!node.is_object()) return "";
+  dropUnreadExtensions(node);
+  for (auto& [name, value] : node.items()) {
+    if (name == "extras") continue;
+    const bool attributes = name == "attributes";
+    if (attributes && value.is_object())
+      for (auto& [semantic, accessor] : value.items())
+        if (std::string wrong = tidyMember(semantic, accessor, true); !wrong.empty()) return wrong;
+    if (std::string wrong = tidyMember(name, value, contains(kWholeNumbers, name)); !wrong.empty()) return wrong;
+  }
+  return "";
+}
+
+Status checkAsset(const json& doc, const std::string& where) {
+  if (!doc.is_object()) return malformed(where, "it is JSON but not glTF, which is an object");
+  const auto asset = doc.find("asset");
+  const bool known =
+      asset != doc.end() && asset->is_object() && asset->contains("version") && (*asset)["version"].is_string();
+  if (!known)
+    return Error{ErrorCode::NotRecognised,
+                 where + " is JSON but not glTF: it has no asset.version. Give a glTF 2.0 file."};
+  const auto minimum = asset->find("minVersion");
+  const bool hasMinimum = minimum != asset->end() && minimum->is_string();
+  const auto needed = (hasMinimum ? *minimum : (*asset)["version"]).get<std::string>();
+  if (hasMinimum ? needed != "2.0" : !needed.starts_with("2."))
+    return Error{ErrorCode::Unsupported,
+                 where + " needs glTF version " + inQuotes(needed) + "; only 2.0 is read. Export it as glTF 2.0."};
+  return {};
+}
+
+Status checkExtensions(const json& doc, const std::string& where) {
+  const auto required = doc.find("extensionsRequired");
+  if (required == doc.end() || !required->is_array()) return {};
+  for (const json& name : *required) {
+    if (!name.is_string()) return malformed(where, "extensionsRequired holds something that is not a name");
+    const std::string& text = name.get_ref<const std::string&>();
+    if (contains(kReadExtensions, text) || contains(kHarmlessExtensions, text)) continue;
+    return Error{ErrorCode::Unsupported, where + " needs the glTF extension " + inQuotes(text) +
+                                             ", which is not supported. Export it without that extension."};
+  }
+  return {};
+}
+
+Status checkCollections(const json& doc, const std::string& where) {
+  for (const char* name : kCollections) {
+    const auto collection = doc.find(name);
+    if (collection == doc.end()) continue;
+    if (!collection->is_array()) return malformed(where, std::string(name) + " is not a list");
+    for (std::size_t i = 0; i < collection->size(); ++i)
+      if (!(*collection)[i].is_object())
+        return malformed(where, std::string(name) + "[" + std::to_string(i) + "] is not an object");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<json> parseGltfJson(std::string_view text, const std::string& where) {
+  auto parsed = parse(text, where);
+  if (!parsed) return parsed.error();
+  json& doc = *parsed;
+  if (Status asset = checkAsset(doc, where); !asset) return asset.error();
+  if (Status extensions = checkExtensions(doc, where); !extensions) return extensions.error();
+  if (Status collections = checkCollections(doc, where); !collections) return collections.error();
+  json extras = doc.value("extras", json());
+  if (std::string wrong = tidy(doc); !wrong.empty()) return malformed(where, wrong);
+  doc["extras"] = std::move(extras);
+  return std::move(doc);
+}
+
+}  // namespace shapespline

@@ -1,0 +1,13 @@
+// Materials, texture coordinates, vertex colours and images of a glTF scene.
+#pragma once
+
+#include "io/base/scene.h"
+#include "io/gltf/gltf_shape.h"
+
+namespace shapespline {
+
+/// Collects what the shape's faces use, in the shape's vertex order. A broken texture costs the texture, not the shape:
+/// it is left out with a warning in `shape.warnings`.
+Scene readLook(GltfDocument& doc, GltfShape& shape);
+
+}  // namespace shapespline

@@ -1,0 +1,25 @@
+// The vertices of a glTF scene in one state: morph targets, then skin or node transform.
+#pragma once
+
+#include "core/base/status.h"
+#include "io/gltf/gltf_animation.h"
+#include "io/gltf/gltf_shape.h"
+
+namespace shapespline {
+
+/// More steps than an import may take: some ten seconds.
+constexpr std::uint64_t kMostPoseCost = 4'000'000'000;
+
+/// What posing the vertices in this state takes, in steps of a few nanoseconds. Morph targets may share their bytes, so
+/// that a small file could ask for any amount.
+std::uint64_t poseCost(const GltfShape& shape, const SceneState& state);
+
+/// The state that the file itself describes: node transforms and default morph weights.
+SceneState restState(const GltfDocument& doc, const GltfShape& shape);
+
+/// World positions of all vertices; with `normals`, also their unit normals (where the shape has them).
+/// Errors: MalformedFile for morph targets that do not fit the mesh.
+Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state,
+                                Positions* normals = nullptr, const FractionReport& onProgress = {});
+
+}  // namespace shapespline

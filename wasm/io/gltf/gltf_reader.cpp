@@ -1,0 +1,293 @@
+#include "io/gltf/gltf_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/format.h"
+#include "io/base/byte_text.h"
+#include "io/gltf/gltf_look.h"
+#include "io/gltf/gltf_pose.h"
+#include "io/gltf/gltf_seams.h"
+#include "io/gltf/project.h"
+
+namespace shapespline {
+
+namespace {
+
+// Key times up to which a lone weight animation gives its own keys.
+constexpr std::size_t kMostOwnKeys = 32;
+// Positions of all keys together that a 32-bit address space still holds beside their encoding.
+constexpr std::uint64_t kMostKeyVertices = 60'000'000;
+// Keys of one file; more are a recording, not key poses.
+constexpr std::size_t kMostKeys = 10'000;
+// Share of the progress that goes to the file itself, before its keys.
+constexpr double kReading = 0.4;
+
+void append(std::vector<Warning>& to, std::vector<Warning>&& from) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
+}
+
+// One file's keys in the making.
+struct KeyReader {
+  GltfDocument& doc;
+  GltfShape& shape;
+  const ImportOptions& options;
+  const StageProgress& progress;
+  std::vector<GltfAnimation> animations;
+  Import out;
+  std::uint64_t work = 0;
+
+  Error error(ErrorCode code, const std::string& message) const { return {code, doc.where + message}; }
+
+  int morphTargets() const {
+    int most = 0;
+    for (const GltfPart& part : shape.parts) most = std::max(most, static_cast<int>(part.primitive->targets.size()));
+    return most;
+  }
+
+  Status checkSize(std::size_t keys) const {
+    if (keys <= kMostKeys && static_cast<std::uint64_t>(keys) * shape.vertexCount <= kMostKeyVertices) return {};
+    return error(ErrorCode::TooLarge, ": " + grouped(std::int64_t(keys)) + " keys of " + grouped(shape.vertexCount) +
+                                          " vertices are more than can be held. Take fewer keys.");
+  }
+
+  void report(const char* stage, double fraction) const {
+    if (progress) progress(stage, fraction);
+  }
+
+  // `count`: how many keys there will be. `animation`: what the state was taken from, or null.
+  Status addKey(const std::string& name, double time, const SceneState& state, std::size_t count,
+                const GltfAnimation* animation) {
+    const auto onKey = [&, before = static_cast<double>(out.keyframes.keys.size())](double fraction) {
+      report("taking the keys", kReading + (1 - kReading) * (before + fraction) / static_cast<double>(count));
+    };
+    onKey(0);
+    const bool first = out.keyframes.keys.empty();
+    const std::uint64_t cost = poseCost(shape, state) + (animation ? animationCost(*animation) : 0);
+    work += cost;
+    // The keys to come will take as much as this one, most likely.
+    if (work > kMostPoseCost || cost > kMostPoseCost / count)
+      return error(ErrorCode::TooLarge, ": its channels, morph targets and skins take too long to compute for " +
+                                            grouped(std::int64_t(count)) + " keys. Take fewer keys.");
+    auto positions = posedVertices(doc, shape, state, first ? &out.keyframes.normals : nullptr, onKey);
+    if (!positions) return positions.error();
+    out.keyframes.keys.push_back({name, time, std::move(*positions)});
+    return {};
+  }
+
+  // The state in which exactly morph target `target` is on; -1 for the base.
+  SceneState morphState(int target) const {
+    SceneState state = restState(doc, shape);
+    for (const GltfPart& part : shape.parts) {
+      auto& weights = state.weights[part.node];
+      weights.assign(target + 1, 0);
+      if (target >= 0) weights[target] = 1;
+    }
+    return state;
+  }
+
+  std::string targetName(int target) const {
+    for (const GltfPart& part : shape.parts) {
+      const tinygltf::Value& extras = doc.model.meshes[part.mesh].extras;
+      if (!extras.Has("targetNames")) continue;
+      const tinygltf::Value& names = extras.Get("targetNames");
+      if (names.IsArray() && target < static_cast<int>(names.ArrayLen()) && names.Get(target).IsString())
+        return names.Get(target).Get<std::string>();
+    }
+    return "target " + std::to_string(target + 1);
+  }
+
+  Status takeMorphTargets() {
+    const int targets = morphTargets();
+    if (Status size = checkSize(targets + 1); !size) return size;
+    const auto times = evenTimes(targets + 1);
+    for (int t = -1; t < targets; ++t)
+      if (Status key = addKey(t < 0 ? "base" : targetName(t), times[t + 1], morphState(t), times.size(), nullptr); !key)
+        return key;
+    return {};
+  }
+
+  // The frames that a project file says are its keys.
+  Status takeProject(const Project& project) {
+    if (Status size = checkSize(project.keys.size()); !size) return size;
+    for (const ProjectKey& key : project.keys) {
+      const GltfAnimation* animation = key.frame >= 0 ? nullptr : &animations[0];
+      SceneState state = animation ? restState(doc, shape) : morphState(key.frame - 1);
+      if (animation) applyAnimation(*animation, key.seconds, state);
+      if (Status added = addKey(key.name, key.time, state, project.keys.size(), animation); !added) return added;
+    }
+    out.project = doc.project;
+    return {};
+  }
+
+  Result<int> chosenAnimation() const {
+    if (const int* index = std::get_if<int>(&options.animation)) {
+      if (*index >= 0 && *index < static_cast<int>(animations.size())) return *index;
+      return error(ErrorCode::UnknownAnimation, " has no animation " + std::to_string(*index) + "; " + animationList());
+    }
+    if (const std::string* name = std::get_if<std::string>(&options.animation)) {
+      for (std::size_t i = 0; i < animations.size(); ++i)
+        if (animations[i].name == *name) return static_cast<int>(i);
+      return error(ErrorCode::UnknownAnimation, " has no animation " + inQuotes(*name) + "; " + animationList());
+    }
+    return 0;
+  }
+
+  std::string animationList() const {
+    if (animations.empty()) return "it has none.";
+    std::string list = "it has";
+    for (std::size_t i = 0; i < animations.size() && i < 20; ++i)
+      list += (i ? ", " : " ") + std::to_string(i) + " " + inQuotes(animations[i].name);
+    return list + (animations.size() > 20 ? ", and more." : ".");
+  }
+
+  Result<std::vector<double>> sampleTimes(const GltfAnimation& animation) {
+    if (!options.sampleTimes.empty()) {
+      for (std::size_t i = 0; i < options.sampleTimes.size(); ++i)
+        if (!std::isfinite(options.sampleTimes[i]) || (i > 0 && !(options.sampleTimes[i] > options.sampleTimes[i - 1])))
+          return Error{ErrorCode::TimesNotIncreasing,
+                       "The sample times do not increase: sample " + std::to_string(i + 1) + " is at " +
+                           shortNumber(options.sampleTimes[i]) + ". Give them in increasing order.",
+                       static_cast<int>(i)};
+      if (options.sampleTimes.front() < animation.keyTimes.front() ||
+          options.sampleTimes.back() > animation.keyTimes.back())
+        out.warnings.push_back({"sample-outside-animation",
+                                "Some sample times lie outside the animation, which runs from " +
+                                    shortNumber(animation.keyTimes.front()) + " to " +
+                                    shortNumber(animation.keyTimes.back()) + " s: it stands still there.",
+                                0});
+      return options.sampleTimes;
+    }
+    const bool ownTimes = animations.size() == 1 && animation.weightsOnly && !options.sampleAsked &&
+                          animation.keyTimes.size() >= 2 && animation.keyTimes.size() <= kMostOwnKeys;
+    if (ownTimes) return animation.keyTimes;
+    const double start = animation.keyTimes.front(), end = animation.keyTimes.back();
+    if (options.sampleCount < 2)
+      return Error{ErrorCode::TooFewKeys, "At least two keys are needed. Take two or more samples of the animation."};
+    if (Status size = checkSize(options.sampleCount); !size) return size.error();
+    if (!(end > start))
+      return error(ErrorCode::TooFewKeys,
+                   ": the animation " + inQuotes(animation.name) + " has only one key time. Choose another.");
+    std::vector<double> times = evenTimes(options.sampleCount);
+    for (double& t : times) t = t == 1 ? end : start + t * (end - start);
+    return times;
+  }
+
+  Status takeAnimation() {
+    const auto chosen = chosenAnimation();
+    if (!chosen) return chosen.error();
+    const GltfAnimation& animation = animations[*chosen];
+    const auto times = sampleTimes(animation);
+    if (!times) return times.error();
+    if (Status size = checkSize(times->size()); !size) return size;
+    out.animation = *chosen;
+    for (double t : *times) {
+      SceneState state = restState(doc, shape);
+      applyAnimation(animation, t, state);
+      const std::string name = shortNumber(std::round(1000 * t) / 1000) + " s";
+      if (Status key = addKey(name, t, state, times->size(), &animation); !key) return key;
+    }
+    return {};
+  }
+
+  // Nodes whose transforms place a vertex: mesh nodes, joints, and everything above them.
+  std::vector<char> placingNodes() const {
+    std::vector<char> placing(doc.model.nodes.size(), 0);
+    const auto markUp = [&](int node) {
+      for (; node >= 0 && !placing[node]; node = shape.graph.parent[node]) placing[node] = 1;
+    };
+    for (const GltfPart& part : shape.parts) {
+      if (part.influences == 0) markUp(part.node);
+      else
+        for (int joint : shape.skins[part.skin].joints) markUp(joint);
+    }
+    return placing;
+  }
+
+  // Animations that only move cameras, lights or hidden meshes are not offered.
+  void dropIdleAnimations() {
+    const std::vector<char> placing = placingNodes();
+    std::vector<char> morphing(doc.model.nodes.size(), 0);
+    for (const GltfPart& part : shape.parts) morphing[part.node] |= !part.primitive->targets.empty();
+    const auto moves = [&](const AnimationCurve& curve) {
+      return curve.path == AnimationCurve::Path::Weights ? morphing[curve.node] : placing[curve.node];
+    };
+    std::erase_if(animations,
+                  [&](const GltfAnimation& a) { return std::none_of(a.curves.begin(), a.curves.end(), moves); });
+  }
+
+  Status takeKeys() {
+    if (!doc.project.empty() && !options.animationAsked()) {
+      auto project = parseProject(doc.project, morphTargets(), !animations.empty());
+      if (project) return takeProject(*project);
+      out.warnings.push_back({"project-ignored", doc.where + ": " + project.error().message, 0});
+    }
+    if (options.animationAsked() && animations.empty())
+      return error(ErrorCode::UnknownAnimation, " has no animation that moves its mesh.");
+    if (!animations.empty()) return takeAnimation();
+    if (morphTargets() > 0) return takeMorphTargets();
+    return error(ErrorCode::TooFewKeys,
+                 " holds one pose only. Add a file for every other key, or give one file with "
+                 "morph targets or an animation.");
+  }
+
+  Status read() {
+    auto read = readAnimations(doc);
+    if (!read) return read.error();
+    animations = std::move(*read);
+    dropIdleAnimations();
+    for (const GltfAnimation& a : animations)
+      out.animations.push_back({a.name, a.keyTimes.front(), a.keyTimes.back(), static_cast<int>(a.keyTimes.size())});
+    if (Status keys = takeKeys(); !keys) return keys;
+    out.scene = readLook(doc, shape);
+    out.keyframes.faces = std::move(shape.faces);
+    std::vector<Positions*> poses;
+    for (Key& key : out.keyframes.keys) poses.push_back(&key.positions);
+    joinSeams(doc, shape, poses, out.keyframes.normals, out.keyframes.faces, out.scene);
+    append(out.warnings, std::move(doc.warnings));
+    append(out.warnings, std::move(shape.warnings));
+    return {};
+  }
+};
+
+}  // namespace
+
+Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
+                              const FractionReport& onProgress) {
+  auto doc = openGltf(file, files, where);
+  if (!doc) return doc.error();
+  auto shape = readShape(*doc, partOf(onProgress, 0.2, 0.6));
+  if (!shape) return shape.error();
+  PoseFile out;
+  const SceneState rest = restState(*doc, *shape);
+  if (poseCost(*shape, rest) > kMostPoseCost)
+    return Error{ErrorCode::TooLarge,
+                 where + ": its morph targets and skins take too long to compute. Export the pose as a plain mesh."};
+  auto positions = posedVertices(*doc, *shape, rest, &out.normals, partOf(onProgress, 0.6, 1));
+  if (!positions) return positions.error();
+  out.positions = std::move(*positions);
+  out.scene = readLook(*doc, *shape);
+  out.faces = std::move(shape->faces);
+  joinSeams(*doc, *shape, {&out.positions}, out.normals, out.faces, out.scene);
+  append(out.warnings, std::move(doc->warnings));
+  append(out.warnings, std::move(shape->warnings));
+  return out;
+}
+
+Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
+                            const std::string& where, const StageProgress& progress) {
+  if (progress) progress("reading the file", 0);
+  auto doc = openGltf(file, files, where);
+  if (!doc) return doc.error();
+  const auto onMesh = [&](double fraction) {
+    if (progress) progress("reading the mesh", kReading / 2 * (1 + fraction));
+  };
+  onMesh(0);
+  auto shape = readShape(*doc, onMesh);
+  if (!shape) return shape.error();
+  KeyReader reader{*doc, *shape, options, progress, {}, {}};
+  if (Status read = reader.read(); !read) return read.error();
+  return std::move(reader.out);
+}
+
+}  // namespace shapespline

@@ -1,0 +1,34 @@
+// glTF -> keys: one pose, morph targets, a sampled animation, or the keys of a saved project.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/status.h"
+#include "core/base/warning.h"
+#include "io/base/imported.h"
+#include "io/base/named_bytes.h"
+#include "io/base/scene.h"
+
+namespace shapespline {
+
+/// One pose with everything around it.
+struct PoseFile {
+  Positions positions;
+  std::vector<Triangle> faces;
+  Positions normals;  ///< n, or empty
+  Scene scene;
+  std::vector<Warning> warnings;
+};
+
+/// The scene as the file itself poses it. `where` is how messages call the file.
+Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
+                              const FractionReport& onProgress = {});
+
+/// Several keys of one file. Times are set; nothing is validated beyond what reading needs.
+Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
+                            const std::string& where, const StageProgress& progress);
+
+}  // namespace shapespline

@@ -1,0 +1,330 @@
+#include "io/gltf/gltf_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "core/base/format.h"
+#include "io/base/limits.h"
+#include "io/gltf/gltf_accessor.h"
+
+namespace shapespline {
+
+namespace {
+
+// Several times the largest mesh that the method has been run on; keeps node instancing from multiplying a small file
+// into gigabytes.
+constexpr std::int64_t kMostFaces = 32'000'000;
+// Primitives of all mesh nodes, and morph weights of all nodes: many times what scenes hold.
+constexpr std::int64_t kMostParts = 100'000, kMostWeights = 10'000'000;
+
+Error malformed(const GltfDocument& doc, const std::string& what) {
+  return {ErrorCode::MalformedFile, doc.where + ": " + what + ". Export the file again."};
+}
+
+Positions toPositions(const std::vector<double>& numbers, const FractionReport& onProgress) {
+  Positions out(numbers.size() / 3);
+  inBlocks(onProgress, out.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) out[i] = Vec3(&numbers[3 * i]);
+  });
+  return out;
+}
+
+int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
+  const auto it = primitive.attributes.find(name);
+  return it == primitive.attributes.end() ? -1 : it->second;
+}
+
+bool isTriangles(int mode) {
+  return mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP || mode == TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+Result<std::vector<GltfSkin>> readSkins(const GltfDocument& doc) {
+  std::vector<GltfSkin> skins;
+  for (const tinygltf::Skin& skin : doc.model.skins) {
+    const std::string name = "skin " + std::to_string(skins.size());
+    for (int joint : skin.joints)
+      if (joint < 0 || joint >= static_cast<int>(doc.model.nodes.size()))
+        return malformed(doc, name + " has joint node " + std::to_string(joint) + ", which is not there");
+    GltfSkin out{skin.joints, std::vector<Eigen::Affine3d>(skin.joints.size(), Eigen::Affine3d::Identity())};
+    if (skin.inverseBindMatrices >= 0) {
+      const auto numbers =
+          readNumbers(doc, skin.inverseBindMatrices, 16, "inverseBindMatrices of " + name, skin.joints.size());
+      if (!numbers) return numbers.error();
+      if (numbers->size() < 16 * skin.joints.size())
+        return malformed(doc, name + " has fewer inverse bind matrices than joints");
+      for (std::size_t j = 0; j < skin.joints.size(); ++j)
+        out.inverseBind[j].matrix().topRows<3>() = Eigen::Matrix4d(&(*numbers)[16 * j]).topRows<3>();
+    }
+    skins.push_back(std::move(out));
+  }
+  return skins;
+}
+
+// Orders primitives by the vertices that they are made of.
+struct ByVertices {
+  bool operator()(const tinygltf::Primitive* a, const tinygltf::Primitive* b) const {
+    return a->attributes != b->attributes ? a->attributes < b->attributes : a->targets < b->targets;
+  }
+};
+
+struct ShapeReader {
+  const GltfDocument& doc;
+  const FractionReport& onProgress;
+  GltfShape shape;
+  int skippedPrimitives = 0, leftoverCorners = 0, unskinnedParts = 0;
+  std::int64_t cornerCount = 0, primitiveCount = 0, influenceCount = 0;
+  std::vector<int> targetCounts{};  // of each mesh
+
+  Error tooLarge(std::int64_t most, const char* what) const {
+    return {ErrorCode::TooLarge, doc.where + " shows more than " + grouped(most) + " " + what +
+                                     ", more than can be held. Simplify the mesh first."};
+  }
+
+  // Adds JOINTS_set and WEIGHTS_set to the part's influences.
+  Status readInfluenceSet(GltfPart& part, int set, std::vector<std::vector<std::uint32_t>>& joints,
+                          std::vector<std::vector<double>>& weights) {
+    const std::string suffix = "_" + std::to_string(set);
+    const int jointAccessor = attribute(*part.primitive, "JOINTS" + suffix),
+              weightAccessor = attribute(*part.primitive, "WEIGHTS" + suffix);
+    const std::size_t n = part.positions.size();
+    if (accessorCount(doc, jointAccessor) != n || accessorCount(doc, weightAccessor) != n)
+      return malformed(doc, part.name + " has another number of joints or weights than of vertices");
+    influenceCount += 4 * static_cast<std::int64_t>(n);
+    if (influenceCount > static_cast<std::int64_t>(4 * kMostElements))
+      return tooLarge(4 * kMostElements, "joint weights");
+    auto j = readWholeNumbers(doc, jointAccessor, 4, "JOINTS" + suffix + " of " + part.name);
+    if (!j) return j.error();
+    auto w = readNumbers(doc, weightAccessor, 4, "WEIGHTS" + suffix + " of " + part.name);
+    if (!w) return w.error();
+    joints.push_back(std::move(*j));
+    weights.push_back(std::move(*w));
+    return {};
+  }
+
+  Status readInfluences(GltfPart& part) {
+    std::vector<std::vector<std::uint32_t>> joints;
+    std::vector<std::vector<double>> weights;
+    const auto has = [&](const char* name) {
+      return attribute(*part.primitive, name + std::to_string(joints.size())) >= 0;
+    };
+    while (has("JOINTS_") && has("WEIGHTS_"))
+      if (Status set = readInfluenceSet(part, static_cast<int>(joints.size()), joints, weights); !set) return set;
+    if (joints.empty()) {
+      ++unskinnedParts;
+      part.skin = -1;
+      return {};
+    }
+    const std::size_t sets = joints.size(), known = shape.skins[part.skin].joints.size();
+    part.influences = static_cast<int>(4 * sets);
+    part.joints.resize(part.positions.size() * part.influences);
+    part.weights.resize(part.joints.size());
+    for (std::size_t v = 0; v < part.positions.size(); ++v) {
+      double sum = 0;
+      std::uint32_t* joint = &part.joints[v * part.influences];
+      double* weight = &part.weights[v * part.influences];
+      for (std::size_t i = 0; i < 4 * sets; ++i) {
+        joint[i] = joints[i / 4][4 * v + i % 4];
+        weight[i] = weights[i / 4][4 * v + i % 4];
+        if (joint[i] >= known && weight[i] == 0) joint[i] = 0;  // unused slots may hold anything
+        if (joint[i] >= known)
+          return malformed(doc, part.name + ": vertex " + grouped(std::int64_t(v)) + " follows joint " +
+                                    grouped(joint[i]) + " of " + grouped(std::int64_t(known)));
+        sum += std::abs(weight[i]);
+      }
+      if (known == 0) return malformed(doc, part.name + " is skinned by a skin without joints");
+      // Weights must sum to 1; where a file's do not, they are scaled, as three.js does.
+      if (sum > 0)
+        for (std::size_t i = 0; i < 4 * sets; ++i) weight[i] /= sum;
+      else weight[0] = 1;
+    }
+    return {};
+  }
+
+  Status readPart(int node, const tinygltf::Primitive& primitive, const std::string& name,
+                  const FractionReport& report) {
+    GltfPart part;
+    part.node = node;
+    part.mesh = doc.model.nodes[node].mesh;
+    part.skin = doc.model.nodes[node].skin;
+    part.primitive = &primitive;
+    part.name = name;
+    part.firstVertex = shape.vertexCount;
+    const int position = attribute(primitive, "POSITION"), normal = attribute(primitive, "NORMAL");
+    if (position < 0) return malformed(doc, name + " has no positions");
+    if (shape.vertexCount + accessorCount(doc, position) > kMostElements) return tooLarge(kMostElements, "vertices");
+    // An accessor may leave out its bytes, for zeros; but no mesh has more vertices than its file has bytes.
+    if (accessorCount(doc, position) > doc.bufferBytes && doc.model.accessors[position].bufferView < 0)
+      return Error{ErrorCode::TooLarge, doc.where + ": POSITION of " + name + " declares " +
+                                            grouped(std::int64_t(accessorCount(doc, position))) +
+                                            " vertices, but there are no bytes for so many. " +
+                                            "Export the file again."};
+    const std::size_t count = accessorCount(doc, position);
+    auto positions = readNumbers(doc, position, 3, "POSITION of " + name, count, partOf(report, 0, 0.3));
+    if (!positions) return positions.error();
+    part.positions = toPositions(*positions, partOf(report, 0.3, 0.5));
+    if (normal >= 0) {
+      if (accessorCount(doc, normal) != part.positions.size())
+        return malformed(doc, name + " has another number of normals than of vertices");
+      auto normals = readNumbers(doc, normal, 3, "NORMAL of " + name, count, partOf(report, 0.5, 0.8));
+      if (!normals) return normals.error();
+      part.normals = toPositions(*normals, partOf(report, 0.8, 1));
+    }
+    if (part.skin >= static_cast<int>(shape.skins.size()))
+      return malformed(
+          doc, "node " + std::to_string(node) + " has skin " + std::to_string(part.skin) + ", which is not there");
+    if (part.skin >= 0)
+      if (Status influences = readInfluences(part); !influences) return influences;
+    shape.vertexCount += static_cast<int>(part.positions.size());
+    shape.hasNormals = shape.hasNormals && normal >= 0;
+    shape.parts.push_back(std::move(part));
+    return {};
+  }
+
+  Result<std::vector<std::uint32_t>> corners(const GltfPart& part, const tinygltf::Primitive& primitive,
+                                             const std::string& name, const FractionReport& report) {
+    const std::size_t n = part.positions.size();
+    cornerCount += static_cast<std::int64_t>(primitive.indices < 0 ? n : accessorCount(doc, primitive.indices));
+    if (cornerCount > 3 * kMostFaces) return tooLarge(kMostFaces, "faces");
+    if (primitive.indices < 0) {
+      std::vector<std::uint32_t> all(n);
+      for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<std::uint32_t>(i);
+      return all;
+    }
+    auto indices = readWholeNumbers(doc, primitive.indices, 1, "the indices of " + name, report);
+    if (!indices) return indices;
+    for (std::size_t i = 0; i < indices->size(); ++i)
+      if ((*indices)[i] >= n)
+        return Error{ErrorCode::IndexOutOfRange,
+                     doc.where + ": face " + grouped(std::int64_t(i / 3)) + " of " + name + " names vertex " +
+                         grouped((*indices)[i]) + ", but there are " + grouped(std::int64_t(n)) +
+                         ". Export the mesh again.",
+                     -1, static_cast<int>(std::min<std::uint32_t>((*indices)[i], 0x7fffffff)),
+                     static_cast<int>(shape.faces.size() + i / 3)};
+    return indices;
+  }
+
+  void addFace(std::uint32_t a, std::uint32_t b, std::uint32_t c, int offset, bool turned) {
+    if (turned) std::swap(b, c);
+    shape.faces.push_back({static_cast<int>(a) + offset, static_cast<int>(b) + offset, static_cast<int>(c) + offset});
+  }
+
+  // Triangles of a list, strip or fan (glTF 2.0, section 3.7.2.1).
+  void addFaces(const std::vector<std::uint32_t>& v, int mode, int offset, bool turned, const FractionReport& report) {
+    const std::size_t n = v.size();
+    if (mode == TINYGLTF_MODE_TRIANGLES) {
+      inBlocks(report, n / 3, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) addFace(v[3 * f], v[3 * f + 1], v[3 * f + 2], offset, turned);
+      });
+      leftoverCorners += static_cast<int>(n % 3);
+      return;
+    }
+    const bool fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
+    for (std::size_t i = 0; i + 2 < n; ++i) {
+      const std::uint32_t a = fan ? v[0] : v[i], b = v[i + 1], c = v[i + 2];
+      const bool stitch = a == b || b == c || a == c;  // joins two strips, is no face
+      if (!stitch) addFace(a, b, c, offset, turned != (!fan && i % 2 == 1));
+    }
+  }
+
+  Status readMesh(int node, bool mirrored, const FractionReport& report) {
+    const int meshIndex = doc.model.nodes[node].mesh;
+    if (meshIndex >= static_cast<int>(doc.model.meshes.size()))
+      return malformed(
+          doc, "node " + std::to_string(node) + " shows mesh " + std::to_string(meshIndex) + ", which is not there");
+    const tinygltf::Mesh& mesh = doc.model.meshes[meshIndex];
+    std::map<const tinygltf::Primitive*, std::size_t, ByVertices> knownPart;
+    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+      const tinygltf::Primitive& primitive = mesh.primitives[p];
+      const auto share = [&, count = static_cast<double>(mesh.primitives.size()), before = static_cast<double>(p)](
+                             double from, double to) {
+        return partOf(report, (before + from) / count, (before + to) / count);
+      };
+      if (++primitiveCount > kMostParts) return tooLarge(kMostParts, "mesh primitives");
+      if (!isTriangles(primitive.mode)) {
+        ++skippedPrimitives;
+        continue;
+      }
+      const std::string name = "mesh " + std::to_string(meshIndex) + ", primitive " + std::to_string(p);
+      // Primitives that share their vertices (one mesh in several materials) share them here too.
+      const auto [place, isNew] = knownPart.try_emplace(&primitive, shape.parts.size());
+      const std::size_t part = place->second;
+      if (isNew)
+        if (Status read = readPart(node, primitive, name, share(0, 0.6)); !read) return read;
+      const auto v = corners(shape.parts[part], primitive, name, share(0.6, 0.8));
+      if (!v) return v.error();
+      const int start = static_cast<int>(shape.faces.size());
+      if (start + static_cast<std::int64_t>(v->size()) / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1) >
+          kMostFaces)
+        return tooLarge(kMostFaces, "faces");
+      addFaces(*v, primitive.mode, shape.parts[part].firstVertex, mirrored && shape.parts[part].skin < 0,
+               share(0.8, 1));
+      shape.groups.push_back({start, static_cast<int>(shape.faces.size()) - start, primitive.material});
+    }
+    return {};
+  }
+
+  void warn(const char* code, int count, const std::string& message) {
+    if (count > 0) shape.warnings.push_back({code, doc.where + ": " + message, count});
+  }
+
+  // Every node has weights of its own for its mesh's targets.
+  Status countWeights() const {
+    std::int64_t weights = 0;
+    for (const tinygltf::Node& node : doc.model.nodes) {
+      const bool hasMesh = node.mesh >= 0 && node.mesh < static_cast<int>(doc.model.meshes.size());
+      if (hasMesh) weights += targetCounts[node.mesh];
+      weights += static_cast<std::int64_t>(
+          std::max(node.weights.size(), hasMesh ? doc.model.meshes[node.mesh].weights.size() : 0));
+      if (weights > kMostWeights) return tooLarge(kMostWeights, "morph weights");
+    }
+    return {};
+  }
+
+  Status read() {
+    for (const tinygltf::Mesh& mesh : doc.model.meshes) targetCounts.push_back(targetCount(mesh));
+    if (Status weights = countWeights(); !weights) return weights;
+    auto graph = readNodes(doc);
+    if (!graph) return graph.error();
+    shape.graph = std::move(*graph);
+    auto skins = readSkins(doc);
+    if (!skins) return skins.error();
+    shape.skins = std::move(*skins);
+    shape.hasNormals = true;
+    const auto world = worldTransforms(shape.graph, shape.graph.rest);
+    std::vector<int> shown;  // nodes with a mesh
+    std::copy_if(shape.graph.shown.begin(), shape.graph.shown.end(), std::back_inserter(shown),
+                 [&](int node) { return doc.model.nodes[node].mesh >= 0; });
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      const double count = static_cast<double>(shown.size()), before = static_cast<double>(i);
+      const bool mirrored = world[shown[i]].linear().determinant() < 0;
+      if (Status mesh = readMesh(shown[i], mirrored, partOf(onProgress, before / count, (before + 1) / count)); !mesh)
+        return mesh;
+    }
+    shape.hasNormals = shape.hasNormals && !shape.parts.empty();
+    warn("skipped-primitives", skippedPrimitives, "lines and points are left out.");
+    warn("leftover-corners", leftoverCorners, "corners that fill no triangle are left out.");
+    warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is taken as it is.");
+    if (!shape.faces.empty()) return {};
+    return Error{ErrorCode::NoTriangles, doc.where +
+                                             (doc.model.meshes.empty() ? " has no mesh" : " shows no triangles") +
+                                             ". Export a scene that shows a mesh with faces."};
+  }
+};
+
+}  // namespace
+
+int targetCount(const tinygltf::Mesh& mesh) {
+  std::size_t most = 0;
+  for (const tinygltf::Primitive& primitive : mesh.primitives) most = std::max(most, primitive.targets.size());
+  return static_cast<int>(most);
+}
+
+Result<GltfShape> readShape(const GltfDocument& doc, const FractionReport& onProgress) {
+  ShapeReader reader{doc, onProgress, {}};
+  if (Status read = reader.read(); !read) return read.error();
+  return std::move(reader.shape);
+}
+
+}  // namespace shapespline

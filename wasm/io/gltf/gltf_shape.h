@@ -1,0 +1,53 @@
+// All triangles that a glTF scene shows, as one mesh: its parts, faces and skins.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/status.h"
+#include "core/base/types.h"
+#include "core/base/warning.h"
+#include "io/gltf/gltf_document.h"
+#include "io/gltf/gltf_nodes.h"
+
+namespace shapespline {
+
+/// Vertices of one primitive (or of several that share their attributes) of one mesh node, before any transform.
+struct GltfPart {
+  int node = -1, mesh = -1, skin = -1;
+  int firstVertex = 0;  ///< of this part in the whole shape
+  const tinygltf::Primitive* primitive = nullptr;
+  Positions positions, normals;       ///< normals may be empty
+  int influences = 0;                 ///< joints a vertex, 0 where it is not skinned
+  std::vector<std::uint32_t> joints;  ///< influences a vertex: places in the skin's joint list, in range
+  std::vector<double> weights;        ///< as many, summing to 1 at each vertex
+  std::string name;                   ///< for messages: mesh 0, primitive 1
+};
+
+/// Joints of a skin and the matrices that take the mesh into each joint's space.
+struct GltfSkin {
+  std::vector<int> joints;
+  std::vector<Eigen::Affine3d> inverseBind;
+};
+
+struct GltfShape {
+  NodeGraph graph;
+  std::vector<GltfPart> parts;
+  std::vector<GltfSkin> skins;
+  std::vector<Triangle> faces;        ///< over all parts, in the file's order
+  std::vector<MaterialGroup> groups;  ///< one per primitive
+  int vertexCount = 0;
+  bool hasNormals = false;  ///< every part has them
+  std::vector<Warning> warnings;
+};
+
+/// Reads the default scene: every triangle primitive (lists, strips, fans) of every mesh node, depth first, primitives
+/// in the file's order. Lines and points are skipped with a warning. Faces of mirrored nodes are turned around.
+/// The document must outlive the result. Errors: NoTriangles, MalformedFile, IndexOutOfRange, TooLarge.
+Result<GltfShape> readShape(const GltfDocument& doc, const FractionReport& onProgress = {});
+
+/// Number of morph targets of a mesh.
+int targetCount(const tinygltf::Mesh& mesh);
+
+}  // namespace shapespline

@@ -1,0 +1,324 @@
+// Wavefront OBJ. Our own reader: the common library splits polygons by each key's geometry, so that two keys can get
+// different triangles, and reads through streams.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/format.h"
+#include "io/base/byte_text.h"
+#include "io/base/image_type.h"
+#include "io/base/limits.h"
+#include "io/base/uri.h"
+#include "io/polygon/corner_coordinates.h"
+#include "io/polygon/polygon_readers.h"
+#include "io/polygon/text_reader.h"
+
+namespace shapespline {
+
+namespace {
+
+float linear(double srgb) {
+  const double c = srgb >= 0 ? std::min(srgb, 1.0) : 0;
+  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
+}
+
+// The materials of an MTL file: colour, opacity and colour texture.
+struct MtlReader {
+  std::string from;  // its own path: images are named as seen from there
+  std::span<const NamedBytes> files;
+  const std::string& where;
+  PolygonMesh& mesh;
+  std::map<std::string, int, std::less<>>& materialOf;
+  std::map<std::string, int, std::less<>>& imageOf;  // by name; -1 where it could not be had
+
+  void readImage(std::string_view text, Material& material) {
+    std::string_view name = trimmed(text);
+    while (name.starts_with('-')) {  // options such as -s 1 1 1 and -clamp on
+      const std::string_view option = takeWord(name);
+      double number;
+      while (takeNumber(name, number)) {
+      }
+      name = trimmed(name);
+      if (!name.starts_with("on ") && !name.starts_with("off ")) continue;
+      const bool on = takeWord(name) == "on";
+      if (option == "-clamp" && on) material.wrapS = material.wrapT = Material::Wrap::Clamp;
+      name = trimmed(name);
+    }
+    const auto [known, isNew] = imageOf.try_emplace(std::string(name), -1);
+    material.baseColorImage = known->second;
+    if (!isNew) return;
+    const auto found = resolveUri(name, from, files, where);
+    const std::string type = found ? imageType(found->bytes) : "";
+    if (type.empty()) {
+      mesh.warnings.push_back(
+          {"missing-texture",
+           "A texture is left out: " +
+               (found ? inQuotes(name) + " is no image format that is known here." : found.error().message),
+           1});
+      return;
+    }
+    material.baseColorImage = known->second = static_cast<int>(mesh.scene.images.size());
+    mesh.scene.images.push_back({type, {found->bytes.begin(), found->bytes.end()}});
+  }
+
+  void read(std::span<const std::uint8_t> bytes) {
+    LineReader lines(bytes);
+    Material* current = nullptr;
+    for (std::string_view line; lines.next(line);) {
+      const std::string_view word = takeWord(line);
+      if (word == "newmtl") {
+        const std::string name(trimmed(line));
+        materialOf[name] = static_cast<int>(mesh.scene.materials.size());
+        current = &mesh.scene.materials.emplace_back();
+        current->name = name;
+        continue;
+      }
+      if (!current) continue;
+      double value;
+      if (word == "Kd") {
+        for (int c = 0; c < 3 && takeNumber(line, value); ++c) current->baseColor[c] = linear(value);
+      } else if ((word == "d" || word == "Tr") && takeNumber(line, value)) {
+        const double opacity = word == "d" ? value : 1 - value;
+        if (opacity < 1)
+          current->alphaMode = Material::Alpha::Blend,
+          current->baseColor[3] = static_cast<float>(std::max(opacity, 0.0));
+      } else if (word == "map_Kd") {
+        readImage(line, *current);
+      }
+    }
+  }
+};
+
+struct ObjReader {
+  const NamedBytes& file;
+  std::span<const NamedBytes> files;
+  const std::string& where;
+  const FractionReport& onProgress;
+  PolygonMesh mesh;
+  std::vector<Vec3> colors, normals;
+  std::vector<Coordinate> coordinates;
+  std::vector<int> cornerNormal, cornerCoordinate;  // -1 where a corner has none
+  std::map<std::string, int, std::less<>> materialOf, imageOf;
+  std::set<std::string, std::less<>> libraries;  // read already
+  std::int64_t line = 0;
+  int leftOut = 0;
+
+  Error malformed(const std::string& what) const {
+    return {ErrorCode::MalformedFile, where + ", line " + grouped(line) + ": " + what + ". Export the file again."};
+  }
+
+  Status readVertex(std::string_view text) {
+    double value[6];
+    int count = 0;
+    while (count < 6 && takeNumber(text, value[count])) ++count;
+    if (count < 3) return malformed("a vertex needs three numbers");
+    if (mesh.positions.size() >= kMostElements)
+      return Error{ErrorCode::TooLarge,
+                   where + " has more than " + grouped(kMostElements) + " vertices. Simplify the mesh first."};
+    mesh.positions.emplace_back(value);
+    if (count == 6) {
+      colors.resize(mesh.positions.size() - 1, Vec3::Ones());
+      colors.emplace_back(value + 3);
+    }
+    return {};
+  }
+
+  // 1-based, or counted back from the last one so far; 0-based in the answer, -1 for none.
+  Status readIndex(std::string_view& text, std::size_t count, int& index) {
+    std::int64_t number = 0;
+    if (!takeInteger(text, number) || number == 0)
+      return malformed("a face names a corner that is not a whole number from 1");
+    const std::int64_t place = number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
+    if (place < 0 || place > 0x7ffffffe)
+      return Error{ErrorCode::IndexOutOfRange,
+                   where + ", line " + grouped(line) + ": a face names corner " + grouped(number) +
+                       ", which is not there. Export the file again.",
+                   -1, -1, mesh.polygonCount()};
+    index = static_cast<int>(place);
+    return {};
+  }
+
+  Status readCorner(std::string_view word) {
+    int vertex = -1, coordinate = -1, normal = -1;
+    if (Status read = readIndex(word, mesh.positions.size(), vertex); !read) return read;
+    if (word.starts_with('/')) {
+      word.remove_prefix(1);
+      if (!word.empty() && word[0] != '/')
+        if (Status read = readIndex(word, coordinates.size(), coordinate); !read) return read;
+    }
+    if (word.starts_with('/') && word.size() > 1) {
+      word.remove_prefix(1);
+      if (Status read = readIndex(word, normals.size(), normal); !read) return read;
+    }
+    if (!word.empty() && word != "/") return malformed("a face has a corner that is not v, v/vt, v//vn or v/vt/vn");
+    mesh.corners.push_back(vertex);
+    cornerCoordinate.push_back(coordinate);
+    cornerNormal.push_back(normal);
+    return {};
+  }
+
+  Status readFace(std::string_view text) {
+    const std::size_t start = mesh.corners.size();
+    for (std::string_view word = takeWord(text); !word.empty() && word[0] != '#'; word = takeWord(text))
+      if (Status corner = readCorner(word); !corner) return corner;
+    if (mesh.corners.size() > 0x7fffffff / 2)
+      return Error{ErrorCode::TooLarge, where + " has too many faces. Simplify the mesh first."};
+    if (mesh.corners.size() - start >= 3) {
+      mesh.ends.push_back(static_cast<int>(mesh.corners.size()));
+      return {};
+    }
+    ++leftOut;
+    mesh.corners.resize(start);
+    cornerCoordinate.resize(start);
+    cornerNormal.resize(start);
+    return {};
+  }
+
+  void useMaterial(std::string_view name) {
+    const auto it = materialOf.find(name);
+    const int material = it == materialOf.end() ? -1 : it->second;
+    auto& groups = mesh.scene.groups;
+    if (!groups.empty() && groups.back().start == mesh.polygonCount()) groups.pop_back();
+    groups.push_back({mesh.polygonCount(), 0, material});
+  }
+
+  void readLibrary(std::string_view name) {
+    if (!libraries.emplace(name).second) return;
+    const auto found = resolveUri(name, file.name, files, where);
+    const std::string folder = file.name.substr(0, file.name.size() - baseName(file.name).size());
+    if (found) return MtlReader{folder + std::string(name), files, where, mesh, materialOf, imageOf}.read(found->bytes);
+    mesh.warnings.push_back({"missing-materials", "Materials are left out: " + found.error().message, 1});
+  }
+
+  Status readLine(std::string_view text) {
+    const std::string_view word = takeWord(text);
+    double value;
+    if (word == "v") return readVertex(text);
+    if (word == "f") return readFace(text);
+    if (word == "vt") {
+      Coordinate coordinate{};
+      for (int c = 0; c < 2 && takeNumber(text, value); ++c) coordinate[c] = static_cast<float>(value);
+      coordinates.push_back(coordinate);
+    } else if (word == "vn") {
+      Vec3 normal = Vec3::Zero();
+      for (int c = 0; c < 3 && takeNumber(text, value); ++c) normal[c] = value;
+      normals.push_back(normal);
+    } else if (word == "usemtl") {
+      useMaterial(trimmed(text));
+    } else if (word == "mtllib") {
+      readLibrary(trimmed(text));
+    } else if (word == "l" || word == "p" || word == "curv" || word == "curv2" || word == "surf") {
+      ++leftOut;
+    }
+    return {};
+  }
+
+  Status readLines() {
+    const FractionReport onLine = partOf(onProgress, 0, 0.9);
+    LineReader lines(file.bytes);
+    std::string joined;
+    for (std::string_view text; lines.next(text);) {
+      line = lines.lineNumber();
+      reportLine(onLine, lines, file.bytes.size());
+      if (text.ends_with('\\')) {  // goes on in the next line
+        joined.append(text.substr(0, text.size() - 1)).push_back(' ');
+        continue;
+      }
+      const Status read = readLine(joined.empty() ? text : std::string_view(joined.append(text)));
+      if (!read) return read;
+      joined.clear();
+    }
+    return {};
+  }
+
+  // A vertex's normal is the mean of its corners'. Only where every corner has one.
+  void keepNormals() {
+    const auto known = [&](int n) { return n >= 0 && n < static_cast<int>(normals.size()) && normals[n].allFinite(); };
+    if (cornerNormal.empty() || !std::all_of(cornerNormal.begin(), cornerNormal.end(), known)) return;
+    mesh.normals.assign(mesh.positions.size(), Vec3::Zero());
+    for (std::size_t c = 0; c < mesh.corners.size(); ++c) mesh.normals[mesh.corners[c]] += normals[cornerNormal[c]];
+    for (Vec3& normal : mesh.normals) normal.normalize();
+  }
+
+  // A corner whose coordinates are not there, or no numbers, does without.
+  void keepCoordinates() {
+    const auto usable = [&](int t) {
+      return t < static_cast<int>(coordinates.size()) && std::isfinite(coordinates[t][0]) &&
+             std::isfinite(coordinates[t][1]);
+    };
+    int given = 0, broken = 0;
+    for (int& t : cornerCoordinate) {
+      if (t < 0) continue;
+      ++given;
+      if (!usable(t)) ++broken, t = -1;
+    }
+    if (broken > 0)
+      mesh.warnings.push_back({"texture-coordinates",
+                               where + ": some corners name texture coordinates that are not there or not "
+                                       "finite; they are left out.",
+                               broken});
+    if (given > broken) placeCoordinates(mesh, coordinates, cornerCoordinate);
+  }
+
+  void keepColors() {
+    if (colors.empty()) return;
+    colors.resize(mesh.positions.size(), Vec3::Ones());
+    for (const Vec3& color : colors)
+      for (int c = 0; c < 4; ++c) mesh.scene.colors.push_back(c < 3 ? linear(color[c]) : 1);
+  }
+
+  void finishGroups() {
+    auto& groups = mesh.scene.groups;
+    if (groups.empty() || groups[0].start > 0) groups.insert(groups.begin(), {0, 0, -1});
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      groups[g].count = (g + 1 < groups.size() ? groups[g + 1].start : mesh.polygonCount()) - groups[g].start;
+  }
+
+  Result<PolygonMesh> read() {
+    if (Status lines = readLines(); !lines) return lines.error();
+    if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();
+    reportFraction(onProgress, 0.92);
+    keepNormals();
+    reportFraction(onProgress, 0.95);
+    keepCoordinates();
+    keepColors();
+    finishGroups();
+    if (leftOut > 0)
+      mesh.warnings.push_back({"skipped-primitives", where + ": lines, points and curves are left out.", leftOut});
+    return std::move(mesh);
+  }
+};
+
+}  // namespace
+
+Status checkPolygons(const PolygonMesh& mesh, const std::string& where) {
+  if (mesh.ends.empty()) return Error{ErrorCode::NoTriangles, where + " has no faces. Export a mesh with faces."};
+  const int n = static_cast<int>(mesh.positions.size());
+  for (int p = 0; p < mesh.polygonCount(); ++p)
+    for (int c = mesh.firstCorner(p); c < mesh.ends[p]; ++c)
+      if (mesh.corners[c] < 0 || mesh.corners[c] >= n)
+        return Error{ErrorCode::IndexOutOfRange,
+                     where + ": face " + grouped(p) + " names vertex " + grouped(mesh.corners[c]) +
+                         " (counted from 0), but there are " + grouped(n) + " vertices. Export the mesh again.",
+                     -1, mesh.corners[c], p};
+  return {};
+}
+
+void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where) {
+  if (leftOut > 0)
+    mesh.warnings.push_back(
+        {"skipped-primitives", where + ": faces of fewer than three corners are left out.", leftOut});
+}
+
+Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
+                            const FractionReport& onProgress) {
+  return ObjReader{file, files, where, onProgress, {}, {}, {}, {}, {}, {}, {}, {}, {}}.read();
+}
+
+}  // namespace shapespline

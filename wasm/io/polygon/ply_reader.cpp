@@ -1,0 +1,253 @@
+// Stanford PLY. Our own reader: the packaged libraries read through streams and allocate what the header declares.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "core/base/format.h"
+#include "io/base/byte_text.h"
+#include "io/base/limits.h"
+#include "io/polygon/ply_header.h"
+#include "io/polygon/polygon_readers.h"
+
+namespace shapespline {
+
+namespace {
+
+// The values behind the header, one after the other, whatever the format.
+class ValueReader {
+ public:
+  ValueReader(PlyFormat format, std::string_view rest) : format_(format), rest_(rest) {}
+
+  // False at the end of the file, or where a word is no number.
+  bool next(PlyType type, double& value) {
+    return format_ == PlyFormat::Ascii ? nextWord(value) : nextBytes(type, value);
+  }
+
+  std::size_t left() const { return rest_.size(); }
+
+  // Bytes that any value takes at least.
+  std::size_t least(PlyType type) const { return format_ == PlyFormat::Ascii ? 1 : plyTypeBytes(type); }
+
+ private:
+  bool nextWord(double& value) {
+    const std::size_t start = rest_.find_first_not_of(" \t\r\n");
+    if (start == std::string_view::npos) return false;
+    rest_.remove_prefix(start);
+    const std::size_t end = std::min(rest_.find_first_of(" \t\r\n"), rest_.size());
+    const bool isNumber = parseNumber(rest_.substr(0, end), value);
+    rest_.remove_prefix(end);
+    return isNumber;
+  }
+
+  template <class T>
+  static double load(const std::uint8_t* bytes) {
+    T value;
+    std::memcpy(&value, bytes, sizeof value);
+    return static_cast<double>(value);
+  }
+
+  bool nextBytes(PlyType type, double& value) {
+    const std::size_t size = plyTypeBytes(type);
+    if (size > rest_.size()) return false;
+    std::uint8_t bytes[8];
+    std::memcpy(bytes, rest_.data(), size);
+    rest_.remove_prefix(size);
+    if (format_ == PlyFormat::BigEndian) std::reverse(bytes, bytes + size);
+    switch (type) {
+      case PlyType::Int8: value = load<std::int8_t>(bytes); break;
+      case PlyType::UInt8: value = load<std::uint8_t>(bytes); break;
+      case PlyType::Int16: value = load<std::int16_t>(bytes); break;
+      case PlyType::UInt16: value = load<std::uint16_t>(bytes); break;
+      case PlyType::Int32: value = load<std::int32_t>(bytes); break;
+      case PlyType::UInt32: value = load<std::uint32_t>(bytes); break;
+      case PlyType::Float32: value = load<float>(bytes); break;
+      case PlyType::Float64: value = load<double>(bytes); break;
+    }
+    return true;
+  }
+
+  PlyFormat format_;
+  std::string_view rest_;
+};
+
+// Where a vertex's properties go: positions, normals, coordinates, colours; -1 for anywhere else.
+enum Slot { X, Y, Z, NormalX, NormalY, NormalZ, U, V, Red, Green, Blue, Alpha, kSlots };
+
+int slotOf(const std::string& name) {
+  static constexpr std::pair<std::string_view, Slot> kNames[] = {
+      {"x", X},     {"y", Y},         {"z", Z},       {"nx", NormalX}, {"ny", NormalY},  {"nz", NormalZ},
+      {"u", U},     {"v", V},         {"s", U},       {"t", V},        {"texture_u", U}, {"texture_v", V},
+      {"red", Red}, {"green", Green}, {"blue", Blue}, {"alpha", Alpha}};
+  for (const auto& [text, slot] : kNames)
+    if (text == name) return slot;
+  return -1;
+}
+
+struct PlyReader {
+  const std::string& where;
+  ValueReader values;
+  const FractionReport& onProgress;
+  PolygonMesh mesh;
+  std::size_t size = values.left();  // before anything is read
+  int leftOut = 0;
+
+  Error cutOff(const PlyElement& element, std::int64_t have) const {
+    return {ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " + grouped(element.count) +
+                                          " of element " + inQuotes(element.name) + " but ends in number " +
+                                          grouped(have) + ". Copy or export it again."};
+  }
+
+  void reportRow(std::int64_t row) const {
+    if (row % 16384 == 0)
+      reportFraction(onProgress, 1 - static_cast<double>(values.left()) / static_cast<double>(size));
+  }
+
+  // Refuses counts that the rest of the file cannot hold, before anything is allocated for them.
+  Status checkCount(const PlyElement& element) const {
+    std::uint64_t least = 0;
+    for (const PlyProperty& p : element.properties) least += values.least(p.isList ? p.countType : p.type);
+    const auto count = static_cast<std::uint64_t>(element.count);
+    if (count > kMostElements * 4)
+      return Error{ErrorCode::TooLarge, where + " declares " + grouped(element.count) + " of element " +
+                                            inQuotes(element.name) +
+                                            ", more than can be held. Simplify the mesh first."};
+    if (count * least > values.left())
+      return cutOff(element, static_cast<std::int64_t>(values.left() / std::max<std::uint64_t>(least, 1)));
+    return {};
+  }
+
+  // Reads one property and hands its value, or each of a list's, to `take`.
+  template <class Take>
+  bool readProperty(const PlyProperty& p, Take take) {
+    double value = 0;
+    if (!p.isList) {
+      if (!values.next(p.type, value)) return false;
+      take(value);
+      return true;
+    }
+    double count = 0;
+    if (!values.next(p.countType, count) || !(count >= 0) || count > static_cast<double>(values.left())) return false;
+    for (double i = 0; i < count; ++i) {
+      if (!values.next(p.type, value)) return false;
+      take(value);
+    }
+    return true;
+  }
+
+  // Integer colours run to the largest value of their type, and are sRGB as everywhere.
+  static double colorOf(const PlyProperty& p, double value) {
+    if (p.type == PlyType::UInt8) return value / 255;
+    return p.type == PlyType::UInt16 ? value / 65535 : value;
+  }
+
+  static float linear(double srgb) {
+    const double c = srgb >= 0 ? std::min(srgb, 1.0) : 0;
+    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+  }
+
+  void addVertex(const double* slot, const bool* has) {
+    mesh.positions.emplace_back(slot + X);
+    if (has[NormalX] && has[NormalY] && has[NormalZ]) mesh.normals.push_back(Vec3(slot + NormalX).normalized());
+    if (has[U] && has[V]) {
+      const auto finite = [](double value) { return std::abs(value) < 1e6 ? static_cast<float>(value) : 0; };
+      mesh.scene.uvs.push_back(finite(slot[U]));
+      mesh.scene.uvs.push_back(finite(1 - slot[V]));  // counted from below
+    }
+    if (!has[Red] || !has[Green] || !has[Blue]) return;
+    for (int c = Red; c <= Blue; ++c) mesh.scene.colors.push_back(linear(slot[c]));
+    mesh.scene.colors.push_back(has[Alpha] ? static_cast<float>(slot[Alpha] >= 0 ? std::min(slot[Alpha], 1.0) : 0) : 1);
+  }
+
+  Status readVertices(const PlyElement& element) {
+    if (!mesh.positions.empty())  // others might have other properties
+      return Error{ErrorCode::MalformedFile, where + " declares its vertices twice. Export the file again."};
+    bool has[kSlots] = {};
+    std::vector<int> slots;
+    for (const PlyProperty& p : element.properties) {
+      slots.push_back(p.isList ? -1 : slotOf(p.name));
+      if (slots.back() >= 0) has[slots.back()] = true;
+    }
+    if (!has[X] || !has[Y] || !has[Z])
+      return Error{ErrorCode::MalformedFile, where + ": its vertices have no x, y and z. Export the file again."};
+    if (element.count > static_cast<std::int64_t>(kMostElements))
+      return Error{ErrorCode::TooLarge, where + " has " + grouped(element.count) +
+                                            " vertices, more than can be held. Simplify the mesh first."};
+    mesh.positions.reserve(element.count);
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      reportRow(i);
+      double slot[kSlots] = {};
+      for (std::size_t k = 0; k < element.properties.size(); ++k) {
+        const PlyProperty& p = element.properties[k];
+        const bool read = readProperty(p, [&](double value) {
+          if (slots[k] >= 0) slot[slots[k]] = slots[k] >= Red ? colorOf(p, value) : value;
+        });
+        if (!read) return cutOff(element, i);
+      }
+      addVertex(slot, has);
+    }
+    return {};
+  }
+
+  void finishFace(std::size_t start) {
+    if (mesh.corners.size() - start >= 3) {
+      mesh.ends.push_back(static_cast<int>(mesh.corners.size()));
+    } else {
+      mesh.corners.resize(start);
+      ++leftOut;
+    }
+  }
+
+  Status readFaces(const PlyElement& element) {
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      reportRow(i);
+      const std::size_t start = mesh.corners.size();
+      for (const PlyProperty& p : element.properties) {
+        const bool isCorners = p.isList && (p.name == "vertex_indices" || p.name == "vertex_index");
+        const bool read = readProperty(p, [&](double value) {
+          if (isCorners) mesh.corners.push_back(value >= 0 && value < 0x7fffffff ? static_cast<int>(value) : -1);
+        });
+        if (!read) return cutOff(element, i);
+      }
+      finishFace(start);
+      if (mesh.corners.size() > 0x7fffffff / 2)
+        return Error{ErrorCode::TooLarge, where + " has too many faces. Simplify the mesh first."};
+    }
+    return {};
+  }
+
+  Status skip(const PlyElement& element) {
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      reportRow(i);
+      for (const PlyProperty& p : element.properties)
+        if (!readProperty(p, [](double) {})) return cutOff(element, i);
+    }
+    return {};
+  }
+
+  Result<PolygonMesh> read(const PlyHeader& header) {
+    for (const PlyElement& element : header.elements) {
+      if (element.properties.empty() && element.name != "vertex") continue;  // any number of nothing
+      if (Status count = checkCount(element); !count) return count.error();
+      Status status = element.name == "vertex" ? readVertices(element)
+                      : element.name == "face" ? readFaces(element)
+                                               : skip(element);
+      if (!status) return status.error();
+    }
+    if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();
+    mesh.scene.groups = {{0, mesh.polygonCount(), -1}};
+    warnOfLeftOut(mesh, leftOut, where);
+    return std::move(mesh);
+  }
+};
+
+}  // namespace
+
+Result<PolygonMesh> readPly(const NamedBytes& file, const std::string& where, const FractionReport& onProgress) {
+  LineReader lines(file.bytes);
+  const auto header = readPlyHeader(lines, where);
+  if (!header) return header.error();
+  return PlyReader{where, ValueReader(header->format, lines.rest()), onProgress, {}}.read(*header);
+}
+
+}  // namespace shapespline

@@ -1,0 +1,169 @@
+#include "io/polygon/polygon_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace shapespline {
+
+namespace {
+
+// Ears are looked for in polygons up to this size, because that takes cubic time; larger ones become fans.
+constexpr int kMostEarCorners = 32;
+
+struct Polygon {
+  const PolygonMesh& mesh;
+  int start, size;
+  Vec3 normal = Vec3::Zero();
+
+  Polygon(const PolygonMesh& mesh, int index)
+      : mesh(mesh), start(mesh.firstCorner(index)), size(mesh.ends[index] - start) {
+    for (int c = 0; c < size; ++c) normal += point(c).cross(point((c + 1) % size));  // Newell: twice the area vector
+  }
+
+  const Vec3& point(int corner) const { return mesh.positions[mesh.corners[start + corner]]; }
+
+  // Twice the triangle's area, negative where it is turned against the polygon.
+  double area(int a, int b, int c) const { return (point(b) - point(a)).cross(point(c) - point(a)).dot(normal); }
+
+  double diagonal(int a, int b) const { return (point(a) - point(b)).squaredNorm(); }
+};
+
+void cutQuad(const Polygon& p, PolygonCuts& cuts) {
+  // The better of both diagonals: first of all neither triangle may be turned over, then the shorter one.
+  const double first = std::min(p.area(0, 1, 2), p.area(0, 2, 3)), second = std::min(p.area(1, 2, 3), p.area(1, 3, 0));
+  const bool firstInside = first > 0, secondInside = second > 0;
+  const bool takeSecond = firstInside == secondInside ? p.diagonal(1, 3) < p.diagonal(0, 2) : secondInside;
+  if (takeSecond) cuts.insert(cuts.end(), {{1, 2, 3}, {1, 3, 0}});
+  else cuts.insert(cuts.end(), {{0, 1, 2}, {0, 2, 3}});
+}
+
+bool isEar(const Polygon& p, const std::vector<int>& ring, int a, int b, int c) {
+  if (!(p.area(a, b, c) > 0)) return false;
+  return std::none_of(ring.begin(), ring.end(), [&](int q) {
+    return q != a && q != b && q != c && p.area(a, b, q) >= 0 && p.area(b, c, q) >= 0 && p.area(c, a, q) >= 0;
+  });
+}
+
+// Cuts the ear with the shortest diagonal until a triangle is left.
+void cutEars(const Polygon& p, PolygonCuts& cuts) {
+  std::vector<int> ring(p.size);
+  std::iota(ring.begin(), ring.end(), 0);
+  while (ring.size() > 3) {
+    const int n = static_cast<int>(ring.size());
+    int best = -1;
+    double shortest = 0;
+    for (int i = 0; i < n; ++i) {
+      const int a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n];
+      const double length = p.diagonal(a, c);
+      if ((best < 0 || length < shortest) && isEar(p, ring, a, b, c)) best = i, shortest = length;
+    }
+    if (best < 0) best = 1;  // self-intersecting or flat: any cut will do, as long as it is the same in every key
+    cuts.push_back({ring[(best + n - 1) % n], ring[best], ring[(best + 1) % n]});
+    ring.erase(ring.begin() + best);
+  }
+  cuts.push_back({ring[0], ring[1], ring[2]});
+}
+
+void cutFan(int size, PolygonCuts& cuts) {
+  for (int c = 1; c + 1 < size; ++c) cuts.push_back({0, c, c + 1});
+}
+
+void addTriangle(const std::vector<int>& corners, int start, const Triangle& cut, std::vector<Triangle>& out) {
+  out.push_back({corners[start + cut[0]], corners[start + cut[1]], corners[start + cut[2]]});
+}
+
+std::vector<Triangle> fans(const PolygonMesh& mesh, const std::vector<int>& corners) {
+  std::vector<Triangle> out;
+  PolygonCuts cuts;
+  for (int p = 0; p < mesh.polygonCount(); ++p) {
+    const int start = mesh.firstCorner(p);
+    cuts.clear();
+    cutFan(mesh.ends[p] - start, cuts);
+    for (const Triangle& cut : cuts) addTriangle(corners, start, cut, out);
+  }
+  return out;
+}
+
+// The number of triangles of each polygon follows from its size, and with it where each polygon's cuts begin.
+bool fits(const PolygonMesh& mesh, const PolygonCuts& cuts) {
+  if (mesh.corners.size() - 2 * mesh.ends.size() != cuts.size()) return false;
+  std::size_t next = 0;
+  for (int p = 0; p < mesh.polygonCount(); ++p) {
+    const int size = mesh.ends[p] - mesh.firstCorner(p);
+    int last = 0;
+    for (int t = 0; t < size - 2; ++t, ++next) last = std::max({last, cuts[next][0], cuts[next][1], cuts[next][2]});
+    if (last != size - 1) return false;
+  }
+  return true;
+}
+
+// `corners` holds what the triangles are made of: a vertex for each corner of each polygon.
+std::vector<Triangle> cutTriangles(const PolygonMesh& mesh, const std::vector<int>& corners, const PolygonCuts& cuts) {
+  if (!fits(mesh, cuts)) return fans(mesh, corners);
+  std::vector<Triangle> out;
+  out.reserve(cuts.size());
+  for (int p = 0; p < mesh.polygonCount(); ++p) {
+    const int start = mesh.firstCorner(p);
+    for (int left = mesh.ends[p] - start - 2; left > 0; --left) addTriangle(corners, start, cuts[out.size()], out);
+  }
+  return out;
+}
+
+}  // namespace
+
+PolygonCuts cutPolygons(const PolygonMesh& mesh) {
+  PolygonCuts cuts;
+  cuts.reserve(mesh.corners.size() - 2 * mesh.ends.size());
+  for (int i = 0; i < mesh.polygonCount(); ++i) {
+    const int size = mesh.ends[i] - mesh.firstCorner(i);
+    if (size == 3) cuts.push_back({0, 1, 2});
+    else if (size == 4) cutQuad(Polygon(mesh, i), cuts);
+    else if (size <= kMostEarCorners) cutEars(Polygon(mesh, i), cuts);
+    else cutFan(size, cuts);
+  }
+  return cuts;
+}
+
+PolygonCuts cutPolygonsLike(const PolygonMesh& mesh, const std::vector<Triangle>& triangles) {
+  PolygonCuts cuts;
+  if (mesh.corners.size() - 2 * mesh.ends.size() != triangles.size()) return cutPolygons(mesh);
+  cuts.reserve(triangles.size());
+  for (int p = 0; p < mesh.polygonCount(); ++p) {
+    const auto first = mesh.corners.begin() + mesh.firstCorner(p), last = mesh.corners.begin() + mesh.ends[p];
+    const int size = static_cast<int>(last - first);
+    if (size > kMostEarCorners) {
+      cutFan(size, cuts);
+      continue;
+    }
+    for (int t = 0; t < size - 2; ++t) {
+      const Triangle& triangle = triangles[cuts.size()];
+      Triangle cut;
+      for (int c = 0; c < 3; ++c) cut[c] = static_cast<int>(std::find(first, last, triangle[c]) - first);
+      if (std::max({cut[0], cut[1], cut[2]}) == size) return cutPolygons(mesh);
+      cuts.push_back(cut);
+    }
+  }
+  return cuts;
+}
+
+std::vector<Triangle> trianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts) {
+  return cutTriangles(mesh, mesh.corners, cuts);
+}
+
+std::vector<Triangle> drawnTrianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts) {
+  return mesh.drawn.empty() ? std::vector<Triangle>() : cutTriangles(mesh, mesh.drawn, cuts);
+}
+
+std::vector<MaterialGroup> triangleGroups(const PolygonMesh& mesh) {
+  const auto trianglesBefore = [&](int polygon) { return mesh.firstCorner(polygon) - 2 * polygon; };
+  std::vector<MaterialGroup> out;
+  for (const MaterialGroup& g : mesh.scene.groups) {
+    const int start = trianglesBefore(g.start);
+    if (const int count = trianglesBefore(g.start + g.count) - start; count > 0)
+      out.push_back({start, count, g.material});
+  }
+  return out;
+}
+
+}  // namespace shapespline

@@ -1,0 +1,48 @@
+// A mesh of polygons, as OBJ, PLY and OFF hold it, and its triangles.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/status.h"
+#include "core/base/types.h"
+#include "core/base/warning.h"
+#include "io/base/scene.h"
+
+namespace shapespline {
+
+/// One pose as it stands in a file.
+struct PolygonMesh {
+  Positions positions;
+  Positions normals;         ///< n unit vectors, or empty
+  std::vector<int> corners;  ///< vertex of every corner of every polygon, in range
+  std::vector<int> drawn;    ///< drawn vertex of every corner where there are seams, else empty
+  std::vector<int> ends;     ///< of each polygon: one past its last corner; at least 3 corners each
+  Scene scene;               ///< its groups count polygons
+  std::vector<Warning> warnings;
+
+  int polygonCount() const { return static_cast<int>(ends.size()); }
+  int firstCorner(int polygon) const { return polygon == 0 ? 0 : ends[polygon - 1]; }
+};
+
+/// How every polygon is cut: triangles of corner numbers counted within the polygon, polygon after polygon.
+using PolygonCuts = std::vector<Triangle>;
+
+/// Chooses the cuts from one pose: the diagonal of a quad that lies inside and is shorter, ears of larger polygons.
+PolygonCuts cutPolygons(const PolygonMesh& mesh);
+
+/// The cuts by which a mesh of the same polygons became these triangles; those of the mesh itself where it never did.
+PolygonCuts cutPolygonsLike(const PolygonMesh& mesh, const std::vector<Triangle>& triangles);
+
+/// The triangles of a mesh under given cuts, so that every key is split the same way. Where the polygons have other
+/// sizes than those that were cut, each is split as a fan: the keys do not fit together then, and comparing them says
+/// so.
+std::vector<Triangle> trianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts);
+
+/// The same triangles of drawn vertices; empty where there are no seams.
+std::vector<Triangle> drawnTrianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts);
+
+/// Groups of triangles from groups of polygons.
+std::vector<MaterialGroup> triangleGroups(const PolygonMesh& mesh);
+
+}  // namespace shapespline

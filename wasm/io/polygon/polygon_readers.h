@@ -1,0 +1,34 @@
+// OBJ, PLY and OFF -> one pose of polygons.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/base/progress.h"
+#include "core/base/status.h"
+#include "io/base/named_bytes.h"
+#include "io/polygon/polygon_mesh.h"
+
+namespace shapespline {
+
+/// Wavefront OBJ with its MTL and textures where they are among the files: v (with colours), vt, vn, f, usemtl, mtllib.
+/// Lines, points and everything curved are left out. Coordinates belong to corners; a vertex has the mean of its
+/// normals. Errors: MalformedFile, IndexOutOfRange, NoTriangles, TooLarge; messages name the line.
+Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
+                            const FractionReport& onProgress = {});
+
+/// Stanford PLY 1.0: ascii, binary little and big endian; elements vertex and face.
+/// Errors: MalformedFile, TruncatedFile, IndexOutOfRange, NoTriangles, TooLarge.
+Result<PolygonMesh> readPly(const NamedBytes& file, const std::string& where, const FractionReport& onProgress = {});
+
+/// Object File Format: OFF, NOFF, COFF, STOFF and their combinations, as text.
+/// Errors: MalformedFile, TruncatedFile, IndexOutOfRange, NoTriangles, TooLarge, Unsupported.
+Result<PolygonMesh> readOff(const NamedBytes& file, const std::string& where, const FractionReport& onProgress = {});
+
+/// Checks that every corner names a vertex and that there is a face; the last step of every reader.
+Status checkPolygons(const PolygonMesh& mesh, const std::string& where);
+
+/// Says so where faces of fewer than three corners were left out.
+void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where);
+
+}  // namespace shapespline
