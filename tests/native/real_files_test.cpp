@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "../fuzz/one_input.h"
+#include "core/sequence/sequence.h"
 #include "gltf_maker.h"
 #include "real_data.h"
 

@@ -51,7 +51,7 @@ TEST_CASE("tree cut: the parts have no column in common and share rows in the to
   }
 }
 
-TEST_CASE("tree cut: two threads need less than two thirds of the time of one") {
+TEST_CASE("tree cut: two threads have less than two thirds of the work of one") {
   testing::Random random(4);
   const SymbolicFactor factor = factorOf(testing::bumpySphere(66, random));  // 43,562 vertices
   const std::vector<int> part = cutTree(factor);
