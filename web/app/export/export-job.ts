@@ -104,17 +104,14 @@ export async function runExport(request: ExportRequest, job: ExportJob): Promise
     return video(request, job, (share) => job.show(start + share * (end - start)));
   }
   const options = engineOptions(request, job.time, job.stretch)!;
-  const files = await job.sequence.export(options, { signal: job.signal, onProgress: job.onProgress });
-  const [first] = files;
-  if (!first) return;
-  if (files.length > 1) return download(zip(files), `${name}.zip`);
-  const extension = first.name.split('.').at(-1) ?? 'glb';
-  download(
-    new Blob([first.bytes as Uint8Array<ArrayBuffer>], {
-      type: extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream',
-    }),
-    `${name}.${extension}`,
-  );
+  const call = { signal: job.signal, onProgress: job.onProgress };
+  if (request.kind === 'animation' && request.animation === 'obj')
+    return download(await zip(job.sequence.exportFiles(options, call)), `${name}.zip`);
+  const [file] = await job.sequence.export(options, call);
+  if (!file) return;
+  const extension = file.name.split('.').at(-1) ?? 'glb';
+  const type = extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream';
+  download(new Blob([file.bytes as Uint8Array<ArrayBuffer>], { type }), `${name}.${extension}`);
 }
 
 async function video(request: ExportRequest, job: ExportJob, draw: (share: number) => Promise<void>): Promise<void> {
