@@ -1,8 +1,8 @@
 /** Files of the user: real ones where they are, broken ones, dropped and picked. */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { columns } from './png.ts';
-import { bytesOf, changedShare, difference, expect, realFile, test } from './support.ts';
+import { changedShare, columns } from './png.ts';
+import { bytesOf, difference, expect, realFile, test } from './support.ts';
 import type { App } from './support.ts';
 
 const cactus = ['cactus/cactus-3.glb', 'cactus/cactus-1.glb', 'cactus/cactus-2.glb'].map(realFile);
@@ -81,7 +81,7 @@ for (const { what, name, bytes } of broken) {
     await app.settled();
     expect((await app.state()).doc).toEqual(before.state.doc);
     expect(await app.positions()).toEqual(before.positions);
-    expect(await changedShare(app.page, before.picture, await app.picture())).toBe(0);
+    expect(changedShare(before.picture, await app.picture())).toBe(0);
     expect(difference(await app.positionsAt(0.6), before.positions)).toBeGreaterThan(0);
     await app.by('error-close').click();
     await expect(app.by('error')).toBeHidden();

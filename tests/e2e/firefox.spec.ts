@@ -1,6 +1,8 @@
 /** A smoke test in the system's Firefox ESR: the page starts, draws, moves, keeps its keys, refuses a broken file. */
 import { expect, test } from '@playwright/test';
-import { Firefox, findFirefox } from './marionette.ts';
+import type { Page } from 'puppeteer-core';
+import type {} from '../../web/app/test-hook.ts';
+import { findFirefox, inFirefox } from './firefox.ts';
 
 const program = findFirefox();
 
@@ -8,66 +10,86 @@ test('the page works in Firefox ESR', async ({}, info) => {
   test.skip(program === null, 'firefox-esr is not installed');
   test.skip(info.project.name === 'dev', 'the built page is what visitors get');
   test.setTimeout(240_000);
-  const firefox = await Firefox.start(program!);
-  try {
-    await firefox.open(info.project.use.baseURL!);
-    const hasWebGl = await firefox.run<boolean>(
-      `return document.createElement('canvas').getContext('webgl2') !== null;`,
-    );
-    if (!hasWebGl) {
+  await inFirefox(program!, async (page) => {
+    await page.goto(info.project.use.baseURL!);
+    if (!(await page.evaluate(() => document.createElement('canvas').getContext('webgl2') !== null))) {
       // Without a screen there is none in software: then the page must say so, and that is all there is to see.
-      const alert = await firefox.run<string>(`return document.querySelector('[role=alert]').textContent;`);
-      expect(alert).toContain('WebGL 2');
+      expect(await page.$eval('[role=alert]', (alert) => alert.textContent)).toContain('WebGL 2');
       test.skip(true, 'this Firefox has no WebGL without a screen; install Xvfb');
     }
-    const seen = await firefox.run<{
-      keys: number;
-      finite: boolean;
-      moved: number;
-      exact: number;
-      problem: boolean;
-      policy: string[];
-    }>(`
-      const refused = [];
-      document.addEventListener('securitypolicyviolation', (event) => refused.push(event.violatedDirective + ' ' + event.blockedURI));
-      while (!window.__shapespline) await new Promise((resolve) => setTimeout(resolve, 50));
-      const hook = window.__shapespline;
-      await hook.ready;
-      await hook.settled();
-      const at = async (t) => { await hook.setTime(t); return hook.positions(0); };
-      const largest = (a, b) => a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i])), 0);
-      const [start, middle, beyond] = [await at(0), await at(0.25), await at(1.3)];
-      const engine = await hook.evaluate(1.3);
-      return {
-        keys: hook.state.doc.keys.length, finite: [...start, ...middle, ...beyond].every(Number.isFinite),
-        moved: Math.min(largest(start, middle), largest(middle, beyond)), exact: largest(beyond, engine),
-        problem: !document.querySelector('[data-testid=error]').hidden, policy: refused,
-      };`);
-    expect(seen).toMatchObject({ keys: 3, finite: true, exact: 0, problem: false, policy: [] });
-    expect(seen.moved).toBeGreaterThan(0.01);
-    const pixels = await firefox.run<number>(`
-      const hook = window.__shapespline;
-      await hook.setTime(0.25);
-      const canvas = document.querySelector('.picture canvas');
-      const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
-      window.dispatchEvent(new Event('resize'));
-      document.querySelector('[data-testid=floor]').click();
-      await new Promise((resolve) => requestAnimationFrame(() => { copy.drawImage(canvas, 0, 0); resolve(); }));
-      const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
-      let coloured = 0;
-      for (let i = 0; i < data.length; i += 4) coloured += Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > 40;
-      return coloured / (data.length / 4);`);
-    expect(pixels).toBeGreaterThan(0.02);
-    const sentence = await firefox.run<string>(`
-      const input = document.querySelector('[data-testid=file-input]');
+    const { moved, ...seen } = await motionIn(page);
+    expect(seen).toEqual({ keys: 3, finite: true, inexact: 0, problem: false, refused: [] });
+    expect(moved).toBeGreaterThan(0.01);
+    expect(await colouredShare(page)).toBeGreaterThan(0.02);
+    expect(await errorAfterOpening(page, 'bad.glb', '<!doctype html>')).toContain('bad.glb');
+  });
+});
+
+/** What the page holds and how its shape moves; `inexact`: largest difference to the engine. */
+async function motionIn(page: Page) {
+  await page.waitForFunction(() => window.__shapespline !== undefined);
+  return page.evaluate(async () => {
+    const refused: string[] = [];
+    document.addEventListener('securitypolicyviolation', (event) =>
+      refused.push(`${event.violatedDirective} ${event.blockedURI}`),
+    );
+    const hook = window.__shapespline!;
+    await hook.ready;
+    await hook.settled();
+    const at = async (t: number): Promise<number[]> => {
+      await hook.setTime(t);
+      return Array.from(hook.positions(0));
+    };
+    const largest = (a: number[], b: number[]): number =>
+      a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i]!)), 0);
+    const [start, middle, beyond] = [await at(0), await at(0.25), await at(1.3)];
+    return {
+      keys: hook.state.doc.keys.length,
+      finite: [...start, ...middle, ...beyond].every(Number.isFinite),
+      moved: Math.min(largest(start, middle), largest(middle, beyond)),
+      inexact: largest(beyond, Array.from(await hook.evaluate(1.3))),
+      problem: !document.querySelector<HTMLElement>('[data-testid=error]')!.hidden,
+      refused,
+    };
+  });
+}
+
+/** Share of the canvas that has a strong colour, between two keys. */
+function colouredShare(page: Page): Promise<number> {
+  return page.evaluate(async () => {
+    await window.__shapespline!.setTime(0.25);
+    const canvas = document.querySelector<HTMLCanvasElement>('.picture canvas')!;
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d')!;
+    window.dispatchEvent(new Event('resize'));
+    document.querySelector<HTMLElement>('[data-testid=floor]')!.click();
+    await new Promise<void>((resolve) => {
+      requestAnimationFrame(() => {
+        copy.drawImage(canvas, 0, 0);
+        resolve();
+      });
+    });
+    const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+    let coloured = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const [r, g, b] = [data[i]!, data[i + 1]!, data[i + 2]!];
+      coloured += Math.max(r, g, b) - Math.min(r, g, b) > 40 ? 1 : 0;
+    }
+    return coloured / (data.length / 4);
+  });
+}
+
+function errorAfterOpening(page: Page, name: string, content: string): Promise<string | null> {
+  return page.evaluate(
+    async (file, text) => {
+      const input = document.querySelector<HTMLInputElement>('[data-testid=file-input]')!;
       const transfer = new DataTransfer();
-      transfer.items.add(new File(['<!doctype html>'], 'bad.glb'));
+      transfer.items.add(new File([text], file));
       input.files = transfer.files;
       input.dispatchEvent(new Event('change'));
-      await window.__shapespline.settled();
-      return document.querySelector('[data-testid=error-message]').textContent;`);
-    expect(sentence).toContain('bad.glb');
-  } finally {
-    await firefox.stop();
-  }
-});
+      await window.__shapespline!.settled();
+      return document.querySelector('[data-testid=error-message]')!.textContent;
+    },
+    name,
+    content,
+  );
+}

@@ -1,38 +1,19 @@
 /** The ghost mesh: what leads the shape, what of it is drawn, how far it is from none, and the comparison of its sizes. */
 import { AxeBuilder } from '@axe-core/playwright';
-import { changedShare, diagonal, difference, expect, test } from './support.ts';
+import { changedShare, matching } from './png.ts';
+import type { Colour } from './png.ts';
+import { diagonal, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-interface Hue {
-  share: number;
-  count: number;
-}
+const HUES = {
+  accent: ([r, g, b]: Colour) => b > 150 && b - g > 60 && b - r > 60,
+  purple: ([r, g, b]: Colour) => r > g + 12 && b > g + 25 && g < 110,
+  green: ([r, g, b]: Colour) => g > r + 40 && g > b + 10,
+};
 
-/** Pixels of a colour, by a test in the page on red, green and blue. */
-async function pixels(app: App, kind: 'accent' | 'purple' | 'green'): Promise<Hue> {
-  const picture = (await app.picture()).toString('base64');
-  return app.page.evaluate(
-    async ([text, name]) => {
-      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-      context.drawImage(bitmap, 0, 0);
-      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-      let count = 0;
-      for (let i = 0; i < data.length; i += 4) {
-        const [r, g, b] = [data[i]!, data[i + 1]!, data[i + 2]!];
-        const hit =
-          name === 'accent'
-            ? b > 150 && b - g > 60 && b - r > 60
-            : name === 'purple'
-              ? r > g + 12 && b > g + 25 && g < 110
-              : g > r + 40 && g > b + 10;
-        count += hit ? 1 : 0;
-      }
-      return { count, share: count / (data.length / 4) };
-    },
-    [picture, kind] as const,
-  );
+/** Pixels of a hue. */
+async function pixels(app: App, hue: keyof typeof HUES): Promise<{ count: number; share: number }> {
+  return matching(await app.picture(), HUES[hue]);
 }
 
 /** Distances of the first two views' vertices in percent of the diagonal over all keys, as the engine has them. */
@@ -108,9 +89,9 @@ test('its wireframe lies over the shape, and it stands beside the shape with lin
   const before = await app.picture();
   await app.by('ghost-wire').check();
   const wire = await app.picture();
-  expect(await changedShare(app.page, before, wire)).toBeGreaterThan(0.01);
+  expect(changedShare(before, wire)).toBeGreaterThan(0.01);
   await app.by('ghost-wire').uncheck();
-  expect(await changedShare(app.page, before, await app.picture())).toBeLessThan(0.001);
+  expect(changedShare(before, await app.picture())).toBeLessThan(0.001);
   const none = await pixels(app, 'accent');
   await app.by('ghost-beside').check();
   const lines = await pixels(app, 'accent');

@@ -1,5 +1,6 @@
 /** The strip of keys: pictures, order, names, times, adding and removing, undo and redo; methods side by side. */
-import { changedShare, diagonal, difference, expect, test } from './support.ts';
+import { changedShare } from './png.ts';
+import { diagonal, difference, expect, test } from './support.ts';
 
 test('every key has its own picture', async ({ app }) => {
   await app.open();
@@ -107,7 +108,7 @@ test('methods stand side by side with one camera and one clock', async ({ app })
   await app.settled();
   const [spline, linear] = [await app.positions(0), await app.positions(1)];
   expect(difference(spline, linear)).toBeGreaterThan(1e-3 * diagonal(spline));
-  expect(await changedShare(app.page, alone, await app.picture())).toBeGreaterThan(0.01);
+  expect(changedShare(alone, await app.picture())).toBeGreaterThan(0.01);
   await expect(app.by('tile-0')).toContainText('LRI spline');
   await expect(app.by('tile-1')).toContainText('Linear blend');
   const volume = async (tile: number): Promise<number> =>

@@ -1,5 +1,6 @@
 /** The drawn picture against the engine's numbers, and the ways to look at it. */
-import { changedShare, expect, test } from './support.ts';
+import { changedShare, colours, decode, saturation } from './png.ts';
+import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
 interface Overlap {
@@ -13,60 +14,43 @@ interface Overlap {
 /** Projects the engine's vertices (not what the viewer holds) and compares them with a screenshot of the canvas. */
 async function overlap(app: App, t: number, drawn = t): Promise<Overlap> {
   await app.setTime(drawn);
-  const picture = (await app.picture()).toString('base64');
-  return app.page.evaluate(
-    async ([time, text]) => {
-      const hook = window.__shapespline!;
-      const places = hook.project(await hook.evaluate(time));
-      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-      const { width, height } = bitmap;
-      const context = new OffscreenCanvas(width, height).getContext('2d')!;
-      context.drawImage(bitmap, 0, 0);
-      const { data } = context.getImageData(0, 0, width, height);
-      // The shape is the only thing with a strong colour; floor, shadow and background are grey.
-      const shape = new Uint8Array(width * height);
-      for (let i = 0; i < shape.length; i += 1) {
-        const [r, g, b] = [data[4 * i]!, data[4 * i + 1]!, data[4 * i + 2]!];
-        shape[i] = Math.max(r, g, b) - Math.min(r, g, b) > 36 ? 1 : 0;
-      }
-      const grow = (mask: Uint8Array, radius: number): Uint8Array => {
-        const grown = new Uint8Array(mask.length);
-        for (let y = 0; y < height; y += 1) {
-          for (let x = 0; x < width; x += 1) {
-            if (!mask[y * width + x]) continue;
-            for (let dy = -radius; dy <= radius; dy += 1) {
-              for (let dx = -radius; dx <= radius; dx += 1) {
-                const [px, py] = [x + dx, y + dy];
-                if (px >= 0 && py >= 0 && px < width && py < height) grown[py * width + px] = 1;
-              }
-            }
-          }
-        }
-        return grown;
-      };
-      const dots = new Uint8Array(width * height);
-      const nearShape = grow(shape, 2);
-      let inside = 0;
-      let seen = 0;
-      for (let i = 0; i < places.length; i += 2) {
-        const [x, y] = [Math.round(places[i]!), Math.round(places[i + 1]!)];
-        if (x < 0 || y < 0 || x >= width || y >= height) continue;
-        seen += 1;
-        inside += nearShape[y * width + x]!;
-        dots[y * width + x] = 1;
-      }
-      const nearDots = grow(dots, 9);
-      let pixels = 0;
-      let covered = 0;
-      shape.forEach((on, i) => {
-        pixels += on;
-        covered += on && nearDots[i]! ? 1 : 0;
-      });
-      return { verticesOnShape: inside / seen, shapeNearVertices: covered / pixels, shapePixels: pixels };
-    },
-    [t, picture] as const,
-  );
+  const picture = decode(await app.picture());
+  const projected = await app.page.evaluate(async (time) => {
+    const hook = window.__shapespline!;
+    return Array.from(hook.project(await hook.evaluate(time)));
+  }, t);
+  const { width, height } = picture;
+  // The shape is the only thing with a strong colour; floor, shadow and background are grey.
+  const shape = Uint8Array.from(colours(picture), (colour) => (saturation(colour) > 36 ? 1 : 0));
+  const dots = new Uint8Array(width * height);
+  const nearShape = grown(shape, width, 2);
+  let inside = 0;
+  let seen = 0;
+  for (let i = 0; i < projected.length; i += 2) {
+    const [x, y] = [Math.round(projected[i]!), Math.round(projected[i + 1]!)];
+    if (x < 0 || y < 0 || x >= width || y >= height) continue;
+    seen += 1;
+    inside += nearShape[y * width + x]!;
+    dots[y * width + x] = 1;
+  }
+  const nearDots = grown(dots, width, 9);
+  const shapePixels = shape.reduce((sum, on) => sum + on, 0);
+  const covered = shape.reduce((sum, on, i) => sum + (on & nearDots[i]!), 0);
+  return { verticesOnShape: inside / seen, shapeNearVertices: covered / shapePixels, shapePixels };
+}
+
+/** All pixels within a square round one that is set. */
+function grown(mask: Uint8Array, width: number, radius: number): Uint8Array {
+  const height = mask.length / width;
+  const result = new Uint8Array(mask.length);
+  mask.forEach((on, i) => {
+    if (!on) return;
+    const [x, y] = [i % width, Math.floor(i / width)];
+    const [left, right] = [Math.max(x - radius, 0), Math.min(x + radius, width - 1)];
+    for (let row = Math.max(y - radius, 0); row <= Math.min(y + radius, height - 1); row += 1)
+      result.fill(1, row * width + left, row * width + right + 1);
+  });
+  return result;
 }
 
 test('the drawn silhouette is that of the engine’s vertices, at three times', async ({ app }) => {
@@ -82,33 +66,25 @@ test('the drawn silhouette is that of the engine’s vertices, at three times', 
   expect(Math.min(wrong.verticesOnShape, wrong.shapeNearVertices)).toBeLessThan(0.9);
 });
 
+/** Degrees of the mean of all strong colours. */
+function meanHue(file: Buffer): number {
+  const sum: [number, number, number] = [0, 0, 0];
+  for (const colour of colours(decode(file))) {
+    if (saturation(colour) <= 60) continue;
+    colour.forEach((level, channel) => {
+      sum[channel]! += level;
+    });
+  }
+  const [r, g, b] = sum;
+  return ((Math.atan2(Math.sqrt(3) * (g - b), 2 * r - g - b) * 180) / Math.PI + 360) % 360;
+}
+
 test('key, between and beyond have their own colours', async ({ app }) => {
   await app.open();
   const hues: number[] = [];
   for (const t of [0, 0.25, 1.3]) {
     await app.setTime(t);
-    hues.push(
-      await app.page.evaluate(
-        async (text) => {
-          const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-          const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-          const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-          context.drawImage(bitmap, 0, 0);
-          const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-          const sum = [0, 0, 0];
-          for (let i = 0; i < data.length; i += 4) {
-            const rgb = [data[i]!, data[i + 1]!, data[i + 2]!];
-            if (Math.max(...rgb) - Math.min(...rgb) > 60)
-              rgb.forEach((value, c) => {
-                sum[c]! += value;
-              });
-          }
-          const [r, g, b] = sum as [number, number, number];
-          return ((Math.atan2(Math.sqrt(3) * (g - b), 2 * r - g - b) * 180) / Math.PI + 360) % 360;
-        },
-        (await app.picture()).toString('base64'),
-      ),
-    );
+    hues.push(meanHue(await app.picture()));
   }
   const [blue, green, yellow] = hues as [number, number, number];
   expect(blue).toBeGreaterThan(190);
@@ -134,7 +110,7 @@ test('the look changes the picture and not the shape', async ({ app }) => {
   ] as const) {
     await change();
     const after = await app.picture();
-    expect(await changedShare(app.page, before, after), what).toBeGreaterThan(2e-3);
+    expect(changedShare(before, after), what).toBeGreaterThan(2e-3);
     before = after;
   }
   expect(await app.positions()).toEqual(positions);
@@ -147,7 +123,7 @@ test('the film strip shows the motion in a row, and goes away again', async ({ a
   const before = await app.picture();
   await app.page.keyboard.press('i');
   const strip = await app.picture();
-  expect(await changedShare(app.page, before, strip)).toBeGreaterThan(0.01);
+  expect(changedShare(before, strip)).toBeGreaterThan(0.01);
   await app.page.keyboard.press('i');
   await app.page.keyboard.press('h');
   await app.settled();
@@ -226,7 +202,7 @@ test('a lost graphics context comes back with the same picture', async ({ app })
     extension.restoreContext();
     await restored;
   });
-  expect(await changedShare(app.page, before, await app.picture())).toBeLessThan(0.002);
+  expect(changedShare(before, await app.picture())).toBeLessThan(0.002);
 });
 
 test('a resize while playing loses nothing', async ({ app }) => {

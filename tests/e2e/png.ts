@@ -1,36 +1,82 @@
-/** PNG files of plain columns of colour, made without any of the code under test but its checksum. */
-import { deflateSync } from 'node:zlib';
-import { crc32 } from '../../web/app/export/zip.ts';
+/** PNG files: what screenshots hold, and images for shapes to wear, made without any of the code under test. */
+import { crc32, deflateSync } from 'node:zlib';
+import { PNG } from 'pngjs';
 
-function chunk(type: string, data: Uint8Array): Buffer {
-  const body = Buffer.concat([Buffer.from(type), data]);
-  const frame = Buffer.alloc(8);
-  frame.writeUInt32BE(data.length);
-  frame.writeUInt32BE(crc32(body), 4);
-  return Buffer.concat([frame.subarray(0, 4), body, frame.subarray(4)]);
+export type Colour = readonly [red: number, green: number, blue: number];
+
+/** A decoded picture, four bytes per pixel. */
+export interface Picture {
+  width: number;
+  height: number;
+  data: Uint8Array;
 }
 
-function file(width: number, height: number, depth: number, colourType: number, rows: Uint8Array): Buffer {
-  const header = Buffer.alloc(13);
-  header.writeUInt32BE(width);
-  header.writeUInt32BE(height, 4);
-  header.set([depth, colourType], 8);
-  const signature = Buffer.from('\x89PNG\r\n\x1a\n', 'latin1');
-  return Buffer.concat([
-    signature,
-    chunk('IHDR', header),
-    chunk('IDAT', deflateSync(rows)),
-    chunk('IEND', Buffer.alloc(0)),
-  ]);
+export function decode(file: Buffer): Picture {
+  return PNG.sync.read(file);
 }
 
-/** `colours` from left to right, each a column of 16 x 64 pixels. */
-export function columns(colours: readonly (readonly [number, number, number])[]): Buffer {
-  const row = [0, ...colours.flatMap((colour) => Array.from({ length: 16 }, () => colour).flat())];
-  return file(16 * colours.length, 64, 8, 2, Uint8Array.from(Array.from({ length: 64 }, () => row).flat()));
+export function encode({ width, height, data }: Picture): Buffer {
+  const picture = new PNG({ width, height });
+  picture.data.set(data);
+  return PNG.sync.write(picture);
 }
 
-/** All black, one bit a pixel: far smaller as a file than it is once decoded. */
+export function colourAt({ width, data }: Picture, x: number, y: number): Colour {
+  const at = 4 * (y * width + x);
+  return [data[at]!, data[at + 1]!, data[at + 2]!];
+}
+
+/** The colours of all pixels, row by row. */
+export function* colours({ data }: Picture): Generator<Colour> {
+  for (let at = 0; at < data.length; at += 4) yield [data[at]!, data[at + 1]!, data[at + 2]!];
+}
+
+/** What a strong colour has and grey has not. */
+export function saturation(colour: Colour): number {
+  return Math.max(...colour) - Math.min(...colour);
+}
+
+/** How many pixels a test holds for, and which share of all that is. */
+export function matching(file: Buffer, test: (colour: Colour) => boolean): { count: number; share: number } {
+  const picture = decode(file);
+  let count = 0;
+  for (const colour of colours(picture)) if (test(colour)) count += 1;
+  return { count, share: count / (picture.width * picture.height) };
+}
+
+/** Share of pixels that differ by more than some levels of 255 in a channel; 1 where the sizes differ. */
+export function changedShare(before: Buffer, after: Buffer, levels = 6): number {
+  const [a, b] = [decode(before), decode(after)];
+  if (a.width !== b.width || a.height !== b.height) return 1;
+  let changed = 0;
+  for (let at = 0; at < a.data.length; at += 4) {
+    if ([0, 1, 2].some((channel) => Math.abs(a.data[at + channel]! - b.data[at + channel]!) > levels)) changed += 1;
+  }
+  return changed / (a.width * a.height);
+}
+
+/** `list` from left to right, each a column of 16 x 64 pixels. */
+export function columns(list: readonly Colour[]): Buffer {
+  const row = list.flatMap((colour) => Array.from({ length: 16 }, () => [...colour, 255]).flat());
+  const data = Uint8Array.from(Array.from({ length: 64 }, () => row).flat());
+  return encode({ width: 16 * list.length, height: 64, data });
+}
+
+/** All black, one bit per pixel, which pngjs does not write: far smaller as a file than it is once decoded. */
 export function blank(side: number): Buffer {
-  return file(side, side, 1, 0, new Uint8Array(side * (1 + Math.ceil(side / 8))));
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(side);
+  header.writeUInt32BE(side, 4);
+  header.set([1, 0], 8);
+  const rows = Buffer.alloc(side * (1 + Math.ceil(side / 8)));
+  const signature = Buffer.from('\x89PNG\r\n\x1a\n', 'latin1');
+  return Buffer.concat([signature, chunk('IHDR', header), chunk('IDAT', deflateSync(rows)), chunk('IEND')]);
+}
+
+function chunk(type: string, data = Buffer.alloc(0)): Buffer {
+  const body = Buffer.concat([Buffer.from(type), data]);
+  const [length, sum] = [Buffer.alloc(4), Buffer.alloc(4)];
+  length.writeUInt32BE(data.length);
+  sum.writeUInt32BE(crc32(body));
+  return Buffer.concat([length, body, sum]);
 }

@@ -4,7 +4,8 @@
  */
 import { poseFiles } from '../engine/support/glb.ts';
 import { bar, bent } from '../engine/support/shapes.ts';
-import { changedShare, difference, expect, test } from './support.ts';
+import { changedShare } from './png.ts';
+import { difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
 const FACES = 40_000;
@@ -124,9 +125,9 @@ test('a shape is a preview while it is dragged or plays, and exact when it rests
   // What was eased in is drawn as what is shown at once.
   const eased = await app.picture();
   await app.setTime(time > 0.5 ? 0.1 : 0.9);
-  expect(await changedShare(app.page, eased, await app.picture())).toBeGreaterThan(0.01);
+  expect(changedShare(eased, await app.picture())).toBeGreaterThan(0.01);
   await app.setTime(time);
-  expect(await changedShare(app.page, eased, await app.picture())).toBeLessThan(0.001);
+  expect(changedShare(eased, await app.picture())).toBeLessThan(0.001);
 
   const before = await app.positions();
   await app.by('play').click();

@@ -1,4 +1,4 @@
-/** What the end-to-end tests share: the page with its hook, pixels of screenshots, real inputs where they are. */
+/** What the end-to-end tests share: the page with its hook, real inputs where they are. */
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -138,30 +138,6 @@ export function diagonal(positions: readonly number[]): number {
     return values.reduce((a, b) => Math.max(a, b), -Infinity) - values.reduce((a, b) => Math.min(a, b), Infinity);
   });
   return Math.hypot(...size);
-}
-
-/** Decodes two pictures of the same size in the page and counts pixels that differ by more than a little. */
-export async function changedShare(page: Page, before: Buffer, after: Buffer): Promise<number> {
-  return page.evaluate(
-    async ([a, b]) => {
-      const read = async (text: string): Promise<ImageData> => {
-        const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-        const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-        context.drawImage(bitmap, 0, 0);
-        return context.getImageData(0, 0, bitmap.width, bitmap.height);
-      };
-      const [one, other] = [await read(a!), await read(b!)];
-      if (one.width !== other.width || one.height !== other.height) return 1;
-      let changed = 0;
-      for (let i = 0; i < one.data.length; i += 4) {
-        const step = [0, 1, 2].reduce((most, c) => Math.max(most, Math.abs(one.data[i + c]! - other.data[i + c]!)), 0);
-        if (step > 6) changed += 1;
-      }
-      return changed / (one.data.length / 4);
-    },
-    [before.toString('base64'), after.toString('base64')],
-  );
 }
 
 export function bytesOf(file: string): Buffer {

@@ -1,39 +1,32 @@
 /** Textures on the shape: where they have seams, where they repeat, and where they are too large to be drawn. */
 import { readFileSync } from 'node:fs';
 import { Document, WebIO } from '@gltf-transform/core';
-import { blank, columns } from './png.ts';
+import { blank, colourAt, columns, decode } from './png.ts';
+import type { Colour } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-type Colour = 'red' | 'green' | 'blue' | 'none';
+type Channel = 'red' | 'green' | 'blue' | 'none';
 const RED = [255, 0, 0] as const;
 const GREEN = [0, 255, 0] as const;
 const BLUE = [0, 0, 255] as const;
 
 /** Which colour is strongest on the screen at points of the shape. */
-async function coloursAt(app: App, points: number[]): Promise<Colour[]> {
-  const picture = (await app.picture()).toString('base64');
-  return app.page.evaluate(
-    async ([places, text]) => {
-      const at = window.__shapespline!.project(places);
-      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-      context.drawImage(bitmap, 0, 0);
-      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-      return Array.from({ length: at.length / 2 }, (_, i): Colour => {
-        const start = 4 * (Math.round(at[2 * i + 1]!) * bitmap.width + Math.round(at[2 * i]!));
-        const [r, g, b] = data.subarray(start, start + 3) as unknown as [number, number, number];
-        const [most, ...rest] = [
-          { c: 'red' as const, v: r },
-          { c: 'green' as const, v: g },
-          { c: 'blue' as const, v: b },
-        ].sort((x, y) => y.v - x.v);
-        return most!.v > rest[0]!.v + 60 ? most!.c : 'none';
-      });
-    },
-    [points, picture] as const,
+async function coloursAt(app: App, points: number[]): Promise<Channel[]> {
+  const picture = decode(await app.picture());
+  const at = await app.page.evaluate((xyz) => Array.from(window.__shapespline!.project(xyz)), points);
+  return Array.from({ length: at.length / 2 }, (_, i) =>
+    strongest(colourAt(picture, Math.round(at[2 * i]!), Math.round(at[2 * i + 1]!))),
   );
+}
+
+function strongest([r, g, b]: Colour): Channel {
+  const [most, next] = [
+    { name: 'red' as const, level: r },
+    { name: 'green' as const, level: g },
+    { name: 'blue' as const, level: b },
+  ].sort((x, y) => y.level - x.level);
+  return most!.level > next!.level + 60 ? most!.name : 'none';
 }
 
 async function openTextured(
@@ -93,7 +86,7 @@ function squares(bend: number): string {
 
 /** Along both squares and close to both sides of their common edge. */
 const PLACES = [-0.9, -0.5, -0.03, 0.03, 0.5, 0.9].flatMap((x) => [x, 0.1, 0]);
-const SIDES: Colour[] = ['red', 'red', 'red', 'blue', 'blue', 'blue'];
+const SIDES: Channel[] = ['red', 'red', 'red', 'blue', 'blue', 'blue'];
 
 test('an OBJ whose texture has seams shows it right on both sides, and so does what is exported', async ({ app }) => {
   await app.open();
@@ -160,7 +153,7 @@ async function sampledSquare(sampler: { wrap: 10497 | 33071 | 33648; image: Buff
 test('a texture repeats, stops or is mirrored as its sampler says', async ({ app }) => {
   await app.open();
   const places = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [x, 0, 0]); // at u = 0.25, 0.75, 1.25, 1.75
-  const ways: [10497 | 33071 | 33648, Colour[]][] = [
+  const ways: [10497 | 33071 | 33648, Channel[]][] = [
     [10497, ['red', 'blue', 'red', 'blue']],
     [33071, ['red', 'blue', 'blue', 'blue']],
     [33648, ['red', 'blue', 'blue', 'red']],

@@ -2,7 +2,8 @@
 import { readFileSync } from 'node:fs';
 import type { Locator, Page } from '@playwright/test';
 import type { Warning } from '../../web/engine/api/types.ts';
-import { changedShare, expect, test } from './support.ts';
+import { changedShare, matching } from './png.ts';
+import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
 const LONG =
@@ -51,18 +52,7 @@ async function answering(
 
 /** How much of the picture has the colour of a mark. */
 async function markedShare(app: App): Promise<number> {
-  const shot = await app.picture();
-  return app.page.evaluate(async (text) => {
-    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-    context.drawImage(bitmap, 0, 0);
-    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    let marked = 0;
-    for (let i = 0; i < data.length; i += 4)
-      if (data[i]! - data[i + 1]! > 60 && data[i + 2]! - data[i + 1]! > 25) marked += 1;
-    return marked / (data.length / 4);
-  }, shot.toString('base64'));
+  return matching(await app.picture(), ([r, g, b]) => r - g > 60 && b - g > 25).share;
 }
 
 /** More than the swatch of a button. */
@@ -147,7 +137,7 @@ test('faces that have turned inside out are spoken of where they can be seen, on
   const before = await app.picture();
   await app.by('lost-show').click();
   // Faintly, where the rest of the shape hides it.
-  await expect.poll(async () => changedShare(app.page, before, await app.picture())).toBeGreaterThan(0.0003);
+  await expect.poll(async () => changedShare(before, await app.picture())).toBeGreaterThan(0.0003);
   await app.setTime(1.2);
   await expect(app.by('lost')).toContainText('this far from the keys');
   await app.expectNoProblems();

@@ -219,6 +219,21 @@ describe('single shapes and series of files', () => {
     expect(Math.abs(plan.bytes - written)).toBeLessThan(0.35 * written);
   });
 
+  it('come one by one, and end where nobody takes more', async () => {
+    const fractions: number[] = [];
+    const options = { format: 'obj', frames: 50 } as const;
+    const taken: string[] = [];
+    for await (const { name } of bend.sequence.exportFiles(options, {
+      onProgress: (p) => fractions.push(p.fraction),
+    })) {
+      taken.push(name);
+      if (taken.length === 2) break;
+    }
+    expect(taken).toEqual(['0000.obj', '0001.obj']);
+    expect(fractions).toHaveLength(2);
+    expect(await bend.sequence.export({ frames: 2 })).toHaveLength(1);
+  });
+
   it('report progress and refuse wrong options', async () => {
     const fractions: number[] = [];
     await bend.sequence.export({ frames: 4 }, { onProgress: ({ fraction }) => fractions.push(fraction) });

@@ -15,7 +15,6 @@ import { createMarking } from './drawing/marking.ts';
 import { SceneController } from './drawing/scene-controller.ts';
 import { createThumbnails } from './drawing/thumbnails.ts';
 import { createExportController } from './export/export-controller.ts';
-import { videoType } from './export/video-recorder.ts';
 import { createCommands } from './panels/commands.ts';
 import { errorMessageOf } from './panels/error-message.ts';
 import { createLayout } from './panels/layout.ts';
@@ -166,6 +165,7 @@ export function startApp(root: HTMLElement): void {
     onWorking,
     drawExactly: (t) => frameLoop.request(t),
     idle: () => frameLoop.idle(),
+    onVideoFormats: (videoFormats) => viewState.change({ videoFormats }),
     onPlan: (planned) => viewState.change({ exporting: planned }),
   });
 
@@ -191,7 +191,6 @@ export function startApp(root: HTMLElement): void {
     range,
     onError,
     onAnalysisError,
-    videoReason: videoType() ? null : 'This browser cannot write videos.',
     onLink: () => void link.copy(),
     onRemember: () => void remembered.toggle().catch(onError),
     onExportPlan: exporting.plan,

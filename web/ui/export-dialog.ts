@@ -5,9 +5,10 @@ import { frameTimes } from '../model/frames.ts';
 import type { Range } from '../model/time-scale.ts';
 
 export type ExportKind = 'animation' | 'pose' | 'picture' | 'numbers';
-export type AnimationFormat = 'glb' | 'obj' | 'webm';
+export type AnimationFormat = 'glb' | 'obj' | 'video';
 export type PoseFormat = 'glb' | 'obj' | 'ply';
 export type PictureFormat = 'png' | 'turntable';
+export type VideoFormat = 'mp4' | 'webm';
 export type NumbersFormat = 'measures' | 'patches';
 
 /** What the dialog asks for; kept while the page is open, so that the next export starts from it. */
@@ -17,6 +18,8 @@ export interface ExportRequest {
   pose: PoseFormat;
   picture: PictureFormat;
   numbers: NumbersFormat;
+  /** null = the first that the browser can write. */
+  video: VideoFormat | null;
   /** null = the whole frames of the timeline, or 60 where it has none. */
   frames: number | null;
   /** First and last time; null = what plays. */
@@ -35,6 +38,7 @@ export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
   pose: 'glb',
   picture: 'png',
   numbers: 'measures',
+  video: null,
   frames: null,
   range: null,
   duration: null,
@@ -48,7 +52,8 @@ export interface ExportDialogProps {
   /** What plays. */
   range: readonly [number, number];
   fps: number | null;
-  videoReason: string | null;
+  /** What the browser can write; null while that is not known. */
+  videoFormats: readonly VideoFormat[] | null;
 }
 
 export interface ExportDialogEvents {
@@ -59,7 +64,7 @@ export interface ExportDialogEvents {
 const WORDS: Record<string, string> = {
   glb: 'Plays in Blender, three.js and most viewers, with the materials of the files. It is also the project: opened here again, it brings back keys, times and options.',
   obj: 'One OBJ per frame in a zip, in the order of vertices and faces of your files.',
-  webm: 'A video of the view as it is now, played once.',
+  video: 'A video of the view as it is now, played once.',
   'pose-glb': 'The shape as it is now, with the materials of the files.',
   'pose-obj': 'The shape as it is now.',
   'pose-ply': 'The shape as it is now, binary.',
@@ -100,7 +105,7 @@ export function createExportDialog(events: ExportDialogEvents): {
     [
       { value: 'glb', label: 'GLB' },
       { value: 'obj', label: 'OBJ frames' },
-      { value: 'webm', label: 'Video' },
+      { value: 'video', label: 'Video' },
     ],
     (value) => change({ animation: value }),
   );
@@ -131,6 +136,15 @@ export function createExportDialog(events: ExportDialogEvents): {
       { value: 'patches', label: 'Patches (CSV)' },
     ],
     (value) => change({ numbers: value }),
+  );
+  const video = segments<VideoFormat>(
+    'Video format',
+    'export-video',
+    [
+      { value: 'mp4', label: 'MP4' },
+      { value: 'webm', label: 'WebM' },
+    ],
+    (value) => change({ video: value }),
   );
 
   const frames = numberField({
@@ -198,6 +212,7 @@ export function createExportDialog(events: ExportDialogEvents): {
     pose.element,
     picture.element,
     numbers.element,
+    video.element,
     about,
     framesRow,
     rangeRow,
@@ -213,17 +228,21 @@ export function createExportDialog(events: ExportDialogEvents): {
     request = props.request;
     shown = props;
     const { kind: what } = request;
-    const files = what === 'animation' && request.animation !== 'webm';
+    const isVideo = isVideoRequest(request);
+    const files = what === 'animation' && !isVideo;
     kind.update(what);
-    const noVideo = props.videoReason;
-    animation.update(request.animation, noVideo ? { webm: noVideo } : {});
+    const formats = props.videoFormats ?? [];
+    const noVideo = props.videoFormats?.length === 0 ? 'This browser cannot write videos.' : null;
+    animation.update(request.animation, noVideo ? { video: noVideo } : {});
     pose.update(request.pose);
     picture.update(request.picture, noVideo ? { turntable: noVideo } : {});
     numbers.update(request.numbers);
+    if (formats[0]) video.update(request.video ?? formats[0]);
     setHidden(animation.element, what !== 'animation');
     setHidden(pose.element, what !== 'pose');
     setHidden(picture.element, what !== 'picture');
     setHidden(numbers.element, what !== 'numbers');
+    setHidden(video.element, !isVideo || formats.length < 2);
     setHidden(framesRow, !files);
     setHidden(rangeRow, what !== 'animation');
     setHidden(
@@ -243,6 +262,11 @@ export function createExportDialog(events: ExportDialogEvents): {
     warnings.replaceChildren(...(props.plan?.warnings ?? []).map((warning) => h('li', {}, warning)));
   });
   return { element, open: () => element.showModal(), close: () => element.close(), update: draw };
+}
+
+/** An animation or a turn, as a video. */
+export function isVideoRequest({ kind, animation, picture }: ExportRequest): boolean {
+  return (kind === 'animation' && animation === 'video') || (kind === 'picture' && picture === 'turntable');
 }
 
 /** How many frames an animation gets. */

@@ -7,13 +7,14 @@ import type { AppState } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
 import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
-import type { ExportRequest } from '../../ui/export-dialog.ts';
+import type { ExportRequest, VideoFormat } from '../../ui/export-dialog.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
 import { isCancelled } from '../session/sequence-set.ts';
 import type { Store } from '../session/store.ts';
 import { describeExport, runExport } from './export-job.ts';
 import type { ExportPlan, Stretch } from './export-job.ts';
+import { videoFormats } from './write-video.ts';
 
 export interface ExportParts {
   store: Store;
@@ -26,6 +27,7 @@ export interface ExportParts {
   drawExactly(t: number): Promise<void>;
   /** Resolves when the shape on the screen is the exact one. */
   idle(): Promise<void>;
+  onVideoFormats(formats: readonly VideoFormat[]): void;
   /** What is asked for now, and what that would be; null while it is being computed. */
   onPlan(planned: { request: ExportRequest; plan: ExportPlan | null }): void;
   /** Something else is asked for: what went wrong before is of no interest. */
@@ -52,6 +54,7 @@ export function createExportController(parts: ExportParts): ExportController {
   let abort: AbortController | null = null;
   let last: ExportRequest = DEFAULT_REQUEST;
   let planned = 0;
+  let formats: Promise<VideoFormat[]> | null = null;
 
   const stretch = (): Stretch => {
     const { between, fps } = store.get().play;
@@ -81,7 +84,7 @@ export function createExportController(parts: ExportParts): ExportController {
       time,
       name: fileStem(source),
       stretch: stretch(),
-      canvas: viewer.canvas,
+      snapshot: (use) => viewer.snapshot(use),
       show,
       turn: turned(),
       analysis: () => parts.analysis.get(),
@@ -96,6 +99,10 @@ export function createExportController(parts: ExportParts): ExportController {
   return {
     plan(request = last) {
       last = request;
+      if (!formats) {
+        formats = videoFormats();
+        void formats.then(parts.onVideoFormats);
+      }
       planned += 1;
       const mine = planned;
       const tell = (plan: ExportPlan | null): void => {

@@ -6,11 +6,12 @@ import type { Doc } from '../../model/state.ts';
 import { frameTimes } from '../../model/frames.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
-import { MAX_FRAMES, bytesText, framesWanted } from '../../ui/export-dialog.ts';
+import { MAX_FRAMES, bytesText, framesWanted, isVideoRequest } from '../../ui/export-dialog.ts';
 import { measuresCsv, patchesCsv } from './csv.ts';
 import { download } from './download.ts';
 import type { Analysis } from '../analysis/analysis.ts';
-import { record } from './video-recorder.ts';
+import { videoFrames } from './video.ts';
+import { videoFormats, writeVideo } from './write-video.ts';
 import { zip } from './zip.ts';
 
 export interface ExportJob {
@@ -20,7 +21,8 @@ export interface ExportJob {
   name: string;
   time: number;
   stretch: Stretch;
-  canvas: HTMLCanvasElement;
+  /** Draws now and calls `use` while the canvas holds the picture. */
+  snapshot<T>(use: (canvas: HTMLCanvasElement) => T): T;
   analysis(): Promise<Analysis | null>;
   /** Shows the moment and resolves when it is drawn. */
   show(t: number): Promise<void>;
@@ -47,7 +49,7 @@ export interface Stretch {
 /** Options of the engine for the kinds of export that it writes; null for pictures, videos and tables. */
 export function engineOptions(request: ExportRequest, time: number, stretch: Stretch): Partial<ExportOptions> | null {
   if (request.kind === 'pose') return { format: request.pose, pose: time };
-  if (request.kind !== 'animation' || request.animation === 'webm') return null;
+  if (request.kind !== 'animation' || request.animation === 'video') return null;
   const { animation, duration, inPlace } = request;
   const grid = gridOf(request, stretch);
   return animation === 'glb' ? { format: 'glb', ...grid, duration, inPlace } : { format: 'obj', ...grid, inPlace };
@@ -85,9 +87,10 @@ export async function describeExport(
       warnings: plan.warnings.map(({ message }) => message),
     };
   }
-  if (request.kind === 'animation' || (request.picture === 'turntable' && request.kind === 'picture')) {
+  if (isVideoRequest(request)) {
     const seconds = videoSeconds(request, stretch);
-    return { text: `${seconds.toFixed(1)} s of video, takes as long to make`, warnings: [] };
+    const frames = videoFrames(seconds, videoRate(stretch)).toLocaleString('en');
+    return { text: `${frames} frames, ${seconds.toFixed(1)} s of video`, warnings: [] };
   }
   return { text: request.kind === 'picture' ? 'A picture' : 'A table', warnings: [] };
 }
@@ -99,35 +102,39 @@ export async function runExport(request: ExportRequest, job: ExportJob): Promise
     return video(request, job, (share) => job.turn(share));
   }
   if (request.kind === 'numbers') return table(request, job);
-  if (request.kind === 'animation' && request.animation === 'webm') {
+  if (request.kind === 'animation' && request.animation === 'video') {
     const [start, end] = request.range ?? job.stretch.range;
     return video(request, job, (share) => job.show(start + share * (end - start)));
   }
   const options = engineOptions(request, job.time, job.stretch)!;
-  const files = await job.sequence.export(options, { signal: job.signal, onProgress: job.onProgress });
-  const [first] = files;
-  if (!first) return;
-  if (files.length > 1) return download(zip(files), `${name}.zip`);
-  const extension = first.name.split('.').at(-1) ?? 'glb';
-  download(
-    new Blob([first.bytes as Uint8Array<ArrayBuffer>], {
-      type: extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream',
-    }),
-    `${name}.${extension}`,
-  );
+  const call = { signal: job.signal, onProgress: job.onProgress };
+  if (request.kind === 'animation' && request.animation === 'obj')
+    return download(await zip(job.sequence.exportFiles(options, call)), `${name}.zip`);
+  const [file] = await job.sequence.export(options, call);
+  if (!file) return;
+  const extension = file.name.split('.').at(-1) ?? 'glb';
+  const type = extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream';
+  download(new Blob([file.bytes as Uint8Array<ArrayBuffer>], { type }), `${name}.${extension}`);
 }
 
 async function video(request: ExportRequest, job: ExportJob, draw: (share: number) => Promise<void>): Promise<void> {
+  const format = request.video ?? (await videoFormats())[0];
+  if (!format) throw new Error('This browser cannot write videos. Export OBJ frames or a GLB instead.');
   job.backdrop(true);
-  const { blob, extension } = await record({
-    canvas: job.canvas,
+  const blob = await writeVideo({
+    format,
     seconds: videoSeconds(request, job.stretch),
-    framesPerSecond: Math.min(job.stretch.fps ?? VIDEO_FPS, MAX_VIDEO_FPS),
+    framesPerSecond: videoRate(job.stretch),
     draw,
+    snapshot: job.snapshot,
     signal: job.signal,
     onProgress: (fraction) => job.onProgress({ stage: 'recording', fraction }),
   }).finally(() => job.backdrop(false));
-  download(blob, `${job.name}.${extension}`);
+  download(blob, `${job.name}.${format}`);
+}
+
+function videoRate({ fps }: Stretch): number {
+  return Math.min(fps ?? VIDEO_FPS, MAX_VIDEO_FPS);
 }
 
 async function table(request: ExportRequest, job: ExportJob): Promise<void> {

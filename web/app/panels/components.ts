@@ -58,7 +58,6 @@ export interface ComponentsInput {
   /** An indefinite face of the shape on the screen. */
   indefiniteFace(): number;
   /** Why no video can be written, or null. */
-  videoReason: string | null;
   shortcuts: readonly ShortcutLine[];
   onUndo(): void;
   onRedo(): void;
@@ -94,7 +93,7 @@ export interface Components {
 }
 
 export function createComponents(input: ComponentsInput): Components {
-  const { commands, files, analysis, ghostStudy, layout, videoReason } = input;
+  const { commands, files, analysis, ghostStudy, layout } = input;
   const openFiles = (picked: PickedFile[] | Promise<PickedFile[]>): void => void files.files(picked);
   const picker = createPicker('file-input', openFiles);
   const keyPicker = createPicker('key-file-input', (picked) => void files.addKeys(picked));
@@ -293,7 +292,8 @@ export function createComponents(input: ComponentsInput): Components {
     errorMessage.update(viewState.errorMessage);
     const covered = heat !== null || labels.length > 0 || viewState.errorMessage !== null || viewState.working !== null;
     welcome.update(viewState.welcome, covered);
-    exporting.update({ ...viewState.exporting, range: playRange(between, range), fps, videoReason });
+    const { videoFormats } = viewState;
+    exporting.update({ ...viewState.exporting, range: playRange(between, range), fps, videoFormats });
     help.update(viewState.singleKeys);
     analysis.setCursor(time);
     analysis.setSpeeds(speeds);

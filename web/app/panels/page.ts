@@ -34,7 +34,6 @@ export interface PageParts {
   files: OpenFiles;
   theme: ThemeSwitch;
   range(): Range;
-  videoReason: string | null;
   onLink(): void;
   onRemember(): void;
   /** Ends the work under way. */
@@ -82,7 +81,6 @@ export function createPage(parts: PageParts): Page {
     }),
     ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),
     indefiniteFace: () => viewState.get().indefiniteFace,
-    videoReason: parts.videoReason,
     shortcuts: shortcutLines(shortcuts),
     onUndo: store.undo,
     onRedo: store.redo,

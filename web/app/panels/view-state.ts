@@ -1,7 +1,7 @@
 /** What the page shows besides the state: work under way, what was found, thumbnails. It is never saved. */
 import type { Frame, KeysInfo, SequenceStats, Warning } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
-import type { ExportRequest } from '../../ui/export-dialog.ts';
+import type { ExportRequest, VideoFormat } from '../../ui/export-dialog.ts';
 import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
 import type { Problem, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../ui/orientation.ts';
@@ -37,6 +37,8 @@ export interface ViewState {
   /** The user's files are kept in this browser for the next visit. */
   remembered: boolean;
   singleKeys: boolean;
+  /** What the browser can write; null until the export dialog has asked. */
+  videoFormats: readonly VideoFormat[] | null;
   exporting: { request: ExportRequest; plan: { text: string; warnings: readonly string[] } | null };
 }
 
@@ -107,5 +109,6 @@ const EMPTY_VIEW_STATE: ViewState = {
   offline: false,
   remembered: false,
   singleKeys: true,
+  videoFormats: null,
   exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

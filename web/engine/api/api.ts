@@ -92,6 +92,8 @@ export interface Sequence {
   /** Times, size and warnings of an export, without making it. */
   planExport(options?: Partial<ExportOptions>): Promise<ExportPlan>;
   export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]>;
+  /** The same files one by one, each made when it is asked for. */
+  exportFiles(options?: Partial<ExportOptions>, call?: CallOptions): AsyncIterable<ExportedFile>;
   /** Idempotent. */
   dispose(): void;
 }

@@ -30,11 +30,12 @@ export async function planExport(source: ExportSource, options: ExportOptions): 
   return { times: frames.times, bytes, warnings: exportWarnings(options, frames) };
 }
 
-export async function exportFiles(
+/** The files as they are written: who takes them one by one need not hold them all. */
+export async function* exportFiles(
   source: ExportSource,
   options: ExportOptions,
   call: CallOptions,
-): Promise<ExportedFile[]> {
+): AsyncGenerator<ExportedFile, void, undefined> {
   const frames = framesOf(options, source.keyTimes, source.range);
   await planExport(source, options);
   const writer = source.freshWorker();
@@ -43,9 +44,8 @@ export async function exportFiles(
   call.signal?.addEventListener('abort', stop, { once: true });
   try {
     const animated = options.format === 'glb' && frames.times.length > 1;
-    const files = await (animated ? writeAnimation : writePoses)({ source, options, frames, writer, call });
+    yield* (animated ? writeAnimation : writePoses)({ source, options, frames, writer, call });
     call.onProgress?.({ stage: 'writing', fraction: 1 });
-    return files;
   } finally {
     call.signal?.removeEventListener('abort', stop);
     stop();
@@ -64,7 +64,7 @@ function report({ call, frames }: Job, done: number): void {
   call.onProgress?.({ stage: 'evaluating', fraction: (0.95 * done) / (frames.times.length + frames.stills.length) });
 }
 
-async function writeAnimation(job: Job): Promise<ExportedFile[]> {
+async function* writeAnimation(job: Job): AsyncGenerator<ExportedFile, void, undefined> {
   const {
     source,
     frames: { times, seconds, stills },
@@ -80,10 +80,10 @@ async function writeAnimation(job: Job): Promise<ExportedFile[]> {
   const { faces, scene } = source.keys.info;
   const project = projectOf(source, job.frames);
   const bytes = await writer.call('writeAnimation', { faces, scene, seconds, stills: stills.length, project });
-  return [{ name: 'shapespline.glb', bytes }];
+  yield { name: 'shapespline.glb', bytes };
 }
 
-async function writePoses(job: Job): Promise<ExportedFile[]> {
+async function* writePoses(job: Job): AsyncGenerator<ExportedFile, void, undefined> {
   const {
     source,
     options: { format },
@@ -91,7 +91,6 @@ async function writePoses(job: Job): Promise<ExportedFile[]> {
     writer,
     call: { signal },
   } = job;
-  const files: ExportedFile[] = [];
   const { faces } = source.keys.info;
   const scene = sceneOf(format, source.keys.info.scene);
   for (const [index, t] of frames.times.entries()) {
@@ -99,10 +98,9 @@ async function writePoses(job: Job): Promise<ExportedFile[]> {
     const pose = { positions: frame.positions, normals: frame.normals };
     const bytes = await writer.call('writePose', { format, faces, scene, pose });
     frame.release();
-    files.push({ name: `${String(index).padStart(4, '0')}.${format}`, bytes });
     report(job, index + 1);
+    yield { name: `${String(index).padStart(4, '0')}.${format}`, bytes };
   }
-  return files;
 }
 
 /** What a format keeps of the look. */

@@ -198,9 +198,15 @@ export class SequenceClient implements Sequence {
   }
 
   async export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]> {
+    const files: ExportedFile[] = [];
+    for await (const file of this.exportFiles(options, call)) files.push(file);
+    return files;
+  }
+
+  async *exportFiles(options?: Partial<ExportOptions>, call?: CallOptions): AsyncGenerator<ExportedFile> {
     checkCall(call);
     const checked = checkExportOptions(options);
-    return exportFiles(await this.exportSource(checked), checked, call ?? {});
+    yield* exportFiles(await this.exportSource(checked), checked, call ?? {});
   }
 
   dispose(): void {
