@@ -16,3 +16,13 @@ it('a table begins with every option that the page offers, those for keys beside
   );
   expect(rows).toEqual(['face,patch', '0,4', '1,5', '']);
 });
+
+it('no name of a file becomes a formula of a spreadsheet', () => {
+  const names = ['=1+1', 'x",=HYPERLINK("http://a.test")', "x';=cmd|'/c calc'!A0", '@SUM(1)', '\t=1', '\r\n=1'];
+  const doc = docOfKeys(...names.map((name, index) => keyRef(index, name, index)));
+  const table = patchesCsv(Int32Array.of(4), doc, '1.2.3');
+  const cells = table.split(/[,;\t\r\n]/).map((cell) => cell.replace(/^[\s"']+/, ''));
+  expect(cells.filter((cell) => /^[=+@-]/.test(cell))).toEqual([]);
+  const keys = /^# keys (.*)$/m.exec(table)![1]!;
+  expect((JSON.parse(keys) as { name: string }[]).map(({ name }) => name)).toEqual(names);
+});

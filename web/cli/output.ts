@@ -1,5 +1,6 @@
 /** Files appear whole or not at all: they are written beside their place and moved there last. */
-import { mkdir, rename, rm, stat, writeFile } from 'node:fs/promises';
+import { rmSync, type Stats } from 'node:fs';
+import { lstat, mkdir, readlink, rename, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 
@@ -9,46 +10,105 @@ export interface Output {
   files: { name: string; bytes: Uint8Array | string }[];
 }
 
+/** One file: where it is written first, and where it belongs. */
 interface Move {
   from: string;
   to: string;
+  bytes: Uint8Array | string;
 }
 
-/** Writes all outputs or, when anything fails, none. */
+/** Writes all outputs or, when anything fails, none. What is no regular file (a device, a pipe) is written into, last. */
 export async function writeOutputs(outputs: Output[]): Promise<void> {
-  const mark = `.partial-${process.pid}`;
   const partial: string[] = [];
+  const made: string[] = [];
+  const remove = (places: string[]): void => {
+    for (const place of places) rmSync(place, { recursive: true, force: true });
+  };
+  const leave = (signal: NodeJS.Signals): void => {
+    remove([...partial, ...made]);
+    // No exit of our own: it would wait for a pipe that nobody reads.
+    process.kill(process.pid, signal);
+  };
+  const signals = ['SIGINT', 'SIGTERM'] as const;
+  for (const signal of signals) process.once(signal, leave);
   try {
-    const moves: Move[] = [];
-    for (const output of outputs) moves.push(...(await writeBeside(output, mark, partial)));
-    for (const { to } of moves) await mkdir(path.dirname(to), { recursive: true });
-    for (const { from, to } of moves) await rename(from, to);
+    await move(outputs, partial, made);
   } catch (error) {
+    remove(made);
     throw new EngineError('not-written', `The result cannot be written (${messageOf(error)}).`);
   } finally {
-    for (const place of partial) await rm(place, { recursive: true, force: true });
+    for (const signal of signals) process.off(signal, leave);
+    remove(partial);
   }
 }
 
-async function writeBeside({ path: place, files }: Output, mark: string, partial: string[]): Promise<Move[]> {
-  const isFolder = place.endsWith('/');
-  const target = path.resolve(place);
+/** `partial` and `made` take what is there on the way: temporary places, and folders that were not there. */
+async function move(outputs: Output[], partial: string[], made: string[]): Promise<void> {
+  const [whole, streams]: [Move[], Move[]] = [[], []];
+  for (const output of outputs) {
+    const at = await place(output.path);
+    if (at.stream) streams.push(...output.files.map(({ bytes }) => ({ from: at.target, to: at.target, bytes })));
+    else whole.push(...(await movesTo(at.target, output, partial)));
+  }
+  await checkPlaces(whole);
+  for (const { from, bytes } of whole) await writeFile(from, bytes);
+  for (const { to } of whole) {
+    const first = await mkdir(path.dirname(to), { recursive: true });
+    if (first !== undefined) made.push(first);
+  }
+  for (const { to, bytes } of streams) await writeFile(to, bytes);
+  for (const { from, to } of whole) await rename(from, to);
+}
+
+/** Where a path leads through links; whether that is written into as it is. */
+async function place(given: string): Promise<{ target: string; stream: boolean }> {
+  const target = await followed(path.resolve(given));
+  const there = await statsOf(target);
+  if (there?.isBlockDevice() || there?.isSocket()) throw new Error(`${given} is a device or a socket, not a file`);
+  return { target, stream: Boolean(there?.isCharacterDevice() || there?.isFIFO()) };
+}
+
+/** The place that links lead to, also where nothing is there yet. */
+async function followed(file: string, links = 0): Promise<string> {
+  const there = await lstat(file).catch(() => null);
+  if (!there?.isSymbolicLink()) return file;
+  if (links === 40) throw new Error(`${file} is a link that leads to itself`);
+  // What /dev/stdout leads to has no name of its own.
+  const through = await stat(file).catch(() => null);
+  if (through && !through.isFile() && !through.isDirectory()) return file;
+  return followed(path.resolve(path.dirname(file), await readlink(file)), links + 1);
+}
+
+async function movesTo(target: string, { path: given, files }: Output, partial: string[]): Promise<Move[]> {
+  const isFolder = given.endsWith('/');
+  const mark = `.partial-${process.pid}-${partial.length}`;
   const temporary = path.join(await existing(path.dirname(target)), `${path.basename(target)}${mark}`);
   partial.push(temporary);
   if (isFolder) await mkdir(temporary);
-  const moves = files.map(({ name }) =>
-    isFolder ? { from: path.join(temporary, name), to: path.join(target, name) } : { from: temporary, to: target },
+  return files.map(({ name, bytes }) =>
+    isFolder
+      ? { from: path.join(temporary, name), to: path.join(target, name), bytes }
+      : { from: temporary, to: target, bytes },
   );
-  for (const [index, { from }] of moves.entries()) await writeFile(from, files[index]!.bytes);
-  return moves;
 }
+
+/** What would fail when the files are moved fails before any is. */
+async function checkPlaces(moves: Move[]): Promise<void> {
+  const taken = new Set<string>();
+  for (const { to } of moves) {
+    if (taken.has(to)) throw new Error(`two results have the same place, ${to}`);
+    taken.add(to);
+    const there = await statsOf(to);
+    if (there?.isDirectory()) throw new Error(`${to} is a folder`);
+    if (there && !there.isFile()) throw new Error(`${to} is not a regular file`);
+  }
+}
+
+const statsOf = (file: string): Promise<Stats | null> => stat(file).catch(() => null);
 
 /** The nearest folder that is there already. */
 async function existing(folder: string): Promise<string> {
-  const found = await stat(folder).then(
-    (entry) => entry.isDirectory(),
-    () => false,
-  );
+  const found = await statsOf(folder);
   const above = path.dirname(folder);
-  return found || above === folder ? folder : existing(above);
+  return found?.isDirectory() || above === folder ? folder : existing(above);
 }

@@ -31,9 +31,14 @@ function preamble(doc: Doc, version: string): string[] {
   const { keys, motion, encoding } = doc;
   return [
     `# shapespline ${version}`,
-    `# keys ${JSON.stringify(keys.map(({ name, time, shaping }) => ({ name, time, ...shaping })))}`,
+    `# keys [${keys.map(({ name, time, shaping }) => `{"name":${quoted(name)},${JSON.stringify({ time, ...shaping }).slice(1)}`).join(',')}]`,
     `# options ${JSON.stringify({ ...motion, ...encoding })}`,
   ];
+}
+
+/** A JSON string without separators: no spreadsheet takes what follows one for a formula. */
+function quoted(name: string): string {
+  return JSON.stringify(name).replace(/[,;]/g, (mark) => `\\u00${mark.charCodeAt(0).toString(16)}`);
 }
 
 function every(points: readonly number[], part: 0 | 1): number[] {

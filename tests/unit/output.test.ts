@@ -1,0 +1,103 @@
+import { execFileSync, spawn } from 'node:child_process';
+import {
+  lstatSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { build } from 'esbuild';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { writeOutputs } from '../../web/cli/output.ts';
+
+let folder = '';
+const at = (...names: string[]): string => path.join(folder, ...names);
+const file = (place: string, bytes: string) => ({ path: place, files: [{ name: place, bytes }] });
+const frames = (place: string, ...names: string[]) => ({
+  path: `${place}/`,
+  files: names.map((name) => ({ name, bytes: name })),
+});
+const listed = (): string[] => readdirSync(folder, { recursive: true, encoding: 'utf8' }).sort();
+
+beforeEach(() => {
+  folder = mkdtempSync(path.join(tmpdir(), 'output-'));
+});
+
+afterEach(() => {
+  rmSync(folder, { recursive: true, force: true });
+});
+
+describe('results', () => {
+  it('are written into new folders and over files', async () => {
+    writeFileSync(at('report.json'), 'old');
+    await writeOutputs([frames(at('new/out'), 'a.obj', 'b.obj'), file(at('report.json'), 'new')]);
+    expect(listed()).toEqual(['new', 'new/out', 'new/out/a.obj', 'new/out/b.obj', 'report.json']);
+    expect(readFileSync(at('report.json'), 'utf8')).toBe('new');
+  });
+
+  it('are written to where a link leads, and the link stays', async () => {
+    writeFileSync(at('real'), 'old');
+    symlinkSync('real', at('link'));
+    symlinkSync('later', at('dangling'));
+    await writeOutputs([file(at('link'), 'new'), file(at('dangling'), 'made')]);
+    expect(lstatSync(at('link')).isSymbolicLink()).toBe(true);
+    expect(readFileSync(at('real'), 'utf8')).toBe('new');
+    expect(lstatSync(at('dangling')).isSymbolicLink()).toBe(true);
+    expect(readFileSync(at('later'), 'utf8')).toBe('made');
+  });
+
+  it('go into devices and pipes, which stay what they are', async () => {
+    execFileSync('mkfifo', [at('pipe')]);
+    const reader = spawn('cat', [at('pipe')]);
+    let read = '';
+    reader.stdout.on('data', (chunk: Buffer) => {
+      read += chunk.toString();
+    });
+    const ended = new Promise((resolve) => reader.on('close', resolve));
+    await writeOutputs([file('/dev/null', 'nothing'), file(at('pipe'), 'through')]);
+    await ended;
+    expect(read).toBe('through');
+    expect(lstatSync(at('pipe')).isFIFO()).toBe(true);
+    expect(lstatSync('/dev/null').isCharacterDevice()).toBe(true);
+    expect(readdirSync('/dev').filter((name) => name.startsWith('null'))).toEqual(['null']);
+  });
+
+  it.each([
+    ['a report whose name is a folder', () => [frames(at('out'), 'a.obj'), file(at('taken'), '')], 'is a folder'],
+    ['a frame whose name is a folder', () => [frames(folder, 'a.obj', 'taken')], 'is a folder'],
+    ['two results in one place', () => [file(at('x.glb'), ''), file(at('x.glb'), '')], 'same place'],
+    ['a report over a frame', () => [frames(at('out'), 'a.obj'), file(at('out/a.obj'), '')], 'same place'],
+    ['a link that leads to itself', () => [frames(at('out'), 'a.obj'), file(at('round'), '')], 'leads to itself'],
+    [
+      'a place below a file',
+      () => [frames(at('out'), 'a.obj'), file(at('file/x.glb'), '')],
+      'not a directory|ENOTDIR|EEXIST',
+    ],
+  ])('of which one cannot be written leave nothing behind: %s', async (_what, outputs, why) => {
+    mkdirSync(at('taken'));
+    writeFileSync(at('file'), '');
+    symlinkSync('round', at('round'));
+    const before = listed();
+    await expect(writeOutputs(outputs())).rejects.toThrow(new RegExp(`^The result cannot be written \\(.*(${why})`));
+    expect(listed()).toEqual(before);
+  });
+
+  it('that are stopped on the way leave nothing behind', async () => {
+    execFileSync('mkfifo', [at('pipe')]);
+    const script = path.join(folder, 'script.mjs');
+    await build({ entryPoints: ['web/cli/output.ts'], bundle: true, platform: 'node', format: 'esm', outfile: script });
+    const outputs = JSON.stringify([frames(at('new/out'), 'a.obj'), file(at('pipe'), 'waits for a reader')]);
+    const code = `const { writeOutputs } = await import(${JSON.stringify(script)}); await writeOutputs(${outputs});`;
+    const before = listed();
+    const writer = spawn(process.execPath, ['--input-type=module', '-e', code]);
+    await expect.poll(() => listed().some((name) => name.endsWith('a.obj')), { timeout: 30_000 }).toBe(true);
+    writer.kill('SIGINT');
+    expect(await new Promise((resolve) => writer.on('close', (_code, signal) => resolve(signal)))).toBe('SIGINT');
+    expect(listed()).toEqual(before);
+  });
+});
