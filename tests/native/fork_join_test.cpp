@@ -12,7 +12,6 @@
 #include "helper_thread.h"
 
 using namespace shapespline;
-using namespace shapespline::test;
 
 TEST_CASE("forkJoin: without a helper all is done by the caller") {
   ForkJoin forkJoin;
@@ -24,6 +23,8 @@ TEST_CASE("forkJoin: without a helper all is done by the caller") {
 }
 
 #if SHAPESPLINE_THREADS
+
+using namespace shapespline::test;
 
 TEST_CASE("forkJoin: every part is done once, by one or the other") {
   ForkJoin forkJoin;
