@@ -30,6 +30,7 @@ test('handles stand at the first and last key with Hermite alone', async ({ app 
   await app.open();
   await expect(app.by('speed-lane')).toBeHidden();
   await app.by('boundary-hermite').check();
+  await app.answered();
   const track = (await app.by('timeline').locator('.track').boundingBox())!;
   for (const { end, inward } of ENDS) {
     const key = track.x + (track.width * (end === 'start' ? 0.4 : 1.4)) / 1.8;
