@@ -107,8 +107,16 @@ interface Tested {
   times: readonly number[];
 }
 
-/** Plays a video in a page of its own, from moment to moment; gives its size, its length, and the picture at each. */
-async function played({ page, bytes, times }: Tested): Promise<{ duration: number; ended: boolean; frames: Buffer[] }> {
+interface Played {
+  duration: number;
+  ended: boolean;
+  /** Where the frames that were shown begin, as the file says. */
+  stamps: number[];
+  frames: Buffer[];
+}
+
+/** Seeks a video in a page of its own from moment to moment, then plays it to its end. */
+async function played({ page, bytes, times }: Tested): Promise<Played> {
   const other = await page.context().newPage();
   const { frames, ...rest } = await other.evaluate(
     async ([base64, moments]) => {
@@ -126,17 +134,23 @@ async function played({ page, bytes, times }: Tested): Promise<{ duration: numbe
         height: video.videoHeight,
       });
       const frames: string[] = [];
+      // The event that a seek has ended may come before its frame.
+      const presented = (): Promise<number> =>
+        new Promise((resolve) => {
+          video.requestVideoFrameCallback((_, { mediaTime }) => resolve(mediaTime));
+        });
+      const stamps: number[] = [];
       for (const moment of moments) {
-        const seeked = happens('seeked');
+        const frame = presented();
         video.currentTime = moment;
-        await seeked;
+        stamps.push(await frame);
         canvas.getContext('2d')!.drawImage(video, 0, 0);
         frames.push(canvas.toDataURL('image/png').split(',')[1]!);
       }
       const ended = happens('ended');
       await video.play();
       await ended;
-      return { duration: video.duration, ended: video.ended, frames };
+      return { duration: video.duration, ended: video.ended, stamps, frames };
     },
     [bytes.toString('base64'), times] as const,
   );
@@ -190,14 +204,20 @@ for (const [format, codec] of [
     expect(await input.computeDuration()).toBeCloseTo(0.5, digits);
 
     // The middles of four frames, two of them neighbours; the animation goes from 0 to 1.
-    const numbers = [0, 7, 8, 14];
-    const { duration, ended, frames } = await played({
+    const numbers = [14, 8, 7, 0];
+    const {
+      duration,
+      ended,
+      stamps: shown,
+      frames,
+    } = await played({
       page: app.page,
       bytes,
       times: numbers.map((frame) => (frame + 0.5) / 30),
     });
     expect(duration).toBeCloseTo(0.5, digits);
     expect(ended).toBe(true);
+    shown.forEach((stamp, index) => expect(stamp).toBeCloseTo(numbers[index]! / 30, digits));
     const pictures: Buffer[] = [];
     for (const frame of numbers) {
       await app.setTime(frame / 15);
