@@ -19,6 +19,9 @@ namespace registers {
 
 using Floats = float __attribute__((vector_size(16)));
 using Doubles = double __attribute__((vector_size(16)));
+// The same wherever they lie in memory. (Copying bytes instead makes WebAssembly's kernels twice as large.)
+using FloatsAnywhere = float __attribute__((vector_size(16), aligned(4), may_alias));
+using DoublesAnywhere = double __attribute__((vector_size(16), aligned(8), may_alias));
 
 // What vector types have no operator for. Masks are comparisons' results: all bits of a lane, or none.
 #if SHAPESPLINE_SIMD_WASM
@@ -70,15 +73,11 @@ inline void storeThree(float* p, Floats v) { p[0] = v[0], p[1] = v[1], p[2] = v[
 struct Float4 {
   using Real = float;
   registers::Floats v;
-  static Float4 load(const float* p) {
-    Float4 a;
-    __builtin_memcpy(&a.v, p, sizeof a.v);
-    return a;
-  }
+  static Float4 load(const float* p) { return {*reinterpret_cast<const registers::FloatsAnywhere*>(p)}; }
   static Float4 splat(float s) { return {registers::Floats{s, s, s, s}}; }
   static Float4 loadSplat(const float* p) { return splat(*p); }
   static Float4 zero() { return splat(0); }
-  void store(float* p) const { __builtin_memcpy(p, &v, sizeof v); }
+  void store(float* p) const { *reinterpret_cast<registers::FloatsAnywhere*>(p) = v; }
   /// Three lanes.
   void storeXyz(float* p) const { registers::storeThree(p, v); }
   friend Float4 operator+(Float4 a, Float4 b) { return {a.v + b.v}; }
@@ -106,15 +105,11 @@ struct Float4 {
 /// Two double lanes.
 struct Double2 {
   registers::Doubles v;
-  static Double2 load(const double* p) {
-    Double2 a;
-    __builtin_memcpy(&a.v, p, sizeof a.v);
-    return a;
-  }
+  static Double2 load(const double* p) { return {*reinterpret_cast<const registers::DoublesAnywhere*>(p)}; }
   static Double2 splat(double s) { return {registers::Doubles{s, s}}; }
   static Double2 loadSplat(const double* p) { return splat(*p); }
   static Double2 zero() { return splat(0); }
-  void store(double* p) const { __builtin_memcpy(p, &v, sizeof v); }
+  void store(double* p) const { *reinterpret_cast<registers::DoublesAnywhere*>(p) = v; }
   friend Double2 operator+(Double2 a, Double2 b) { return {a.v + b.v}; }
   friend Double2 operator-(Double2 a, Double2 b) { return {a.v - b.v}; }
   friend Double2 operator*(Double2 a, Double2 b) { return {a.v * b.v}; }
