@@ -21,10 +21,14 @@ function useFolder(folder, compiler) {
   writeFileSync(note, compiler);
 }
 
-async function cmake({ folder, compiler, wrap = [], options = [], targets, env }) {
+async function configure({ folder, compiler, wrap = [], options = [], env }) {
   useFolder(folder, compiler);
   const [program, ...args] = [...wrap, 'cmake', '-S', inRoot(), '-B', folder, '-G', 'Ninja', ...options];
   await run(program, args, { env });
+}
+
+async function cmake({ folder, targets, env, ...how }) {
+  await configure({ folder, env, ...how });
   await run('cmake', ['--build', folder, '-j', jobs, '--target', ...targets], { env, show: 'all' });
 }
 
@@ -51,6 +55,15 @@ export async function buildRelease(targets) {
   step(`building ${targets.join(' and ')} with the system's compiler`);
   const folder = path.join(buildDir, 'cmake-release');
   await cmake({ folder, compiler: process.env.CXX ?? '', options: ['-DBUILD_TESTING=OFF'], targets });
+  return folder;
+}
+
+/** Says in build/cmake-tidy how each native library is compiled as one, without precompiled headers, which belong to a compiler. */
+export async function configureForTidy() {
+  const folder = path.join(buildDir, 'cmake-tidy');
+  const unity = ['-DCMAKE_UNITY_BUILD=ON', '-DCMAKE_UNITY_BUILD_BATCH_SIZE=0'];
+  const options = ['-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON', '-DBUILD_TESTING=OFF', ...unity];
+  await configure({ folder, compiler: process.env.CXX ?? '', options });
   return folder;
 }
 

@@ -1,4 +1,4 @@
-// `npm run lint` and `npm run format`: clang-format for C++, Biome for TypeScript and the scripts here.
+// `npm run lint` and `npm run format`: clang-format and clang-tidy for C++, Biome for TypeScript and the scripts here.
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
 import { nothing, sum } from './counts.mjs';
@@ -8,6 +8,7 @@ import { inParallel } from './parallel.mjs';
 import { inRoot } from './paths.mjs';
 import { prepareSystem } from './prepare.mjs';
 import { forLinting } from './requirements.mjs';
+import { tidy } from './tidy.mjs';
 
 const sources = (folder) =>
   readdirSync(inRoot(folder), { recursive: true })
@@ -29,7 +30,9 @@ async function each(tools) {
 export async function lint() {
   await prepareSystem(forLinting);
   step('format and lint rules (npm run format mends the format)');
-  return each([cpp('--dry-run', '-Werror'), biome('check', '--error-on-warnings')]);
+  const style = await each([cpp('--dry-run', '-Werror'), biome('check', '--error-on-warnings')]);
+  const { passed, failed, skipped } = await tidy();
+  return { passed: style.passed + passed, failed: style.failed + failed, skipped: style.skipped + skipped };
 }
 
 export async function format() {

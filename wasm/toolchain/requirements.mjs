@@ -81,6 +81,12 @@ const all = {
     has: () => onPath('clang-format-19', 'clang-format'),
     packages: ['clang-format-19'],
   },
+  tidy: {
+    name: 'clang-tidy 19',
+    hint: 'Debian: apt-get install clang-tidy-19; macOS: brew install llvm',
+    has: () => onPath('clang-tidy-19', 'clang-tidy'),
+    packages: ['clang-tidy-19'],
+  },
   fuzzer: {
     name: 'clang 19 with libFuzzer',
     hint: 'Debian: apt-get install clang-19 libclang-rt-19-dev',
@@ -92,7 +98,7 @@ const all = {
 export const forWasm = ['emscripten', 'headers', 'cmake', 'ninja'];
 export const forNative = ['headers', 'cmake', 'ninja', 'compiler'];
 export const forBrowser = ['chromium'];
-export const forLinting = ['formatter'];
+export const forLinting = ['formatter', 'tidy', ...forNative];
 export const forFuzzing = ['headers', 'cmake', 'ninja', 'fuzzer'];
 
 /** The requirements among `names` that are not met. */

@@ -11,7 +11,6 @@ namespace shapespline {
 
 namespace {
 
-constexpr double twoPi = 2 * std::numbers::pi;
 // Steps of a frame. One leaves the cross-sections of a bar twisted by two turns 1.9 % off halfway, two leave 1 %. The
 // second one, where maps disagree by much, would go on towards minima that are lost in time: it moves what nearly
 // agrees.
@@ -20,11 +19,6 @@ constexpr std::array frameSteps = {1, 16};
 constexpr double noAxis = 1e-6;
 // What turns by less than this may rest: noise decides about which axis.
 constexpr double atRest = 0.01;
-
-double agreement(double angle) {
-  const double half = std::cos(std::min(angle, std::numbers::pi) / 2);
-  return half * half;
-}
 
 // The axis about which a set of points has the largest moment of inertia: that of a wheel.
 Vec3 wheelAxis(const Positions& positions, const std::vector<Triangle>& faces, const std::vector<char>& ofPart) {

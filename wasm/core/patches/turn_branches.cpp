@@ -12,7 +12,6 @@ namespace shapespline {
 
 namespace {
 
-constexpr double twoPi = 2 * std::numbers::pi;
 // Links that turn by more may have turned the other way: 100 degrees.
 constexpr double ambiguousAngle = 1.75;
 constexpr std::array robustSteps = {1, 1, 1, 1, 1, 1, 1, 1};
@@ -21,12 +20,6 @@ constexpr int mostRounds = 6;
 constexpr double worstResidual = 2;
 // Of a turn against a disagreement.
 constexpr double turnCost = 0.3;
-
-// (1 + cos a) / 2: how much two rotations have in common that differ by an angle a.
-double agreement(double angle) {
-  const double half = std::cos(std::min(angle, std::numbers::pi) / 2);
-  return half * half;
-}
 
 class BranchSearch {
  public:

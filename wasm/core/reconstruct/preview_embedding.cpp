@@ -45,7 +45,8 @@ double blendLogLength(const std::vector<double>& keys, const PoseWeights& weight
 Vec3 blendWay(const std::vector<Vec3>& keys, const PoseWeights& weights) {
   const Vec3 sum = blend(keys, weights);
   if (weights.beyond < 0) return sum;
-  const Vec3 end = keys[weights.beyond], change = sum - end;
+  const Vec3& end = keys[weights.beyond];
+  const Vec3 change = sum - end;
   const double length = end.norm();
   double least = length;
   for (int c = 0; c < weights.keys; ++c) least = std::min(least, keys[c].norm());

@@ -11,8 +11,6 @@ namespace shapespline {
 
 namespace {
 
-constexpr double twoPi = 2 * std::numbers::pi;
-
 // Below this angle the axis of a rotation vector is rounding noise (about the square root of double's epsilon).
 constexpr double axisEpsilon = 1e-8;
 
@@ -31,6 +29,11 @@ Quaternion leadingEigenvector(const Eigen::Matrix4d& symmetric) {
 }
 
 }  // namespace
+
+double agreement(double angle) {
+  const double half = std::cos(std::min(angle, std::numbers::pi) / 2);
+  return half * half;
+}
 
 Quaternion expQuaternion(const Vec3& v) {
   const double x = v.squaredNorm() / 4;  // half the angle, squared

@@ -12,6 +12,11 @@ namespace shapespline {
 
 using Quaternion = Eigen::Quaterniond;
 
+inline constexpr double twoPi = 2 * std::numbers::pi;
+
+/// How much two rotations have in common that differ by this angle: (1 + cos angle) / 2, and 0 from half a turn on.
+double agreement(double angle);
+
 /// exp of a rotation vector (Rodrigues).
 Mat3 expRotation(const Vec3& rotationVector);
 Quaternion expQuaternion(const Vec3& rotationVector);

@@ -32,14 +32,14 @@ std::string percentDecoded(std::string_view text) {
   return out;
 }
 
-constexpr std::array<std::int8_t, 256> makeBase64Table() {
-  std::array<std::int8_t, 256> table{};
+constexpr std::array<std::int16_t, 256> makeBase64Table() {
+  std::array<std::int16_t, 256> table{};
   for (auto& value : table) value = -1;
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (int i = 0; i < 64; ++i) table[static_cast<unsigned char>(digits[i])] = static_cast<std::int8_t>(i);
+  for (int i = 0; i < 64; ++i) table[static_cast<unsigned char>(digits[i])] = static_cast<std::int16_t>(i);
   return table;
 }
-constexpr std::array<std::int8_t, 256> kBase64 = makeBase64Table();
+constexpr std::array<std::int16_t, 256> kBase64 = makeBase64Table();
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
@@ -107,8 +107,8 @@ Path normalised(std::string_view path) {
     const std::string_view segment = path.substr(0, slash);
     path.remove_prefix(slash == std::string_view::npos ? path.size() : slash + 1);
     if (segment.empty() || segment == ".") continue;
-    if (segment != "..") segments.push_back(segment);
-    else if (!segments.empty() && segments.back() != "..") segments.pop_back();
+    const bool goesBack = segment == ".." && !segments.empty() && segments.back() != "..";
+    if (goesBack) segments.pop_back();
     else segments.push_back(segment);
   }
   out.leaves = !segments.empty() && segments.front() == "..";

@@ -21,7 +21,7 @@ Error truncated(const std::string& where, std::uint64_t declared, std::size_t ha
                                         sizeText(have) + ". Copy or export it again."};
 }
 
-Error malformed(const std::string& where, const std::string& what) {
+Error brokenGlb(const std::string& where, const std::string& what) {
   return {ErrorCode::MalformedFile, where + " is a broken GLB: " + what + ". Export it again."};
 }
 
@@ -38,24 +38,24 @@ Result<GlbChunks> splitGlb(std::span<const std::uint8_t> bytes, const std::strin
     return Error{ErrorCode::Unsupported,
                  where + " is glTF version " + std::to_string(version) + "; only 2.0 is read. Export it as glTF 2.0."};
   if (length > bytes.size()) return truncated(where, length, bytes.size());
-  if (length < kHeader + kChunkHeader) return malformed(where, "it has no JSON chunk");
+  if (length < kHeader + kChunkHeader) return brokenGlb(where, "it has no JSON chunk");
 
   GlbChunks chunks;
   int index = 0;
   for (std::size_t at = kHeader; at < length; ++index) {
     if (length - at < kChunkHeader)
-      return malformed(where, "the header of chunk " + std::to_string(index) + " is cut off");
+      return brokenGlb(where, "the header of chunk " + std::to_string(index) + " is cut off");
     const std::uint32_t size = word(bytes, at), type = word(bytes, at + 4);
     at += kChunkHeader;
     if (size > length - at)
-      return malformed(where, "chunk " + std::to_string(index) + " declares " + sizeText(size) + " but only " +
+      return brokenGlb(where, "chunk " + std::to_string(index) + " declares " + sizeText(size) + " but only " +
                                   sizeText(length - at) + " are left");
     const auto content = bytes.subspan(at, size);
     at += size;
-    if (index == 0 && type != kJson) return malformed(where, "its first chunk is not JSON");
-    if (index > 0 && type == kJson) return malformed(where, "it has two JSON chunks");
+    if (index == 0 && type != kJson) return brokenGlb(where, "its first chunk is not JSON");
+    if (index > 0 && type == kJson) return brokenGlb(where, "it has two JSON chunks");
     if (index == 0) chunks.json = {reinterpret_cast<const char*>(content.data()), content.size()};
-    if (type == kBin && index != 1) return malformed(where, "its BIN chunk is not the second chunk");
+    if (type == kBin && index != 1) return brokenGlb(where, "its BIN chunk is not the second chunk");
     if (type == kBin) chunks.bin = content, chunks.hasBin = true;
   }
   return chunks;

@@ -7,6 +7,7 @@
 #include "core/base/format.h"
 #include "io/gltf/gltf_accessor.h"
 #include "io/gltf/gltf_shape.h"
+#include "io/gltf/malformed.h"
 
 namespace shapespline {
 
@@ -18,10 +19,6 @@ using Interpolation = AnimationCurve::Interpolation;
 // Numbers of all curves together: half a gigabyte. Channels may share their accessors, so that a small file could
 // declare any amount.
 constexpr std::uint64_t kMostNumbers = 64'000'000;
-
-Error malformed(const GltfDocument& doc, const std::string& what) {
-  return {ErrorCode::MalformedFile, doc.where + ": " + what + ". Export the file again."};
-}
 
 std::optional<Path> pathOf(const std::string& name) {
   if (name == "translation") return Path::Translation;
@@ -53,10 +50,10 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   curve.node = channel.target_node;
   curve.width = widthOf(doc, path, curve.node);
   if (curve.width == 0)
-    return malformed(
-        doc, name + " moves the morph weights of node " + std::to_string(curve.node) + ", which has no morph targets");
+    return malformed(doc.where, name + " moves the morph weights of node " + std::to_string(curve.node) +
+                                    ", which has no morph targets");
   const auto interpolation = interpolationOf(sampler.interpolation);
-  if (!interpolation) return malformed(doc, name + " has an unknown interpolation");
+  if (!interpolation) return malformed(doc.where, name + " has an unknown interpolation");
   curve.interpolation = *interpolation;
 
   const int components = path == Path::Weights ? 1 : curve.width;
@@ -67,16 +64,16 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
                      " numbers, more than can be held. Export fewer animations or fewer key times."};
   auto times = readNumbers(doc, sampler.input, 1, "the times of " + name);
   if (!times) return times.error();
-  if (times->empty()) return malformed(doc, name + " has no times");
+  if (times->empty()) return malformed(doc.where, name + " has no times");
   for (std::size_t i = 0; i < times->size(); ++i)
     if (!std::isfinite((*times)[i]) || (i > 0 && !((*times)[i] > (*times)[i - 1])))
-      return malformed(doc, "the times of " + name + " do not increase at " + grouped(std::int64_t(i)));
+      return malformed(doc.where, "the times of " + name + " do not increase at " + grouped(std::int64_t(i)));
   curve.times = std::move(*times);
 
   auto values = readNumbers(doc, sampler.output, components, "the values of " + name);
   if (!values) return values.error();
   const std::uint64_t perTime = std::uint64_t(curve.width) * (*interpolation == Interpolation::CubicSpline ? 3 : 1);
-  if (values->size() < perTime * curve.times.size()) return malformed(doc, name + " has fewer values than times");
+  if (values->size() < perTime * curve.times.size()) return malformed(doc.where, name + " has fewer values than times");
   if (std::any_of(values->begin(), values->end(), [](double v) { return !std::isfinite(v); }))
     return Error{ErrorCode::NotFinite,
                  doc.where + ": a value of " + name + " is not a finite number. Export the file again."};
@@ -95,9 +92,9 @@ Result<GltfAnimation> readAnimation(const GltfDocument& doc, int index, std::uin
     const auto path = pathOf(channel.target_path);
     if (!path || channel.target_node < 0) continue;  // an extension's, such as KHR_animation_pointer
     if (channel.target_node >= static_cast<int>(doc.model.nodes.size()))
-      return malformed(doc, name + " moves node " + std::to_string(channel.target_node) + ", which is not there");
+      return malformed(doc.where, name + " moves node " + std::to_string(channel.target_node) + ", which is not there");
     if (channel.sampler < 0 || channel.sampler >= static_cast<int>(source.samplers.size()))
-      return malformed(doc, name + " has sampler " + std::to_string(channel.sampler) + ", which is not there");
+      return malformed(doc.where, name + " has sampler " + std::to_string(channel.sampler) + ", which is not there");
     const tinygltf::AnimationSampler& sampler = source.samplers[channel.sampler];
     auto curve = readCurve(doc, channel, sampler, *path, name, numbers);
     if (!curve) return curve.error();

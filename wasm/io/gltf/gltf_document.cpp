@@ -8,16 +8,13 @@
 #include "io/base/image_type.h"
 #include "io/gltf/glb_container.h"
 #include "io/gltf/gltf_json.h"
+#include "io/gltf/malformed.h"
 
 namespace shapespline {
 
 namespace {
 
 using nlohmann::json;
-
-Error malformed(const std::string& where, const std::string& what) {
-  return {ErrorCode::MalformedFile, where + ": " + what + ". Export the file again."};
-}
 
 std::uint64_t whole(const json& object, const char* name, std::uint64_t otherwise) {
   const auto it = object.find(name);

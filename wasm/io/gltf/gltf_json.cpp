@@ -6,6 +6,7 @@
 
 #include "core/base/format.h"
 #include "io/base/byte_text.h"
+#include "io/gltf/malformed.h"
 
 namespace shapespline {
 
@@ -53,10 +54,6 @@ constexpr std::array kHarmlessExtensions{"KHR_mesh_quantization",
 template <std::size_t N>
 bool contains(const std::array<const char*, N>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-Error malformed(const std::string& where, const std::string& what) {
-  return {ErrorCode::MalformedFile, where + ": " + what + ". Export the file again."};
 }
 
 bool tooDeep(std::string_view text) {

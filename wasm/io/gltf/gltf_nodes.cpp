@@ -1,12 +1,10 @@
 #include "io/gltf/gltf_nodes.h"
 
+#include "io/gltf/malformed.h"
+
 namespace shapespline {
 
 namespace {
-
-Error malformed(const GltfDocument& doc, const std::string& what) {
-  return {ErrorCode::MalformedFile, doc.where + ": " + what + ". Export the file again."};
-}
 
 Result<NodeTransform> readTransform(const GltfDocument& doc, int index) {
   const tinygltf::Node& node = doc.model.nodes[index];
@@ -14,7 +12,7 @@ Result<NodeTransform> readTransform(const GltfDocument& doc, int index) {
     return values.empty() || values.size() == size;
   };
   if (!fits(node.matrix, 16) || !fits(node.translation, 3) || !fits(node.rotation, 4) || !fits(node.scale, 3))
-    return malformed(doc, "the transform of node " + std::to_string(index) + " has a wrong number of values");
+    return malformed(doc.where, "the transform of node " + std::to_string(index) + " has a wrong number of values");
   NodeTransform out;
   if (!node.translation.empty()) out.translation = Vec3(node.translation.data());
   if (!node.scale.empty()) out.scale = Vec3(node.scale.data());
@@ -35,12 +33,12 @@ Status linkParents(const GltfDocument& doc, NodeGraph& graph) {
   for (int i = 0; i < n; ++i)
     for (int child : doc.model.nodes[i].children) {
       if (child < 0 || child >= n)
-        return malformed(doc,
+        return malformed(doc.where,
                          "node " + std::to_string(i) + " has child " + std::to_string(child) + ", which is not there");
       if (graph.parent[child] >= 0 || child == i)
-        return malformed(doc, "node " + std::to_string(child) +
-                                  (child == i ? " is its own child" : " has two parents") +
-                                  ", so that the nodes form no tree");
+        return malformed(doc.where, "node " + std::to_string(child) +
+                                        (child == i ? " is its own child" : " has two parents") +
+                                        ", so that the nodes form no tree");
       graph.parent[child] = i;
     }
   return {};
@@ -88,16 +86,16 @@ Result<NodeGraph> readNodes(const GltfDocument& doc) {
   for (int i = 0; i < n; ++i)
     if (graph.parent[i] < 0) roots.push_back(i);
   graph.topDown = depthFirst(doc, roots);
-  if (static_cast<int>(graph.topDown.size()) < n) return malformed(doc, "its nodes form a cycle");
+  if (static_cast<int>(graph.topDown.size()) < n) return malformed(doc.where, "its nodes form a cycle");
 
   graph.shown = graph.topDown;
   if (!doc.model.scenes.empty()) {
     const int scene = doc.model.defaultScene < 0 ? 0 : doc.model.defaultScene;
     if (scene >= static_cast<int>(doc.model.scenes.size()))
-      return malformed(doc, "its default scene " + std::to_string(scene) + " is not there");
+      return malformed(doc.where, "its default scene " + std::to_string(scene) + " is not there");
     for (int node : doc.model.scenes[scene].nodes)
       if (node < 0 || node >= n)
-        return malformed(doc, "its scene shows node " + std::to_string(node) + ", which is not there");
+        return malformed(doc.where, "its scene shows node " + std::to_string(node) + ", which is not there");
     graph.shown = depthFirst(doc, doc.model.scenes[scene].nodes);
   }
   for (int i = 0; i < n; ++i) {

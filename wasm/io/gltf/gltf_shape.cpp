@@ -8,6 +8,7 @@
 #include "core/base/format.h"
 #include "io/base/limits.h"
 #include "io/gltf/gltf_accessor.h"
+#include "io/gltf/malformed.h"
 
 namespace shapespline {
 
@@ -18,10 +19,6 @@ namespace {
 constexpr std::int64_t kMostFaces = 32'000'000;
 // Primitives of all mesh nodes, and morph weights of all nodes: many times what scenes hold.
 constexpr std::int64_t kMostParts = 100'000, kMostWeights = 10'000'000;
-
-Error malformed(const GltfDocument& doc, const std::string& what) {
-  return {ErrorCode::MalformedFile, doc.where + ": " + what + ". Export the file again."};
-}
 
 Positions toPositions(const std::vector<double>& numbers, const FractionReport& onProgress) {
   Positions out(numbers.size() / 3);
@@ -46,14 +43,14 @@ Result<std::vector<GltfSkin>> readSkins(const GltfDocument& doc) {
     const std::string name = "skin " + std::to_string(skins.size());
     for (int joint : skin.joints)
       if (joint < 0 || joint >= static_cast<int>(doc.model.nodes.size()))
-        return malformed(doc, name + " has joint node " + std::to_string(joint) + ", which is not there");
+        return malformed(doc.where, name + " has joint node " + std::to_string(joint) + ", which is not there");
     GltfSkin out{skin.joints, std::vector<Eigen::Affine3d>(skin.joints.size(), Eigen::Affine3d::Identity())};
     if (skin.inverseBindMatrices >= 0) {
       const auto numbers =
           readNumbers(doc, skin.inverseBindMatrices, 16, "inverseBindMatrices of " + name, skin.joints.size());
       if (!numbers) return numbers.error();
       if (numbers->size() < 16 * skin.joints.size())
-        return malformed(doc, name + " has fewer inverse bind matrices than joints");
+        return malformed(doc.where, name + " has fewer inverse bind matrices than joints");
       for (std::size_t j = 0; j < skin.joints.size(); ++j)
         out.inverseBind[j].matrix().topRows<3>() = Eigen::Matrix4d(&(*numbers)[16 * j]).topRows<3>();
     }
@@ -90,7 +87,7 @@ struct ShapeReader {
               weightAccessor = attribute(*part.primitive, "WEIGHTS" + suffix);
     const std::size_t n = part.positions.size();
     if (accessorCount(doc, jointAccessor) != n || accessorCount(doc, weightAccessor) != n)
-      return malformed(doc, part.name + " has another number of joints or weights than of vertices");
+      return malformed(doc.where, part.name + " has another number of joints or weights than of vertices");
     influenceCount += 4 * static_cast<std::int64_t>(n);
     if (influenceCount > static_cast<std::int64_t>(4 * kMostElements))
       return tooLarge(4 * kMostElements, "joint weights");
@@ -129,11 +126,11 @@ struct ShapeReader {
         weight[i] = weights[i / 4][4 * v + i % 4];
         if (joint[i] >= known && weight[i] == 0) joint[i] = 0;  // unused slots may hold anything
         if (joint[i] >= known)
-          return malformed(doc, part.name + ": vertex " + grouped(std::int64_t(v)) + " follows joint " +
-                                    grouped(joint[i]) + " of " + grouped(std::int64_t(known)));
+          return malformed(doc.where, part.name + ": vertex " + grouped(std::int64_t(v)) + " follows joint " +
+                                          grouped(joint[i]) + " of " + grouped(std::int64_t(known)));
         sum += std::abs(weight[i]);
       }
-      if (known == 0) return malformed(doc, part.name + " is skinned by a skin without joints");
+      if (known == 0) return malformed(doc.where, part.name + " is skinned by a skin without joints");
       // Weights must sum to 1; where a file's do not, they are scaled, as three.js does.
       if (sum > 0)
         for (std::size_t i = 0; i < 4 * sets; ++i) weight[i] /= sum;
@@ -152,7 +149,7 @@ struct ShapeReader {
     part.name = name;
     part.firstVertex = shape.vertexCount;
     const int position = attribute(primitive, "POSITION"), normal = attribute(primitive, "NORMAL");
-    if (position < 0) return malformed(doc, name + " has no positions");
+    if (position < 0) return malformed(doc.where, name + " has no positions");
     if (shape.vertexCount + accessorCount(doc, position) > kMostElements) return tooLarge(kMostElements, "vertices");
     // An accessor may leave out its bytes, for zeros; but no mesh has more vertices than its file has bytes.
     if (accessorCount(doc, position) > doc.bufferBytes && doc.model.accessors[position].bufferView < 0)
@@ -166,14 +163,14 @@ struct ShapeReader {
     part.positions = toPositions(*positions, partOf(report, 0.3, 0.5));
     if (normal >= 0) {
       if (accessorCount(doc, normal) != part.positions.size())
-        return malformed(doc, name + " has another number of normals than of vertices");
+        return malformed(doc.where, name + " has another number of normals than of vertices");
       auto normals = readNumbers(doc, normal, 3, "NORMAL of " + name, count, partOf(report, 0.5, 0.8));
       if (!normals) return normals.error();
       part.normals = toPositions(*normals, partOf(report, 0.8, 1));
     }
     if (part.skin >= static_cast<int>(shape.skins.size()))
-      return malformed(
-          doc, "node " + std::to_string(node) + " has skin " + std::to_string(part.skin) + ", which is not there");
+      return malformed(doc.where, "node " + std::to_string(node) + " has skin " + std::to_string(part.skin) +
+                                      ", which is not there");
     if (part.skin >= 0)
       if (Status influences = readInfluences(part); !influences) return influences;
     shape.vertexCount += static_cast<int>(part.positions.size());
@@ -231,8 +228,8 @@ struct ShapeReader {
   Status readMesh(int node, bool mirrored, const FractionReport& report) {
     const int meshIndex = doc.model.nodes[node].mesh;
     if (meshIndex >= static_cast<int>(doc.model.meshes.size()))
-      return malformed(
-          doc, "node " + std::to_string(node) + " shows mesh " + std::to_string(meshIndex) + ", which is not there");
+      return malformed(doc.where, "node " + std::to_string(node) + " shows mesh " + std::to_string(meshIndex) +
+                                      ", which is not there");
     const tinygltf::Mesh& mesh = doc.model.meshes[meshIndex];
     std::map<const tinygltf::Primitive*, std::size_t, ByVertices> knownPart;
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {

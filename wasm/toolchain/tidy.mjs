@@ -1,0 +1,68 @@
+// clang-tidy over the core and the readers and writers of files, a room at a time: all sources of a room as one, because
+// most of the time goes into the headers of others. A room is checked again when it, a header of ours that it reaches, or
+// the rules have changed.
+import { readdirSync, readFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import path from 'node:path';
+import { configureForTidy } from './build.mjs';
+import { run, which } from './exec.mjs';
+import { step } from './log.mjs';
+import { inRoot } from './paths.mjs';
+import { digest, isStamped, stamp } from './stamps.mjs';
+
+const rules = ['.clang-tidy', 'CMakeLists.txt'];
+
+const sourcesOf = (folder) => readdirSync(inRoot(folder)).filter((name) => /\.(h|cpp)$/.test(name));
+const rooms = () =>
+  ['wasm/core', 'wasm/io']
+    .flatMap((folder) => [folder, ...readdirSync(inRoot(folder)).map((name) => path.join(folder, name))])
+    .filter((folder) => !path.extname(folder) && sourcesOf(folder).some((name) => name.endsWith('.cpp')));
+
+// The file and all that it includes of ours, directly or not.
+function reach(file, found) {
+  if (found.has(file)) return;
+  found.add(file);
+  for (const [, name] of readFileSync(inRoot(file), 'utf8').matchAll(/^#include "(.+)"/gm))
+    reach(path.join('wasm', name), found);
+}
+
+function state(room) {
+  const found = new Set();
+  for (const name of sourcesOf(room)) reach(path.join(room, name), found);
+  return digest([...rules, ...[...found].sort()]);
+}
+
+// The file that CMake has made of each room's sources.
+function unityFiles(folder) {
+  const commands = JSON.parse(readFileSync(path.join(folder, 'compile_commands.json'), 'utf8'));
+  const files = commands.map(({ file }) => file).filter((file) => file.includes('/Unity/'));
+  return new Map(
+    files.map((file) => {
+      const [, source] = /#include "(.+\/wasm\/.+)"/.exec(readFileSync(file, 'utf8')) ?? [];
+      return [source && path.relative(inRoot(), path.dirname(source)), file];
+    }),
+  );
+}
+
+/** How many rooms passed, unchanged ones among them, and how many failed. */
+export async function tidy() {
+  const all = rooms().map((room) => ({ room, name: `tidy-${room.replaceAll('/', '-')}`, value: state(room) }));
+  const waiting = all.filter(({ name, value }) => !isStamped(name, value, []));
+  const counts = { passed: all.length - waiting.length, failed: 0, skipped: 0 };
+  if (waiting.length === 0) return counts;
+  step(`clang-tidy: ${waiting.map(({ room }) => room.replace('wasm/', '')).join(', ')}`);
+  const folder = await configureForTidy();
+  const files = unityFiles(folder);
+  const program = which('clang-tidy-19') ?? 'clang-tidy';
+  const check = async ({ room, name, value }) => {
+    const args = ['--quiet', '-p', folder, files.get(room)];
+    const { code } = await run(program, args, { show: 'all', allowFailure: true });
+    ++counts[code === 0 ? 'passed' : 'failed'];
+    if (code === 0) stamp(name, value);
+  };
+  const work = async () => {
+    for (let next = waiting.shift(); next; next = waiting.shift()) await check(next);
+  };
+  await Promise.all(Array.from({ length: Math.min(2, availableParallelism()) }, work));
+  return counts;
+}
