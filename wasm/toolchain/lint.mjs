@@ -31,8 +31,7 @@ export async function lint() {
   await prepareSystem(forLinting);
   step('format and lint rules (npm run format mends the format)');
   const style = await each([cpp('--dry-run', '-Werror'), biome('check', '--error-on-warnings')]);
-  const { passed, failed, skipped } = await tidy();
-  return { passed: style.passed + passed, failed: style.failed + failed, skipped: style.skipped + skipped };
+  return sum([style, await tidy()]);
 }
 
 export async function format() {

@@ -2,11 +2,12 @@
 // most of the time goes into the headers of others. A room is checked again when it, a header of ours that it reaches, or
 // the rules have changed.
 import { readdirSync, readFileSync } from 'node:fs';
-import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { configureForTidy } from './build.mjs';
+import { nothing, sum } from './counts.mjs';
 import { run, which } from './exec.mjs';
 import { step } from './log.mjs';
+import { inParallel } from './parallel.mjs';
 import { inRoot } from './paths.mjs';
 import { digest, isStamped, stamp } from './stamps.mjs';
 
@@ -48,21 +49,17 @@ function unityFiles(folder) {
 export async function tidy() {
   const all = rooms().map((room) => ({ room, name: `tidy-${room.replaceAll('/', '-')}`, value: state(room) }));
   const waiting = all.filter(({ name, value }) => !isStamped(name, value, []));
-  const counts = { passed: all.length - waiting.length, failed: 0, skipped: 0 };
-  if (waiting.length === 0) return counts;
+  const unchanged = { ...nothing, passed: all.length - waiting.length };
+  if (waiting.length === 0) return unchanged;
   step(`clang-tidy: ${waiting.map(({ room }) => room.replace('wasm/', '')).join(', ')}`);
   const folder = await configureForTidy();
   const files = unityFiles(folder);
   const program = which('clang-tidy-19') ?? 'clang-tidy';
-  const check = async ({ room, name, value }) => {
+  const checks = waiting.map(({ room, name, value }) => async () => {
     const args = ['--quiet', '-p', folder, files.get(room)];
-    const { code } = await run(program, args, { show: 'all', allowFailure: true });
-    ++counts[code === 0 ? 'passed' : 'failed'];
+    const { code } = await run(program, args, { show: 'after', allowFailure: true });
     if (code === 0) stamp(name, value);
-  };
-  const work = async () => {
-    for (let next = waiting.shift(); next; next = waiting.shift()) await check(next);
-  };
-  await Promise.all(Array.from({ length: Math.min(2, availableParallelism()) }, work));
-  return counts;
+    return { ...nothing, [code === 0 ? 'passed' : 'failed']: 1 };
+  });
+  return sum([unchanged, ...(await inParallel(checks))]);
 }
