@@ -15,20 +15,6 @@ constexpr auto reportChecking = [](double fraction) {
   reportProgress("checking the mesh", kImporting + (1 - kImporting) * fraction);
 };
 
-Json toJson(const MeshReport& report) {
-  return {{"vertices", report.vertices},
-          {"weldedVertices", report.weldedVertices},
-          {"faces", report.faces},
-          {"components", report.components},
-          {"boundaryEdges", report.counts.boundaryEdges},
-          {"nonManifoldEdges", report.counts.nonManifoldEdges},
-          {"degenerateFaces", report.degenerateFaces},
-          {"duplicateFaces", report.counts.duplicateFaces},
-          {"unreferencedVertices", report.unreferencedVertices},
-          {"inconsistentEdges", report.counts.inconsistentEdges},
-          {"diagonal", report.diagonal}};
-}
-
 Json describe(const ImportObject& object) {
   const Import& import = object.import;
   Json names = Json::array(), times = Json::array();
@@ -41,10 +27,10 @@ Json describe(const ImportObject& object) {
           {"times", times},
           {"faces", range(faces.data()->data(), 3 * faces.size())},
           {"normals", rangeOrNull(object.normals)},
-          {"scene", bindings::toJson(import.scene)},
+          {"scene", toJson(import.scene)},
           {"report", toJson(reportOf(import.keyframes, reportChecking))},
-          {"warnings", bindings::toJson(import.warnings)},
-          {"animations", bindings::toJson(import.animations)},
+          {"warnings", toJson(import.warnings)},
+          {"animations", toJson(import.animations)},
           {"animation", import.animation},
           {"project", import.project}};
 }

@@ -75,7 +75,7 @@ std::optional<Positions> tangentFrom(const Json& json) {
   return positionsFrom(elements<float>(json));
 }
 
-Json toJson(const Seams& seams) {
+Json seamsJson(const Seams& seams) {
   if (seams.copyOf.empty()) return {};
   return {{"copyOf", range(seams.copyOf.data(), seams.copyOf.size())},
           {"indices", range(seams.faces.data()->data(), 3 * seams.faces.size())}};
@@ -184,12 +184,26 @@ Json toJson(const std::vector<Warning>& warnings) { return warnings; }
 Json toJson(const SequenceStats& stats) { return stats; }
 Json toJson(const std::vector<AnimationInfo>& animations) { return animations; }
 
+Json toJson(const MeshReport& report) {
+  return {{"vertices", report.vertices},
+          {"weldedVertices", report.weldedVertices},
+          {"faces", report.faces},
+          {"components", report.components},
+          {"boundaryEdges", report.counts.boundaryEdges},
+          {"nonManifoldEdges", report.counts.nonManifoldEdges},
+          {"degenerateFaces", report.degenerateFaces},
+          {"duplicateFaces", report.counts.duplicateFaces},
+          {"unreferencedVertices", report.unreferencedVertices},
+          {"inconsistentEdges", report.counts.inconsistentEdges},
+          {"diagonal", report.diagonal}};
+}
+
 Json toJson(const Scene& scene) {
   Json images = Json::array();
   for (const Image& image : scene.images) {
     images.push_back({{"mimeType", image.mimeType}, {"bytes", range(image.bytes.data(), image.bytes.size())}});
   }
-  return {{"uvs", rangeOrNull(scene.uvs)}, {"colors", rangeOrNull(scene.colors)}, {"seams", toJson(scene.seams)},
+  return {{"uvs", rangeOrNull(scene.uvs)}, {"colors", rangeOrNull(scene.colors)}, {"seams", seamsJson(scene.seams)},
           {"groups", scene.groups},        {"materials", scene.materials},        {"images", images}};
 }
 

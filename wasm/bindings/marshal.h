@@ -9,6 +9,7 @@
 
 #include "bindings/call_result.h"
 #include "core/sequence/keyframes.h"
+#include "core/sequence/mesh_report.h"
 #include "core/sequence/options.h"
 #include "core/sequence/sequence.h"
 #include "io/base/scene.h"
@@ -47,6 +48,7 @@ Scene sceneFrom(const Json& json);
 Json toJson(const std::vector<Warning>& warnings);
 Json toJson(const SequenceStats& stats);
 Json toJson(const std::vector<AnimationInfo>& animations);
+Json toJson(const MeshReport& report);
 Json toJson(const Scene& scene);  ///< ranges into the scene itself
 
 }  // namespace shapespline::bindings

@@ -28,7 +28,7 @@ Limb arm(const Vec3& direction, double height, const std::vector<ArmKnot>& shape
   return ribbed(makeLimb(knots, 29), 6, 0.24, armEdge, 0.2);
 }
 
-Body makeBody() {
+Body cactusBody() {
   Body body;
   body.floor = 0;
   body.floorRounding = 0.12;
@@ -60,7 +60,7 @@ Pose bent(const Body& body, const Vec3& whole, const Vec3& left, const Vec3& rig
 }  // namespace
 
 Sample makeCactus() {
-  const Body body = makeBody();
+  const Body body = cactusBody();
   const double degree = M_PI / 180;
   const std::vector<Pose> poses{
       bent(body, -85 * degree * Vec3::UnitZ(), {0, 0, -0.3}, {0, 0.45, -0.55}),

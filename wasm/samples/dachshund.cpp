@@ -10,49 +10,42 @@ namespace shapespline {
 namespace {
 
 // It looks along x; left is -z.
-enum Part { torso, neck, head, jaw, tail, leftFore, rightFore, leftHind, rightHind, leftEar, rightEar };
+enum BodyPart { torso, neck, head, jaw, tail, leftFore, rightFore, leftHind, rightHind, leftEar, rightEar };
 
 constexpr int keyCount = 8;
 constexpr double tau = 2 * M_PI;
 constexpr double halfStride = 0.24, lift = 0.12, stance = 0.62;  // the share of the cycle that a paw stands
 
-Limb part(const std::vector<Knot>& knots, int joints, double edge, double blend) {
-  Limb limb = makeLimb(knots, joints);
-  limb.edge = edge;
-  limb.blend = blend;
-  return limb;
-}
-
 Limb foreleg(double side) {
-  return part({{{0.98, 0.88, 0.20 * side}, 0.26},
-               {{0.90, 0.58, 0.29 * side}, 0.165},
-               {{0.97, 0.30, 0.29 * side}, 0.125},
-               {{1.02, 0.13, 0.29 * side}, 0.125},
-               {{1.17, 0.08, 0.30 * side}, 0.12}},
-              22, 0.06, 0.14);
+  return makeLimb({{{0.98, 0.88, 0.20 * side}, 0.26},
+                   {{0.90, 0.58, 0.29 * side}, 0.165},
+                   {{0.97, 0.30, 0.29 * side}, 0.125},
+                   {{1.02, 0.13, 0.29 * side}, 0.125},
+                   {{1.17, 0.08, 0.30 * side}, 0.12}},
+                  22, 0.06, 0.14);
 }
 
 Limb hindLeg(double side) {
-  return part({{{-1.13, 0.90, 0.17 * side}, 0.31},
-               {{-0.98, 0.58, 0.27 * side}, 0.20},
-               {{-1.22, 0.32, 0.28 * side}, 0.115},
-               {{-1.20, 0.13, 0.28 * side}, 0.12},
-               {{-1.04, 0.08, 0.29 * side}, 0.12}},
-              24, 0.06, 0.14);
+  return makeLimb({{{-1.13, 0.90, 0.17 * side}, 0.31},
+                   {{-0.98, 0.58, 0.27 * side}, 0.20},
+                   {{-1.22, 0.32, 0.28 * side}, 0.115},
+                   {{-1.20, 0.13, 0.28 * side}, 0.12},
+                   {{-1.04, 0.08, 0.29 * side}, 0.12}},
+                  24, 0.06, 0.14);
 }
 
 Limb ear(double side) {
-  Limb limb = part({{{1.72, 1.97, 0.19 * side}, 0.10},
-                    {{1.66, 1.93, 0.32 * side}, 0.15},
-                    {{1.62, 1.65, 0.40 * side}, 0.20},
-                    {{1.66, 1.38, 0.41 * side}, 0.17}},
-                   14, 0.048, 0.08);
+  Limb limb = makeLimb({{{1.72, 1.97, 0.19 * side}, 0.10},
+                        {{1.66, 1.93, 0.32 * side}, 0.15},
+                        {{1.62, 1.65, 0.40 * side}, 0.20},
+                        {{1.66, 1.38, 0.41 * side}, 0.17}},
+                       14, 0.048, 0.08);
   limb.flattening = {Vec3(0.15, 0.25, side).normalized(), 0.36};
   return limb;
 }
 
 Limb ball(const Vec3& centre, double radius, double edge) {
-  return part({{centre - Vec3(0.01, 0, 0), radius}, {centre, radius}}, 2, edge, 0.02);
+  return makeLimb({{centre - Vec3(0.01, 0, 0), radius}, {centre, radius}}, 2, edge, 0.02);
 }
 
 struct PlaneKnot {
@@ -63,10 +56,10 @@ struct PlaneKnot {
 Limb inPlane(const std::vector<PlaneKnot>& shape, int joints, double edge, double blend) {
   std::vector<Knot> knots;
   for (const PlaneKnot& k : shape) knots.push_back({{k.x, k.y, 0}, k.radius});
-  return part(knots, joints, edge, blend);
+  return makeLimb(knots, joints, edge, blend);
 }
 
-Body makeBody() {
+Body dachshundBody() {
   Body body;
   body.floor = 0;
   body.floorRounding = 0.05;
@@ -93,7 +86,7 @@ Body makeBody() {
 }
 
 struct Leg {
-  Part part;
+  BodyPart part;
   double phase;  ///< at which the paw touches down, as a share of the cycle
 };
 
@@ -102,7 +95,7 @@ constexpr Leg legs[] = {{leftHind, 0}, {leftFore, 0.25}, {rightHind, 0.5}, {righ
 
 constexpr double wrist = 0.78;  // share of a leg's length above its paw
 
-Vec3 wristOf(const Body& body, const Pose& pose, Part leg) {
+Vec3 wristOf(const Body& body, const Pose& pose, BodyPart leg) {
   const int joint = static_cast<int>(wrist * (body.limbs[leg].jointCount() - 1));
   return jointTransforms(body, pose)[body.firstJoint(leg) + joint] * body.limbs[leg].centre[joint];
 }
@@ -119,7 +112,7 @@ Step stepAt(double phase) {
   return {-halfStride * std::cos(M_PI * swing), lift * up * up, -0.9 * up * up * (1 - 0.6 * swing)};
 }
 
-void setLeg(Pose& pose, const Body& body, Part leg, double shoulder, double elbow, double paw) {
+void setLeg(Pose& pose, const Body& body, BodyPart leg, double shoulder, double elbow, double paw) {
   const int first = body.firstJoint(leg);
   for (int j = 0; j < body.limbs[leg].jointCount(); ++j) pose.turns[first + j].setZero();
   bend(pose, body, leg, 0, 0.2, shoulder * Vec3::UnitZ());
@@ -129,7 +122,7 @@ void setLeg(Pose& pose, const Body& body, Part leg, double shoulder, double elbo
 
 // Inverse kinematics: Newton's method on shoulder and elbow until the wrist is where the step wants it; the paw then
 // turns back so that it keeps its pitch.
-void placePaw(Pose& pose, const Body& body, Part leg, const Step& step) {
+void placePaw(Pose& pose, const Body& body, BodyPart leg, const Step& step) {
   const Vec3 target = wristOf(body, Pose(body), leg) + Vec3(step.forward, step.up, 0);
   Vec2 angles(0, 0);
   const auto miss = [&](const Vec2& a) -> Vec2 {
@@ -159,7 +152,7 @@ Pose walkPose(const Body& body, double phase) {
   bend(pose, body, neck, 0, 1, {0, -0.10 * wave(1, 0), 0.08 * wave(2, 0.35)});
   bend(pose, body, head, 0, 0.3, {0.06 * wave(1, 0.25), -0.05 * wave(1, 0.1), -0.06 * wave(2, 0.45)});
   bend(pose, body, tail, 0, 1, {0.5 * wave(1, 0.1), 0.55 * wave(1, 0.1), 0.1 * wave(2, 0)});
-  for (Part side : {leftEar, rightEar}) {
+  for (BodyPart side : {leftEar, rightEar}) {
     const double out = side == leftEar ? 1 : -1;
     bend(pose, body, side, 0.1, 1, {out * (0.12 + 0.14 * wave(2, 0.6)), 0, 0.25 * wave(2, 0.7)});
   }
@@ -170,7 +163,7 @@ Pose walkPose(const Body& body, double phase) {
 }  // namespace
 
 Sample makeDachshund() {
-  const Body body = makeBody();
+  const Body body = dachshundBody();
   std::vector<Pose> poses;
   for (int j = 0; j < keyCount; ++j) poses.push_back(walkPose(body, double(j) / keyCount));
   return {"dachshund", "Dachshund", "Eight poses of a walk; the periodic spline closes the loop.",

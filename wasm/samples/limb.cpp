@@ -133,6 +133,13 @@ Limb makeLimb(const std::vector<Knot>& knots, int joints) {
   return limb;
 }
 
+Limb makeLimb(const std::vector<Knot>& knots, int joints, double edge, double blend) {
+  Limb limb = makeLimb(knots, joints);
+  limb.edge = edge;
+  limb.blend = blend;
+  return limb;
+}
+
 int attach(Body& body, int parent, Limb limb) {
   limb.parent = parent;
   if (parent >= 0) {

@@ -63,6 +63,8 @@ struct Body {
 
 /// A limb along a Catmull-Rom curve through the knots, resampled to `joints` samples (at least 2).
 Limb makeLimb(const std::vector<Knot>& knots, int joints);
+/// The same with its wanted edge length and the width over which it melts into those before it.
+Limb makeLimb(const std::vector<Knot>& knots, int joints, double edge, double blend);
 
 /// Adds a limb that is attached to the joint of `parent` nearest to its own first joint. Returns its index.
 int attach(Body& body, int parent, Limb limb);

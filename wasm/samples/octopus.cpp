@@ -15,30 +15,24 @@ Vec3 outwards(int arm) {
   return {std::cos(azimuth), 0, std::sin(azimuth)};
 }
 
-Limb part(const std::vector<Knot>& knots, int joints, double edge, double blend) {
-  Limb limb = makeLimb(knots, joints);
-  limb.edge = edge;
-  limb.blend = blend;
-  return limb;
-}
-
 Limb arm(const Vec3& out) {
   const auto knot = [&](double away, double up, double radius) {
     return Knot{away * out + up * Vec3::UnitY(), radius};
   };
-  return part({knot(0.12, 0.62, 0.24), knot(0.5, 0.46, 0.225), knot(1.0, 0.26, 0.185), knot(1.7, 0.17, 0.135),
-               knot(2.4, 0.12, 0.09), knot(2.95, 0.10, 0.055)},
-              40, 0.078, 0.2);
+  return makeLimb({knot(0.12, 0.62, 0.24), knot(0.5, 0.46, 0.225), knot(1.0, 0.26, 0.185), knot(1.7, 0.17, 0.135),
+                   knot(2.4, 0.12, 0.09), knot(2.95, 0.10, 0.055)},
+                  40, 0.078, 0.2);
 }
 
-Body makeBody() {
+Body octopusBody() {
   Body body;
   attach(body, -1,
-         part({{{0, 0.62, 0}, 0.34}, {{-0.05, 1.02, 0}, 0.44}, {{-0.28, 1.5, 0}, 0.60}, {{-0.52, 1.82, 0}, 0.52}}, 16,
-              0.11, 0));
+         makeLimb({{{0, 0.62, 0}, 0.34}, {{-0.05, 1.02, 0}, 0.44}, {{-0.28, 1.5, 0}, 0.60}, {{-0.52, 1.82, 0}, 0.52}},
+                  16, 0.11, 0));
   for (int i = 0; i < armCount; ++i) attach(body, mantle, arm(outwards(i)));
   for (double side : {-1.0, 1.0}) {
-    attach(body, mantle, part({{{0.12, 1.12, 0.26 * side}, 0.16}, {{0.22, 1.19, 0.34 * side}, 0.14}}, 2, 0.055, 0.05));
+    attach(body, mantle,
+           makeLimb({{{0.12, 1.12, 0.26 * side}, 0.16}, {{0.22, 1.19, 0.34 * side}, 0.14}}, 2, 0.055, 0.05));
   }
   return body;
 }
@@ -71,7 +65,7 @@ double own(int arm) { return std::sin(2.4 * arm + 0.5); }
 }  // namespace
 
 Sample makeOctopus() {
-  const Body body = makeBody();
+  const Body body = octopusBody();
   const std::vector<Pose> poses{
       posed(body, {0, 0, 0.1}, 0, [](int i) { return ArmBend{0.1, 0.2 + 0.25 * own(i), 0.55 * sign(i)}; }),
       posed(body, {0, 0, -0.25}, 0.1,
