@@ -14,7 +14,7 @@ async function exported(
   await app.by('export').click();
   await choose();
   await app.answered();
-  await expect(app.by('export-size')).not.toHaveText('Working out the size');
+  await expect(app.by('export-size')).not.toHaveText('Estimating the size');
   const stated = await app.by('export-size').innerText();
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
   const bytes = readFileSync(await download.path());

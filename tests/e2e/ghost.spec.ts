@@ -212,7 +212,7 @@ test('methods that blend positions have no ghost', async ({ app }) => {
   await app.settled();
   await app.by('method').selectOption('linear');
   await app.settled();
-  await expect(app.by('ghost-hint')).toContainText('nothing for a ghost mesh to lead');
+  await expect(app.by('ghost-hint')).toContainText('uses no ghost mesh');
   await expect(app.by('ghost-wire')).toBeDisabled();
   await app.expectNoProblems();
 });

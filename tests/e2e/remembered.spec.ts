@@ -117,7 +117,7 @@ test.describe('two tabs', () => {
     await expect(other.by('remember')).toHaveAttribute('aria-pressed', 'true');
     // The tab that opened the next files took over, and the first was told.
     await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'false');
-    await expect(app.by('toast')).toContainText('Another tab remembers its files now');
+    await expect(app.by('toast')).toContainText('Another tab has remembered its own files');
     await app.setTime(0.7);
     await other.setTime(0.3);
     await expect.poll(async () => (await kept(other.page)).project?.state.time).toBe(0.3);

@@ -118,7 +118,7 @@ describe('a large sequence', () => {
     }
     const error = await failureOf(Promise.reject(outcome));
     expect(error.code).toBe('crashed');
-    expect(error.message).toMatch(/second thread.*starts afresh/);
+    expect(error.message).toMatch(/second thread.*restarts/);
     for (let i = 0; i < 20; ++i) expect(bytes(await frameAt(two!, 0.3)).equals(expected)).toBe(true);
     expect((await two!.stats()).threads).toBe(1);
   });

@@ -70,7 +70,7 @@ describe('what was dropped', () => {
   it('is refused in a sentence where there is no model, too much, or nothing to read', async () => {
     await expect(namesIn({ photos: { 'readme.pdf': '', more: {} } })).rejects.toThrow('There is no model in photos.');
     const many = Object.fromEntries(Array.from({ length: 20_001 }, (_, i) => [`${i}.txt`, '']));
-    await expect(namesIn({ many })).rejects.toThrow('more than 20,000 files');
+    await expect(namesIn({ many })).rejects.toThrow('More than 20,000 files');
     await expect(namesIn({ locked: { inside: null } })).rejects.toThrow('locked/inside could not be read.');
     await expect(namesIn({ folder: { 'gone.obj': null } })).rejects.toThrow('folder/gone.obj could not be read.');
   });

@@ -70,8 +70,8 @@ describe('results', () => {
   it.each([
     ['a report whose name is a folder', () => [frames(at('out'), 'a.obj'), file(at('taken'), '')], 'is a folder'],
     ['a frame whose name is a folder', () => [frames(folder, 'a.obj', 'taken')], 'is a folder'],
-    ['two results in one place', () => [file(at('x.glb'), ''), file(at('x.glb'), '')], 'same place'],
-    ['a report over a frame', () => [frames(at('out'), 'a.obj'), file(at('out/a.obj'), '')], 'same place'],
+    ['two results in one place', () => [file(at('x.glb'), ''), file(at('x.glb'), '')], 'would be written to'],
+    ['a report over a frame', () => [frames(at('out'), 'a.obj'), file(at('out/a.obj'), '')], 'would be written to'],
     ['a link that leads to itself', () => [frames(at('out'), 'a.obj'), file(at('round'), '')], 'leads to itself'],
     [
       'a place below a file',

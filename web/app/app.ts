@@ -77,7 +77,7 @@ export function startApp(root: HTMLElement): void {
     onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
     onResize: () => page.redraw(),
     covered: (views) => layout.covered(views),
-    onContextLost: () => say('The browser lost the graphics card. The picture comes back by itself.'),
+    onContextLost: () => say('The browser lost access to the graphics card. The picture will be restored.'),
     onContextRestored: () => void frameLoop.request(store.get().time),
   });
   const { frameLoop, follow: play } = createPlayback({

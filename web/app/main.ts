@@ -11,7 +11,7 @@ function start(element: HTMLElement): void {
     // Before there are components nothing else can say it.
     const message = document.createElement('p');
     message.setAttribute('role', 'alert');
-    message.textContent = `This page needs WebGL 2, which this browser does not offer now. Try another browser, or switch hardware acceleration on. (${error instanceof Error ? error.message : String(error)})`;
+    message.textContent = `This page needs WebGL 2, which is not available in this browser. Try another browser, or turn hardware acceleration on. (${error instanceof Error ? error.message : String(error)})`;
     message.style.cssText = 'max-width: 60ch; margin: 20vh auto; padding: 0 24px';
     element.replaceChildren(message);
   }

@@ -37,7 +37,7 @@ function takeOption(word: string, rest: string[], known: Known, result: Argument
     return;
   }
   if (dashes !== '--' || !known.options.has(name))
-    throw new UsageError(`there is no option ${word.split('=')[0]} (see --help)`);
+    throw new UsageError(`unknown option ${word.split('=')[0]} (see --help)`);
   const value = given ?? takeValue(rest, known);
   if (value === undefined || value === '') throw new UsageError(`--${name} needs a value`);
   if (result.values.has(name)) throw new UsageError(`--${name} is given twice`);

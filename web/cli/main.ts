@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** The terminal's entrance: 0 done, 1 the input is bad, 2 wrong use; one line on stderr says what is wrong. */
+/** The terminal's entrance: 0 success, 1 bad input, 2 wrong usage; one line on stderr says what is wrong. */
 import { version } from '../../package.json';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseArguments, UsageError } from './arguments.ts';
@@ -11,7 +11,7 @@ async function run([command, ...words]: string[]): Promise<string> {
   if (command === '--help' || command === '-h' || command === 'help') return HELP;
   if (command !== 'inspect' && command !== 'complete') {
     throw new UsageError(
-      command ? `there is no command ${command} (see --help)` : 'name a command: inspect or complete (see --help)',
+      command ? `unknown command ${command} (see --help)` : 'name a command: inspect or complete (see --help)',
     );
   }
   const args = parseArguments(words, command === 'inspect' ? INSPECT : COMPLETE);

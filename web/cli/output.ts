@@ -96,7 +96,7 @@ async function movesTo(target: string, { path: given, files }: Output, partial: 
 async function checkPlaces(moves: Move[]): Promise<void> {
   const taken = new Set<string>();
   for (const { to } of moves) {
-    if (taken.has(to)) throw new Error(`two results have the same place, ${to}`);
+    if (taken.has(to)) throw new Error(`two results would be written to ${to}`);
     taken.add(to);
     const there = await statsOf(to);
     if (there?.isDirectory()) throw new Error(`${to} is a folder`);

@@ -106,7 +106,7 @@ ${helpOn(encodingFlags)}
 ${helpOn(exportFlags)}
 
   --help  --version
-Exit codes: 0 done, 1 the input is bad, 2 wrong use.
+Exit codes: 0 success, 1 bad input, 2 wrong usage.
 `;
 
 /** The values that were given, so that the engine's defaults hold for the rest. */
@@ -141,5 +141,5 @@ function formatOf(output: string): ExportOptions['format'] {
   if (output.endsWith('/') || /\.obj$/i.test(output)) return 'obj';
   if (/\.glb$/i.test(output)) return 'glb';
   if (/\.ply$/i.test(output)) return 'ply';
-  throw new UsageError(`--output: '${output}' ends neither in .glb, .obj or .ply nor, as a folder, in /`);
+  throw new UsageError(`--output: '${output}' must end in .glb, .obj or .ply, or in / for a folder`);
 }

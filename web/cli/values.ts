@@ -53,7 +53,7 @@ export const oneOf =
   <T extends string>(...names: T[]): Read<T> =>
   (text, option) => {
     const found = names.find((name) => name === text);
-    if (!found) throw new UsageError(`${option}: '${text}' is none of ${names.join(', ')}`);
+    if (!found) throw new UsageError(`${option}: '${text}' is not one of ${names.join(', ')}`);
     return found;
   };
 
@@ -66,7 +66,7 @@ export const turns: Read<AddedTurns[]> = (text, option) =>
     const [, place, count, component] = /^([^:@]+):([^:@]+)(?:@([^:@]+))?$/.exec(part) ?? [];
     if (!place || !count) throw new UsageError(`${option}: '${part}' is not KEY:N or KEY:N@COMPONENT`);
     const index = key(place, option);
-    if (index === 0) throw new UsageError(`${option}: no turns lead to key 1, count from key 2`);
+    if (index === 0) throw new UsageError(`${option}: turns lead to a key from the one before, so that key 1 has none`);
     const added = { key: index, turns: whole(count, option) };
     return component ? { ...added, component: wholeFrom(1)(component, option) - 1 } : added;
   });

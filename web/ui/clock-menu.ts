@@ -47,17 +47,17 @@ export function createClockMenu(events: ClockMenuEvents): {
   });
   const fpsHint = h('p', { class: 'hint' });
   const from = numberField({
-    label: 'Playing starts at',
+    label: 'Playback start',
     testId: 'loop-from',
     onInput: (value) => events.onLoopEnd('start', seconds(value)),
   });
   const to = numberField({
-    label: 'Playing ends at',
+    label: 'Playback end',
     testId: 'loop-to',
     onInput: (value) => events.onLoopEnd('end', seconds(value)),
   });
   const reset = button({
-    label: 'Play all keys again',
+    label: 'Play the whole range',
     testId: 'loop-reset',
     icon: 'reset',
     shortcut: 'P',
@@ -143,7 +143,7 @@ export function createClockMenu(events: ClockMenuEvents): {
       fpsHint,
       props.fps === null
         ? 'Plays as smoothly as the screen allows.'
-        : 'Playing, the slider and exports snap to these frames; the time is shown as a frame number.',
+        : 'Playback, the slider and exports snap to these frames; the time is shown as a frame number.',
     );
     const [start, end] = playRange(between, range);
     setField(from, formatMoment(start, range, props.fps));

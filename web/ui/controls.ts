@@ -174,7 +174,7 @@ export function slider(options: NumberOptions): NumberControl {
   });
   const number = numberField({ label: `${label}, as a number`, testId: `${testId}-number`, min, max, step, onInput });
   const reset = button({
-    label: `Set ${label.toLowerCase()} back to ${format(fallback)}`,
+    label: `Reset ${label.toLowerCase()} to ${format(fallback)}`,
     testId: `${testId}-reset`,
     icon: 'reset',
     onClick: () => onInput(fallback),

@@ -42,9 +42,7 @@ export async function filesOf(entries: readonly FileSystemEntry[]): Promise<Pick
   const walk = async (entry: FileSystemEntry, path: string, inFolder: boolean): Promise<void> => {
     left -= 1;
     if (left < 0)
-      throw new Error(
-        `There are more than ${MOST_ENTRIES.toLocaleString('en')} files in what was dropped. Drop the poses themselves.`,
-      );
+      throw new Error(`More than ${MOST_ENTRIES.toLocaleString('en')} files were dropped. Drop only the poses.`);
     const name = path + entry.name;
     if (entry.isDirectory) {
       for (const child of await childrenOf(entry as FileSystemDirectoryEntry, name))
@@ -87,6 +85,8 @@ async function read<T>(
   try {
     return await new Promise<T>(start);
   } catch {
-    throw new Error(`${name} could not be read. Was it moved, or is it not yours to read? Drop it again.`);
+    throw new Error(
+      `${name} could not be read. It may have been moved, or you may not have permission to read it. Drop it again.`,
+    );
   }
 }

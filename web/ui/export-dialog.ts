@@ -62,14 +62,14 @@ export interface ExportDialogEvents {
 }
 
 const WORDS: Record<string, string> = {
-  glb: 'Plays in Blender, three.js and most viewers, with the materials of the files. It is also the project: opened here again, it brings back keys, times and options.',
+  glb: 'Plays in Blender, three.js and most viewers, with the materials of the files. It is also the project: opened here again, it restores keys, times and options.',
   obj: 'One OBJ per frame in a zip, in the order of vertices and faces of your files.',
-  video: 'A video of the view as it is now, played once.',
-  'pose-glb': 'The shape as it is now, with the materials of the files.',
-  'pose-obj': 'The shape as it is now.',
-  'pose-ply': 'The shape as it is now, binary.',
-  png: 'A picture of the view as it is now, without background.',
-  turntable: 'A video of the shape as it is now, turning once.',
+  video: 'A video of the current view, played once.',
+  'pose-glb': 'The current shape, with the materials of the files.',
+  'pose-obj': 'The current shape.',
+  'pose-ply': 'The current shape, binary.',
+  png: 'A picture of the current view, without background.',
+  turntable: 'A video of the current shape, turning once.',
   measures: 'A table of volume, area, bending energy and position in the shape plane over time.',
   patches: 'A table of the patch that each face belongs to.',
 };
@@ -178,7 +178,9 @@ export function createExportDialog(events: ExportDialogEvents): {
     max: 3600,
     onInput: (value) => change({ duration: value }),
   });
-  const inPlace = checkbox('Without travel (in place)', 'export-in-place', (on) => change({ inPlace: on }));
+  const inPlace = checkbox('In place (without the overall translation)', 'export-in-place', (on) =>
+    change({ inPlace: on }),
+  );
   const row = (label: string, ...fields: Node[]): HTMLElement =>
     h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
   const framesRow = row('Frames', frames);
@@ -258,7 +260,7 @@ export function createExportDialog(events: ExportDialogEvents): {
     setField(from, String(Number(start.toFixed(4))));
     setField(to, String(Number(end.toFixed(4))));
     setField(duration, String(Number((request.duration ?? end - start).toFixed(3))));
-    setText(plan, props.plan ? props.plan.text : 'Working out the size');
+    setText(plan, props.plan ? props.plan.text : 'Estimating the size');
     warnings.replaceChildren(...(props.plan?.warnings ?? []).map((warning) => h('li', {}, warning)));
   });
   return { element, open: () => element.showModal(), close: () => element.close(), update: draw };

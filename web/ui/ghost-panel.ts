@@ -22,7 +22,11 @@ export interface GhostPanelEvents {
 }
 
 const TRANSFERS: readonly Choice<Transfer>[] = [
-  { value: 'exact', label: 'Exact', hint: 'Passes through every key: what the ghost misses is splined, too' },
+  {
+    value: 'exact',
+    label: 'Exact',
+    hint: 'Passes through every key: the details that the ghost lacks are interpolated, too',
+  },
   {
     value: 'paper',
     label: 'As published',
@@ -47,7 +51,7 @@ export function createGhostPanel(
   });
   const used = h('span', { class: 'muted', 'data-testid': 'ghost-used' });
   const reset = button({
-    label: `Set the faces back to ${GHOST_FACES.toLocaleString('en')}`,
+    label: `Reset the faces to ${GHOST_FACES.toLocaleString('en')}`,
     testId: 'ghost-faces-reset',
     icon: 'reset',
     onClick: () => events.onEncoding({ ghostFaces: GHOST_FACES }),
@@ -55,12 +59,12 @@ export function createGhostPanel(
   const transfer = segments<Transfer>('Transfer', 'transfer', TRANSFERS, (value) =>
     events.onEncoding({ transfer: value }),
   );
-  const placement = checkbox('Ghost may leave the surface', 'placement', (on) =>
+  const placement = checkbox('Vertices may leave the surface', 'placement', (on) =>
     events.onEncoding({ placement: on ? 'optimal' : DEFAULT_ENCODING.placement }),
   );
   const wire = checkbox('Wireframe', 'ghost-wire', (on) => events.onView({ ghostWire: on }));
   const beside = checkbox('Beside the shape', 'ghost-beside', (on) => events.onView({ ghostBeside: on }));
-  const difference = checkbox('Difference to no ghost mesh', 'ghost-difference', (on) =>
+  const difference = checkbox('Difference from the full solve', 'ghost-difference', (on) =>
     events.onView({ ghostDifference: on }),
   );
   const shown = h(
@@ -94,7 +98,7 @@ export function createGhostPanel(
       hint,
       props.lriMethod
         ? 'A coarse mesh leads the motion and the full shape follows it.'
-        : 'This method blends positions: there is nothing for a ghost mesh to lead.',
+        : 'This method blends positions and uses no ghost mesh.',
     );
     setHidden(details, !on);
     setHidden(study, !props.lriMethod);

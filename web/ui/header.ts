@@ -38,7 +38,7 @@ export interface HeaderEvents {
 }
 
 const THEMES: Record<Theme, { icon: IconName; label: string }> = {
-  system: { icon: 'system', label: 'Colours follow the system' },
+  system: { icon: 'system', label: 'System colours' },
   light: { icon: 'light', label: 'Light colours' },
   dark: { icon: 'dark', label: 'Dark colours' },
 };

@@ -28,7 +28,7 @@ export function createHelp(
     h(
       'p',
       {},
-      'Give the page two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Cubic splines run through rotations and stretches, not through positions, so that the shape bends and twists and hardly shrinks.',
+      'Open two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Cubic splines run through rotations and stretches, not through positions, so that the shape bends and twists and hardly shrinks.',
     ),
     h(
       'p',

@@ -149,7 +149,7 @@ function createCard(events: KeyStripEvents, onEdit: (index: number, from: HTMLEl
         'aria-label',
         `Key ${at + 1}, ${item.name}, at ${formatTime(item.time, range)}${item.isReference ? ', reference' : ''}`,
       );
-      setAttribute(go, 'title', `Go to ${item.name}; drag to put it elsewhere in the order`);
+      setAttribute(go, 'title', `Go to ${item.name}; drag to reorder the keys`);
       setAttribute(go, 'data-testid', `key-${at}-go`);
       setAttribute(edit, 'data-testid', `key-${at}-edit`);
       setAttribute(edit, 'aria-label', `Edit key ${at + 1}, ${item.name}`);
@@ -242,7 +242,7 @@ function createEditor(events: KeyStripEvents): Editor {
     'With tension or bias the velocity stays smooth at this key, but the acceleration jumps (C1, not C2).',
   );
   const earlier = button({
-    label: 'Earlier in the order',
+    label: 'Move earlier in the order',
     testId: 'key-earlier',
     icon: 'left',
     text: 'Earlier',
@@ -250,7 +250,7 @@ function createEditor(events: KeyStripEvents): Editor {
     onClick: () => move(-1),
   });
   const later = button({
-    label: 'Later in the order',
+    label: 'Move later in the order',
     testId: 'key-later',
     icon: 'right',
     text: 'Later',
@@ -276,7 +276,7 @@ function createEditor(events: KeyStripEvents): Editor {
       close();
     },
   });
-  const reason = h('p', { class: 'reason', hidden: true }, 'A motion needs two keys.');
+  const reason = h('p', { class: 'reason', hidden: true }, 'A motion needs at least two keys.');
   const element = h(
     'div',
     { class: 'card key-editor', role: 'dialog', 'data-testid': 'key-editor', 'aria-label': 'Edit key', hidden: true },

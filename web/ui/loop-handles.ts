@@ -22,7 +22,7 @@ export interface LoopHandlesEvents {
 }
 
 type End = 'start' | 'end';
-const LABELS: Record<End, string> = { start: 'Where playing starts', end: 'Where playing ends' };
+const LABELS: Record<End, string> = { start: 'Playback start', end: 'Playback end' };
 
 export interface LoopHandles {
   elements: HTMLElement[];
@@ -75,7 +75,7 @@ export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents)
       'data-testid': `loop-${end}`,
       'aria-label': LABELS[end],
       'aria-orientation': 'horizontal',
-      title: `${LABELS[end]}: drag it (Alt: without snapping); double-click to play all keys again`,
+      title: `${LABELS[end]}: drag it (Alt: without snapping); double-click to play the whole range`,
       onpointerdown: (event: PointerEvent) => pressed(end, event),
       onkeydown: (event: KeyboardEvent) => typed(end, event),
       ondblclick: () => events.onBetween(null),

@@ -17,7 +17,7 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
   geodesic: {
     label: 'LRI geodesic',
     short: 'Geodesic',
-    hint: 'The same space, straight from key to key. The volume changes little; the motion jerks at the keys.',
+    hint: 'Straight from key to key in the same space. The volume changes little; the velocity jumps at the keys.',
   },
   linear: {
     label: 'Linear blend',
@@ -32,7 +32,10 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
 };
 
 const BOUNDARY_WORDS: Record<Boundary, { label: string; hint: string }> = {
-  natural: { label: 'Natural', hint: 'No bending at the ends: the motion leaves the first and last key straight on.' },
+  natural: {
+    label: 'Natural',
+    hint: 'No bending at the ends: the motion continues straight beyond the first and the last key.',
+  },
   hermite: { label: 'Hermite', hint: 'You set how fast the motion leaves the first key and arrives at the last.' },
   periodic: { label: 'Periodic', hint: 'A closed loop without a seam.' },
 };
@@ -99,14 +102,14 @@ export function createMotionPanel(events: MotionPanelEvents): {
     onInput: (value) => events.onMotion({ period: value }),
   });
   const periodReset = button({
-    label: 'Set the period back',
+    label: 'Reset the period',
     testId: 'period-reset',
     icon: 'reset',
     onClick: () => events.onMotion({ period: null }),
   });
   const periodic = h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Period'), period, periodReset);
   const reset = button({
-    label: 'Set the motion back to what it was when opened',
+    label: 'Reset the motion to what it was when opened',
     testId: 'motion-reset',
     icon: 'reset',
     onClick: () => events.onReset(),
@@ -174,7 +177,7 @@ function speedSlider(label: string, testId: string, onInput: (value: number) => 
     fallback: DEFAULT_SPEED,
     onInput,
     format: (value) => `${Number(value.toFixed(2))}`,
-    hint: 'Times the speed between the end key and its neighbour; 0 eases in and out',
+    hint: 'Relative to the speed between the end key and its neighbour; 0 eases in and out',
   });
 }
 

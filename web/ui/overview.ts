@@ -20,7 +20,7 @@ export function createOverview(onWindow: (window: Range | null) => void): Overvi
       class: 'overview',
       'aria-hidden': 'true',
       'data-testid': 'overview',
-      title: 'The visible stretch of time; drag to move it',
+      title: 'The visible part of the timeline; drag to move it',
       hidden: true,
       onpointerdown: (event: PointerEvent) => {
         if (event.button !== 0) return;

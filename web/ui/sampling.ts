@@ -119,7 +119,7 @@ function readTimes(text: string, { start, end }: AnimationInfo): number[] | stri
     .filter((word) => word !== '')
     .map(Number);
   const unread = times.findIndex((t) => !Number.isFinite(t));
-  if (unread >= 0) return `Time ${unread + 1} of the list is no number. Separate the times by commas.`;
+  if (unread >= 0) return `Time ${unread + 1} of the list is not a number. Separate the times by commas.`;
   const slack = 1e-4; // as they are shown
   const outside = times.find((t) => t < start - slack || t > end + slack);
   if (outside !== undefined)

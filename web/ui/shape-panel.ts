@@ -36,7 +36,7 @@ export interface ShapePanelEvents {
 
 const STRETCHES: readonly Choice<Stretch>[] = [
   { value: 'linear', label: 'Linear', hint: 'Blends stretches, as in the paper' },
-  { value: 'log', label: 'Logarithmic', hint: 'Blends logarithms of stretches: none turns inside out' },
+  { value: 'log', label: 'Logarithmic', hint: 'Blends logarithms of stretches, so that no face turns inside out' },
 ];
 
 /** `ghost`: the section on the ghost mesh. */
@@ -58,7 +58,7 @@ export function createShapePanel(
   });
   const patchesUsed = h('span', { class: 'muted', 'data-testid': 'patches-used' });
   const reset = button({
-    label: 'Set the shape options back to what they were when opened',
+    label: 'Reset the shape options to what they were when opened',
     testId: 'shape-reset',
     icon: 'reset',
     onClick: () => events.onReset(),

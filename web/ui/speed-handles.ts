@@ -21,7 +21,7 @@ const LARGE = 10;
 
 export const SPEED_WORDS: Record<End, { label: string; verb: string; neighbour: string }> = {
   start: { label: 'Start speed', verb: 'leaves at', neighbour: 'the first key to the second' },
-  end: { label: 'End speed', verb: 'arrives at', neighbour: 'the last but one key to the last' },
+  end: { label: 'End speed', verb: 'arrives at', neighbour: 'the second to last key to the last' },
 };
 
 export interface SpeedHandlesProps {
@@ -80,7 +80,7 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
       'aria-orientation': 'horizontal',
       'aria-valuemin': 0,
       'aria-valuemax': MAX_SPEED,
-      title: `${label}: times the speed straight from ${neighbour}. Drag it, or use the arrow keys; double-click for ${formatSpeed(DEFAULT_SPEED)}`,
+      title: `${label}, relative to the straight speed from ${neighbour}. Drag it, or use the arrow keys; double-click for ${formatSpeed(DEFAULT_SPEED)}`,
       onpointerdown: (event: PointerEvent) => pressed(end, event),
       onkeydown: (event: KeyboardEvent) => typed(end, event),
       ondblclick: () => set(end, DEFAULT_SPEED),
@@ -111,7 +111,7 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
       setAttribute(
         grip,
         'aria-valuetext',
-        `${Number(speed.toFixed(2))} times the speed straight from ${SPEED_WORDS[end].neighbour}`,
+        `${Number(speed.toFixed(2))} times the straight speed from ${SPEED_WORDS[end].neighbour}`,
       );
       setText(value, formatSpeed(speed));
     }

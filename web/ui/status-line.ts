@@ -26,7 +26,7 @@ export function createStatusLine(onWarnings: (from: HTMLElement) => void): {
     'data-testid': 'status-ms',
     class: 'ms',
     title:
-      'Time to compute the shape on the screen. Slow shapes are shown as previews while they move, exactly at rest',
+      'Time to compute the shape on the screen. Slow shapes are shown as previews while they move, and exactly at rest',
   });
   const offline = h('span', { hidden: true }, 'offline');
   const count = h('span', {});

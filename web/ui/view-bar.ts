@@ -29,7 +29,7 @@ export function createViewBar(events: ViewBarEvents): {
     'colouring',
     [
       { value: 'phase', label: 'Time', hint: 'Blue at a key, green between, yellow beyond the ends' },
-      { value: 'texture', label: 'Texture', hint: 'As the file has it' },
+      { value: 'texture', label: 'Texture', hint: 'From the file' },
       { value: 'patches', label: 'Patches', hint: 'Regions that turn as a whole' },
     ],
     (value) => events.onView({ colouring: value }),
@@ -95,7 +95,7 @@ export function createViewBar(events: ViewBarEvents): {
   const toggleLook = popover(element, toggle, look);
 
   const draw = memo(({ view: state, hasTexture, disabled }: ViewBarProps) => {
-    colouring.update(state.colouring, hasTexture ? {} : { texture: 'The files hold no texture and no colours.' });
+    colouring.update(state.colouring, hasTexture ? {} : { texture: 'The files have no textures or colours.' });
     shading.update(state.shading);
     wireframe.update(state.wireframe);
     floor.update(state.floor);

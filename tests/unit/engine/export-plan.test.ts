@@ -45,7 +45,7 @@ describe('the times of an export', () => {
   });
 
   it('are refused where float32 cannot tell them apart', () => {
-    expect(() => plan({ frames: 3, range: [0, 1e9], duration: 1e-40 })).toThrow(/closer together/);
+    expect(() => plan({ frames: 3, range: [0, 1e9], duration: 1e-40 })).toThrow(/too close together/);
   });
 
   it('are refused where the file would not open again', () => {
@@ -55,7 +55,7 @@ describe('the times of an export', () => {
     );
     expect(plan({ frames: 9000, format: 'obj' }).times).toHaveLength(9000);
     expect(() => checkBytes(EXPORT_DEFAULTS, 2 ** 31 - 1)).not.toThrow();
-    expect(() => checkBytes(EXPORT_DEFAULTS, 2.6e9)).toThrow('The file would have 2.6 GB and not open again');
+    expect(() => checkBytes(EXPORT_DEFAULTS, 2.6e9)).toThrow('The file would be 2.6 GB and could not be opened again');
     expect(() => checkBytes({ ...EXPORT_DEFAULTS, format: 'obj' }, 1e10)).not.toThrow();
   });
 

@@ -61,7 +61,7 @@ function gridOf(request: ExportRequest, { range, fps }: Stretch): Partial<Export
   const times = request.frames === null && fps !== null ? frameTimes([start, end], fps) : [];
   if (times.length > MAX_FRAMES)
     throw new Error(
-      `These are ${times.length.toLocaleString('en')} frames; ${MAX_FRAMES.toLocaleString('en')} is the most. Take a shorter range or fewer frames per second.`,
+      `This would be ${times.length.toLocaleString('en')} frames; the maximum is ${MAX_FRAMES.toLocaleString('en')}. Use a shorter range or fewer frames per second.`,
     );
   return times.length > 1 ? { times } : { frames: framesWanted(request, [start, end], fps), range: [start, end] };
 }

@@ -26,7 +26,7 @@ export interface AnalysisPanel {
 /** While edits follow each other nothing is computed. */
 const DELAY_MS = 200;
 const RELATIVE = '% of the first key';
-const BENDING = 'times the mean deformation energy between keys, per time⁴';
+const BENDING = 'relative to the mean deformation energy between keys, per time⁴';
 
 export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelEvents): AnalysisPanel {
   const { onSeek, onSpeed, onError } = events;

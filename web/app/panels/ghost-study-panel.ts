@@ -129,7 +129,7 @@ export function createGhostStudyPanel({ engine, store, pool, range, onError }: G
       );
     const kg = {
       title: 'Error',
-      unit: 'KG error against no ghost mesh, %',
+      unit: 'KG error against the full solve, %',
       sizes: names,
       series: series(0, (one) => one.kg),
       level: null,

@@ -24,7 +24,8 @@ export interface ShapePlaneFigure {
   setSpeeds(speeds: Speeds | null): void;
 }
 
-const TITLE = "The plane of the keys' two leading principal components; distances in it are those between shapes";
+const TITLE =
+  "The plane of the keys' two leading principal components; distances in it approximate those between shapes";
 
 export function createShapePlaneFigure(
   input: () => ShapePlaneInput | null,

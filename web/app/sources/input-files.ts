@@ -23,7 +23,7 @@ export async function readFiles(
   for (const { name, file } of files) {
     const bytes = await bytesOf(file, (done) => report?.((before + done) / all), signal).catch((error: unknown) => {
       if (signal?.aborted) throw error;
-      throw new Error(`${name} could not be read. Was it moved, or is it a folder? Drop it again.`);
+      throw new Error(`${name} could not be read. It may have been moved, or it is a folder. Drop it again.`);
     });
     before += file.size;
     read.push({ name, bytes });
@@ -99,7 +99,7 @@ function checkSameMesh(name: string, { report, faces }: KeysInfo, open: KeysInfo
   const other = firstOtherFace(faces, open.faces);
   if (other >= 0) {
     throw new Error(
-      `${name} joins other vertices than the open shape, first in face ${other + 1}. A key must be a pose of the same mesh.`,
+      `${name} has different faces than the open shape, from face ${other + 1} on. A key must be a pose of the same mesh.`,
     );
   }
 }

@@ -26,6 +26,6 @@ export async function openFirst({ files, remembered, onSamples, onStopped }: Ope
     });
   } else if (left && (await remembered.reopen(left, files.again))) return;
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
-  if (!first) throw new Error('There are no samples beside this page. Open files of your own.');
+  if (!first) throw new Error('This page has no samples. Open your own files.');
   await files.sample(first.id, first.id === link?.sample ? link : null);
 }

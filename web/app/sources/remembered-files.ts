@@ -45,9 +45,9 @@ const SAVE_DELAY_MS = 500;
 const RECALL_MS = 10_000;
 
 const NO_ROOM =
-  'This browser has no room for these files, or keeps nothing in a private window. Export saves them as a project.';
+  'This browser cannot store these files: it has no room for them, or this is a private window. Export a GLB to save the project.';
 const NOT_WRITTEN =
-  'The last change could not be remembered: this browser has no room for it. What was remembered before is kept. Export saves a project.';
+  'The last change could not be stored: this browser has no room for it. The version before is kept. Export a GLB to save the project.';
 
 export function createRememberedFiles({
   store,
@@ -78,7 +78,7 @@ export function createRememberedFiles({
   tabs?.addEventListener('message', ({ data }: MessageEvent<News>) => {
     if (!own || data.kept === own.id) return;
     if (data.kept === null && data.before === own.id) lose('Forgotten in another tab.');
-    else if (data.kept !== null) lose('Another tab remembers its files now, in place of these.');
+    else if (data.kept !== null) lose('Another tab has remembered its own files instead of these.');
   });
 
   const changing = (): Changing | null => {
@@ -99,12 +99,12 @@ export function createRememberedFiles({
     const { id, files } = own;
     if (files === input) {
       if (!(await updateProject(id, part)) && own)
-        lose('Another tab has changed what is remembered: these files no longer are.');
+        lose('Another tab has changed the remembered files: these are no longer among them.');
       return;
     }
     const next = newProjectId();
     if (!(await keepProject(next, { files: input, ...part }, id))) {
-      lose('Another tab has changed what is remembered: these files are not.');
+      lose('Another tab has changed the remembered files: these are not among them.');
       return;
     }
     if (own) change({ id: next, files: input });
@@ -160,7 +160,7 @@ export function createRememberedFiles({
           RECALL_MS,
           setProjectAside().then(() => true),
         ).catch(() => false);
-        if (aside) say('What an earlier visit remembered does not read any more. It was set aside.');
+        if (aside) say('The files remembered by an earlier visit can no longer be read. They were set aside.');
         return null;
       }
     },

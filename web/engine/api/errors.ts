@@ -41,17 +41,17 @@ export function engineError(code: EngineCode, message: string, cause?: unknown):
 }
 
 export function cancelled(): EngineError {
-  return engineError('cancelled', 'The work was cancelled; everything built before is unchanged.');
+  return engineError('cancelled', 'The work was cancelled. Everything built before is unchanged.');
 }
 
 export function disposed(what: string): EngineError {
-  return engineError('disposed', `This ${what} was disposed of and cannot be used any more.`);
+  return engineError('disposed', `This ${what} has been disposed of and can no longer be used.`);
 }
 
 export function crashed(reason: string): EngineError {
   return engineError(
     'crashed',
-    `The computation stopped unexpectedly (${reason}). It starts afresh with the next step; ` +
+    `The computation stopped unexpectedly (${reason}). It restarts with the next step; ` +
       'if it happens again, try fewer or smaller keys.',
   );
 }
@@ -59,7 +59,7 @@ export function crashed(reason: string): EngineError {
 export function outOfMemory(): EngineError {
   return engineError(
     'out-of-memory',
-    'There is not enough memory for this. Close other pages, or use fewer keys or a mesh ' + 'with fewer faces.',
+    'There is not enough memory for this. Close other pages, or use fewer keys or a mesh with fewer faces.',
   );
 }
 

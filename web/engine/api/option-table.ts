@@ -101,7 +101,7 @@ export const MOTION = {
     choices: ['lri', 'geodesic', 'linear', 'cubic-vertex'],
     default: 'lri',
     flag: 'method',
-    help: 'the method, or one of those that it is compared with',
+    help: "the paper's method (lri), or one of those that it is compared with",
     page: 'method',
     undo: 'method',
   },
@@ -110,7 +110,7 @@ export const MOTION = {
     choices: ['natural', 'hermite', 'periodic'],
     default: 'natural',
     flag: 'boundary',
-    help: 'no bending at the ends, speeds at the ends, or a loop',
+    help: 'no bending at the ends, given speeds at the ends, or a loop',
     page: 'boundary',
     undo: 'boundary',
   },
@@ -120,7 +120,7 @@ export const MOTION = {
     default: 1,
     flag: 'start-speed',
     value: 'S',
-    help: "hermite: times the keys' own speed at the first key; 0 eases",
+    help: 'hermite: speed at the first key, relative to that between the first two keys; 0 eases in',
     page: 'startSpeed',
     undo: 'start speed',
   },
@@ -130,7 +130,7 @@ export const MOTION = {
     default: 1,
     flag: 'end-speed',
     value: 'S',
-    help: 'hermite: the same at the last key',
+    help: 'hermite: the same at the last key; 0 eases out',
     page: 'endSpeed',
     undo: 'end speed',
   },
@@ -141,12 +141,12 @@ export const MOTION = {
     default: null,
     flag: 'period',
     value: 'P',
-    help: 'periodic: length of one whole period',
+    help: 'periodic: length of one period',
     page: 'period',
     undo: 'period',
   },
   /** Take out the translation that accumulates along the sequence. */
-  inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'without the translation of the whole' },
+  inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'without the overall translation' },
 } as const satisfies OptionTable;
 
 /**
@@ -160,10 +160,10 @@ export const PER_KEY = {
     default: 0,
     flag: 'tension',
     value: 'X,X,...',
-    help: 'for each key: 0 as it is, 1 stops there',
+    help: 'per key: 0 leaves the slope as it is, 1 stops there',
     undo: 'tension',
     label: 'Tension',
-    hint: 'Slope at this key = (1 - tension) times the smooth one: 1 stops there, which takes overshooting away',
+    hint: 'Slope at this key = (1 - tension) times the smooth one: 1 stops there, which removes overshoot',
     slider: [0, 1],
   },
   /** Above 0 the slope goes over to the difference from the key before, below 0 to that to the key after. */
@@ -175,8 +175,8 @@ export const PER_KEY = {
     flag: 'bias',
     value: 'X,X,...',
     help:
-      'for each key, from -1 to 1: below 0 its slope leans towards that to the key after it, above 0 towards that ' +
-      'from the key before',
+      'per key, from -1 to 1: below 0 the slope leans towards the next key, above 0 it carries on the motion from the ' +
+      'key before',
     undo: 'bias',
     label: 'Bias',
     hint:
@@ -195,8 +195,8 @@ export const PER_KEY = {
     undo: 'turns',
     label: 'Added turns',
     hint:
-      'Whole turns added on the way from the key before, because keys do not say how often the shape turned between ' +
-      'them; negative ones go the other way',
+      'Whole turns added on the way from the key before: the keys do not say how often the shape turned between them; ' +
+      'negative ones go the other way',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
 
@@ -208,7 +208,7 @@ export const ENCODING = {
     default: 0,
     flag: 'reference',
     value: 'KEY',
-    help: 'key that the others are measured against',
+    help: 'key that deformations are measured from',
     page: 'referencePose',
     undo: 'reference pose',
   },
@@ -220,7 +220,7 @@ export const ENCODING = {
     default: 0,
     flag: 'patches',
     value: 'N',
-    help: 'default: about the square root of the number of faces',
+    help: 'number of patches; default: about the square root of the number of faces',
     page: 'patches',
     undo: 'patches',
   },
@@ -229,7 +229,7 @@ export const ENCODING = {
     choices: ['linear', 'log'],
     default: 'linear',
     flag: 'stretch',
-    help: 'how stretch is interpolated; with log, no stretch turns inside out',
+    help: 'how stretch is interpolated; with log, no face turns inside out',
     page: 'stretch',
     undo: 'stretch',
   },
@@ -242,7 +242,7 @@ export const ENCODING = {
     default: 0,
     flag: 'ghost-faces',
     value: 'N|off',
-    help: 'let a coarse mesh of N faces lead the shape; default off',
+    help: 'let a ghost mesh of about N faces lead the motion; default: off',
     page: 'ghostFaces',
     undo: 'ghost faces',
   },
@@ -252,7 +252,7 @@ export const ENCODING = {
     choices: ['exact', 'paper'],
     default: 'exact',
     flag: 'transfer',
-    help: 'with it: through every key (default), or as published',
+    help: 'with a ghost mesh: through every key (default), or as in the paper',
     page: 'transfer',
     undo: 'transfer',
   },
@@ -261,7 +261,7 @@ export const ENCODING = {
     choices: ['vertices', 'optimal'],
     default: 'vertices',
     flag: 'placement',
-    help: 'of the coarse mesh; default: on vertices of the shape',
+    help: "of the ghost mesh's vertices; default: on vertices of the shape",
     page: 'placement',
     undo: 'placement',
   },
@@ -278,7 +278,7 @@ export const ENCODING = {
     default: null,
     flag: 'start-tangent',
     value: 'FILE',
-    help: 'hermite: a shape that the motion comes from',
+    help: 'hermite: a pose that the motion leaves the first key towards; default: the second key',
     page: 'startTangentPose',
     undo: 'start tangent pose',
   },
@@ -287,7 +287,7 @@ export const ENCODING = {
     default: null,
     flag: 'end-tangent',
     value: 'FILE',
-    help: 'hermite: a shape that the motion goes to',
+    help: 'hermite: a pose that the motion arrives at the last key from; default: the key before it',
     page: 'endTangentPose',
     undo: 'end tangent pose',
   },
@@ -300,21 +300,21 @@ export const IMPORT = {
     kind: 'numbers',
     flag: 'key-times',
     value: 'T,T,...',
-    help: "default: evenly over [0,1], or the animation's own times",
+    help: "times of the keys; default: evenly over [0,1], or the animation's own",
   },
   /** Name or index of the animation to sample keys from; default: the first. */
   animation: {
     kind: 'animation',
     flag: 'animation',
     value: 'NAME|INDEX',
-    help: 'take the keys from this animation of the one file',
+    help: 'take the keys from this animation of the file',
   },
-  /** Times on the animation's own time line, in seconds, or how many evenly spaced ones; default 8. */
+  /** Times on the animation's own timeline, in seconds, or how many evenly spaced ones; default 8. */
   sample: {
     kind: 'sample',
     flag: 'sample',
     value: 'T,T,...|N',
-    help: 'at these seconds of it, or N evenly spaced (default 8)',
+    help: 'at these times of it, in seconds, or at N evenly spaced ones (default: 8)',
   },
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
   up: {
@@ -354,7 +354,7 @@ export const EXPORT = {
     default: null,
     flag: 'at',
     value: 'T,T,...',
-    help: 'these times, which may lie beyond the keys: --at=-0.3,1.3',
+    help: 'at these times, which may lie beyond the keys: --at=-0.3,1.3',
   },
   /** Evenly spaced frames over the range; a GLB gets the keys inside it too, so that it passes through them. */
   frames: {
@@ -364,7 +364,7 @@ export const EXPORT = {
     default: 60,
     flag: 'frames',
     value: 'K',
-    help: 'or K evenly spaced ones; default 60',
+    help: 'or at K evenly spaced times; default: 60',
   },
   /** First and last time; default: first and last key. */
   range: {
@@ -372,7 +372,7 @@ export const EXPORT = {
     default: null,
     flag: 'range',
     value: 'A:B',
-    help: 'from A to B; default: over the keys; may lie beyond them: --range=-0.3:1.3',
+    help: 'from A to B, which may lie beyond the keys; default: first to last key: --range=-0.3:1.3',
   },
   /** Seconds that the exported animation plays; default: the length of the range. GLB only. */
   duration: {
@@ -381,11 +381,11 @@ export const EXPORT = {
     default: null,
     flag: 'duration',
     value: 'SECONDS',
-    help: 'of the exported animation; its times start at 0 and include the keys in range',
+    help: 'length of the exported animation; its times start at 0 and include the keys in range',
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
   pose: { kind: 'number', default: null, help: 'one pose only, at this time' },
-  inPlace: { kind: 'flag', default: false, help: 'without the translation of the whole' },
+  inPlace: { kind: 'flag', default: false, help: 'without the overall translation' },
 } as const satisfies OptionTable;
 
 /** The entries of a table, with the type that every option has. */

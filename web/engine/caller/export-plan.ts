@@ -60,14 +60,14 @@ function onTimeLine(times: number[], keyTimes: readonly number[], duration: numb
   const seconds = times.map((t) => Math.fround((t - first) * scale));
   if (seconds.some((s, i) => i > 0 && !(s > seconds[i - 1]!))) {
     throw invalidOption(
-      'Some frames are closer together than the file can tell apart: take fewer frames or a longer duration.',
+      'Some frames are too close together for the file format. Use fewer frames or a longer duration.',
     );
   }
   const stills = keyTimes.filter((t) => !times.includes(t));
   const targets = times.length + stills.length - 1;
   if (times.length * targets > MOST_WEIGHTS) {
     throw tooLarge(
-      `An animation of ${grouped(times.length)} frames would not open again: its ${grouped(targets)} morph targets need more than ` +
+      `An animation of ${grouped(times.length)} frames could not be opened again: its ${grouped(targets)} morph targets need more than ` +
         `${grouped(MOST_WEIGHTS)} weights. Export fewer frames, or an OBJ sequence.`,
     );
   }
@@ -78,7 +78,7 @@ function onTimeLine(times: number[], keyTimes: readonly number[], duration: numb
 export function checkBytes({ format }: ExportOptions, bytes: number): void {
   if (format !== 'glb' || bytes <= MOST_GLB_BYTES) return;
   throw tooLarge(
-    `The file would have ${(bytes / 1e9).toFixed(1)} GB and not open again; a GLB may have 2.1 GB. Export fewer frames, or an OBJ sequence.`,
+    `The file would be ${(bytes / 1e9).toFixed(1)} GB and could not be opened again; a GLB may have 2.1 GB. Export fewer frames, or an OBJ sequence.`,
   );
 }
 
@@ -91,6 +91,6 @@ export function exportWarnings(options: ExportOptions, frames: Frames): Warning[
   if (options.format !== 'glb' || targets <= SAFE_TARGETS) return [];
   const message =
     `The animation has ${targets} morph targets; some players take no more than ${SAFE_TARGETS}. ` +
-    'Fewer frames make it safe.';
+    'Fewer frames are safer.';
   return [{ ...NO_PLACE, code: 'many-targets', message, count: targets }];
 }

@@ -17,7 +17,7 @@ interface ImportJob {
 
 const UNREADABLE: Warning = {
   code: 'project-options-ignored',
-  message: 'The file holds options of this program that cannot be read; its keys are used with the default options.',
+  message: 'The options saved in this file cannot be read; its keys are used with the default options.',
   count: 0,
   ...NO_PLACE,
 };

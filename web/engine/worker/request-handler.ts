@@ -182,8 +182,8 @@ function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
 function mismatch(reason: Error): EngineError {
   return engineError(
     'not-loaded',
-    'The parts of the program that were loaded do not belong together. Reload the page without its ' +
-      `cache, or build anew (${reason.message}).`,
+    'The loaded parts of the program are of different versions. Reload the page without its ' +
+      `cache, or rebuild it (${reason.message}).`,
   );
 }
 
