@@ -84,7 +84,7 @@ TEST_CASE("files that are something else say what they are") {
   checkRefused(bytesOf("version https://git-lfs.github.com/spec/v1\noid"), ErrorCode::NotRecognised, "Git LFS");
   checkRefused(bytesOf("PK\x03\x04 zip"), ErrorCode::NotRecognised, "ZIP");
   checkRefused(bytesOf("Kaydara FBX Binary  "), ErrorCode::NotRecognised, "FBX");
-  checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "does not start like");
+  checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "is not such a file");
   checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "not a 3D file", {}, "notes.doc");
 }
 
@@ -117,17 +117,17 @@ TEST_CASE("wrong types and values in the JSON") {
   checkRefused(with("/accessors/0/count", -1), ErrorCode::MalformedFile, "negative");
   checkRefused(with("/accessors/0/count", "8"), ErrorCode::MalformedFile, "whole number");
   checkRefused(with("/accessors/0/count", 8.5), ErrorCode::MalformedFile, "whole number");
-  checkRefused(with("/accessors/0/count", 4294967304ull), ErrorCode::MalformedFile, "more than can be held");
+  checkRefused(with("/accessors/0/count", 4294967304ull), ErrorCode::MalformedFile, "more than is supported");
   checkRefused(with("/accessors/0/byteOffset", 18446744073709551604ull), ErrorCode::MalformedFile,
-               "more than can be held");
+               "more than is supported");
   checkRefused(with("/accessors/0/componentType", 5124), ErrorCode::MalformedFile, "component type");
   checkRefused(with("/accessors/0/type", "VEC2"), ErrorCode::MalformedFile, "3 components");
   checkRefused(with("/accessors/0/type", "VEC9"), ErrorCode::MalformedFile);
-  checkRefused(with("/accessors/0/bufferView", 9), ErrorCode::MalformedFile, "buffer view that is not there");
-  checkRefused(with("/bufferViews/0/buffer", 3), ErrorCode::MalformedFile, "buffer that is not there");
+  checkRefused(with("/accessors/0/bufferView", 9), ErrorCode::MalformedFile, "buffer view that does not exist");
+  checkRefused(with("/bufferViews/0/buffer", 3), ErrorCode::MalformedFile, "buffer that does not exist");
   checkRefused(with("/bufferViews/0/byteStride", 8), ErrorCode::MalformedFile, "stride");
   checkRefused(with("/meshes/0/primitives/0/attributes/POSITION", 5), ErrorCode::MalformedFile,
-               "accessor that is not there");
+               "accessor that does not exist");
   checkRefused(with("/meshes/0/primitives/0/attributes/POSITION", "0"), ErrorCode::MalformedFile, "whole number");
   checkRefused(with("/meshes/0/primitives/0/attributes", json::object()), ErrorCode::MalformedFile, "no positions");
   checkRefused(with("/meshes/0/primitives/0/attributes", 3), ErrorCode::MalformedFile);
@@ -167,7 +167,7 @@ TEST_CASE("accessors and buffers past their end") {
   maker.doc["buffers"][0] = {{"byteLength", 168}, {"uri", 5}};
   checkRefused(maker, ErrorCode::MalformedFile, "not text");
   maker.doc["buffers"] = json::array();
-  checkRefused(maker, ErrorCode::MalformedFile, "buffer that is not there");
+  checkRefused(maker, ErrorCode::MalformedFile, "buffer that does not exist");
 }
 
 TEST_CASE("declared gigabytes are refused at once") {
@@ -383,7 +383,7 @@ TEST_CASE("skins that do not fit") {
   checkRefused(skinned(1, 8, {{"joints", {0}}}), ErrorCode::MalformedFile, "joint 1 of 1");
   checkRefused(skinned(0, 8, {{"joints", {5}}}), ErrorCode::MalformedFile, "joint node 5");
   checkRefused(skinned(0, 8, {{"joints", {0}}, {"inverseBindMatrices", 0}}), ErrorCode::MalformedFile, "16 components");
-  checkRefused(skinned(0, 7, {{"joints", {0}}}), ErrorCode::MalformedFile, "another number of joints or weights");
+  checkRefused(skinned(0, 7, {{"joints", {0}}}), ErrorCode::MalformedFile, "a different number of joints or weights");
   checkRefused(skinned(0, 8, {{"joints", json::array()}}), ErrorCode::MalformedFile);
 }
 
@@ -433,7 +433,7 @@ TEST_CASE("morph targets that do not fit") {
   const auto result = Files().add("bad.glb", maker.glb()).import();
   REQUIRE(!result.ok());
   CHECK(result.error().code == ErrorCode::MalformedFile);
-  CHECK(result.error().message.find("another number of vertices") != std::string::npos);
+  CHECK(result.error().message.find("a different number of vertices") != std::string::npos);
 }
 
 TEST_CASE("URIs lead nowhere but to the given files") {

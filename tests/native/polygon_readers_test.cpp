@@ -458,7 +458,7 @@ TEST_CASE("broken OFF files") {
   checkRefused("bad.off", "4OFF\n1 1 0\n", ErrorCode::Unsupported, "three dimensions");
   checkRefused("bad.off", with("4 1 0", "-4 1 0"), ErrorCode::MalformedFile, "numbers of vertices");
   checkRefused("bad.off", with("4 1 0", "nan 1 0"), ErrorCode::MalformedFile, "numbers of vertices");
-  checkRefused("bad.off", with("4 1 0", "4e18 1 0"), ErrorCode::TooLarge, "more than can be held");
+  checkRefused("bad.off", with("4 1 0", "4e18 1 0"), ErrorCode::TooLarge, "more than is supported");
   checkRefused("bad.off", with("4 1 0", "9 1 0"), ErrorCode::TruncatedFile, "9 vertices");
   checkRefused("bad.off", with("4 1 0", "4 3 0"), ErrorCode::TruncatedFile, "3 faces");
   checkRefused("bad.off", with("1 1 0\n", "1 1\n"), ErrorCode::MalformedFile, "line 5");

@@ -33,14 +33,14 @@ const char* somethingElse(std::string_view text, const std::string& extension) {
   if (text.starts_with("PK\x03\x04")) return " is a ZIP archive. Unpack it and give the files in it.";
   if (text.starts_with("\x1f\x8b")) return " is a gzip archive. Unpack it and give the file in it.";
   if (text.starts_with("Kaydara FBX") || extension == "fbx")
-    return " is an FBX file, which is not read here. Export it as glTF.";
+    return " is an FBX file, which is not supported. Export it as glTF.";
   if (text.starts_with("BLENDER") || extension == "blend")
-    return " is a Blender file, which is not read here. Export it as glTF.";
+    return " is a Blender file, which is not supported. Export it as glTF.";
   if (startsWithWord(text, "solid ") || extension == "stl")
-    return " is an STL file, which is not read here: it does not say which triangles share a vertex. Export it as "
+    return " is an STL file, which is not supported: it does not say which triangles share a vertex. Export it as "
            "glTF, OBJ or PLY.";
   if (startsWithWord(text, "<?xml") || extension == "dae")
-    return " is an XML file, which is not read here. Export it as glTF.";
+    return " is an XML file, which is not supported. Export it as glTF.";
   return nullptr;
 }
 
@@ -70,9 +70,9 @@ Result<FileKind> fileKind(const NamedBytes& file, const std::string& where) {
   if (extension == "obj") return FileKind::Obj;
   if (extension == "glb" || extension == "gltf" || extension == "ply" || extension == "off")
     return Error{ErrorCode::NotRecognised,
-                 where + " is named ." + extension + " but does not start like such a file. Export it again."};
+                 where + " is named ." + extension + " but is not such a file. Export it again."};
   return Error{ErrorCode::NotRecognised,
-               where + " is not a 3D file that is read here. Give glTF (.glb, .gltf), OBJ, PLY or OFF files."};
+               where + " is not a supported 3D file. Give glTF (.glb, .gltf), OBJ, PLY or OFF files."};
 }
 
 }  // namespace shapespline

@@ -112,9 +112,10 @@ Status addPose(PoseFile&& pose, const MeshFile& mesh, Import& out, const std::st
 Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
                            const ImportOptions& options, const StageProgress& progress) {
   if (options.animationAsked())
-    return Error{ErrorCode::InvalidOption,
-                 "Keys are sampled from an animation of one file, but " + grouped(std::int64_t(meshes.size())) +
-                     " files were given, each of which is a key. Give one file, or no animation and samples."};
+    return Error{
+        ErrorCode::InvalidOption,
+        "Keys are sampled from an animation of one file, but " + grouped(std::int64_t(meshes.size())) +
+            " files were given, each of which is a key. Give one file, or leave the animation and the samples out."};
   Import out;
   PoseReader reader{files, options, {}};
   for (std::size_t j = 0; j < meshes.size(); ++j) {

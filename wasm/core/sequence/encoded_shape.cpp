@@ -25,7 +25,7 @@ Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
     return invalid("The reference is key " + std::to_string(o.reference + 1) + ", but there are " +
                    std::to_string(k.keyCount()) + " keys.");
   if (o.patches < 0)
-    return invalid("The number of patches is " + grouped(o.patches) + ". Use 0 for the default, or more.");
+    return invalid("The number of patches is " + grouped(o.patches) + ". Use 0 for the default, or a positive number.");
   if (o.ghostFaces < 0 || (o.ghostFaces > 0 && o.ghostFaces < leastGhostFaces))
     return invalid("A ghost mesh needs at least " + std::to_string(leastGhostFaces) + " faces, but " +
                    grouped(o.ghostFaces) + " are asked for. Use 0 to work without one.");
@@ -217,7 +217,7 @@ void EncodedShape::collectWarnings(int wantedGhostFaces) {
     warnings_.push_back(
         {"mirrored-key",
          "Key " + std::to_string(key + 1) +
-             " is a mirror image of the surface in the other keys: its faces look "
+             " is a mirror image of the surface in the other keys: its faces point "
              "inwards, and no motion leads there. Mirror it back (a negative scale does that), or leave it out.",
          0,
          key,
@@ -225,7 +225,7 @@ void EncodedShape::collectWarnings(int wantedGhostFaces) {
          {}});
   if (wantedGhostFaces > 0 && stats_.ghostFaces == 0)
     warnings_.push_back(
-        {"ghost-off", "The shape has no more faces than the ghost mesh was to have: it moves without one."});
+        {"ghost-off", "The shape has no more faces than were asked for the ghost mesh: it moves without one."});
   if (stats_.ghostFaces > wantedGhostFaces)
     warnings_.push_back({"ghost-too-large",
                          "The ghost mesh could not be made as coarse as asked for without turning faces over "
@@ -233,12 +233,12 @@ void EncodedShape::collectWarnings(int wantedGhostFaces) {
                          stats_.ghostFaces});
   if (stats_.joinedComponents > 0)
     warnings_.push_back({"ghost-joined-parts",
-                         "Some parts are too small for a share of the ghost mesh: they follow their "
-                         "neighbours. Give the ghost more faces.",
+                         "Some components are too small for a share of the ghost mesh's faces: they follow their "
+                         "neighbours. Give the ghost mesh more faces.",
                          stats_.joinedComponents});
   if (const int pivots = withReconstructor([](const auto& r) { return r.solverStats().regularisedPivots; }); pivots > 0)
     warnings_.push_back(
-        {"regularised", "The mesh has places so thin that the solver had to hold them in place.", pivots});
+        {"regularised", "The mesh has triangles so thin that the solver had to fix some of their vertices.", pivots});
 }
 
 void EncodedShape::framesAt(const CurvePoint& point, const PatchTurns& turns, FramesScratch& scratch,

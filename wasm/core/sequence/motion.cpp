@@ -20,7 +20,8 @@ Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int compon
                                                  std::to_string(t.turns) + " for key " + number(t.key) + "."};
     if (t.component < -1 || t.component >= components)
       return Error{ErrorCode::InvalidOption, "Whole turns are added to component " + number(t.component) +
-                                                 ", but the shape has " + grouped(components) + "."};
+                                                 ", but the shape has " + grouped(components) +
+                                                 (components == 1 ? " component." : " components.")};
   }
   return {};
 }

@@ -89,7 +89,7 @@ class TurnWarnings {
     const bool one = count == 1;
     add("ambiguous-part-turn",
         (one ? "a component turns by " : std::to_string(count) + " components turn by up to ") + angleText(furthest) +
-            " against what carries " + (one ? "it" : "them") +
+            " relative to what " + (one ? "it is" : "they are") + " attached to" +
             ". The keys alone do not say which way and how often: add whole turns to the component, or a key in "
             "between.",
         count, face, std::move(found));
@@ -114,7 +114,7 @@ class TurnWarnings {
     found.erase(std::unique(found.begin(), found.end()), found.end());
     add("ambiguous-patch-turn",
         "neighbouring regions turn by " + angleText(angleThere) +
-            " against each other, and the keys do not say which "
+            " relative to each other, and the keys do not say which "
             "way. Add a key in between if they go the wrong way.",
         count, face, std::move(found));
   }
@@ -124,8 +124,8 @@ class TurnWarnings {
     if (faces.worst < 0 || faces.count < least || faces.area < fewFaces) return;
     add("ambiguous-face-turn",
         std::to_string(faces.count) +
-            " faces turn by more than 150 degrees against those around them, and the keys do "
-            "not say which way. Add a key in between if they go the wrong way.",
+            " faces turn by more than 150 degrees relative to those around them, and the keys "
+            "do not say which way. Add a key in between if they go the wrong way.",
         faces.count, faces.worst, {patchOfFace_[faces.worst]});
   }
 

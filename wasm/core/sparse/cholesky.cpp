@@ -57,7 +57,7 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
                          const FractionReport& onProgress) {
   if (Status status = checkSymmetric(matrix); !status) return status;
   if (!coordinates.empty() && coordinates.size() != static_cast<std::size_t>(matrix.size))
-    return Error{ErrorCode::Internal, "The coordinates given for the elimination order are not one per unknown."};
+    return Error{ErrorCode::Internal, "The coordinates for the elimination order are not one per unknown."};
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (coordinates[i].allFinite()) continue;
     Error error{ErrorCode::NotFinite, "The coordinates of unknown " + std::to_string(i) + " are not finite."};
@@ -88,7 +88,7 @@ Status Cholesky::beginFactorise(const SymmetricMatrix& matrix) {
   if (!sameStructure ||
       !std::all_of(matrix.value.begin(), matrix.value.end(), [](double v) { return std::isfinite(v); })) {
     if (Status status = checkSymmetric(matrix); !status) return status;
-    return Error{ErrorCode::Internal, "The matrix to factorise has not the structure that was analysed."};
+    return Error{ErrorCode::Internal, "The matrix to factorise does not have the structure that was analysed."};
   }
   state_->running.emplace(state_->symbolic, state_->assembly, matrix.value);
   state_->factorised = false;
@@ -129,7 +129,7 @@ Status Cholesky::factoriseStatus() const {
     error.vertex = unknown;
     return error;
   }
-  if (!state_->factorised) return Error{ErrorCode::Internal, "The matrix has not been factorised to the end."};
+  if (!state_->factorised) return Error{ErrorCode::Internal, "The factorisation has not been finished."};
   return {};
 }
 

@@ -24,7 +24,7 @@ Status validateTimes(const std::vector<double>& times, int keyCount) {
     if (j > 0 && times[j] > times[j - 1] && !(times[j] - times[j - 1] > closestTimes * (times.back() - times.front())))
       return Error{ErrorCode::TimesNotIncreasing,
                    "Key " + std::to_string(j + 1) + " follows key " + std::to_string(j) +
-                       " by less than a millionth of a millionth of the whole "
+                       " by less than a trillionth of the whole "
                        "time. Move the keys further apart.",
                    j};
     if (j > 0 && !(times[j] > times[j - 1]))

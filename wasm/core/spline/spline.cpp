@@ -86,7 +86,7 @@ Status checkOptions(const CurveOptions& o, int keyCount) {
     return Error{ErrorCode::InvalidOption, "There are " + grouped(o.bias.size()) + " biases for " + grouped(keyCount) +
                                                " keys. Give one per key, or none."};
   for (double bias : o.bias)
-    if (!(std::abs(bias) <= 1)) return Error{ErrorCode::InvalidOption, "A bias is not a number from -1 to 1."};
+    if (!(std::abs(bias) <= 1)) return Error{ErrorCode::InvalidOption, "A bias must be a number from -1 to 1."};
   return {};
 }
 

@@ -23,7 +23,7 @@ Result<std::vector<std::uint8_t>> GlbBuilder::finish() {
   const std::uint64_t total = 12 + 8 + text.size() + 8 + bin.size();
   if (total > kMostGlbBytes)
     return Error{ErrorCode::TooLarge, "The file would be " + sizeText(total) + "; a GLB of more than " +
-                                          sizeText(kMostGlbBytes) + " would not open again. Export fewer frames."};
+                                          sizeText(kMostGlbBytes) + " could not be opened again. Export fewer frames."};
   std::string head = "glTF";
   const auto word = [&](std::uint64_t value) {
     for (int shift = 0; shift < 32; shift += 8) head += static_cast<char>(value >> shift & 0xff);

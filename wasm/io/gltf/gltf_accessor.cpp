@@ -76,10 +76,10 @@ struct Reader {
   Result<Elements> elements(int viewIndex, std::uint64_t offset, std::uint64_t count, std::uint64_t size) const {
     const auto& views = doc.model.bufferViews;
     if (viewIndex < 0 || viewIndex >= static_cast<int>(views.size()))
-      return malformed("names a buffer view that is not there");
+      return malformed("refers to a buffer view that does not exist");
     const tinygltf::BufferView& view = views[viewIndex];
     if (view.buffer < 0 || view.buffer >= static_cast<int>(doc.buffers.size()))
-      return malformed("lies in a buffer that is not there");
+      return malformed("lies in a buffer that does not exist");
     const auto buffer = doc.buffers[view.buffer].bytes;
     if (buffer.empty()) return malformed("lies in buffer " + std::to_string(view.buffer) + ", which has no bytes");
     if (std::uint64_t{view.byteOffset} + view.byteLength > buffer.size())
@@ -97,14 +97,14 @@ struct Reader {
   Result<const tinygltf::Accessor*> accessor(int index, int components) const {
     const auto& accessors = doc.model.accessors;
     if (index < 0 || index >= static_cast<int>(accessors.size()))
-      return malformed("names an accessor that is not there");
+      return malformed("refers to an accessor that does not exist");
     const tinygltf::Accessor& a = accessors[index];
     if (componentBytes(a.componentType) == 0) return malformed("has an unknown component type");
     if (tinygltf::GetNumComponentsInType(a.type) != components)
       return malformed("does not have " + std::to_string(components) + " components");
     if (a.bufferView < 0 && a.count > kMostElements)
       return Error{ErrorCode::TooLarge, doc.where + ": " + what + " declares " + grouped(std::int64_t(a.count)) +
-                                            " elements, more than can be held. Simplify the mesh first."};
+                                            " elements, more than is supported. Simplify the mesh first."};
     return &a;
   }
 

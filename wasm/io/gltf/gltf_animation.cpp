@@ -61,7 +61,7 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   if (numbers > kMostNumbers)
     return Error{ErrorCode::TooLarge,
                  doc.where + ": its animations hold more than " + grouped(kMostNumbers) +
-                     " numbers, more than can be held. Export fewer animations or fewer key times."};
+                     " numbers, more than is supported. Export fewer animations or fewer key times."};
   auto times = readNumbers(doc, sampler.input, 1, "the times of " + name);
   if (!times) return times.error();
   if (times->empty()) return malformed(doc.where, name + " has no times");
@@ -92,9 +92,10 @@ Result<GltfAnimation> readAnimation(const GltfDocument& doc, int index, std::uin
     const auto path = pathOf(channel.target_path);
     if (!path || channel.target_node < 0) continue;  // an extension's, such as KHR_animation_pointer
     if (channel.target_node >= static_cast<int>(doc.model.nodes.size()))
-      return malformed(doc.where, name + " moves node " + std::to_string(channel.target_node) + ", which is not there");
+      return malformed(doc.where,
+                       name + " moves node " + std::to_string(channel.target_node) + ", which does not exist");
     if (channel.sampler < 0 || channel.sampler >= static_cast<int>(source.samplers.size()))
-      return malformed(doc.where, name + " has sampler " + std::to_string(channel.sampler) + ", which is not there");
+      return malformed(doc.where, name + " has sampler " + std::to_string(channel.sampler) + ", which does not exist");
     const tinygltf::AnimationSampler& sampler = source.samplers[channel.sampler];
     auto curve = readCurve(doc, channel, sampler, *path, name, numbers);
     if (!curve) return curve.error();

@@ -104,9 +104,9 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
       continue;
     }
     const std::string type = imageType(resource.bytes);
-    if (!resource.bytes.empty() && type.empty()) why = name + " is no image format that is known here.";
+    if (!resource.bytes.empty() && type.empty()) why = name + " is not a supported image format.";
     const bool fits = resource.bytes.size() <= room;
-    if (!fits) why = name + " repeats the bytes of others too often.";
+    if (!fits) why = name + " repeats the bytes of other images too often.";
     const bool usable = fits && !type.empty();
     out.imageOf.push_back(usable ? static_cast<int>(out.images.size()) : -1);
     if (!usable && ++missing == 1) first = why;

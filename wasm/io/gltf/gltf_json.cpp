@@ -101,7 +101,7 @@ std::string tidyMember(const std::string& name, json& value, bool isIndex) {
   if (!value.is_number_integer()) return inQuotes(name) + " is not a whole number";
   if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0) return inQuotes(name) + " is negative";
   const auto number = value.get<std::uint64_t>();
-  if (number > 0x7fffffffu) return inQuotes(name) + " is " + value.dump() + ", more than can be held";
+  if (number > 0x7fffffffu) return inQuotes(name) + " is " + value.dump() + ", more than is supported";
   value = number;  // unsigned, as tinygltf wants it
   return "";
 }

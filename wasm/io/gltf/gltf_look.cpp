@@ -202,7 +202,7 @@ struct LookReader {
       readCoordinates(part);
       readColors(part);
     }
-    warn("missing-texture", brokenTextures, "a texture whose image could not be had is left out.");
+    warn("missing-texture", brokenTextures, "a texture whose image is missing is left out.");
     warn("other-coordinates", otherCoordinates, "textures on other coordinates than the base colour's are left out.");
     return std::move(scene);
   }

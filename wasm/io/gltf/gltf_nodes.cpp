@@ -33,12 +33,12 @@ Status linkParents(const GltfDocument& doc, NodeGraph& graph) {
   for (int i = 0; i < n; ++i)
     for (int child : doc.model.nodes[i].children) {
       if (child < 0 || child >= n)
-        return malformed(doc.where,
-                         "node " + std::to_string(i) + " has child " + std::to_string(child) + ", which is not there");
+        return malformed(
+            doc.where, "node " + std::to_string(i) + " has child " + std::to_string(child) + ", which does not exist");
       if (graph.parent[child] >= 0 || child == i)
         return malformed(doc.where, "node " + std::to_string(child) +
                                         (child == i ? " is its own child" : " has two parents") +
-                                        ", so that the nodes form no tree");
+                                        ", so that the nodes are not a tree");
       graph.parent[child] = i;
     }
   return {};
@@ -92,10 +92,10 @@ Result<NodeGraph> readNodes(const GltfDocument& doc) {
   if (!doc.model.scenes.empty()) {
     const int scene = doc.model.defaultScene < 0 ? 0 : doc.model.defaultScene;
     if (scene >= static_cast<int>(doc.model.scenes.size()))
-      return malformed(doc.where, "its default scene " + std::to_string(scene) + " is not there");
+      return malformed(doc.where, "its default scene " + std::to_string(scene) + " does not exist");
     for (int node : doc.model.scenes[scene].nodes)
       if (node < 0 || node >= n)
-        return malformed(doc.where, "its scene shows node " + std::to_string(node) + ", which is not there");
+        return malformed(doc.where, "its scene shows node " + std::to_string(node) + ", which does not exist");
     graph.shown = depthFirst(doc, doc.model.scenes[scene].nodes);
   }
   for (int i = 0; i < n; ++i) {

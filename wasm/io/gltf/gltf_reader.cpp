@@ -48,7 +48,7 @@ struct KeyReader {
   Status checkSize(std::size_t keys) const {
     if (keys <= kMostKeys && static_cast<std::uint64_t>(keys) * shape.vertexCount <= kMostKeyVertices) return {};
     return error(ErrorCode::TooLarge, ": " + grouped(std::int64_t(keys)) + " keys of " + grouped(shape.vertexCount) +
-                                          " vertices are more than can be held. Take fewer keys.");
+                                          " vertices are more than is supported. Take fewer keys.");
   }
 
   void report(const char* stage, double fraction) const {

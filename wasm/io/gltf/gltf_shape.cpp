@@ -43,7 +43,7 @@ Result<std::vector<GltfSkin>> readSkins(const GltfDocument& doc) {
     const std::string name = "skin " + std::to_string(skins.size());
     for (int joint : skin.joints)
       if (joint < 0 || joint >= static_cast<int>(doc.model.nodes.size()))
-        return malformed(doc.where, name + " has joint node " + std::to_string(joint) + ", which is not there");
+        return malformed(doc.where, name + " has joint node " + std::to_string(joint) + ", which does not exist");
     GltfSkin out{skin.joints, std::vector<Eigen::Affine3d>(skin.joints.size(), Eigen::Affine3d::Identity())};
     if (skin.inverseBindMatrices >= 0) {
       const auto numbers =
@@ -76,7 +76,7 @@ struct ShapeReader {
 
   Error tooLarge(std::int64_t most, const char* what) const {
     return {ErrorCode::TooLarge, doc.where + " shows more than " + grouped(most) + " " + what +
-                                     ", more than can be held. Simplify the mesh first."};
+                                     ", more than is supported. Simplify the mesh first."};
   }
 
   // Adds JOINTS_set and WEIGHTS_set to the part's influences.
@@ -87,7 +87,7 @@ struct ShapeReader {
               weightAccessor = attribute(*part.primitive, "WEIGHTS" + suffix);
     const std::size_t n = part.positions.size();
     if (accessorCount(doc, jointAccessor) != n || accessorCount(doc, weightAccessor) != n)
-      return malformed(doc.where, part.name + " has another number of joints or weights than of vertices");
+      return malformed(doc.where, part.name + " has a different number of joints or weights than of vertices");
     influenceCount += 4 * static_cast<std::int64_t>(n);
     if (influenceCount > static_cast<std::int64_t>(4 * kMostElements))
       return tooLarge(4 * kMostElements, "joint weights");
@@ -130,7 +130,7 @@ struct ShapeReader {
                                           grouped(joint[i]) + " of " + grouped(std::int64_t(known)));
         sum += std::abs(weight[i]);
       }
-      if (known == 0) return malformed(doc.where, part.name + " is skinned by a skin without joints");
+      if (known == 0) return malformed(doc.where, part.name + " has a skin without joints");
       // Weights must sum to 1; where a file's do not, they are scaled, as three.js does.
       if (sum > 0)
         for (std::size_t i = 0; i < 4 * sets; ++i) weight[i] /= sum;
@@ -163,14 +163,14 @@ struct ShapeReader {
     part.positions = toPositions(*positions, partOf(report, 0.3, 0.5));
     if (normal >= 0) {
       if (accessorCount(doc, normal) != part.positions.size())
-        return malformed(doc.where, name + " has another number of normals than of vertices");
+        return malformed(doc.where, name + " has a different number of normals than of vertices");
       auto normals = readNumbers(doc, normal, 3, "NORMAL of " + name, count, partOf(report, 0.5, 0.8));
       if (!normals) return normals.error();
       part.normals = toPositions(*normals, partOf(report, 0.8, 1));
     }
     if (part.skin >= static_cast<int>(shape.skins.size()))
       return malformed(doc.where, "node " + std::to_string(node) + " has skin " + std::to_string(part.skin) +
-                                      ", which is not there");
+                                      ", which does not exist");
     if (part.skin >= 0)
       if (Status influences = readInfluences(part); !influences) return influences;
     shape.vertexCount += static_cast<int>(part.positions.size());
@@ -229,7 +229,7 @@ struct ShapeReader {
     const int meshIndex = doc.model.nodes[node].mesh;
     if (meshIndex >= static_cast<int>(doc.model.meshes.size()))
       return malformed(doc.where, "node " + std::to_string(node) + " shows mesh " + std::to_string(meshIndex) +
-                                      ", which is not there");
+                                      ", which does not exist");
     const tinygltf::Mesh& mesh = doc.model.meshes[meshIndex];
     std::map<const tinygltf::Primitive*, std::size_t, ByVertices> knownPart;
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {

@@ -86,17 +86,18 @@ struct AnimationWriter {
   Status checkWeights() const {
     const std::uint64_t weights = source.seconds.size() * static_cast<std::uint64_t>(frameCount() - 1);
     if (weights <= kMostElements) return {};
-    return Error{ErrorCode::TooLarge,
-                 "An animation with " + grouped(std::int64_t(frameCount() - 1)) + " morph targets needs " +
-                     grouped(std::int64_t(weights)) + " weights, one for each at every frame; with more than " +
-                     grouped(std::int64_t(kMostElements)) + " the file would not open again. Export fewer frames."};
+    return Error{ErrorCode::TooLarge, "An animation with " + grouped(std::int64_t(frameCount() - 1)) +
+                                          " morph targets needs " + grouped(std::int64_t(weights)) +
+                                          " weights, one for each at every frame; with more than " +
+                                          grouped(std::int64_t(kMostElements)) +
+                                          " the file could not be opened again. Export fewer frames."};
   }
 
   Status readFrame(int k, std::vector<float>& p, std::vector<float>& n) {
     if (Status frame = source.frame(k, p, n); !frame) return frame;
     if (k == 0) vertices = p.size() / 3;
     if (p.empty() || p.size() != 3 * vertices || (!n.empty() && n.size() != p.size()))
-      return Error{ErrorCode::Internal, "Frame " + std::to_string(k) + " has another number of vertices."};
+      return Error{ErrorCode::Internal, "Frame " + std::to_string(k) + " has a different number of vertices."};
     if (Status finite = checkFinite(p, k); !finite) return finite;
     makeUnit(n);
     addCopies(source.scene->seams, 3, p);

@@ -56,11 +56,10 @@ struct MtlReader {
     const auto found = resolveUri(name, from, files, where);
     const std::string type = found ? imageType(found->bytes) : "";
     if (type.empty()) {
-      mesh.warnings.push_back(
-          {"missing-texture",
-           "A texture is left out: " +
-               (found ? inQuotes(name) + " is no image format that is known here." : found.error().message),
-           1});
+      mesh.warnings.push_back({"missing-texture",
+                               "A texture is left out: " + (found ? inQuotes(name) + " is not a supported image format."
+                                                                  : found.error().message),
+                               1});
       return;
     }
     material.baseColorImage = known->second = static_cast<int>(mesh.scene.images.size());
@@ -133,12 +132,12 @@ struct ObjReader {
   Status readIndex(std::string_view& text, std::size_t count, int& index) {
     std::int64_t number = 0;
     if (!takeInteger(text, number) || number == 0)
-      return malformed("a face names a corner that is not a whole number from 1");
+      return malformed("a face refers to a corner that is not a whole number from 1");
     const std::int64_t place = number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
     if (place < 0 || place > 0x7ffffffe)
       return Error{ErrorCode::IndexOutOfRange,
                    where + ", line " + grouped(line) + ": a face names corner " + grouped(number) +
-                       ", which is not there. Export the file again.",
+                       ", which does not exist. Export the file again.",
                    -1, -1, mesh.polygonCount()};
     index = static_cast<int>(place);
     return {};

@@ -47,12 +47,12 @@ struct OffReader {
     std::string_view keyword = takeWord(line);
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
       return Error{ErrorCode::Unsupported,
-                   where + " holds points of more than three dimensions, which are not read. Export it in 3D."};
+                   where + " holds points of more than three dimensions, which are not supported. Export it in 3D."};
     hasNormals = keyword.substr(0, keyword.size() - 3).find('N') != std::string_view::npos;
     std::string_view rest = line;
     if (takeWord(rest) == "BINARY")
       return Error{ErrorCode::Unsupported,
-                   where + " is a binary OFF file, which is not read. Export it as text or as PLY."};
+                   where + " is a binary OFF file, which is not supported. Export it as text or as PLY."};
     rest = line;
     if (takeWord(rest).empty() && !nextLine(line)) return malformed("the numbers of vertices and faces are missing");
     double count[2];
@@ -61,7 +61,7 @@ struct OffReader {
     if (count[0] > kMostElements || count[1] > 2 * kMostElements)
       return Error{ErrorCode::TooLarge, where + " declares " + shortNumber(count[0]) + " vertices and " +
                                             shortNumber(count[1]) +
-                                            " faces, more than can be held. Simplify the mesh first."};
+                                            " faces, more than is supported. Simplify the mesh first."};
     vertices = static_cast<std::int64_t>(count[0]);
     faces = static_cast<std::int64_t>(count[1]);
     return {};

@@ -111,7 +111,7 @@ struct PlyReader {
     if (count > kMostElements * 4)
       return Error{ErrorCode::TooLarge, where + " declares " + grouped(element.count) + " of element " +
                                             inQuotes(element.name) +
-                                            ", more than can be held. Simplify the mesh first."};
+                                            ", more than is supported. Simplify the mesh first."};
     if (count * least > values.left())
       return cutOff(element, static_cast<std::int64_t>(values.left() / std::max<std::uint64_t>(least, 1)));
     return {};
@@ -172,7 +172,7 @@ struct PlyReader {
       return Error{ErrorCode::MalformedFile, where + ": its vertices have no x, y and z. Export the file again."};
     if (element.count > static_cast<std::int64_t>(kMostElements))
       return Error{ErrorCode::TooLarge, where + " has " + grouped(element.count) +
-                                            " vertices, more than can be held. Simplify the mesh first."};
+                                            " vertices, more than is supported. Simplify the mesh first."};
     mesh.positions.reserve(element.count);
     for (std::int64_t i = 0; i < element.count; ++i) {
       reportRow(i);
