@@ -4,7 +4,7 @@ export interface Distance {
   worst: number;
 }
 
-/** 3 numbers a vertex; where the first has more vertices, those that both have are compared. */
+/** 3 numbers per vertex; where the first has more vertices, those that both have are compared. */
 export function distanceOf(positions: ArrayLike<number>, reference: ArrayLike<number>): Distance {
   if (positions.length < reference.length) throw new Error('the reference belongs to another mesh');
   const low = [Infinity, Infinity, Infinity],

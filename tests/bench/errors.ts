@@ -14,7 +14,7 @@ export interface Errors {
   ghost: SweptParts | null;
 }
 
-/** The shape at the k-th time of the sweep in double: 3 numbers a vertex. */
+/** The shape at the k-th time of the sweep in double: 3 numbers per vertex. */
 export type Reference = (k: number) => Promise<Float64Array>;
 
 async function withFrame<T>(answer: Promise<Frame | null>, use: (positions: Float32Array) => T): Promise<T> {

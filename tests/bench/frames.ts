@@ -10,7 +10,7 @@ const FRAMES = 12;
 /** Passes before a round's frames, and as many after them. */
 const BANDWIDTH_PASSES = 3;
 
-/** Single frames of one build, beside Eigen and the bandwidth of that moment (bytes a second): a machine that others use is not the
+/** Single frames of one build, beside Eigen and the bandwidth of that moment (bytes per second): a machine that others use is not the
     same for long. */
 export interface Round {
   firstMs: number;
@@ -37,7 +37,7 @@ export interface ExactFrames {
   rounds: RoundMedians[];
 }
 
-/** Milliseconds; bytes a second. The factorisation is that of the round's build. */
+/** Milliseconds; bytes per second. The factorisation is that of the round's build. */
 export interface RoundMedians {
   factorMs: number;
   solveMs: number;

@@ -6,7 +6,7 @@ import { quantile } from './quantile.ts';
 
 export type OfRound = (run: Run, round: RoundMedians) => number;
 
-/** Milliseconds that reading the factor twice takes at that many bytes a second: no solve can be faster. */
+/** Milliseconds that reading the factor twice takes at that many bytes per second: no solve can be faster. */
 export const boundMs = (run: Run, bandwidth: number): number => (2000 * run.factorBytes) / bandwidth;
 
 export const solveOverBound: OfRound = (run, { solveMs, bandwidth }) => solveMs / boundMs(run, bandwidth);

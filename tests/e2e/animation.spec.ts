@@ -1,4 +1,4 @@
-/** An animated file from the drop to the export and back: its animation chosen, keys taken at times of its own time line. */
+/** An animated file from the drop to the export and back: its animation chosen, keys taken at times of its own timeline. */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { rigFile } from '../engine/support/rig.ts';
@@ -103,7 +103,7 @@ for (const { what, file, animation, times, middle } of inputs) {
   });
 }
 
-test('sample times are spread, typed, added by a click on the time line, moved and removed', async ({ app }) => {
+test('sample times are spread, typed, added by a click on the timeline, moved and removed', async ({ app }) => {
   await app.open();
   await app.by('file-input').setInputFiles(upload('rig.glb', (await rigFile()).bytes));
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');

@@ -1,4 +1,4 @@
-// One answer a call: JSON text, {"ok": true, ...} or {"code", "message", "key", "vertex", "face"}. Nothing is thrown
+// One result per call: JSON text, {"ok": true, ...} or {"code", "message", "key", "vertex", "face"}. Nothing is thrown
 // across the boundary.
 #pragma once
 
@@ -14,12 +14,12 @@ namespace shapespline::bindings {
 
 using Json = nlohmann::json;
 
-/// Text that stays where it is until the next answer.
+/// Text that stays where it is until the next result.
 const char* keepResult(Result<Json> result);
 const char* keepOutOfMemory();
 const char* keepInternal(const char* what);
 
-/// Runs `work`, which returns Result<Json>, and turns whatever comes of it into an answer.
+/// Runs `work`, which returns Result<Json>, and turns whatever comes of it into a result.
 template <class Work>
 const char* callResult(Work&& work) {
   try {

@@ -1,4 +1,4 @@
-// Marks a function that JavaScript calls. Requests are JSON text ended by a NUL; answers are valid until the next call.
+// Marks a function that JavaScript calls. Requests are JSON text ended by a NUL; results are valid until the next call.
 #pragma once
 
 #include <emscripten.h>

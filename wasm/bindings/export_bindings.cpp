@@ -23,7 +23,8 @@ Result<Bytes> writePose(const std::string& format, std::span<const float> positi
 
 }  // namespace
 
-/// {faces, scene, vertices, seconds, stills, project} -> {handle, bytes}; asks the host for one frame after the other.
+/// {faces, scene, vertices, seconds, stills, project} -> {handle, bytes}; asks JavaScript for one frame after the
+/// other.
 EXPORT const char* shapespline_write_animation(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);

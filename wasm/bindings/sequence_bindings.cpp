@@ -44,8 +44,8 @@ EXPORT const char* shapespline_update(int handle, const char* request) {
   });
 }
 
-/// {positions, normals, indefiniteFaces, indefiniteFace} of the shape at t, about where preview is not 0: 3n floats
-/// each, valid until the next frame of this handle.
+/// {positions, normals, indefiniteFaces, indefiniteFace} of the shape at t, or of its preview where that is not 0: 3n
+/// floats each, valid until the next frame of this handle.
 EXPORT const char* shapespline_evaluate(int handle, double t, int preview) {
   return callResult([&]() -> Result<Json> {
     auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
@@ -94,7 +94,7 @@ EXPORT const char* shapespline_bending(int handle, const char* request) {
   });
 }
 
-/// {patches}: an int32 a face, belonging to the handle.
+/// {patches}: an int32 per face, belonging to the handle.
 EXPORT const char* shapespline_patches(int handle) {
   return callResult([&]() -> Result<Json> {
     const std::vector<int>& patches = sequenceOf(handle).patchOfFace();
@@ -102,7 +102,7 @@ EXPORT const char* shapespline_patches(int handle) {
   });
 }
 
-/// {components}: an int32 a face, belonging to the handle.
+/// {components}: an int32 per face, belonging to the handle.
 EXPORT const char* shapespline_components(int handle) {
   return callResult([&]() -> Result<Json> {
     const std::vector<int>& components = sequenceOf(handle).componentOfFace();

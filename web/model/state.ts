@@ -33,12 +33,12 @@ export type LoopMode = 'once' | 'loop' | 'bounce';
 
 export interface Play {
   playing: boolean;
-  /** Units of time a second. */
+  /** Units of time per second. */
   speed: number;
   loop: LoopMode;
   /** First and last time that play; null = the range of the keys. */
   between: [number, number] | null;
-  /** Whole frames a unit of time; null = as smooth as the screen allows. */
+  /** Whole frames per unit of time; null = as smooth as the screen allows. */
   fps: number | null;
 }
 

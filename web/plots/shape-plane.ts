@@ -13,7 +13,7 @@ export interface PlaneCurve {
 
 export interface ShapePlaneData {
   times: readonly number[];
-  /** 2 numbers a key. */
+  /** 2 numbers per key. */
   keys: readonly number[];
   /** The first is the motion that is shown; its parts outside the range are drawn as extrapolated. */
   curves: readonly PlaneCurve[];

@@ -1,4 +1,4 @@
-/** Where the file holds animations: which one the keys are taken from, and at which times of its own time line. */
+/** Where the file holds animations: which one the keys are taken from, and at which times of its own timeline. */
 import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
 import { button, numberField, select } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setStyle, setText } from './dom.ts';
@@ -129,7 +129,7 @@ function readTimes(text: string, { start, end }: AnimationInfo): number[] | stri
   return times.map((t) => Math.min(Math.max(t, start), end));
 }
 
-/** The animation's time line: marks are dragged or moved by arrow keys, a click adds one, Delete removes it. */
+/** The animation's timeline: marks are dragged or moved by arrow keys, a click adds one, Delete removes it. */
 function createTrack(onChange: (times: number[]) => void): {
   element: HTMLElement;
   update(span: AnimationInfo, times: number[]): void;
@@ -143,7 +143,7 @@ function createTrack(onChange: (times: number[]) => void): {
       class: 'sample-track',
       role: 'group',
       'data-testid': 'sample-track',
-      'aria-label': 'Time line of the animation',
+      'aria-label': 'Timeline of the animation',
       title: 'Click to add a key, drag to move it, Delete to remove it',
     },
     marks,

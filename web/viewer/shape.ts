@@ -177,7 +177,7 @@ export class Shape {
       );
   }
 
-  /** Copies 3 numbers a vertex into an attribute, and once more for every copy of a vertex at a seam. */
+  /** Copies 3 numbers per vertex into an attribute, and once more for every copy of a vertex at a seam. */
   private fill(attribute: BufferAttribute, values: Float32Array): BufferAttribute {
     const array = attribute.array as Float32Array;
     array.set(values);

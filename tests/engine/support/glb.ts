@@ -88,7 +88,7 @@ export function meshGlb(mesh: Mesh, positions = mesh.positions, targets: Float32
   return glb(json, concatenated(builder.parts));
 }
 
-/** One file a pose: pose-1.glb, pose-2.glb, ... */
+/** One file per pose: pose-1.glb, pose-2.glb, ... */
 export function poseFiles(mesh: Mesh, poses: Float32Array[]): InputFile[] {
   return poses.map((positions, i) => ({ name: `pose-${i + 1}.glb`, bytes: meshGlb(mesh, positions) }));
 }

@@ -11,18 +11,18 @@ namespace shapespline {
 
 struct SimplifyOptions {
   int targetFaces = 2000;
-  bool optimalPlacement =
-      false;  ///< each pose's vertices move to where the error is least; else they stay vertices of the shape
+  /// Each pose's vertices move to where the error is least; else they stay vertices of the shape.
+  bool optimalPlacement = false;
 };
 
 /// A coarse mesh with the shape's poses.
 struct GhostMesh {
   std::vector<Triangle> faces;   ///< of ghost vertices
   std::vector<Positions> poses;  ///< one per column of the shape
-  std::vector<int>
-      vertexOf;  ///< of each ghost vertex: the shape's vertex at (or, moved, nearest) it among those it stands for
-  std::vector<int>
-      ghostOf;  ///< of each vertex of the shape: the ghost vertex that it collapsed to; -1 where it has none
+  /// Of each ghost vertex: the shape's vertex at (or, moved, nearest) it among those it stands for.
+  std::vector<int> vertexOf;
+  /// Of each vertex of the shape: the ghost vertex that it collapsed to; -1 where it has none.
+  std::vector<int> ghostOf;
   int joinedComponents = 0;  ///< components too small for a share: they have no ghost of their own
 };
 

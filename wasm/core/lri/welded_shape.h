@@ -22,8 +22,8 @@ struct WeldedShape {
   int startTangent = -1;         ///< pose index, or -1
   int endTangent = -1;
   int reference = 0;
-  std::optional<RigidMotion>
-      closing;  ///< the motion that takes the first key to the last, where it takes all of it there
+  /// The motion that takes the first key to the last, where it takes all of it there.
+  std::optional<RigidMotion> closing;
 
   PoseRoles roles() const { return {keys, startTangent, endTangent}; }
   int vertexCount() const { return static_cast<int>(poses.front().size()); }

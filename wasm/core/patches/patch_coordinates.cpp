@@ -60,7 +60,7 @@ class PatchEncoder {
     }
   }
 
-  // The logarithms of the metric (metrics.h): the representatives nearest the pose before.
+  // The logarithms of the metric (sequence/gram_matrix.h): the representatives nearest the pose before.
   void encodePairs() {
     for (int c = 0; c < shape_.columns(); ++c) {
       std::vector<Vec3> column;

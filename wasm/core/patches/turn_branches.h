@@ -12,8 +12,8 @@ namespace shapespline {
 /// What is chosen for one step between two poses.
 struct TurnBranches {
   std::vector<Vec3> increment;  ///< of each link: exp of it is C_from^T C_to
-  std::vector<double>
-      residual;  ///< of each link: the angle by which the maps halfway disagree with the rotations found there, radians
+  /// Of each link: the angle by which the maps halfway disagree with the rotations found there, radians.
+  std::vector<double> residual;
 };
 
 /// Logarithms near half a turn do not say their sense alone; all of them together do: halfway between the poses the

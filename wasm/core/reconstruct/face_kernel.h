@@ -21,8 +21,8 @@ inline constexpr int numbersPerFrame = 12;
 template <class Real>
 struct FaceBlock {
   Real tangent[6][faceLanes];  ///< t1 and t2 of the reference frame, xyz each
-  Real gradient[3]
-               [faceLanes];  ///< area times the hat functions' gradients, in (t1, t2): (-a, b) of corner 0, (a, c) of 1
+  /// Area times the hat functions' gradients, in (t1, t2): (-a, b) of corner 0, (a, c) of 1.
+  Real gradient[3][faceLanes];
   std::int32_t frame[faceLanes];      ///< index into the frames
   std::int32_t corner[3][faceLanes];  ///< where each corner's right-hand side lies
 };

@@ -70,8 +70,8 @@ class Reconstructor {
   Reconstruction reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch,
                              Positions& positions) const;
 
-  /// What makes the shape about, at a fraction of the cost. poses: the frames that the coordinates are in. Error: that
-  /// of its solver.
+  /// What makes approximate shapes at a fraction of the cost. poses: the frames that the coordinates are in. Error:
+  /// that of its solver.
   Result<PreviewEmbedding> makePreview(const FramePoses& poses) const;
 
   /// R_f of every face at `point` in the frames there; the identity for faces without area.
@@ -114,8 +114,7 @@ class Reconstructor {
   double extent_ = 0;                   // diagonal of the reference pose
   std::vector<int> componentOfVertex_;  // -1 for loose vertices
   std::vector<int> placeOf_;
-  std::vector<int>
-      componentAt_;  // of the vertex at each place; 0 for loose vertices. Empty where there is one component only
+  std::vector<int> componentAt_;  // of the vertex at each place, 0 for loose ones; empty where there is one component
   std::vector<int> verticesOfComponent_;
   std::vector<int> componentOfFace_;
   Times times_;

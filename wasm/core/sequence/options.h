@@ -27,7 +27,7 @@ struct MotionOptions {
   BoundaryKind boundary = BoundaryKind::Natural;
   double startSpeed = 1;         ///< hermite: times the one-sided difference at the first key; 0 = ease
   double endSpeed = 1;           ///< hermite: the same at the last key
-  std::optional<double> period;  ///< periodic: whole period in units of time; default: see BoundaryKind in spline.h
+  std::optional<double> period;  ///< periodic: whole period in units of time; default: defaultPeriod() in spline.h
   std::vector<double> tension;   ///< empty, or J values: slope at a key = (1 - tension) * the C2 spline's own
   /// Kochanek-Bartels bias: empty, or J values in [-1, 1]. From 0 to 1 the slope at a key goes over to the difference
   /// from the key before, from 0 to -1 to that to the key after (at an end key to the only one).
@@ -39,15 +39,15 @@ struct MotionOptions {
 /// Choices that change the encoding: a new sequence is built for them.
 struct EncodingOptions {
   int reference = 0;  ///< 0-based key that deformation gradients are measured from
-  int patches = 0;    ///< wanted number of patches (of the ghost, with one), 0 = the default formula (patches.h)
+  int patches =
+      0;  ///< wanted number of patches (of the ghost, with one), 0 = the default formula (patches/partition.h)
   Stretch stretch = Stretch::Linear;
   int ghostFaces = 0;  ///< 0 = off, else at least 4: the splines run on a ghost mesh of about so many faces
   Transfer transfer = Transfer::Exact;  ///< with a ghost
   bool optimalPlacement = false;        ///< ghost vertices need not be vertices of the shape (simplify.h)
   Precision precision = Precision::Single;
-  std::optional<Positions> startTangent;  ///< hermite: a shape that takes the place of key 2 in the difference at key 1
-  std::optional<Positions>
-      endTangent;  ///< hermite: a shape that takes the place of key J - 1 in the difference at key J
+  /// hermite: shapes that take the place of key 2 in the difference at key 1, and of key J - 1 in that at key J
+  std::optional<Positions> startTangent, endTangent;
 };
 
 }  // namespace shapespline

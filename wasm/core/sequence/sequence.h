@@ -34,16 +34,16 @@ class Sequence {
   /// precision.
   Status evaluate(double t, Positions& positions);
 
-  /// The shape at time t, about, in about half the time from 332,000 faces on, for while a slider moves. Meets every
-  /// key; how far it is off between and beyond them depends on the motion: ask previewError. Measured on real shapes
-  /// (wasm/core/README.md): 0.02 to 5 % of the diagonal in the mean between the keys, and up to 18 % at one place.
-  /// indefiniteFaces is not counted. The baselines are exact.
+  /// An approximate shape at time t, in about half the time from 332,000 faces on, for while a slider moves. Meets
+  /// every key; how far it is off between and beyond them depends on the motion: ask previewError. Measured on real
+  /// shapes (wasm/core/README.md): 0.02 to 5 % of the diagonal in the mean between the keys, and up to 18 % at one
+  /// place. indefiniteFaces is not counted. The baselines are exact.
   Status preview(double t, Frame& frame);
 
   /// What preview(t) is off. Costs one evaluation and one preview, in one thread.
   Result<PreviewError> previewError(double t);
 
-  /// The shape at an affine combination of the keys: one weight a key, sum 1. evaluate(t) is this at the curve's
+  /// The shape at an affine combination of the keys: one weight per key, sum 1. evaluate(t) is this at the curve's
   /// weights.
   Status evaluateBlend(const std::vector<double>& weights, Frame& frame);
 

@@ -35,7 +35,7 @@ class Cholesky {
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
 
-  /// Finds the elimination order and the factor's structure; drops any earlier factor. coordinates: one position an
+  /// Finds the elimination order and the factor's structure; drops any earlier factor. coordinates: one position per
   /// unknown, which makes for a better order of a large system, or empty. Error if the matrix is malformed or not
   /// finite, or the coordinates are of another number. onProgress: fraction of the analysis, below 1.
   Status analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision,

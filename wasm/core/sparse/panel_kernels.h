@@ -1,4 +1,4 @@
-// The two inner loops of the solve: one panel of the factor (see panels.h) forward and backward.
+// The two inner loops of the solve: one panel of the factor (see panel_layout.h) forward and backward.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ constexpr std::size_t panelEntries(int columns, int rows) {
   return entries;
 }
 
-/// Works on the vector x (four numbers an unknown): the panel's own unknowns start at `first`, the rows below are
+/// Works on the vector x (four numbers per unknown): the panel's own unknowns start at `first`, the rows below are
 /// row[0 .. rows - 1].
 template <class Scalar>
 using PanelKernel = void (*)(const Scalar* values, int columns, const int* row, int rows, Scalar* x, int first);
@@ -26,7 +26,7 @@ struct PanelKernels {
   PanelKernel<Scalar> forward, backward;
 };
 
-/// Called through pointers, see out_of_line.h.
+/// Called through pointers, see core/base/no_inline_call.h.
 template <class Scalar>
 PanelKernels<Scalar> panelKernels();
 

@@ -41,8 +41,8 @@ class DiscreteSpline {
   /// at the minimum for every change that keeps the keys.
   Eigen::MatrixXd gradient(const Eigen::MatrixXd& path) const;
 
-  /// What the keys hold: one row a key, the sample's or the two samples' shares. holds() times a change that keeps the
-  /// keys is 0.
+  /// What the keys hold: one row per key, the sample's or the two samples' shares. holds() times a change that keeps
+  /// the keys is 0.
   const Eigen::MatrixXd& holds() const { return holds_; }
 
  private:

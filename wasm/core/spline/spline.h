@@ -47,14 +47,14 @@ using Weights = Eigen::VectorXd;  ///< Columns::count() entries; they sum to 1 (
 /// leads from key s to key s + 1; the others have numbers behind those.
 struct KeySteps {
   int keys;
-  int closing() const {
-    return keys - 1;
-  }  ///< from the last key to the first, where a loop closes over an interval of its own
-  int turnedClosing() const {
-    return keys;
-  }  ///< from the last key but one to the first as the last key has it, moved rigidly
-  int startTangent() const { return keys + 1; }  ///< from the first key to the shape that gives the start tangent
-  int endTangent() const { return keys + 2; }    ///< from the last key to the shape that gives the end tangent
+  /// From the last key to the first, where a loop closes over an interval of its own.
+  int closing() const { return keys - 1; }
+  /// From the second to last key to the first as the last key has it, moved rigidly.
+  int turnedClosing() const { return keys; }
+  /// From the first key to the shape that gives the start tangent.
+  int startTangent() const { return keys + 1; }
+  /// From the last key to the shape that gives the end tangent.
+  int endTangent() const { return keys + 2; }
   int count() const { return keys + 3; }
 };
 
@@ -78,8 +78,8 @@ struct CurvePoint {
   int base = 0;                  ///< key at which products of increments start: every step before it is done
   int basePeriod = 0;            ///< of a periodic curve: the period of that key
   std::vector<StepShare> steps;  ///< from there on, in the order of time; steps not begun are left out
-  std::vector<KeyWeight>
-      unrolled;         ///< of a periodic curve: `weights` before they were added up over the periods; else empty
+  /// Of a periodic curve: `weights` before they were added up over the periods; else empty.
+  std::vector<KeyWeight> unrolled;
   bool closes = false;  ///< whether the closing step is among those that the curve takes
   int beyond = -1;      ///< end key that the curve goes on from beyond the keys, or -1 within them
 };

@@ -14,7 +14,7 @@ namespace shapespline {
 
 struct ImportOptions {
   std::variant<std::monostate, int, std::string> animation;  ///< default: the first one
-  std::vector<double> sampleTimes;  ///< seconds on the animation's own time line; wins over sampleCount
+  std::vector<double> sampleTimes;  ///< seconds on the animation's own timeline; wins over sampleCount
   int sampleCount = 8;       ///< evenly spaced, used when the animation has more than 32 key times or there are several
   bool sampleAsked = false;  ///< sampleCount was given by the user: use it even for few key times
   std::vector<double> keyTimes;  ///< default: the animation's own times, else evenly over [0, 1]

@@ -152,7 +152,7 @@ struct LookReader {
     return index >= 0 && index < static_cast<int>(doc.model.materials.size()) ? &doc.model.materials[index] : nullptr;
   }
 
-  // Reads `components` numbers a vertex of an attribute, or nothing where it is missing or broken.
+  // Reads `components` numbers per vertex of an attribute, or nothing where it is missing or broken.
   std::vector<double> vertexNumbers(const GltfPart& part, const std::string& name, int components) {
     const auto it = part.primitive->attributes.find(name);
     if (it == part.primitive->attributes.end() || accessorCount(doc, it->second) != part.positions.size()) return {};

@@ -24,7 +24,7 @@ struct AnimationSource {
   /// k in [0, seconds.size() + stills). Normals: 3n unit vectors, or empty for a file without normals.
   std::function<Status(int frame, std::vector<float>& positions, std::vector<float>& normals)> frame;
   /// JSON object for extras.shapespline of the file, or empty. Import takes the keys from its member
-  /// "keys": {"times": [...], "names": [...], "frames": [...]}, frames counted as above ("seconds" on this time line do
+  /// "keys": {"times": [...], "names": [...], "frames": [...]}, frames counted as above ("seconds" on this timeline do
   /// as well where all keys are played), and hands the whole back.
   std::string project;
 };

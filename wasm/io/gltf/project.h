@@ -13,7 +13,7 @@ struct ProjectKey {
   std::string name;
   double time = 0;     ///< in the user's unit
   int frame = -1;      ///< 0: the mesh's base; k: morph target k - 1 alone, at weight 1; -1: see seconds
-  double seconds = 0;  ///< on the animation's own time line
+  double seconds = 0;  ///< on the animation's own timeline
 };
 
 /// The part of the project that import needs; the rest of the JSON (options) is handed on as it came.

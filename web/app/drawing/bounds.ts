@@ -44,7 +44,7 @@ function extremes(positions: Float32Array): number[] {
   return found;
 }
 
-/** One colour a patch, neighbours in number far apart in hue; a vertex takes that of one of its faces. Linear RGB. */
+/** One colour per patch, neighbours in number far apart in hue; a vertex takes that of one of its faces. Linear RGB. */
 export function patchColours(patches: Int32Array, indices: Uint32Array, vertices: number): Float32Array {
   const colours = new Float32Array(3 * vertices).fill(0.2);
   patches.forEach((patch, face) => {

@@ -1,4 +1,4 @@
-/** The plotted numbers as a table: comment lines with version and options first, then one row a time or a face. */
+/** The plotted numbers as a table: comment lines with version and options first, then one row per time or face. */
 import type { Doc } from '../../model/state.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 

@@ -57,7 +57,6 @@ export interface ComponentsInput {
   marking: Marking;
   /** An indefinite face of the shape on the screen. */
   indefiniteFace(): number;
-  /** Why no video can be written, or null. */
   shortcuts: readonly ShortcutLine[];
   onUndo(): void;
   onRedo(): void;

@@ -1,5 +1,5 @@
 /**
- * On which stretches of the time line a preview may stand for the shape: those on which it was measured to be close. A stretch
+ * On which stretches of the timeline a preview may stand for the shape: those on which it was measured to be close. A stretch
  * reaches from key to key, or lies beyond the keys; nothing is known of it before all its moments were measured.
  */
 import type { PreviewError } from '../../engine/api/types.ts';

@@ -53,7 +53,7 @@ export interface OpenFiles {
   files(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean>;
   /** Opens what an earlier visit left. */
   again(remembered: Remembered): Promise<boolean>;
-  /** Takes the keys anew, at these seconds of the animation's own time line. */
+  /** Takes the keys anew, at these seconds of the animation's own timeline. */
   resample(animation: number, times: number[]): Promise<boolean>;
   /** Reads the files again with another axis up or another unit. */
   reorient(orientation: Orientation): Promise<boolean>;

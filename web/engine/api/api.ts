@@ -1,4 +1,4 @@
-/** The engine as its users see it. Implemented by client.ts (browser worker) and node.ts (Node worker thread). */
+/** The engine as its users see it. Made by browser.ts (workers) and node.ts (worker threads). */
 import type {
   EncodingOptions,
   ErrorPlace,
@@ -43,7 +43,7 @@ export interface Engine {
   dispose(): void;
 }
 
-/** An import: a worker-independent handle (the bytes are kept so that a fresh worker can read them again). */
+/** An import: its poses as arrays that belong to no worker, so that any number of sequences can be made from them. */
 export interface Keys {
   readonly info: KeysInfo;
   /** 3 x vertices of one key. */

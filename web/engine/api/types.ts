@@ -265,7 +265,7 @@ export interface Measures {
   area: number[];
 }
 
-/** The plane of the two leading principal components (Fig. 2b): 2 numbers a point. */
+/** The plane of the two leading principal components (Fig. 2b): 2 numbers per point. */
 export interface ShapePlane {
   keys: number[];
   curve: number[];

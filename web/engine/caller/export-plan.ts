@@ -1,4 +1,4 @@
-/** Which times an export holds, and where they lie on the exported animation's own time line. */
+/** Which times an export holds, and where they lie on the exported animation's own timeline. */
 import { EngineError, invalidOption } from '../api/errors.ts';
 import { NO_PLACE } from '../api/types.ts';
 import type { ExportOptions, Warning } from '../api/types.ts';
@@ -16,7 +16,7 @@ const SAME_TIME = 1e-9;
 export interface Frames {
   /** In the sequence's own unit. */
   times: number[];
-  /** For each time its place on the exported animation's time line, in float32; the first is 0. */
+  /** For each time its place on the exported animation's timeline, in float32; the first is 0. */
   seconds: number[];
   /** Times of keys outside the range: they come along unseen, so that the file holds the whole project. */
   stills: number[];

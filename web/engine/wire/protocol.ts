@@ -90,7 +90,7 @@ export type ResultOf<K extends CallName> = Calls[K]['result'];
 
 export type Request = { [K in CallName]: { type: K; id: number } & RequestOf<K> }[CallName];
 
-/** The first message to a worker: the compiled wasm, so that it is compiled once a page. */
+/** The first message to a worker: the compiled wasm, so that it is compiled once per page. */
 export interface Start extends Program {
   type: 'start';
 }
