@@ -8,7 +8,8 @@ import { preload } from './offline/preload.ts';
 const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = fileURLToPath(new URL('..', import.meta.url));
 
-// Beside what is served as it is lie a note for those who work on it and the picture of the main README; visitors need neither.
+// Beside what is served as it is lie a note for those who work on it and the picture of the main README; visitors need
+// neither.
 const forReaders: Plugin = {
   name: 'shapespline-for-readers',
   apply: 'build',

@@ -1,5 +1,7 @@
-/** The engine in Chromium: a page of our own, bundled beside the results and served from the repository, isolated: for two threads,
-    and a finer clock. */
+/**
+ * The engine in Chromium: a page of our own, bundled beside the results and served from the repository, isolated: for
+ * two threads, and a finer clock.
+ */
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { chromium } from '@playwright/test';

@@ -1,6 +1,9 @@
 /** Native Eigen on the same system: asked in each round, while the engine rests, so that both meet the same machine. */
 
-/** Milliseconds: the numeric factorisation and one solve of three columns, medians of up to five within about three seconds. */
+/**
+ * Milliseconds: the numeric factorisation and one solve of three columns, medians of up to five within about three
+ * seconds.
+ */
 export interface EigenRound {
   factorMs: number;
   solveMs: number;

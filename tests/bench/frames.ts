@@ -10,8 +10,10 @@ const FRAMES = 12;
 /** Passes before a round's frames, and as many after them. */
 const BANDWIDTH_PASSES = 3;
 
-/** Single frames of one build, beside Eigen and the bandwidth of that moment (bytes per second): a machine that others use is not the
-    same for long. */
+/**
+ * Single frames of one build, beside Eigen and the bandwidth of that moment (bytes per second): a machine that others
+ * use is not the same for long.
+ */
 export interface Round {
   firstMs: number;
   ms: number[];

@@ -1,6 +1,7 @@
 /**
- * npm run bench -- ghost browser [FACES,...]: large meshes led by a ghost of 2,000 faces in one tab of Chromium, on the built page:
- * the answer to each move of the slider, the main thread's long tasks meanwhile, and the memory of the tab at its worst.
+ * npm run bench -- ghost browser [FACES,...]: large meshes led by a ghost of 2,000 faces in one tab of Chromium, on the
+ * built page: the answer to each move of the slider, the main thread's long tasks meanwhile, and the memory of the tab
+ * at its worst.
  */
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';

@@ -15,8 +15,10 @@ export interface WithGhost {
 export interface GhostFrames {
   ghostFaces: number;
   buildMs: number;
-  /** t_ir: interpolation and reconstruction of the ghost's own shape, its vertices included, as in the paper; a frame needs no more than
-      the rotations of its faces. */
+  /**
+   * t_ir: interpolation and reconstruction of the ghost's own shape, its vertices included, as in the paper; a frame
+   * needs no more than the rotations of its faces.
+   */
   irMs: number;
   /** t_ts: from there to the shape: the stages of a frame after those rotations. */
   tsMs: number;

@@ -1,6 +1,6 @@
 /**
- * npm run bench [-- FACES,FACES,... --browser --save]: every stage over generated meshes, beside native Eigen and the paper.
- * Machines differ: compare numbers of one run.
+ * npm run bench [-- FACES,FACES,... --browser --save]: every stage over generated meshes, beside native Eigen and the
+ * paper. Machines differ: compare numbers of one run.
  */
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

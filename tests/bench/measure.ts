@@ -1,4 +1,6 @@
-/** One generated mesh through the engine: every stage of building its sequence, then single frames. Browser and Node. */
+/**
+ * One generated mesh through the engine: every stage of building its sequence, then single frames. Browser and Node.
+ */
 import type { Engine } from '../../web/engine/api/api.ts';
 import { bandwidthReader } from './bandwidth.ts';
 import { buildRepeatedly, Listener, refitGrowth, type Builds, type Silence } from './builds.ts';

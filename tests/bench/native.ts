@@ -1,4 +1,7 @@
-/** Eigen and our own solver on the same system, native, on the same machine, and the double solutions that frames are compared with. */
+/**
+ * Eigen and our own solver on the same system, native, on the same machine, and the double solutions that frames are
+ * compared with.
+ */
 import { rm } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { withProgram } from './line-protocol.ts';

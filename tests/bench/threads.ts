@@ -1,4 +1,7 @@
-/** npm run bench -- threads [FACES,... --browser]: frames with one thread and with two, in turn, so that both meet the same machine. */
+/**
+ * npm run bench -- threads [FACES,... --browser]: frames with one thread and with two, in turn, so that both meet the
+ * same machine.
+ */
 import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import { short } from './format.ts';
 import { frameOf } from './frames.ts';

@@ -1,4 +1,6 @@
-/** An animated file from the drop to the export and back: its animation chosen, keys taken at times of its own timeline. */
+/**
+ * An animated file from the drop to the export and back: its animation chosen, keys taken at times of its own timeline.
+ */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { rigFile } from '../engine/support/rig.ts';

@@ -1,4 +1,7 @@
-/** Files with compressed meshes: their decoders are loaded by the worker, on both servers, and only when they are needed. */
+/**
+ * Files with compressed meshes: their decoders are loaded by the worker, on both servers, and only when they are
+ * needed.
+ */
 import { draco, meshopt } from '../engine/support/compress.ts';
 import { poseFiles } from '../engine/support/glb.ts';
 import { bar, bent } from '../engine/support/shapes.ts';

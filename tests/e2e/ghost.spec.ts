@@ -1,4 +1,6 @@
-/** The ghost mesh: what leads the shape, what of it is drawn, how far it is from none, and the comparison of its sizes. */
+/**
+ * The ghost mesh: what leads the shape, what of it is drawn, how far it is from none, and the comparison of its sizes.
+ */
 import { AxeBuilder } from '@axe-core/playwright';
 import { changedShare, matching } from './png.ts';
 import type { Colour } from './png.ts';

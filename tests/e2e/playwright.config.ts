@@ -24,8 +24,8 @@ const args = [
   // Any name but localhost is not trusted without https.
   '--host-resolver-rules=MAP insecure.test localhost',
 ];
-// Every window of Chromium loads two pages for its own address bar, almost a second of work in each test. Only the last such list
-// counts and Playwright has no way to add to its own: the rest is that.
+// Every window of Chromium loads two pages for its own address bar, almost a second of work in each test. Only the last
+// such list counts and Playwright has no way to add to its own: the rest is that.
 args.push(
   `--disable-features=${[
     'WebUIOmniboxAimPopup',
@@ -62,12 +62,13 @@ export default defineConfig({
   forbidOnly: Boolean(process.env.CI),
   use: {
     launchOptions: { executablePath: findBrowser(chromium) ?? undefined, args },
-    // Its steps alone: pictures and copies of the page would cost every test an eighth of its time, for the few that fail.
+    // Its steps alone: pictures and copies of the page would cost every test an eighth of its time, for the few that
+    // fail.
     trace: { mode: 'retain-on-failure', screenshots: false, snapshots: false, sources: false },
     screenshot: 'only-on-failure',
   },
-  // Everything is asked of the built page under a sub-path; of the development server what a server can break (tagged @server):
-  // loading the page, its worker, samples, files and decoders, and the motion itself.
+  // Everything is asked of the built page under a sub-path; of the development server what a server can break (tagged
+  // @server): loading the page, its worker, samples, files and decoders, and the motion itself.
   projects: [
     { ...project('dev', `http://localhost:${devPort}/`), grep: /@server/ },
     { ...project('built', `http://localhost:${builtPort}${subPath}`), testIgnore: /threads\.spec\.ts$/ },

@@ -1,4 +1,7 @@
-/** Files that this browser keeps between visits: by several tabs, where something went wrong, and where there is no room. */
+/**
+ * Files that this browser keeps between visits: by several tabs, where something went wrong, and where there is no
+ * room.
+ */
 import { statSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';

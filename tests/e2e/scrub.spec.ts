@@ -1,6 +1,6 @@
 /**
- * A shape that is a preview while it moves, exact when it rests. By itself the page draws so what is too large for 30 exact
- * frames a second on the machine at hand (tests/unit/pump); here its address asks for it.
+ * A shape that is a preview while it moves, exact when it rests. By itself the page draws so what is too large for 30
+ * exact frames a second on the machine at hand (tests/unit/frame-loop); here its address asks for it.
  */
 import { poseFiles } from '../engine/support/glb.ts';
 import { bar, bent } from '../engine/support/shapes.ts';
@@ -141,7 +141,10 @@ test('a shape is a preview while it is dragged or plays, and exact when it rests
   await app.expectNoProblems();
 });
 
-/** Keys at 0, 0.5 and 1. Previews are off by 0.2 % of the diagonal before the middle key, 0.05 % after it (tests/engine/preview). */
+/**
+ * Keys at 0, 0.5 and 1. Previews are off by 0.2 % of the diagonal before the middle key, 0.05 % after it
+ * (tests/engine/preview).
+ */
 async function openRolledUp(app: App): Promise<void> {
   const mesh = bar();
   const files = poseFiles(
@@ -186,7 +189,8 @@ async function drag(app: App, from: number, to: number): Promise<{ time: number;
 test('a moving shape is a preview only where that was measured to be close', async ({ app }) => {
   await app.open({ search: '?moving=close' });
   await openRolledUp(app);
-  // Measured while nothing moves, from the moment on the screen outwards: where the later stretch is known, so is the earlier one.
+  // Measured while nothing moves, from the moment on the screen outwards: where the later stretch is known, so is the
+  // earlier one.
   await expect(async () => {
     await app.setTime(0.25);
     await app.page.waitForTimeout(1000);

@@ -53,7 +53,9 @@ const given = (name: string, content: string | Buffer): { name: string; mimeType
   buffer: Buffer.from(content),
 });
 
-/** Two squares beside each other in the plane z = 0, or bent; they share an edge, but not where it lies in the texture. */
+/**
+ * Two squares beside each other in the plane z = 0, or bent; they share an edge, but not where it lies in the texture.
+ */
 function squares(bend: number): string {
   const places = [
     [-1, -1, 0],

@@ -56,8 +56,10 @@ async function changeWorker(app: App, change: (text: string) => string): Promise
   });
 }
 
-/** Opens a large shape, makes more frames than are needed to choose, and up to `patience` more until two threads are the faster
-    ones, and looks at some. */
+/**
+ * Opens a large shape, makes more frames than are needed to choose, and up to `patience` more until two threads are the
+ * faster ones, and looks at some.
+ */
 async function show(app: App, patience = 0): Promise<Shown> {
   await app.openGenerated(FACES);
   const frames = await app.page.evaluate(

@@ -1,4 +1,7 @@
-/** Warnings that can be read and show their place; whole turns of parts. What the engine would say is put into its answers here. */
+/**
+ * Warnings that can be read and show their place; whole turns of parts. What the engine would say is put into its
+ * answers here.
+ */
 import { readFileSync } from 'node:fs';
 import type { Locator, Page } from '@playwright/test';
 import type { Warning } from '../../web/engine/api/types.ts';

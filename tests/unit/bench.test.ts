@@ -167,8 +167,10 @@ function cellsOf(text: string): Record<string, string>[] {
 /** What Eigen took in one round. */
 const eigen = (factorMs: number, solveMs: number): Round['eigen'] => ({ factorMs, solveMs, error: 0 });
 
-/** As on a machine that others use: half as fast in two of the rounds, once while the bandwidth was measured, and once while Eigen
-    worked. */
+/**
+ * As on a machine that others use: half as fast in two of the rounds, once while the bandwidth was measured, and once
+ * while Eigen worked.
+ */
 const disturbed: Round[] = [
   { factorMs: 10, solveMs: 3, frameMs: 6, eigen: eigen(200, 60), bandwidth: 10 * GB },
   { factorMs: 20, solveMs: 6, frameMs: 12, eigen: eigen(400, 120), bandwidth: 5 * GB },
@@ -310,7 +312,10 @@ describe('times', () => {
   });
 });
 
-/** A sequence whose shape at t is one vertex at x = t, and two that give the box a diagonal of 1; each stage takes a millisecond more. */
+/**
+ * A sequence whose shape at t is one vertex at x = t, and two that give the box a diagonal of 1; each stage takes a
+ * millisecond more.
+ */
 class FakeSequence {
   readonly range = [0, 1] as const;
   disposed = false;

@@ -100,7 +100,10 @@ export function namedArchives(printed) {
   return lines.map(([, file, sha256]) => ({ file, sha256 }));
 }
 
-/** Fails where an archive in `folder` is not what the signed package lists say; a bad one is deleted, to be fetched again. */
+/**
+ * Fails where an archive in `folder` is not what the signed package lists say; a bad one is deleted, to be fetched
+ * again.
+ */
 export function verifyArchives(folder, archives) {
   for (const { file, sha256 } of archives) {
     const full = path.join(folder, file);

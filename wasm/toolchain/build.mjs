@@ -58,7 +58,10 @@ export async function buildRelease(targets) {
   return folder;
 }
 
-/** Says in build/cmake-tidy how each native library is compiled as one, without precompiled headers, which belong to a compiler. */
+/**
+ * Says in build/cmake-tidy how each native library is compiled as one, without precompiled headers, which belong to a
+ * compiler.
+ */
 export async function configureForTidy() {
   const folder = path.join(buildDir, 'cmake-tidy');
   const unity = ['-DCMAKE_UNITY_BUILD=ON', '-DCMAKE_UNITY_BUILD_BATCH_SIZE=0'];

@@ -100,7 +100,8 @@ function writeShellEnvironment() {
   writeFileSync(path.join(toolchainDir, 'env.sh'), `${lines.join('\n')}\n`);
 }
 
-// Emscripten's own script looks for this package beside itself, where Debian does not put it. A link, as `npm ci` may still be at work.
+// Emscripten's own script looks for this package beside itself, where Debian does not put it. A link, as `npm ci` may
+// still be at work.
 function addAcorn(folder) {
   const modules = 'usr/share/emscripten/node_modules';
   mkdirSync(path.join(folder, modules), { recursive: true });

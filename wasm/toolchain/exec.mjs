@@ -21,8 +21,8 @@ for (const [signal, number] of [
 }
 
 /**
- * Runs a program to its end; rejects with the last part of what it printed when it fails.
- * `show` 'all' passes its output on to stderr as it comes, 'after' when the program has ended, 'quiet' keeps it for the error message;
+ * Runs a program to its end; rejects with the last part of what it printed when it fails. `show` 'all' passes its
+ * output on to stderr as it comes, 'after' when the program has ended, 'quiet' keeps it for the error message;
  * `inherit` connects all three streams, for programs whose output is the command's own.
  */
 export function run(

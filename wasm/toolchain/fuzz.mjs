@@ -1,4 +1,5 @@
-// `npm run fuzz [-- SECONDS [TARGET]]`: each fuzz target for so many seconds, from the corpus and all that was ever found.
+// `npm run fuzz [-- SECONDS [TARGET]]`: each fuzz target for so many seconds, from the corpus and all that was ever
+// found.
 import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { buildFuzzers } from './build.mjs';

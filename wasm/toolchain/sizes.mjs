@@ -1,4 +1,5 @@
-// What a visitor has to fetch: the page's JavaScript and wasm, compressed, against their limits. A build over them fails.
+// What a visitor has to fetch: the page's JavaScript and wasm, compressed, against their limits. A build over them
+// fails.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';

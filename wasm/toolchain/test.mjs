@@ -1,4 +1,5 @@
-// `npm test [-- SUITE [ARGUMENTS]]`: runs the suites one after the other, each on all cores, and says where the time went.
+// `npm test [-- SUITE [ARGUMENTS]]`: runs the suites one after the other, each on all cores, and says where the time
+// went.
 import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { buildNative, buildWasm, nodeBundle, page, wasmModule } from './build.mjs';

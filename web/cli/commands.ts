@@ -134,7 +134,9 @@ async function readTangents(
   return tangents;
 }
 
-/** The ghost mesh, and its KG error in percent against the same motion without it over these times; null without one. */
+/**
+ * The ghost mesh, and its KG error in percent against the same motion without it over these times; null without one.
+ */
 async function describeGhost(
   engine: Engine,
   keys: Keys,

@@ -1,4 +1,7 @@
-/** Named files on the disk, and what a .gltf or .obj among them names: from its own folder only, and never over the network. */
+/**
+ * Named files on the disk, and what a .gltf or .obj among them names: from its own folder only, and never over the
+ * network.
+ */
 import { readFile, realpath } from 'node:fs/promises';
 import path from 'node:path';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
@@ -19,7 +22,10 @@ export async function readInputs(names: string[]): Promise<InputFile[]> {
   return files;
 }
 
-/** The material libraries of an OBJ, which it names before its first face, and the images that they name, as seen from there. */
+/**
+ * The material libraries of an OBJ, which it names before its first face, and the images that they name, as seen from
+ * there.
+ */
 async function librariesOf({ name, bytes }: InputFile): Promise<string[]> {
   const libraries = namedIn(bytes.subarray(0, OBJ_HEAD), /^mtllib[ \t]+(.+?)[ \t]*$/gm);
   const images = await Promise.all(

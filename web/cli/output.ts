@@ -17,7 +17,9 @@ interface Move {
   bytes: Uint8Array | string;
 }
 
-/** Writes all outputs or, when anything fails, none. What is no regular file (a device, a pipe) is written into, last. */
+/**
+ * Writes all outputs or, when anything fails, none. What is no regular file (a device, a pipe) is written into, last.
+ */
 export async function writeOutputs(outputs: Output[]): Promise<void> {
   const partial: string[] = [];
   const made: string[] = [];

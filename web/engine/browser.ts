@@ -12,9 +12,14 @@ export interface EngineUrls {
   workerUrl?: string | URL;
   /** shapespline.wasm; default: the one that was bundled with this file. */
   wasmUrl?: string | URL;
-  /** shapespline_threads.wasm, for large meshes on a page that is cross-origin isolated; null: none. Default: the bundled one. */
+  /**
+   * shapespline_threads.wasm, for large meshes on a page that is cross-origin isolated; null: none. Default: the
+   * bundled one.
+   */
   threadsUrl?: string | URL | null;
-  /** A worker has ended by itself. What it was asked is rejected; the next call starts another one with the same keys. */
+  /**
+   * A worker has ended by itself. What it was asked is rejected; the next call starts another one with the same keys.
+   */
   onLost?: () => void;
 }
 
@@ -29,14 +34,17 @@ export function createEngine({ workerUrl, wasmUrl, threadsUrl, onLost }: EngineU
   return engine;
 }
 
-/** Milliseconds that a large mesh may wait for the module for two threads, which is fetched while its files are read. */
+/**
+ * Milliseconds that a large mesh may wait for the module for two threads, which is fetched while its files are read.
+ */
 const PATIENCE = 1000;
 
 function late(): Promise<null> {
   return new Promise((resolve) => void setTimeout(resolve, PATIENCE, null));
 }
 
-// Two threads share memory, which browsers allow where the host isolates the page. Without them everything works the same.
+// Two threads share memory, which browsers allow where the host isolates the page. Without them everything works the
+// same.
 async function compileThreaded(given: string | URL | null | undefined): Promise<WebAssembly.Module | null> {
   try {
     const url = given ?? (await import('../../build/wasm/shapespline_threads.wasm?url')).default;

@@ -13,7 +13,9 @@ export interface EngineUrls {
   workerUrl?: URL;
   /** Default: build/wasm/shapespline.wasm of this repository. */
   wasmUrl?: URL;
-  /** For large meshes on a machine of more than one processor; null: none. Default: build/wasm/shapespline_threads.wasm. */
+  /**
+   * For large meshes on a machine of more than one processor; null: none. Default: build/wasm/shapespline_threads.wasm.
+   */
   threadsUrl?: URL | null;
 }
 

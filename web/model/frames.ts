@@ -1,6 +1,6 @@
 /**
- * Whole frames on the motion's own time: frame n stands at time n / fps, frame 0 at time 0, as in any animation program.
- * Also the stretch that plays. `fps` is null where the motion runs as smoothly as the screen allows.
+ * Whole frames on the motion's own time: frame n stands at time n / fps, frame 0 at time 0, as in any animation
+ * program. Also the stretch that plays. `fps` is null where the motion runs as smoothly as the screen allows.
  */
 import type { Range } from './time-scale.ts';
 import { clamp, formatTime, length, limits } from './time-scale.ts';

@@ -1,6 +1,6 @@
 /**
- * The Hermite speeds as the page offers them: times the speed that goes straight from the first key to the second, or from
- * the last but one to the last; where a shape is taken as end tangent, it stands for that neighbour. 0 eases.
+ * The Hermite speeds as the page offers them: times the speed that goes straight from the first key to the second, or
+ * from the last but one to the last; where a shape is taken as end tangent, it stands for that neighbour. 0 eases.
  */
 import { DEFAULT_MOTION } from './state.ts';
 import { clamp } from './time-scale.ts';

@@ -127,8 +127,8 @@ export function referenceKey(doc: Doc): number {
 }
 
 /**
- * Hermite: the key that tells the direction at either end, the neighbour or the one that is taken as end tangent; null where
- * that pose is no longer a key. null with another boundary.
+ * Hermite: the key that tells the direction at either end, the neighbour or the one that is taken as end tangent; null
+ * where that pose is no longer a key. null with another boundary.
  */
 export function tangentKeys({ keys, motion, encoding }: Doc): { start: number | null; end: number | null } | null {
   if (motion.boundary !== 'hermite') return null;

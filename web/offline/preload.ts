@@ -1,4 +1,7 @@
-/** Tells the browser in the page's head of what its script will ask for: the wasm and the list of samples come beside it. */
+/**
+ * Tells the browser in the page's head of what its script will ask for: the wasm and the list of samples come beside
+ * it.
+ */
 import type { Plugin } from 'vite';
 
 export function preload(): Plugin {

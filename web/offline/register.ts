@@ -1,4 +1,7 @@
-/** Starts the service worker of a built page. Where it cannot run (no https, forbidden storage) the page works as before. */
+/**
+ * Starts the service worker of a built page. Where it cannot run (no https, forbidden storage) the page works as
+ * before.
+ */
 
 /** How often at most a page that is looked at again asks for a newer build. */
 const ASK_EVERY_MS = 3_600_000;
@@ -23,7 +26,8 @@ const ownScript = (): string => document.querySelector<HTMLScriptElement>('scrip
 
 function follow(registration: ServiceWorkerRegistration, onNewVersion: (reload: () => void) => void): void {
   const offer = async (worker: ServiceWorker): Promise<void> => {
-    // Without a worker so far this is the first visit. A page that was loaded from the new build already has nothing to gain.
+    // Without a worker so far this is the first visit. A page that was loaded from the new build already has nothing to
+    // gain.
     if (!navigator.serviceWorker.controller || (await holds(worker, ownScript()))) return;
     onNewVersion(() => {
       navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });

@@ -1,5 +1,6 @@
-// Keeps the files of one build, and those of older builds while a page still needs them. The build puts BUILD, FILES and LATER in
-// front of this text: what is kept at once, and what is kept once it was used, as { path: digest }; and ENTRY, the page's first script.
+// Keeps the files of one build, and those of older builds while a page still needs them. The build puts BUILD, FILES
+// and LATER in front of this text: what is kept at once, and what is kept once it was used, as { path: digest }; and
+// ENTRY, the page's first script.
 /* global BUILD, FILES, LATER, ENTRY */
 // Another release of the page may stand beside this one on the same host: each keeps its own.
 const SCOPE = self.registration.scope;
@@ -31,8 +32,8 @@ async function digestOf(response) {
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-// A host may answer for a file that is gone with its start page, or still with another build's: neither is kept. Hosts add to a page
-// itself, so that it is known by its script.
+// A host may answer for a file that is gone with its start page, or still with another build's: neither is kept. Hosts
+// add to a page itself, so that it is known by its script.
 async function isListed(href, response) {
   if (!response.ok) return false;
   if (href === SCOPE) return (await response.clone().text()).includes(ENTRY);
@@ -50,8 +51,8 @@ async function fill() {
   await Promise.all(Object.keys(FILES).map(keep));
 }
 
-// Files with a digest in their name never change: they come from whichever build is kept. The others are asked for first, so that a
-// new build is seen at once.
+// Files with a digest in their name never change: they come from whichever build is kept. The others are asked for
+// first, so that a new build is seen at once.
 async function answer(event, url) {
   const named = url.pathname.includes('/assets/');
   const kept = named ? await match(url.href) : undefined;
@@ -100,7 +101,8 @@ async function runsByThis(client) {
   return script === null ? !(await self.clients.get(client.id)) : LISTED.has(script);
 }
 
-// Older builds go when every open page has said that it runs by this one; a page that does not answer may need any of them.
+// Older builds go when every open page has said that it runs by this one; a page that does not answer may need any of
+// them.
 async function dropUnused() {
   const older = (await ownCaches()).filter((name) => name !== CACHE);
   // A worker that waits fills the cache of the build to come.

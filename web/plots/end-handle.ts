@@ -1,4 +1,7 @@
-/** A handle at an end of the curve: along the tangent there, the longer the faster; dragged, or moved with the arrow keys. */
+/**
+ * A handle at an end of the curve: along the tangent there, the longer the faster; dragged, or moved with the arrow
+ * keys.
+ */
 import { make, text } from './line-chart.ts';
 
 export type End = 'start' | 'end';
@@ -100,7 +103,10 @@ export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHan
   };
 }
 
-/** Where the middle of the number's line goes: on the upper side of the handle, or on the lower one at the picture's top. */
+/**
+ * Where the middle of the number's line goes: on the upper side of the handle, or on the lower one at the picture's
+ * top.
+ */
 function beside([x, y]: Vector, [ux, uy]: Vector): { x: number; y: number } {
   const length = Math.hypot(ux, uy);
   const side = ((ux < 0 ? -1 : 1) * (y < 24 ? -1 : 1)) / length;

@@ -1,4 +1,7 @@
-/** The colour map for amounts: viridis, which is even to the eye and to the colour-blind. Ten of its colours, mixed between. */
+/**
+ * The colour map for amounts: viridis, which is even to the eye and to the colour-blind. Ten of its colours, mixed
+ * between.
+ */
 
 const STOPS: readonly (readonly [number, number, number])[] = [
   [68, 1, 84],

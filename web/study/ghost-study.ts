@@ -1,6 +1,7 @@
 /**
- * What a ghost mesh costs and saves (the paper's Fig. 8): the error against the motion without one, and the time of a frame,
- * over sizes of the ghost and both ways of transfer. Every motion is built in a worker of its own and given up again.
+ * What a ghost mesh costs and saves (the paper's Fig. 8): the error against the motion without one, and the time of a
+ * frame, over sizes of the ghost and both ways of transfer. Every motion is built in a worker of its own and given up
+ * again.
  */
 import type { CallOptions, Engine, Keys, Sequence } from '../engine/api/api.ts';
 import { KgError } from './kg-error.ts';

@@ -1,4 +1,6 @@
-/** The small controls that the panels are made of: each has a label, a test id, a tooltip with its key, and a way back. */
+/**
+ * The small controls that the panels are made of: each has a label, a test id, a tooltip with its key, and a way back.
+ */
 import { h, setAttribute, setField, setHidden, setText, uniqueId } from './dom.ts';
 import type { IconName } from './icons.ts';
 import { icon } from './icons.ts';

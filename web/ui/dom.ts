@@ -4,7 +4,9 @@ export type Child = Node | string | null | undefined | false;
 type Value = string | number | boolean | null | undefined | ((event: never) => void);
 export type Props = Record<string, Value>;
 
-/** An element with attributes, `on...` listeners and children. `true` sets an empty attribute, `false` and null none. */
+/**
+ * An element with attributes, `on...` listeners and children. `true` sets an empty attribute, `false` and null none.
+ */
 export function h<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   props: Props = {},

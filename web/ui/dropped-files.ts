@@ -1,4 +1,7 @@
-/** What was dropped -> files: folders are walked through, and everything in them that is no model or part of one is left out. */
+/**
+ * What was dropped -> files: folders are walked through, and everything in them that is no model or part of one is left
+ * out.
+ */
 
 import { COMPANIONS, MODELS, extensionOf, isModel } from '../engine/api/paths.ts';
 
@@ -24,13 +27,14 @@ export const ACCEPTED = [
 const MOST_ENTRIES = 20_000;
 
 /**
- * To be called during the drop event, as what it holds is only there then. Single files are taken whatever they are, so that
- * what is wrong with them is said.
+ * To be called during the drop event, as what it holds is only there then. Single files are taken whatever they are, so
+ * that what is wrong with them is said.
  */
 export function droppedFiles({ items, files }: DataTransfer): Promise<PickedFile[]> {
   const entries = [...items].map((item) => item.webkitGetAsEntry?.() ?? null);
   const plain = [...files].map((file) => ({ name: file.name, file }));
-  // Without entries, as from another program or in an older browser, a folder is a file that cannot be read, which is said then.
+  // Without entries, as from another program or in an older browser, a folder is a file that cannot be read, which is
+  // said then.
   if (entries.every((entry) => !entry?.isDirectory)) return Promise.resolve(plain);
   return filesOf(entries.filter((entry) => entry !== null));
 }

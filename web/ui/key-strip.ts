@@ -1,4 +1,6 @@
-/** The keys as thumbnails: go to one, put it elsewhere in the order, give it another time or name, remove it, add one. */
+/**
+ * The keys as thumbnails: go to one, put it elsewhere in the order, give it another time or name, remove it, add one.
+ */
 import type { Choice } from './controls.ts';
 import { button, numberField, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';

@@ -118,7 +118,10 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
   };
 }
 
-/** Says in one sentence what the page does, until the visitor has done something; gives way to other messages in the same place. */
+/**
+ * Says in one sentence what the page does, until the visitor has done something; gives way to other messages in the
+ * same place.
+ */
 export function createWelcome(onPick: () => void): {
   element: HTMLElement;
   update(wanted: boolean, givesWay: boolean): void;

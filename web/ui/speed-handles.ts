@@ -1,6 +1,6 @@
 /**
- * The Hermite speeds as handles at the ends of the curve, under the first and the last key of the timeline: the longer the
- * handle, the faster the motion leaves the first key or arrives at the last. Dragged, or moved with the arrow keys.
+ * The Hermite speeds as handles at the ends of the curve, under the first and the last key of the timeline: the longer
+ * the handle, the faster the motion leaves the first key or arrives at the last. Dragged, or moved with the arrow keys.
  */
 import { h, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -130,7 +130,10 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
   };
 }
 
-/** Left and right move the handle as it lies, up and down make it faster and slower; null where the key means nothing here. */
+/**
+ * Left and right move the handle as it lies, up and down make it faster and slower; null where the key means nothing
+ * here.
+ */
 export function typedSpeed(event: KeyboardEvent, speed: number, end: End): number | null {
   const step = event.shiftKey ? LARGE : 1;
   const inward = end === 'start' ? step : -step;

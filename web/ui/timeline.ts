@@ -1,7 +1,8 @@
 /**
  * The time slider, the widest control of the page: a solid key range, hatched margins where the motion is extrapolated,
- * key ticks that the playhead snaps to and that can be dragged to other times, and two handles for what plays. It can be
- * zoomed into, about the pointer; then it has a ruler. Under it are handles for the speeds at its ends, where the boundary has them.
+ * key ticks that the playhead snaps to and that can be dragged to other times, and two handles for what plays. It can
+ * be zoomed into, about the pointer; then it has a ruler. Under it are handles for the speeds at its ends, where the
+ * boundary has them.
  */
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import type { End } from '../model/speeds.ts';

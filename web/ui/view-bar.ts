@@ -117,7 +117,10 @@ export interface LostFaces {
 /** Fewer than this share of the faces cannot be seen. */
 const SEEN_SHARE = 0.001;
 
-/** Where the moment lies, large enough to read from afar; the colour's meaning in words; a way out where the shape breaks. */
+/**
+ * Where the moment lies, large enough to read from afar; the colour's meaning in words; a way out where the shape
+ * breaks.
+ */
 export function createPhaseLabel(onShowLost: () => void): {
   element: HTMLElement;
   update(phase: Phase | null, lost: LostFaces): void;

@@ -1,4 +1,7 @@
-/** The warnings in sentences, each with a button that shows its place. Not modal: the shape is seen, and can be turned, beside them. */
+/**
+ * The warnings in sentences, each with a button that shows its place. Not modal: the shape is seen, and can be turned,
+ * beside them.
+ */
 import { button } from './controls.ts';
 import { h, memo, setAttribute, setHidden } from './dom.ts';
 import { icon } from './icons.ts';

@@ -62,8 +62,8 @@ export class Contents {
   }
 
   /**
-   * A frame of another import, which was on its way when this one came, is left out. `eased`: the frame before goes over into
-   * it; all views are eased together, or none.
+   * A frame of another import, which was on its way when this one came, is left out. `eased`: the frame before goes
+   * over into it; all views are eased together, or none.
    */
   setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string, eased = false): void {
     const shape = this.shapes[view];

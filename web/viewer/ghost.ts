@@ -1,4 +1,6 @@
-/** The ghost mesh: its wireframe over the shape, or itself beside the shape with lines to the vertices it stands for. */
+/**
+ * The ghost mesh: its wireframe over the shape, or itself beside the shape with lines to the vertices it stands for.
+ */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -17,7 +19,10 @@ import type { GhostPicture } from './types.ts';
 
 /** More lines than this can no longer be told apart. */
 const LINKS = 28;
-/** Share of the distance to the eye by which the wireframe comes forward, so that a surface as near as the ghost's does not hide it. */
+/**
+ * Share of the distance to the eye by which the wireframe comes forward, so that a surface as near as the ghost's does
+ * not hide it.
+ */
 const FORWARD = 0.006;
 
 export class GhostView {

@@ -11,7 +11,10 @@ import {
 } from 'three';
 import type { Easing } from './easing.ts';
 
-/** As --mark of the page; it stands out from blue, green, yellow and grey, on light and dark ground, and from the first in lightness. */
+/**
+ * As --mark of the page; it stands out from blue, green, yellow and grey, on light and dark ground, and from the first
+ * in lightness.
+ */
 const COLOUR = 0xd6217e;
 
 export class Mark {

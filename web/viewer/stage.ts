@@ -1,4 +1,6 @@
-/** Light and ground: a soft three-point light without image files, a floor that only shows shadow, a grid that fades. */
+/**
+ * Light and ground: a soft three-point light without image files, a floor that only shows shadow, a grid that fades.
+ */
 import {
   Color,
   DirectionalLight,

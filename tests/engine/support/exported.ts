@@ -1,4 +1,7 @@
-/** What holds for every exported animation: the official validator finds nothing, and three.js plays the computed vertices. */
+/**
+ * What holds for every exported animation: the official validator finds nothing, and three.js plays the computed
+ * vertices.
+ */
 import { validateBytes } from 'gltf-validator';
 import { expect } from 'vitest';
 import type { Sequence } from '../../../web/engine/api/api.ts';

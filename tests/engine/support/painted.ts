@@ -1,4 +1,6 @@
-/** A GLB with all that a look has: seams, normals, coordinates, two materials with textures, one of them a normal map. */
+/**
+ * A GLB with all that a look has: seams, normals, coordinates, two materials with textures, one of them a normal map.
+ */
 import { Document, WebIO, type Accessor } from '@gltf-transform/core';
 import type { InputFile } from '../../../web/engine/api/types.ts';
 import { bar, bent, type Mesh } from './shapes.ts';

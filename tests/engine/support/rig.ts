@@ -1,4 +1,7 @@
-/** A GLB in which everything moves at once: a skinned and morphing bar under a moving root, and a box carried by a joint. */
+/**
+ * A GLB in which everything moves at once: a skinned and morphing bar under a moving root, and a box carried by a
+ * joint.
+ */
 import { Document, WebIO, type Accessor, type Node } from '@gltf-transform/core';
 import type { InputFile } from '../../../web/engine/api/types.ts';
 import { bar, moved } from './shapes.ts';

@@ -1,4 +1,7 @@
-/** A glTF file's scene as three.js poses it at a time of one of its animations: morph targets, skins and node transforms. */
+/**
+ * A glTF file's scene as three.js poses it at a time of one of its animations: morph targets, skins and node
+ * transforms.
+ */
 import { AnimationMixer, LoopOnce, type Mesh, type Object3D, Vector3 } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { withoutImages } from './three-player.ts';

@@ -4,7 +4,10 @@ import type { Bounds } from '../../viewer/stage.ts';
 /** Enough to fit a view tightly, few enough to go through at once. */
 const POINTS_PER_POSE = 1500;
 
-/** What a view has to show: the box, and some vertices of every pose, xyz interleaved, the extreme ones along each axis among them. */
+/**
+ * What a view has to show: the box, and some vertices of every pose, xyz interleaved, the extreme ones along each axis
+ * among them.
+ */
 export interface Extent {
   bounds: Bounds;
   points: Float32Array;

@@ -21,7 +21,9 @@ import type { FrameSet } from '../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { RunningSequence } from '../session/sequence-set.ts';
 
-/** While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then. */
+/**
+ * While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then.
+ */
 export const PLAYING_TOLERANCE = 0.006;
 /** Larger shapes are not measured on every frame. */
 const MEASURED_FACES = 60_000;
@@ -112,7 +114,10 @@ export class SceneController {
     }
   }
 
-  /** Copies the frames of a time to the screen, with what belongs to it; measures and onion skins wait for the exact ones. */
+  /**
+   * Copies the frames of a time to the screen, with what belongs to it; measures and onion skins wait for the exact
+   * ones.
+   */
   async show(
     { t, frames, sequences, preview }: FrameSet,
     state: AppState,

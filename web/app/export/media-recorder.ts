@@ -1,4 +1,7 @@
-/** Videos where a browser has no WebCodecs: its recorder stamps frames by the clock, so that a video takes as long as it plays. */
+/**
+ * Videos where a browser has no WebCodecs: its recorder stamps frames by the clock, so that a video takes as long as it
+ * plays.
+ */
 import type { VideoFormat } from '../../ui/export-dialog.ts';
 import { videoFrames } from './video.ts';
 import type { VideoOptions } from './video.ts';

@@ -59,7 +59,10 @@ async function addFrames(
   signal.throwIfAborted();
 }
 
-/** A canvas for one frame, of even size as encoders want it, and what puts the view on it: in the middle, should its size change. */
+/**
+ * A canvas for one frame, of even size as encoders want it, and what puts the view on it: in the middle, should its
+ * size change.
+ */
 function stillOf({ snapshot }: VideoOptions): { canvas: HTMLCanvasElement; take(): void } {
   const canvas = document.createElement('canvas');
   const even = (size: number): number => Math.max(size - (size % 2), 2);

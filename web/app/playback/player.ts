@@ -1,4 +1,6 @@
-/** Plays: once per screen refresh it moves the time on by what has passed; whole frames are held until the next begins. */
+/**
+ * Plays: once per screen refresh it moves the time on by what has passed; whole frames are held until the next begins.
+ */
 import { heldTime, loopRange, playRange } from '../../model/frames.ts';
 import type { Play } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';

@@ -1,6 +1,7 @@
 /**
- * On which stretches of the timeline a preview may stand for the shape: those on which it was measured to be close. A stretch
- * reaches from key to key, or lies beyond the keys; nothing is known of it before all its moments were measured.
+ * On which stretches of the timeline a preview may stand for the shape: those on which it was measured to be close. A
+ * stretch reaches from key to key, or lies beyond the keys; nothing is known of it before all its moments were
+ * measured.
  */
 import type { PreviewError } from '../../engine/api/types.ts';
 import { limits, wrap } from '../../model/time-scale.ts';
@@ -22,10 +23,16 @@ export interface Sample {
 
 /** Between the measured moments real shapes were off by up to 1.1 times what they were at those. */
 const HEADROOM = 1.1;
-/** What cannot be seen while the shape moves, as shares of the diagonal: between the keys, and beyond them, where no pose is near. */
+/**
+ * What cannot be seen while the shape moves, as shares of the diagonal: between the keys, and beyond them, where no
+ * pose is near.
+ */
 const BETWEEN: PreviewError = { mean: 0.001, largest: 0.005 };
 const BEYOND: PreviewError = { mean: 0.01, largest: 0.05 };
-/** Moments of a stretch as shares of it: previews meet the keys, and are off the most about halfway; beyond the keys at the far end. */
+/**
+ * Moments of a stretch as shares of it: previews meet the keys, and are off the most about halfway; beyond the keys at
+ * the far end.
+ */
 const MOMENTS_BETWEEN = [0.5, 0.25, 0.75] as const;
 const MOMENTS_BEYOND = [1, 2 / 3, 1 / 3] as const;
 /** Stretches beyond either end. */

@@ -9,7 +9,9 @@ export interface Store {
   get(): AppState;
   /** Changes what undo does not cover: the time, the playing, the view. */
   set(change: Partial<Omit<AppState, 'doc'>>): void;
-  /** Changes the document as one step back. Edits with the same `merge` become one in quick succession or while held. */
+  /**
+   * Changes the document as one step back. Edits with the same `merge` become one in quick succession or while held.
+   */
   edit(label: string, change: (doc: Doc) => Doc, merge?: string): void;
   /** A pointer goes down or up: a drag is undone as a whole, however long it takes. */
   hold(down: boolean): void;

@@ -32,7 +32,10 @@ interface Current {
 /** Files, or where they come from: `report` hears the share that is there. */
 export type Input = InputFile[] | ((report: (fraction: number) => void, signal: AbortSignal) => Promise<InputFile[]>);
 
-/** Reading's share of the bar, and of that the share of the bytes' way into memory; the rest is encoding and factorising. */
+/**
+ * Reading's share of the bar, and of that the share of the bytes' way into memory; the rest is encoding and
+ * factorising.
+ */
 const READING = 0.3;
 const FETCHING = 0.3;
 const NOTHING_RUNNING: readonly RunningSequence[] = [];

@@ -10,7 +10,9 @@ export interface OpenFirstParts {
   files: OpenFiles;
   remembered: RememberedFiles;
   onSamples(samples: readonly Sample[]): void;
-  /** An earlier visit ended while it opened these files: they may end this one, too, so that they are opened on demand. */
+  /**
+   * An earlier visit ended while it opened these files: they may end this one, too, so that they are opened on demand.
+   */
   onStopped(offer: Offer): void;
 }
 

@@ -110,7 +110,10 @@ export function readPermalink(fragment: string): Permalink | null {
   };
 }
 
-/** Applies a link to the document that its sample starts with; poses and components that the sample has not are left out. */
+/**
+ * Applies a link to the document that its sample starts with; poses and components that the sample has not are left
+ * out.
+ */
 export function applyPermalink(doc: Doc, link: Permalink, components = Infinity): Doc {
   const poses = doc.keys.length;
   const known = (pose: number | null | undefined): boolean => pose === null || pose === undefined || pose < poses;

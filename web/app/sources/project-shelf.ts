@@ -1,4 +1,7 @@
-/** The project that this browser keeps between visits: one record for all tabs, written whole in one transaction or not at all. */
+/**
+ * The project that this browser keeps between visits: one record for all tabs, written whole in one transaction or not
+ * at all.
+ */
 import { createStore, promisifyRequest } from 'idb-keyval';
 import type { ImportOptions, InputFile } from '../../engine/api/types.ts';
 import type { AppState } from '../../model/state.ts';
@@ -33,7 +36,10 @@ interface ProjectRecord extends Changing {
 /** Raised when older visits can no longer be read. Format 1 lay under three keys, without an id. */
 const FORMAT = 2;
 const PROJECT = 'project';
-/** In a record of their own, as they may be large and stay the same while the rest changes; always of the project beside them. */
+/**
+ * In a record of their own, as they may be large and stay the same while the rest changes; always of the project beside
+ * them.
+ */
 const FILES = 'files';
 const SET_ASIDE = 'set aside';
 
@@ -70,7 +76,10 @@ function abort(transaction: IDBTransaction): void {
   }
 }
 
-/** Writes a project over whatever is kept, or, where `instead` is given, only over that project; resolves to whether it did. */
+/**
+ * Writes a project over whatever is kept, or, where `instead` is given, only over that project; resolves to whether it
+ * did.
+ */
 export function keepProject(id: string, remembered: Remembered, instead: string | null): Promise<boolean> {
   const { files, ...changing } = remembered;
   return atomically(async (store) => {

@@ -64,9 +64,10 @@ export interface Sequence {
   /** Latest wins: a request that a newer one overtakes resolves to null. */
   evaluate(t: number): Promise<Frame | null>;
   /**
-   * An approximate shape at t, in about half the time on large meshes. For while a slider moves; the first one takes a moment longer.
-   * How far it is off depends on the motion: `previewError` measures it (on real shapes from 0.02 to 5 % of the diagonal in the mean
-   * between the keys, see wasm/core/README.md). Takes its place among evaluate's requests: latest wins.
+   * An approximate shape at t, in about half the time on large meshes. For while a slider moves; the first one takes a
+   * moment longer. How far it is off depends on the motion: `previewError` measures it (on real shapes from 0.02 to 5 %
+   * of the diagonal in the mean between the keys, see wasm/core/README.md). Takes its place among evaluate's requests:
+   * latest wins.
    */
   preview(t: number): Promise<Frame | null>;
   /** What the preview at t is off; costs one exact frame and one preview, and yields to evaluate. */

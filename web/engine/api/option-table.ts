@@ -1,8 +1,8 @@
 /**
  * Every option of the engine, described once: what it may be, its default, its flag on the command line, its name in
- * the page. From these tables come the types and defaults (types.ts), the checks (options.ts), project files, the command
- * line with its help, the page's document with links, undo and CSV, and the list in the README. Plain data; imports
- * nothing.
+ * the page. From these tables come the types and defaults (types.ts), the checks (options.ts), project files, the
+ * command line with its help, the page's document with links, undo and CSV, and the list in the README. Plain data;
+ * imports nothing.
  */
 
 /** Whole turns on the way to a key, of the whole shape or of one component against the one that carries it. */

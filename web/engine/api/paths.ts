@@ -1,7 +1,7 @@
 /**
  * Names and paths of given files, and the URIs in them that name other files. They are taken apart, joined and decoded
- * here and nowhere else, but for what the disk needs (`web/cli`). `wasm/io/uri` follows the same rules for what only the
- * core reads.
+ * here and nowhere else, but for what the disk needs (`web/cli`). `wasm/io/base/uri` follows the same rules for what only
+ * the core reads.
  */
 import type { InputFile } from './types.ts';
 
@@ -42,7 +42,10 @@ export function decodedUri(uri: string): string {
 /** Names another host, scheme or root. */
 export const isExternal = (uri: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(decodedUri(uri));
 
-/** URIs of the buffers and images of a glTF, but for those that hold the bytes themselves. The JSON is trusted in nothing. */
+/**
+ * URIs of the buffers and images of a glTF, but for those that hold the bytes themselves. The JSON is trusted in
+ * nothing.
+ */
 export function resourceUris(json: unknown): { buffers: string[]; images: string[] } {
   const { buffers, images } = (json ?? {}) as Record<string, unknown>;
   const uris = (list: unknown): string[] =>
@@ -52,7 +55,10 @@ export function resourceUris(json: unknown): { buffers: string[]; images: string
   return { buffers: uris(buffers), images: uris(images) };
 }
 
-/** The file that a URI in the file `from` names: by its path, or by its name alone where files came without their folders. */
+/**
+ * The file that a URI in the file `from` names: by its path, or by its name alone where files came without their
+ * folders.
+ */
 export function findByUri(uri: string, from: string, files: readonly InputFile[]): InputFile | undefined {
   if (isExternal(uri)) return undefined;
   const path = decodedUri(uri);

@@ -220,7 +220,10 @@ export interface SequenceStats {
   arrangeMs: number;
   /** Of the stored factor, entries and row lists: a solve reads them twice. */
   factorBytes: number;
-  /** Of the last exact frame: the frames that faces stand in; splined faces and right-hand side; solve; placing the vertices; normals. */
+  /**
+   * Of the last exact frame: the frames that faces stand in; splined faces and right-hand side; solve; placing the
+   * vertices; normals.
+   */
   framesMs: number;
   facesMs: number;
   solveMs: number;

@@ -5,8 +5,8 @@ import type { Warning } from './types.ts';
 const INTERVAL = /^ambiguous-/;
 
 /**
- * The keys that bound what the warning is about, 0-based: twice the same one where it is about that key, null where it is about
- * none. A closed motion goes from its last of `count` keys to the first.
+ * The keys that bound what the warning is about, 0-based: twice the same one where it is about that key, null where it
+ * is about none. A closed motion goes from its last of `count` keys to the first.
  */
 export function keysOf({ code, key }: Warning, count: number): [number, number] | null {
   if (key < 0) return null;

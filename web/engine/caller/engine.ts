@@ -12,8 +12,10 @@ export interface Platform {
   spawn: Spawn;
   /** The compiled wasm, fetched once. */
   module: Promise<WebAssembly.Module>;
-  /** The same for two threads, fetched when it is first asked for; null where threads cannot share memory, and its result where it
-      cannot be had soon. Never rejects. */
+  /**
+   * The same for two threads, fetched when it is first asked for; null where threads cannot share memory, and its
+   * result where it cannot be had soon. Never rejects.
+   */
   threaded?: (() => Promise<WebAssembly.Module | null>) | null;
 }
 

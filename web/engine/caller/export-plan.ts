@@ -6,7 +6,10 @@ import type { ExportOptions, Warning } from '../api/types.ts';
 /** Morph targets that WebGL2 players are sure to hold: 256 layers of an array texture. */
 const SAFE_TARGETS = 256;
 
-/** What opens again: weights are one for each target at every frame, and a file's sizes are read up to 2^31 (wasm/io/gltf/gltf_writer). */
+/**
+ * What opens again: weights are one for each target at every frame, and a file's sizes are read up to 2^31
+ * (wasm/io/gltf/gltf_writer).
+ */
 const MOST_WEIGHTS = 16_000_000;
 const MOST_GLB_BYTES = 2 ** 31 - 1;
 

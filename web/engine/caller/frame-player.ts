@@ -1,7 +1,7 @@
 /**
  * Playback: frames on a fixed grid of ticks, computed ahead of the clock in the sequence's worker. The look-ahead is
- * bounded, frames that came too late are skipped, and where the worker is slower than the clock only every second, third, ...
- * tick is asked for, so that what arrives is still to be shown.
+ * bounded, frames that came too late are skipped, and where the worker is slower than the clock only every second,
+ * third, ... tick is asked for, so that what arrives is still to be shown.
  */
 import type { AheadOptions } from '../api/api.ts';
 import type { Frame } from '../api/types.ts';
@@ -13,7 +13,9 @@ export interface PlayerOptions {
   tickSeconds: () => number;
   /** Frames under way or waiting to be shown; default 4. */
   ahead?: number;
-  /** Milliseconds that a frame costs now, where the caller measures that itself; default: the mean of those that came. */
+  /**
+   * Milliseconds that a frame costs now, where the caller measures that itself; default: the mean of those that came.
+   */
   frameMs?: () => number;
   /** Called once with what went wrong; the player has stopped then. */
   onError?: (error: unknown) => void;

@@ -3,7 +3,10 @@ import type { Engine, Keys } from '../api/api.ts';
 import { EngineError } from '../api/errors.ts';
 import type { ImportOptions, InputFile } from '../api/types.ts';
 
-/** 3 x vertices; `options` say how the keys were read. Errors: those of an import, and another number of vertices or other faces than the keys have. */
+/**
+ * 3 x vertices; `options` say how the keys were read. Errors: those of an import, and another number of vertices or
+ * other faces than the keys have.
+ */
 export async function readPose(
   engine: Engine,
   files: InputFile[],

@@ -17,7 +17,9 @@ export class Scheduler {
   private waiting: Task[] = [];
   private busy = false;
 
-  /** The task's own promise; it starts when nothing more urgent is left. The signal withdraws it as long as it has not. */
+  /**
+   * The task's own promise; it starts when nothing more urgent is left. The signal withdraws it as long as it has not.
+   */
   run<T>(level: Urgency, work: () => Promise<T>, signal?: AbortSignal): Promise<T> {
     return new Promise<T>((resolve, reject) => {
       if (signal?.aborted) return reject(cancelled());

@@ -240,8 +240,10 @@ export class SequenceClient implements Sequence {
     return this.pool.frame(t, data);
   }
 
-  /** One request; a worker that died before is replaced first, built from the same keys and the present motion. If the second thread
-      was the reason, it would be again: the new worker has one thread. */
+  /**
+   * One request; a worker that died before is replaced first, built from the same keys and the present motion. If the
+   * second thread was the reason, it would be again: the new worker has one thread.
+   */
   private async ask<K extends CallName>(type: K, request: RequestOf<K>, call?: WorkerCall): Promise<ResultOf<K>> {
     this.checkAlive();
     if (!this.client.alive) await this.revive();

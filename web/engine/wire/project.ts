@@ -1,7 +1,7 @@
 /**
- * A project: what an exported GLB holds in `extras.shapespline` besides its frames, so that it opens again with the same
- * keys, times and options. The core finds the keys in it (wasm/io/gltf/project.h), the options are read here. The text comes from
- * a file and is trusted in nothing.
+ * A project: what an exported GLB holds in `extras.shapespline` besides its frames, so that it opens again with the
+ * same keys, times and options. The core finds the keys in it (wasm/io/gltf/project.h), the options are read here. The
+ * text comes from a file and is trusted in nothing.
  */
 import { SHAPES } from '../api/option-table.ts';
 import { checkSequenceOptions } from '../api/options.ts';

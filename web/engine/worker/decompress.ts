@@ -1,6 +1,7 @@
 /**
- * glTF files with compressed meshes -> the same files without. KHR_draco_mesh_compression and EXT_meshopt_compression are
- * undone by their own well-kept decoders, which are loaded when the first file needs them; the core reads what remains.
+ * glTF files with compressed meshes -> the same files without. KHR_draco_mesh_compression and EXT_meshopt_compression
+ * are undone by their own well-kept decoders, which are loaded when the first file needs them; the core reads what
+ * remains.
  */
 import type { Document, JSONDocument } from '@gltf-transform/core';
 import { EngineError, messageOf } from '../api/errors.ts';

@@ -1,6 +1,6 @@
 /**
- * Images as far as they must be known before a browser decodes them: their size, from their first bytes. A small file may
- * declare any size, and a decoder takes 4 bytes for every pixel that is declared.
+ * Images as far as they must be known before a browser decodes them: their size, from their first bytes. A small file
+ * may declare any size, and a decoder takes 4 bytes for every pixel that is declared.
  */
 import { NO_PLACE } from '../api/types.ts';
 import type { Material, TextureImage, Warning } from '../api/types.ts';

@@ -6,7 +6,10 @@ import type { KeyData } from '../wire/protocol.ts';
 import { NO_PLACE } from '../api/types.ts';
 import type { ImportOptions, InputFile, Warning } from '../api/types.ts';
 
-/** Undoes compression, one file after the other; those that have none are returned as they are. `report` hears how far it is. */
+/**
+ * Undoes compression, one file after the other; those that have none are returned as they are. `report` hears how far
+ * it is.
+ */
 export type Decode = (files: InputFile[], report: (fraction: number) => void) => Promise<InputFile[]>;
 
 interface ImportJob {
@@ -22,7 +25,10 @@ const UNREADABLE: Warning = {
   ...NO_PLACE,
 };
 
-/** Shares of the progress: decoding, where there is anything to decode, and reading. The rest is the way out of the core. */
+/**
+ * Shares of the progress: decoding, where there is anything to decode, and reading. The rest is the way out of the
+ * core.
+ */
 const DECODING = 0.3;
 const READING = 0.95;
 

@@ -1,14 +1,20 @@
 /**
- * Whether frames are faster with two threads than with one. The first ones are made in turn with one and with two; as machines get
- * busy and idle again, both are compared anew from time to time, and at once when two turn out slower than one was.
+ * Whether frames are faster with two threads than with one. The first ones are made in turn with one and with two; as
+ * machines get busy and idle again, both are compared anew from time to time, and at once when two turn out slower than
+ * one was.
  */
 
-/** Frames of each kind that count in a comparison; before the first one, those that run in code that is not yet optimised. */
+/**
+ * Frames of each kind that count in a comparison; before the first one, those that run in code that is not yet
+ * optimised.
+ */
 const COUNTED = 5,
   WARM_UP = 2;
 /** A second thread that gains less is left to others. */
 const GAIN = 0.95;
-/** Frames between two comparisons. After each that one thread wins twice as many: then those made by two are lost time. */
+/**
+ * Frames between two comparisons. After each that one thread wins twice as many: then those made by two are lost time.
+ */
 const APART = 200;
 
 export class ThreadChoice {
