@@ -85,7 +85,7 @@ TEST_CASE("files that are something else say what they are") {
   checkRefused(bytesOf("PK\x03\x04 zip"), ErrorCode::NotRecognised, "ZIP");
   checkRefused(bytesOf("Kaydara FBX Binary  "), ErrorCode::NotRecognised, "FBX");
   checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "is not such a file");
-  checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "not a 3D file", {}, "notes.doc");
+  checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "not a supported 3D file", {}, "notes.doc");
 }
 
 TEST_CASE("broken JSON") {

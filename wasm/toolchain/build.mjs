@@ -11,6 +11,11 @@ import { wasmStaysOutside } from './wasm-outside.mjs';
 
 const node = process.execPath;
 const jobs = String(cores);
+// Compiles sanitized code in two thirds of g++'s time.
+const sanitizing = process.env.CXX ?? 'clang++-19';
+
+// Most of the time goes into the headers of others: one parse of them for each room.
+const wholeRooms = '-DSHAPESPLINE_WHOLE_ROOMS=ON';
 
 // A build folder belongs to one compiler: with another it starts afresh.
 function useFolder(folder, compiler) {
@@ -38,15 +43,16 @@ export async function buildWasm(targets) {
   step(`building ${targets.join(' and ')} with Emscripten${version ? ` ${version}` : ''}`);
   const folder = path.join(buildDir, 'cmake-wasm');
   const emcmake = path.join(path.dirname(emcc), 'emcmake');
-  await cmake({ folder, compiler: `${emcc} ${version}`, wrap: [emcmake], targets, env });
+  await cmake({ folder, compiler: `${emcc} ${version}`, wrap: [emcmake], options: [wholeRooms], targets, env });
   return folder;
 }
 
 /** Builds the native tests under sanitizers in build/cmake-native. */
 export async function buildNative(targets) {
-  step(`building ${targets.join(' and ')} with the system's compiler`);
+  step(`building ${targets.join(' and ')} with ${sanitizing}`);
   const folder = path.join(buildDir, 'cmake-native');
-  await cmake({ folder, compiler: process.env.CXX ?? '', options: ['-DSHAPESPLINE_SANITIZE=ON'], targets });
+  const options = ['-DSHAPESPLINE_SANITIZE=ON', wholeRooms, `-DCMAKE_CXX_COMPILER=${sanitizing}`];
+  await cmake({ folder, compiler: sanitizing, options, targets });
   return folder;
 }
 
@@ -64,9 +70,9 @@ export async function buildRelease(targets) {
  */
 export async function configureForTidy() {
   const folder = path.join(buildDir, 'cmake-tidy');
-  const unity = ['-DCMAKE_UNITY_BUILD=ON', '-DCMAKE_UNITY_BUILD_BATCH_SIZE=0'];
-  const options = ['-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON', '-DBUILD_TESTING=OFF', ...unity];
-  await configure({ folder, compiler: process.env.CXX ?? '', options });
+  const alone = ['-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON', '-DBUILD_TESTING=OFF'];
+  const options = [...alone, wholeRooms, `-DCMAKE_CXX_COMPILER=${sanitizing}`];
+  await configure({ folder, compiler: sanitizing, options });
   return folder;
 }
 

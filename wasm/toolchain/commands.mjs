@@ -8,7 +8,7 @@ import { format, lint } from './lint.mjs';
 import { step } from './log.mjs';
 import { inRoot } from './paths.mjs';
 import { prepare } from './prepare.mjs';
-import { forBrowser, forNative, forWasm } from './requirements.mjs';
+import { forBench, forBrowser, forWasm } from './requirements.mjs';
 import { serve } from './serve.mjs';
 import { checkSizes } from './sizes.mjs';
 import { test } from './test.mjs';
@@ -47,7 +47,7 @@ async function cli(args) {
 async function bench(args) {
   const { browser, what } = benchArguments(args);
   const inBrowser = browser || what === 'ghost browser';
-  await prepare([...forWasm, ...forNative, ...(inBrowser ? forBrowser : [])], [wasmModule, benchPrograms, benchBundle]);
+  await prepare([...forBench, ...(inBrowser ? forBrowser : [])], [wasmModule, benchPrograms, benchBundle]);
   await runBundle(inRoot('build/node/bench.mjs'), args);
 }
 

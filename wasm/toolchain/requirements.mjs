@@ -26,6 +26,9 @@ const headers = [
 
 const onPath = (...names) => names.some((name) => which(name));
 
+const clangWithRuntime = ['clang-19', 'libclang-rt-19-dev'];
+const hasClangWithRuntime = () => onPath('clang++-19') && existsSync('/usr/lib/llvm-19/lib/clang/19/lib/linux');
+
 /** Each: `name` and `hint` for people, `has()`, and Debian `packages`, or its own `install()`. */
 const all = {
   emscripten: {
@@ -87,16 +90,23 @@ const all = {
     has: () => onPath('clang-tidy-19', 'clang-tidy'),
     packages: ['clang-tidy-19'],
   },
+  sanitizers: {
+    name: 'clang 19 with its sanitizers (clang++-19 on PATH, or the compiler that CXX names)',
+    hint: 'Debian: apt-get install clang-19 libclang-rt-19-dev; elsewhere: CXX=g++ or CXX=clang++',
+    has: () => Boolean(process.env.CXX) || hasClangWithRuntime(),
+    packages: clangWithRuntime,
+  },
   fuzzer: {
     name: 'clang 19 with libFuzzer',
     hint: 'Debian: apt-get install clang-19 libclang-rt-19-dev',
-    has: () => onPath('clang++-19') && existsSync('/usr/lib/llvm-19/lib/clang/19/lib/linux'),
-    packages: ['clang-19', 'libclang-rt-19-dev'],
+    has: hasClangWithRuntime,
+    packages: clangWithRuntime,
   },
 };
 
 export const forWasm = ['emscripten', 'headers', 'cmake', 'ninja'];
-export const forNative = ['headers', 'cmake', 'ninja', 'compiler'];
+export const forNative = ['headers', 'cmake', 'ninja', 'sanitizers'];
+export const forBench = [...forWasm, 'compiler'];
 export const forBrowser = ['chromium'];
 export const forLinting = ['formatter', 'tidy', ...forNative];
 export const forFuzzing = ['headers', 'cmake', 'ninja', 'fuzzer'];

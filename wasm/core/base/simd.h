@@ -20,8 +20,10 @@ namespace registers {
 using Floats = float __attribute__((vector_size(16)));
 using Doubles = double __attribute__((vector_size(16)));
 // The same wherever they lie in memory. (Copying bytes instead makes WebAssembly's kernels twice as large.)
-using FloatsAnywhere = float __attribute__((vector_size(16), aligned(4), may_alias));
-using DoublesAnywhere = double __attribute__((vector_size(16), aligned(8), may_alias));
+// The attributes stand before the equals sign, or clang takes them for nothing.
+using FloatsAnywhere [[gnu::aligned(4), gnu::may_alias]] = Floats;
+using DoublesAnywhere [[gnu::aligned(8), gnu::may_alias]] = Doubles;
+static_assert(alignof(FloatsAnywhere) == alignof(float) && alignof(DoublesAnywhere) == alignof(double));
 
 // What vector types have no operator for. Masks are comparisons' results: all bits of a lane, or none.
 #if SHAPESPLINE_SIMD_WASM
