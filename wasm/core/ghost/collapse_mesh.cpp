@@ -1,7 +1,6 @@
 #include "core/ghost/collapse_mesh.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace shapespline {
 
@@ -57,22 +56,17 @@ CollapseMesh::Kind CollapseMesh::findKind(int vertex) {
 
   // One fan, or several that share only this vertex?
   const int size = static_cast<int>(ring_.size());
-  group_.resize(size);
-  std::iota(group_.begin(), group_.end(), 0);
-  const auto find = [&](int x) {
-    while (group_[x] != x) x = group_[x] = group_[group_[x]];
-    return x;
-  };
+  fans_.reset(size);
   for (int i = 0; i < size; ++i) slot_[ring_[i].vertex] = i;
-  int groups = size;
+  int fans = size;
   eachFace(vertex, [&](int f) {
     int ends[2], count = 0;
     for (int v : faces_[f])
-      if (v != vertex) ends[count++] = find(slot_[v]);
-    if (ends[0] != ends[1]) group_[std::max(ends[0], ends[1])] = std::min(ends[0], ends[1]), --groups;
+      if (v != vertex) ends[count++] = slot_[v];
+    fans -= fans_.join(ends[0], ends[1]);
   });
   for (const Neighbour& n : ring_) slot_[n.vertex] = -1;
-  if (groups > 1) return Kind::Fixed;
+  if (fans > 1) return Kind::Fixed;
   return lines == 0 ? Kind::Inner : Kind::Line;
 }
 

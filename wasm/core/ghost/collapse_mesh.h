@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/types.h"
+#include "core/base/union_find.h"
 
 namespace shapespline {
 
@@ -69,7 +70,8 @@ class CollapseMesh {
   // scratch
   std::vector<int> slot_;  // of each vertex in the ring that is looked at; -1 outside it
   std::vector<Neighbour> ring_;
-  std::vector<int> group_, opposite_;
+  UnionFind fans_;  // of that ring
+  std::vector<int> opposite_;
 };
 
 }  // namespace shapespline

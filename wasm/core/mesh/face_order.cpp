@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/base/compressed_rows.h"
+
 namespace shapespline {
 
 FaceHalves halveFaces(const std::vector<Triangle>& corners, int count, int shared, const FractionReport& onProgress) {
-  const auto last = [&](std::size_t f) { return *std::max_element(corners[f].begin(), corners[f].end()); };
-  std::vector<int> start(static_cast<std::size_t>(count) + 1, 0), sorted(corners.size());
-  inBlocks(partOf(onProgress, 0, 0.3), corners.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) ++start[last(f) + 1];
-  });
-  for (int c = 0; c < count; ++c) start[c + 1] += start[c];
+  const auto byLast = [&](std::size_t f, auto add) {
+    add(*std::max_element(corners[f].begin(), corners[f].end()), static_cast<int>(f));
+  };
+  const CompressedRows<int> rows = compressedRows<int>(count, corners.size(), byLast, partOf(onProgress, 0, 0.7));
+  const std::vector<int>&start = rows.start, &sorted = rows.item;
   const auto cut = std::lower_bound(start.begin(), start.end(), static_cast<int>(corners.size() / 2)) - start.begin();
-  inBlocks(partOf(onProgress, 0.3, 0.7), corners.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) sorted[start[last(f)]++] = static_cast<int>(f);
-  });
 
   std::vector<int> list[3];  // below the cut, above it, the rest
   inBlocks(partOf(onProgress, 0.7, 1), sorted.size(), [&](std::size_t begin, std::size_t end) {

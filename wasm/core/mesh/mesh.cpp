@@ -5,40 +5,15 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/compressed_rows.h"
+#include "core/base/union_find.h"
+
 namespace shapespline {
 
 namespace {
 
-// Items bucketed by row: those of row r are item[start[r]] to item[start[r + 1] - 1].
 template <class Item>
-struct Rows {
-  std::vector<int> start = {0};
-  std::vector<Item> item;
-
-  int count() const { return static_cast<int>(start.size()) - 1; }
-  std::span<Item> of(int row) { return {item.data() + start[row], item.data() + start[row + 1]}; }
-};
-
-// Calls each(i, add) for the numbers below n, which calls add(row, item) for all that i gives, twice the same.
-template <class Item, class Each>
-Rows<Item> bucketed(int rowCount, std::size_t n, Each each, const FractionReport& onProgress = {}) {
-  Rows<Item> rows;
-  rows.start.assign(static_cast<std::size_t>(rowCount) + 1, 0);
-  const auto eachItem = [&](const FractionReport& report, auto add) {
-    inBlocks(report, n, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) each(i, add);
-    });
-  };
-  eachItem(partOf(onProgress, 0, 0.4), [&](int row, const Item&) { ++rows.start[row + 1]; });
-  std::partial_sum(rows.start.begin(), rows.start.end(), rows.start.begin());
-  rows.item.resize(rows.start.back());
-  std::vector<int> next(rows.start.begin(), rows.start.end() - 1);
-  eachItem(partOf(onProgress, 0.4, 1), [&](int row, const Item& item) { rows.item[next[row]++] = item; });
-  return rows;
-}
-
-template <class Item>
-void sortRows(Rows<Item>& rows, const FractionReport& onProgress) {
+void sortRows(CompressedRows<Item>& rows, const FractionReport& onProgress) {
   inBlocks(onProgress, static_cast<std::size_t>(rows.count()), [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const std::span<Item> row = rows.of(static_cast<int>(r));
@@ -67,8 +42,8 @@ class Side {
 
 // Sides of faces, bucketed by their lower vertex and sorted by the higher, so that sides of one edge are consecutive.
 template <class Use>
-Rows<Side> collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use,
-                        const FractionReport& onProgress = {}) {
+CompressedRows<Side> collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use,
+                                  const FractionReport& onProgress = {}) {
   const auto sidesOf = [&](std::size_t f, auto add) {
     if (!use(static_cast<int>(f))) return;
     for (int c = 0; c < 3; ++c) {
@@ -76,14 +51,14 @@ Rows<Side> collectSides(int vertexCount, const std::vector<Triangle>& faces, Use
       if (a != b) add(std::min(a, b), Side(std::max(a, b), 3 * static_cast<int>(f) + c, a > b));
     }
   };
-  Rows<Side> sides = bucketed<Side>(vertexCount, faces.size(), sidesOf, partOf(onProgress, 0, 0.6));
+  CompressedRows<Side> sides = compressedRows<Side>(vertexCount, faces.size(), sidesOf, partOf(onProgress, 0, 0.6));
   sortRows(sides, partOf(onProgress, 0.6, 1));
   return sides;
 }
 
 // Calls visit for each edge with its sides.
 template <class Visit>
-void eachEdge(Rows<Side>& sides, const FractionReport& onProgress, Visit visit) {
+void eachEdge(CompressedRows<Side>& sides, const FractionReport& onProgress, Visit visit) {
   inBlocks(onProgress, static_cast<std::size_t>(sides.count()), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const std::span<const Side> row = sides.of(static_cast<int>(v));
@@ -96,33 +71,13 @@ void eachEdge(Rows<Side>& sides, const FractionReport& onProgress, Visit visit) 
   });
 }
 
-class UnionFind {
- public:
-  explicit UnionFind(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  // Returns false where both were joined already.
-  bool join(int a, int b) {
-    a = find(a), b = find(b);
-    if (a == b) return false;
-    parent_[std::max(a, b)] = std::min(a, b);
-    return true;
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
 FaceGraph graphOf(int faceCount, const std::vector<std::pair<int, int>>& links, const FractionReport& onProgress) {
   const auto endsOf = [&](std::size_t i, auto add) {
     const auto [a, b] = links[i];
     add(a, b);
     add(b, a);
   };
-  Rows<int> rows = bucketed<int>(faceCount, links.size(), endsOf, onProgress);
-  return {std::move(rows.start), std::move(rows.item)};
+  return compressedRows<int>(faceCount, links.size(), endsOf, onProgress);
 }
 
 int countDuplicates(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress) {
@@ -132,7 +87,7 @@ int countDuplicates(int vertexCount, const std::vector<Triangle>& faces, const F
     const int low = std::min({a, b, c}), high = std::max({a, b, c}), middle = a ^ b ^ c ^ low ^ high;
     add(low, static_cast<Rest>(middle) << 32 | static_cast<Rest>(high));
   };
-  Rows<Rest> rests = bucketed<Rest>(vertexCount, faces.size(), restOf, partOf(onProgress, 0, 0.6));
+  CompressedRows<Rest> rests = compressedRows<Rest>(vertexCount, faces.size(), restOf, partOf(onProgress, 0, 0.6));
   sortRows(rests, partOf(onProgress, 0.6, 1));
   int count = 0;
   for (int v = 0; v < vertexCount; ++v) {
@@ -148,13 +103,12 @@ VertexFaces facesOfVertices(int vertexCount, const std::vector<Triangle>& faces)
   const auto cornersOf = [&](std::size_t f, auto add) {
     for (int v : faces[f]) add(v, static_cast<int>(f));
   };
-  Rows<int> rows = bucketed<int>(vertexCount, faces.size(), cornersOf);
-  return {std::move(rows.start), std::move(rows.item)};
+  return compressedRows<int>(vertexCount, faces.size(), cornersOf, {});
 }
 
 MeshCounts countMesh(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress) {
   MeshCounts counts;
-  Rows<Side> sides = collectSides(vertexCount, faces, [](int) { return true; }, partOf(onProgress, 0, 0.6));
+  CompressedRows<Side> sides = collectSides(vertexCount, faces, [](int) { return true; }, partOf(onProgress, 0, 0.6));
   eachEdge(sides, partOf(onProgress, 0.6, 0.7), [&](std::span<const Side> edge) {
     ++counts.edges;
     if (edge.size() == 1) ++counts.boundaryEdges;
@@ -193,7 +147,8 @@ FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const s
   const int faceCount = static_cast<int>(faces.size());
   std::vector<std::pair<int, int>> links;
   UnionFind joined(faceCount);
-  Rows<Side> sides = collectSides(vertexCount, faces, [&](int f) { return use[f] != 0; }, partOf(onProgress, 0, 0.5));
+  CompressedRows<Side> sides =
+      collectSides(vertexCount, faces, [&](int f) { return use[f] != 0; }, partOf(onProgress, 0, 0.5));
   links.reserve(sides.item.size() / 2);
   eachEdge(sides, partOf(onProgress, 0.5, 0.65), [&](std::span<const Side> edge) {
     // Consecutive faces at a non-manifold edge: enough to connect them, and linear in their number.
@@ -219,7 +174,7 @@ FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const s
 }
 
 std::vector<int> nextAlongEdge(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress) {
-  Rows<Side> sides = collectSides(vertexCount, faces, [](int) { return true; }, partOf(onProgress, 0, 0.8));
+  CompressedRows<Side> sides = collectSides(vertexCount, faces, [](int) { return true; }, partOf(onProgress, 0, 0.8));
   std::vector<int> next(3 * faces.size());
   std::iota(next.begin(), next.end(), 0);
   eachEdge(sides, partOf(onProgress, 0.8, 1), [&](std::span<const Side> edge) {

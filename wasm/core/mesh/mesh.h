@@ -4,31 +4,17 @@
 #include <span>
 #include <vector>
 
+#include "core/base/compressed_rows.h"
 #include "core/base/progress.h"
 #include "core/base/types.h"
 
 namespace shapespline {
 
-/// A graph on faces in compressed rows: the neighbours of face f are neighbour[start[f]] to neighbour[start[f + 1] -
-/// 1].
-struct FaceGraph {
-  std::vector<int> start;
-  std::vector<int> neighbour;
+/// A graph on faces: the neighbours of each.
+using FaceGraph = CompressedRows<int>;
 
-  std::span<const int> of(int face) const {
-    return {neighbour.data() + start[face], static_cast<std::size_t>(start[face + 1] - start[face])};
-  }
-};
-
-/// For each vertex the faces at it, in compressed rows.
-struct VertexFaces {
-  std::vector<int> start;
-  std::vector<int> face;
-
-  std::span<const int> of(int vertex) const {
-    return {face.data() + start[vertex], static_cast<std::size_t>(start[vertex + 1] - start[vertex])};
-  }
-};
+/// For each vertex the faces at it.
+using VertexFaces = CompressedRows<int>;
 
 VertexFaces facesOfVertices(int vertexCount, const std::vector<Triangle>& faces);
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <span>
 
+#include "core/base/compressed_rows.h"
 #include "core/base/no_inline_call.h"
 #include "core/base/simd.h"
 
@@ -14,13 +14,12 @@ namespace {
 
 // 0, 1, ... sorted by ascending key, equals in their own order.
 std::vector<int> sortedBy(const std::vector<int>& key) {
-  std::vector<int> order(key.size());
-  if (key.empty()) return order;
-  std::vector<int> start(static_cast<std::size_t>(*std::max_element(key.begin(), key.end())) + 2, 0);
-  for (int k : key) ++start[k + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  for (std::size_t i = 0; i < key.size(); ++i) order[start[key[i]]++] = static_cast<int>(i);
-  return order;
+  if (key.empty()) return {};
+  return compressedRows<int>(*std::max_element(key.begin(), key.end()) + 1,
+                             [&](auto add) {
+                               for (std::size_t i = 0; i < key.size(); ++i) add(key[i], static_cast<int>(i));
+                             })
+      .item;
 }
 
 // Face normal times twice the area.

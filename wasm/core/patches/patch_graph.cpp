@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -19,20 +18,16 @@ double onGrid(double cost) { return std::nearbyint(cost * 0x1p20); }
 
 PatchGraph::PatchGraph(std::vector<PatchLink> links, std::vector<double> area)
     : links_(std::move(links)), area_(std::move(area)) {
-  start_.assign(area_.size() + 1, 0);
   long long edges = 0, neighbours = 0;
-  for (const PatchLink& link : links_) {
-    ++start_[link.from + 1], ++start_[link.to + 1];
+  for (const PatchLink& link : links_)
     if (link.sharedEdges > 0) edges += link.sharedEdges, ++neighbours;
-  }
   if (neighbours > 0) meanSharedEdges_ = static_cast<double>(edges) / static_cast<double>(neighbours);
-  std::partial_sum(start_.begin(), start_.end(), start_.begin());
-  ends_.resize(start_.back());
-  std::vector<int> next(start_.begin(), start_.end() - 1);
-  for (int l = 0; l < static_cast<int>(links_.size()); ++l) {
-    ends_[next[links_[l].from]++] = {l, links_[l].to};
-    ends_[next[links_[l].to]++] = {l, links_[l].from};
-  }
+  ends_ = compressedRows<End>(patchCount(), [&](auto add) {
+    for (int l = 0; l < static_cast<int>(links_.size()); ++l) {
+      add(links_[l].from, {l, links_[l].to});
+      add(links_[l].to, {l, links_[l].from});
+    }
+  });
 }
 
 void PatchGraph::orient(const PatchTree& tree) {
@@ -60,7 +55,7 @@ PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool along
       if (reached[patch]) continue;
       reached[patch] = 1;
       tree.order.push_back(patch);
-      for (const End& end : at(patch)) {
+      for (const End& end : ends_.of(patch)) {
         const double there = (alongPaths ? distance[patch] : 0) + cost[end.link];
         if (reached[end.patch] || there >= distance[end.patch]) continue;
         distance[end.patch] = there;

@@ -1,9 +1,9 @@
 // The graph of patches: what joins neighbours, and what joins components. Trees in it.
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include "core/base/compressed_rows.h"
 #include "core/patches/partition.h"
 
 namespace shapespline {
@@ -48,16 +48,12 @@ class PatchGraph {
   struct End {
     int link, patch;
   };
-  std::span<const End> at(int patch) const {
-    return {ends_.data() + start_[patch], static_cast<std::size_t>(start_[patch + 1] - start_[patch])};
-  }
   PatchTree grow(const std::vector<double>& cost, int root, bool alongPaths, std::vector<double>& distance) const;
 
   std::vector<PatchLink> links_;
   std::vector<double> area_;
   double meanSharedEdges_ = 1;
-  std::vector<int> start_;
-  std::vector<End> ends_;
+  CompressedRows<End> ends_;  // by patch
 };
 
 }  // namespace shapespline

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+
+#include "core/base/compressed_rows.h"
 
 namespace shapespline {
 
@@ -42,7 +43,6 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
   // Every side of a face adds to the diagonal and to one entry below it. Column by column the latter are sorted by row
   // and added up in the order of the faces, so that the sums are reproducible.
   std::vector<double> diagonal(count, 0.0);
-  std::vector<std::size_t> start(static_cast<std::size_t>(count) + 1, 0);
   const auto eachSide = [&](const FractionReport& report, auto visit) {
     inBlocks(report, faces.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
@@ -51,45 +51,44 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
       }
     });
   };
-  eachSide(partOf(onProgress, 0.1, 0.3), [&](int, int i, int j) {
-    const int a = result.unknown[i], b = result.unknown[j];
-    if (a >= 0 && b >= 0) ++start[std::min(a, b) + 1];
-  });
-  std::partial_sum(start.begin(), start.end(), start.begin());
   struct Entry {
     int row;
     double value;
   };
-  std::vector<Entry> entries(start.back());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  RowSorter<Entry> sorter(count);
+  eachSide(partOf(onProgress, 0.1, 0.3), [&](int, int i, int j) {
+    const int a = result.unknown[i], b = result.unknown[j];
+    if (a >= 0 && b >= 0) sorter.count(std::min(a, b));
+  });
+  sorter.allocate();
   eachSide(partOf(onProgress, 0.3, 0.6), [&](int apex, int i, int j) {
     const Vec3 u = reference[i] - reference[apex], v = reference[j] - reference[apex];
     const double weight = u.dot(v) / u.cross(v).norm() / 2;  // half the cotangent of the angle opposite edge ij
     const int a = result.unknown[i], b = result.unknown[j];
     if (a >= 0) diagonal[a] += weight;
     if (b >= 0) diagonal[b] += weight;
-    if (a >= 0 && b >= 0) entries[next[std::min(a, b)]++] = {std::max(a, b), -weight};
+    if (a >= 0 && b >= 0) sorter.place(std::min(a, b), {std::max(a, b), -weight});
   });
+  CompressedRows<Entry> columns = sorter.take();
 
   const FractionReport onColumns = partOf(onProgress, 0.6, 1);
   SymmetricMatrix& matrix = result.matrix;
   matrix.size = count;
-  matrix.row.reserve(entries.size() / 2 + 2 * static_cast<std::size_t>(count));
+  matrix.row.reserve(columns.item.size() / 2 + 2 * static_cast<std::size_t>(count));
   matrix.value.reserve(matrix.row.capacity());
   for (int column = 0; column < count; ++column) {
     reportItem(onColumns, static_cast<std::size_t>(column), static_cast<std::size_t>(count));
     matrix.row.push_back(column);
     matrix.value.push_back(diagonal[column]);
-    const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(start[column]);
-    const auto end = entries.begin() + static_cast<std::ptrdiff_t>(start[column + 1]);
-    std::stable_sort(begin, end, [](const Entry& x, const Entry& y) { return x.row < y.row; });
-    for (auto entry = begin; entry != end; ++entry) {
-      if (entry->row == matrix.row.back()) {
-        matrix.value.back() += entry->value;
+    const std::span<Entry> entries = columns.of(column);
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) { return x.row < y.row; });
+    for (const Entry& entry : entries) {
+      if (entry.row == matrix.row.back()) {
+        matrix.value.back() += entry.value;
         continue;
       }
-      matrix.row.push_back(entry->row);
-      matrix.value.push_back(entry->value);
+      matrix.row.push_back(entry.row);
+      matrix.value.push_back(entry.value);
     }
     matrix.columnStart.push_back(static_cast<int>(matrix.row.size()));
   }

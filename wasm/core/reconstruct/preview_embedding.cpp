@@ -10,6 +10,7 @@
 #include "core/base/permutation.h"
 #include "core/base/precision.h"
 #include "core/base/simd.h"
+#include "core/base/union_find.h"
 #include "core/reconstruct/stretch_limits.h"
 
 namespace shapespline {
@@ -207,23 +208,17 @@ Status PreviewEmbedding::buildLinks(const Input& input) {
   for (int k = 0; k < count; ++k)
     for (int i = cells_[k].begin; i < cells_[k].begin + cells_[k].size; ++i) cellOf[vertex_[i]] = k;
   std::vector<Triplet> entries;
-  std::vector<int> root(count);  // of the cells that links join, the lowest
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int k) {
-    while (root[k] != k) k = root[k] = root[root[k]];
-    return k;
-  };
+  UnionFind joined(count);  // by links
   for (const auto& [a, b] : neighbours(input, cellOf)) {
     double angle = 0;
     for (int c = 0; c < columns_; ++c) angle = std::max(angle, keyRotation_[c][a].angularDistance(keyRotation_[c][b]));
     const double weight = linkWeight(angle);
     links_.push_back(link(a, b, weight, input.logarithmic));
     entries.insert(entries.end(), {{a, a, weight}, {b, b, weight}, {b, a, -weight}});
-    const int x = find(a), y = find(b);
-    root[std::max(x, y)] = std::min(x, y);
+    joined.join(a, b);
   }
   for (int k = 0; k < count; ++k)
-    if (find(k) == k) entries.push_back({k, k, 1.0});  // pinned to zero
+    if (joined.find(k) == k) entries.push_back({k, k, 1.0});  // pinned to zero
   for (const auto& [anchor, contact, pivot] : input.anchors)
     attachments_.push_back(
         attach(input, anchor, cellOf[input.shape.faces[anchor][0]], cellOf[input.shape.faces[contact][0]], pivot));

@@ -9,9 +9,9 @@ namespace shapespline {
 Assembly planAssembly(const SymmetricMatrix& matrix, const SymbolicFactor& symbolic) {
   const EntryMap map = mapEntries(matrix, symbolic.position);
   Assembly assembly;
-  assembly.slot.resize(map.source.size());
-  assembly.place.resize(map.source.size());
-  for (std::size_t i = 0; i < map.source.size(); ++i) assembly.slot[map.source[i]] = static_cast<int>(i);
+  assembly.slot.resize(map.item.size());
+  assembly.place.resize(map.item.size());
+  for (std::size_t i = 0; i < map.item.size(); ++i) assembly.slot[map.item[i].source] = static_cast<int>(i);
   for (int first : symbolic.first) assembly.start.push_back(map.start[first]);
 
   // Parents come after their children, and tell them where their rows are.
@@ -26,7 +26,7 @@ Assembly planAssembly(const SymmetricMatrix& matrix, const SymbolicFactor& symbo
     for (int r = 0; r < symbolic.rows(s); ++r) local[symbolic.rowsOf(s)[r]] = 4 * pivots.strips + r;
     for (int p = first; p < end; ++p)
       for (int i = map.start[p]; i < map.start[p + 1]; ++i) {
-        const int row = local[map.row[i]];
+        const int row = local[map.item[i].row];
         assembly.place[i] = pivots.stripAt(row / 4) + 4 * static_cast<std::size_t>(local[p]) + row % 4;
       }
     for (int child = firstChild[s]; child != -1; child = sibling[child])

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "core/base/simd.h"
 
@@ -19,9 +20,14 @@ constexpr int mostCorrections = 12;
 
 IterativeRefinement::IterativeRefinement(const SymmetricMatrix& matrix, const Cholesky& solver) {
   const auto position = solver.eliminationPosition();
-  const EntryMap map = mapEntries(matrix, {position.begin(), position.end()});
-  matrix_ = {matrix.size, map.start, map.row, {}};
-  for (int source : map.source) matrix_.value.push_back(matrix.value[source]);
+  EntryMap map = mapEntries(matrix, {position.begin(), position.end()});
+  matrix_ = {matrix.size, std::move(map.start), {}, {}};
+  matrix_.row.reserve(map.item.size());
+  matrix_.value.reserve(map.item.size());
+  for (const auto& [row, source] : map.item) {
+    matrix_.row.push_back(row);
+    matrix_.value.push_back(matrix.value[source]);
+  }
 }
 
 // residual -= A x

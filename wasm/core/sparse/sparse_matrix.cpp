@@ -1,7 +1,9 @@
 #include "core/sparse/sparse_matrix.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
 
 namespace shapespline {
@@ -17,19 +19,18 @@ Error malformed(ErrorCode code, const std::string& what, int index) {
 // Stable counting sort of the triplets' indices: result lists them by ascending key.
 template <class Key>
 std::vector<int> sortedBy(int size, const std::vector<int>& input, Key key) {
-  std::vector<int> start(static_cast<std::size_t>(size) + 1, 0);
-  for (int i : input) ++start[key(i) + 1];
-  for (int c = 0; c < size; ++c) start[c + 1] += start[c];
-  std::vector<int> output(input.size());
-  for (int i : input) output[start[key(i)]++] = i;
-  return output;
+  return compressedRows<int>(size,
+                             [&](auto add) {
+                               for (int i : input) add(key(i), i);
+                             })
+      .item;
 }
 
 }  // namespace
 
 SymmetricMatrix assembleSymmetric(int size, std::span<const Triplet> lowerTriplets) {
   std::vector<int> sorted(lowerTriplets.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = static_cast<int>(i);
+  std::iota(sorted.begin(), sorted.end(), 0);
   sorted = sortedBy(size, sorted, [&](int i) { return lowerTriplets[i].row; });
   sorted = sortedBy(size, sorted, [&](int i) { return lowerTriplets[i].column; });
 
@@ -78,25 +79,13 @@ Status checkSymmetric(const SymmetricMatrix& matrix) {
 }
 
 EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position) {
-  EntryMap map;
-  map.start.assign(static_cast<std::size_t>(matrix.size) + 1, 0);
-  const auto forEachEntry = [&](auto visit) {
+  return compressedRows<MappedEntry>(matrix.size, [&](auto add) {
     for (int column = 0; column < matrix.size; ++column)
       for (int i = matrix.columnStart[column]; i < matrix.columnStart[column + 1]; ++i) {
         const int p = position[column], q = position[matrix.row[i]];
-        visit(std::min(p, q), std::max(p, q), i);
+        add(std::min(p, q), {std::max(p, q), i});
       }
-  };
-  forEachEntry([&](int p, int, int) { ++map.start[p + 1]; });
-  for (int p = 0; p < matrix.size; ++p) map.start[p + 1] += map.start[p];
-  map.row.resize(matrix.row.size());
-  map.source.resize(matrix.row.size());
-  std::vector<int> next(map.start.begin(), map.start.end() - 1);
-  forEachEntry([&](int p, int q, int i) {
-    map.row[next[p]] = q;
-    map.source[next[p]++] = i;
   });
-  return map;
 }
 
 }  // namespace shapespline

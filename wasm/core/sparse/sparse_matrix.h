@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/compressed_rows.h"
 #include "core/base/status.h"
 
 namespace shapespline {
@@ -34,11 +35,13 @@ SymmetricMatrix assembleSymmetric(int size, std::span<const Triplet> lowerTriple
 /// error.vertex is the offending row or column.
 Status checkSymmetric(const SymmetricMatrix& matrix);
 
-/// Where the entries of a matrix go: those that column p of the factor starts from are entry i in
-/// [start[p], start[p + 1]): matrix.value[source[i]] at row position row[i] >= p.
-struct EntryMap {
-  std::vector<int> start, row, source;
+/// An entry that column p of the factor starts from: matrix.value[source] at row position row >= p.
+struct MappedEntry {
+  int row, source;
 };
+
+/// Where the entries of a matrix go, by column of the factor.
+using EntryMap = CompressedRows<MappedEntry>;
 
 EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position);
 

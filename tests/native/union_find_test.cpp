@@ -1,0 +1,24 @@
+#include "core/base/union_find.h"
+
+#include <doctest/doctest.h>
+
+using namespace shapespline;
+
+TEST_CASE("a set is known by its least member, in whichever order it was joined") {
+  UnionFind sets(8);
+  CHECK(sets.find(7) == 7);
+  CHECK(sets.join(6, 4));
+  CHECK(sets.join(2, 6));
+  CHECK_FALSE(sets.join(4, 2));
+  CHECK(sets.join(7, 5));
+  CHECK(sets.join(5, 4));
+  for (int x : {2, 4, 5, 6, 7}) CHECK(sets.find(x) == 2);
+  for (int x : {0, 1, 3}) CHECK(sets.find(x) == x);
+}
+
+TEST_CASE("sets that are reset are all apart again") {
+  UnionFind sets(3);
+  sets.join(0, 2);
+  sets.reset(4);
+  for (int x = 0; x < 4; ++x) CHECK(sets.find(x) == x);
+}
