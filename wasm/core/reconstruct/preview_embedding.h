@@ -55,12 +55,12 @@ class PreviewEmbedding {
           std::vector<float>& places) const;
 
  private:
+  class Builder;
   PreviewEmbedding() = default;
-  Status build(const Input& input);
   // Vertices of one cell, four side by side: numbers_ holds x, y and z of each column for each block.
   struct Cell {
     int frame, component;  // component -1: anchored vertices
-    int begin, end;        // in vertex_ and place_, in whole blocks of four
+    int begin, end;        // in place_, in whole blocks of four
     int size;
     std::vector<Vec3> turn;  // against its frame, one per column
   };
@@ -78,13 +78,6 @@ class PreviewEmbedding {
     std::vector<Vec3> turn, offset, reach;  // one per column
   };
 
-  void divide(const Input& input, std::span<int> vertices, int limit);
-  void addCell(const Input& input, std::span<int> vertices, int anchor);
-  void encodeVertices(const Input& input);
-  Link link(int from, int to, double weight, bool logarithmic) const;
-  Attachment attach(const Input& input, int face, int from, int to, const std::vector<Vec3>& pivot) const;
-  std::vector<std::pair<int, int>> neighbours(const Input& input, const std::vector<int>& cellOf) const;
-  Status buildLinks(const Input& input);
   static Vec3 way(const Link& link, const Quaternion& middle, const PoseWeights& weights);
   void settle(const PoseWeights& weights, const std::vector<Quaternion>& frames, Scratch& scratch) const;
 
@@ -96,11 +89,6 @@ class PreviewEmbedding {
   std::vector<Link> links_;  // between neighbouring cells
   std::vector<Attachment> attachments_;
   Cholesky laplacian_;
-  // while it is built: the vertex at each of place_, each cell's anchor face or -1, and of the columns the rotation and
-  // centre of each cell
-  std::vector<int> vertex_, anchorOf_;
-  std::vector<std::vector<Quaternion>> keyRotation_;
-  std::vector<std::vector<Vec3>> keyCentre_;
 };
 
 }  // namespace shapespline
