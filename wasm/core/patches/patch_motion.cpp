@@ -35,40 +35,44 @@ Vec3 wheelAxis(const Positions& positions, const std::vector<Triangle>& faces, c
 }  // namespace
 
 Result<PatchMotion> PatchMotion::create(const WeldedShape& shape, PatchCoordinates coordinates) {
-  PatchMotion motion(std::move(coordinates));
-  if (Status status = motion.build(shape); !status) return status.error();
-  return motion;
-}
-
-Status PatchMotion::build(const WeldedShape& shape) {
-  steps_ = {shape.keys};
-  closing_ = shape.closing;
-  for (int s = 0; s < steps_.count(); ++s) posesOf_.push_back(posesOf(shape, s));
-  own_.key = patches_.rotation;
-  own_.increment.resize(steps_.count());
-  const std::vector<int> open = stepsOf(shape, false), loop = stepsOf(shape, true);
-  for (const auto& [solver, steps] : {std::pair(&open_, &open), std::pair(&loop_, &loop)}) {
-    Result<Solver> made = makeSolver(*steps);
+  PatchMotion motion(shape, std::move(coordinates));
+  const std::vector<int> open = motion.stepsOf(shape, false), loop = motion.stepsOf(shape, true);
+  for (const auto& [solver, steps] : {std::pair(&motion.open_, &open), std::pair(&motion.loop_, &loop)}) {
+    Result<Solver> made = motion.makeSolver(*steps);
     if (!made) return made.error();
     *solver = std::move(*made);
   }
+  motion.findOwnPaths(open);
+  motion.open_->alignment = motion.makeAlignment(*motion.open_, open);
+  motion.loop_->alignment = motion.makeAlignment(*motion.loop_, loop);
+  motion.findAxes();
+  return motion;
+}
+
+PatchMotion::PatchMotion(const WeldedShape& shape, PatchCoordinates coordinates)
+    : steps_{shape.keys}, closing_(shape.closing), patches_(std::move(coordinates)) {
+  for (int s = 0; s < steps_.count(); ++s) posesOf_.push_back(posesOf(shape, s));
+  own_.key = patches_.rotation;
+  own_.increment.resize(steps_.count());
+}
+
+void PatchMotion::findOwnPaths(const std::vector<int>& open) {
   for (const int s : open) findOwnIncrements(*open_, s);
   findOwnIncrements(*loop_, steps_.closing());
-  if (closing_) {
-    const auto [from, to] = posesOf_[steps_.turnedClosing()];
-    for (std::size_t k = 0; k < own_.key[0].size(); ++k) {
-      const Quaternion turned = closing_->rotation * own_.key[to][k];
-      own_.increment[steps_.turnedClosing()].push_back(nearestRepresentative(
-          logRotation(Quaternion(own_.key[from][k].conjugate() * turned)), own_.increment[shape.keys - 2][k]));
-    }
+  if (!closing_) return;
+  const auto [from, to] = posesOf_[steps_.turnedClosing()];
+  for (std::size_t k = 0; k < own_.key[0].size(); ++k) {
+    const Quaternion turned = closing_->rotation * own_.key[to][k];
+    own_.increment[steps_.turnedClosing()].push_back(nearestRepresentative(
+        logRotation(Quaternion(own_.key[from][k].conjugate() * turned)), own_.increment[steps_.keys - 2][k]));
   }
-  open_->alignment = makeAlignment(*open_, open);
-  loop_->alignment = makeAlignment(*loop_, loop);
+}
+
+void PatchMotion::findAxes() {
   for (int s = 0; s < steps_.closing(); ++s) {
     const Vec3 turn = worldTurn(s);
     axis_.push_back(turn.norm() > atRest ? Vec3(turn.normalized()) : Vec3(Vec3::UnitY()));
   }
-  return {};
 }
 
 std::vector<int> PatchMotion::stepsOf(const WeldedShape& shape, bool loop) const {

@@ -48,18 +48,19 @@ class PatchMotion {
     PatchRotationSystem system;
     GlobalAlignment alignment;
   };
-  explicit PatchMotion(PatchCoordinates coordinates) : patches_(std::move(coordinates)) {}
-  Status build(const WeldedShape& shape);
+  PatchMotion(const WeldedShape& shape, PatchCoordinates coordinates);
   std::vector<int> stepsOf(const WeldedShape& shape, bool loop) const;
   Result<Solver> makeSolver(const std::vector<int>& steps) const;
   void partWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const;
+  void findOwnPaths(const std::vector<int>& open);
   void findOwnIncrements(const Solver& solver, int step);
   GlobalAlignment makeAlignment(const Solver& solver, const std::vector<int>& steps) const;
+  void findAxes();
   Vec3 worldTurn(int step) const;
   Vec3 turnAxis(const WeldedShape& shape, int step, std::size_t bridge) const;
   Quaternion addedTurn(const CurvePoint& point, const PatchTurns& turns) const;
 
-  KeySteps steps_{0};
+  KeySteps steps_;
   std::vector<StepPoses> posesOf_;      // at either end of each step
   std::optional<RigidMotion> closing_;  // of a loop whose last key is the first one again
   PatchCoordinates patches_;

@@ -1,5 +1,8 @@
 #include "core/patches/patch_rotations.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace shapespline {
 
 namespace {
@@ -11,40 +14,41 @@ double power(double base, int exponent) {
   return result;
 }
 
+// Of the graph with weighted links. Holding each root makes it definite; the rotation left free is set by the caller.
+SymmetricMatrix laplacianOf(const std::vector<PatchLink>& links, const PatchTree& tree,
+                            const std::vector<double>& weight) {
+  std::vector<Triplet> entries;
+  for (std::size_t l = 0; l < weight.size(); ++l) {
+    const auto [i, j, edges] = links[l];
+    entries.push_back({i, i, weight[l]});
+    entries.push_back({j, j, weight[l]});
+    entries.push_back({std::max(i, j), std::min(i, j), -weight[l]});
+  }
+  const int count = static_cast<int>(tree.parent.size());
+  for (int k = 0; k < count; ++k)
+    if (tree.parent[k] < 0) entries.push_back({k, k, 1});
+  return assembleSymmetric(count, entries);
+}
+
 }  // namespace
 
 Result<PatchRotationSystem> PatchRotationSystem::create(const PatchGraph& graph, PatchTree tree,
                                                         std::vector<double> weight) {
-  PatchRotationSystem system;
-  system.links_ = graph.links();
-  system.tree_ = std::move(tree);
-  system.weight_ = std::move(weight);
-  if (Status status = system.build(graph); !status) return status.error();
-  return system;
+  const SymmetricMatrix matrix = laplacianOf(graph.links(), tree, weight);
+  Cholesky laplacian;
+  if (Status status = laplacian.analyse(matrix, {}, Precision::Double); !status) return status.error();
+  if (Status status = laplacian.factorise(matrix); !status) return status.error();
+  return PatchRotationSystem(graph, std::move(tree), std::move(weight), std::move(laplacian));
 }
 
-Status PatchRotationSystem::build(const PatchGraph& graph) {
-  const int count = graph.patchCount();
+PatchRotationSystem::PatchRotationSystem(const PatchGraph& graph, PatchTree tree, std::vector<double> weight,
+                                         Cholesky laplacian)
+    : links_(graph.links()), tree_(std::move(tree)), weight_(std::move(weight)), laplacian_(std::move(laplacian)) {
   double total = 0;
   for (double a : graph.area()) total += a;
-  area_.clear();
   for (double a : graph.area()) area_.push_back(a / total);
-  std::vector<Triplet> entries;
-  for (std::size_t l = 0; l < weight_.size(); ++l) {
-    const auto [i, j, edges] = links_[l];
-    entries.push_back({i, i, weight_[l]});
-    entries.push_back({j, j, weight_[l]});
-    entries.push_back({std::max(i, j), std::min(i, j), -weight_[l]});
-  }
-  // Holding each root makes the matrix definite; the rotation left free is set by the caller.
-  for (int k = 0; k < count; ++k)
-    if (tree_.parent[k] < 0) entries.push_back({k, k, 1});
-  const SymmetricMatrix matrix = assembleSymmetric(count, entries);
-  if (Status status = laplacian_.analyse(matrix, {}, Precision::Double); !status) return status;
-  if (Status status = laplacian_.factorise(matrix); !status) return status;
   const auto position = laplacian_.eliminationPosition();
   position_.assign(position.begin(), position.end());
-  return {};
 }
 
 void PatchRotationSystem::startOnTree(const std::vector<Quaternion>& connection,

@@ -36,8 +36,7 @@ class PatchRotationSystem {
   const PatchTree& tree() const { return tree_; }
 
  private:
-  PatchRotationSystem() = default;
-  Status build(const PatchGraph& graph);
+  PatchRotationSystem(const PatchGraph& graph, PatchTree tree, std::vector<double> weight, Cholesky laplacian);
   void startOnTree(const std::vector<Quaternion>& connection, std::vector<Quaternion>& rotation) const;
   void step(const std::vector<Quaternion>& connection, int caution, Scratch& scratch,
             std::vector<Quaternion>& rotation) const;
