@@ -234,32 +234,6 @@ Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const F
   return result;
 }
 
-template <class Real>
-Result<PreviewEmbedding> Reconstructor<Real>::makePreview(const FramePoses& poses) const {
-  std::vector<int> faceOfVertex(shape_->vertexCount(), -1);
-  for (int f = 0; f < shape_->faceCount(); ++f)
-    if (frameOf_[f] >= 0)
-      for (int v : shape_->faces[f])
-        if (faceOfVertex[v] < 0) faceOfVertex[v] = f;
-  std::vector<int> loose;
-  for (const LooseVertex& l : lri_.loose) {
-    faceOfVertex[l.vertex] = l.anchorFace;
-    loose.push_back(l.vertex);
-  }
-  const auto turn = [&](int f, int c) { return lri_.face.rotation(f, c); };
-  std::vector<EmbeddedPlace> anchors;
-  for (const ComponentPlace& place : lri_.places) {
-    anchors.push_back({place.anchorFace, place.contactFace, {}});
-    for (int c = 0; c < shape_->columns(); ++c) {
-      const Quaternion anchor = poses.rotation[c][place.anchorFrame] * expQuaternion(turn(place.anchorFace, c));
-      anchors.back().pivot.push_back(centroidOf(shape_->poses[c], shape_->faces[place.anchorFace]) +
-                                     anchor * place.offset[c]);
-    }
-  }
-  return PreviewEmbedding::create({*shape_, placeOf_, faceOfVertex, loose, frameOf_, componentOfFace_, poses.rotation,
-                                   turn, std::move(anchors), stretch_ == Stretch::Log});
-}
-
 template class Reconstructor<float>;
 template class Reconstructor<double>;
 

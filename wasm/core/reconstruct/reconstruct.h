@@ -10,7 +10,6 @@
 #include "core/lri/lri.h"
 #include "core/reconstruct/face_kernel.h"
 #include "core/reconstruct/poisson.h"
-#include "core/reconstruct/preview_embedding.h"
 #include "core/spline/pose_weights.h"
 
 namespace shapespline {
@@ -70,14 +69,11 @@ class Reconstructor {
   Reconstruction reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch,
                              Positions& positions) const;
 
-  /// What makes approximate shapes at a fraction of the cost. poses: the frames that the coordinates are in. Error:
-  /// that of its solver.
-  Result<PreviewEmbedding> makePreview(const FramePoses& poses) const;
-
   /// R_f of every face at `point` in the frames there; the identity for faces without area.
   void faceRotations(const CurvePoint& point, const Frames& frames, std::vector<Quaternion>& rotation) const;
 
   const LriCoordinates<Real>& coordinates() const { return lri_; }
+  Stretch stretch() const { return stretch_; }
   CholeskyStats solverStats() const { return poisson_.stats(); }
   const Times& times() const { return times_; }
 

@@ -59,7 +59,7 @@ Status Sequence::evaluate(double t, Positions& positions) {
 
 Status Sequence::preparePreview() {
   if (preview_) return {};
-  auto made = encoded_.withReconstructor([&](const auto& r) { return r.makePreview(encoded_.framePoses()); });
+  auto made = makePreview(encoded_);
   if (!made) return made.error();
   preview_ = std::move(*made);
   return {};

@@ -9,6 +9,7 @@
 #include "core/sequence/evaluator.h"
 #include "core/sequence/feature_curve.h"
 #include "core/sequence/motion.h"
+#include "core/sequence/preview.h"
 
 namespace shapespline {
 
