@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/centroid.h"
 #include "core/base/format.h"
@@ -69,7 +70,7 @@ void putInOrder(WeldedShape& shape, InputMesh& input, const FractionReport& onPr
 
 }  // namespace
 
-Result<EncodedShape> EncodedShape::build(const Keyframes& keyframes, const EncodingOptions& options,
+Result<EncodedShape> EncodedShape::build(Keyframes keyframes, const EncodingOptions& options,
                                          const StageProgress& progress) {
   const Stage welding{progress, "welding"}, factorising{progress, "factorising"};
   welding(0);
@@ -77,11 +78,12 @@ Result<EncodedShape> EncodedShape::build(const Keyframes& keyframes, const Encod
   if (Status status = checkEncoding(options, keyframes); !status) return status.error();
   EncodedShape encoded;
   Stopwatch watch;
-  encoded.weldKeys(keyframes, options, welding);
+  const Positions normals = std::move(keyframes.normals);
+  encoded.weldKeys(std::move(keyframes), options, welding);
   encoded.stats_.weldMs = watch.lap();
   welding(1);
   if (Status status = encoded.encodePoses(options, progress); !status) return status.error();
-  encoded.prepareNormals(keyframes.normals, partOf(factorising, 0.95, 0.97));
+  encoded.prepareNormals(normals, partOf(factorising, 0.95, 0.97));
   factorising(0.97);
   encoded.describeGhost();
   encoded.numberComponents();
@@ -89,8 +91,7 @@ Result<EncodedShape> EncodedShape::build(const Keyframes& keyframes, const Encod
   return encoded;
 }
 
-void EncodedShape::weldKeys(const Keyframes& keyframes, const EncodingOptions& options,
-                            const FractionReport& onProgress) {
+void EncodedShape::weldKeys(Keyframes keyframes, const EncodingOptions& options, const FractionReport& onProgress) {
   std::vector<const Positions*> poses;
   for (const Key& key : keyframes.keys) poses.push_back(&key.positions);
   WeldedShape shape;
@@ -100,10 +101,11 @@ void EncodedShape::weldKeys(const Keyframes& keyframes, const EncodingOptions& o
     shape.startTangent = static_cast<int>(poses.size()), poses.push_back(&*options.startTangent);
   if (options.endTangent) shape.endTangent = static_cast<int>(poses.size()), poses.push_back(&*options.endTangent);
   for (const Positions* pose : poses) diagonal_ = std::max(diagonal_, boundingDiagonal({&pose, 1}));
-  input_.faces = keyframes.faces;
+  input_.faces = std::move(keyframes.faces);
   input_.welding = weld(poses, weldTolerances(poses), partOf(onProgress, 0, 0.5));
   shape.faces = weldFaces(input_.faces, input_.welding);
   for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, input_.welding));
+  keyframes.keys.clear();  // what follows takes the most memory, and works on the welded poses
   shape.closing = closingOf(shape, diagonal_);
   putInOrder(shape, input_, partOf(onProgress, 0.55, 1));
   stats_.weldedVertices = input_.welding.count;

@@ -38,9 +38,9 @@ struct FramesScratch {
 /// pose of the input.
 class EncodedShape {
  public:
-  /// progress: stages and fractions as in build_progress.h. Errors: those of validate(), InvalidOption,
-  /// VertexCountMismatch and NotFinite of tangent shapes, NoArea, and those of the solver.
-  static Result<EncodedShape> build(const Keyframes& keyframes, const EncodingOptions& options,
+  /// keyframes: freed once they are welded. progress: stages and fractions as in build_progress.h. Errors: those of
+  /// validate(), InvalidOption, VertexCountMismatch and NotFinite of tangent shapes, NoArea, and those of the solver.
+  static Result<EncodedShape> build(Keyframes keyframes, const EncodingOptions& options,
                                     const StageProgress& progress = {});
 
   const WeldedShape& shape() const { return *shape_; }  ///< its mesh in canonical order
@@ -92,7 +92,7 @@ class EncodedShape {
   using AnyReconstructor = std::variant<Reconstructor<float>, Reconstructor<double>>;
 
   EncodedShape() = default;
-  void weldKeys(const Keyframes& keyframes, const EncodingOptions& options, const FractionReport& onProgress);
+  void weldKeys(Keyframes keyframes, const EncodingOptions& options, const FractionReport& onProgress);
   Status encodePoses(const EncodingOptions& options, const StageProgress& progress);
   template <class Real>
   Status makeReconstructor(const ShapeTopology& topology, const EncodingOptions& options,

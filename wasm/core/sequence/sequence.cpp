@@ -23,16 +23,17 @@ std::vector<double> timesOf(const Keyframes& keyframes) {
 
 }  // namespace
 
-Result<Sequence> Sequence::create(const Keyframes& keyframes, const EncodingOptions& encoding,
-                                  const MotionOptions& motion, const StageProgress& progress) {
+Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
+                                  const StageProgress& progress) {
   double reached = 0;
   const StageProgress report = [&, withGhost = encoding.ghostFaces > 0](const char* stage, double fraction) {
     reached = std::max(reached, wholeProgress(stage, fraction, withGhost));
     if (progress) progress(stage, reached);
   };
-  auto encoded = EncodedShape::build(keyframes, encoding, report);
+  std::vector<double> times = timesOf(keyframes);
+  auto encoded = EncodedShape::build(std::move(keyframes), encoding, report);
   if (!encoded) return encoded.error();
-  auto fitted = Motion::fit(*encoded, timesOf(keyframes), motion);
+  auto fitted = Motion::fit(*encoded, std::move(times), motion);
   if (!fitted) return fitted.error();
   report("factorising", 1);
   return Sequence(std::move(*encoded), std::move(*fitted));

@@ -17,10 +17,11 @@ namespace shapespline {
 /// keys, options and t, bit for bit. Not thread-safe.
 class Sequence {
  public:
-  /// progress: called with a stage's name and the fraction of the whole work that is done, in [0, 1] and never falling.
+  /// keyframes: moved in where the caller needs them no more; freed once they are welded. progress: called with a
+  /// stage's name and the fraction of the whole work that is done, in [0, 1] and never falling.
   /// Errors: those of EncodedShape::build and of Motion::fit.
-  static Result<Sequence> create(const Keyframes& keyframes, const EncodingOptions& encoding,
-                                 const MotionOptions& motion, const StageProgress& progress = {});
+  static Result<Sequence> create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
+                                 const StageProgress& progress = {});
 
   /// Another motion through the same keys. Errors: those of Motion::fit; the old motion stays then.
   Status update(const MotionOptions& motion, const std::vector<double>& keyTimes);
