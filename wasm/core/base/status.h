@@ -43,13 +43,15 @@ enum class ErrorCode {
 const char* errorCodeName(ErrorCode code);
 
 /// One failure: a sentence that says what, where and what to do, and the place in numbers where there is one.
-/// key, vertex and face are 0-based indices of the input, or -1; message counts keys from 1, as people do.
+/// key, vertex and face are 0-based indices of the input, row is one of the system that could not be solved, or -1;
+/// message counts keys from 1, as people do.
 struct Error {
   ErrorCode code = ErrorCode::Internal;
   std::string message;
   int key = -1;
   int vertex = -1;
   int face = -1;
+  int row = -1;
 };
 
 /// A value or the error that prevented it.

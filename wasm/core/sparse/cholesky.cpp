@@ -61,7 +61,7 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (coordinates[i].allFinite()) continue;
     Error error{ErrorCode::NotFinite, "The coordinates of unknown " + std::to_string(i) + " are not finite."};
-    error.vertex = static_cast<int>(i);
+    error.row = static_cast<int>(i);
     return error;
   }
   state_ = std::make_unique<State>();
@@ -126,7 +126,7 @@ Status Cholesky::factoriseStatus() const {
     Error error{ErrorCode::NotPositiveDefinite,
                 "The matrix is not positive definite: its factorisation breaks down at unknown " +
                     std::to_string(unknown) + "."};
-    error.vertex = unknown;
+    error.row = unknown;
     return error;
   }
   if (!state_->factorised) return Error{ErrorCode::Internal, "The factorisation has not been finished."};

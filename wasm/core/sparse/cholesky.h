@@ -51,7 +51,7 @@ class Cholesky {
   /// In [0, 1], 1 when nothing is left to do.
   double factoriseProgress() const;
 
-  /// Error NotPositiveDefinite if a pivot was negative; error.vertex is its unknown, in the matrix's numbering.
+  /// Error NotPositiveDefinite if a pivot was negative; error.row is its unknown, in the matrix's numbering.
   Status factoriseStatus() const;
 
   /// beginFactorise and factoriseSome to the end.

@@ -1,6 +1,7 @@
 #include "core/sparse/sparse_matrix.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -12,7 +13,7 @@ namespace {
 
 Error malformed(ErrorCode code, const std::string& what, int index) {
   Error error{code, "The matrix " + what + " at unknown " + std::to_string(index) + "."};
-  error.vertex = index;
+  error.row = index;
   return error;
 }
 
@@ -29,6 +30,8 @@ std::vector<int> sortedBy(int size, const std::vector<int>& input, Key key) {
 }  // namespace
 
 SymmetricMatrix assembleSymmetric(int size, std::span<const Triplet> lowerTriplets) {
+  assert(std::all_of(lowerTriplets.begin(), lowerTriplets.end(),
+                     [&](const Triplet& t) { return 0 <= t.column && t.column <= t.row && t.row < size; }));
   std::vector<int> sorted(lowerTriplets.size());
   std::iota(sorted.begin(), sorted.end(), 0);
   sorted = sortedBy(size, sorted, [&](int i) { return lowerTriplets[i].row; });

@@ -32,7 +32,7 @@ struct SymmetricMatrix {
 SymmetricMatrix assembleSymmetric(int size, std::span<const Triplet> lowerTriplets);
 
 /// Error unless the matrix has the form that SymmetricMatrix promises and every value is finite;
-/// error.vertex is the offending row or column.
+/// error.row is the offending row or column.
 Status checkSymmetric(const SymmetricMatrix& matrix);
 
 /// An entry that column p of the factor starts from: matrix.value[source] at row position row >= p.
