@@ -1,12 +1,23 @@
 #include "core/ghost/collapse_mesh.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace shapespline {
 
 namespace {
 
 bool contains(const Triangle& face, int v) { return face[0] == v || face[1] == v || face[2] == v; }
+
+// Whether all have three different corners, and no two the same.
+[[maybe_unused]] bool areTrianglesOnce(std::vector<Triangle> faces) {
+  for (Triangle& face : faces) {
+    std::sort(face.begin(), face.end());
+    if (face[0] == face[1] || face[1] == face[2]) return false;
+  }
+  std::sort(faces.begin(), faces.end());
+  return std::adjacent_find(faces.begin(), faces.end()) == faces.end();
+}
 
 }  // namespace
 
@@ -18,6 +29,7 @@ CollapseMesh::CollapseMesh(int vertexCount, std::vector<Triangle> faces)
       kind_(vertexCount, Kind::Fixed),
       alive_(static_cast<int>(faces_.size())),
       slot_(vertexCount, -1) {
+  assert(areTrianglesOnce(faces_));
   for (int corner = 3 * alive_ - 1; corner >= 0; --corner) {
     const int v = faces_[corner / 3][corner % 3];
     next_[corner] = first_[v];

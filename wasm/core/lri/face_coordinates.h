@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "core/base/permutation.h"
 #include "core/base/progress.h"
 #include "core/base/types.h"
 #include "core/spline/pose_weights.h"
@@ -127,6 +129,7 @@ class FaceCoordinates {
   /// Moves the faces within the blocks, column by column to hold a second copy of one only: order[i] is the face that
   /// comes to slot i. Once only.
   void reorder(const std::vector<int>& order, const FractionReport& onProgress = {}) {
+    assert(slot_.empty() && isPermutation(order));
     slot_.resize(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) slot_[order[i]] = static_cast<int>(i);
     std::vector<Real> moved(order.size() * numbersPerFace);

@@ -1,6 +1,7 @@
 #include "core/sequence/evaluator.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/base/stopwatch.h"
@@ -8,6 +9,11 @@
 namespace shapespline {
 
 namespace {
+
+CurvePoint pointAt(const Motion& motion, double t) {
+  assert(std::isfinite(t));
+  return motion.at(t);
+}
 
 bool moves(const RigidMotion& motion) { return motion.rotation.w() != 1 || motion.translation != Vec3::Zero(); }
 
@@ -21,13 +27,14 @@ void blendVertices(const WeldedShape& shape, const CurvePoint& point, Positions&
 }  // namespace
 
 void Evaluator::frame(const EncodedShape& encoded, const Motion& motion, double t, Frame& frame) {
-  const CurvePoint point = motion.at(t);
+  const CurvePoint point = pointAt(motion, t);
   fill(encoded, motion, point, motion.globalMotion(encoded, t, point), frame);
 }
 
 void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& blend,
                       Frame& frame) {
   const Columns columns{encoded.shape().keys};
+  assert(blend.size() == static_cast<std::size_t>(columns.keys));
   Weights weights = Weights::Zero(columns.count());
   weights.head(columns.keys) = Eigen::Map<const Eigen::VectorXd>(blend.data(), columns.keys);
   fill(encoded, motion, blendedPoint(weights, columns), {}, frame);
@@ -74,7 +81,7 @@ Reconstruction Evaluator::placeBlend(const EncodedShape& encoded, const CurvePoi
 }
 
 void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, double t, Positions& positions) {
-  const CurvePoint point = motion.at(t);
+  const CurvePoint point = pointAt(motion, t);
   if (motion.blendsVertices()) {
     blendVertices(encoded.shape(), point, welded_);
   } else {
@@ -99,7 +106,7 @@ void Evaluator::embed(const EncodedShape& encoded, const Motion& motion, const P
 
 void Evaluator::preview(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t,
                         Frame& frame) {
-  const CurvePoint point = motion.at(t);
+  const CurvePoint point = pointAt(motion, t);
   frame.indefiniteFaces = 0;
   frame.indefiniteFace = -1;
   stats_.framesMs = stats_.facesMs = stats_.solveMs = stats_.placeMs = 0;
@@ -109,7 +116,7 @@ void Evaluator::preview(const EncodedShape& encoded, const Motion& motion, const
 
 PreviewError Evaluator::previewError(const EncodedShape& encoded, const Motion& motion,
                                      const PreviewEmbedding& embedding, double t) {
-  const CurvePoint point = motion.at(t);
+  const CurvePoint point = pointAt(motion, t);
   PlacedShape<float> exact, about;
   const double framesMs = stats_.framesMs;  // of the last frame
   place(encoded, motion, point, exact, nullptr);
@@ -149,9 +156,10 @@ void Evaluator::draw(const EncodedShape& encoded, const RigidMotion& global, Fra
 }
 
 void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double t, std::vector<float>& positions) {
+  assert(encoded.ghostMotion());
   Stopwatch watch;
   const GhostMotion& ghost = *encoded.ghostMotion();
-  const CurvePoint point = motion.at(t);
+  const CurvePoint point = pointAt(motion, t);
   if (motion.blendsVertices()) blendVertices(ghost.shape(), point, welded_);
   else ghost.positions(point, motion.turns(), framesScratch_.ghost, welded_);
   stats_.ghostMs = watch.lap();
@@ -163,7 +171,7 @@ void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double 
 
 void Evaluator::patchRotations(const EncodedShape& encoded, const Motion& motion, double t,
                                std::vector<Quaternion>& rotations) {
-  const CurvePoint point = motion.at(t);
+  const CurvePoint point = pointAt(motion, t);
   encoded.patches().at(point, motion.turns(), framesScratch_.patches, frames_);
   const Quaternion turn = motion.globalMotion(encoded, t, point).rotation;
   rotations.clear();

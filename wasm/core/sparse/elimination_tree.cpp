@@ -1,6 +1,7 @@
 #include "core/sparse/elimination_tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 
 namespace shapespline {
@@ -87,6 +88,7 @@ int findRoot(std::vector<int>& set, int i) {
 
 std::vector<int> factorColumnCounts(const Graph& graph, const std::vector<int>& parent,
                                     const FractionReport& onProgress) {
+  assert(std::ranges::is_sorted(postorder(parent)));
   const int size = graph.size();
   // Row i of the factor is a subtree rooted at i; a column's count is the number of row subtrees it lies in. Each row
   // subtree adds one at its leaves and takes one off where two branches meet.
