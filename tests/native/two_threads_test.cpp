@@ -62,23 +62,23 @@ TEST_CASE("tree cut: two threads have less than two thirds of the work of one") 
   CHECK(std::max(first, second) + top < 2.0 / 3 * (first + second + top));
 }
 
-TEST_CASE("face halves: every face once, by its last corner, no corner in both halves, whole groups of four") {
+TEST_CASE("face order: every face once, by its last corner, no corner in both halves, whole groups of four") {
   testing::Random random(5);
   const testing::PlainMesh mesh = testing::irregularSheet(23, 17, random);
   const int count = static_cast<int>(mesh.positions.size()), faces = static_cast<int>(mesh.faces.size());
   for (const int shared : {-1, 40}) {
-    const FaceHalves halves = halveFaces(mesh.faces, count, shared);
-    const auto& [first, second, rest] = halves.ranges;
+    const FaceOrder ordered = orderFaces(mesh.faces, count, shared);
+    const auto& [first, second, rest] = ordered.ranges;
     CHECK((first.begin == 0 && second.begin == first.end && rest.begin == second.end && rest.end == faces));
     CHECK(std::max(first.end, second.end - second.begin) + rest.end - rest.begin < 2.0 / 3 * faces);
     std::vector<int> users(count, 0);
     if (shared >= 0) users[shared] = 3;
     for (int half = 0; half < 2; ++half) {
-      const auto [begin, end] = halves.ranges[half];
+      const auto [begin, end] = ordered.ranges[half];
       CHECK((end - begin) % 4 == 0);
       int before = 0;
       for (int i = begin; i < end; ++i) {
-        const Triangle& t = mesh.faces[halves.order[i]];
+        const Triangle& t = mesh.faces[ordered.order[i]];
         for (int c : t) users[c] |= 1 << half;
         const int last = *std::max_element(t.begin(), t.end());
         CHECK(last >= before);
@@ -86,7 +86,7 @@ TEST_CASE("face halves: every face once, by its last corner, no corner in both h
       }
     }
     CHECK(std::count(users.begin(), users.end(), 3) == (shared >= 0 ? 1 : 0));
-    std::vector<int> sorted = halves.order;
+    std::vector<int> sorted = ordered.order;
     std::sort(sorted.begin(), sorted.end());
     for (int f = 0; f < faces; ++f) CHECK(sorted[f] == f);
   }

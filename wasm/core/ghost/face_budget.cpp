@@ -14,7 +14,7 @@ constexpr int tetrahedron = 4;
 
 }  // namespace
 
-FaceShares shareFaces(const WeldedShape& shape, const ShapeTopology& topology, int target) {
+FaceBudget budgetFaces(const WeldedShape& shape, const ShapeTopology& topology, int target) {
   const int components = topology.components.count;
   std::vector<int> count(components, 0);
   std::vector<double> area(components, 0);
@@ -26,12 +26,12 @@ FaceShares shareFaces(const WeldedShape& shape, const ShapeTopology& topology, i
     area[topology.components.ofFace[f]] += referenceFrame(shape, f).area;
   }
 
-  FaceShares shares;
+  FaceBudget budget;
   std::int64_t sum = 0;
   for (int c : count) {
     const auto half = static_cast<int>(static_cast<std::int64_t>(target) * c / (2 * total));
-    shares.least.push_back(std::min(c, std::max(tetrahedron, half)));
-    sum += shares.least.back();
+    budget.least.push_back(std::min(c, std::max(tetrahedron, half)));
+    sum += budget.least.back();
   }
   std::vector<int> order(components);
   std::iota(order.begin(), order.end(), 0);
@@ -39,11 +39,11 @@ FaceShares shareFaces(const WeldedShape& shape, const ShapeTopology& topology, i
   for (int component : order) {
     if (sum <= target) break;
     if (component == topology.tree.root()) continue;
-    sum -= shares.least[component];
-    shares.least[component] = 0;
-    ++shares.joined;
+    sum -= budget.least[component];
+    budget.least[component] = 0;
+    ++budget.joined;
   }
-  return shares;
+  return budget;
 }
 
 }  // namespace shapespline

@@ -68,7 +68,7 @@ class Simplifier {
         onProgress_(onProgress),
         columns_(shape.columns()),
         componentOf_(shape.vertexCount(), -1),
-        share_(shareFaces(shape, topology, options.targetFaces)),
+        budget_(budgetFaces(shape, topology, options.targetFaces)),
         mesh_(shape.vertexCount(), facesToUse(topology)) {
     const std::size_t n = shape.vertexCount();
     position_.resize(n * columns_);
@@ -118,7 +118,7 @@ class Simplifier {
     std::vector<Triangle> faces;
     std::vector<int> component;
     for (int f = 0; f < shape_.faceCount(); ++f) {
-      if (!topology.hasArea[f] || share_.least[topology.components.ofFace[f]] == 0) continue;
+      if (!topology.hasArea[f] || budget_.least[topology.components.ofFace[f]] == 0) continue;
       faces.push_back(shape_.faces[f]);
       component.push_back(topology.components.ofFace[f]);
       for (int v : shape_.faces[f]) componentOf_[v] = component.back();
@@ -132,7 +132,7 @@ class Simplifier {
               [&](int a, int b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
     std::vector<char> repeated(m, 0);
     for (int i = 1; i < m; ++i) repeated[order[i]] = sorted[order[i]] == sorted[order[i - 1]];
-    count_.assign(share_.least.size(), 0);
+    count_.assign(budget_.least.size(), 0);
     std::vector<Triangle> distinct;
     for (int f = 0; f < m; ++f)
       if (!repeated[f]) distinct.push_back(faces[f]), ++count_[component[f]];
@@ -215,7 +215,7 @@ class Simplifier {
     const Entry entry = queue_.top();
     queue_.pop();
     const int v = entry.vertex;
-    if (entry.version != version_[v] || count_[componentOf_[v]] <= share_.least[componentOf_[v]]) return;
+    if (entry.version != version_[v] || count_[componentOf_[v]] <= budget_.least[componentOf_[v]]) return;
     const Candidate candidate = best(v);
     if (candidate.target < 0) return;
     if (candidate.cost > entry.cost) return push(v, candidate);
@@ -252,7 +252,7 @@ class Simplifier {
     };
     check(from, to);
     if (moves(from, to)) check(to, from);
-    return fair && count_[componentOf_[from]] - gone >= share_.least[componentOf_[from]];
+    return fair && count_[componentOf_[from]] - gone >= budget_.least[componentOf_[from]];
   }
 
   // Of face (v, x, y) when v moves to the place of the collapse.
@@ -302,7 +302,7 @@ class Simplifier {
   GhostMesh collect() {
     const int n = shape_.vertexCount();
     GhostMesh ghost;
-    ghost.joinedComponents = share_.joined;
+    ghost.joinedComponents = budget_.joined;
     std::vector<int> number(n, -1), kept;
     for (int v = 0; v < n; ++v)
       if (mesh_.valence(v) > 0) number[v] = static_cast<int>(kept.size()), kept.push_back(v);
@@ -348,7 +348,7 @@ class Simplifier {
   int faceCount_ = 0;
   std::vector<int> componentOf_;
   std::vector<int> count_;  // faces left of each component
-  FaceShares share_;
+  FaceBudget budget_;
   CollapseMesh mesh_;
   Limits limits_ = limits[0];
   std::vector<Vec3> position_;    // [vertex][column]

@@ -7,7 +7,7 @@
 
 namespace shapespline {
 
-FaceHalves halveFaces(const std::vector<Triangle>& corners, int count, int shared, const FractionReport& onProgress) {
+FaceOrder orderFaces(const std::vector<Triangle>& corners, int count, int shared, const FractionReport& onProgress) {
   const auto byLast = [&](std::size_t f, auto add) {
     add(*std::max_element(corners[f].begin(), corners[f].end()), static_cast<int>(f));
   };
@@ -24,18 +24,18 @@ FaceHalves halveFaces(const std::vector<Triangle>& corners, int count, int share
       list[rest ? 2 : *most < cut ? 0 : 1].push_back(sorted[i]);
     }
   });
-  FaceHalves halves;
+  FaceOrder ordered;
   for (int i = 0; i < 3; ++i) {
     if (i < 2) {
       const auto end = list[i].end() - static_cast<std::ptrdiff_t>(list[i].size() % 4);
       list[2].insert(list[2].end(), end, list[i].end());
       list[i].erase(end, list[i].end());
     }
-    halves.ranges[i].begin = static_cast<int>(halves.order.size());
-    halves.order.insert(halves.order.end(), list[i].begin(), list[i].end());
-    halves.ranges[i].end = static_cast<int>(halves.order.size());
+    ordered.ranges[i].begin = static_cast<int>(ordered.order.size());
+    ordered.order.insert(ordered.order.end(), list[i].begin(), list[i].end());
+    ordered.ranges[i].end = static_cast<int>(ordered.order.size());
   }
-  return halves;
+  return ordered;
 }
 
 }  // namespace shapespline

@@ -16,14 +16,14 @@ struct FaceRange {
 
 /// Faces sorted by the last of their corners: neighbours in this order add to neighbouring places and find all that
 /// lies before theirs at hand.
-struct FaceHalves {
+struct FaceOrder {
   std::vector<int> order;
   /// Two halves without a common corner, each a multiple of four faces, then the rest.
   std::array<FaceRange, 3> ranges;
 };
 
 /// corners: of each face, in [0, count). Faces with the corner `shared` (or -1 for none) go to the rest.
-FaceHalves halveFaces(const std::vector<Triangle>& corners, int count, int shared = -1,
-                      const FractionReport& onProgress = {});
+FaceOrder orderFaces(const std::vector<Triangle>& corners, int count, int shared = -1,
+                     const FractionReport& onProgress = {});
 
 }  // namespace shapespline

@@ -118,14 +118,14 @@ VertexNormals::VertexNormals(const std::vector<Triangle>& faces, const std::vect
       target[f] = {renumbered[groupOf[a]], renumbered[groupOf[b]], renumbered[groupOf[c]]};
     }
   });
-  const FaceHalves halves = halveFaces(target, groups, -1, partOf(onProgress, 0.5, 0.8));
-  ranges_ = halves.ranges;
-  corner_.reserve(halves.order.size());
-  inBlocks(partOf(onProgress, 0.8, 1), halves.order.size(), [&](std::size_t begin, std::size_t end) {
+  const FaceOrder ordered = orderFaces(target, groups, -1, partOf(onProgress, 0.5, 0.8));
+  ranges_ = ordered.ranges;
+  corner_.reserve(ordered.order.size());
+  inBlocks(partOf(onProgress, 0.8, 1), ordered.order.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto& [a, b, c] = faces[halves.order[i]];
+      const auto& [a, b, c] = faces[ordered.order[i]];
       corner_.push_back({placeOf[a], placeOf[b], placeOf[c]});
-      if (seams) target_.push_back(target[halves.order[i]]);
+      if (seams) target_.push_back(target[ordered.order[i]]);
     }
   });
 }

@@ -33,7 +33,7 @@ class VertexNormals {
   };
   std::vector<Drawn> drawn_;  // the raw vertices in order of place: read in order and written anywhere is twice as fast
                               // as the other way round
-  std::vector<Triangle> corner_;  // faces of places, in the halves' order
+  std::vector<Triangle> corner_;  // faces of places, in their order (face_order.h)
   std::vector<Triangle> target_;  // their corners' groups, numbered in order of place; empty where those are the places
   int groups_;
   std::array<FaceRange, 3> ranges_;

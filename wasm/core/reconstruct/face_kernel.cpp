@@ -278,10 +278,10 @@ FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& f
                              const std::vector<int>& position, int trashSlot, const FractionReport& onProgress)
     : stretch_(stretch) {
   const std::vector<Triangle> corners = cornersOf(shape, frameOf, position, trashSlot, partOf(onProgress, 0, 0.1));
-  FaceHalves halves = halveFaces(corners, trashSlot + 1, trashSlot, partOf(onProgress, 0.1, 0.4));
-  order_ = std::move(halves.order);
+  FaceOrder ordered = orderFaces(corners, trashSlot + 1, trashSlot, partOf(onProgress, 0.1, 0.4));
+  order_ = std::move(ordered.order);
   const FractionReport onBlocks = partOf(onProgress, 0.4, 1);
-  ranges_ = halves.ranges;
+  ranges_ = ordered.ranges;
   blocks_.assign((order_.size() + faceLanes - 1) / faceLanes, {});
   const Positions& p = shape.poses[shape.reference];
   for (std::size_t i = 0; i < blocks_.size() * faceLanes; ++i) {
