@@ -81,7 +81,7 @@ std::vector<int> mergeSupernodes(std::vector<Node>& nodes) {
 }
 
 // Doubles in the lower triangle of a front, about.
-std::int64_t triangle(std::int64_t n) { return n * (n + 1) / 2; }
+std::int64_t lowerTriangle(std::int64_t n) { return n * (n + 1) / 2; }
 
 // Postorder of the merged tree in which every node's children stand by descending (peak - update) memory.
 std::vector<int> stackOrder(const std::vector<Node>& nodes, const std::vector<int>& mergedInto) {
@@ -89,7 +89,7 @@ std::vector<int> stackOrder(const std::vector<Node>& nodes, const std::vector<in
   std::vector<std::vector<int>> children(count);
   std::vector<std::int64_t> peak(count, 0);
   std::vector<int> roots;
-  const auto update = [&](int s) { return triangle(nodes[s].front - nodes[s].columns); };
+  const auto update = [&](int s) { return lowerTriangle(nodes[s].front - nodes[s].columns); };
   for (int s = 0; s < count; ++s) {
     if (mergedInto[s] != s) continue;
     std::sort(children[s].begin(), children[s].end(), [&](int a, int b) {
@@ -101,7 +101,7 @@ std::vector<int> stackOrder(const std::vector<Node>& nodes, const std::vector<in
       peak[s] = std::max(peak[s], held + peak[c]);
       held += update(c);
     }
-    peak[s] = std::max(peak[s], held + triangle(nodes[s].front));
+    peak[s] = std::max(peak[s], held + lowerTriangle(nodes[s].front));
     if (nodes[s].parent == -1) roots.push_back(s);
     else children[nodes[s].parent].push_back(s);
   }
