@@ -1,17 +1,15 @@
 /** The page: its components with their commands, the keyboard, and one redrawing per animation frame. */
-import type { Engine } from '../../engine/api/api.ts';
-import type { Range } from '../../model/time-scale.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
 import type { ThemeSwitch } from '../../ui/theme.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { Marking } from '../drawing/marking.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
-import type { Store } from '../session/store.ts';
-import type { Workspace } from '../session/workspace.ts';
+import type { Session } from '../session/session.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
 import { createAnalysisPanel } from './analysis-panel.ts';
 import type { Commands } from './commands.ts';
 import { createComponents } from './components.ts';
+import type { Feedback } from './feedback.ts';
 import { createGhostStudyPanel } from './ghost-study-panel.ts';
 import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
 import type { Layout } from './layout.ts';
@@ -21,26 +19,22 @@ import type { ViewStateHolder } from './view-state.ts';
 export interface PageParts {
   root: HTMLElement;
   layout: Layout;
-  toast: HTMLElement;
   offers: readonly HTMLElement[];
-  engine: Engine;
-  store: Store;
+  session: Session;
   viewState: ViewStateHolder;
-  workspace: Workspace;
+  feedback: Feedback;
   scene: SceneController;
   analysis: AnalysisCache;
   commands: Commands;
   marking: Marking;
   files: OpenFiles;
   theme: ThemeSwitch;
-  range(): Range;
   onLink(): void;
   onRemember(): void;
   /** Ends the work under way. */
   onCancel(): void;
   onExportPlan(request?: ExportRequest): void;
   onExport(request: ExportRequest): void;
-  onError(error: unknown): void;
   /** The analysis failed. */
   onAnalysisError(error: unknown): void;
 }
@@ -51,7 +45,9 @@ export interface Page {
 }
 
 export function createPage(parts: PageParts): Page {
-  const { layout, engine, store, viewState, workspace, scene, commands, theme, range, onCancel, onError } = parts;
+  const { layout, session, viewState, feedback, scene, commands, theme, onCancel } = parts;
+  const { engine, store, workspace, range } = session;
+  const { onError } = feedback;
   const closeError = (): void => viewState.change({ errorMessage: null });
   const shortcuts = createShortcuts(store, commands, {
     openFiles: () => components.openFiles(),
@@ -69,7 +65,7 @@ export function createPage(parts: PageParts): Page {
   const components = createComponents({
     root: parts.root,
     layout,
-    toast: parts.toast,
+    toast: feedback.toast,
     offers: parts.offers,
     commands,
     files: parts.files,

@@ -1,0 +1,80 @@
+/** What is on the screen, and when: the scene, the frames that it is given, thumbnails, marked places. */
+import { createMarking } from './drawing/marking.ts';
+import type { Marking } from './drawing/marking.ts';
+import { SceneController } from './drawing/scene-controller.ts';
+import { createThumbnails } from './drawing/thumbnails.ts';
+import type { Thumbnails } from './drawing/thumbnails.ts';
+import type { Feedback } from './panels/feedback.ts';
+import type { Layout } from './panels/layout.ts';
+import { shownView } from './panels/view-state.ts';
+import type { ViewStateHolder } from './panels/view-state.ts';
+import { reducedMotion } from './panels/window-events.ts';
+import type { FrameSet } from './playback/frame-set.ts';
+import { createPlayback } from './playback/playback.ts';
+import type { Playback } from './playback/playback.ts';
+import { readMoving } from './playback/preview-policy.ts';
+import type { Session } from './session/session.ts';
+
+export interface DisplayParts {
+  session: Session;
+  layout: Layout;
+  viewState: ViewStateHolder;
+  feedback: Feedback;
+  seek(t: number): void;
+  onResize(): void;
+}
+
+export interface Display {
+  scene: SceneController;
+  playback: Playback;
+  thumbnails: Thumbnails;
+  marking: Marking;
+}
+
+export function createDisplay({ session, layout, viewState, feedback, seek, onResize }: DisplayParts): Display {
+  const { store, workspace, restart, sequence, range } = session;
+  const { say, onError } = feedback;
+  const scene = new SceneController(layout.viewport, {
+    onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
+    onResize,
+    covered: (views) => layout.covered(views),
+    onContextLost: () => say('The browser lost access to the graphics card. The picture will be restored.'),
+    onContextRestored: () => void playback.frameLoop.request(store.get().time),
+  });
+  const show = async (frames: FrameSet, eased: boolean): Promise<void> => {
+    await scene.show(frames, store.get(), range(), eased && !reducedMotion());
+    viewState.change(shownView(frames.frames[0], frames.preview));
+  };
+  const playback = createPlayback({
+    store,
+    range,
+    moving: readMoving(location.search),
+    sequences: () => workspace.sequences,
+    screen: {
+      show,
+      drawn: () => scene.viewer.drawn(),
+      onError: (error) => {
+        if (!restart.takesUp(error)) onError(error);
+      },
+    },
+  });
+  const thumbnails = createThumbnails({
+    store,
+    workspace,
+    scene,
+    idle: () => playback.frameLoop.idle(),
+    has: (pose) => viewState.get().thumbnails.has(pose),
+    onThumbnail: (pose, url) => viewState.change({ thumbnails: new Map(viewState.get().thumbnails).set(pose, url) }),
+  });
+  const marking = createMarking({
+    scene,
+    sequence,
+    range,
+    onError,
+    seek,
+    warnings: () => viewState.get().warnings,
+    keyTimes: () => store.get().doc.keys.map(({ time }) => time),
+    onWarning: (shownWarning) => viewState.change({ shownWarning }),
+  });
+  return { scene, playback, thumbnails, marking };
+}

@@ -1,0 +1,28 @@
+/** What the page says of work: its progress, what it came to, what went wrong. */
+import type { Progress } from '../../engine/api/types.ts';
+import { createToast } from '../../ui/messages.ts';
+import { isCancelled } from '../session/sequence-set.ts';
+import { errorMessageOf } from './error-message.ts';
+import type { ViewStateHolder } from './view-state.ts';
+
+export interface Feedback {
+  toast: HTMLElement;
+  say(text: string): void;
+  /** Something else is asked for: what went wrong before is of no interest. */
+  onStart(): void;
+  onWorking(working: Progress | null): void;
+  onError(error: unknown): void;
+}
+
+export function createFeedback(viewState: ViewStateHolder): Feedback {
+  const toast = createToast();
+  return {
+    toast: toast.element,
+    say: toast.say,
+    onStart: () => viewState.change({ errorMessage: null }),
+    onWorking: (working) => viewState.change({ working }),
+    onError(error) {
+      if (!isCancelled(error)) viewState.change({ errorMessage: errorMessageOf(error) });
+    },
+  };
+}

@@ -1,0 +1,71 @@
+/** What is open, with the engine that serves it: every edit becomes sequences, or is taken back. */
+import type { Engine, Sequence } from '../../engine/api/api.ts';
+import { createEngine } from '../../engine/index.ts';
+import type { Progress } from '../../engine/api/types.ts';
+import { EMPTY_STATE } from '../../model/state.ts';
+import type { Range } from '../../model/time-scale.ts';
+import { motionRange } from './motion-range.ts';
+import { sequencePlan } from './sequence-plan.ts';
+import { ServedDocument } from './served-document.ts';
+import { createStore } from './store.ts';
+import type { Store } from './store.ts';
+import { WorkerRestart } from './worker-restart.ts';
+import { Workspace } from './workspace.ts';
+
+export interface SessionEvents {
+  onWorking(working: Progress | null): void;
+  /** The sequences follow the document now. */
+  onServed(): void;
+  /** The engine refused an edit, which is taken back. */
+  onError(error: unknown): void;
+  /** A worker has ended; asking for a frame starts another one. */
+  onRestart(): void;
+}
+
+export interface Session {
+  engine: Engine;
+  store: Store;
+  workspace: Workspace;
+  restart: WorkerRestart;
+  /** The first running sequence. */
+  sequence(): Sequence | undefined;
+  range(): Range;
+  /** Has the sequences follow the document, if something of it is shown otherwise now. */
+  serve(): void;
+  /** Ends what is under way and takes back the edit that led to it. */
+  cancel(): void;
+}
+
+export function createSession({ onWorking, onServed, onError, onRestart }: SessionEvents): Session {
+  const store = createStore(EMPTY_STATE);
+  const restart = new WorkerRestart(onRestart);
+  const engine = createEngine({ onLost: () => void restart.tryAgain() });
+  const served = new ServedDocument(store);
+  const workspace = new Workspace(engine, {
+    onProgress: onWorking,
+    onReady() {
+      served.note(store.get());
+      onServed();
+    },
+    onRefused(error) {
+      onError(error);
+      served.goBack();
+    },
+  });
+  return {
+    engine,
+    store,
+    workspace,
+    restart,
+    sequence: () => workspace.sequences[0]?.sequence,
+    range: () => motionRange(store.get().doc, workspace.range),
+    serve() {
+      const { doc, view } = store.get();
+      workspace.want(sequencePlan(doc, view.compare, view.ghostDifference));
+    },
+    cancel() {
+      workspace.cancel();
+      served.goBack();
+    },
+  };
+}

@@ -1,0 +1,85 @@
+/** Ways in and out: files and samples, what an earlier visit left, the page's address, exports. */
+import { plural } from '../ui/status-line.ts';
+import type { AnalysisCache } from './analysis/analysis-cache.ts';
+import type { Display } from './display.ts';
+import { createExportController } from './export/export-controller.ts';
+import type { ExportController } from './export/export-controller.ts';
+import type { Feedback } from './panels/feedback.ts';
+import { openedView } from './panels/view-state.ts';
+import type { ViewStateHolder } from './panels/view-state.ts';
+import { reducedMotion } from './panels/window-events.ts';
+import type { Session } from './session/session.ts';
+import { createOpenFiles } from './sources/open-files.ts';
+import type { OpenedFiles, OpenFiles } from './sources/open-files.ts';
+import { createPageLink } from './sources/page-link.ts';
+import type { PageLink } from './sources/page-link.ts';
+import { createRememberedFiles } from './sources/remembered-files.ts';
+import type { RememberedFiles } from './sources/remembered-files.ts';
+
+export interface WaysParts {
+  session: Session;
+  display: Display;
+  analysis: AnalysisCache;
+  viewState: ViewStateHolder;
+  feedback: Feedback;
+}
+
+export interface Ways {
+  files: OpenFiles;
+  remembered: RememberedFiles;
+  link: PageLink;
+  exporting: ExportController;
+}
+
+export function createWays({ session, display, analysis, viewState, feedback }: WaysParts): Ways {
+  const { engine, store, workspace, sequence, range } = session;
+  const { scene, playback } = display;
+  const { say, onStart, onWorking, onError } = feedback;
+  const onOpened = (opened: OpenedFiles): void => {
+    const { info, pool, source, doc, camera } = opened;
+    scene.setImport(info, pool, camera);
+    viewState.change(openedView(opened, viewState.get()));
+    if (source.kind !== 'files') return;
+    say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
+  };
+  const files = createOpenFiles({
+    engine,
+    store,
+    workspace,
+    reducedMotion,
+    onStart,
+    onError,
+    samples: () => viewState.get().samples,
+    onOpened,
+    onWorking,
+  });
+  const remembered = createRememberedFiles({
+    store,
+    workspace,
+    say,
+    onError,
+    onChange: (kept) => viewState.change({ remembered: kept }),
+  });
+  const link = createPageLink({
+    store,
+    say,
+    initial: () => viewState.get().initial,
+    onLink: (to) => void files.sample(to.sample, to),
+  });
+  const exporting = createExportController({
+    store,
+    scene,
+    analysis,
+    sequence,
+    range,
+    say,
+    onStart,
+    onError,
+    onWorking,
+    drawExactly: (t) => playback.frameLoop.request(t),
+    idle: () => playback.frameLoop.idle(),
+    onVideoFormats: (videoFormats) => viewState.change({ videoFormats }),
+    onPlan: (planned) => viewState.change({ exporting: planned }),
+  });
+  return { files, remembered, link, exporting };
+}
