@@ -1,4 +1,5 @@
 import { beforeAll, describe, expect, it } from 'vitest';
+import { measure } from '../../web/app/drawing/measures.ts';
 import type { Sequence } from '../../web/engine/api/api.ts';
 import { bendKeys, bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
 import { poseFiles } from './support/glb.ts';
@@ -60,6 +61,18 @@ describe('a sequence', () => {
     await bend.sequence.update({ method: 'linear' });
     expect(await measured()).toBeLessThan(0.96);
     await bend.sequence.update({ method: 'lri' });
+  });
+
+  it('measures an open surface as the page does, wherever it stands', async () => {
+    const { positions, indices } = bar();
+    const open = { positions: positions.map((value) => value + 7), indices: indices.slice(6) };
+    const { keys } = await bendKeys(engine, open);
+    const sequence = await engine.createSequence(keys);
+    const { volume, area } = await sequence.measures([0.3]);
+    const shown = measure((await frameAt(sequence, 0.3)).positions, keys.info.faces);
+    expect(shown.volume).toBeCloseTo(volume[0]!, 3);
+    expect(shown.area).toBeCloseTo(area[0]!, 3);
+    sequence.dispose();
   });
 
   it('encodes and factorises once, whatever is scrubbed, toggled and moved', async () => {

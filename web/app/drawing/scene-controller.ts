@@ -15,8 +15,10 @@ import { PHASE_COLOURS, filmStrip, filmTimes, onionSkins, onionTimes } from './o
 import type { OnionSkinInput } from './onion-skin.ts';
 import { differenceOf, heatColours, roundTop } from './difference.ts';
 import type { Difference } from './difference.ts';
-import { extentOf, measure, patchColours } from './bounds.ts';
-import type { Measure } from './bounds.ts';
+import { extentOf } from './bounds.ts';
+import { measure } from './measures.ts';
+import type { Measure } from './measures.ts';
+import { patchColours } from './patch-colours.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { RunningSequence } from '../session/sequence-set.ts';

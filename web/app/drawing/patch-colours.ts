@@ -1,0 +1,24 @@
+/** Colours that tell patches apart. */
+
+/** One colour per patch, neighbours in number far apart in hue; a vertex takes that of one of its faces. Linear RGB. */
+export function patchColours(patches: Int32Array, indices: Uint32Array, vertices: number): Float32Array {
+  const colours = new Float32Array(3 * vertices).fill(0.2);
+  patches.forEach((patch, face) => {
+    if (patch < 0) return;
+    const colour = hueColour(patch);
+    for (let corner = 0; corner < 3; corner += 1) colours.set(colour, 3 * indices[3 * face + corner]!);
+  });
+  return colours;
+}
+
+/** The golden angle spreads any number of hues; lightness and strength vary so that neighbours differ in grey too. */
+function hueColour(index: number): [number, number, number] {
+  const hue = (index * 137.508) % 360;
+  const lightness = 0.5 + 0.14 * ((index % 3) - 1);
+  const channel = (offset: number): number => {
+    const k = (offset + hue / 30) % 12;
+    const strength = 0.45 * Math.min(lightness, 1 - lightness);
+    return (lightness - strength * Math.max(-1, Math.min(k - 3, 9 - k, 1))) ** 2.2;
+  };
+  return [channel(0), channel(8), channel(4)];
+}
