@@ -65,6 +65,10 @@ describe('compressed meshes', () => {
       code: 'missing-resource',
       message: expect.stringMatching(/^a\.gltf needs the file .*\.$/) as string,
     });
+    expect(await refused('../m.bin')).toMatchObject({
+      code: 'external-resource',
+      message: expect.stringMatching(/outside the given files\./) as string,
+    });
     expect(await refused('https://example.com/m.bin')).toMatchObject({
       code: 'external-resource',
       message: expect.stringMatching(/ever fetched.*\.$/) as string,

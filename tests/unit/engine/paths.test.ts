@@ -1,9 +1,15 @@
+import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { beside, decodedUri, findByUri, modelName, resourceUris } from '../../../web/engine/api/paths.ts';
+import { beside, decodedUri, modelName, resolveUri, resourceUris, uriError } from '../../../web/engine/api/paths.ts';
+
+interface UriCases {
+  sentences: Record<'external' | 'outside' | 'missing', string>;
+  cases: { uri: string; from: string; files: string[]; finds?: string; is?: string }[];
+}
+
+const shared = JSON.parse(readFileSync(new URL('../../uri-cases.json', import.meta.url), 'utf8')) as UriCases;
 
 const file = (name: string) => ({ name, bytes: new Uint8Array() });
-const found = (uri: string, from: string, names: string[]) => findByUri(uri, from, names.map(file))?.name;
-
 describe('paths', () => {
   it('are joined from the folder of the file that names them', () => {
     expect(beside('walk/a.gltf', '../skin/./a.png')).toBe('skin/a.png');
@@ -22,16 +28,15 @@ describe('paths', () => {
 });
 
 describe('a URI in a file', () => {
-  it('finds the file by path, or by name alone where folders are missing', () => {
-    expect(found('skin%20a.png', 'walk/a.gltf', ['skin a.png', 'walk/skin a.png'])).toBe('walk/skin a.png');
-    expect(found('images/a.png', 'walk/a.gltf', ['a.png'])).toBe('a.png');
-    expect(found('images/a.png', 'a.gltf', ['x/a.png', 'y/a.png'])).toBeUndefined();
-  });
-
-  it('never leaves the given files', () => {
-    for (const uri of ['https://example.com/a.png', '/a.png', '%2Fa.png', 'C:a.png', '../a.png'])
-      expect(found(uri, 'a.gltf', ['a.png'])).toBeUndefined();
-    expect(found('../a.png', 'walk/a.gltf', ['a.png'])).toBe('a.png');
+  it.each(shared.cases)('$uri in $from, beside $files', ({ uri, from, files, finds, is }) => {
+    const target = resolveUri(uri, from, files.map(file));
+    if (target.kind === 'file') return expect(target.file.name).toBe(finds);
+    expect(target.kind).toBe(is);
+    const sentence = shared.sentences[target.kind].replace('FILE', 'a.gltf').replace('URI', uri);
+    expect(uriError(target.kind, uri, from)).toMatchObject({
+      message: sentence,
+      code: is === 'missing' ? 'missing-resource' : 'external-resource',
+    });
   });
 
   it('is listed from any JSON at all', () => {

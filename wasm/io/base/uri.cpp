@@ -83,14 +83,14 @@ Result<Resource> dataResource(std::string_view uri, const std::string& where) {
   return resource;
 }
 
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 // A letter, then letters, digits, +, - and ., then a colon (RFC 3986). One letter alone is a Windows drive.
 bool hasScheme(std::string_view uri) {
   const std::size_t colon = uri.find(':');
-  if (colon == std::string_view::npos || colon == 0) return false;
-  for (char c : uri.substr(0, colon)) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    if (!letter && !(c >= '0' && c <= '9') && c != '+' && c != '-' && c != '.') return false;
-  }
+  if (colon == std::string_view::npos || colon == 0 || !isLetter(uri.front())) return false;
+  for (char c : uri.substr(0, colon))
+    if (!isLetter(c) && !(c >= '0' && c <= '9') && c != '+' && c != '-' && c != '.') return false;
   return true;
 }
 

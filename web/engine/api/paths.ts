@@ -1,13 +1,17 @@
 /**
  * Names and paths of given files, and the URIs in them that name other files. They are taken apart, joined and decoded
  * here and nowhere else, but for what the disk needs (`web/cli`). `wasm/io/base/uri` follows the same rules for what only
- * the core reads.
+ * the core reads; both pass `tests/uri-cases.json`.
  */
+import { EngineError } from './errors.ts';
 import type { InputFile } from './types.ts';
 
 export const MODELS: readonly string[] = ['glb', 'gltf', 'obj', 'ply', 'off'];
 /** Files that a model may need. */
 export const COMPANIONS: readonly string[] = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp', 'ktx2'];
+
+/** Characters of a hostile file's text in a sentence. */
+const LONGEST_QUOTE = 80;
 
 const nameStart = (path: string): number => Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1;
 
@@ -39,8 +43,16 @@ export function decodedUri(uri: string): string {
   });
 }
 
+/** Another host or scheme; one letter alone is a drive of Windows. */
+const isElsewhere = (uri: string): boolean => /^([a-z][a-z0-9+.-]+:|\/\/)/i.test(uri);
+
+const isAbsolute = (path: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(path);
+
+/** Climbs above where it starts. */
+const leaves = (path: string): boolean => /^\.\.(\/|$)/.test(normalised(path));
+
 /** Names another host, scheme or root. */
-export const isExternal = (uri: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(decodedUri(uri));
+export const isExternal = (uri: string): boolean => isElsewhere(uri) || isAbsolute(decodedUri(uri));
 
 /**
  * URIs of the buffers and images of a glTF, but for those that hold the bytes themselves. The JSON is trusted in
@@ -55,18 +67,42 @@ export function resourceUris(json: unknown): { buffers: string[]; images: string
   return { buffers: uris(buffers), images: uris(images) };
 }
 
-/**
- * The file that a URI in the file `from` names: by its path, or by its name alone where files came without their
- * folders.
- */
-export function findByUri(uri: string, from: string, files: readonly InputFile[]): InputFile | undefined {
-  if (isExternal(uri)) return undefined;
+/** What a URI in a file names. */
+export type UriTarget =
+  | { kind: 'file'; file: InputFile }
+  /** On another host, or of another scheme. */
+  | { kind: 'external' }
+  /** A path that leaves the given files. */
+  | { kind: 'outside' }
+  | { kind: 'missing' };
+
+/** Follows a URI in the file `from`: by its path, or by its name alone where files came without their folders. */
+export function resolveUri(uri: string, from: string, files: readonly InputFile[]): UriTarget {
+  if (isElsewhere(uri)) return { kind: 'external' };
   const path = decodedUri(uri);
+  if (isAbsolute(path)) return { kind: 'outside' };
   const wanted = beside(from, path);
-  const exact = files.find((file) => normalised(file.name) === wanted);
-  if (exact || normalised(path).startsWith('..')) return exact;
-  const byName = files.filter((file) => fileName(file.name) === fileName(path));
-  return byName.length === 1 ? byName[0] : undefined;
+  const file = files.find(({ name }) => normalised(name) === wanted) ?? findByName(path, files);
+  if (file) return { kind: 'file', file };
+  return { kind: leaves(path) ? 'outside' : 'missing' };
+}
+
+function findByName(path: string, files: readonly InputFile[]): InputFile | undefined {
+  if (leaves(path)) return undefined;
+  const [file, ...others] = files.filter(({ name }) => fileName(name) === fileName(path));
+  return others.length === 0 ? file : undefined;
+}
+
+/** Why a URI in the file `from` brings no bytes. */
+export function uriError(kind: Exclude<UriTarget['kind'], 'file'>, uri: string, from: string): EngineError {
+  const name = fileName(from);
+  const quoted = `"${uri.slice(0, LONGEST_QUOTE).replace(/[^ -~]/g, '?')}${uri.length > LONGEST_QUOTE ? '...' : ''}"`;
+  const sentence = {
+    external: `${name} refers to ${quoted}. Nothing outside the given files is ever fetched: save that file beside it and give both together.`,
+    outside: `${name} refers to ${quoted}, which lies outside the given files. Put it into the same folder and give both together.`,
+    missing: `${name} needs the file ${quoted}, which was not given. Give both files together.`,
+  }[kind];
+  return new EngineError(kind === 'missing' ? 'missing-resource' : 'external-resource', sentence, { file: name });
 }
 
 /** Joined by slashes, with '.' and '..' resolved. */

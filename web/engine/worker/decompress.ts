@@ -5,7 +5,7 @@
  */
 import type { Document, JSONDocument } from '@gltf-transform/core';
 import { EngineError, messageOf } from '../api/errors.ts';
-import { fileName, findByUri, isExternal, resourceUris } from '../api/paths.ts';
+import { fileName, resolveUri, resourceUris, uriError } from '../api/paths.ts';
 import type { Decode } from './import-files.ts';
 import type { InputFile } from '../api/types.ts';
 
@@ -121,21 +121,15 @@ async function reader(text: string, dracoWasm: () => Promise<Uint8Array>) {
 /** Files beside this one that it names; nothing else is looked for anywhere. A missing image costs the texture only. */
 function addResources({ json, resources }: JSONDocument, name: string, files: InputFile[]): void {
   const { buffers, images } = resourceUris(json);
-  for (const uri of images)
-    resources[uri] = (findByUri(uri, name, files)?.bytes ?? new Uint8Array(0)) as Uint8Array<ArrayBuffer>;
-  for (const uri of buffers) {
-    const found = findByUri(uri, name, files);
-    if (!found) throw missing(uri, name);
-    resources[uri] = found.bytes as Uint8Array<ArrayBuffer>;
+  for (const uri of images) {
+    const found = resolveUri(uri, name, files);
+    resources[uri] = (found.kind === 'file' ? found.file.bytes : new Uint8Array(0)) as Uint8Array<ArrayBuffer>;
   }
-}
-
-function missing(uri: string, from: string): EngineError {
-  const name = fileName(from);
-  const sentence = isExternal(uri)
-    ? `${name} refers to "${uri}". Nothing outside the given files is ever fetched: save that file beside it and give both together.`
-    : `${name} needs the file "${uri}", which was not given. Give both files together.`;
-  return new EngineError(isExternal(uri) ? 'external-resource' : 'missing-resource', sentence, { file: name });
+  for (const uri of buffers) {
+    const found = resolveUri(uri, name, files);
+    if (found.kind !== 'file') throw uriError(found.kind, uri, name);
+    resources[uri] = found.file.bytes as Uint8Array<ArrayBuffer>;
+  }
 }
 
 // A GLB has one buffer.
