@@ -4,7 +4,7 @@ import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
 import { ENCODING, SHAPES } from '../engine/api/option-table.ts';
 import { kgBetween } from '../study/ghost-study.ts';
 import { withEngine } from '../engine/node.ts';
-import { readPose } from '../engine/caller/read-pose.ts';
+import { readPose } from '../engine/api/read-poses.ts';
 import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/api/types.ts';
 import { keysInWords } from '../engine/api/warning-keys.ts';
 import { UsageError, type Arguments } from './arguments.ts';

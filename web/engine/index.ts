@@ -1,8 +1,8 @@
 /** What users of the engine import in a browser; in Node it is node.ts. */
 export type { AheadOptions, CallOptions, Engine, Keys, Sequence } from './api/api.ts';
 export { createEngine, type EngineUrls } from './browser.ts';
-export { EngineError } from './api/errors.ts';
-export { FramePlayer, type FrameSource, type PlayerOptions } from './caller/frame-player.ts';
-export { readPose } from './caller/read-pose.ts';
+export { EngineError, isCancelled } from './api/errors.ts';
+export { FramePlayer, type FrameSource, type PlayerOptions } from './api/frame-player.ts';
+export { type Pose, readPose, readPoses } from './api/read-poses.ts';
 export * from './api/types.ts';
 export { keysInWords, keysOf } from './api/warning-keys.ts';

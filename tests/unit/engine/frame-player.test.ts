@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { FramePlayer } from '../../../web/engine/caller/frame-player.ts';
+import { FramePlayer } from '../../../web/engine/api/frame-player.ts';
 import type { Frame } from '../../../web/engine/api/types.ts';
 import { settled } from './fake-worker.ts';
 

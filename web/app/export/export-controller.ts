@@ -1,4 +1,5 @@
 /** The export dialog's side of things: the plan while it is open, the work and its cancel afterwards. */
+import { isCancelled } from '../../engine/api/errors.ts';
 import { modelName } from '../../engine/api/paths.ts';
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Progress } from '../../engine/api/types.ts';
@@ -10,7 +11,6 @@ import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
 import type { ExportRequest, VideoFormat } from '../../ui/export-dialog.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
-import { isCancelled } from '../session/sequence-set.ts';
 import type { Store } from '../session/store.ts';
 import { describeExport, runExport } from './export-job.ts';
 import type { ExportPlan, Stretch } from './export-job.ts';

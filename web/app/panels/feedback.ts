@@ -1,7 +1,7 @@
 /** What the page says of work: its progress, what it came to, what went wrong. */
+import { isCancelled } from '../../engine/api/errors.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import { createToast } from '../../ui/messages.ts';
-import { isCancelled } from '../session/sequence-set.ts';
 import { errorMessageOf } from './error-message.ts';
 import type { ViewStateHolder } from './view-state.ts';
 

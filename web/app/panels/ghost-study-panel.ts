@@ -1,11 +1,11 @@
 /** "Compare sizes": error and time over sizes of the ghost mesh, worked out when asked for, in workers of its own. */
+import { isCancelled } from '../../engine/api/errors.ts';
 import type { Engine } from '../../engine/api/api.ts';
 import type { GhostStudy } from '../../study/ghost-study.ts';
 import type { Transfer } from '../../engine/api/types.ts';
 import { button } from '../../ui/controls.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { h, setHidden, setStyle, setText, svg } from '../../ui/dom.ts';
-import { isCancelled } from '../session/sequence-set.ts';
 import { encodingFor, motionFor, sequencePlan } from '../session/sequence-plan.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';

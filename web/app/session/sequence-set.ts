@@ -1,5 +1,6 @@
 /** The running sequences: one per motion that is shown. Follows the wanted plan, the newest one wins. */
 import type { Engine, Keys, Sequence } from '../../engine/api/api.ts';
+import { isCancelled } from '../../engine/api/errors.ts';
 import type { EncodingOptions, Progress } from '../../engine/api/types.ts';
 import type { SequencePlan, Variant } from './sequence-plan.ts';
 import { encodingFor, variantKey, motionFor } from './sequence-plan.ts';
@@ -78,7 +79,7 @@ export class SequenceSet {
       } catch (error) {
         const superseded = this.wanted !== plan;
         if (!superseded) this.wanted = this.served;
-        if (!superseded || isFailure(error)) this.events.onRefused(error, this.served);
+        if (!superseded || !isCancelled(error)) this.events.onRefused(error, this.served);
       }
     }
     this.running = null;
@@ -157,12 +158,4 @@ function disposeAll(sequences: readonly RunningSequence[]): void {
     sequence.dispose();
     keys.dispose();
   }
-}
-
-export function isCancelled(error: unknown): boolean {
-  return error instanceof Error && 'code' in error && (error.code === 'cancelled' || error.code === 'disposed');
-}
-
-function isFailure(error: unknown): boolean {
-  return !isCancelled(error);
 }

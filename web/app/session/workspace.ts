@@ -1,10 +1,11 @@
 /** What is open: the poses, the sequences made of them, and the way a new import takes the place of the old one. */
 import type { Engine, Keys } from '../../engine/api/api.ts';
+import { isCancelled } from '../../engine/api/errors.ts';
 import type { ImportOptions, InputFile, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { documentFromImport } from './document-from-import.ts';
-import { SequenceSet, isCancelled } from './sequence-set.ts';
+import { SequenceSet } from './sequence-set.ts';
 import type { RunningSequence } from './sequence-set.ts';
 import { PosePool } from './pose-pool.ts';
 import type { SequencePlan } from './sequence-plan.ts';

@@ -1,6 +1,7 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
 import type { Engine } from '../../engine/api/api.ts';
 import { extensionOf, isModel, modelName } from '../../engine/api/paths.ts';
+import { readPoses } from '../../engine/api/read-poses.ts';
 import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.ts';
 import { addKey, setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
@@ -13,7 +14,7 @@ import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Input, Opened, Workspace } from '../session/workspace.ts';
 import type { Remembered } from './project-shelf.ts';
-import { importPoses, readFiles } from './input-files.ts';
+import { readFiles } from './input-files.ts';
 import { applyPermalink } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
@@ -140,12 +141,12 @@ export function createOpenFiles({
   };
 
   const addKeys = async (files: PickedFile[]): Promise<boolean> => {
-    const { info, pool } = workspace;
-    if (!info || !pool) return false;
+    const { pool } = workspace;
+    if (!pool) return false;
     onStart();
     onWorking({ stage: 'reading', fraction: 0 });
     try {
-      const poses = await importPoses(engine, await readFiles(files), info, workspace.options);
+      const poses = await readPoses(engine, await readFiles(files), pool.keys, workspace.options);
       if (workspace.pool !== pool) return false;
       const added = poses.map(({ name, positions }) => ({
         name: modelName(name),

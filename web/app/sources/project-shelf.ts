@@ -3,15 +3,15 @@
  * at all.
  */
 import { createStore, promisifyRequest } from 'idb-keyval';
+import type { Pose } from '../../engine/api/read-poses.ts';
 import type { ImportOptions, InputFile } from '../../engine/api/types.ts';
 import type { AppState } from '../../model/state.ts';
-import type { NewPose } from './input-files.ts';
 
 /** What changes while files are open. */
 export interface Changing {
   options: ImportOptions;
   /** Poses that are not of the files: taken from shapes, or from further files. */
-  poses: NewPose[];
+  poses: Pose[];
   state: AppState;
 }
 

@@ -1,7 +1,5 @@
 /** The engine as its users see it. Made by browser.ts (workers) and node.ts (worker threads). */
 import type {
-  EncodingOptions,
-  ErrorPlace,
   ExportedFile,
   ExportOptions,
   ExportPlan,
@@ -98,10 +96,3 @@ export interface Sequence {
   /** Idempotent. */
   dispose(): void;
 }
-
-/** The only thing the engine throws. `code` is stable; `message` is a sentence for the user. */
-export declare class EngineErrorShape extends Error {
-  readonly code: string;
-  readonly place: ErrorPlace;
-}
-export type { EncodingOptions };

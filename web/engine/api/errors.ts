@@ -63,8 +63,19 @@ export function outOfMemory(): EngineError {
   );
 }
 
+export function vertexCountMismatch(what: string, given: number, wanted: number, place?: ErrorPlace): EngineError {
+  const count = (vertices: number): string => vertices.toLocaleString('en');
+  const sentence = `${what} has ${count(given)} vertices, but the keys have ${count(wanted)}. Use a pose of the same mesh.`;
+  return new EngineError('vertex-count-mismatch', sentence, place);
+}
+
 export function invalidOption(message: string): EngineError {
   return engineError('invalid-option', message);
+}
+
+/** Whether somebody gave the work up; nothing has gone wrong. */
+export function isCancelled(error: unknown): boolean {
+  return error instanceof EngineError && (error.code === 'cancelled' || error.code === 'disposed');
 }
 
 /** The sentence of anything that was thrown. */

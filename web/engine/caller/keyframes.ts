@@ -1,6 +1,6 @@
 /** Keys on the caller's side: arrays of their own, tied to no worker. */
 import type { Keys } from '../api/api.ts';
-import { disposed, EngineError, invalidOption } from '../api/errors.ts';
+import { disposed, EngineError, invalidOption, vertexCountMismatch } from '../api/errors.ts';
 import { checkTimes } from '../api/options.ts';
 import type { KeyData } from '../wire/protocol.ts';
 import type { KeysInfo } from '../api/types.ts';
@@ -44,7 +44,7 @@ export class KeysHandle implements Keys {
     const wanted = positions[0]!.length;
     if (!(pose instanceof Float32Array) || pose.length !== wanted) {
       const given = pose instanceof Float32Array ? pose.length / 3 : 0;
-      throw new EngineError('vertex-count-mismatch', `The pose has ${given} vertices, the keys have ${wanted / 3}.`);
+      throw vertexCountMismatch('The pose', given, wanted / 3);
     }
     const after = info.times.findIndex((t) => t >= added);
     const index = after < 0 ? info.times.length : after;

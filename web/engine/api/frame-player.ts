@@ -3,8 +3,8 @@
  * bounded, frames that came too late are skipped, and where the worker is slower than the clock only every second,
  * third, ... tick is asked for, so that what arrives is still to be shown.
  */
-import type { AheadOptions } from '../api/api.ts';
-import type { Frame } from '../api/types.ts';
+import type { AheadOptions } from './api.ts';
+import type { Frame } from './types.ts';
 
 export interface PlayerOptions {
   /** Time of the sequence that a tick shows: speed, direction and loops are the caller's. */

@@ -1,0 +1,81 @@
+/** Poses of the keys' mesh from files of their own: end tangents, keys to be added. */
+import type { Engine, Keys } from './api.ts';
+import { EngineError, vertexCountMismatch } from './errors.ts';
+import { fileName, isModel } from './paths.ts';
+import type { ImportOptions, InputFile, KeysInfo } from './types.ts';
+
+export interface Pose {
+  name: string;
+  /** 3 x vertices. */
+  positions: Float32Array;
+}
+
+/**
+ * Every pose that the files hold; `options` say how the keys were read. Errors: those of an import, and another number
+ * of vertices or other faces than the keys have.
+ */
+export async function readPoses(
+  engine: Engine,
+  files: InputFile[],
+  keys: Keys,
+  { up, unit }: ImportOptions = {},
+): Promise<Pose[]> {
+  const { poses, count } = await importAny(engine, files, { up, unit, like: keys.info.faces });
+  try {
+    checkSameMesh(fileName(files[0]?.name ?? 'The file'), poses.info, keys.info);
+    return poses.info.names.slice(0, count).map((name, key) => ({ name, positions: poses.positions(key) }));
+  } finally {
+    poses.dispose();
+  }
+}
+
+/** The first pose that the files hold, 3 x vertices. */
+export async function readPose(
+  engine: Engine,
+  files: InputFile[],
+  keys: Keys,
+  options?: ImportOptions,
+): Promise<Float32Array> {
+  const [pose] = await readPoses(engine, files, keys, options);
+  return pose!.positions;
+}
+
+/** An import holds at least two keys: a file with one pose stands for both. */
+async function importAny(
+  engine: Engine,
+  files: InputFile[],
+  options: ImportOptions,
+): Promise<{ poses: Keys; count: number }> {
+  try {
+    const poses = await engine.importKeyframes(files, options);
+    return { poses, count: poses.info.times.length };
+  } catch (error) {
+    const [single, ...others] = files.filter(({ name }) => isModel(name));
+    const tooFew = error instanceof EngineError && error.code === 'too-few-keys';
+    if (!tooFew || !single || others.length > 0) throw error;
+    return { poses: await engine.importKeyframes([...files, { ...single }], options), count: 1 };
+  }
+}
+
+function checkSameMesh(file: string, { report, faces }: KeysInfo, keys: KeysInfo): void {
+  const wanted = keys.report;
+  if (report.vertices !== wanted.vertices) throw vertexCountMismatch(file, report.vertices, wanted.vertices, { file });
+  const refused = (code: string, what: string, face?: number): EngineError =>
+    new EngineError(
+      code,
+      `${file} has ${what}. Use a pose of the same mesh.`,
+      face === undefined ? { file } : { file, face },
+    );
+  if (faces.length !== keys.faces.length)
+    throw refused('face-count-mismatch', `${faces.length / 3} faces, but the keys have ${keys.faces.length / 3}`);
+  const face = firstOtherFace(faces, keys.faces);
+  if (face >= 0) throw refused('face-mismatch', `other faces than the keys from face ${face + 1} on`, face);
+}
+
+/** The first triangle that is another one, or -1; they may start at other corners. */
+function firstOtherFace(a: Uint32Array, b: Uint32Array): number {
+  const same = (at: number, turn: number): boolean =>
+    [0, 1, 2].every((corner) => a[at + corner] === b[at + ((corner + turn) % 3)]);
+  const place = a.findIndex((_, at) => at % 3 === 0 && !same(at, 0) && !same(at, 1) && !same(at, 2));
+  return place < 0 ? place : place / 3;
+}
