@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { readPose, readPoses } from '../../web/engine/api/read-poses.ts';
 import type { InputFile, Progress } from '../../web/engine/api/types.ts';
 import { meshopt } from './support/compress.ts';
 import { bendSequence, failureOf, frameAt, testEngine } from './support/engines.ts';
@@ -163,6 +164,22 @@ describe('importing', () => {
     expect(alone.message).toMatch(/^[^\n]+[.!]$/);
     expect((await frameAt(sequence, 0.4)).positions).toEqual(before);
     sequence.dispose();
+  });
+
+  it('reads further poses of the same mesh, one or several, and refuses another mesh', async () => {
+    const mesh = bar();
+    const poses = [0, 30, 60, 90].map((degrees) => bent(mesh, degrees));
+    const [first, second, third, fourth] = poseFiles(mesh, poses) as [InputFile, InputFile, InputFile, InputFile];
+    const keys = await engine.importKeyframes([first, second]);
+    expect((await readPoses(engine, [third], keys)).map(({ positions }) => positions)).toEqual([poses[2]]);
+    expect((await readPoses(engine, [third, fourth], keys)).map(({ positions }) => positions)).toEqual(poses.slice(2));
+    expect(await readPose(engine, [fourth], keys)).toEqual(poses[3]);
+    const other = { name: 'folder/other.glb', bytes: meshGlb(bar(2, 10)) };
+    expect(await failureOf(readPoses(engine, [other], keys))).toMatchObject({
+      code: 'vertex-count-mismatch',
+      place: { file: 'other.glb' },
+    });
+    keys.dispose();
   });
 
   it('names vertex and face of what is wrong', async () => {

@@ -5,8 +5,7 @@ import { ENCODING, SHAPES } from '../engine/api/option-table.ts';
 import { kgBetween } from '../study/ghost-study.ts';
 import { withEngine } from '../engine/node.ts';
 import { readPose } from '../engine/api/read-poses.ts';
-import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/api/types.ts';
-import { keysInWords } from '../engine/api/warning-keys.ts';
+import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions } from '../engine/api/types.ts';
 import { UsageError, type Arguments } from './arguments.ts';
 import { readInputs } from './input.ts';
 import { writeOutputs, type Output } from './output.ts';
@@ -107,17 +106,11 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     }
     await writeOutputs(outputs);
     const count = plan.times.length;
-    const sentences = warnings.map((warning) => inWords(warning, keys.info.times.length));
     return {
       summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}, ${bytes} bytes\n`,
-      warnings: sentences,
+      warnings: warnings.map(({ message }) => message),
     };
   });
-}
-
-function inWords(warning: Warning, keys: number): string {
-  const where = keysInWords(warning, keys);
-  return where ? `${where}: ${warning.message}` : warning.message;
 }
 
 async function readTangents(

@@ -5,4 +5,4 @@ export { EngineError, isCancelled } from './api/errors.ts';
 export { FramePlayer, type FrameSource, type PlayerOptions } from './api/frame-player.ts';
 export { type Pose, readPose, readPoses } from './api/read-poses.ts';
 export * from './api/types.ts';
-export { keysInWords, keysOf } from './api/warning-keys.ts';
+export { keysOf } from './api/warning-keys.ts';

@@ -2,6 +2,7 @@
  * The one serialisable state: what is loaded, the keys and their times, the options, the moment and the view.
  * Permalinks, undo, the saved project and the test hook all read this and nothing else.
  */
+import type { CameraPose } from './camera.ts';
 import { ENCODING, MOTION } from '../engine/api/option-table.ts';
 import type { Boundary, Method } from '../engine/api/types.ts';
 import type { PageOptions } from './page-options.ts';
@@ -40,11 +41,6 @@ export interface Play {
   between: [number, number] | null;
   /** Whole frames per unit of time; null = as smooth as the screen allows. */
   fps: number | null;
-}
-
-export interface CameraPose {
-  position: [number, number, number];
-  target: [number, number, number];
 }
 
 export type Colouring = 'phase' | 'texture' | 'patches';

@@ -1,11 +1,10 @@
 /** What lies on the viewport: standard views, the look of the shape, the phase in words, and the names of the views. */
+import type { ViewName } from '../model/camera.ts';
 import type { Colouring, View } from '../model/state.ts';
 import type { Phase } from '../model/time-scale.ts';
 import { button, checkbox, segments } from './controls.ts';
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import { popover } from './popover.ts';
-
-export type ViewName = 'home' | 'front' | 'top' | 'right';
 
 export interface ViewBarProps {
   view: View;

@@ -9,8 +9,6 @@ import { icon } from './icons.ts';
 export interface WarningItem {
   code: string;
   message: string;
-  /** Which keys it is about, where the message does not say it; else empty. */
-  where: string;
   /** There is a place or a moment to be shown. */
   shows: boolean;
 }
@@ -61,21 +59,15 @@ export function createWarnings(onShow: (index: number | null) => void): Warnings
   const drawItems = memo(({ items }: Pick<WarningsProps, 'items'>) => {
     list.replaceChildren(
       ...items.map((item, index) =>
-        h(
-          'li',
-          { 'data-code': item.code },
-          icon('warning'),
-          h('p', {}, item.where && h('strong', {}, `${item.where}. `), item.message),
-          item.shows && showButton(index, item.where),
-        ),
+        h('li', { 'data-code': item.code }, icon('warning'), h('p', {}, item.message), item.shows && showButton(index)),
       ),
     );
     if (items.length === 0) close();
   });
 
-  const showButton = (index: number, where: string): HTMLButtonElement => {
+  const showButton = (index: number): HTMLButtonElement => {
     const show = button({
-      label: where ? `Show it: ${where}` : 'Show it',
+      label: 'Show it',
       testId: `warning-${index}-show`,
       text: 'Show',
       kind: 'plain',

@@ -1,7 +1,7 @@
 /** The one camera of all views: orbit, pan, zoom, and standard views fitted tightly to the shape. */
 import { PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { CameraPose, ViewName } from './types.ts';
+import type { CameraPose, ViewName } from '../model/camera.ts';
 
 const FIELD_OF_VIEW = 32;
 const MARGIN = 1.12;

@@ -33,13 +33,6 @@ export interface GhostPicture {
   offset: number | null;
 }
 
-export interface CameraPose {
-  position: [number, number, number];
-  target: [number, number, number];
-}
-
-export type ViewName = 'home' | 'front' | 'top' | 'right';
-
 /** Part of the canvas, in CSS pixels from its top left corner. */
 export interface Rect {
   x: number;

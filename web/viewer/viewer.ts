@@ -1,13 +1,14 @@
 /** The picture: what it shows in one to four views with one camera, drawn only when something changed. */
 import { NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
+import type { CameraPose, ViewName } from '../model/camera.ts';
 import { CameraRig, NO_INSETS } from './camera.ts';
 import type { Insets } from './camera.ts';
 import { Contents } from './contents.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
 import { tiles } from './tiles.ts';
-import type { CameraPose, Extra, GhostPicture, Look, Rect, ViewName } from './types.ts';
+import type { Extra, GhostPicture, Look, Rect } from './types.ts';
 
 export interface ViewerEvents {
   /** The user, or a standard view, has moved the camera. */

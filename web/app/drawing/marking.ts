@@ -1,7 +1,7 @@
 /** What is marked on the shape: the place of a warning, a component, or where faces are indefinite. */
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Warning } from '../../engine/api/types.ts';
-import { keysInWords, keysOf } from '../../engine/api/warning-keys.ts';
+import { keysOf } from '../../engine/api/warning-keys.ts';
 import { length } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { WarningItem } from '../../ui/warnings.ts';
@@ -114,11 +114,10 @@ export function momentOf(warning: Warning, keyTimes: readonly number[], range: R
   return (from + (to < from ? to + length(range) : to)) / 2;
 }
 
-export function warningItems(warnings: readonly Warning[], keys: number): WarningItem[] {
+export function warningItems(warnings: readonly Warning[]): WarningItem[] {
   return warnings.map((warning) => ({
     code: warning.code,
     message: warning.message,
-    where: keysInWords(warning, keys),
     shows: hasPlace(warning) || warning.key >= 0,
   }));
 }

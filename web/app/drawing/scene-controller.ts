@@ -1,6 +1,7 @@
 /** Between the sequences and the viewer: what is drawn for a time, for a document, for a look. */
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
+import type { ViewName } from '../../model/camera.ts';
 import type { AppState, View } from '../../model/state.ts';
 import { isInLri } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
@@ -96,7 +97,7 @@ export class SceneController {
   }
 
   /** Fits the view to the keys and to what is drawn now, which may have left them. */
-  fit(view: 'home' | 'front' | 'top' | 'right' | null, eased: boolean): void {
+  fit(view: ViewName | null, eased: boolean): void {
     if (!this.pool) return;
     this.setExtent(this.film ?? this.withGhost(this.shown()));
     this.viewer.fit(view, eased);

@@ -12,6 +12,7 @@ import {
   setShaping,
   setTurns,
 } from '../../model/edits.ts';
+import type { ViewName } from '../../model/camera.ts';
 import { undoName } from '../../model/page-options.ts';
 import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
 import type { End } from '../../model/speeds.ts';
@@ -45,12 +46,10 @@ export interface CommandParts {
   initial(): Doc | null;
   /** The exact shape of a moment, drawn and copied. */
   exactShape(t: number): Promise<Float32Array>;
-  fit(view: FittedView): void;
+  fit(view: ViewName | null): void;
   /** The visitor has found out how to move through time. */
   onUse(): void;
 }
-
-type FittedView = 'home' | 'front' | 'top' | 'right' | null;
 
 export function createCommands({ store, pool, range, initial, exactShape, fit, onUse }: CommandParts) {
   const state = store.get;

@@ -286,7 +286,7 @@ export function createComponents(input: ComponentsInput): Components {
       warnings: viewState.warnings.length,
       offline: viewState.offline,
     });
-    warnings.update({ items: itemsOf(viewState.warnings, doc.keys.length), shown: viewState.shownWarning });
+    warnings.update({ items: itemsOf(viewState.warnings), shown: viewState.shownWarning });
     progress.update(viewState.working);
     errorMessage.update(viewState.errorMessage);
     const covered = heat !== null || labels.length > 0 || viewState.errorMessage !== null || viewState.working !== null;
@@ -322,12 +322,11 @@ const keyItems = (() => {
   };
 })();
 
-/** The same list as long as the warnings and the number of keys are. */
+/** The same list as long as the warnings are the same. */
 const itemsOf = (() => {
-  let last: { warnings: unknown; keys: number; items: WarningItem[] } | null = null;
-  return (warnings: readonly Warning[], keys: number): WarningItem[] => {
-    if (last?.warnings !== warnings || last.keys !== keys)
-      last = { warnings, keys, items: warningItems(warnings, keys) };
+  let last: { warnings: unknown; items: WarningItem[] } | null = null;
+  return (warnings: readonly Warning[]): WarningItem[] => {
+    if (last?.warnings !== warnings) last = { warnings, items: warningItems(warnings) };
     return last.items;
   };
 })();

@@ -6,7 +6,7 @@ import type { Transfer } from '../../engine/api/types.ts';
 import { button } from '../../ui/controls.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { h, setHidden, setStyle, setText, svg } from '../../ui/dom.ts';
-import { encodingFor, motionFor, sequencePlan } from '../session/sequence-plan.ts';
+import { optionsFor, sequencePlan } from '../session/sequence-plan.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 
@@ -71,14 +71,7 @@ export function createGhostStudyPanel({ engine, store, pool, range, onError }: G
       const { studyGhosts } = await import('../../study/ghost-study.ts');
       const [start, end] = range();
       const times = Array.from({ length: FRAMES }, (_, i) => start + ((i + 0.5) / FRAMES) * (end - start));
-      const pose = (index: number | null): Float32Array | null => (index === null ? null : poses.keys.positions(index));
-      const options = {
-        ...encodingFor(plan, variant!),
-        placement: plan.encoding.placement,
-        ...motionFor(plan, variant!.method),
-        startTangent: pose(plan.startTangentPose),
-        endTangent: pose(plan.endTangentPose),
-      };
+      const options = { ...optionsFor(plan, variant!, poses.keys), placement: plan.encoding.placement };
       const study = await studyGhosts(engine, keys, options, {
         times,
         signal: own.signal,

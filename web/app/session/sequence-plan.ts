@@ -1,7 +1,8 @@
 /** What the document asks of the engine, as plain data: which keys, encoded how, moved how. */
 import { ENCODING_DEFAULTS } from '../../engine/api/types.ts';
+import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
-import type { EncodingOptions, Method, MotionOptions } from '../../engine/api/types.ts';
+import type { EncodingOptions, Method, MotionOptions, SequenceOptions } from '../../engine/api/types.ts';
 import { listsOf } from '../../model/shaping.ts';
 import type { Doc } from '../../model/state.ts';
 import { ignoresHermite, isInLri, referenceKey } from '../../model/state.ts';
@@ -50,7 +51,7 @@ export function sequencePlan(doc: Doc, compare: readonly Method[], difference = 
   };
 }
 
-export function encodingFor({ encoding }: SequencePlan, { ghost }: Variant): Encoding {
+function encodingFor({ encoding }: SequencePlan, { ghost }: Variant): Encoding {
   const { ghostFaces, transfer, placement } = ENCODING_DEFAULTS;
   return ghost ? encoding : { ...encoding, ghostFaces, transfer, placement };
 }
@@ -59,6 +60,17 @@ export function encodingFor({ encoding }: SequencePlan, { ghost }: Variant): Enc
 export function variantKey(plan: SequencePlan, variant: Variant): string {
   const { order, startTangentPose, endTangentPose } = plan;
   return JSON.stringify([order, encodingFor(plan, variant), startTangentPose, endTangentPose]);
+}
+
+/** What one of the motions is built with; `keys` hold every pose. */
+export function optionsFor(plan: SequencePlan, variant: Variant, keys: Keys): Partial<SequenceOptions> {
+  const pose = (index: number | null): Float32Array | null => (index === null ? null : keys.positions(index));
+  return {
+    ...encodingFor(plan, variant),
+    ...motionFor(plan, variant.method),
+    startTangent: pose(plan.startTangentPose),
+    endTangent: pose(plan.endTangentPose),
+  };
 }
 
 /** The boundary that a method makes use of: straight motion has no end derivatives. */

@@ -1,9 +1,9 @@
 /** The running sequences: one per motion that is shown. Follows the wanted plan, the newest one wins. */
 import type { Engine, Keys, Sequence } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
-import type { EncodingOptions, Progress } from '../../engine/api/types.ts';
+import type { Progress } from '../../engine/api/types.ts';
 import type { SequencePlan, Variant } from './sequence-plan.ts';
-import { encodingFor, variantKey, motionFor } from './sequence-plan.ts';
+import { motionFor, optionsFor, variantKey } from './sequence-plan.ts';
 
 export interface RunningSequence extends Variant {
   /** What the sequence was built for (variantKey). */
@@ -111,7 +111,7 @@ export class SequenceSet {
         const onProgress = ({ stage, fraction }: Progress): void =>
           this.events.onProgress({ stage, fraction: (index + fraction) / variants.length });
         const keys = this.pool.keys.arrange(plan.order, plan.times, plan.names);
-        const options = { ...this.encoding(plan, variant), ...motionFor(plan, variant.method) };
+        const options = optionsFor(plan, variant, this.pool.keys);
         built.push({
           ...variant,
           key: variantKey(plan, variant),
@@ -127,13 +127,6 @@ export class SequenceSet {
       this.building = null;
       this.events.onProgress(null);
     }
-  }
-
-  private encoding(plan: SequencePlan, variant: Variant): Partial<EncodingOptions> {
-    const { startTangentPose, endTangentPose } = plan;
-    const pose = (index: number | null): Float32Array | null =>
-      index === null ? null : this.pool.keys.positions(index);
-    return { ...encodingFor(plan, variant), startTangent: pose(startTangentPose), endTangent: pose(endTangentPose) };
   }
 }
 

@@ -11,7 +11,8 @@ import { MAX_FPS } from '../../model/frames.ts';
 import { forPage, isPose, pageOptions } from '../../model/page-options.ts';
 import type { ShapingNumber } from '../../model/shaping.ts';
 import { SHAPING_NUMBERS, turnsOf } from '../../model/shaping.ts';
-import type { AppState, CameraPose, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
+import type { CameraPose } from '../../model/camera.ts';
+import type { AppState, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, MAX_TURNS, METHODS } from '../../model/state.ts';
 
 export interface Permalink {

@@ -1,4 +1,4 @@
-/** Which keys a warning is about, as numbers and in words. */
+/** Which keys a warning is about; its sentence names them, too. */
 import type { Warning } from './types.ts';
 
 /** What is open between two keys; everything else is about one key. */
@@ -12,12 +12,4 @@ export function keysOf({ code, key }: Warning, count: number): [number, number] 
   if (key < 0) return null;
   if (!INTERVAL.test(code)) return [key, key];
   return key === 0 || key >= count ? [count - 1, 0] : [key - 1, key];
-}
-
-/** The same in words, counted from 1; empty where the sentence names them, or there are none. */
-export function keysInWords(warning: Warning, count: number): string {
-  const keys = keysOf(warning, count);
-  if (!keys || /\bkeys? \d/i.test(warning.message)) return '';
-  const [from, to] = keys;
-  return from === to ? `Key ${to + 1}` : `Key ${from + 1} to key ${to + 1}`;
 }
