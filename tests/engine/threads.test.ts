@@ -18,9 +18,9 @@ const TIMES = [-0.3, 0, 0.2, 0.5, 0.9, 1.4];
 /** Of Linux: a folder for each. */
 const THREADS_OF_PROCESS = '/proc/self/task';
 
-const helpers: Worker[] = [];
+const secondThreads: Worker[] = [];
 afterEach(async () => {
-  await Promise.all(helpers.splice(0).map((helper) => helper.terminate()));
+  await Promise.all(secondThreads.splice(0).map((secondThread) => secondThread.terminate()));
 });
 
 async function started(
@@ -34,24 +34,24 @@ async function started(
 }
 
 /** A core with a second thread that is ready to help. */
-async function withHelper(): Promise<{ core: WasmCore; module: WasmModule; helper: Worker }> {
+async function withSecondThread(): Promise<{ core: WasmCore; module: WasmModule; secondThread: Worker }> {
   const { core, module, compiled } = await started(createThreaded, 'shapespline_threads');
-  const helper = new Worker(new URL('../../build/node/node-helper.mjs', import.meta.url), {
+  const secondThread = new Worker(new URL('../../build/node/second-thread-node.mjs', import.meta.url), {
     workerData: core.secondThreadStart(compiled),
   });
-  helpers.push(helper);
-  await new Promise((resolve, reject) => helper.once('message', resolve).once('error', reject));
-  return { core, module, helper };
+  secondThreads.push(secondThread);
+  await new Promise((resolve, reject) => secondThread.once('message', resolve).once('error', reject));
+  return { core, module, secondThread };
 }
 
 describe('two threads', () => {
   it('give the frames of one thread, bit for bit', async () => {
     const data = bendData(bar(8, 80));
     const { core: alone } = await started(createWasm, 'shapespline');
-    const { core: together, module } = await withHelper();
+    const { core: together, module } = await withSecondThread();
     const [one, two] = [createBend(alone, data), createBend(together, data)];
     together.setThreads(two, 2);
-    // A busy machine may leave the helper waiting: then frames are made until it had its share.
+    // A busy machine may leave the second thread waiting: then frames are made until it had its share.
     for (let i = 0; i < 3000 && (i < TIMES.length || module._shapespline_helped() < 20); ++i) {
       const t = TIMES[i % TIMES.length]!;
       expect(Buffer.compare(bytes(together.evaluate(two, t, null)), bytes(alone.evaluate(one, t, null)))).toBe(0);
@@ -61,12 +61,12 @@ describe('two threads', () => {
 
   it('need no second one: without it, or once it has ended, frames are made all the same', async () => {
     const data = bendData();
-    const { core, module, helper } = await withHelper();
+    const { core, module, secondThread } = await withSecondThread();
     const handle = createBend(core, data);
     const before = bytes(core.evaluate(handle, 0.3, null));
     core.setThreads(handle, 2);
     expect(bytes(core.evaluate(handle, 0.3, null)).equals(before)).toBe(true);
-    await helper.terminate();
+    await secondThread.terminate();
     const helped = module._shapespline_helped();
     for (let i = 0; i < 20; ++i) expect(bytes(core.evaluate(handle, 0.3, null)).equals(before)).toBe(true);
     expect(module._shapespline_helped()).toBe(helped);

@@ -160,13 +160,13 @@ async function bundle(entries) {
 const entry = (out, file) => ({ out, in: inRoot(file) });
 const engineEntries = [
   entry('node-worker', 'web/engine/worker/node-worker.ts'),
-  entry('node-helper', 'web/engine/worker/second-thread-node.ts'),
+  entry('second-thread-node', 'web/engine/worker/second-thread-node.ts'),
 ];
 
 export const nodeBundle = guarded(
   'node-bundle',
   () => digest(['web/engine', 'web/cli', 'package.json', 'package-lock.json']),
-  ['build/node/cli.mjs', 'build/node/node-helper.mjs'],
+  ['build/node/cli.mjs', 'build/node/second-thread-node.mjs'],
   () => bundle([entry('cli', 'web/cli/main.ts'), ...engineEntries]),
 );
 

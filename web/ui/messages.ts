@@ -44,32 +44,35 @@ export function createProgress(onCancel: () => void): { element: HTMLElement; up
   };
 }
 
-export interface Problem {
+export interface ErrorMessage {
   /** One sentence: what, where, what to do. */
   message: string;
   /** For experts. */
   details: string;
 }
 
-export function createProblem(onClose: () => void): { element: HTMLElement; update(problem: Problem | null): void } {
+export function createErrorMessage(onClose: () => void): {
+  element: HTMLElement;
+  update(error: ErrorMessage | null): void;
+} {
   const message = h('p', { class: 'message', 'data-testid': 'error-message' });
   const details = h('p', { class: 'expert' });
   const more = h('details', {}, h('summary', {}, 'Details'), details);
   const element = h(
     'div',
-    { class: 'card problem', role: 'alert', 'data-testid': 'error', hidden: true },
+    { class: 'card error-message', role: 'alert', 'data-testid': 'error', hidden: true },
     icon('warning'),
     h('div', {}, message, more),
     button({ label: 'Close this message', testId: 'error-close', icon: 'close', shortcut: 'Esc', onClick: onClose }),
   );
-  const draw = memo(({ problem }: { problem: Problem | null }) => {
-    setHidden(element, problem === null);
-    if (!problem) return;
-    setText(message, problem.message);
-    setText(details, problem.details);
-    setHidden(more, problem.details === '');
+  const draw = memo(({ error }: { error: ErrorMessage | null }) => {
+    setHidden(element, error === null);
+    if (!error) return;
+    setText(message, error.message);
+    setText(details, error.details);
+    setHidden(more, error.details === '');
   });
-  return { element, update: (problem) => draw({ problem }) };
+  return { element, update: (error) => draw({ error }) };
 }
 
 export interface Offer {

@@ -20,7 +20,7 @@ import { createHelp } from '../../ui/help.ts';
 import type { ShortcutLine } from '../../ui/help.ts';
 import { createKeyStrip } from '../../ui/key-strip.ts';
 import type { KeyItem } from '../../ui/key-strip.ts';
-import { createProblem, createProgress, createWelcome } from '../../ui/messages.ts';
+import { createErrorMessage, createProgress, createWelcome } from '../../ui/messages.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
 import { createStatusLine } from '../../ui/status-line.ts';
@@ -162,7 +162,7 @@ export function createComponents(input: ComponentsInput): Components {
   const warnings = createWarnings(input.marking.warning);
   const status = createStatusLine(warnings.toggle);
   const progress = createProgress(input.onCancel);
-  const errorMessage = createProblem(input.onCloseError);
+  const errorMessage = createErrorMessage(input.onCloseError);
   const welcome = createWelcome(picker.open);
   const exporting = createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
   const help = createHelp(input.shortcuts, input.onSingleKeys);

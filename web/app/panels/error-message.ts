@@ -1,7 +1,7 @@
 /** Any failure as a sentence for people and a line for experts. */
-import type { Problem } from '../../ui/messages.ts';
+import type { ErrorMessage } from '../../ui/messages.ts';
 
-export function errorMessageOf(error: unknown): Problem {
+export function errorMessageOf(error: unknown): ErrorMessage {
   if (!(error instanceof Error))
     return { message: 'Something went wrong. The shape on the screen is still usable.', details: String(error) };
   const { code, place } = error as { code?: unknown; place?: unknown };

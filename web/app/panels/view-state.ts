@@ -3,7 +3,7 @@ import type { Frame, KeysInfo, SequenceStats, Warning } from '../../engine/api/t
 import type { Doc } from '../../model/state.ts';
 import type { ExportRequest, VideoFormat } from '../../ui/export-dialog.ts';
 import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
-import type { Problem, Working } from '../../ui/messages.ts';
+import type { ErrorMessage, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../ui/orientation.ts';
 import type { OpenedFiles } from '../sources/open-files.ts';
 import type { Sample } from '../sources/samples.ts';
@@ -19,7 +19,7 @@ export interface ViewState {
   /** Index of the warning whose place is marked on the shape, or null. */
   shownWarning: number | null;
   working: Working | null;
-  errorMessage: Problem | null;
+  errorMessage: ErrorMessage | null;
   stats: SequenceStats | null;
   /** Milliseconds of the last exact frame. */
   ms: number | null;

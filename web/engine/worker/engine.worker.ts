@@ -17,10 +17,10 @@ const handler = new RequestHandler({
   create: createWasm,
   createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
   startSecondThread: (start, onReady) => {
-    const helper = new Worker(new URL('./second-thread.worker.ts', import.meta.url), { type: 'module' });
-    helper.onmessage = onReady;
-    helper.onerror = (event) => event.preventDefault();
-    helper.postMessage(start);
+    const secondThread = new Worker(new URL('./second-thread.worker.ts', import.meta.url), { type: 'module' });
+    secondThread.onmessage = onReady;
+    secondThread.onerror = (event) => event.preventDefault();
+    secondThread.postMessage(start);
   },
   decode: decoder(dracoWasm),
 });

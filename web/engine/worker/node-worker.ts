@@ -14,10 +14,10 @@ const handler = new RequestHandler({
   create: createWasm,
   createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
   startSecondThread: (start, onReady) => {
-    const helper = new Worker(new URL('./node-helper.mjs', import.meta.url), { workerData: start });
-    helper.on('message', onReady);
-    helper.on('error', () => undefined);
-    helper.unref();
+    const secondThread = new Worker(new URL('./second-thread-node.mjs', import.meta.url), { workerData: start });
+    secondThread.on('message', onReady);
+    secondThread.on('error', () => undefined);
+    secondThread.unref();
   },
   decode: decoder(() => readFile(require.resolve('draco3dgltf/draco_decoder_gltf.wasm'))),
 });

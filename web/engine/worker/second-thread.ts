@@ -25,13 +25,13 @@ export function help({ module, memory, stack }: SecondThreadStart, onReady: () =
     imports[from][name] = kind === 'memory' ? memory : notHere(name);
   }
   // Not seen by the types: that the module exports just these.
-  const helper = new WebAssembly.Instance(module, imports).exports as unknown as SecondThreadExports;
-  helper.__stack_pointer.value = stack;
+  const secondThread = new WebAssembly.Instance(module, imports).exports as unknown as SecondThreadExports;
+  secondThread.__stack_pointer.value = stack;
   onReady();
   try {
-    helper.shapespline_help();
+    secondThread.shapespline_help();
   } catch {
-    helper.shapespline_help_lost();
+    secondThread.shapespline_help_lost();
   }
 }
 

@@ -17,7 +17,7 @@ import type {
 } from '../api/types.ts';
 import type { Address, CreateWasmModule, WasmModule } from './wasm-module.ts';
 
-type Answer<T> = ({ ok: true } & T) | Failure;
+type CallResult<T> = ({ ok: true } & T) | Failure;
 
 interface Failure {
   ok: false;
@@ -86,7 +86,7 @@ export class WasmCore {
 
   /** Objects of the bindings that are alive. */
   get objects(): number {
-    return this.answer<{ count: number }>(this.module._shapespline_objects()).count;
+    return this.result<{ count: number }>(this.module._shapespline_objects()).count;
   }
 
   importKeys(
@@ -109,7 +109,7 @@ export class WasmCore {
       },
     };
     return this.lend((scope) => {
-      const { handle, normals, ...info } = this.answer<ImportedInfo & { handle: number; normals: Float32Array | null }>(
+      const { handle, normals, ...info } = this.result<ImportedInfo & { handle: number; normals: Float32Array | null }>(
         this.module._shapespline_import(scope.putJson(request)),
       );
       try {
@@ -144,13 +144,13 @@ export class WasmCore {
     buffers: FrameBuffers | null,
     preview = false,
   ): Omit<FrameData, 'ms' | 'threads'> {
-    interface FrameAnswer {
+    interface FrameResult {
       positions: Range;
       normals: Range;
       indefiniteFaces: number;
       indefiniteFace?: number;
     }
-    const frame = this.rawAnswer<FrameAnswer>(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0));
+    const frame = this.rawResult<FrameResult>(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0));
     return {
       positions: readFloats(this.module, frame.positions, buffers?.positions),
       normals: readFloats(this.module, frame.normals, buffers?.normals),
@@ -160,11 +160,11 @@ export class WasmCore {
   }
 
   previewError(handle: number, t: number): PreviewError {
-    return this.answer(this.module._shapespline_preview_error(handle, t));
+    return this.result(this.module._shapespline_preview_error(handle, t));
   }
 
   measure(handle: number, t: number): { volume: number; area: number } {
-    return this.answer(this.module._shapespline_measure(handle, t));
+    return this.result(this.module._shapespline_measure(handle, t));
   }
 
   plane(handle: number, times: number[]): ShapePlane {
@@ -177,25 +177,25 @@ export class WasmCore {
   }
 
   patches(handle: number): Int32Array {
-    return this.answer<{ patches: Int32Array }>(this.module._shapespline_patches(handle)).patches;
+    return this.result<{ patches: Int32Array }>(this.module._shapespline_patches(handle)).patches;
   }
 
   components(handle: number): Int32Array {
-    return this.answer<{ components: Int32Array }>(this.module._shapespline_components(handle)).components;
+    return this.result<{ components: Int32Array }>(this.module._shapespline_components(handle)).components;
   }
 
   ghost(handle: number): Ghost | null {
-    const ghost = this.answer<Ghost>(this.module._shapespline_ghost(handle));
+    const ghost = this.result<Ghost>(this.module._shapespline_ghost(handle));
     return ghost.faces.length > 0 ? ghost : null;
   }
 
   ghostPositions(handle: number, t: number): Float32Array {
-    return this.answer<{ positions: Float32Array }>(this.module._shapespline_ghost_positions(handle, t)).positions;
+    return this.result<{ positions: Float32Array }>(this.module._shapespline_ghost_positions(handle, t)).positions;
   }
 
   stats(handle: number): Omit<SequenceStats, 'threads'> {
     return {
-      ...this.answer<Omit<SequenceStats, 'threads' | 'heapBytes'>>(this.module._shapespline_stats(handle)),
+      ...this.result<Omit<SequenceStats, 'threads' | 'heapBytes'>>(this.module._shapespline_stats(handle)),
       heapBytes: this.heapBytes,
     };
   }
@@ -236,7 +236,7 @@ export class WasmCore {
   }
 
   private importedPositions(handle: number, key: number): Float32Array {
-    const { positions } = this.rawAnswer<{ positions: Range }>(this.module._shapespline_import_positions(handle, key));
+    const { positions } = this.rawResult<{ positions: Range }>(this.module._shapespline_import_positions(handle, key));
     return readFloats(this.module, positions, sharedFloats(positions.length));
   }
 
@@ -257,22 +257,22 @@ export class WasmCore {
   }
 
   private ask<T>(request: object, call: (address: Address) => Address): T {
-    return this.lend((scope) => this.answer<T>(call(scope.putJson(request))));
+    return this.lend((scope) => this.result<T>(call(scope.putJson(request))));
   }
 
-  private answer<T>(address: Address): T {
-    return checked(readJson(this.module, readText(this.module, address)) as Answer<T>);
+  private result<T>(address: Address): T {
+    return checked(readJson(this.module, readText(this.module, address)) as CallResult<T>);
   }
 
   /** With ranges where others have copies of the arrays. */
-  private rawAnswer<T>(address: Address): T {
-    return checked(JSON.parse(readText(this.module, address)) as Answer<T>);
+  private rawResult<T>(address: Address): T {
+    return checked(JSON.parse(readText(this.module, address)) as CallResult<T>);
   }
 }
 
-function checked<T>(answer: Answer<T>): T {
-  if (!answer.ok) throw new EngineError(answer.code, answer.message, placeOf(answer));
-  const { ok, ...value } = answer;
+function checked<T>(result: CallResult<T>): T {
+  if (!result.ok) throw new EngineError(result.code, result.message, placeOf(result));
+  const { ok, ...value } = result;
   return value as T;
 }
 
