@@ -1,4 +1,5 @@
 /** What to take along: an animation, one pose, a picture, a video, or the numbers; the size is stated before. */
+import { EXPORT } from '../engine/api/option-table.ts';
 import { button, checkbox, numberField, segments } from './controls.ts';
 import { h, memo, setField, setHidden, setText } from './dom.ts';
 import { frameTimes } from '../model/frames.ts';
@@ -29,7 +30,7 @@ export interface ExportRequest {
   inPlace: boolean;
 }
 
-const USUAL_FRAMES = 60;
+const USUAL_FRAMES = EXPORT.frames.default;
 export const MAX_FRAMES = 2000;
 
 export const DEFAULT_REQUEST: Readonly<ExportRequest> = {

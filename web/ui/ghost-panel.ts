@@ -1,4 +1,5 @@
 /** The ghost mesh (paper section 4.3): whether a coarse mesh leads the shape, how, and what of it is shown. */
+import { ENCODING } from '../engine/api/option-table.ts';
 import type { SequenceStats, Transfer } from '../engine/api/types.ts';
 import { DEFAULT_ENCODING, GHOST_FACES } from '../model/state.ts';
 import type { Encoding, View } from '../model/state.ts';
@@ -44,7 +45,7 @@ export function createGhostPanel(
   const faces = numberField({
     label: 'Faces of the ghost mesh',
     testId: 'ghost-faces',
-    min: 4,
+    min: ENCODING.ghostFaces.least,
     max: 1_000_000,
     step: 100,
     onInput: (value) => events.onEncoding({ ghostFaces: Math.round(value) }),

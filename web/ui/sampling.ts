@@ -1,10 +1,10 @@
 /** Where the file holds animations: which one the keys are taken from, and at which times of its own timeline. */
+import { SAMPLED_KEYS } from '../engine/api/option-table.ts';
 import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
 import { button, numberField, select } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setStyle, setText } from './dom.ts';
 
 const MOST_KEYS = 64;
-const DEFAULT_KEYS = 8;
 
 export interface Sampling {
   element: HTMLElement;
@@ -101,7 +101,7 @@ export function createSampling(onTake: (animation: number, times: number[]) => v
       info.animation >= 0 &&
       info.times.length <= MOST_KEYS &&
       info.times.every((t) => t >= span().start && t <= span().end);
-    choose(taken ? info.times : evenly(span(), DEFAULT_KEYS));
+    choose(taken ? info.times : evenly(span(), SAMPLED_KEYS));
   });
   return { element, update: (info) => read({ info }) };
 }

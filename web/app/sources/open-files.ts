@@ -1,5 +1,6 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
 import type { Engine } from '../../engine/api/api.ts';
+import { IMPORT } from '../../engine/api/option-table.ts';
 import { extensionOf, isModel, modelName } from '../../engine/api/paths.ts';
 import { readPoses } from '../../engine/api/read-poses.ts';
 import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.ts';
@@ -260,7 +261,10 @@ function openingView(view: View, info: KeysInfo, link: Permalink | null): View {
 }
 
 /** glTF says which way is up and how long a metre is; the other formats do not. */
-function orientationOf(source: Source, { up = 'y', unit = 1 }: ImportOptions): Orientation | null {
+function orientationOf(
+  source: Source,
+  { up = IMPORT.up.default, unit = IMPORT.unit.default }: ImportOptions,
+): Orientation | null {
   return source.kind === 'files' &&
     source.names.some((name) => !['glb', 'gltf'].includes(extensionOf(name)) && isModel(name))
     ? { up, unit }

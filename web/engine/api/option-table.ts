@@ -293,6 +293,9 @@ export const ENCODING = {
   },
 } as const satisfies OptionTable;
 
+/** Evenly spaced keys of an animation where nobody says how many. */
+export const SAMPLED_KEYS = 8;
+
 /** What to take from the files. */
 export const IMPORT = {
   /** Key times; default: the animation's own, else evenly over [0, 1]. */
@@ -314,7 +317,7 @@ export const IMPORT = {
     kind: 'sample',
     flag: 'sample',
     value: 'T,T,...|N',
-    help: 'at these times of it, in seconds, or at N evenly spaced ones (default: 8)',
+    help: `at these times of it, in seconds, or at N evenly spaced ones (default: ${SAMPLED_KEYS})`,
   },
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
   up: {
@@ -385,7 +388,7 @@ export const EXPORT = {
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
   pose: { kind: 'number', default: null, help: 'one pose only, at this time' },
-  inPlace: { kind: 'flag', default: false, help: 'without the overall translation' },
+  inPlace: { kind: 'flag', default: MOTION.inPlace.default, help: MOTION.inPlace.help },
 } as const satisfies OptionTable;
 
 /** The entries of a table, with the type that every option has. */

@@ -1,4 +1,5 @@
 /** The core as TypeScript sees it: typed calls into the bindings, arrays copied in and out. Runs inside a worker. */
+import { IMPORT } from '../api/option-table.ts';
 import { EngineError, outOfMemory } from '../api/errors.ts';
 import type { SecondThreadStart } from './second-thread.ts';
 import { HeapScope, readFloats, readJson, readText, sharedFloats, writeFloats, type Range } from './heap.ts';
@@ -103,8 +104,8 @@ export class WasmCore {
         sampleTimes: Array.isArray(sample) ? sample : [],
         sampleCount: typeof sample === 'number' ? sample : null,
         keyTimes: keyTimes ?? [],
-        zUp: up === 'z',
-        unit: unit ?? 1,
+        zUp: (up ?? IMPORT.up.default) === 'z',
+        unit: unit ?? IMPORT.unit.default,
         like: like ?? null,
       },
     };
