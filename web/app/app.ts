@@ -130,6 +130,7 @@ export function startApp(root: HTMLElement): void {
     store,
     workspace,
     reducedMotion,
+    say,
     onStart,
     onError,
     samples: () => viewState.get().samples,
