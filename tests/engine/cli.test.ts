@@ -1,3 +1,4 @@
+import { execFileSync } from 'node:child_process';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
@@ -98,6 +99,22 @@ describe('inspect', () => {
       const { code, stderr } = await runCli(where, 'inspect', 'inner/c.gltf', 'inner/c.gltf');
       expect([code, stderr]).toEqual([1, expect.stringMatching(/^shapespline: .*c\.gltf.*\n$/)]);
     }
+  });
+});
+
+describe('what is no regular file', () => {
+  it.each(['/dev/zero', 'pipe'])('is refused before it is read: %s', async (name) => {
+    const where = await folderOf(files);
+    execFileSync('mkfifo', [path.join(where, 'pipe')]);
+    const { code, stderr } = await runCli(where, 'inspect', names[0]!, name);
+    expect([code, stderr]).toEqual([1, `shapespline: ${name}: it is a device, a pipe or a socket, not a file.\n`]);
+  });
+
+  it('is not read where a .gltf names it, either', async () => {
+    const where = await folderOf([...gltfPair('a', poses[0]!), ...gltfPair('b', poses[1]!, 'pipe')]);
+    execFileSync('mkfifo', [path.join(where, 'pipe')]);
+    const { code, stderr } = await runCli(where, 'inspect', 'a.gltf', 'b.gltf');
+    expect([code, stderr]).toEqual([1, expect.stringMatching(/^shapespline: b\.gltf.*pipe.*\n$/)]);
   });
 });
 
