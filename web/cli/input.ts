@@ -24,24 +24,42 @@ export async function readInputs(names: string[]): Promise<InputFile[]> {
 
 /** The material libraries of an OBJ, which it names before its first face, and the images that they name, as seen from there. */
 async function librariesOf({ name, bytes }: InputFile): Promise<string[]> {
-  const libraries = namedIn(bytes.subarray(0, OBJ_HEAD), /^mtllib[ \t]+(.+?)[ \t]*$/gm);
+  const libraries = namedIn(bytes.subarray(0, OBJ_HEAD), 'mtllib');
   const images = await Promise.all(
     libraries.map(async (library) => {
       const text = (await readBeside(name, library)) ?? new Uint8Array(0);
-      return namedIn(text, IMAGE).map((image) => beside(library, image));
+      return namedIn(text, 'map_Kd').map((image) => beside(library, withoutOptions(image)));
     }),
   );
   return [...libraries, ...images.flat()];
 }
 
 const OBJ_HEAD = 1 << 16;
-/** Behind options such as -s 1 1 1 and -clamp on. */
-const IMAGE = /^[ \t]*map_Kd[ \t]+(?:-\w+(?:[ \t]+(?:[-+]?[.\d][^ \t]*|on|off))*[ \t]+)*(.+?)[ \t]*$/gm;
 
-function namedIn(bytes: Uint8Array, pattern: RegExp): string[] {
-  return [
-    ...new Set(Array.from(new TextDecoder().decode(bytes).replaceAll('\r', '').matchAll(pattern), ([, name]) => name!)),
-  ];
+/** What the lines that begin with a keyword name, each once. Read line by line: a pattern would try every blank of a long one. */
+export function namedIn(bytes: Uint8Array, keyword: string): string[] {
+  const lines = new TextDecoder().decode(bytes).split('\n');
+  const named = lines
+    .map((line) => line.trim())
+    .filter((line) => line.startsWith(keyword) && /[ \t]/.test(line.charAt(keyword.length)))
+    .map((line) => line.slice(keyword.length).trim());
+  return [...new Set(named)];
+}
+
+const OPTION = /-\w+[ \t]+/y;
+const OPTION_VALUE = /(?:[-+]?[.\d][^ \t]*|on|off)[ \t]+/y;
+
+/** An image's name without options before it such as -s 1 1 1 and -clamp on. */
+export function withoutOptions(text: string): string {
+  let at = 0;
+  const takes = (pattern: RegExp): boolean => {
+    pattern.lastIndex = at;
+    if (!pattern.test(text)) return false;
+    at = pattern.lastIndex;
+    return true;
+  };
+  while (takes(OPTION)) while (takes(OPTION_VALUE));
+  return text.slice(at);
 }
 
 async function read(name: string): Promise<Uint8Array> {
