@@ -105,10 +105,14 @@ async function readBeside(gltf: string, uri: string): Promise<Uint8Array | null>
   try {
     const folder = await realpath(path.dirname(gltf));
     const found = await realpath(path.resolve(folder, decodedUri(uri).replaceAll('\\', '/')));
-    return found.startsWith(folder + path.sep) ? await readRegular(found) : null;
+    return isBelow(folder, found) ? await readRegular(found) : null;
   } catch {
     return null;
   }
 }
+
+/** The root ends in a slash already. */
+export const isBelow = (folder: string, file: string): boolean =>
+  file.startsWith(folder.endsWith(path.sep) ? folder : folder + path.sep);
 
 const toSlashes = (name: string): string => name.replaceAll(path.sep, '/');

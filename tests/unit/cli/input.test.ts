@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { namedIn, withoutOptions } from '../../../web/cli/input.ts';
+import { isBelow, namedIn, withoutOptions } from '../../../web/cli/input.ts';
 
 const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
 
@@ -31,5 +31,18 @@ describe('what an OBJ and its materials name', () => {
     expect(withoutOptions(`-s ${'1 '.repeat(long)}-`)).toBe('-');
     expect(withoutOptions(`${'-s '.repeat(long)}`)).toBe('');
     expect(withoutOptions(`-s${' '.repeat(long)}`)).toBe('');
+  });
+});
+
+describe('a file', () => {
+  it.each([
+    ['/', '/a.bin', true],
+    ['/', '/b/a.bin', true],
+    ['/b', '/b/a.bin', true],
+    ['/b', '/b', false],
+    ['/b', '/bc/a.bin', false],
+    ['/b', '/a.bin', false],
+  ])('of the folder %s is %s: %s', (folder, file, below) => {
+    expect(isBelow(folder, file)).toBe(below);
   });
 });
