@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { Plugin } from 'vite';
 import { offline } from './offline/plugin.ts';
+import { guards } from '../wasm/toolchain/serve.mjs';
 import { preload } from './offline/preload.ts';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -34,5 +35,5 @@ export default defineConfig({
   worker: { format: 'es' },
   // The worker's packages, too, are bundled before the first request: finding one later would reload the page.
   optimizeDeps: { entries: ['**/*.html', 'engine/worker/*.worker.ts'] },
-  server: { fs: { allow: [repository] } },
+  server: { fs: { allow: [repository] }, headers: guards },
 });
