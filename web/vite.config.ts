@@ -1,8 +1,10 @@
-import { rmSync } from 'node:fs';
+import { rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { Plugin } from 'vite';
 import { offline } from './offline/plugin.ts';
+import { NOTICES, notices, packageOf } from '../wasm/toolchain/notices.mjs';
+import { guards } from '../wasm/toolchain/serve.mjs';
 import { preload } from './offline/preload.ts';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -18,13 +20,32 @@ const forReaders: Plugin = {
   },
 };
 
+/** The npm packages in the page and in its workers, which are bundled before it. */
+const bundled = new Set<string>();
+const collectsPackages = (): Plugin => ({
+  name: 'shapespline-collects-packages',
+  apply: 'build',
+  generateBundle(_, bundle) {
+    for (const part of Object.values(bundle)) {
+      const modules = part.type === 'chunk' ? Object.keys(part.modules) : [];
+      for (const name of modules.map(packageOf)) if (name !== null) bundled.add(name);
+    }
+  },
+});
+
+const carriesNotices: Plugin = {
+  name: 'shapespline-carries-notices',
+  apply: 'build',
+  writeBundle: () => writeFileSync(`${repository}dist/${NOTICES}`, notices(bundled)),
+};
+
 export default defineConfig({
   root: here,
   publicDir: `${repository}public`,
   cacheDir: `${repository}build/vite`,
   // Relative URLs: the built page works from any sub-path of any static host.
   base: './',
-  plugins: [preload(), forReaders, offline()],
+  plugins: [preload(), collectsPackages(), carriesNotices, forReaders, offline()],
   build: {
     outDir: `${repository}dist`,
     emptyOutDir: true,
@@ -32,8 +53,8 @@ export default defineConfig({
     // three.js alone is larger than Vite's warning limit.
     chunkSizeWarningLimit: 1200,
   },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [collectsPackages()] },
   // The worker's packages, too, are bundled before the first request: finding one later would reload the page.
   optimizeDeps: { entries: ['**/*.html', 'engine/worker/*.worker.ts'] },
-  server: { fs: { allow: [repository] } },
+  server: { fs: { allow: [repository] }, headers: guards },
 });

@@ -1,8 +1,10 @@
+import { execFileSync, spawnSync } from 'node:child_process';
+import { closeSync, existsSync, openSync } from 'node:fs';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
 import packageJson from '../../package.json';
-import { folderOf, listed, runCli } from './support/cli.ts';
+import { folderOf, listed, program, runCli } from './support/cli.ts';
 import { meshGlb, poseFiles } from './support/glb.ts';
 import { bar, bent, diagonal, largestDistance } from './support/shapes.ts';
 import { threePlayer } from './support/three-player.ts';
@@ -97,6 +99,51 @@ describe('inspect', () => {
       await writeFile(path.join(where, 'inner/c.gltf'), gltfPair('c', poses[2]!, uri)[0]!.bytes);
       const { code, stderr } = await runCli(where, 'inspect', 'inner/c.gltf', 'inner/c.gltf');
       expect([code, stderr]).toEqual([1, expect.stringMatching(/^shapespline: .*c\.gltf.*\n$/)]);
+    }
+  });
+});
+
+describe('what is no regular file', () => {
+  it.each(['/dev/zero', 'pipe'])('is refused before it is read: %s', async (name) => {
+    const where = await folderOf(files);
+    execFileSync('mkfifo', [path.join(where, 'pipe')]);
+    const { code, stderr } = await runCli(where, 'inspect', names[0]!, name);
+    expect([code, stderr]).toEqual([1, `shapespline: ${name}: it is a device, a pipe or a socket, not a file.\n`]);
+  });
+
+  it('is not read where a .gltf names it, either', async () => {
+    const where = await folderOf([...gltfPair('a', poses[0]!), ...gltfPair('b', poses[1]!, 'pipe')]);
+    execFileSync('mkfifo', [path.join(where, 'pipe')]);
+    const { code, stderr } = await runCli(where, 'inspect', 'a.gltf', 'b.gltf');
+    expect([code, stderr]).toEqual([1, expect.stringMatching(/^shapespline: b\.gltf.*pipe.*\n$/)]);
+  });
+});
+
+describe('the terminal', () => {
+  it('gets no orders out of names', async () => {
+    const { code, stderr } = await runCli(folder, 'inspect', 'a\u001b]0;title\u0007\u009b2J.glb');
+    expect([code, stderr]).toEqual([1, 'shapespline: a\\u001b]0;title\\u0007\\u009b2J.glb: there is no such file.\n']);
+    const glb = meshGlb(mesh, poses[0]!);
+    const where = await folderOf([{ name: 'a\u009b2J.glb', bytes: glb }, ...files.slice(1)]);
+    const { stdout } = await runCli(where, 'inspect', 'a\u009b2J.glb', names[1]!);
+    expect(stdout).not.toContain('\u009b');
+    expect((JSON.parse(stdout) as { files: string[] }).files[0]).toBe('a\u009b2J.glb');
+  });
+
+  it.skipIf(!existsSync('/dev/full'))('that takes no more is one line', () => {
+    const full = openSync('/dev/full', 'w');
+    try {
+      const { status, stderr } = spawnSync(process.execPath, [program, 'inspect', ...names], {
+        cwd: folder,
+        stdio: ['ignore', full, 'pipe'],
+        encoding: 'utf8',
+      });
+      expect([status, stderr]).toEqual([
+        1,
+        expect.stringMatching(/^shapespline: The answer cannot be written.*ENOSPC.*\n$/),
+      ]);
+    } finally {
+      closeSync(full);
     }
   });
 });
@@ -326,6 +373,10 @@ describe('wrong use', () => {
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--ghost-faces=no']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--ghost-faces=500', '--transfer=fast']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--reference', '7']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--frames=1000000000']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--range=1e308:1.7e308']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundary=periodic', '--period=1e308']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--at=1e300']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--animation', '0']],
     [['inspect', 'pose-1.glb', 'pose-2.glb', '--sample', '0,1']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundary=periodic', '--period=0.5']],

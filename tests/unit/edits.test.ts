@@ -48,6 +48,7 @@ describe('edits of keys', () => {
 
   it('refuse a time that another key has', () => {
     expect(retimeKey(doc, 1, 1)).toBe(doc);
+    for (const time of [1e300, -1e10, NaN]) expect(retimeKey(doc, 1, time)).toBe(doc);
     expect(addKey(doc, { pose: 3, name: 'd', time: 0.4 })).toBe(doc);
   });
 

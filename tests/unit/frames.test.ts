@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import {
   formatMoment,
+  frameCount,
   frameTimes,
   heldTime,
   loopRange,
@@ -20,6 +21,16 @@ describe('whole frames', () => {
     expect(heldTime(0.3, 10, 0)).toBe(0.3); // 0.3 * 10 is a little less than 3
     expect(heldTime(0.26, 10, 0.25)).toBe(0.25);
     expect(heldTime(-0.01, 10, -1)).toBe(-0.1);
+  });
+
+  it('are counted without being listed', () => {
+    for (const [stretch, fps] of [
+      [[0, 1], 24],
+      [[-0.4, 1.4], 12.5],
+      [[0.26, 0.29], 10],
+    ] as const)
+      expect(frameCount(stretch, fps)).toBe(frameTimes(stretch, fps).length);
+    expect(frameCount([0, 1e9], 60)).toBe(60e9 + 1);
   });
 
   it('are stepped through one by one, also from between two', () => {

@@ -1,5 +1,6 @@
 import { execFileSync, spawn } from 'node:child_process';
 import {
+  existsSync,
   lstatSync,
   mkdirSync,
   mkdtempSync,
@@ -14,6 +15,7 @@ import path from 'node:path';
 import { build } from 'esbuild';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { writeOutputs } from '../../web/cli/output.ts';
+import { EngineError } from '../../web/engine/api/errors.ts';
 
 let folder = '';
 const at = (...names: string[]): string => path.join(folder, ...names);
@@ -38,6 +40,29 @@ describe('results', () => {
     await writeOutputs([frames(at('new/out'), 'a.obj', 'b.obj'), file(at('report.json'), 'new')]);
     expect(listed()).toEqual(['new', 'new/out', 'new/out/a.obj', 'new/out/b.obj', 'report.json']);
     expect(readFileSync(at('report.json'), 'utf8')).toBe('new');
+  });
+
+  it('are written one by one, as they are made', async () => {
+    const made = async function* () {
+      for (const name of ['a.obj', 'b.obj', 'c.obj']) {
+        yield { name, bytes: name };
+        await expect.poll(() => listed().some((place) => place.endsWith(name))).toBe(true);
+        expect(existsSync(at('out'))).toBe(false);
+      }
+    };
+    await writeOutputs([{ path: `${at('out')}/`, files: made() }]);
+    expect(listed()).toEqual(['out', 'out/a.obj', 'out/b.obj', 'out/c.obj']);
+  });
+
+  it('whose making fails leave nothing behind, and say what failed', async () => {
+    const made = async function* () {
+      yield { name: 'a.obj', bytes: '' };
+      await Promise.reject(new EngineError('out-of-memory', 'There is not enough memory.'));
+    };
+    await expect(writeOutputs([{ path: `${at('out')}/`, files: made() }])).rejects.toThrow(
+      /^There is not enough memory\.$/,
+    );
+    expect(listed()).toEqual([]);
   });
 
   it('are written to where a link leads, and the link stays', async () => {

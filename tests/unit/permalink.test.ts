@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
+import { applyPermalink, leftOut, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, DEFAULT_VIEW, EMPTY_STATE } from '../../web/model/state.ts';
 import type { AppState, Doc } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
@@ -98,6 +98,44 @@ describe('permalinks', () => {
     expect(link.time).toBeNull();
     expect([link.speed, link.between, link.fps]).toEqual([null, null, null]);
     expect(link.view).toEqual({ compare: ['lri'] });
+  });
+
+  it.each([
+    ['patches', '1e300'],
+    ['patches', '1e9'],
+    ['ghostFaces', '3e9'],
+    ['ghostFaces', '1e9'],
+    ['period', '1e-9'],
+    ['period', '1e308'],
+    ['startSpeed', '1e308'],
+    ['endSpeed', '-1e6'],
+    ['tension', '1e308,0,0'],
+    ['tension', '0,0,-1e9'],
+    ['bias', '0,0,2'],
+    ['turns', '0,1e9,0'],
+    ['partTurns', '1:0:1e9'],
+    ['t', '1e300'],
+    ['t', '-1e10'],
+    ['fps', '1e9'],
+    ['fps', '1e-300'],
+    ['speed', '1e308'],
+    ['between', '0,1e300'],
+    ['window', '-1e300,1'],
+    ['keys', '0@0,1@1e10'],
+    ['camera', '1e300,0,0,0,0,0'],
+    ['camera', '1,2,3,1,2,3'],
+    ['referencePose', '1e300'],
+  ])('leave out %s=%s, and say so', (name, value) => {
+    const link = readPermalink(`sample=x&${name}=${value}`)!;
+    const doc = applyPermalink(initial, link);
+    expect(doc).toEqual(initial);
+    expect([link.time, link.speed, link.between, link.fps, link.view]).toEqual([null, null, null, null, {}]);
+    expect(leftOut(link, doc)).toBe(`The link has a value that cannot be used and was left out: ${name}.`);
+  });
+
+  it('that fit have nothing left out', () => {
+    const link = readPermalink(writePermalink(state, initial)!)!;
+    expect(leftOut(link, applyPermalink(initial, link))).toBeNull();
   });
 
   it('refuse unordered or repeated key times', () => {

@@ -4,6 +4,7 @@ import path from 'node:path';
 import { emccOnPath, findEmscripten } from './emscripten.mjs';
 import { run } from './exec.mjs';
 import { step } from './log.mjs';
+import { NOTICES, notices, packageOf } from './notices.mjs';
 import { cores } from './parallel.mjs';
 import { buildDir, inRoot } from './paths.mjs';
 import { digest, isStamped, stamp } from './stamps.mjs';
@@ -125,9 +126,11 @@ async function makeSamples(folder) {
   renameSync(partial, inRoot('public/samples'));
 }
 
+const noticeInputs = ['wasm/toolchain/notices.mjs', 'LICENSE'];
+
 export const page = guarded(
   'page',
-  () => digest(['web', 'public', 'build/wasm', 'package-lock.json']),
+  () => digest(['web', 'public', 'build/wasm', 'package-lock.json', ...noticeInputs]),
   ['dist/index.html'],
   async () => {
     step('building the page');
@@ -140,7 +143,8 @@ export const page = guarded(
 // Bundled for Node, which reads no TypeScript.
 async function bundle(entries) {
   const { build } = await import('esbuild');
-  await build({
+  const { metafile } = await build({
+    metafile: true,
     entryPoints: entries.filter(({ in: file }) => existsSync(file)),
     outdir: inRoot('build/node'),
     outExtension: { '.js': '.mjs' },
@@ -155,6 +159,15 @@ async function bundle(entries) {
     plugins: [wasmStaysOutside],
     logLevel: 'warning',
   });
+  return metafile;
+}
+
+// The packages are not in the bundle, but it does not work without them.
+function writeNotices({ outputs }) {
+  const external = Object.values(outputs).flatMap(({ imports }) => imports.filter((one) => one.external));
+  const names = external.map((one) => packageOf(`/node_modules/${one.path}/`));
+  const packages = names.filter((name) => existsSync(inRoot('node_modules', name ?? '.', 'package.json')));
+  writeFileSync(inRoot('build/node', NOTICES), notices(packages));
 }
 
 const entry = (out, file) => ({ out, in: inRoot(file) });
@@ -165,9 +178,9 @@ const engineEntries = [
 
 export const nodeBundle = guarded(
   'node-bundle',
-  () => digest(['web/engine', 'web/cli', 'package.json', 'package-lock.json']),
-  ['build/node/cli.mjs', 'build/node/second-thread-node.mjs'],
-  () => bundle([entry('cli', 'web/cli/main.ts'), ...engineEntries]),
+  () => digest(['web/engine', 'web/study', 'web/cli', 'package.json', 'package-lock.json', ...noticeInputs]),
+  ['build/node/cli.mjs', 'build/node/second-thread-node.mjs', `build/node/${NOTICES}`],
+  async () => writeNotices(await bundle([entry('cli', 'web/cli/main.ts'), ...engineEntries])),
 );
 
 export const benchPrograms = guarded(

@@ -4,4 +4,5 @@ export function serve(
   folder: string,
   options?: { port?: number; prefix?: string; tries?: number; isolated?: boolean },
 ): Promise<{ url: string; server: Server }>;
+export const guards: Record<string, string>;
 export function freePort(): Promise<number>;

@@ -1,4 +1,4 @@
-// A plain static file server, as any host would be, optionally below a sub-path. With --isolated it sends the two
+// A plain static file server, as any host should be, optionally below a sub-path. With --isolated it sends the two
 // headers that let a page share memory between threads. node serve.mjs FOLDER [--port N] [--prefix /sub/path/]
 // [--isolated]
 import { createReadStream, statSync } from 'node:fs';
@@ -23,6 +23,8 @@ const types = {
   '.txt': 'text/plain; charset=utf-8',
 };
 
+/** No file is taken for another type than is said, and no page of another host shows this one in a frame. */
+export const guards = { 'x-content-type-options': 'nosniff', 'content-security-policy': "frame-ancestors 'self'" };
 const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
 
 // null for what is not there, and for a file asked for as if it were a folder (ENOTDIR).
@@ -56,13 +58,14 @@ export async function serve(folder, { port = 4173, prefix = '/', tries = 50, iso
   const server = createServer((request, response) => {
     const found = ['GET', 'HEAD'].includes(request.method) ? locate(top, prefix, request.url) : null;
     if (!found) {
-      response.writeHead(404, { 'content-type': 'text/plain' }).end('not found\n');
+      response.writeHead(404, { 'content-type': 'text/plain', ...guards }).end('not found\n');
       return;
     }
     response.writeHead(200, {
       'content-type': types[path.extname(found.file)] ?? 'application/octet-stream',
       'content-length': found.stats.size,
       'cache-control': 'no-cache',
+      ...guards,
       ...(isolated ? isolation : {}),
     });
     if (request.method === 'HEAD') response.end();

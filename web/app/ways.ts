@@ -47,6 +47,7 @@ export function createWays({ session, display, analysis, viewState, feedback }: 
     store,
     workspace,
     reducedMotion,
+    say,
     onStart,
     onError,
     samples: () => viewState.get().samples,

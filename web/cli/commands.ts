@@ -78,12 +78,21 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     );
     const plan = await sequence.planExport(options.export);
     if (plan.bytes > LARGE) say(`${output} will take about ${Math.round(plan.bytes / 1e6)} MB`);
-    const files = await timings.time('export', sequence.export(options.export));
     const warnings = [...keys.info.warnings, ...sequence.warnings, ...plan.warnings];
-    const outputs: Output[] = [{ path: output, files }];
-    const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0);
+    let [files, bytes] = [0, 0];
+    const exported = async function* () {
+      const start = performance.now();
+      for await (const file of sequence.exportFiles(options.export)) {
+        files += 1;
+        bytes += file.bytes.length;
+        yield file;
+      }
+      timings.ms.export = rounded(performance.now() - start);
+    };
+    const outputs: Output[] = [{ path: output, files: exported() }];
     const report = args.values.get('report');
-    if (report) {
+    /** Of what was exported before. */
+    const reported = async function* () {
       const measures = await timings.time('measure', sequence.measures(plan.times));
       const ghost = await describeGhost(engine, keys, sequence, plan.times, timings);
       const { options: all, counts, stages } = await settled(sequence, options.export);
@@ -91,7 +100,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
       const json = {
         version,
         files: args.files,
-        output: { path: output, files: files.length, bytes },
+        output: { path: output, files, bytes },
         options: { import: options.import, ...all },
         ...describe(keys.info),
         range: sequence.range,
@@ -102,8 +111,9 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
         measures,
         ghost,
       };
-      outputs.push({ path: report, files: [{ name: report, bytes: `${JSON.stringify(json, null, 2)}\n` }] });
-    }
+      yield { name: 'report', bytes: `${JSON.stringify(json, null, 2)}\n` };
+    };
+    if (report) outputs.push({ path: report, files: reported() });
     await writeOutputs(outputs);
     const count = plan.times.length;
     return {

@@ -2,7 +2,8 @@
  * Named files on the disk, and what a .gltf or .obj among them names: from its own folder only, and never over the
  * network.
  */
-import { readFile, realpath } from 'node:fs/promises';
+import { constants } from 'node:fs';
+import { open, realpath } from 'node:fs/promises';
 import path from 'node:path';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { beside, decodedUri, extensionOf, isExternal, resourceUris } from '../engine/api/paths.ts';
@@ -15,8 +16,10 @@ export async function readInputs(names: string[]): Promise<InputFile[]> {
     files.push(file);
     const named = extensionOf(name) === 'obj' ? await librariesOf(file) : urisOf(file.bytes);
     for (const uri of named) {
-      const resource = await readBeside(name, uri);
-      if (resource && !files.some((other) => other.name === resource.name)) files.push(resource);
+      const resource = nameBeside(name, uri);
+      if (files.some((other) => other.name === resource)) continue;
+      const bytes = await readBeside(name, uri);
+      if (bytes) files.push({ name: resource, bytes });
     }
   }
   return files;
@@ -27,34 +30,64 @@ export async function readInputs(names: string[]): Promise<InputFile[]> {
  * there.
  */
 async function librariesOf({ name, bytes }: InputFile): Promise<string[]> {
-  const libraries = namedIn(bytes.subarray(0, OBJ_HEAD), /^mtllib[ \t]+(.+?)[ \t]*$/gm);
+  const libraries = namedIn(bytes.subarray(0, OBJ_HEAD), 'mtllib');
   const images = await Promise.all(
     libraries.map(async (library) => {
-      const text = (await readBeside(name, library))?.bytes ?? new Uint8Array(0);
-      return namedIn(text, IMAGE).map((image) => beside(library, image));
+      const text = (await readBeside(name, library)) ?? new Uint8Array(0);
+      return namedIn(text, 'map_Kd').map((image) => beside(library, withoutOptions(image)));
     }),
   );
   return [...libraries, ...images.flat()];
 }
 
 const OBJ_HEAD = 1 << 16;
-/** Behind options such as -s 1 1 1 and -clamp on. */
-const IMAGE = /^[ \t]*map_Kd[ \t]+(?:-\w+(?:[ \t]+(?:[-+]?[.\d][^ \t]*|on|off))*[ \t]+)*(.+?)[ \t]*$/gm;
 
-function namedIn(bytes: Uint8Array, pattern: RegExp): string[] {
-  return [
-    ...new Set(Array.from(new TextDecoder().decode(bytes).replaceAll('\r', '').matchAll(pattern), ([, name]) => name!)),
-  ];
+/** What the lines that begin with a keyword name, each once. Read line by line: a pattern would try every blank of a long one. */
+export function namedIn(bytes: Uint8Array, keyword: string): string[] {
+  const lines = new TextDecoder().decode(bytes).split('\n');
+  const named = lines
+    .map((line) => line.trim())
+    .filter((line) => line.startsWith(keyword) && /[ \t]/.test(line.charAt(keyword.length)))
+    .map((line) => line.slice(keyword.length).trim());
+  return [...new Set(named)];
+}
+
+const OPTION = /-\w+[ \t]+/y;
+const OPTION_VALUE = /(?:[-+]?[.\d][^ \t]*|on|off)[ \t]+/y;
+
+/** An image's name without options before it such as -s 1 1 1 and -clamp on. */
+export function withoutOptions(text: string): string {
+  let at = 0;
+  const takes = (pattern: RegExp): boolean => {
+    pattern.lastIndex = at;
+    if (!pattern.test(text)) return false;
+    at = pattern.lastIndex;
+    return true;
+  };
+  while (takes(OPTION)) while (takes(OPTION_VALUE));
+  return text.slice(at);
 }
 
 async function read(name: string): Promise<Uint8Array> {
   try {
-    return await readFile(name);
+    return await readRegular(name);
   } catch (error) {
     const { code } = error as NodeJS.ErrnoException;
     const reason =
       code === 'ENOENT' ? 'there is no such file' : code === 'EISDIR' ? 'it is a folder' : messageOf(error);
     throw new EngineError('missing-file', `${name}: ${reason}.`, { file: name });
+  }
+}
+
+/** A device never ends, and a pipe may never begin: both are refused before a byte is read. */
+async function readRegular(name: string): Promise<Uint8Array> {
+  const file = await open(name, constants.O_RDONLY | constants.O_NONBLOCK);
+  try {
+    const stats = await file.stat();
+    if (!stats.isFile() && !stats.isDirectory()) throw new Error('it is a device, a pipe or a socket, not a file');
+    return await file.readFile();
+  } finally {
+    await file.close();
   }
 }
 
@@ -69,17 +102,23 @@ function urisOf(bytes: Uint8Array): string[] {
   }
 }
 
+/** How the engine is told the file that a URI names. */
+const nameBeside = (gltf: string, uri: string): string => beside(toSlashes(gltf), decodedUri(uri));
+
 /** The file that a URI names, or null where it is missing or leaves the folder: the engine says so in its own words. */
-async function readBeside(gltf: string, uri: string): Promise<InputFile | null> {
+async function readBeside(gltf: string, uri: string): Promise<Uint8Array | null> {
   if (isExternal(uri)) return null;
   try {
     const folder = await realpath(path.dirname(gltf));
     const found = await realpath(path.resolve(folder, decodedUri(uri).replaceAll('\\', '/')));
-    if (!found.startsWith(folder + path.sep)) return null;
-    return { name: beside(toSlashes(gltf), decodedUri(uri)), bytes: await readFile(found) };
+    return isBelow(folder, found) ? await readRegular(found) : null;
   } catch {
     return null;
   }
 }
+
+/** The root ends in a slash already. */
+export const isBelow = (folder: string, file: string): boolean =>
+  file.startsWith(folder.endsWith(path.sep) ? folder : folder + path.sep);
 
 const toSlashes = (name: string): string => name.replaceAll(path.sep, '/');

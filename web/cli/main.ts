@@ -5,6 +5,7 @@ import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseArguments, UsageError } from './arguments.ts';
 import { complete, inspect } from './commands.ts';
 import { COMPLETE, HELP, INSPECT } from './settings.ts';
+import { oneLine, writeTo } from './terminal.ts';
 
 async function run([command, ...words]: string[]): Promise<string> {
   if (command === '--version') return `${version}\n`;
@@ -17,7 +18,7 @@ async function run([command, ...words]: string[]): Promise<string> {
   const args = parseArguments(words, command === 'inspect' ? INSPECT : COMPLETE);
   if (args.flags.has('help')) return HELP;
   if (command === 'inspect') return inspect(args);
-  const { summary, warnings } = await complete(args, (text) => process.stderr.write(`${text}\n`));
+  const { summary, warnings } = await complete(args, (text) => process.stderr.write(`${oneLine(text)}\n`));
   for (const warning of warnings) process.stderr.write(`warning: ${oneLine(warning)}\n`);
   return summary;
 }
@@ -27,10 +28,8 @@ function exitCodeOf(error: unknown): number {
   return wrongUse ? 2 : 1;
 }
 
-const oneLine = (text: string): string => text.replace(/\s+/g, ' ').trim();
-
 try {
-  process.stdout.write(await run(process.argv.slice(2)));
+  await writeTo(process.stdout, await run(process.argv.slice(2)));
 } catch (error) {
   process.stderr.write(`shapespline: ${oneLine(messageOf(error))}\n`);
   process.exitCode = exitCodeOf(error);

@@ -4,17 +4,22 @@ import { lstat, mkdir, readlink, rename, stat, writeFile } from 'node:fs/promise
 import path from 'node:path';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 
+interface OutputFile {
+  name: string;
+  bytes: Uint8Array | string;
+}
+
 export interface Output {
   /** Ends in '/' for a folder of several files. */
   path: string;
-  files: { name: string; bytes: Uint8Array | string }[];
+  /** One is asked for when the one before it is written, so that no more than one is held. */
+  files: Iterable<OutputFile> | AsyncIterable<OutputFile>;
 }
 
-/** One file: where it is written first, and where it belongs. */
+/** One written file: where it is, and where it belongs. */
 interface Move {
   from: string;
   to: string;
-  bytes: Uint8Array | string;
 }
 
 /**
@@ -37,6 +42,7 @@ export async function writeOutputs(outputs: Output[]): Promise<void> {
     await move(outputs, partial, made);
   } catch (error) {
     remove(made);
+    if (error instanceof EngineError) throw error;
     throw new EngineError('not-written', `The result cannot be written (${messageOf(error)}).`);
   } finally {
     for (const signal of signals) process.off(signal, leave);
@@ -46,14 +52,25 @@ export async function writeOutputs(outputs: Output[]): Promise<void> {
 
 /** `partial` and `made` take what is there on the way: temporary places, and folders that were not there. */
 async function move(outputs: Output[], partial: string[], made: string[]): Promise<void> {
-  const [whole, streams]: [Move[], Move[]] = [[], []];
+  const whole: Move[] = [];
+  const streams: { to: string; bytes: OutputFile['bytes'] }[] = [];
   for (const output of outputs) {
-    const at = await place(output.path);
-    if (at.stream) streams.push(...output.files.map(({ bytes }) => ({ from: at.target, to: at.target, bytes })));
-    else whole.push(...(await movesTo(at.target, output, partial)));
+    const { target, stream } = await place(output.path);
+    const beside = stream ? null : await partialPlace(target, output, partial);
+    for await (const { name, bytes } of output.files) {
+      if (beside === null) {
+        streams.push({ to: target, bytes });
+        continue;
+      }
+      const isFolder = output.path.endsWith('/');
+      const move = isFolder
+        ? { from: path.join(beside, name), to: path.join(target, name) }
+        : { from: beside, to: target };
+      await writeFile(move.from, bytes);
+      whole.push(move);
+    }
   }
   await checkPlaces(whole);
-  for (const { from, bytes } of whole) await writeFile(from, bytes);
   for (const { to } of whole) {
     const first = await mkdir(path.dirname(to), { recursive: true });
     if (first !== undefined) made.push(first);
@@ -81,17 +98,13 @@ async function followed(file: string, links = 0): Promise<string> {
   return followed(path.resolve(path.dirname(file), await readlink(file)), links + 1);
 }
 
-async function movesTo(target: string, { path: given, files }: Output, partial: string[]): Promise<Move[]> {
-  const isFolder = given.endsWith('/');
+/** Where an output is written first: a file, or a folder that is there now. */
+async function partialPlace(target: string, { path: given }: Output, partial: string[]): Promise<string> {
   const mark = `.partial-${process.pid}-${partial.length}`;
   const temporary = path.join(await existing(path.dirname(target)), `${path.basename(target)}${mark}`);
   partial.push(temporary);
-  if (isFolder) await mkdir(temporary);
-  return files.map(({ name, bytes }) =>
-    isFolder
-      ? { from: path.join(temporary, name), to: path.join(target, name), bytes }
-      : { from: temporary, to: target, bytes },
-  );
+  if (given.endsWith('/')) await mkdir(temporary);
+  return temporary;
 }
 
 /** What would fail when the files are moved fails before any is. */

@@ -1,6 +1,7 @@
 /** The options of the commands, from the engine's table: which there are, how their text is read, and the help. */
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
-import type { NumberOption, Option, OptionTable } from '../engine/api/option-table.ts';
+import { wrongWith, wrongWithList } from '../engine/api/options.ts';
+import type { KeyOption, NumberOption, Option, OptionTable } from '../engine/api/option-table.ts';
 import type { ExportOptions, ImportOptions, SequenceOptions } from '../engine/api/types.ts';
 import { UsageError, type Arguments, type Known } from './arguments.ts';
 import * as read from './values.ts';
@@ -35,17 +36,36 @@ function readNumber({ whole, above, least = -Infinity, zero }: NumberOption): Re
 }
 
 function readOption(option: Option): Read | null {
+  if (option.kind === 'shape') return readKind.shape; // a file's name, until the command reads it
   if (option.kind === 'choice') return read.oneOf(...option.choices);
-  return option.kind === 'number' ? readNumber(option) : readKind[option.kind];
+  const reader = option.kind === 'number' ? readNumber(option) : readKind[option.kind];
+  return reader && inBounds(reader, (value) => wrongWith(option, value));
 }
+
+/** Refuses what the text says well, but the engine would not take: before any file is read. */
+function inBounds(reader: Read, wrongWithValue: (value: unknown) => string | null): Read {
+  return (text, option) => {
+    const value = reader(text, option);
+    const wrong = wrongWithValue(value);
+    if (wrong) throw new UsageError(`${option}: ${wrong}`);
+    return value;
+  };
+}
+
+const flagOf = (name: string, option: Option, reader: Read | null): Flag[] =>
+  option.flag === undefined ? [] : [{ name, flag: option.flag, option, read: reader }];
 
 function flagsOf(table: OptionTable): Flag[] {
-  return optionsIn(table).flatMap(([name, option]) =>
-    option.flag === undefined ? [] : [{ name, flag: option.flag, option, read: readOption(option) }],
-  );
+  return optionsIn(table).flatMap(([name, option]) => flagOf(name, option, readOption(option)));
 }
 
-const perKey = flagsOf(PER_KEY).map((one) => (one.option.kind === 'number' ? { ...one, read: read.numbers } : one));
+const perKey = Object.entries(PER_KEY).flatMap(([name, option]: [string, KeyOption]) =>
+  flagOf(
+    name,
+    option,
+    inBounds(option.kind === 'number' ? read.numbers : read.turns, (value) => wrongWithList(option, value)),
+  ),
+);
 const importFlags = flagsOf(IMPORT);
 const motionFlags = [...flagsOf(MOTION), ...perKey];
 const encodingFlags = flagsOf(ENCODING);

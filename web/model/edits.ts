@@ -1,4 +1,5 @@
 /** Edits of the document: each takes one and returns the next, or the same where nothing changes. */
+import { MOST_TIME } from '../engine/api/option-table.ts';
 import type { KeyTurns, Shaping, ShapingNumber } from './shaping.ts';
 import { DEFAULT_SHAPING, turnsOf, withTurns } from './shaping.ts';
 import type { Doc, Encoding, KeyRef, Motion } from './state.ts';
@@ -19,10 +20,16 @@ export function removeKey(doc: Doc, index: number): Doc {
   return { ...doc, keys: doc.keys.filter((_, other) => other !== index) };
 }
 
-/** Gives a key another time; past its neighbours it takes another place in the order. Equal times are refused. */
+/** Gives a key another time; past its neighbours it takes another place in the order. Equal times are refused, and those that none can have. */
 export function retimeKey(doc: Doc, index: number, time: number): Doc {
   const key = doc.keys[index];
-  if (!key || key.time === time || doc.keys.some((other, at) => at !== index && other.time === time)) return doc;
+  if (
+    !key ||
+    key.time === time ||
+    !(Math.abs(time) <= MOST_TIME) ||
+    doc.keys.some((other, at) => at !== index && other.time === time)
+  )
+    return doc;
   return sorted(withKey(doc, index, { time }));
 }
 

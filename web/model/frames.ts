@@ -5,6 +5,7 @@
 import type { Range } from './time-scale.ts';
 import { clamp, formatTime, length, limits } from './time-scale.ts';
 
+export const MIN_FPS = 0.01;
 export const MAX_FPS = 1000;
 /** A frame number this near to a whole one is meant to be it: times are quotients. */
 const SAME_FRAME = 1e-6;
@@ -32,11 +33,17 @@ export function steppedFrameTime(t: number, fps: number, by: number): number {
   return ((by > 0 ? Math.floor(frame) : Math.ceil(frame)) + by) / fps;
 }
 
+const firstFrame = (start: number, fps: number): number => Math.ceil(start * fps - SAME_FRAME);
+
+/** How many whole frames the range has: any number, so that it is asked before they are listed. */
+export function frameCount([start, end]: Range, fps: number): number {
+  return Math.max(Math.floor(end * fps + SAME_FRAME) - firstFrame(start, fps) + 1, 0);
+}
+
 /** Times of all whole frames in the range. */
-export function frameTimes([start, end]: Range, fps: number): number[] {
-  const first = Math.ceil(start * fps - SAME_FRAME);
-  const last = Math.floor(end * fps + SAME_FRAME);
-  return Array.from({ length: Math.max(last - first + 1, 0) }, (_, index) => (first + index) / fps);
+export function frameTimes(range: Range, fps: number): number[] {
+  const first = firstFrame(range[0], fps);
+  return Array.from({ length: frameCount(range, fps) }, (_, index) => (first + index) / fps);
 }
 
 /** A moment as people read it: a time, or a frame number with two decimals between frames. */

@@ -76,8 +76,6 @@ export const METHODS: readonly Method[] = MOTION.method.choices;
 export const BOUNDARIES: readonly Boundary[] = MOTION.boundary.choices;
 /** Faces of a ghost mesh when it is switched on: the paper's choice. */
 export const GHOST_FACES = 2000;
-/** More added turns than anybody means. */
-export const MAX_TURNS = 100;
 export const SPEEDS: readonly number[] = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export const DEFAULT_MOTION: Readonly<Motion> = pageDefaults(MOTION);

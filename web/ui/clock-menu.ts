@@ -4,7 +4,7 @@ import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import { popover } from './popover.ts';
 import type { Range } from '../model/time-scale.ts';
 import { length, limits } from '../model/time-scale.ts';
-import { MAX_FPS, formatMoment, loopRange, playRange } from '../model/frames.ts';
+import { MAX_FPS, MIN_FPS, formatMoment, loopRange, playRange } from '../model/frames.ts';
 import { MAX_ZOOM, windowOf } from '../model/time-window.ts';
 
 export interface ClockMenuProps {
@@ -41,7 +41,7 @@ export function createClockMenu(events: ClockMenuEvents): {
   const fps = numberField({
     label: 'Frames per second',
     testId: 'fps',
-    min: 0.01,
+    min: MIN_FPS,
     max: MAX_FPS,
     onInput: (value) => events.onFps(value),
   });

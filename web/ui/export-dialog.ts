@@ -2,7 +2,7 @@
 import { EXPORT } from '../engine/api/option-table.ts';
 import { button, checkbox, numberField, segments } from './controls.ts';
 import { h, memo, setField, setHidden, setText } from './dom.ts';
-import { frameTimes } from '../model/frames.ts';
+import { frameCount } from '../model/frames.ts';
 import type { Range } from '../model/time-scale.ts';
 
 export type ExportKind = 'animation' | 'pose' | 'picture' | 'numbers';
@@ -275,7 +275,7 @@ export function isVideoRequest({ kind, animation, picture }: ExportRequest): boo
 /** How many frames an animation gets. */
 export function framesWanted({ frames }: ExportRequest, range: Range, fps: number | null): number {
   if (frames !== null) return frames;
-  return fps === null ? USUAL_FRAMES : Math.max(frameTimes(range, fps).length, 2);
+  return fps === null ? USUAL_FRAMES : Math.max(frameCount(range, fps), 2);
 }
 
 function wordsFor({ kind, animation, pose, picture, numbers }: ExportRequest): string {

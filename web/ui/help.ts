@@ -50,6 +50,12 @@ export function createHelp(
       {},
       'Cubic splines in linear rotation-invariant (LRI) shape space: Q. Xia, C. Chen, J. Liu, S. Li, A. Hao and H. Qin, “Efficient 4D shape completion from sparse samples via cubic spline fitting in linear rotation-invariant space”, Computers & Graphics, 2019.',
     ),
+    h(
+      'p',
+      {},
+      h('a', { href: './notices.txt', target: '_blank', rel: 'noopener', 'data-testid': 'notices' }, 'Licences'),
+      ' of this page and of what it is made of.',
+    ),
   );
   element.addEventListener('click', (event) => {
     if (event.target === element) element.close();

@@ -5,8 +5,7 @@ import type { Choice } from './controls.ts';
 import { button, numberField, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
-import { PER_KEY } from '../engine/api/option-table.ts';
-import { MAX_TURNS } from '../model/state.ts';
+import { MOST_TURNS, PER_KEY } from '../engine/api/option-table.ts';
 import type { KeyTurns, ShapingNumber } from '../model/shaping.ts';
 import { DEFAULT_SHAPING, SHAPING_NUMBERS, turnsOf } from '../model/shaping.ts';
 import type { KeyRef } from '../model/state.ts';
@@ -220,8 +219,8 @@ function createEditor(events: KeyStripEvents): Editor {
   const turns = numberField({
     label: PER_KEY.turns.label,
     testId: 'key-turns',
-    min: -MAX_TURNS,
-    max: MAX_TURNS,
+    min: -MOST_TURNS,
+    max: MOST_TURNS,
     step: 1,
     onInput: (value) => {
       const added = { turns: Math.round(value) };

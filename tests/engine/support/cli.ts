@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { afterAll } from 'vitest';
 import type { InputFile } from '../../../web/engine/api/types.ts';
 
-const program = fileURLToPath(new URL('../../../build/node/cli.mjs', import.meta.url));
+export const program = fileURLToPath(new URL('../../../build/node/cli.mjs', import.meta.url));
 const folders: string[] = [];
 
 afterAll(async () => {

@@ -110,6 +110,13 @@ describe('the values of options', () => {
     ['--placement=free'],
     ['--transfer=none'],
     ['--tension=1,,2'],
+    ['--tension=0,1e308'],
+    ['--bias=0,2'],
+    ['--turns=2:1000000000'],
+    ['--period=1e308'],
+    ['--start-speed=1e308'],
+    ['--patches=1000000'],
+    ['--ghost-faces=3000000000'],
   ])('of a sequence refuse %s', (word) => {
     expect(() => sequenceOptions(parse(word))).toThrow(UsageError);
   });
@@ -124,8 +131,25 @@ describe('the values of options', () => {
     [['--at=0,1'], 'o.ply'],
     [['--at=1,x'], 'o.glb'],
     [['--duration=-1'], 'o.glb'],
+    [['--duration=1e308'], 'o.glb'],
+    [['--frames=1000000000'], 'o.glb'],
+    [['--range=1e308:1.7e308'], 'o.glb'],
+    [['--at=1e308'], 'o.glb'],
   ])('of an export refuse %j to %s', (words, output) => {
     expect(() => exportOptions(parse(...words), output)).toThrow(UsageError);
+  });
+
+  it.each(['--sample=1000000000', '--sample=0,1e300', '--key-times=0,1e308', '--unit=1e308', '--unit=-1'])(
+    'of an import refuse %s',
+    (word) => {
+      expect(() => importOptions(parse(word))).toThrow(UsageError);
+    },
+  );
+
+  it('that are out of range say which, and what they may be', () => {
+    expect(() => exportOptions(parse('--frames=1000000000'), 'o.glb')).toThrow(
+      '--frames: must be a whole number from 2 to 100,000',
+    );
   });
 
   it('of a ghost mesh are a number of faces or off', () => {

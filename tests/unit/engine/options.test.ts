@@ -1,11 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { EngineError } from '../../../web/engine/api/errors.ts';
+import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../../../web/engine/api/option-table.ts';
 import {
   checkCall,
   checkExportOptions,
   checkImportOptions,
   checkSequenceOptions,
+  checkTime,
+  checkTimes,
   checkUpdate,
+  wrongWith,
 } from '../../../web/engine/api/options.ts';
 import { EXPORT_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS, SEQUENCE_DEFAULTS } from '../../../web/engine/api/types.ts';
 
@@ -66,6 +70,13 @@ describe('options', () => {
     [{ stretch: 'cubic' }, 'stretch'],
     [{ precision: 32 }, 'precision'],
     [{ startTangent: [1, 2, 3] }, 'startTangent'],
+    [{ startSpeed: 1e308 }, 'startSpeed'],
+    [{ endSpeed: -1e6 }, 'endSpeed'],
+    [{ period: 1e308 }, 'period'],
+    [{ tension: [1e308, 0] }, 'tension'],
+    [{ turns: [{ key: 1, turns: 101 }] }, 'turns'],
+    [{ patches: 1e6 }, 'patches'],
+    [{ ghostFaces: 2e9 }, 'ghostFaces'],
   ])('of a sequence refuse %j', (options, name) => {
     expect(refusal(() => checkSequenceOptions(options))).toContain(`'${name}'`);
   });
@@ -78,6 +89,11 @@ describe('options', () => {
     [{ duration: -1 }, 'duration'],
     [{ format: 'fbx' }, 'format'],
     [{ pose: 'now' }, 'pose'],
+    [{ pose: 1e300 }, 'pose'],
+    [{ frames: 1e9 }, 'frames'],
+    [{ times: [1e308] }, 'times'],
+    [{ range: [1e308, 1.7e308] }, 'range'],
+    [{ duration: 1e308 }, 'duration'],
   ])('of an export refuse %j', (options, name) => {
     expect(refusal(() => checkExportOptions(options))).toContain(`'${name}'`);
   });
@@ -91,13 +107,39 @@ describe('options', () => {
     [{ keyTimes: [0, Infinity] }, 'keyTimes'],
     [{ up: 'x' }, 'up'],
     [{ unit: 0 }, 'unit'],
+    [{ unit: 1e300 }, 'unit'],
+    [{ sample: 1e6 }, 'sample'],
+    [{ sample: [0, 1e300] }, 'sample'],
+    [{ keyTimes: [0, 1e10] }, 'keyTimes'],
   ])('of an import refuse %j', (options, name) => {
     expect(refusal(() => checkImportOptions(options))).toContain(`'${name}'`);
   });
 
+  it('of many times are refused by their count', () => {
+    const many = (count: number): number[] => Array.from({ length: count }, (_, i) => i);
+    expect(refusal(() => checkExportOptions({ times: many(100_001) }))).toContain("'times' must be at most 100,000");
+    expect(refusal(() => checkImportOptions({ sample: many(10_001) }))).toContain("'sample' must be at most 10,000");
+    expect(refusal(() => checkImportOptions({ keyTimes: many(10_001) }))).toContain('not 10,001');
+  });
+
   it('that are whole numbers say which of their bounds was missed', () => {
-    expect(refusal(() => checkSequenceOptions({ patches: -1 }))).toContain('at least 0.');
-    expect(refusal(() => checkSequenceOptions({ patches: 2 ** 31 }))).toContain('at most 2147483647.');
+    const sentence = "The sequence option 'patches' must be a whole number from 0 to 100,000.";
+    expect(refusal(() => checkSequenceOptions({ patches: -1 }))).toBe(sentence);
+    expect(refusal(() => checkSequenceOptions({ patches: 2 ** 31 }))).toBe(sentence);
+    expect(refusal(() => checkSequenceOptions({ reference: 2 ** 31 }))).toContain('at most 2,147,483,647.');
+  });
+
+  it('that are numbers have a least and a most', () => {
+    for (const [name, option] of [ENCODING, MOTION, PER_KEY, IMPORT, EXPORT].flatMap(optionsIn)) {
+      if (option.kind !== 'number') continue;
+      for (const value of [-1e300, 1e300]) expect(wrongWith(option, value), name).not.toBeNull();
+    }
+  });
+
+  it('are times that can be told from each other', () => {
+    expect(refusal(() => checkTime(1e300))).toContain('from -1,000,000,000 to 1,000,000,000');
+    expect(refusal(() => checkTimes([0, -1e300]))).toContain('from -1,000,000,000 to 1,000,000,000');
+    expect([checkTime(-1e9), checkTimes([1e9])]).toEqual([-1e9, [1e9]]);
   });
 
   it('of an update keep what is not changed, and refuse what needs a new encoding', () => {

@@ -3,7 +3,7 @@ import packageJson from '../../../package.json';
 import type { Sequence } from '../../engine/api/api.ts';
 import type { ExportOptions, Progress } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
-import { frameTimes } from '../../model/frames.ts';
+import { frameCount, frameTimes } from '../../model/frames.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
 import { MAX_FRAMES, bytesText, framesWanted, isVideoRequest } from '../../ui/export-dialog.ts';
@@ -58,11 +58,12 @@ export function engineOptions(request: ExportRequest, time: number, stretch: Str
 /** The whole frames of the timeline where there are some and no other number was asked for. */
 function gridOf(request: ExportRequest, { range, fps }: Stretch): Partial<ExportOptions> {
   const [start, end] = request.range ?? range;
-  const times = request.frames === null && fps !== null ? frameTimes([start, end], fps) : [];
-  if (times.length > MAX_FRAMES)
+  const count = request.frames === null && fps !== null ? frameCount([start, end], fps) : 0;
+  if (count > MAX_FRAMES)
     throw new Error(
-      `This would be ${times.length.toLocaleString('en')} frames; the maximum is ${MAX_FRAMES.toLocaleString('en')}. Use a shorter range or fewer frames per second.`,
+      `This would be ${count.toLocaleString('en')} frames; the maximum is ${MAX_FRAMES.toLocaleString('en')}. Use a shorter range or fewer frames per second.`,
     );
+  const times = count > 1 ? frameTimes([start, end], fps!) : [];
   return times.length > 1 ? { times } : { frames: framesWanted(request, [start, end], fps), range: [start, end] };
 }
 

@@ -1,5 +1,6 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
 import type { Engine } from '../../engine/api/api.ts';
+import { isCancelled } from '../../engine/api/errors.ts';
 import { IMPORT } from '../../engine/api/option-table.ts';
 import { extensionOf, isModel, modelName } from '../../engine/api/paths.ts';
 import { readPoses } from '../../engine/api/read-poses.ts';
@@ -7,16 +8,17 @@ import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.t
 import { addKey, setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
 import type { Doc, Play, Source, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, EMPTY_STATE, SPEEDS, comfortableSpeed } from '../../model/state.ts';
-import { length } from '../../model/time-scale.ts';
+import { DEFAULT_VIEW, EMPTY_STATE, comfortableSpeed } from '../../model/state.ts';
+import { clampTime, length } from '../../model/time-scale.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Orientation } from '../../ui/orientation.ts';
+import { motionRange } from '../session/motion-range.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Input, Opened, Workspace } from '../session/workspace.ts';
 import type { Remembered } from './project-shelf.ts';
 import { readFiles } from './input-files.ts';
-import { applyPermalink } from './permalink.ts';
+import { applyPermalink, leftOut } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
 import { fetchSample } from './samples.ts';
@@ -41,6 +43,7 @@ export interface OpenFilesParts {
   workspace: Workspace;
   samples(): readonly Sample[];
   reducedMotion(): boolean;
+  say(text: string): void;
   /** Something else is asked for: what went wrong before is of no interest. */
   onStart(): void;
   onOpened(opened: OpenedFiles): void;
@@ -82,6 +85,7 @@ export function createOpenFiles({
   workspace,
   samples,
   reducedMotion,
+  say,
   onStart,
   onOpened,
   onWorking,
@@ -110,7 +114,7 @@ export function createOpenFiles({
       orientation: orientationOf(source, options),
       camera: view.camera,
     });
-    const time = left?.state.time ?? link?.time ?? doc.keys[0]?.time ?? 0;
+    const time = left?.state.time ?? openingTime(doc, link);
     store.reset({
       source,
       doc,
@@ -118,14 +122,20 @@ export function createOpenFiles({
       play: left ? { ...left.state.play, playing: false } : openingPlay(opened, source, link),
       time,
     });
+    const unused = link && leftOut(link, doc);
+    if (unused) say(unused);
     return true;
   };
+
+  /** No further than the slider reaches. */
+  const openingTime = (doc: Doc, link: Permalink | null): number =>
+    clampTime(link?.time ?? doc.keys[0]?.time ?? 0, motionRange(doc, workspace.range));
 
   /** Samples start moving slowly by themselves, unless the visitor wants no motion or came by a link to a moment. */
   const openingPlay = ({ info, doc }: Opened, source: Source, link: Permalink | null): Play => {
     const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
     const own = info.animation >= 0 && source.kind === 'files' ? 1 : comfortableSpeed(length(range));
-    const speed = SPEEDS.find((known) => known === link?.speed) ?? own;
+    const speed = link?.speed ?? own;
     const playing = (link ? link.playing : source.kind === 'sample') && !reducedMotion();
     if (link) return { playing, speed, loop: link.loop ?? store.get().play.loop, between: link.between, fps: link.fps };
     const { loop, fps } = store.get().play;
@@ -174,7 +184,18 @@ export function createOpenFiles({
         });
         if (!input || signal.aborted) return false;
         const options = sample.times ? { keyTimes: sample.times } : {};
-        return open({ input, options, source: { kind: 'sample', id }, adjust: (doc) => ofSample(doc, sample), link });
+        const request = {
+          input,
+          options,
+          source: { kind: 'sample', id },
+          adjust: (doc: Doc) => ofSample(doc, sample),
+        } as const;
+        return open({ ...request, link }).catch(async (error: unknown) => {
+          // What the engine refuses of a link must not keep the sample closed.
+          if (!link || isCancelled(error) || !(await open({ ...request, link: null }))) throw error;
+          onError(error);
+          return true;
+        });
       }),
     files: (given) =>
       guarded(async () => {

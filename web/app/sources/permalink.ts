@@ -2,18 +2,18 @@
  * The state of a built-in sample as a link's fragment, and back. Only what differs from the defaults is written. A link
  * comes from anywhere: whatever it holds that does not fit is left out.
  */
-import { ENCODING, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
+import { ENCODING, MOST_TIME, MOST_TURNS, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
 import type { Option } from '../../engine/api/option-table.ts';
 import { wrongWith } from '../../engine/api/options.ts';
 import type { AddedTurns } from '../../engine/api/types.ts';
 import { setShaping, setTurns } from '../../model/edits.ts';
-import { MAX_FPS } from '../../model/frames.ts';
+import { MAX_FPS, MIN_FPS } from '../../model/frames.ts';
 import { forPage, isPose, pageOptions } from '../../model/page-options.ts';
 import type { ShapingNumber } from '../../model/shaping.ts';
 import { SHAPING_NUMBERS, turnsOf } from '../../model/shaping.ts';
 import type { CameraPose } from '../../model/camera.ts';
 import type { AppState, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, MAX_TURNS, METHODS } from '../../model/state.ts';
+import { DEFAULT_VIEW, METHODS, SPEEDS } from '../../model/state.ts';
 
 export interface Permalink {
   sample: string;
@@ -33,11 +33,15 @@ export interface Permalink {
   between: [number, number] | null;
   fps: number | null;
   playing: boolean;
+  /** Names of what was given, but is none of what it can be. */
+  unfit: string[];
 }
 
 const FLAGS = ['wireframe', 'floor', 'onion', 'film', 'ghostWire', 'ghostBeside', 'ghostDifference'] as const;
 const MAX_KEYS = 256;
 const MAX_PART_TURNS = 1024;
+/** Of a camera: farther off nothing of a shape is seen. */
+const MAX_DISTANCE = 1e9;
 
 /** The fragment without its '#', or null where the user's own files are open: they stay on this machine. */
 export function writePermalink(state: AppState, initial: Doc): string | null {
@@ -92,23 +96,40 @@ export function readPermalink(fragment: string): Permalink | null {
   const params = new URLSearchParams(fragment.replace(/^#/, ''));
   const sample = params.get('sample');
   if (!sample) return null;
+  const unfit: string[] = [];
+  const take: Take = (name, read) => {
+    const text = params.get(name);
+    const value = text ? read(text) : undefined;
+    if (text && value === undefined) unfit.push(name);
+    return value;
+  };
   return {
     sample,
-    keys: readKeys(params.get('keys')),
-    shaping: readShaping(params),
-    turns:
-      numbers(params.get('turns'))?.filter((value) => Number.isInteger(value) && Math.abs(value) <= MAX_TURNS) ?? [],
-    partTurns: readPartTurns(params.get('partTurns')),
-    motion: defined(forPage(MOTION, ({ page, option }) => optionValue(option, params.get(page)))),
-    encoding: defined(forPage(ENCODING, ({ page, option }) => optionValue(option, params.get(page)))),
-    view: readView(params),
-    time: number(params.get('t')) ?? null,
-    speed: positive(params.get('speed')) ?? null,
-    loop: oneOf(params.get('loop'), ['once', 'loop', 'bounce'] as const) ?? null,
-    between: stretch(params.get('between')) ?? null,
-    fps: fpsOf(params.get('fps')),
+    keys: take('keys', readKeys) ?? null,
+    shaping: Object.fromEntries(
+      SHAPING_NUMBERS.map((name) => [name, take(name, (text) => shapingNumbers(name, text)) ?? []]),
+    ) as Permalink['shaping'],
+    turns: take('turns', (text) => allGood(numbers(text), isTurns)) ?? [],
+    partTurns: take('partTurns', readPartTurns) ?? [],
+    motion: defined(forPage(MOTION, ({ page, option }) => take(page, (text) => optionValue(option, text)))),
+    encoding: defined(forPage(ENCODING, ({ page, option }) => take(page, (text) => optionValue(option, text)))),
+    view: readView(take),
+    time: take('t', time) ?? null,
+    speed: take('speed', (text) => oneOfNumbers(text, SPEEDS)) ?? null,
+    loop: take('loop', (text) => oneOf(text, ['once', 'loop', 'bounce'] as const)) ?? null,
+    between: take('between', stretch) ?? null,
+    fps: take('fps', (text) => numberFrom(text, MIN_FPS, MAX_FPS)) ?? null,
     playing: params.get('play') === '1',
+    unfit,
   };
+}
+
+/** A sentence about what of the link is not in the document that it was applied to, or null. */
+export function leftOut({ unfit, motion }: Permalink, doc: Doc): string | null {
+  const names = (motion.period ?? null) === doc.motion.period ? unfit : [...unfit, 'period'];
+  if (names.length === 0) return null;
+  const [what, was] = names.length === 1 ? ['a value', 'was'] : ['values', 'were'];
+  return `The link has ${what} that cannot be used and ${was} left out: ${names.join(', ')}.`;
 }
 
 /**
@@ -122,7 +143,10 @@ export function applyPermalink(doc: Doc, link: Permalink, components = Infinity)
   const keys = usable ? link.keys!.map(([pose, time]) => ({ ...doc.keys[pose]!, time })) : doc.keys;
   const encoding = { ...doc.encoding, ...link.encoding };
   for (const name of POSES) if (!known(encoding[name])) encoding[name] = null;
-  let next: Doc = { keys, encoding, motion: { ...doc.motion, ...link.motion } };
+  const motion = { ...doc.motion, ...link.motion };
+  // A loop is as long as its keys at least.
+  if (motion.period !== null && motion.period < keys.at(-1)!.time - keys[0]!.time) motion.period = null;
+  let next: Doc = { keys, encoding, motion };
   const each = (values: number[], set: (key: number, value: number) => void): void => {
     if (values.length === keys.length) values.forEach((value, key) => set(key, value));
   };
@@ -142,109 +166,115 @@ const POSES = pageOptions(ENCODING).flatMap(({ page, option }) =>
   isPose(option) ? [page as 'referencePose' | 'startTangentPose' | 'endTangentPose'] : [],
 );
 
+/** Reads a value of the link; undefined where it is not there or is none of what it can be. */
+type Take = <T>(name: string, read: (text: string) => T | undefined) => T | undefined;
+
 /** The value of an option, where it is one that the option can have. */
-function optionValue(option: Option, text: string | null): unknown {
+function optionValue(option: Option, text: string): unknown {
   if (isPose(option)) return index(text);
   const value = option.kind === 'choice' ? text : option.kind === 'flag' ? flag(text) : number(text);
-  return value !== undefined && value !== null && wrongWith(option, value) === null ? value : undefined;
+  return value !== undefined && wrongWith(option, value) === null ? value : undefined;
 }
 
-function readShaping(params: URLSearchParams): Permalink['shaping'] {
-  const good = (name: ShapingNumber): number[] =>
-    numbers(params.get(name))?.filter((value) => wrongWith(PER_KEY[name], value) === null) ?? [];
-  return Object.fromEntries(SHAPING_NUMBERS.map((name) => [name, good(name)])) as Permalink['shaping'];
+const isTurns = (value: number): boolean => Number.isInteger(value) && Math.abs(value) <= MOST_TURNS;
+
+function shapingNumbers(name: ShapingNumber, text: string): number[] | undefined {
+  return allGood(numbers(text), (value) => wrongWith(PER_KEY[name], value) === null);
 }
 
-function readView(params: URLSearchParams): Partial<View> {
-  const compare = params
-    .get('compare')
-    ?.split(',')
-    .flatMap((name) => oneOf(name, METHODS) ?? []);
+function readView(take: Take): Partial<View> {
+  const window = take('window', stretch);
   return defined({
-    colouring: oneOf(params.get('colour'), ['phase', 'texture', 'patches'] as const satisfies readonly Colouring[]),
-    shading: oneOf(params.get('shading'), ['smooth', 'flat'] as const),
-    ...(Object.fromEntries(FLAGS.map((name) => [name, flag(params.get(name))])) as Record<
+    colouring: take('colour', (text) =>
+      oneOf(text, ['phase', 'texture', 'patches'] as const satisfies readonly Colouring[]),
+    ),
+    shading: take('shading', (text) => oneOf(text, ['smooth', 'flat'] as const)),
+    ...(Object.fromEntries(FLAGS.map((name) => [name, take(name, flag)])) as Record<
       (typeof FLAGS)[number],
       boolean | undefined
     >),
-    compare: compare && [...new Set(compare)],
-    camera: readCamera(params.get('camera')),
-    window: stretch(params.get('window')),
+    compare: take('compare', (text) => [...new Set(text.split(',').flatMap((name) => oneOf(name, METHODS) ?? []))]),
+    camera: take('camera', readCamera),
+    window,
   });
 }
 
-function readCamera(text: string | null): CameraPose | undefined {
-  const values = numbers(text);
+function readCamera(text: string): CameraPose | undefined {
+  const values = allGood(numbers(text), (value) => Math.abs(value) <= MAX_DISTANCE);
   if (values?.length !== 6) return undefined;
   const [px, py, pz, tx, ty, tz] = values as [number, number, number, number, number, number];
+  if (px === tx && py === ty && pz === tz) return undefined;
   return { position: [px, py, pz], target: [tx, ty, tz] };
 }
 
-function stretch(text: string | null): [number, number] | undefined {
-  const values = numbers(text);
+function stretch(text: string): [number, number] | undefined {
+  const values = allGood(numbers(text), isTime);
   return values?.length === 2 && values[0]! < values[1]! ? [values[0]!, values[1]!] : undefined;
 }
 
-function fpsOf(text: string | null): number | null {
-  const value = positive(text);
-  return value !== undefined && value <= MAX_FPS ? value : null;
-}
-
 /** Strictly increasing times, or the whole list is left out. */
-function readKeys(text: string | null): [number, number][] | null {
-  if (!text) return null;
+function readKeys(text: string): [number, number][] | undefined {
   const keys = text.split(',').map((entry) => entry.split('@').map(Number) as [number, number]);
   const good =
     keys.length <= MAX_KEYS &&
     keys.every(
-      ([pose, time], i) =>
-        Number.isInteger(pose) && pose >= 0 && Number.isFinite(time) && (i === 0 || time > keys[i - 1]![1]),
+      ([pose, time], i) => Number.isInteger(pose) && pose >= 0 && isTime(time) && (i === 0 || time > keys[i - 1]![1]),
     );
-  return good ? keys : null;
+  return good ? keys : undefined;
 }
 
-/** Those of the entries that can be meant. */
-function readPartTurns(text: string | null): Required<AddedTurns>[] {
-  const entries = (text ?? '')
+/** Those of the entries that can be meant; undefined where none can. */
+function readPartTurns(text: string): Required<AddedTurns>[] | undefined {
+  const entries = text
     .split(',')
     .slice(0, MAX_PART_TURNS)
     .map((entry) => entry.split(':').map(Number));
-  return entries
-    .filter((entry) => {
-      const [key, component, turns] = entry;
-      const whole = entry.length === 3 && entry.every(Number.isInteger);
-      return whole && key! >= 0 && component! >= 0 && Math.abs(turns!) <= MAX_TURNS;
-    })
-    .map(([key, component, turns]) => ({ key: key!, component: component!, turns: turns! }));
+  const good = entries.filter((entry) => {
+    const [key, component, turns] = entry;
+    return entry.length === 3 && entry.every(Number.isInteger) && key! >= 0 && component! >= 0 && isTurns(turns!);
+  });
+  if (good.length === 0) return undefined;
+  return good.map(([key, component, turns]) => ({ key: key!, component: component!, turns: turns! }));
 }
 
-function numbers(text: string | null): number[] | undefined {
-  if (!text) return undefined;
+function numbers(text: string): number[] | undefined {
   const values = text.split(',').map(Number);
   return values.length <= MAX_KEYS && values.every(Number.isFinite) ? values : undefined;
 }
 
-function number(text: string | null): number | undefined {
-  if (text === null || text === '') return undefined;
+/** A list with one value that cannot be meant is left out as a whole: the others would go to other keys. */
+function allGood(values: number[] | undefined, good: (value: number) => boolean): number[] | undefined {
+  return values?.every(good) ? values : undefined;
+}
+
+const isTime = (value: number): boolean => Math.abs(value) <= MOST_TIME;
+
+function number(text: string): number | undefined {
   const value = Number(text);
   return Number.isFinite(value) ? value : undefined;
 }
 
-function positive(text: string | null): number | undefined {
+function numberFrom(text: string, least: number, most: number): number | undefined {
   const value = number(text);
-  return value !== undefined && value > 0 ? value : undefined;
+  return value !== undefined && value >= least && value <= most ? value : undefined;
 }
 
-function index(text: string | null): number | undefined {
-  const value = number(text);
-  return value !== undefined && Number.isInteger(value) && value >= 0 ? value : undefined;
+const time = (text: string): number | undefined => numberFrom(text, -MOST_TIME, MOST_TIME);
+
+function oneOfNumbers(text: string, values: readonly number[]): number | undefined {
+  return values.find((value) => value === number(text));
 }
 
-function flag(text: string | null): boolean | undefined {
+function index(text: string): number | undefined {
+  const value = number(text);
+  return value !== undefined && Number.isSafeInteger(value) && value >= 0 ? value : undefined;
+}
+
+function flag(text: string): boolean | undefined {
   return text === '1' ? true : text === '0' ? false : undefined;
 }
 
-function oneOf<T extends string>(text: string | null, values: readonly T[]): T | undefined {
+function oneOf<T extends string>(text: string, values: readonly T[]): T | undefined {
   return values.find((value) => value === text);
 }
 

@@ -5,6 +5,15 @@
  * imports nothing.
  */
 
+/** Times lie so far from 0 at most: a millionth can be told there, and no curve through them leaves the numbers. */
+export const MOST_TIME = 1e9;
+export const MOST_FRAMES = 100_000;
+export const MOST_KEYS = 10_000;
+/** More added turns than anybody means. */
+export const MOST_TURNS = 100;
+/** Likewise, of how many times faster than by itself a motion passes a key. */
+const MOST_SLOPE = 1000;
+
 /** Whole turns on the way to a key, of the whole shape or of one component against the one that carries it. */
 export interface AddedTurns {
   /** 0-based, at least 1. */
@@ -55,10 +64,10 @@ export interface NumberOption extends Described {
   /** null: it may be null. Absent: it may be absent. */
   default?: number | null;
   whole?: true;
-  /** Bounds; `above` is not reached itself. */
+  /** Bounds, which every number has; `above` is not reached itself. */
   above?: number;
   least?: number;
-  most?: number;
+  most: number;
   /** What the command line calls 0, which is allowed besides what lies within the bounds. */
   zero?: string;
 }
@@ -72,8 +81,9 @@ export interface ChoiceOption extends Described {
 export interface OtherOption extends Described {
   kind: Exclude<keyof Values, 'number'>;
   default?: null | boolean | number;
-  /** Of numbers: at least one. */
+  /** Of lists: at least one entry, and how many at most. */
   some?: true;
+  most?: number;
 }
 
 export type Option = NumberOption | ChoiceOption | OtherOption;
@@ -117,6 +127,8 @@ export const MOTION = {
   /** Hermite: times the one-sided difference at the first key; 0 = ease. */
   startSpeed: {
     kind: 'number',
+    least: -MOST_SLOPE,
+    most: MOST_SLOPE,
     default: 1,
     flag: 'start-speed',
     value: 'S',
@@ -127,6 +139,8 @@ export const MOTION = {
   /** Hermite: the same at the last key. */
   endSpeed: {
     kind: 'number',
+    least: -MOST_SLOPE,
+    most: MOST_SLOPE,
     default: 1,
     flag: 'end-speed',
     value: 'S',
@@ -138,6 +152,7 @@ export const MOTION = {
   period: {
     kind: 'number',
     above: 0,
+    most: MOST_TIME,
     default: null,
     flag: 'period',
     value: 'P',
@@ -157,6 +172,8 @@ export const PER_KEY = {
   /** Slope at the key = (1 - tension) times the C2 spline's own. */
   tension: {
     kind: 'number',
+    least: -MOST_SLOPE,
+    most: MOST_SLOPE,
     default: 0,
     flag: 'tension',
     value: 'X,X,...',
@@ -217,6 +234,7 @@ export const ENCODING = {
     kind: 'number',
     whole: true,
     least: 0,
+    most: 100_000,
     default: 0,
     flag: 'patches',
     value: 'N',
@@ -238,6 +256,7 @@ export const ENCODING = {
     kind: 'number',
     whole: true,
     least: 4,
+    most: 16_000_000,
     zero: 'off',
     default: 0,
     flag: 'ghost-faces',
@@ -301,6 +320,7 @@ export const IMPORT = {
   /** Key times; default: the animation's own, else evenly over [0, 1]. */
   keyTimes: {
     kind: 'numbers',
+    most: MOST_KEYS,
     flag: 'key-times',
     value: 'T,T,...',
     help: "times of the keys; default: evenly over [0,1], or the animation's own",
@@ -315,6 +335,7 @@ export const IMPORT = {
   /** Times on the animation's own timeline, in seconds, or how many evenly spaced ones; default 8. */
   sample: {
     kind: 'sample',
+    most: MOST_KEYS,
     flag: 'sample',
     value: 'T,T,...|N',
     help: `at these times of it, in seconds, or at N evenly spaced ones (default: ${SAMPLED_KEYS})`,
@@ -330,7 +351,8 @@ export const IMPORT = {
   /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
   unit: {
     kind: 'number',
-    above: 0,
+    least: 1e-9,
+    most: 1e9,
     default: 1,
     flag: 'unit',
     value: 'METRES',
@@ -354,6 +376,7 @@ export const EXPORT = {
   times: {
     kind: 'numbers',
     some: true,
+    most: MOST_FRAMES,
     default: null,
     flag: 'at',
     value: 'T,T,...',
@@ -364,6 +387,7 @@ export const EXPORT = {
     kind: 'number',
     whole: true,
     least: 2,
+    most: MOST_FRAMES,
     default: 60,
     flag: 'frames',
     value: 'K',
@@ -381,13 +405,14 @@ export const EXPORT = {
   duration: {
     kind: 'number',
     above: 0,
+    most: MOST_TIME,
     default: null,
     flag: 'duration',
     value: 'SECONDS',
     help: 'length of the exported animation; its times start at 0 and include the keys in range',
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
-  pose: { kind: 'number', default: null, help: 'one pose only, at this time' },
+  pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'one pose only, at this time' },
   inPlace: { kind: 'flag', default: MOTION.inPlace.default, help: MOTION.inPlace.help },
 } as const satisfies OptionTable;
 

@@ -3,8 +3,8 @@
  * code 'invalid-option' and the option's name, before anything is posted to a worker.
  */
 import { invalidOption } from './errors.ts';
-import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from './option-table.ts';
-import type { KeyOption, NumberOption, Option, OptionTable } from './option-table.ts';
+import { ENCODING, EXPORT, IMPORT, MOST_TIME, MOST_TURNS, MOTION, PER_KEY, optionsIn } from './option-table.ts';
+import type { KeyOption, NumberOption, Option, OptionTable, OtherOption } from './option-table.ts';
 import {
   ENCODING_DEFAULTS,
   EXPORT_DEFAULTS,
@@ -23,6 +23,9 @@ type Check = (value: unknown) => string | null;
 type Checks = Readonly<Record<string, Check>>;
 
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
+const isTime = (value: unknown): value is number => isNumber(value) && Math.abs(value) <= MOST_TIME;
+const grouped = (value: number): string => value.toLocaleString('en', { maximumFractionDigits: 9 });
+const BETWEEN_TIMES = `from ${grouped(-MOST_TIME)} to ${grouped(MOST_TIME)}`;
 
 /** Of what the core holds in 32 bits. */
 const MOST = 2 ** 31 - 1;
@@ -30,25 +33,27 @@ const wholeFrom =
   (least: number): Check =>
   (v) => {
     if (!isNumber(v) || !Number.isInteger(v) || v < least) return `must be a whole number of at least ${least}`;
-    return v <= MOST ? null : `must be at most ${MOST}`;
+    return v <= MOST ? null : `must be at most ${grouped(MOST)}`;
   };
-const numbers: Check = (v) => (Array.isArray(v) && v.every(isNumber) ? null : 'must be an array of finite numbers');
+const times: Check = (v) => (Array.isArray(v) && v.every(isTime) ? null : `must be an array of times ${BETWEEN_TIMES}`);
 
 const turns: Check = (v) => {
   const good = (entry: unknown): boolean => {
     if (typeof entry !== 'object' || entry === null) return false;
     const { key, turns: count, component = 0, ...rest } = entry as Record<string, unknown>;
-    return !wholeFrom(1)(key) && !wholeFrom(-MOST)(count) && !wholeFrom(0)(component) && Object.keys(rest).length === 0;
+    const inRange = Number.isInteger(count) && Math.abs(count as number) <= MOST_TURNS;
+    return !wholeFrom(1)(key) && inRange && !wholeFrom(0)(component) && Object.keys(rest).length === 0;
   };
   return Array.isArray(v) && v.every(good)
     ? null
-    : 'must be an array of { key, turns, component? } with whole numbers, key at least 1 and component at least 0';
+    : 'must be an array of { key, turns, component? } with whole numbers, key at least 1, component at least 0 and ' +
+        `turns from -${MOST_TURNS} to ${MOST_TURNS}`;
 };
 
 const sample: Check = (v) => {
   if (!wholeFrom(2)(v)) return null;
-  const increasing = Array.isArray(v) && v.length > 0 && v.every((t, i) => isNumber(t) && (i === 0 || t > v[i - 1]));
-  return increasing ? null : 'must be increasing times in seconds, or how many (at least 2)';
+  const increasing = Array.isArray(v) && v.length > 0 && v.every((t, i) => isTime(t) && (i === 0 || t > v[i - 1]));
+  return increasing ? null : `must be increasing times in seconds ${BETWEEN_TIMES}, or how many (at least 2)`;
 };
 
 const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
@@ -56,11 +61,11 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
   key: wholeFrom(0),
   shape: (v) => (v instanceof Float32Array ? null : 'must be a Float32Array of positions'),
   turns,
-  numbers,
+  numbers: times,
   range: (v) =>
-    Array.isArray(v) && v.length === 2 && v.every(isNumber) && v[0] < v[1]
+    Array.isArray(v) && v.length === 2 && v.every(isTime) && v[0] < v[1]
       ? null
-      : 'must be [first, last] with first < last',
+      : `must be two times, first and last, ${BETWEEN_TIMES}`,
   animation: (v) => (typeof v === 'string' || !wholeFrom(0)(v) ? null : "must be an animation's name or index"),
   sample,
   faces: (v) => (v instanceof Uint32Array ? null : 'must be a Uint32Array of vertices'),
@@ -68,20 +73,26 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
 
 /** What the option may be, in words. */
 function inWords({ whole, above, least, most }: NumberOption): string {
-  if (above !== undefined) return `a number above ${above}`;
-  if (least !== undefined && most !== undefined) return `a ${whole ? 'whole ' : ''}number from ${least} to ${most}`;
-  if (whole) return `a whole number${least === undefined ? '' : ` of at least ${least}`}`;
-  return least === undefined ? 'a finite number' : `a number of at least ${least}`;
+  const kind = whole ? 'a whole number' : 'a number';
+  if (above !== undefined) return `${kind} above ${grouped(above)} and at most ${grouped(most)}`;
+  return `${kind} from ${grouped(least ?? -most)} to ${grouped(most)}`;
 }
 
 function numberCheck(option: NumberOption): Check {
-  const { whole, above = -Infinity, least = -Infinity, zero } = option;
-  const most = option.most ?? (whole ? MOST : Infinity);
+  const { whole, above = -Infinity, least = -Infinity, most, zero } = option;
   return (v) => {
     if (v === 0 && zero !== undefined) return null;
-    const good = isNumber(v) && (!whole || Number.isInteger(v)) && v > above && v >= least;
-    if (!good) return `must be ${zero === undefined ? '' : `0 (${zero}) or `}${inWords(option)}`;
-    return v <= most ? null : `must be at most ${most}`;
+    const good = isNumber(v) && (!whole || Number.isInteger(v)) && v > above && v >= least && v <= most;
+    return good ? null : `must be ${zero === undefined ? '' : `0 (${zero}) or `}${inWords(option)}`;
+  };
+}
+
+/** Of what the kind alone does not say: how many. */
+function countCheck({ some, most = Infinity }: OtherOption): Check {
+  return (v) => {
+    const count = Array.isArray(v) ? v.length : typeof v === 'number' ? v : 1;
+    if (some && count === 0) return 'must name at least one time';
+    return count <= most ? null : `must be at most ${grouped(most)} times, not ${grouped(count)}`;
   };
 }
 
@@ -93,10 +104,8 @@ function checkOf(option: Option): Check {
     const names = choices.map((name) => `'${name}'`).join(', ');
     return (v) => (choices.includes(v as string) ? null : `must be one of ${names}`);
   }
-  if (kind === 'numbers' && option.some) {
-    return (v) => numbers(v) ?? ((v as number[]).length > 0 ? null : 'must name at least one time');
-  }
-  return ofKind[kind];
+  const count = countCheck(option);
+  return (v) => ofKind[kind](v) ?? (kind === 'numbers' || kind === 'sample' ? count(v) : null);
 }
 
 /** What is wrong with an option's value, or null. */
@@ -112,6 +121,11 @@ function listCheck(option: KeyOption): Check {
     Array.isArray(v) && v.every((one) => good(one) === null)
       ? null
       : `must be an array with ${inWords(option)} per key`;
+}
+
+/** What is wrong with an option's list for the keys, or null. */
+export function wrongWithList(option: KeyOption, value: unknown): string | null {
+  return listCheck(option)(value);
 }
 
 const checksOf = (table: OptionTable): Checks =>
@@ -161,8 +175,8 @@ export function checkUpdate(
   if (name) {
     throw invalidOption(`The option '${name}' changes the encoding: make a new sequence with createSequence for it.`);
   }
-  if (keyTimes !== undefined && numbers(keyTimes))
-    throw invalidOption("'keyTimes' must be an array of finite numbers.");
+  const wrong = keyTimes === undefined ? null : times(keyTimes);
+  if (wrong) throw invalidOption(`'keyTimes' ${wrong}.`);
   return {
     motion: checked('motion', motionChecks, present, rest),
     keyTimes: (keyTimes as number[] | undefined) ?? null,
@@ -189,11 +203,12 @@ export function checkCall(call: object | undefined): void {
 }
 
 export function checkTime(t: unknown): number {
-  if (!isNumber(t)) throw invalidOption('A time must be a finite number.');
+  if (!isTime(t)) throw invalidOption(`A time must be a number ${BETWEEN_TIMES}.`);
   return t;
 }
 
-export function checkTimes(times: unknown): number[] {
-  if (numbers(times)) throw invalidOption('Times must be an array of finite numbers.');
-  return [...(times as number[])];
+export function checkTimes(given: unknown): number[] {
+  const wrong = times(given);
+  if (wrong) throw invalidOption(`Times ${wrong}.`);
+  return [...(given as number[])];
 }

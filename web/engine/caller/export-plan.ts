@@ -34,6 +34,7 @@ export function framesOf(
   if (options.pose !== null) return { times: [options.pose], seconds: [0], stills: [] };
   const asked = options.times ?? evenly(options.range ?? range, options.frames);
   if (options.format !== 'glb' || asked.length === 1) return { times: asked, seconds: asked.map(() => 0), stills: [] };
+  checkWeights(asked.length, asked.length - 1);
   const times = withKeys(
     [...asked].sort((a, b) => a - b),
     keyTimes,
@@ -67,14 +68,16 @@ function onTimeLine(times: number[], keyTimes: readonly number[], duration: numb
     );
   }
   const stills = keyTimes.filter((t) => !times.includes(t));
-  const targets = times.length + stills.length - 1;
-  if (times.length * targets > MOST_WEIGHTS) {
-    throw tooLarge(
-      `An animation of ${grouped(times.length)} frames could not be opened again: its ${grouped(targets)} morph targets need more than ` +
-        `${grouped(MOST_WEIGHTS)} weights. Export fewer frames, or an OBJ sequence.`,
-    );
-  }
+  checkWeights(times.length, times.length + stills.length - 1);
   return { times, seconds, stills };
+}
+
+function checkWeights(frames: number, targets: number): void {
+  if (frames * targets <= MOST_WEIGHTS) return;
+  throw tooLarge(
+    `An animation of ${grouped(frames)} frames could not be opened again: its ${grouped(targets)} morph targets need more than ` +
+      `${grouped(MOST_WEIGHTS)} weights. Export fewer frames, or an OBJ sequence.`,
+  );
 }
 
 /** Refuses a GLB of so many bytes where that would not open again. */

@@ -1,0 +1,48 @@
+import { describe, expect, it } from 'vitest';
+import { isBelow, namedIn, withoutOptions } from '../../../web/cli/input.ts';
+
+const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
+
+describe('what an OBJ and its materials name', () => {
+  it('is the rest of a line behind its keyword, each once', () => {
+    const text = 'mtllib a.mtl\r\n# mtllib no.mtl\nmtllibs no.mtl\n\tmtllib\tb c.mtl  \nmtllib a.mtl\nmtllib\nmtllib  ';
+    expect(namedIn(bytes(text), 'mtllib')).toEqual(['a.mtl', 'b c.mtl']);
+  });
+
+  it.each([
+    ['a.png', 'a.png'],
+    ['dark red.png', 'dark red.png'],
+    ['-s 1 1 1 -clamp on dark red.png', 'dark red.png'],
+    ['-o -0.5 .5 +1 a.png', 'a.png'],
+    ['-bm 1 2.png', '2.png'],
+    ['-clamp off on.png', 'on.png'],
+    ['-a.png', '-a.png'],
+    ['-s 1', '1'],
+  ])('of an image %j is %j', (text, name) => {
+    expect(withoutOptions(text)).toBe(name);
+  });
+
+  it('is found in the time that a test has, also in long lines of blanks, options and numbers', () => {
+    const long = 300_000;
+    expect(namedIn(bytes(`mtllib ${' '.repeat(long)}x`), 'mtllib')).toEqual(['x']);
+    expect(namedIn(bytes(`map_Kd${' '.repeat(long)}`), 'map_Kd')).toEqual([]);
+    expect(namedIn(bytes(`${' '.repeat(long)}map_Kd`), 'map_Kd')).toEqual([]);
+    expect(withoutOptions(`-s ${'1 '.repeat(long)}x`)).toBe('x');
+    expect(withoutOptions(`-s ${'1 '.repeat(long)}-`)).toBe('-');
+    expect(withoutOptions(`${'-s '.repeat(long)}`)).toBe('');
+    expect(withoutOptions(`-s${' '.repeat(long)}`)).toBe('');
+  });
+});
+
+describe('a file', () => {
+  it.each([
+    ['/', '/a.bin', true],
+    ['/', '/b/a.bin', true],
+    ['/b', '/b/a.bin', true],
+    ['/b', '/b', false],
+    ['/b', '/bc/a.bin', false],
+    ['/b', '/a.bin', false],
+  ])('of the folder %s is %s: %s', (folder, file, below) => {
+    expect(isBelow(folder, file)).toBe(below);
+  });
+});
