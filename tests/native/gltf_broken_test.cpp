@@ -104,6 +104,18 @@ TEST_CASE("broken JSON") {
   for (int i = 0; i < 200000; ++i) deep += "[";
   checkRefused(json(deep), ErrorCode::MalformedFile, "nested");
   checkRefused(bytesOf(deep), ErrorCode::MalformedFile, "nested", {}, "bad.gltf");
+  checkRefused(json(std::string(200, '[')), ErrorCode::MalformedFile, "nested");
+  const auto many = [&](const std::string& item, int count) {
+    std::string list = item;
+    for (int i = 1; i < count; ++i) list += "," + item;
+    return "{\"asset\": {\"version\": \"2.0\"}, \"x\": [" + list + "]}";
+  };
+  checkRefused(json(many("{}", 250'000)), ErrorCode::TooLarge, "more than 250,000 objects");
+  checkRefused(json(many("1", 4'000'000)), ErrorCode::TooLarge, "more than 4,000,000 values");
+  checkRefused(json(many("{}", 249'000)), ErrorCode::NoTriangles, "no mesh");
+  std::string materials = many("{}", 16'385);
+  checkRefused(json(materials.replace(materials.find("\"x\""), 3, "\"materials\"")), ErrorCode::TooLarge,
+               "more than 16,384 materials");
 }
 
 TEST_CASE("wrong types and values in the JSON") {

@@ -225,6 +225,8 @@ TEST_CASE("OBJ: a library and an image are read once, however often they are nam
   std::string obj, mtl;
   for (int i = 0; i < 3'000; ++i)
     obj += "mtllib a.mtl\n", mtl += "newmtl m" + std::to_string(i) + "\nmap_Kd a.png\nmap_Kd none.png\nmap_Kd a.png\n";
+  for (std::string way = "./"; way.size() < 2'000; way += "./")
+    obj += "mtllib " + way + "a.mtl\n", mtl += "map_Kd " + way + "a.png\n";
   Bytes png(1'000'000, 0);
   const Bytes magic{0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
   std::copy(magic.begin(), magic.end(), png.begin());

@@ -212,5 +212,7 @@ TEST_CASE("unusable options are refused in a sentence") {
   CHECK(code({.bias = {0, 0, 0, 0, 0, NAN}}) == ErrorCode::InvalidOption);
   CHECK(code({}, {0, 1, 1}) == ErrorCode::TimesNotIncreasing);
   CHECK(code({}, {0, 2, 1}) == ErrorCode::TimesNotIncreasing);
+  CHECK(code({}, {0, 1e10}) == ErrorCode::TooLarge);
+  CHECK(code({}, {-1e300, 0}) == ErrorCode::TooLarge);
   CHECK(code({}, {0, INFINITY}) == ErrorCode::NotFinite);
 }

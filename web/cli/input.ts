@@ -6,19 +6,27 @@ import { constants } from 'node:fs';
 import { open, realpath } from 'node:fs/promises';
 import path from 'node:path';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
+import { parseGltf } from '../engine/api/gltf-json.ts';
+import { checkImportSize } from '../engine/api/import-size.ts';
 import { beside, decodedUri, extensionOf, isExternal, resourceUris } from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
 
+/** Bytes that were read of all files together. */
+interface Total {
+  bytes: number;
+}
+
 export async function readInputs(names: string[]): Promise<InputFile[]> {
   const files: InputFile[] = [];
+  const total: Total = { bytes: 0 };
   for (const name of names) {
-    const file = { name: toSlashes(name), bytes: await read(name) };
+    const file = { name: toSlashes(name), bytes: await read(name, total) };
     files.push(file);
-    const named = extensionOf(name) === 'obj' ? await librariesOf(file) : urisOf(file.bytes);
+    const named = extensionOf(name) === 'obj' ? await librariesOf(file, total) : urisOf(file.bytes);
     for (const uri of named) {
       const resource = nameBeside(name, uri);
       if (files.some((other) => other.name === resource)) continue;
-      const bytes = await readBeside(name, uri);
+      const bytes = await readBeside(name, uri, total);
       if (bytes) files.push({ name: resource, bytes });
     }
   }
@@ -29,11 +37,11 @@ export async function readInputs(names: string[]): Promise<InputFile[]> {
  * The material libraries of an OBJ, which it names before its first face, and the images that they name, as seen from
  * there.
  */
-async function librariesOf({ name, bytes }: InputFile): Promise<string[]> {
+async function librariesOf({ name, bytes }: InputFile, total: Total): Promise<string[]> {
   const libraries = namedIn(bytes.subarray(0, OBJ_HEAD), 'mtllib');
   const images = await Promise.all(
     libraries.map(async (library) => {
-      const text = (await readBeside(name, library)) ?? new Uint8Array(0);
+      const text = (await readBeside(name, library, total)) ?? new Uint8Array(0);
       return namedIn(text, 'map_Kd').map((image) => beside(library, withoutOptions(image)));
     }),
   );
@@ -68,10 +76,11 @@ export function withoutOptions(text: string): string {
   return text.slice(at);
 }
 
-async function read(name: string): Promise<Uint8Array> {
+async function read(name: string, total: Total): Promise<Uint8Array> {
   try {
-    return await readRegular(name);
+    return await readRegular(name, total);
   } catch (error) {
+    if (error instanceof EngineError) throw error;
     const { code } = error as NodeJS.ErrnoException;
     const reason =
       code === 'ENOENT' ? 'there is no such file' : code === 'EISDIR' ? 'it is a folder' : messageOf(error);
@@ -80,11 +89,13 @@ async function read(name: string): Promise<Uint8Array> {
 }
 
 /** A device never ends, and a pipe may never begin: both are refused before a byte is read. */
-async function readRegular(name: string): Promise<Uint8Array> {
+async function readRegular(name: string, total: Total): Promise<Uint8Array> {
   const file = await open(name, constants.O_RDONLY | constants.O_NONBLOCK);
   try {
     const stats = await file.stat();
     if (!stats.isFile() && !stats.isDirectory()) throw new Error('it is a device, a pipe or a socket, not a file');
+    total.bytes += stats.size;
+    checkImportSize(total.bytes);
     return await file.readFile();
   } finally {
     await file.close();
@@ -94,25 +105,22 @@ async function readRegular(name: string): Promise<Uint8Array> {
 /** URIs of the buffers and images of a .gltf; what is not JSON is for the engine to judge. */
 function urisOf(bytes: Uint8Array): string[] {
   if (!/^[\uFEFF\s]*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)))) return [];
-  try {
-    const { buffers, images } = resourceUris(JSON.parse(new TextDecoder().decode(bytes).replace(/^\uFEFF/, '')));
-    return [...buffers, ...images];
-  } catch {
-    return [];
-  }
+  const { buffers, images } = resourceUris(parseGltf(new TextDecoder().decode(bytes)));
+  return [...new Set([...buffers, ...images])];
 }
 
 /** How the engine is told the file that a URI names. */
 const nameBeside = (gltf: string, uri: string): string => beside(toSlashes(gltf), decodedUri(uri));
 
 /** The file that a URI names, or null where it is missing or leaves the folder: the engine says so in its own words. */
-async function readBeside(gltf: string, uri: string): Promise<Uint8Array | null> {
+async function readBeside(gltf: string, uri: string, total: Total): Promise<Uint8Array | null> {
   if (isExternal(uri)) return null;
   try {
     const folder = await realpath(path.dirname(gltf));
     const found = await realpath(path.resolve(folder, decodedUri(uri).replaceAll('\\', '/')));
-    return isBelow(folder, found) ? await readRegular(found) : null;
-  } catch {
+    return isBelow(folder, found) ? await readRegular(found, total) : null;
+  } catch (error) {
+    if (error instanceof EngineError) throw error;
     return null;
   }
 }

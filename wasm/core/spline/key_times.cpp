@@ -12,6 +12,9 @@ namespace {
 // Of the whole time: closer keys leave no digits for the speeds between them.
 constexpr double closestTimes = 1e-12;
 
+// From 0: a millionth can be told there. web/engine/api/option-table.ts has the same.
+constexpr double farthestTime = 1e9;
+
 }  // namespace
 
 Status validateTimes(const std::vector<double>& times, int keyCount) {
@@ -21,6 +24,11 @@ Status validateTimes(const std::vector<double>& times, int keyCount) {
   for (int j = 0; j < keyCount; ++j) {
     if (!std::isfinite(times[j]))
       return Error{ErrorCode::NotFinite, "The time of key " + std::to_string(j + 1) + " is not a finite number.", j};
+    if (std::abs(times[j]) > farthestTime)
+      return Error{ErrorCode::TooLarge,
+                   "Key " + std::to_string(j + 1) + " is at time " + shortNumber(times[j]) +
+                       ". Times lie between -1,000,000,000 and 1,000,000,000: choose a larger unit.",
+                   j};
     if (j > 0 && times[j] > times[j - 1] && !(times[j] - times[j - 1] > closestTimes * (times.back() - times.front())))
       return Error{ErrorCode::TimesNotIncreasing,
                    "Key " + std::to_string(j + 1) + " follows key " + std::to_string(j) +

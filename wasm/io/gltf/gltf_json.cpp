@@ -6,6 +6,7 @@
 
 #include "core/base/format.h"
 #include "io/base/byte_text.h"
+#include "io/base/limits.h"
 #include "io/gltf/malformed.h"
 
 namespace shapespline {
@@ -13,9 +14,6 @@ namespace shapespline {
 namespace {
 
 using nlohmann::json;
-
-// Deeper than any tool writes, and shallow enough for the recursive functions that follow.
-constexpr int kDeepest = 100;
 
 constexpr std::array kCollections{"accessors", "animations", "buffers", "bufferViews", "cameras",
                                   "images",    "materials",  "meshes",  "nodes",       "samplers",
@@ -56,25 +54,46 @@ bool contains(const std::array<const char*, N>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool tooDeep(std::string_view text) {
+// What a document's text holds, counted before anything is made of it.
+struct Extent {
+  int depth = 0;
+  std::uint64_t objects = 0, values = 0;
+};
+
+Extent extentOf(std::string_view text) {
+  Extent extent;
   int depth = 0;
   bool inString = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  for (std::size_t i = 0; i < text.size() && extent.depth <= kDeepestJson; ++i) {
     const char c = text[i];
     if (inString && c == '\\') ++i;
     else if (c == '"') inString = !inString;
     else if (inString) continue;
     else if (c == '{' || c == '[') {
-      if (++depth > kDeepest) return true;
+      extent.depth = std::max(extent.depth, ++depth);
+      extent.objects += c == '{';
+      ++extent.values;
     } else if (c == '}' || c == ']') --depth;
+    else if (c == ',') ++extent.values;
   }
-  return false;
+  return extent;
+}
+
+Status checkExtent(std::string_view text, const std::string& where) {
+  const Extent extent = extentOf(text);
+  if (extent.depth > kDeepestJson)
+    return malformed(where, "its JSON is nested more than " + std::to_string(kDeepestJson) + " levels deep");
+  const bool objects = extent.objects > kMostJsonObjects;
+  if (!objects && extent.values <= kMostJsonValues) return {};
+  return Error{ErrorCode::TooLarge, where + ": its JSON holds more than " +
+                                        grouped(objects ? kMostJsonObjects : kMostJsonValues) +
+                                        (objects ? " objects" : " values") +
+                                        ", more than can be held. Join nodes and meshes, or export the shape alone."};
 }
 
 Result<json> parse(std::string_view text, const std::string& where) {
   while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.remove_suffix(1);  // chunk padding
-  if (tooDeep(text))
-    return malformed(where, "its JSON is nested more than " + std::to_string(kDeepest) + " levels deep");
+  if (const Status held = checkExtent(text, where); !held) return held.error();
   try {
     return json::parse(text.begin(), text.end());
   } catch (const json::parse_error& e) {
@@ -178,6 +197,9 @@ Status checkCollections(const json& doc, const std::string& where) {
       if (!(*collection)[i].is_object())
         return malformed(where, std::string(name) + "[" + std::to_string(i) + "] is not an object");
   }
+  if (const auto materials = doc.find("materials"); materials != doc.end() && materials->size() > kMostMaterials)
+    return Error{ErrorCode::TooLarge, where + " has more than " + grouped(kMostMaterials) +
+                                          " materials, more than can be held. Join those that are the same."};
   return {};
 }
 

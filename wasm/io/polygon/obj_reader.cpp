@@ -23,6 +23,9 @@ float linear(double srgb) {
   return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
 }
 
+// More say nothing new.
+constexpr std::size_t kMostWarnings = 100;
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
@@ -36,6 +39,7 @@ struct MtlReader {
   PolygonMesh& mesh;
   std::map<std::string, int, std::less<>>& materialOf;
   std::map<std::string, int, std::less<>>& imageOf;  // by name; -1 where it could not be had
+  std::map<const std::uint8_t*, int>& imageAt;       // by bytes: a file may be named in many ways, and is held once
 
   void readImage(std::string_view text, Material& material) {
     std::string_view name = trimmed(text);
@@ -54,15 +58,23 @@ struct MtlReader {
     material.baseColorImage = known->second;
     if (!isNew) return;
     const auto found = resolveUri(name, from, files, where);
+    const bool isFile = found && found->owned.empty();
+    if (const auto same = isFile ? imageAt.find(found->bytes.data()) : imageAt.end(); same != imageAt.end()) {
+      material.baseColorImage = known->second = same->second;
+      return;
+    }
     const std::string type = found ? imageType(found->bytes) : "";
     if (type.empty()) {
-      mesh.warnings.push_back({"missing-texture",
-                               "A texture is left out: " + (found ? inQuotes(name) + " is not a supported image format."
-                                                                  : found.error().message),
-                               1});
+      if (mesh.warnings.size() < kMostWarnings)
+        mesh.warnings.push_back(
+            {"missing-texture",
+             "A texture is left out: " +
+                 (found ? inQuotes(name) + " is not a supported image format." : found.error().message),
+             1});
       return;
     }
     material.baseColorImage = known->second = static_cast<int>(mesh.scene.images.size());
+    if (isFile) imageAt[found->bytes.data()] = known->second;
     mesh.scene.images.push_back({type, {found->bytes.begin(), found->bytes.end()}});
   }
 
@@ -72,6 +84,8 @@ struct MtlReader {
     for (std::string_view line; lines.next(line);) {
       const std::string_view word = takeWord(line);
       if (word == "newmtl") {
+        current = nullptr;
+        if (mesh.scene.materials.size() >= kMostMaterials) continue;
         const std::string name(trimmed(line));
         materialOf[name] = static_cast<int>(mesh.scene.materials.size());
         current = &mesh.scene.materials.emplace_back();
@@ -104,7 +118,9 @@ struct ObjReader {
   std::vector<Coordinate> coordinates;
   std::vector<int> cornerNormal, cornerCoordinate;  // -1 where a corner has none
   std::map<std::string, int, std::less<>> materialOf, imageOf;
+  std::map<const std::uint8_t*, int> imageAt;
   std::set<std::string, std::less<>> libraries;  // read already
+  std::set<const std::uint8_t*> librariesAt;
   std::int64_t line = 0;
   int leftOut = 0;
 
@@ -191,8 +207,11 @@ struct ObjReader {
     if (!libraries.emplace(name).second) return;
     const auto found = resolveUri(name, file.name, files, where);
     const std::string folder = file.name.substr(0, file.name.size() - baseName(file.name).size());
-    if (found) return MtlReader{folder + std::string(name), files, where, mesh, materialOf, imageOf}.read(found->bytes);
-    mesh.warnings.push_back({"missing-materials", "Materials are left out: " + found.error().message, 1});
+    if (found && !librariesAt.insert(found->bytes.data()).second) return;
+    if (found)
+      return MtlReader{folder + std::string(name), files, where, mesh, materialOf, imageOf, imageAt}.read(found->bytes);
+    if (mesh.warnings.size() < kMostWarnings)
+      mesh.warnings.push_back({"missing-materials", "Materials are left out: " + found.error().message, 1});
   }
 
   Status readLine(std::string_view text) {

@@ -1,6 +1,7 @@
 /** The engine over any kind of worker. A task that fails or is cancelled takes its worker with it. */
 import type { CallOptions, Engine, Keys, Sequence } from '../api/api.ts';
 import { cancelled, disposed, invalidOption } from '../api/errors.ts';
+import { checkImportSize } from '../api/import-size.ts';
 import { KeysHandle } from './keyframes.ts';
 import { checkCall, checkImportOptions, checkSequenceOptions } from '../api/options.ts';
 import type { Program } from '../wire/protocol.ts';
@@ -48,6 +49,7 @@ export class EngineClient implements Engine {
     checkCall(call);
     const checked = checkImportOptions(options);
     checkFiles(files);
+    checkImportSize(bytesOf(files));
     if (bytesOf(files) >= LARGE * VERTEX_BYTES) void this.platform.threaded?.(); // to be there when the keys are
     const client = this.takeWorker();
     const imported = await this.task(client, call, () =>

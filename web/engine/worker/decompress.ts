@@ -5,8 +5,11 @@
  */
 import type { Document, JSONDocument } from '@gltf-transform/core';
 import { EngineError, messageOf } from '../api/errors.ts';
+import { parseGltf } from '../api/gltf-json.ts';
 import { fileName, resolveUri, resourceUris, uriError } from '../api/paths.ts';
+import { checkDecodedSize, checkForest, roomFor } from './decoded-size.ts';
 import type { Decode } from './import-files.ts';
+import { withMemoryLimit } from './wasm-memory.ts';
 import type { InputFile } from '../api/types.ts';
 
 const COMPRESSIONS = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression'];
@@ -15,6 +18,9 @@ const JSON_CHUNK = 0x4e4f534a;
 const BIN_CHUNK = 0x004e4942;
 /** What glTF-Transform calls the binary chunk. */
 const GLB_BUFFER = '@glb.bin';
+
+/** Of memory that Draco works in, beside what comes out. */
+const DRACO_ROOM = 64 * 2 ** 20;
 
 /** `dracoWasm` brings the Draco decoder's wasm file; browsers and Node find it in different places. */
 export function decoder(dracoWasm: () => Promise<Uint8Array>): Decode {
@@ -43,23 +49,16 @@ interface Job {
 
 async function decodeFile(job: Job): Promise<InputFile> {
   const name = fileName(job.file.name);
-  const json = parsed(job.text);
+  const json = parseGltf(job.text) as JSONDocument['json'] | undefined;
   if (!json) return job.file; // the core says where it is broken
   try {
+    checkForest(json);
     return { name: job.file.name, bytes: await uncompress(job, json) };
   } catch (error) {
     if (error instanceof EngineError) throw error;
     const reason = messageOf(error).replace(/\.$/, '');
     const sentence = `${name}: its compressed mesh cannot be decoded (${reason}). Export the file again, or without compression.`;
     throw new EngineError('malformed-file', sentence, { file: name });
-  }
-}
-
-function parsed(text: string): JSONDocument['json'] | null {
-  try {
-    return JSON.parse(text.replace(/^\uFEFF/, '')) as JSONDocument['json'];
-  } catch {
-    return null;
   }
 }
 
@@ -76,11 +75,13 @@ function jsonOf(bytes: Uint8Array): string | null {
 }
 
 async function uncompress({ file, text, files, dracoWasm }: Job, json: JSONDocument['json']): Promise<Uint8Array> {
-  const io = await reader(text, dracoWasm);
   const source: JSONDocument = { json, resources: {} };
   const binary = binaryOf(file.bytes);
   if (binary) source.resources[GLB_BUFFER] = binary as Uint8Array<ArrayBuffer>;
   addResources(source, file.name, files);
+  const bytes = Object.values(source.resources).reduce((sum, { length }) => sum + length, file.bytes.length);
+  checkDecodedSize(json, bytes, fileName(file.name));
+  const io = await reader(text, async () => withMemoryLimit(await dracoWasm(), DRACO_ROOM + roomFor(bytes)));
   const document = await io.readJSON(source);
   for (const extension of document.getRoot().listExtensionsUsed()) {
     if (COMPRESSIONS.includes(extension.extensionName)) extension.dispose();

@@ -1,0 +1,27 @@
+/** What is done with an input of the decoders, and what must hold. */
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { EngineError } from '../../web/engine/api/errors.ts';
+import { decoder } from '../../web/engine/worker/decompress.ts';
+
+const require = createRequire(import.meta.url);
+const draco = readFile(require.resolve('draco3dgltf/draco_decoder_gltf.wasm'));
+const decode = decoder(() => draco);
+
+/** Of the process with what garbage collection leaves: far above what comes out of a small file. */
+const MOST_MEMORY = 2e9;
+
+/** Decodes it or is refused in a sentence, in little memory: throws where that is not so. Resolves to whether it was decoded. */
+export async function oneInput(bytes: Uint8Array): Promise<boolean> {
+  let refused = false;
+  try {
+    const [file] = await decode([{ name: 'input.glb', bytes }], () => undefined);
+    if (!file || file.bytes.length === 0) throw new Error('nothing came out');
+  } catch (error) {
+    if (!(error instanceof EngineError) || !/^input\.glb.*\.$/s.test(error.message)) throw error;
+    refused = true;
+  }
+  const { rss } = process.memoryUsage();
+  if (rss > MOST_MEMORY) throw new Error(`the process has ${(rss / 1e9).toFixed(1)} GB`);
+  return !refused;
+}

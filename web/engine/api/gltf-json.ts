@@ -1,0 +1,40 @@
+/**
+ * The JSON of a glTF file, parsed. It is measured before anything is made of it: a few bytes of text become many of
+ * memory. wasm/io/base/limits has the same limits, and says of a file that is over them which one.
+ */
+const DEEPEST = 100;
+const MOST_OBJECTS = 250_000;
+const MOST_VALUES = 4_000_000;
+
+const [QUOTE, BACKSLASH, COMMA] = [0x22, 0x5c, 0x2c];
+const [OPEN_LIST, CLOSE_LIST, OPEN_OBJECT, CLOSE_OBJECT] = [0x5b, 0x5d, 0x7b, 0x7d];
+
+function canBeHeld(text: string): boolean {
+  let [depth, objects, values, inString] = [0, 0, 0, false];
+  for (let i = 0; i < text.length; ++i) {
+    const c = text.charCodeAt(i);
+    if (inString) {
+      if (c === BACKSLASH) ++i;
+      else if (c === QUOTE) inString = false;
+    } else if (c === QUOTE) inString = true;
+    else if (c === COMMA) ++values;
+    else if (c === CLOSE_LIST || c === CLOSE_OBJECT) --depth;
+    else if (c === OPEN_LIST || c === OPEN_OBJECT) {
+      if (++depth > DEEPEST) return false;
+      ++values;
+      if (c === OPEN_OBJECT) ++objects;
+    }
+    if (objects > MOST_OBJECTS || values > MOST_VALUES) return false;
+  }
+  return true;
+}
+
+/** undefined where it is broken or holds more than can be held: the core, which reads the same text, says what is wrong. */
+export function parseGltf(text: string): unknown {
+  if (!canBeHeld(text)) return undefined;
+  try {
+    return JSON.parse(text.replace(/^\uFEFF/, '')) as unknown;
+  } catch {
+    return undefined;
+  }
+}

@@ -1,0 +1,16 @@
+/** How much is read at once: the files, the worker's copy and what is made of them stand in memory beside each other. */
+import { EngineError } from './errors.ts';
+
+export const MOST_BYTES = 2 ** 30;
+
+const gigabytes = (bytes: number): string => `${(bytes / 1e9).toFixed(2)} GB`;
+
+/** Refuses files that have so many bytes together. */
+export function checkImportSize(bytes: number): void {
+  if (bytes <= MOST_BYTES) return;
+  throw new EngineError(
+    'too-large',
+    `The files have ${gigabytes(bytes)} together, more than the ${gigabytes(MOST_BYTES)} that can be read at once. ` +
+      'Simplify the mesh or take fewer keys.',
+  );
+}

@@ -1,0 +1,96 @@
+/**
+ * What a glTF file with compressed meshes would become, judged by what it declares, before anything is decoded: sizes in
+ * proportion to the bytes that are there, and nodes that form a forest. The decoders take all of that on trust.
+ */
+import { EngineError } from '../api/errors.ts';
+
+/** A file may become so many times larger, and a small one so large: whole morph targets of zeros are a few bytes. */
+const LARGEST_RATIO = 1024;
+const SMALL = 64 * 2 ** 20;
+const LARGEST = 2 ** 30;
+
+/** Bytes that may come out of so many. */
+export const roomFor = (bytes: number): number => Math.min(Math.max(SMALL, LARGEST_RATIO * bytes), LARGEST);
+
+/** Bytes that a byte of each of meshopt's codecs stands for at most: a control byte of a block of vertices, a triangle, an index. */
+const MESHOPT_RATIO: Record<string, number> = { ATTRIBUTES: 1024, TRIANGLES: 12, INDICES: 4 };
+
+type Json = Record<string, unknown>;
+
+const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null;
+const listOf = (json: Json, name: string): Json[] =>
+  Array.isArray(json[name]) ? json[name].map((one: unknown) => (isObject(one) ? one : {})) : [];
+const isSize = (value: unknown): value is number => Number.isSafeInteger(value) && (value as number) >= 0;
+
+/** Throws where the file, of so many bytes with all that it names, should not be decoded. */
+export function checkDecodedSize(json: unknown, bytes: number, name: string): void {
+  const document = isObject(json) ? json : {};
+  const sizes = [
+    ...listOf(document, 'bufferViews').map(meshoptSize),
+    ...listOf(document, 'accessors').map(accessorSize),
+    ...listOf(document, 'images').map((image) => viewSize(document, image)),
+  ];
+  const room = roomFor(bytes);
+  if (sizes.reduce((sum, size) => sum + size, 0) <= room) return;
+  const megabytes = Math.round(room / 1e6).toLocaleString('en');
+  throw new EngineError(
+    'too-large',
+    `${name} declares more than the ${megabytes} MB that may come out of its bytes. Export the file again, or without compression.`,
+    { file: name },
+  );
+}
+
+/** Of a view that meshopt decodes, else 0: others are bytes of the file itself. */
+function meshoptSize(view: Json, index: number): number {
+  const extension = isObject(view['extensions']) ? view['extensions']['EXT_meshopt_compression'] : undefined;
+  if (!isObject(extension)) return 0;
+  const { count, byteStride, byteLength, mode = 'ATTRIBUTES' } = extension;
+  const ratio = MESHOPT_RATIO[String(mode)];
+  if (!isSize(count) || !isSize(byteStride) || !isSize(byteLength) || byteStride > 256 || ratio === undefined)
+    throw new Error(`bufferView ${index} has no size that meshopt could have`);
+  if (count * byteStride > ratio * byteLength)
+    throw new Error(`bufferView ${index} declares more than its ${byteLength} bytes can hold`);
+  return count * byteStride;
+}
+
+/** Of an image in the file, which is copied out of its view, too. */
+function viewSize(document: Json, { bufferView }: Json): number {
+  const views = document['bufferViews'];
+  const view: unknown = Array.isArray(views) && isSize(bufferView) ? views[bufferView] : undefined;
+  return isObject(view) && isSize(view['byteLength']) ? view['byteLength'] : 0;
+}
+
+const COMPONENTS: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 };
+
+/** As it is copied out of its view; views may be shared, so that a small file could declare any amount. */
+function accessorSize({ count = 0, type, componentType }: Json, index: number): number {
+  const components = COMPONENTS[String(type)];
+  if (!isSize(count) || components === undefined) throw new Error(`accessor ${index} has no count or type`);
+  const width =
+    componentType === 5126 || componentType === 5125 ? 4 : componentType === 5122 || componentType === 5123 ? 2 : 1;
+  return count * components * width;
+}
+
+/** Throws a sentence without its end where the nodes form no forest: what reads them next would not notice, or not end. */
+export function checkForest(json: unknown): void {
+  const nodes = listOf(isObject(json) ? json : {}, 'nodes');
+  const parent = new Int32Array(nodes.length).fill(-1);
+  for (const [index, { children }] of nodes.entries()) {
+    for (const child of (Array.isArray(children) ? children : []) as unknown[]) {
+      if (!isSize(child) || child >= nodes.length)
+        throw new Error(`node ${index} has child ${JSON.stringify(child)}, which is not there`);
+      if (child === index) throw new Error(`node ${index} is its own child, so that the nodes form no tree`);
+      if (parent[child] !== -1) throw new Error(`node ${child} has two parents, so that the nodes form no tree`);
+      parent[child] = index;
+    }
+  }
+  // Each has one parent at most: what is not reached from a root lies on a cycle.
+  const waiting = nodes.flatMap((_, index) => (parent[index] === -1 ? [index] : []));
+  let reached = 0;
+  for (let node = waiting.pop(); node !== undefined; node = waiting.pop()) {
+    reached += 1;
+    const { children } = nodes[node]!;
+    if (Array.isArray(children)) for (const child of children as number[]) waiting.push(child);
+  }
+  if (reached < nodes.length) throw new Error('its nodes form a cycle');
+}

@@ -1,0 +1,44 @@
+/** The most memory that a compiled wasm module may have, written into its bytes. */
+
+const PAGE = 2 ** 16;
+const MEMORY_SECTION = 5;
+const HAS_MOST = 1;
+
+/** An unsigned LEB128 number, and where the next byte is. */
+function readNumber(bytes: Uint8Array, at: number): { value: number; next: number } {
+  let [value, scale, next] = [0, 1, at];
+  for (;;) {
+    const byte = bytes[next++] ?? 0;
+    value += (byte & 0x7f) * scale;
+    if (byte < 0x80) return { value, next };
+    scale *= 128;
+  }
+}
+
+/** Into as many bytes as there are from `start` to `end`: the number may have leading zeros. */
+function writeNumber(bytes: Uint8Array, value: number, start: number, end: number): void {
+  for (let at = start; at < end; ++at) {
+    bytes[at] = (value % 128) | (at + 1 < end ? 0x80 : 0);
+    value = Math.floor(value / 128);
+  }
+}
+
+/** A copy of the module whose memory never grows over so many bytes, but has what it starts with. */
+export function withMemoryLimit(module: Uint8Array, bytes: number): Uint8Array {
+  const limited = module.slice();
+  for (let at = 8; at < limited.length; ) {
+    const id = limited[at];
+    const size = readNumber(limited, at + 1);
+    if (id === MEMORY_SECTION) {
+      const flags = readNumber(limited, readNumber(limited, size.next).next);
+      const least = readNumber(limited, flags.next);
+      if ((flags.value & HAS_MOST) === 0) return limited;
+      const most = readNumber(limited, least.next);
+      const wanted = Math.max(Math.ceil(bytes / PAGE), least.value);
+      writeNumber(limited, Math.min(wanted, most.value), least.next, most.next);
+      return limited;
+    }
+    at = size.next + size.value;
+  }
+  return limited;
+}
