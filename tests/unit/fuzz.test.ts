@@ -21,6 +21,9 @@ describe('npm run fuzz', () => {
 
   it('says where an input lies and how it is kept for the replay', () => {
     const text = foundText('obj', fileURLToPath(new URL('../../build/cmake-fuzz/found/obj/crash-1', import.meta.url)));
+    expect(foundText('draco', '/x/build/fuzz-decoders/draco/broken-1')).toContain(
+      'tests/fuzz/found/draco/WHAT-IS-THE-MATTER.glb',
+    );
     expect(text).toContain('cp build/cmake-fuzz/found/obj/crash-1 tests/fuzz/found/obj/WHAT-IS-THE-MATTER.obj');
   });
 });

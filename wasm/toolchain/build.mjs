@@ -200,3 +200,10 @@ export const benchBundle = guarded(
   ['build/node/bench.mjs'],
   () => bundle([entry('bench', 'tests/bench/main.ts'), ...engineEntries]),
 );
+
+export const fuzzBundle = guarded(
+  'fuzz-bundle',
+  () => digest(['web/engine', 'tests/fuzz', 'tests/engine/support', 'package.json', 'package-lock.json']),
+  ['build/node/fuzz-decoders.mjs'],
+  () => bundle([entry('fuzz-decoders', 'tests/fuzz/decoders.ts')]),
+);

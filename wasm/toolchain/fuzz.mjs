@@ -2,26 +2,34 @@
 // found.
 import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
-import { buildFuzzers } from './build.mjs';
+import { buildFuzzers, fuzzBundle } from './build.mjs';
 import { run } from './exec.mjs';
 import { whileLocked } from './lock.mjs';
 import { Explained, step } from './log.mjs';
-import { inRoot, root } from './paths.mjs';
-import { prepareSystem } from './prepare.mjs';
+import { buildDir, inRoot, root } from './paths.mjs';
+import { prepare, prepareSystem } from './prepare.mjs';
 import { forFuzzing } from './requirements.mjs';
 
 const DEFAULT_SECONDS = 60;
 const ENDING = '_fuzz.cpp';
+/** Not ours, and called from JavaScript: their inputs are made in Node (tests/fuzz/decoders.ts). */
+const DECODERS = ['meshopt', 'draco'];
 
 export async function fuzz(args) {
   const known = readdirSync(inRoot('tests/fuzz'))
     .filter((name) => name.endsWith(ENDING))
     .map((name) => name.slice(0, -ENDING.length));
-  const { seconds, importers } = fuzzArguments(args, known);
-  await prepareSystem(forFuzzing);
-  const folder = await whileLocked(() => buildFuzzers(importers.map((importer) => `${importer}_fuzz`)));
+  const { seconds, importers } = fuzzArguments(args, [...known, ...DECODERS]);
   const found = [];
-  for (const importer of importers) found.push(...(await fuzzOne(folder, importer, seconds)));
+  const ours = importers.filter((importer) => known.includes(importer));
+  if (ours.length > 0) {
+    await prepareSystem(forFuzzing);
+    const folder = await whileLocked(() => buildFuzzers(ours.map((importer) => `${importer}_fuzz`)));
+    for (const importer of ours) found.push(...(await fuzzOne(folder, importer, seconds)));
+  }
+  const decoders = importers.filter((importer) => DECODERS.includes(importer));
+  if (decoders.length > 0) await prepare([], [fuzzBundle]);
+  for (const name of decoders) found.push(...(await fuzzDecoder(name, seconds)));
   if (found.length > 0) throw new Explained(found.join('\n'));
   step(`nothing was found in ${seconds} s ${importers.length > 1 ? 'each ' : ''}(${importers.join(', ')})`);
 }
@@ -66,9 +74,27 @@ async function fuzzOne(folder, importer, seconds) {
     : [`The ${importer} target ended with exit code ${code} without an input.`];
 }
 
-/** Files keep the importer's own ending: the replay reads them by their names. */
+async function fuzzDecoder(name, seconds) {
+  const artifacts = path.join(buildDir, 'fuzz-decoders', name);
+  mkdirSync(artifacts, { recursive: true });
+  const before = new Set(readdirSync(artifacts));
+  step(`fuzzing the ${name} decoder for ${seconds} s`);
+  const program = path.join(buildDir, 'node/fuzz-decoders.mjs');
+  const { code } = await run(process.execPath, [program, name, String(seconds), artifacts], {
+    show: 'all',
+    allowFailure: true,
+  });
+  if (code === 0) return [];
+  const inputs = readdirSync(artifacts).filter((file) => !before.has(file));
+  return inputs.length > 0
+    ? inputs.map((file) => foundText(name, path.join(artifacts, file)))
+    : [`The ${name} target ended with exit code ${code} without an input.`];
+}
+
+/** Files keep the importer's own ending, or that of what a decoder is given: the replay reads them by their names. */
 export function foundText(importer, artifact) {
-  const kept = `tests/fuzz/found/${importer}/WHAT-IS-THE-MATTER.${importer}`;
+  const ending = DECODERS.includes(importer) ? 'glb' : importer;
+  const kept = `tests/fuzz/found/${importer}/WHAT-IS-THE-MATTER.${ending}`;
   const input = path.relative(root, artifact);
   return (
     `The ${importer} importer broke a promise, as said above, on ${input}. Keep it for the replay in npm test:\n` +
