@@ -40,7 +40,7 @@ TEST_CASE("URIs in files lead to a given file or are refused, as in the shared c
     const std::string kind = one.value("is", "");
     CHECK(found.ok() == kind.empty());
     if (found.ok() && kind.empty()) {
-      CHECK(std::string(found->bytes.begin(), found->bytes.end()) == one.at("finds"));
+      CHECK(std::string(found->bytes.begin(), found->bytes.end()) == one.at("finds").get<std::string>());
     } else if (!found.ok() && !kind.empty()) {
       const auto sentence = shared.at("sentences").at(kind).get<std::string>();
       CHECK(found.error().message == replaced(replaced(sentence, "FILE", "a.gltf"), "URI", uri));
