@@ -221,6 +221,19 @@ test('files that ended the last visit while they were opened are opened on deman
   await expect.poll(async () => (await kept(app.page)).project?.opening).toBe(false);
 });
 
+test('files whose opening was interrupted by a reload are opened by the next visit', async ({ app }) => {
+  await app.open();
+  await drop(app, BAR);
+  await remember(app);
+  for (let i = 0; i < 3; ++i) {
+    await app.page.reload({ waitUntil: 'commit' });
+    await expect.poll(async () => (await kept(app.page)).project?.opening, { intervals: [5] }).toBe(true);
+  }
+  await app.open();
+  expect(await names(app)).toEqual(['twisted-bar.glb']);
+  await expect(app.by('not-reopened')).toBeHidden();
+});
+
 test('a full disk is told of, and what was remembered before is kept', async ({ app, context }, info) => {
   test.skip(info.project.name === 'dev', 'the room is measured once the files of the page are kept');
   await app.open();
@@ -234,7 +247,7 @@ test('a full disk is told of, and what was remembered before is kept', async ({ 
   await remember(app);
   const before = await kept(app.page);
   await drop(app, OTHER);
-  await expect(app.by('error-message')).toContainText('What was remembered before is kept');
+  await expect(app.by('error-message')).toContainText('The version before is kept');
   await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'false');
   const after = await kept(app.page);
   expect(after.project?.id).toBe(before.project?.id);

@@ -153,7 +153,8 @@ export function createRememberedFiles({
     },
     async recall() {
       try {
-        return await within(RECALL_MS, readProject());
+        const kept = await within(RECALL_MS, readProject());
+        return kept && { ...kept, opening: kept.opening && !wasLeft(kept.id) };
       } catch {
         // A browser that keeps nothing has nothing to set aside.
         const aside = await within(
@@ -165,14 +166,38 @@ export function createRememberedFiles({
       }
     },
     async reopen({ id, remembered }, open) {
+      const leave = (): void => setLeft(id);
+      setLeft(null);
+      window.addEventListener('pagehide', leave);
       await updateProject(id, { opening: true }).catch(() => undefined);
       const opened = await open(remembered);
       await updateProject(id, { opening: false }).catch(() => undefined);
+      window.removeEventListener('pagehide', leave);
       // The files as the workspace holds them now are those that are kept.
       if (opened) change({ id, files: workspace.input });
       return opened;
     },
   };
+}
+
+// A page that is left while it opens files has not been ended by them. Only this storage is written before it is gone.
+const LEFT = 'shapespline.left-while-opening';
+
+function wasLeft(id: string): boolean {
+  try {
+    return localStorage.getItem(LEFT) === id;
+  } catch {
+    return false;
+  }
+}
+
+function setLeft(id: string | null): void {
+  try {
+    if (id === null) localStorage.removeItem(LEFT);
+    else localStorage.setItem(LEFT, id);
+  } catch {
+    // Without this storage the files wait for a click.
+  }
 }
 
 function within<T>(ms: number, work: Promise<T>): Promise<T | null> {
