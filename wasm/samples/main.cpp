@@ -1,8 +1,8 @@
-// shapespline_samples OUTDIR: writes the built-in samples and their list.
-// shapespline_samples --bench FACES [KEYS] OUTDIR: writes bench-FACES.glb instead, keys (three) of a generated mesh.
-// shapespline_samples --bench-split FACES [KEYS] OUTDIR: that mesh with every face split into four,
-// bench-FACES-split.glb. shapespline_samples --bench-parts FACES [KEYS] OUTDIR: a mesh of several parts with open
-// boundaries, bench-FACES-parts.glb.
+// Writes the built-in samples and their list, or bench-FACES.glb: keys (three) of a generated mesh.
+//   shapespline_samples OUTDIR
+//   shapespline_samples --bench FACES [KEYS] OUTDIR        one smooth body
+//   shapespline_samples --bench-split FACES [KEYS] OUTDIR  the same with every face split into four
+//   shapespline_samples --bench-parts FACES [KEYS] OUTDIR  several components with open boundaries
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -80,7 +80,8 @@ int main(int argc, char** argv) {
   const BenchKind* const bench = argc == 4 || argc == 5 ? benchKindOf(argv[1]) : nullptr;
   const int faces = bench ? std::atoi(argv[2]) : 0;
   const int keys = argc == 5 ? std::atoi(argv[3]) : 3;
-  if (argc != 2 && !(bench && faces >= 64 && faces <= 4000000 && keys >= 2 && keys <= 100)) {
+  const bool samples = argc == 2 && argv[1][0] != '-';
+  if (!samples && !(bench && faces >= 64 && faces <= 4000000 && keys >= 2 && keys <= 100)) {
     std::fprintf(stderr, "usage: shapespline_samples [--bench|--bench-split|--bench-parts FACES [KEYS]] OUTDIR\n");
     return 2;
   }

@@ -1,6 +1,6 @@
-// A plain static file server, as any host should be, optionally below a sub-path. With --isolated it sends the two
-// headers that let a page share memory between threads. node serve.mjs FOLDER [--port N] [--prefix /sub/path/]
-// [--isolated]
+// A plain static file server, optionally below a sub-path, with the headers that the README asks of a host. With
+// --isolated it also sends the two that let a page share memory between threads.
+//   node serve.mjs FOLDER [--port N] [--prefix /sub/path/] [--isolated]
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import path from 'node:path';
