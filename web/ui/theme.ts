@@ -1,4 +1,5 @@
 /** Light or dark: the system's choice unless the user made one, remembered on this machine only. */
+import { readSetting, writeSetting } from './local-setting.ts';
 
 export type Theme = 'system' | 'light' | 'dark';
 
@@ -25,27 +26,13 @@ export function createTheme(onChange: () => void): ThemeSwitch {
     isDark: () => (theme === 'system' ? system.matches : theme === 'dark'),
     next() {
       theme = NEXT[theme];
-      remember(theme);
+      writeSetting(KEY, theme === 'system' ? null : theme);
       apply();
     },
   };
 }
 
-/** Storage can be forbidden by the browser; then nothing is remembered. */
 function remembered(): Theme {
-  try {
-    const value = localStorage.getItem(KEY);
-    return value === 'light' || value === 'dark' ? value : 'system';
-  } catch {
-    return 'system';
-  }
-}
-
-function remember(theme: Theme): void {
-  try {
-    if (theme === 'system') localStorage.removeItem(KEY);
-    else localStorage.setItem(KEY, theme);
-  } catch {
-    // Nothing to remember with.
-  }
+  const value = readSetting(KEY);
+  return value === 'light' || value === 'dark' ? value : 'system';
 }

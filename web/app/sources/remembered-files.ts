@@ -1,5 +1,6 @@
 /** The user's own files, kept in this browser between visits where the user has asked for it. They are sent nowhere. */
 import type { InputFile } from '../../engine/api/types.ts';
+import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import {
@@ -40,6 +41,8 @@ interface News {
   before: string;
 }
 
+/** A page that is left while it opens files has not been ended by them. */
+const LEFT = 'shapespline.left-while-opening';
 const SAVE_DELAY_MS = 500;
 /** Another tab can hold a browser's storage for any time: the page starts without it then. */
 const RECALL_MS = 10_000;
@@ -154,7 +157,7 @@ export function createRememberedFiles({
     async recall() {
       try {
         const kept = await within(RECALL_MS, readProject());
-        return kept && { ...kept, opening: kept.opening && !wasLeft(kept.id) };
+        return kept && { ...kept, opening: kept.opening && readSetting(LEFT) !== kept.id };
       } catch {
         // A browser that keeps nothing has nothing to set aside.
         const aside = await within(
@@ -166,8 +169,8 @@ export function createRememberedFiles({
       }
     },
     async reopen({ id, remembered }, open) {
-      const leave = (): void => setLeft(id);
-      setLeft(null);
+      const leave = (): void => writeSetting(LEFT, id);
+      writeSetting(LEFT, null);
       window.addEventListener('pagehide', leave);
       await updateProject(id, { opening: true }).catch(() => undefined);
       const opened = await open(remembered);
@@ -178,26 +181,6 @@ export function createRememberedFiles({
       return opened;
     },
   };
-}
-
-// A page that is left while it opens files has not been ended by them. Only this storage is written before it is gone.
-const LEFT = 'shapespline.left-while-opening';
-
-function wasLeft(id: string): boolean {
-  try {
-    return localStorage.getItem(LEFT) === id;
-  } catch {
-    return false;
-  }
-}
-
-function setLeft(id: string | null): void {
-  try {
-    if (id === null) localStorage.removeItem(LEFT);
-    else localStorage.setItem(LEFT, id);
-  } catch {
-    // Without this storage the files wait for a click.
-  }
 }
 
 function within<T>(ms: number, work: Promise<T>): Promise<T | null> {
