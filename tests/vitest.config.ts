@@ -3,7 +3,8 @@ import { defineConfig } from 'vitest/config';
 
 const repository = fileURLToPath(new URL('..', import.meta.url));
 
-// Two projects: `unit` needs no wasm, `engine` runs the built module in Node.
+// Three projects: `unit` needs no wasm, `engine` runs the built module in Node, `tools` hands what it makes to the
+// programs that people use.
 const project = (name: string, testTimeout: number) => ({
   extends: true as const,
   test: { name, include: [`tests/${name}/**/*.test.ts`], testTimeout },
@@ -16,6 +17,6 @@ export default defineConfig({
     environment: 'node',
     pool: 'forks',
     poolOptions: { forks: { maxForks: 2, minForks: 1 } },
-    projects: [project('unit', 10_000), project('engine', 120_000)],
+    projects: [project('unit', 10_000), project('engine', 120_000), project('tools', 300_000)],
   },
 });

@@ -17,8 +17,8 @@ export interface Errors {
 /** The shape at the k-th time of the sweep in double: 3 numbers per vertex. */
 export type Reference = (k: number) => Promise<Float64Array>;
 
-async function withFrame<T>(answer: Promise<Frame | null>, use: (positions: Float32Array) => T): Promise<T> {
-  const frame = await frameOf(answer);
+async function withFrame<T>(pending: Promise<Frame | null>, use: (positions: Float32Array) => T): Promise<T> {
+  const frame = await frameOf(pending);
   const result = use(frame.positions);
   frame.release();
   return result;

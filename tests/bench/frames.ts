@@ -64,15 +64,15 @@ export const stagesMs = (stats: SequenceStats): number => stats.framesMs + fromF
 /** The k-th of `count` steps from well before the first key to well after the last. */
 export const timeOf = (k: number, count: number): number => -0.2 + (1.4 * k) / count;
 
-/** One answer, which nobody overtakes. */
-export async function frameOf(answer: Promise<Frame | null>): Promise<Frame> {
-  const frame = await answer;
+/** One frame, which nobody overtakes. */
+export async function frameOf(pending: Promise<Frame | null>): Promise<Frame> {
+  const frame = await pending;
   if (!frame) throw new Error('a frame was overtaken although none else was asked for');
   return frame;
 }
 
-export async function msOf(answer: Promise<Frame | null>): Promise<number> {
-  const frame = await frameOf(answer);
+export async function msOf(pending: Promise<Frame | null>): Promise<number> {
+  const frame = await frameOf(pending);
   frame.release();
   return frame.ms;
 }

@@ -1,7 +1,7 @@
 /**
- * npm run bench -- ghost browser [FACES,...]: large meshes led by a ghost of 2,000 faces in one tab of Chromium, on the
- * built page: the answer to each move of the slider, the main thread's long tasks meanwhile, and the memory of the tab
- * at its worst.
+ * npm run bench -- ghost browser [FACES,...]: large meshes led by a ghost of 2,000 faces in one tab of Chromium, on
+ * the built page: the response to each move of the slider, the main thread's long tasks meanwhile, and the memory of
+ * the tab at its worst.
  */
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
@@ -106,17 +106,17 @@ async function measure(page: Page, url: string, file: string, pid: number): Prom
       tasks.push(...list.getEntries().map(({ duration }) => duration)),
     );
     observer.observe({ type: 'longtask' });
-    const answers: number[] = [];
+    const responses: number[] = [];
     for (let i = 0; i < moves; i += 1) {
       const start = performance.now();
       await hook.evaluate(-0.3 + (1.6 * i) / moves);
-      const answered = performance.now();
+      const responded = performance.now();
       await hook.setTime(-0.3 + (1.6 * i) / moves);
-      answers.push(answered - start);
+      responses.push(responded - start);
     }
     await new Promise((resolve) => setTimeout(resolve, 100));
     observer.disconnect();
-    return { answers: answers.sort((a, b) => a - b), tasks: tasks.sort((a, b) => b - a) };
+    return { responses: responses.sort((a, b) => a - b), tasks: tasks.sort((a, b) => b - a) };
   }, MOVES);
   const stats = (await page.evaluate(() => window.__shapespline!.stats()))!;
   const round = (ms: number | undefined): number => Math.round(10 * (ms ?? 0)) / 10;
@@ -125,7 +125,7 @@ async function measure(page: Page, url: string, file: string, pid: number): Prom
     ghostFaces: stats.ghostFaces,
     openMs: round(openMs),
     ghostMs: round(ghostMs),
-    answerMs: { median: round(scrub.answers[MOVES / 2]), slowest: round(scrub.answers.at(-1)) },
+    responseMs: { median: round(scrub.responses[MOVES / 2]), slowest: round(scrub.responses.at(-1)) },
     longTasks: { over50: scrub.tasks.length, longestMs: round(scrub.tasks[0]) },
     heapMB: Math.round(stats.heapBytes / 2 ** 20),
     tabPeakMB: peakOf(pid),

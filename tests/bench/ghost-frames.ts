@@ -47,9 +47,9 @@ export function stagesOf(sequence: Sequence, shapes: number): Promise<number> {
   );
 }
 
-/** What is known when the answer is there. */
-async function statsOf(sequence: Sequence, answer: Promise<Frame | null>): Promise<SequenceStats> {
-  await msOf(answer);
+/** What is known when a frame is there. */
+async function statsOf(sequence: Sequence, pending: Promise<Frame | null>): Promise<SequenceStats> {
+  await msOf(pending);
   return sequence.stats();
 }
 

@@ -150,7 +150,7 @@ async function large(engine: Engine, keys: Keys): Promise<void> {
       'order',
       'factor',
       'build ms',
-      'answer ms',
+      'response ms',
       'slowest',
       'longest silence ms',
       'heap MB',

@@ -1,4 +1,4 @@
-/** A program that stays and answers each empty line with a line of JSON, one at a time. */
+/** A program that stays and replies to each empty line with a line of JSON, one at a time. */
 import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
 
@@ -8,19 +8,19 @@ export interface LineProtocol {
   ask(): Promise<unknown>;
 }
 
-/** The program ends with the work. An answer that never comes because it has ended before is an error. */
+/** The program ends with the work. A reply that never comes because it has ended before is an error. */
 export async function withProgram<T>(
   program: string,
   args: string[],
   work: (lines: LineProtocol) => Promise<T>,
 ): Promise<T> {
   const child = spawn(program, args, { stdio: ['pipe', 'pipe', 'inherit'] });
-  child.stdin.on('error', () => undefined); // one that has ended is noticed by its answer
+  child.stdin.on('error', () => undefined); // one that has ended is noticed by its missing reply
   const ended = new Promise((end) => child.once('close', end));
   const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
   const next = async (): Promise<unknown> => {
     const line = await lines.next();
-    if (line.done) throw new Error(`${program} ended without an answer`);
+    if (line.done) throw new Error(`${program} ended without a reply`);
     return JSON.parse(line.value);
   };
   const ask = (): Promise<unknown> => {

@@ -1,7 +1,7 @@
 // shapespline_bench_native FILE.glb REFERENCE T...: the file's second system, native, as lines of JSON on stdout. The
 // shape at the k-th time, computed in double, is written to REFERENCE followed by k, from 0 on: 3 doubles a vertex. The
-// first line has our own solver in both precisions; then each line on stdin is answered with a factorisation and a
-// solve by Eigen, until stdin ends.
+// first line has our own solver in both precisions; then each line on stdin asks for a factorisation and a solve by
+// Eigen, until stdin ends.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -142,7 +142,7 @@ bool benchOwn(const CotangentLaplacian& laplacian, const KnownSystem& system) {
 using EigenSolver = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
 
 // The analysis was made before: it depends on the structure alone.
-bool answerByEigen(EigenSolver& eigen, const KnownSystem& system) {
+bool solveByEigen(EigenSolver& eigen, const KnownSystem& system) {
   const double factorMs = medianMs([&] { eigen.factorize(system.matrix); });
   if (eigen.info() != Eigen::Success) return false;
   Eigen::MatrixX3d x;
@@ -197,6 +197,6 @@ int main(int argc, char** argv) {
   if (!writeReferences(std::move(import->keyframes), argv[2], times)) return failed("the reference cannot be written");
   std::fflush(stdout);
   for (int c; (c = std::getchar()) != EOF;)
-    if (c == '\n' && !answerByEigen(eigen, system)) return failed("Eigen cannot factorise the system");
+    if (c == '\n' && !solveByEigen(eigen, system)) return failed("Eigen cannot factorise the system");
   return 0;
 }

@@ -127,7 +127,7 @@ test('single-letter shortcuts can be switched off', async ({ app }) => {
 });
 
 test.describe('at 360 px', () => {
-  test.use({ viewport: { width: 360, height: 740 }, hasTouch: true });
+  test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, ownProfile: true });
 
   test('everything is there and fits', async ({ app }) => {
     await app.open();
@@ -199,23 +199,43 @@ test('asks no other host for anything, under a policy that forbids inline script
   expect(ran).toEqual({ script: false, elsewhere: false });
 });
 
-test('works offline after the first visit', async ({ app, context }, info) => {
-  test.skip(info.project.name === 'dev', 'the development server has no service worker');
+test('contrast themes keep the timeline, the choices and what is chosen', async ({ app }) => {
+  await app.page.emulateMedia({ forcedColors: 'active' });
   await app.open();
-  await app.page.evaluate(() => navigator.serviceWorker.ready);
-  // The worker of a first visit takes the page over once its files are kept.
-  await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
-  const kept = await app.page.evaluate(async () => {
-    const caches = await Promise.all((await window.caches.keys()).map((name) => window.caches.open(name)));
-    return (await Promise.all(caches.map((cache) => cache.keys()))).flat().map(({ url }) => url);
+  const background = (selector: string): Promise<string> =>
+    app.page
+      .locator(selector)
+      .first()
+      .evaluate((element) => getComputedStyle(element).backgroundColor);
+  const canvas = await background('.deck');
+  expect(await background('.key-range')).not.toBe(canvas);
+  expect(await background('.diamond')).not.toBe(canvas);
+  const segment = (state: string): Promise<string> => background(`[data-testid="boundary"] input${state} + span`);
+  expect(await segment(':checked')).not.toBe(await segment(':not(:checked)'));
+  await expect(app.page.locator('.segments').first()).toHaveCSS('border-top-width', '1px');
+});
+
+test.describe('with a service worker', () => {
+  test.use({ ownProfile: true });
+
+  test('works offline after the first visit', async ({ app, context }, info) => {
+    test.skip(info.project.name === 'dev', 'the development server has no service worker');
+    await app.open();
+    await app.page.evaluate(() => navigator.serviceWorker.ready);
+    // The worker of a first visit takes the page over once its files are kept.
+    await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+    const kept = await app.page.evaluate(async () => {
+      const caches = await Promise.all((await window.caches.keys()).map((name) => window.caches.open(name)));
+      return (await Promise.all(caches.map((cache) => cache.keys()))).flat().map(({ url }) => url);
+    });
+    expect(kept.filter((url) => /shapespline-[^/]*\.wasm$/.test(url))).toHaveLength(1);
+    expect(kept.filter((url) => /\/picture\.png$|\.md$/.test(url))).toEqual([]); // for readers of the repository
+    await context.setOffline(true);
+    await app.open();
+    expect((await app.positions()).length).toBeGreaterThan(0);
+    await app.by('sample').selectOption({ index: 1 });
+    await app.settled();
+    await expect(app.by('error')).toBeHidden();
+    await context.setOffline(false);
   });
-  expect(kept.filter((url) => /shapespline-[^/]*\.wasm$/.test(url))).toHaveLength(1);
-  expect(kept.filter((url) => /\/picture\.png$|\.md$/.test(url))).toEqual([]); // for readers of the repository
-  await context.setOffline(true);
-  await app.open();
-  expect((await app.positions()).length).toBeGreaterThan(0);
-  await app.by('sample').selectOption({ index: 1 });
-  await app.settled();
-  await expect(app.by('error')).toBeHidden();
-  await context.setOffline(false);
 });

@@ -83,9 +83,10 @@ for (const { what, file, animation, times, middle } of inputs) {
     await expect.poll(async () => (await app.state()).play.playing).toBe(false);
 
     await app.by('export').click();
+    await app.by('export-targets-every').check();
     await app.by('export-frames').fill('12');
     await app.by('export-frames').press('Enter');
-    await app.answered();
+    await app.nextFrame();
     const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
     const bytes = readFileSync(await download.path());
     const { extras } = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString()) as {

@@ -38,7 +38,7 @@ test('every sample opens without a complaint', { tag: '@server' }, async ({ app 
 });
 
 test.describe('where motion is welcome', () => {
-  test.use({ contextOptions: { reducedMotion: 'no-preference' } });
+  test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
 
   test('the sample is moving by itself, and stops when the slider is taken', { tag: '@server' }, async ({ app }) => {
     await app.open();
@@ -50,6 +50,20 @@ test.describe('where motion is welcome', () => {
     expect((await app.state()).play.playing).toBe(false);
     await expect(app.by('welcome')).toBeHidden();
     await app.expectNoProblems();
+  });
+});
+
+test.describe('where motion is welcome, own files', () => {
+  test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
+
+  test('play as soon as they are open', async ({ app }) => {
+    await app.open();
+    await app.by('play').click();
+    await app.openGenerated(2000);
+    expect((await app.state()).source.kind).toBe('files');
+    expect((await app.state()).play.playing).toBe(true);
+    const before = (await app.state()).time;
+    await expect.poll(async () => (await app.state()).time).not.toBe(before);
   });
 });
 

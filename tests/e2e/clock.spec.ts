@@ -85,7 +85,7 @@ test('the handles are worked by the keyboard, and one key plays everything again
   await app.setTime(0.75);
   await page.keyboard.press('Control+End');
   expect(await between()).toEqual([0.25, 0.75]);
-  await app.answered();
+  await app.nextFrame();
   await app.by('loop-end').focus();
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('Shift+ArrowLeft');
@@ -116,7 +116,7 @@ test('the wheel zooms about the pointer; ticks, playhead and margins follow', as
   await page.mouse.wheel(0, -200);
   await expect.poll(async () => (await windowOf(app))[1] - (await windowOf(app))[0]).toBeLessThan(1.3);
   const [low, high] = await windowOf(app);
-  await app.answered();
+  await app.nextFrame();
   // The key under the pointer stays there, the distances grow by the zoom.
   expect(await centreOf(app, '[data-testid="tick-1"]')).toBeCloseTo(x, 0);
   expect(await gap()).toBeCloseTo((0.5 / (high - low)) * width, 0);
@@ -127,7 +127,7 @@ test('the wheel zooms about the pointer; ticks, playhead and margins follow', as
   await expect(page.locator('.ruler .mark').first()).toBeVisible();
   for (let step = 0; step < 20; step += 1) await page.mouse.wheel(0, -400);
   await expect.poll(async () => 1.8 / ((await windowOf(app))[1] - (await windowOf(app))[0])).toBeGreaterThan(20);
-  await app.answered();
+  await app.nextFrame();
   await expect(app.by('tick-0')).toBeHidden();
   await expect(app.by('tick-1')).toBeVisible();
   await expect(page.locator('.margin.before')).toBeHidden();
@@ -149,7 +149,7 @@ test('the wheel zooms about the pointer; ticks, playhead and margins follow', as
   expect((await app.state()).time).toBe(time);
   await page.keyboard.press('0');
   expect((await app.state()).view.window).toBeNull();
-  await app.answered();
+  await app.nextFrame();
   await expect(app.by('tick-0')).toBeVisible();
   await app.expectNoProblems();
 });
@@ -163,7 +163,7 @@ test('zoomed in, the timeline follows the playhead, and a dragged key moves by w
   for (let step = 0; step < 3; step += 1) await page.keyboard.press('+');
   const [low, high] = await windowOf(app);
   expect(1.8 / (high - low)).toBeCloseTo(8, 6);
-  await app.answered();
+  await app.nextFrame();
   const { y, width } = await track(app);
   const from = await xOf(app, 0.5);
   await page.mouse.move(from, y);
@@ -229,6 +229,7 @@ test('whole frames: the field, the steps, the slider, playing and the export kee
   expect(new Set(times).size).toBeGreaterThan(1);
   for (const frame of times) expect(frame).toBeCloseTo(Math.round(frame), 9);
   await app.by('export').click();
+  await app.by('export-targets-every').check();
   await expect(app.by('export-frames')).toHaveValue('9');
   await app.by('export-animation-obj').check();
   await expect(app.by('export-size')).toHaveText(/^9 frames/);
@@ -239,6 +240,7 @@ test('what plays is what an export holds', async ({ app }) => {
   await app.by('export').click();
   await expect(app.by('export-from')).toHaveValue('0.25');
   await expect(app.by('export-to')).toHaveValue('0.75');
+  await app.by('export-targets-every').check();
   await expect(app.by('export-frames')).toHaveValue('5');
   await expect(app.by('export-size')).toHaveText(/^5 frames/);
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);

@@ -9,6 +9,8 @@ import { fileURLToPath } from 'node:url';
 import { writeServiceWorker } from '../../web/offline/plugin.ts';
 import { App, expect, test } from './support.ts';
 
+test.use({ ownProfile: true });
+
 const BUILT = fileURLToPath(new URL('../../dist', import.meta.url));
 const TYPES: Record<string, string> = {
   '.html': 'text/html',

@@ -13,7 +13,7 @@ async function exported(
 ): Promise<{ download: Download; bytes: Buffer; stated: string }> {
   await app.by('export').click();
   await choose();
-  await app.answered();
+  await app.nextFrame();
   await expect(app.by('export-size')).not.toHaveText('Estimating the size');
   const stated = await app.by('export-size').innerText();
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
@@ -42,6 +42,7 @@ test('the animation is saved as a GLB of the stated size and opens again as the 
   const { doc } = await app.state();
   const middle = await app.positionsAt(0.3);
   const { download, bytes, stated } = await exported(app, async () => {
+    await app.by('export-targets-every').check();
     await app.by('export-frames').fill('20');
     await app.by('export-frames').press('Enter');
   });
@@ -69,30 +70,96 @@ test('frames come as OBJ files in a zip', async ({ app }) => {
   });
   expect(download.suggestedFilename()).toBe('cactus.zip');
   const frames = await unzip(new Blob([new Uint8Array(bytes)]));
-  expect(frames.map(({ name }) => name)).toEqual(['0000.obj', '0001.obj', '0002.obj']);
-  const vertices = frames.map((frame) => verticesOf(Buffer.from(frame.bytes).toString()));
+  expect(frames.map(({ name }) => name)).toEqual(['0000.obj', '0001.obj', '0002.obj', 'cactus.mtl', 'README.txt']);
+  const vertices = frames.slice(0, 3).map((frame) => verticesOf(Buffer.from(frame.bytes).toString()));
   expect(difference(vertices[0]!, await app.positionsAt(0))).toBeLessThan(1e-5 * diagonal(vertices[0]!));
   expect(difference(vertices[2]!, await app.positionsAt(1))).toBeLessThan(1e-5 * diagonal(vertices[0]!));
 });
 
+test('as few morph targets as the tolerance needs are exported, with the error that results', async ({ app }) => {
+  await app.open();
+  const targetsIn = (stated: string): number => Number(/^(\d+) morph targets/.exec(stated)![1]);
+  const { bytes, stated } = await exported(app, async () => {});
+  expect(stated).toMatch(/^\d+ morph targets, off by at most 0\.0\d+ % of the diagonal between them, about /);
+  const length = bytes.readUInt32LE(12);
+  const json = JSON.parse(bytes.subarray(20, 20 + length).toString());
+  expect(json.meshes[0].primitives[0].targets).toHaveLength(targetsIn(stated));
+  expect(json.meshes[0].extras.targetNames).toHaveLength(targetsIn(stated));
+  expect(json.nodes[0].name).toBe('cactus');
+  expect(json.extras.shapespline.mesh.error).toBeLessThan(1e-3);
+
+  const rough = await exported(app, async () => {
+    await app.by('export-tolerance').fill('1');
+    await app.by('export-tolerance').press('Enter');
+  });
+  expect(targetsIn(rough.stated)).toBeLessThan(targetsIn(stated));
+  const small = await exported(app, () => app.by('export-compression-meshopt').check());
+  expect(small.bytes.length).toBeLessThan(0.6 * rough.bytes.length);
+  await app.expectNoProblems();
+});
+
+test('keys and in-betweens come with a table of weights and drivers for Blender', async ({ app }) => {
+  await app.open();
+  const { download, bytes } = await exported(app, () => app.by('export-targets-principal').check());
+  expect(download.suggestedFilename()).toBe('cactus.zip');
+  const files = await unzip(new Blob([new Uint8Array(bytes)]));
+  expect(files.map(({ name }) => name)).toEqual(['cactus.glb', 'cactus.csv', 'cactus.py']);
+  expect(Buffer.from(files[1]!.bytes).toString()).toMatch(/^slider,.*"in-between 1"/);
+});
+
+for (const format of ['pc2', 'mdd'] as const) {
+  test(`a point cache comes as ${format.toUpperCase()} beside its OBJ`, async ({ app }) => {
+    await app.open();
+    const { bytes } = await exported(app, async () => {
+      await app.by(`export-animation-${format}`).check();
+      await app.by('export-frames').fill('5');
+      await app.by('export-frames').press('Enter');
+    });
+    const files = await unzip(new Blob([new Uint8Array(bytes)]));
+    expect(files.map(({ name }) => name)).toEqual(
+      expect.arrayContaining([`cactus.${format}`, 'cactus.obj', 'README.txt']),
+    );
+    const obj = verticesOf(Buffer.from(files.find(({ name }) => name === 'cactus.obj')!.bytes).toString());
+    const cache = Buffer.from(files[0]!.bytes);
+    const header = format === 'pc2' ? 32 : 8 + 4 * 5;
+    expect(cache.length).toBe(header + 5 * 4 * obj.length);
+    const first = obj.map((_, i) =>
+      format === 'pc2' ? cache.readFloatLE(header + 4 * i) : cache.readFloatBE(header + 4 * i),
+    );
+    expect(difference(first, obj)).toBeLessThan(1e-6 * diagonal(obj));
+  });
+}
+
 for (const [format, start] of [
   ['glb', 'glTF'],
-  ['obj', ''],
   ['ply', 'ply'],
 ] as const) {
   test(`the current pose is saved as ${format.toUpperCase()}`, async ({ app }) => {
     await app.open();
-    const positions = await app.positionsAt(0.3);
+    await app.setTime(0.3);
     const { download, bytes } = await exported(app, async () => {
       await app.by('export-kind-pose').check();
       await app.by(`export-pose-${format}`).check();
     });
     expect(download.suggestedFilename()).toBe(`cactus.${format}`);
     expect(bytes.toString('latin1').startsWith(start)).toBe(true);
-    if (format !== 'obj') return;
-    expect(difference(verticesOf(bytes.toString()), positions)).toBeLessThan(1e-5 * diagonal(positions));
   });
 }
+
+test('the current pose is saved as OBJ, with its materials', async ({ app }) => {
+  await app.open();
+  const positions = await app.positionsAt(0.3);
+  const { download, bytes } = await exported(app, async () => {
+    await app.by('export-kind-pose').check();
+    await app.by('export-pose-obj').check();
+  });
+  expect(download.suggestedFilename()).toBe('cactus.zip');
+  const files = await unzip(new Blob([new Uint8Array(bytes)]));
+  expect(files.map(({ name }) => name)).toEqual(expect.arrayContaining(['cactus.obj', 'cactus.mtl']));
+  const obj = Buffer.from(files.find(({ name }) => name === 'cactus.obj')!.bytes).toString();
+  expect(obj).toMatch(/^mtllib cactus\.mtl$/m);
+  expect(difference(verticesOf(obj), positions)).toBeLessThan(1e-5 * diagonal(positions));
+});
 
 test('the view is saved as a PNG', async ({ app }) => {
   await app.open();

@@ -6,6 +6,17 @@ const { packages } = JSON.parse(readFileSync(new URL('../../package-lock.json', 
   packages: Record<string, { version: string }>;
 };
 
+test('the paper is cited with one press', async ({ app }) => {
+  await app.page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await app.open();
+  await app.by('help').click();
+  await app.by('copy-bibtex').click();
+  await expect(app.by('help-dialog').getByRole('status')).toHaveText('Copied.');
+  const copied = await app.page.evaluate(() => navigator.clipboard.readText());
+  expect(copied).toMatch(/^@article\{xia2019shapecompletion,[\s\S]*Computers \\& Graphics[\s\S]*\}\n$/);
+  await app.page.context().clearPermissions();
+});
+
 test('the help links the notices of everything that is bundled', async ({ app }) => {
   await app.open();
   await app.by('help').click();

@@ -189,6 +189,17 @@ test('dark and light look different, and the choice is kept', async ({ app }) =>
   expect(await background()).toBe(dark);
 });
 
+test('a shape that has left the picture is said to have, and is fitted again', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&camera=0,0,9,9,0,9' });
+  const hint = app.by('out-of-view');
+  await expect(hint).toBeVisible();
+  await app.by('fit-hint').click();
+  await expect(hint).toBeHidden();
+  await app.by('fit').click();
+  await app.settled();
+  await expect(hint).toBeHidden();
+});
+
 test('a lost graphics context comes back with the same picture', async ({ app }) => {
   await app.open();
   await app.setTime(0.3);
@@ -220,6 +231,41 @@ test('a resize while playing loses nothing', async ({ app }) => {
     const host = (await app.by('viewport').boundingBox())!;
     expect([canvas.width, canvas.height].map(Math.round)).toEqual([host.width, host.height].map(Math.round));
   }
+  await app.expectNoProblems();
+});
+
+/** The mean of all strong colours. */
+function meanColour(file: Buffer): number[] {
+  const strong = Array.from(colours(decode(file))).filter((colour) => saturation(colour) > 60);
+  expect(strong.length).toBeGreaterThan(200);
+  return [0, 1, 2].map((channel) => strong.reduce((sum, colour) => sum + colour[channel]!, 0) / strong.length);
+}
+
+test('thumbnails show the keys as the picture does, and are drawn beside the canvas', async ({ app }) => {
+  // The widths of all parts of the canvas that are cleared to be drawn into.
+  await app.page.addInitScript(() => {
+    const widths = new Set<number>();
+    Object.assign(window, { widths });
+    const { clear } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.clear = function (mask) {
+      if (this.getParameter(this.FRAMEBUFFER_BINDING) === null) widths.add(this.getParameter(this.SCISSOR_BOX)[2]);
+      clear.call(this, mask);
+    };
+  });
+  await app.open();
+  const image = app.by('key-0').locator('img');
+  await expect(image).toHaveAttribute('src', /^data:image\/png;base64,/);
+  await expect(app.by('key-1').locator('img')).toHaveAttribute('src', /^data:image\/png;base64,/);
+  const thumbnail = Buffer.from((await image.getAttribute('src'))!.split(',')[1]!, 'base64');
+  const { width, height, data } = decode(thumbnail);
+  expect([width, height]).toEqual([88, 60]);
+  expect([data[3], data.at(-1)]).toEqual([0, 0]);
+  await app.setTime(0);
+  const seen = meanColour(await app.picture());
+  for (const [channel, level] of meanColour(thumbnail).entries())
+    expect(Math.abs(level - seen[channel]!), `channel ${channel}`).toBeLessThan(10);
+  const widths = await app.page.evaluate(() => [...(window as unknown as { widths: Set<number> }).widths]);
+  expect(Math.min(...widths)).toBeGreaterThan(300);
   await app.expectNoProblems();
 });
 

@@ -15,6 +15,7 @@ const args = [
   '--enable-unsafe-swiftshader',
   // Only the shape needs it: the page around it is painted faster without, and edges need not be smooth to be compared.
   '--disable-gpu-rasterization',
+  '--disable-gpu-compositing',
   '--webgl-antialiasing-mode=none',
   // No traffic of the browser's own.
   '--disable-background-networking',

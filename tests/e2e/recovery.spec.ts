@@ -2,6 +2,8 @@
 import { difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ ownProfile: true });
+
 /** Ends every worker from its inside, which tells the page nothing. */
 async function killWorkers(app: App): Promise<void> {
   const workers = app.page.workers();

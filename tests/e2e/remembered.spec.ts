@@ -7,6 +7,8 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { App, expect, test } from './support.ts';
 
+test.use({ ownProfile: true });
+
 const sample = (name: string): string => fileURLToPath(new URL(`../../public/samples/${name}.glb`, import.meta.url));
 const BAR = sample('twisted-bar');
 const OTHER = sample('cactus');

@@ -30,7 +30,7 @@ test('handles stand at the first and last key with Hermite alone', async ({ app 
   await app.open();
   await expect(app.by('speed-lane')).toBeHidden();
   await app.by('boundary-hermite').check();
-  await app.answered();
+  await app.nextFrame();
   const track = (await app.by('timeline').locator('.track').boundingBox())!;
   for (const { end, inward } of ENDS) {
     const key = track.x + (track.width * (end === 'start' ? 0.4 : 1.4)) / 1.8;
@@ -88,7 +88,7 @@ for (const { end, inward, at, panel } of ENDS) {
     expect(await pressed('Delete')).toBe(1);
     expect((await app.state()).time).toBe(0);
     await pressed('End');
-    await app.answered();
+    await app.nextFrame();
     await handle.dblclick();
     expect((await speeds(app))[panel]).toBe(1);
   });

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { test as base, expect } from '@playwright/test';
-import type { Locator, Page } from '@playwright/test';
+import type { BrowserContext, Locator, Page } from '@playwright/test';
 import type { SequenceStats } from '../../web/engine/api/types.ts';
 import type { AppState } from '../../web/model/state.ts';
 import type {} from '../../web/app/test-hook.ts';
@@ -26,13 +26,16 @@ export interface OpenOptions {
   sample?: string;
 }
 
+/** What the browser says of how the tests run it: pages without a service worker, pictures put together without GPU. */
+const OF_THE_TESTS = /Service Worker registration blocked by Playwright|GPU stall due to ReadPixels/;
+
 export class App {
   readonly problems: string[] = [];
   readonly requests: string[] = [];
 
   constructor(readonly page: Page) {
     page.on('console', (message) => {
-      if (message.type() === 'error' || message.type() === 'warning')
+      if (['error', 'warning'].includes(message.type()) && !OF_THE_TESTS.test(message.text()))
         this.problems.push(`${message.type()}: ${message.text()}`);
     });
     page.on('pageerror', (error) => this.problems.push(`exception: ${error.message}`));
@@ -69,8 +72,8 @@ export class App {
     return this.page.evaluate(() => window.__shapespline!.settled());
   }
 
-  /** The page answers a choice with its next frame; before that its controls say what was. */
-  answered(): Promise<void> {
+  /** The page shows a choice with its next frame; before that its controls say what was. */
+  nextFrame(): Promise<void> {
     return this.page.evaluate(
       () =>
         new Promise((done) => {
@@ -118,11 +121,50 @@ export class App {
   }
 }
 
-export const test = base.extend<{ app: App }>({
+interface Fixtures {
+  app: App;
+  /** For tests of what a visit leaves in the browser, or of a visitor who differs: a profile of their own. */
+  ownProfile: boolean;
+}
+
+interface WorkerFixtures {
+  sharedProfile: BrowserContext;
+}
+
+export const test = base.extend<Fixtures, WorkerFixtures>({
   // Without autoplay the picture stands still, so that it can be compared.
   contextOptions: async ({ contextOptions }, use) => use({ ...contextOptions, reducedMotion: 'reduce' }),
+  ownProfile: [false, { option: true }],
+  // A page that opens where another of its site has been open is spared a process and most of the compiling: half of
+  // what opening costs. The first page stays, so that the process does.
+  sharedProfile: [
+    async ({ browser }, use, { project }) => {
+      const { baseURL, viewport } = project.use;
+      const profile = await browser.newContext({ baseURL, viewport, reducedMotion: 'reduce', serviceWorkers: 'block' });
+      const first = await profile.newPage();
+      await first.goto('./icons/icon.svg');
+      await use(profile);
+      await profile.close();
+    },
+    { scope: 'worker' },
+  ],
+  context: async ({ context, ownProfile, sharedProfile }, use) => {
+    if (ownProfile) return use(context);
+    await use(sharedProfile);
+    const [first, ...opened] = sharedProfile.pages();
+    for (const page of opened) await page.close();
+    await forget(first!);
+  },
   app: async ({ page }, use) => use(new App(page)),
 });
+
+/** Clears what the pages of a site have kept in the browser. */
+async function forget(page: Page): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  const { origin } = new URL(page.url());
+  await session.send('Storage.clearDataForOrigin', { origin, storageTypes: 'all' });
+  await session.detach();
+}
 
 export { expect };
 

@@ -31,8 +31,8 @@ const WARNINGS: Warning[] = [
   },
 ];
 
-/** Adds to what the workers answer, before the page hears it. */
-async function answering(
+/** Adds to what the workers reply, before the page hears it. */
+async function withChangedResults(
   page: Page,
   change: { warnings?: Warning[]; indefiniteFaces?: number; indefiniteFace?: number },
 ): Promise<void> {
@@ -73,7 +73,7 @@ for (const [width, height] of [
 ] as const) {
   test(`warnings can be read at ${width} px`, async ({ app }) => {
     await app.page.setViewportSize({ width, height });
-    await answering(app.page, { warnings: WARNINGS });
+    await withChangedResults(app.page, { warnings: WARNINGS });
     await app.open();
     await expect(app.by('warning-count')).toHaveText('3 warnings');
     await app.by('warning-count').click();
@@ -90,7 +90,7 @@ for (const [width, height] of [
 }
 
 test('a warning shows its place in colour and goes to its moment, until something else is wanted', async ({ app }) => {
-  await answering(app.page, { warnings: WARNINGS });
+  await withChangedResults(app.page, { warnings: WARNINGS });
   await app.open();
   const { keys } = (await app.state()).doc;
   await app.by('warning-count').click();
@@ -130,7 +130,7 @@ test('a warning shows its place in colour and goes to its moment, until somethin
 });
 
 test('faces that have turned inside out are spoken of where they can be seen, once, and shown', async ({ app }) => {
-  await answering(app.page, { indefiniteFaces: 200, indefiniteFace: 40 });
+  await withChangedResults(app.page, { indefiniteFaces: 200, indefiniteFace: 40 });
   await app.open();
   await app.setTime(0.25);
   await expect(app.by('lost')).toContainText(
@@ -147,7 +147,7 @@ test('faces that have turned inside out are spoken of where they can be seen, on
 });
 
 test('and not for one in ten thousand', async ({ app }) => {
-  await answering(app.page, { indefiniteFaces: 1, indefiniteFace: 40 });
+  await withChangedResults(app.page, { indefiniteFaces: 1, indefiniteFace: 40 });
   await app.open();
   await app.setTime(0.25);
   await expect(app.by('phase')).toBeVisible();

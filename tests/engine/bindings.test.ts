@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { describe, expect, it } from 'vitest';
 import { EngineError } from '../../web/engine/api/errors.ts';
+import { MOST_TURNS } from '../../web/engine/api/option-table.ts';
 import { ENCODING_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS } from '../../web/engine/api/types.ts';
 import { bendData, createBend, localCore, motion } from './support/core.ts';
 import { poseFiles } from './support/glb.ts';
@@ -106,6 +107,17 @@ describe('the bindings', () => {
     expect([error.code, error.place]).toEqual(['not-finite', { key: 1, vertex: 2 }]);
     expect(error.message).toMatch(/key 2|b/);
     expect(core.objects).toBe(0);
+  });
+
+  it('refuse more added turns than the table of options allows', async () => {
+    const { core } = await localCore();
+    const turned = (turns: number): ReturnType<typeof createBend> =>
+      createBend(core, bendData(), {
+        ...motion,
+        options: { ...MOTION_DEFAULTS, turns: [{ key: 1, turns }] },
+      });
+    core.release(turned(MOST_TURNS));
+    expect(failure(() => turned(MOST_TURNS + 1)).code).toBe('invalid-option');
   });
 
   it('turn a stale handle and an unknown choice into an internal error, not a trap', async () => {

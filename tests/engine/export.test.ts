@@ -1,13 +1,19 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Sequence } from '../../web/engine/api/api.ts';
 import { draco, meshopt, quantised } from './support/compress.ts';
-import { bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
+import { bendKeys, bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
 import { expectPlayed, expectValid, exported } from './support/exported.ts';
 import { poseFiles } from './support/glb.ts';
 import { paintedFile } from './support/painted.ts';
 import { rigFile } from './support/rig.ts';
 import { bar, bent, diagonal, largestDistance } from './support/shapes.ts';
 import { threePlayer } from './support/three-player.ts';
+
+/** The JSON chunk of a GLB. */
+function jsonOf(bytes: Uint8Array): unknown {
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
+  return JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length)));
+}
 
 const engine = testEngine();
 let bend: Bend & { sequence: Sequence };
@@ -135,10 +141,88 @@ describe('an animated GLB', () => {
     }
   });
 
-  it('draws a warning above 256 targets', async () => {
-    const codes = async (frames: number) =>
-      (await bend.sequence.planExport({ frames })).warnings.map(({ code }) => code);
-    expect([await codes(257), await codes(259)]).toEqual([[], ['many-targets']]);
+  it('has as few targets as its tolerance allows, says what it is off, and is exact at the keys', async () => {
+    const targets: number[] = [];
+    for (const tolerance of [1, 0.1, 0.02]) {
+      const plan = await bend.sequence.planExport({ tolerance });
+      const bytes = await exported(bend.sequence, { tolerance });
+      await expectValid(bytes);
+      const player = await threePlayer(bytes);
+      expect(player.times).toHaveLength(plan.times.length);
+      let largest = 0;
+      for (let i = 0; i <= 200; i += 1)
+        largest = Math.max(
+          largest,
+          largestDistance(player.positionsAt(i / 200), (await frameAt(bend.sequence, i / 200)).positions),
+        );
+      const { diagonal: whole } = bend.keys.info.report;
+      expect(largest).toBeLessThan((tolerance / 100) * whole);
+      expect(largest).toBeLessThan(1.1 * plan.error! * whole);
+      for (const [key, t] of bend.keys.info.times.entries())
+        expect(largestDistance(player.positionsAt(t), bend.poses[key]!)).toBeLessThan(1e-6 * whole);
+      const { extras } = jsonOf(bytes) as { extras: { shapespline: { mesh: { error: number } } } };
+      expect(extras.shapespline.mesh.error).toBe(plan.error);
+      targets.push(plan.targets);
+    }
+    expect(targets).toEqual([...targets].sort((a, b) => a - b));
+    expect(targets[1]).toBeLessThan(30);
+  });
+
+  it('takes whole frames where there are some, the fewest that do', async () => {
+    const { times } = await bend.sequence.planExport({ fps: 240 });
+    for (const t of times) expect(Math.abs(t * 240 - Math.round(t * 240))).toBeLessThan(1e-6);
+    expect(times.length).toBeLessThan(40);
+    expect((await bend.sequence.planExport({ fps: 24, tolerance: 0 })).times).toHaveLength(25);
+  });
+
+  it('names its nodes, mesh, materials and targets', async () => {
+    const bytes = await exported(bend.sequence, { frames: 3, name: 'bar' });
+    const json = jsonOf(bytes) as Record<string, { name: string; extras?: { targetNames: string[] } }[]>;
+    expect([json.nodes, json.meshes, json.animations].map((list) => list![0]!.name)).toEqual(['bar', 'bar', 'bar']);
+    expect(json.materials![0]!.name).toBe('plain');
+    expect(json.meshes![0]!.extras!.targetNames).toEqual(
+      bend.keys.info.names.slice(1).map((name, i) => `${name} t=${0.5 * (i + 1)}`),
+    );
+  });
+
+  it.each([
+    ['quantized', 0.9],
+    ['meshopt', 0.7],
+  ] as const)('is smaller when %s, says what that costs, and opens again', async (compression, most) => {
+    const { keys, poses } = await bendKeys(engine, bar(8, 80));
+    const sequence = await engine.createSequence(keys);
+    const options = { frames: 20 };
+    const plain = await exported(sequence, options);
+    const bytes = await exported(sequence, { ...options, compression });
+    await expectValid(bytes);
+    expect(bytes.length).toBeLessThan(most * plain.length);
+    const again = await engine.importKeyframes([{ name: 'small.glb', bytes }]);
+    expect(again.info.warnings).toEqual([]);
+    expect(again.info.project).toEqual(sequence.options);
+    expect(again.info.faces.length).toBe(keys.info.faces.length);
+    for (const [key, pose] of poses.entries())
+      expect(largestDistance(again.positions(key), pose)).toBeLessThan(6e-5 * keys.info.report.diagonal);
+    sequence.dispose();
+  });
+
+  it('of keys and in-betweens plays within the tolerance, with a table and drivers, and opens again', async () => {
+    const options = { targets: 'principal', tolerance: 0.1 } as const;
+    const plan = await bend.sequence.planExport(options);
+    const files = await bend.sequence.export(options);
+    expect(files.map(({ name }) => name)).toEqual(['shapespline.glb', 'shapespline.csv', 'shapespline.py']);
+    const { bytes } = files[0]!;
+    await expectValid(bytes);
+    const player = await threePlayer(bytes);
+    const { diagonal: whole } = bend.keys.info.report;
+    for (let i = 0; i <= 100; i += 1)
+      expect(
+        largestDistance(player.positionsAt(i / 100), (await frameAt(bend.sequence, i / 100)).positions),
+      ).toBeLessThan(1e-3 * whole);
+    expect(plan.targets).toBeLessThan((await bend.sequence.planExport({ tolerance: 0.1 })).targets);
+    const again = await engine.importKeyframes([{ name: 'rig.glb', bytes }]);
+    expect(again.info.names).toEqual(bend.keys.info.names);
+    for (const [key, pose] of bend.poses.entries())
+      expect(largestDistance(again.positions(key), pose)).toBeLessThan(1e-6 * whole);
   });
 
   it('in place has no motion of the whole', async () => {

@@ -38,13 +38,24 @@ describe('the heap', () => {
     const mesh = bar();
     const files = poseFiles(mesh, [mesh.positions, bent(mesh, 30)]);
     const bad = [files[0]!, { name: 'cut.glb', bytes: files[1]!.bytes.slice(0, 5000) }];
-    const scene = { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] };
+    const scene = { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] };
     const pose = { positions: mesh.positions, normals: mesh.positions };
+    const animation = {
+      seconds: [0, 1],
+      stills: 0,
+      weights: null,
+      project: '',
+      name: '',
+      targetNames: [],
+      compression: 'none' as const,
+      diagonal: 1,
+    };
     const cycle = (): void => {
       core.importKeys(files, IMPORT_DEFAULTS);
       expect(() => core.importKeys(bad, IMPORT_DEFAULTS)).toThrow(EngineError);
-      core.writePose({ format: 'ply', faces: mesh.indices, scene, pose });
-      core.writeAnimation([pose, pose], { faces: mesh.indices, scene, seconds: [0, 1], stills: 0, project: '' });
+      core.writePose({ format: 'ply', faces: mesh.indices, scene, pose, library: { file: '', names: [] } });
+      core.writeAnimation([pose, pose], { ...animation, faces: mesh.indices, scene });
+      core.principalOffsets({ frames: [pose.positions, pose.normals], tolerance: 0, most: 2 });
     };
     for (let i = 0; i < 10; ++i) cycle();
     const bytes = core.heapBytes;

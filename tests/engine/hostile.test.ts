@@ -1,6 +1,7 @@
 /**
- * Files that declare, nest or chain more than they hold. Each is refused in one line, and takes memory in proportion to its
- * size: what the reader of an ordinary file of that size takes, not what the file asks for. The figures are printed.
+ * Files that declare, nest or chain more than they hold. Each is refused in one line, and takes memory in proportion
+ * to its size: what the reader of an ordinary file of that size takes, not what the file asks for. The figures are
+ * printed.
  */
 import { spawn } from 'node:child_process';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';

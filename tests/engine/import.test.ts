@@ -209,6 +209,6 @@ describe('importing', () => {
     expect(await refused([{ name: 'a', bytes: 'text' } as unknown as InputFile])).toBe('invalid-option');
     expect(await refused(good, { upp: 'y' } as object)).toBe('invalid-option');
     for (const options of [{ animation: 0 }, { sample: 3 }, { sample: [0, 1] }])
-      expect(await refused(good, options)).toBe('invalid-option');
+      expect(await refused(good, options)).toBe('unknown-animation');
   });
 });

@@ -173,6 +173,11 @@ describe('a sequence', () => {
     const energy = await bend.sequence.bendingEnergy([0, 0.25, 0.5]);
     expect(energy).toHaveLength(3);
     expect(energy.every((e) => Number.isFinite(e) && e >= 0)).toBe(true);
+    const pace = await bend.sequence.keyPace();
+    expect(pace.distance).toHaveLength(2);
+    expect(pace.distance.every((distance) => distance > 0)).toBe(true);
+    expect(pace.tension).toHaveLength(3);
+    expect(pace.tension.every((tension) => tension >= 0 && tension <= 1)).toBe(true);
     const patches = await bend.sequence.patches();
     const { patches: count } = await bend.sequence.stats();
     expect(patches).toHaveLength(bend.mesh.indices.length / 3);

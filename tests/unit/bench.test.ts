@@ -489,8 +489,8 @@ describe('the report', () => {
   });
 });
 
-describe('a program that answers', () => {
-  /** It numbers its answers and ends itself instead of giving the third one. */
+describe('a program that replies', () => {
+  /** It numbers its replies and ends itself instead of giving the third one. */
   const NUMBERS = `
     let k = 0;
     console.log('{"asked":false}');
@@ -511,13 +511,13 @@ describe('a program that answers', () => {
       withProgram(process.execPath, ['-e', NUMBERS], async ({ ask }) => {
         for (let i = 0; i < 5; ++i) asked.push(await ask());
       }),
-    ).rejects.toThrow('ended without an answer');
+    ).rejects.toThrow('ended without a reply');
     expect(asked).toEqual([{ asked: false }, { k: 1 }, { k: 2 }]);
     await expect(
       withProgram(process.execPath, ['-e', ''], async ({ next, ask }) => {
         await next().catch(() => undefined);
         return ask();
       }),
-    ).rejects.toThrow('ended without an answer');
+    ).rejects.toThrow('ended without a reply');
   });
 });

@@ -8,6 +8,9 @@ import {
   setEncoding,
   setMotion,
   setShaping,
+  setTightness,
+  spaceKeys,
+  tightness,
   setTurns,
 } from '../../web/model/edits.ts';
 import { DEFAULT_SHAPING, listsOf, shapingOf } from '../../web/model/shaping.ts';
@@ -117,5 +120,33 @@ describe('what is chosen for each key', () => {
     });
     expect(all.map((_, key) => shapingOf(lists, key))).toEqual(all);
     expect(new Set(Object.values(listsOf([DEFAULT_SHAPING, DEFAULT_SHAPING])).flat())).toEqual(new Set());
+  });
+});
+
+describe('all keys at once', () => {
+  it('have one tension, or one each', () => {
+    const tight = setTightness(doc, 0.5);
+    expect(tight.keys.map(({ shaping }) => shaping.tension)).toEqual(doc.keys.map(() => 0.5));
+    expect(tightness(tight)).toBe(0.5);
+    expect(setTightness(tight, 0.5)).toBe(tight);
+    const each = setTightness(doc, [0, 0.25, 1]);
+    expect(each.keys.map(({ shaping }) => shaping.tension)).toEqual([0, 0.25, 1].slice(0, doc.keys.length));
+  });
+
+  it('are spaced evenly or by how different they are, between the first time and the last', () => {
+    const [first, last] = [doc.keys[0]!.time, doc.keys.at(-1)!.time];
+    const share = (power: number, distance: number[]): number =>
+      (spaceKeys(doc, distance, power).keys[1]!.time - first) / (last - first);
+    expect(share(0, [1, 3])).toBeCloseTo(1 / 2, 12);
+    expect(share(0.5, [1, 9])).toBeCloseTo(1 / 4, 12);
+    expect(share(1, [1, 3])).toBeCloseTo(1 / 4, 12);
+    expect(spaceKeys(doc, [1, 3], 1).keys.at(-1)!.time).toBe(last);
+  });
+
+  it('stay apart where two are equal, or all', () => {
+    const times = spaceKeys(doc, [0, 5], 1).keys.map(({ time }) => time);
+    expect(times[1]!).toBeGreaterThan(times[0]!);
+    const even = spaceKeys(doc, [0, 0], 1).keys.map(({ time }) => time);
+    expect(even[1]! - even[0]!).toBeCloseTo(even[2]! - even[1]!, 12);
   });
 });

@@ -93,7 +93,7 @@ function setUp({
   const pass = async (ms = 0): Promise<void> => {
     await vi.advanceTimersByTimeAsync(ms);
   };
-  const answer = async (): Promise<void> => {
+  const reply = async (): Promise<void> => {
     const next = open.shift()!;
     next.resolve(frame(next.t, next.preview));
     await pass();
@@ -103,7 +103,7 @@ function setUp({
     for (const t of [0.91, 0.92]) {
       void loop.request(t);
       await pass();
-      for (let index = 0; index < count; index += 1) await answer();
+      for (let index = 0; index < count; index += 1) await reply();
     }
     shown.length = 0;
   };
@@ -111,7 +111,7 @@ function setUp({
   const ready = async (): Promise<void> => {
     await learn();
     await pass(400);
-    while (open.length > 0) await answer();
+    while (open.length > 0) await reply();
     shown.length = 0;
   };
   const draw = async (): Promise<void> => {
@@ -126,7 +126,7 @@ function setUp({
     measured,
     screen,
     pass,
-    answer,
+    reply,
     learn,
     ready,
     draw,
@@ -143,15 +143,15 @@ function setUp({
 
 describe('the frame loop', () => {
   it('asks for one moment at a time and skips those that were overtaken', async () => {
-    const { loop, shown, answer, balance, pass, wanted } = setUp();
+    const { loop, shown, reply, balance, pass, wanted } = setUp();
     const all = [0.1, 0.2, 0.3].map((t) => loop.request(t));
     await pass();
     expect(wanted()).toEqual(['0.3']);
     const newer = loop.request(0.4);
-    await answer();
+    await reply();
     await Promise.all(all);
     expect(wanted()).toEqual(['0.4']);
-    await answer();
+    await reply();
     await newer;
     expect(shown).toEqual(['0.3', '0.4']);
     expect(balance()).toBe(0);
@@ -159,32 +159,32 @@ describe('the frame loop', () => {
   });
 
   it('shows all sequences together', async () => {
-    const { loop, shown, answer, pass } = setUp({ count: 2 });
+    const { loop, shown, reply, pass } = setUp({ count: 2 });
     const done = loop.request(0.5);
     await pass();
-    await answer();
+    await reply();
     expect(shown).toEqual([]);
-    await answer();
+    await reply();
     await done;
     expect(shown).toEqual(['0.5']);
   });
 
   it('asks the successor when the sequence is exchanged meanwhile', async () => {
-    const { loop, shown, answer, exchange, balance, pass, wanted } = setUp();
+    const { loop, shown, reply, exchange, balance, pass, wanted } = setUp();
     const done = loop.request(0.5);
     await pass();
     exchange();
-    await answer();
+    await reply();
     expect(shown).toEqual([]);
     expect(wanted()).toEqual(['0.5']);
-    await answer();
+    await reply();
     await done;
     expect(shown).toEqual(['0.5']);
     expect(balance()).toBe(0);
   });
 
   it('reports a failure once and goes on with the next moment', async () => {
-    const { loop, open, shown, errors, answer, pass } = setUp();
+    const { loop, open, shown, errors, reply, pass } = setUp();
     const failed = loop.request(0.5);
     await pass();
     open.shift()!.reject(new Error('worker ended'));
@@ -193,17 +193,17 @@ describe('the frame loop', () => {
     expect(errors).toHaveLength(1);
     const next = loop.request(0.6);
     await pass();
-    await answer();
+    await reply();
     await next;
     expect(shown).toEqual(['0.6']);
   });
 
   it('takes up what is asked for the moment that a frame is done', async () => {
-    const { loop, shown, answer, pass } = setUp();
+    const { loop, shown, reply, pass } = setUp();
     const both = loop.request(0.1).then(() => loop.request(0.2));
     await pass();
-    await answer();
-    await answer();
+    await reply();
+    await reply();
     await both;
     expect(shown).toEqual(['0.1', '0.2']);
     expect(loop.busy).toBe(false);
@@ -226,11 +226,11 @@ describe('while the time moves', () => {
       { ...slow, moving: 'exact' as const },
     ],
   ])('%s', async (_, settings) => {
-    const { loop, shown, learn, answer, pass, wanted } = setUp(settings);
+    const { loop, shown, learn, reply, pass, wanted } = setUp(settings);
     await learn();
     loop.follow(0.5);
     await pass();
-    await answer();
+    await reply();
     await pass(1000);
     expect(shown).toEqual(['0.5']);
     expect(wanted()).toEqual([]);
@@ -238,23 +238,23 @@ describe('while the time moves', () => {
   });
 
   it('small shapes are previews, too, where the address asks for it, and exact when they rest', async () => {
-    const { loop, shown, answer, pass, draw } = setUp({ moving: 'preview' });
+    const { loop, shown, reply, pass, draw } = setUp({ moving: 'preview' });
     loop.follow(0.5);
     await pass();
-    await answer();
+    await reply();
     expect(shown).toEqual(['preview 0.5']);
     await pass(100);
-    await answer();
+    await reply();
     await draw();
     expect(shown).toEqual(['preview 0.5', '0.5 eased']);
     expect(loop.busy).toBe(false);
   });
 
   it('methods that blend positions are exact whatever the address asks for', async () => {
-    const { loop, shown, answer, pass } = setUp({ moving: 'preview', method: 'linear' });
+    const { loop, shown, reply, pass } = setUp({ moving: 'preview', method: 'linear' });
     loop.follow(0.5);
     await pass();
-    await answer();
+    await reply();
     expect(shown).toEqual(['0.5']);
   });
 
@@ -269,15 +269,15 @@ describe('while the time moves', () => {
   });
 
   it('large shapes are previews, the newest one at a time', async () => {
-    const { loop, shown, ready, answer, pass, wanted, balance } = setUp(slow);
+    const { loop, shown, ready, reply, pass, wanted, balance } = setUp(slow);
     await ready();
     loop.follow(0.1);
     await pass();
     for (const t of [0.2, 0.3, 0.4]) loop.follow(t);
     expect(wanted()).toEqual(['preview 0.1']);
-    await answer();
+    await reply();
     expect(wanted()).toEqual(['preview 0.4']);
-    await answer();
+    await reply();
     expect(shown).toEqual(['preview 0.1', 'preview 0.4']);
     expect(loop.shown).toMatchObject({ t: 0.4, preview: true });
     expect(loop.busy).toBe(true);
@@ -285,18 +285,18 @@ describe('while the time moves', () => {
   });
 
   it('the exact shape is eased in when no newer moment has come for a while', async () => {
-    const { loop, shown, ready, answer, pass, wanted, draw } = setUp(slow);
+    const { loop, shown, ready, reply, pass, wanted, draw } = setUp(slow);
     await ready();
     loop.follow(0.4);
     const idle = vi.fn();
     void loop.idle().then(idle);
     await pass();
-    await answer();
+    await reply();
     await pass(70);
     expect(wanted()).toEqual([]);
     await pass(20);
     expect(wanted()).toEqual(['0.4']);
-    await answer();
+    await reply();
     expect(shown).toEqual(['preview 0.4', '0.4 eased']);
     expect(idle).not.toHaveBeenCalled();
     await draw();
@@ -307,12 +307,12 @@ describe('while the time moves', () => {
   });
 
   it('on a slow screen not before there was a chance to hear of a newer moment', async () => {
-    const { loop, screen, ready, answer, pass, wanted, draw } = setUp(slow);
+    const { loop, screen, ready, reply, pass, wanted, draw } = setUp(slow);
     await ready();
     screen.slow = true;
     loop.follow(0.4);
     await pass();
-    await answer();
+    await reply();
     await pass(50);
     await draw();
     await pass(50);
@@ -322,69 +322,69 @@ describe('while the time moves', () => {
   });
 
   it('and at once when the pointer is lifted', async () => {
-    const { loop, ready, answer, pass, wanted } = setUp(slow);
+    const { loop, ready, reply, pass, wanted } = setUp(slow);
     await ready();
     loop.follow(0.4);
     await pass();
-    await answer();
+    await reply();
     loop.settle();
     await pass();
     expect(wanted()).toEqual(['0.4']);
   });
 
   it('a request is answered exactly, in the middle of a drag too', async () => {
-    const { loop, shown, ready, answer, pass, wanted } = setUp(slow);
+    const { loop, shown, ready, reply, pass, wanted } = setUp(slow);
     await ready();
     loop.follow(0.4);
     await pass();
     const done = vi.fn();
     void loop.request(0.6).then(done);
-    await answer();
+    await reply();
     expect(done).not.toHaveBeenCalled();
     expect(wanted()).toEqual(['0.6']);
-    await answer();
+    await reply();
     expect(done).toHaveBeenCalled();
     // Another moment is no reason to ease.
     expect(shown).toEqual(['preview 0.4', '0.6']);
   });
 
   it('a drag that goes on while the exact shape is computed or eased is followed at once', async () => {
-    const { loop, shown, ready, answer, pass, wanted, draw, balance } = setUp(slow);
+    const { loop, shown, ready, reply, pass, wanted, draw, balance } = setUp(slow);
     await ready();
     loop.follow(0.4);
     await pass();
-    await answer();
+    await reply();
     await pass(90);
     loop.follow(0.5);
-    await answer();
+    await reply();
     expect(shown).toEqual(['preview 0.4']);
     expect(wanted()).toEqual(['preview 0.5']);
-    await answer();
+    await reply();
     await pass(90);
-    await answer();
+    await reply();
     expect(shown.at(-1)).toBe('0.5 eased');
     loop.follow(0.6);
     await pass();
     expect(wanted()).toEqual(['preview 0.6']);
-    await answer();
+    await reply();
     expect(shown.at(-1)).toBe('preview 0.6');
     loop.settle();
     await pass();
-    await answer();
+    await reply();
     await draw();
     expect(loop.busy).toBe(false);
     expect(balance()).toBe(0);
   });
 
   it('all sequences are previews together', async () => {
-    const { loop, shown, ready, answer, pass, wanted } = setUp({ ...slow, count: 2 });
+    const { loop, shown, ready, reply, pass, wanted } = setUp({ ...slow, count: 2 });
     await ready();
     loop.follow(0.4);
     await pass();
     expect(wanted()).toEqual(['preview 0.4', 'preview 0.4']);
-    await answer();
+    await reply();
     expect(shown).toEqual([]);
-    await answer();
+    await reply();
     expect(shown).toEqual(['preview 0.4']);
   });
 
@@ -397,33 +397,33 @@ describe('while the time moves', () => {
   });
 
   it('a cheap shape that is hardly cheaper is made before it is needed, and then left', async () => {
-    const { loop, shown, learn, answer, pass, wanted, balance } = setUp({ exactMs: 50, cheapMs: 45 });
+    const { loop, shown, learn, reply, pass, wanted, balance } = setUp({ exactMs: 50, cheapMs: 45 });
     await learn();
     await pass(400);
     expect(wanted()).toEqual(['preview 0.92']);
-    await answer();
-    await answer();
+    await reply();
+    await reply();
     expect(wanted()).toEqual([]);
     expect(shown).toEqual([]);
     loop.follow(0.4);
     await pass();
     expect(wanted()).toEqual(['0.4']);
-    await answer();
+    await reply();
     expect(balance()).toBe(0);
   });
 
   it('one slow frame does not make a large shape: the first of a sequence is always slow', async () => {
-    const { loop, answer, pass, wanted } = setUp(slow);
+    const { loop, reply, pass, wanted } = setUp(slow);
     void loop.request(0.3);
     await pass();
-    await answer();
+    await reply();
     loop.follow(0.4);
     await pass();
     expect(wanted()).toEqual(['0.4']);
-    await answer();
+    await reply();
     loop.follow(0.5);
     await pass();
-    await answer();
+    await reply();
     await pass(500);
     expect(wanted()).toEqual(['preview 0.5']);
   });
@@ -444,7 +444,7 @@ describe('a cheap shape that is not close', () => {
   const off = (t: number): PreviewError => ({ mean: 0.0005, largest: t > 0.5 && t <= 1 ? 0.006 : 0.004 });
 
   it('is not drawn where it was measured to be off', async () => {
-    const { loop, ready, answer, pass, wanted } = setUp({ ...slow, off });
+    const { loop, ready, reply, pass, wanted } = setUp({ ...slow, off });
     await ready();
     for (const [t, words] of [
       [0.3, 'preview 0.3'],
@@ -454,30 +454,30 @@ describe('a cheap shape that is not close', () => {
       loop.follow(t);
       await pass();
       expect(wanted()).toEqual([words]);
-      await answer();
+      await reply();
       loop.settle();
       await pass();
-      while (wanted().length > 0) await answer();
+      while (wanted().length > 0) await reply();
     }
   });
 
   it('is not drawn before that is known, and not measured while anything is asked for', async () => {
-    const { loop, measured, learn, answer, pass, wanted, refit } = setUp(slow);
+    const { loop, measured, learn, reply, pass, wanted, refit } = setUp(slow);
     await learn();
     await pass(400);
-    await answer();
+    await reply();
     loop.follow(0.3);
     await pass();
-    await answer();
+    await reply();
     expect(measured).toEqual([]);
     expect(wanted()).toEqual(['0.3']);
-    await answer();
+    await reply();
     await pass(400);
     expect(measured.slice(0, 3)).toEqual([0.25, 0.125, 0.375]);
     loop.follow(0.3);
     await pass();
     expect(wanted()).toEqual(['preview 0.3']);
-    await answer();
+    await reply();
     // Another motion of the same sequence.
     refit();
     loop.follow(0.2);
@@ -508,19 +508,19 @@ describe('a cheap shape that is not close', () => {
   });
 
   it('of a small shape is drawn where the address asks for what is close', async () => {
-    const { loop, ready, answer, pass, wanted } = setUp({ moving: 'close', off });
+    const { loop, ready, reply, pass, wanted } = setUp({ moving: 'close', off });
     await ready();
     loop.follow(0.7);
     await pass();
     expect(wanted()).toEqual(['0.7']);
-    await answer();
+    await reply();
     loop.follow(0.3);
     await pass();
     expect(wanted()).toEqual(['preview 0.3']);
   });
 
   it('is found out while the motion plays, which never rests', async () => {
-    const { loop, open, measured, ready, refit, answer, pass, wanted } = setUp({ ...slow, off });
+    const { loop, open, measured, ready, refit, reply, pass, wanted } = setUp({ ...slow, off });
     await ready();
     refit();
     measured.length = 0;
@@ -529,7 +529,7 @@ describe('a cheap shape that is not close', () => {
     await pass();
     expect(wanted()[0]).toBe('0.3');
     expect(measured).toEqual([0.25, 0.125, 0.375]);
-    while (open.length > 0) await answer();
+    while (open.length > 0) await reply();
     time.tick = 20;
     loop.advance();
     await pass();
@@ -542,12 +542,12 @@ describe('while the motion plays', () => {
   const clock = () => ({ tick: 0, timeOf: (tick: number) => tick / 10, tickSeconds: () => 1 / 60 });
 
   it('shapes are computed ahead and shown when they are due', async () => {
-    const { loop, shown, answer, pass, wanted, balance } = setUp();
+    const { loop, shown, reply, pass, wanted, balance } = setUp();
     const time = clock();
     loop.play(time);
     await pass();
     expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
-    for (let k = 0; k < 4; k += 1) await answer();
+    for (let k = 0; k < 4; k += 1) await reply();
     expect(shown).toEqual([]);
     loop.advance();
     await pass();
@@ -563,7 +563,7 @@ describe('while the motion plays', () => {
   });
 
   it('a scrub takes back what was asked for ahead', async () => {
-    const { loop, open, shown, errors, answer, pass } = setUp();
+    const { loop, open, shown, errors, reply, pass } = setUp();
     loop.play(clock());
     await pass();
     expect(open).toHaveLength(4);
@@ -571,28 +571,28 @@ describe('while the motion plays', () => {
     loop.follow(0.7);
     await pass();
     expect(open).toHaveLength(1);
-    await answer();
+    await reply();
     expect(shown).toEqual(['0.7']);
     expect(errors).toEqual([]);
   });
 
   it('large shapes are previews, and exact when it pauses', async () => {
-    const { loop, shown, ready, answer, pass, wanted } = setUp({ exactMs: 90, cheapMs: 25 });
+    const { loop, shown, ready, reply, pass, wanted } = setUp({ exactMs: 90, cheapMs: 25 });
     await ready();
     const time = clock();
     loop.play(time);
     await pass();
     expect(wanted()[0]).toBe('preview 0');
-    await answer();
+    await reply();
     loop.advance();
     await pass();
     expect(shown).toEqual(['preview 0']);
     loop.pause();
     loop.follow(0.05);
     await pass();
-    await answer();
+    await reply();
     await pass(90);
-    await answer();
+    await reply();
     expect(shown).toEqual(['preview 0', 'preview 0.05', '0.05 eased']);
   });
 
@@ -609,10 +609,10 @@ describe('while the motion plays', () => {
   });
 
   it('what was computed for another motion is not shown', async () => {
-    const { loop, shown, answer, pass, wanted, balance } = setUp();
+    const { loop, shown, reply, pass, wanted, balance } = setUp();
     loop.play(clock());
     await pass();
-    for (let k = 0; k < 4; k += 1) await answer();
+    for (let k = 0; k < 4; k += 1) await reply();
     loop.follow(0);
     await pass();
     expect(shown).toEqual([]);
@@ -621,10 +621,10 @@ describe('while the motion plays', () => {
   });
 
   it('nor what sequences gave that were exchanged since', async () => {
-    const { loop, shown, answer, exchange, pass, wanted, balance } = setUp();
+    const { loop, shown, reply, exchange, pass, wanted, balance } = setUp();
     loop.play(clock());
     await pass();
-    for (let k = 0; k < 4; k += 1) await answer();
+    for (let k = 0; k < 4; k += 1) await reply();
     exchange();
     loop.advance();
     await pass();
@@ -632,7 +632,7 @@ describe('while the motion plays', () => {
     loop.advance();
     await pass();
     expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
-    await answer();
+    await reply();
     loop.advance();
     await pass();
     expect(shown).toEqual(['0']);
@@ -642,14 +642,14 @@ describe('while the motion plays', () => {
   });
 
   it('what is asked for meanwhile is shown exactly, and what plays goes on from there', async () => {
-    const { loop, shown, answer, pass, wanted } = setUp();
+    const { loop, shown, reply, pass, wanted } = setUp();
     loop.play(clock());
     await pass();
-    for (let k = 0; k < 4; k += 1) await answer();
+    for (let k = 0; k < 4; k += 1) await reply();
     void loop.request(0.7);
     await pass();
     expect(wanted()).toEqual(['0.7']);
-    await answer();
+    await reply();
     expect(shown).toEqual(['0.7']);
     expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
   });

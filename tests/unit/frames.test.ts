@@ -1,8 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import {
   formatMoment,
-  frameCount,
-  frameTimes,
   heldTime,
   loopRange,
   nearestFrameTime,
@@ -10,6 +8,7 @@ import {
   steppedFrameTime,
   withEnd,
 } from '../../web/model/frames.ts';
+import { frameCount, frameTimes } from '../../web/engine/api/whole-frames.ts';
 
 const range = [0, 1] as const;
 
@@ -65,7 +64,7 @@ describe('what plays', () => {
   it('is the range of the keys, or the chosen stretch as far as the slider reaches', () => {
     expect(playRange(null, range)).toEqual([0, 1]);
     expect(playRange([-0.2, 0.5], range)).toEqual([-0.2, 0.5]);
-    expect(playRange([0.5, 9], range)).toEqual([0.5, 1.4]);
+    expect(playRange([0.5, 9], range)).toEqual([0.5, 3]);
     expect(loopRange([7, 9], range)).toBeNull();
     expect(playRange([7, 9], range)).toEqual([0, 1]);
   });
@@ -74,7 +73,7 @@ describe('what plays', () => {
     expect(withEnd(null, range, 'start', 0.3, 0.01)).toEqual([0.3, 1]);
     expect(withEnd([0.3, 0.6], range, 'start', 0.8, 0.01)).toEqual([0.8, 0.81]);
     expect(withEnd([0.3, 0.6], range, 'end', 0.1, 0.05)).toEqual([0.05, 0.1]);
-    expect(withEnd(null, range, 'end', 99, 0.01)).toEqual([0, 1.4]);
-    expect(withEnd(null, range, 'start', 99, 0.1)[1]).toBeCloseTo(1.4, 12);
+    expect(withEnd(null, range, 'end', 99, 0.01)).toEqual([0, 3]);
+    expect(withEnd(null, range, 'start', 99, 0.1)[1]).toBeCloseTo(3, 12);
   });
 });

@@ -1,13 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import {
-  MARGIN,
   clampKeyTime,
   clampTime,
   formatTime,
-  limits,
   neighbourKey,
   phaseOf,
   snap,
+  timeScale,
   wrap,
 } from '../../web/model/time-scale.ts';
 
@@ -19,14 +18,17 @@ const keys = [
 ];
 
 describe('the slider', () => {
-  it('reaches 40 % of the range beyond both ends', () => {
-    expect(MARGIN).toBe(0.4);
-    expect(limits(range)).toEqual([1.2, 4.8]);
+  it('shows most of a mean interval between keys beyond both ends, however many keys there are', () => {
+    expect(timeScale(range, 3).whole).toEqual([1.2, 4.8]);
+    expect(timeScale(range, 2).whole.map((t) => Number(t.toFixed(9)))).toEqual([0.4, 5.6]);
+    const [low, high] = timeScale([0, 10], 11).whole;
+    expect([low, high]).toEqual([-0.8, 10.8]);
   });
 
-  it('does not leave its limits', () => {
-    expect(clampTime(-9, range)).toBe(1.2);
-    expect(clampTime(9, range)).toBe(4.8);
+  it('lets time go twice the length of the motion beyond its ends', () => {
+    expect(clampTime(-9, range)).toBe(-2);
+    expect(clampTime(9, range)).toBe(8);
+    expect(clampTime(5.5, range)).toBe(5.5);
   });
 
   it('snaps to the nearest key within reach only', () => {

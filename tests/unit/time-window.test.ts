@@ -10,15 +10,15 @@ import {
   zoomed,
 } from '../../web/model/time-window.ts';
 
-const range = [2, 4] as const; // the slider reaches from 1.2 to 4.8
+const scale = { range: [2, 4], whole: [1.2, 4.8] } as const; // time reaches from -2 to 8
 
 describe('the window of the slider', () => {
   it('shows everything unless something else is wanted', () => {
-    expect(windowOf(null, range)).toEqual([1.2, 4.8]);
+    expect(windowOf(null, scale)).toEqual([1.2, 4.8]);
   });
 
   it('has times and places that are inverse to each other', () => {
-    for (const window of [windowOf(null, range), [2.5, 2.6] as const]) {
+    for (const window of [windowOf(null, scale), [2.5, 2.6] as const]) {
       for (const t of [1.2, 2, 2.71, 4, 4.8]) expect(timeIn(fractionIn(t, window), window)).toBeCloseTo(t, 12);
       expect(fractionIn(window[0], window)).toBe(0);
       expect(fractionIn(window[1], window)).toBe(1);
@@ -26,10 +26,10 @@ describe('the window of the slider', () => {
   });
 
   it('keeps the moment under the pointer where it is while zooming in and out', () => {
-    let window = windowOf(null, range);
+    let window = windowOf(null, scale);
     const at = fractionIn(3.1, window);
     for (const factor of [2, 5, 3, 0.4, 2]) {
-      window = windowOf(zoomed(window, range, factor, 3.1), range);
+      window = windowOf(zoomed(window, scale, factor, 3.1), scale);
       expect(fractionIn(3.1, window)).toBeCloseTo(at, 9);
     }
     expect(3.6 / (window[1] - window[0])).toBeCloseTo(2 * 5 * 3 * 0.4 * 2, 9);
@@ -37,27 +37,35 @@ describe('the window of the slider', () => {
 
   it('comes at least twenty times nearer, and no nearer than its limit', () => {
     expect(MAX_ZOOM).toBeGreaterThanOrEqual(20);
-    const nearest = zoomed(windowOf(null, range), range, 1e9, 3)!;
+    const nearest = zoomed(windowOf(null, scale), scale, 1e9, 3)!;
     expect(3.6 / (nearest[1] - nearest[0])).toBeCloseTo(MAX_ZOOM, 6);
   });
 
-  it('is everything again when zoomed out far enough', () => {
-    expect(zoomed([3, 3.2], range, 1e-6, 3.1)).toBeNull();
+  it('is the whole again when zoomed out far enough', () => {
+    expect(zoomed([3, 3.2], scale, 1e-6, 3.1)).toBeNull();
   });
 
-  it('stays within what the slider reaches', () => {
-    expect(panned([3, 3.5], range, 99)).toEqual([4.3, 4.8]);
-    expect(panned([3, 3.5], range, -99)).toEqual([1.2, 1.7]);
-    expect(windowOf([90, 91], range)).toEqual([3.8, 4.8]);
+  it('goes on from the whole to all that can be reached, and comes back to the whole', () => {
+    const wider = zoomed([1.2, 4.8], scale, 0.5, 3)!;
+    expect(wider[0]).toBeCloseTo(-0.6, 12);
+    expect(wider[1]).toBeCloseTo(6.6, 12);
+    expect(zoomed(wider, scale, 1e-6, 3)).toEqual([-2, 8]);
+    expect(zoomed(wider, scale, 2, 3)).toBeNull();
+  });
+
+  it('stays within what can be reached', () => {
+    expect(panned([3, 3.5], scale, 99)).toEqual([7.5, 8]);
+    expect(panned([3, 3.5], scale, -99)).toEqual([-2, -1.5]);
+    expect(windowOf([90, 91], scale)).toEqual([7, 8]);
   });
 
   it('turns a page when a moment runs out of it', () => {
-    expect(revealing([3, 3.5], range, 3.2)).toEqual([3, 3.5]);
-    const [start, end] = revealing([3, 3.5], range, 3.51)!;
+    expect(revealing([3, 3.5], scale, 3.2)).toEqual([3, 3.5]);
+    const [start, end] = revealing([3, 3.5], scale, 3.51)!;
     expect(start).toBeLessThan(3.51);
     expect(start).toBeGreaterThan(3.4);
     expect(end - start).toBeCloseTo(0.5, 12);
-    const back = revealing([3, 3.5], range, 2.9)!;
+    const back = revealing([3, 3.5], scale, 2.9)!;
     expect(back[1]).toBeGreaterThan(2.9);
     expect(back[1]).toBeLessThan(3);
   });

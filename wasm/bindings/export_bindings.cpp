@@ -3,6 +3,7 @@
 #include "bindings/handle_table.h"
 #include "bindings/js_imports.h"
 #include "bindings/marshal.h"
+#include "core/mesh/principal_offsets.h"
 #include "io/export.h"
 
 namespace shapespline::bindings {
@@ -15,16 +16,16 @@ Json keepBytes(Bytes bytes) {
 }
 
 Result<Bytes> writePose(const std::string& format, std::span<const float> positions, std::span<const float> normals,
-                        const std::vector<Triangle>& faces, const Scene& scene) {
-  if (format == "obj") return writeObj(positions, faces, scene);
+                        const std::vector<Triangle>& faces, const Scene& scene, const MaterialLibrary& library) {
+  if (format == "obj") return writeObj(positions, faces, scene, normals, library);
   if (format == "ply") return writePly(positions, faces);
   return writePoseGlb(positions, normals, faces, scene);
 }
 
 }  // namespace
 
-/// {faces, scene, vertices, seconds, stills, project} -> {handle, bytes}; asks JavaScript for one frame after the
-/// other.
+/// {faces, scene, vertices, seconds, stills, weights, project, name, targetNames} -> {handle, bytes}; asks JavaScript
+/// for one frame after the other.
 EXPORT const char* shapespline_write_animation(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
@@ -36,7 +37,11 @@ EXPORT const char* shapespline_write_animation(const char* request) {
     source.scene = &scene;
     source.seconds = json.at("seconds").get<std::vector<double>>();
     source.stills = json.at("stills");
+    const auto weights = elements<float>(json.at("weights"));
+    source.weights.assign(weights.begin(), weights.end());
     source.project = json.at("project");
+    source.name = json.at("name");
+    source.targetNames = json.at("targetNames").get<std::vector<std::string>>();
     source.frame = [&](int frame, std::vector<float>& positions, std::vector<float>& normals) -> Status {
       positions.resize(floats);
       normals.resize(floats);
@@ -49,24 +54,48 @@ EXPORT const char* shapespline_write_animation(const char* request) {
   });
 }
 
-/// {vertices, faces, frames, scene} -> {bytes}: the size of what shapespline_write_animation will write.
+/// {faces, vertices, frames, scene} -> {bytes, vertices}: the size of what shapespline_write_animation will write, and
+/// the vertices of its primitives.
 EXPORT const char* shapespline_animation_size(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
     const Scene scene = sceneFrom(json.at("scene"));
-    return Json{{"bytes", animatedGlbSize(json.at("vertices"), json.at("faces"), json.at("frames"), scene)}};
+    const auto faces = trianglesFrom(elements<std::int32_t>(json.at("faces")));
+    const GlbSize size = animatedGlbSize(faces, json.at("vertices"), json.at("frames"), scene);
+    return Json{{"bytes", size.bytes}, {"vertices", size.vertices}};
   });
 }
 
-/// {format: 'glb' | 'obj' | 'ply', positions, normals, faces, scene} -> {handle, bytes}.
+/// {format: 'glb' | 'obj' | 'ply', positions, normals, faces, scene, library: {file, names}} -> {handle, bytes}.
 EXPORT const char* shapespline_write_pose(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
     const auto faces = trianglesFrom(elements<std::int32_t>(json.at("faces")));
+    const MaterialLibrary library{json.at("library").at("file"), json.at("library").at("names")};
     Result<Bytes> bytes = writePose(json.at("format"), elements<float>(json.at("positions")),
-                                    elements<float>(json.at("normals")), faces, sceneFrom(json.at("scene")));
+                                    elements<float>(json.at("normals")), faces, sceneFrom(json.at("scene")), library);
     if (!bytes) return bytes.error();
     return keepBytes(std::move(*bytes));
+  });
+}
+
+/// {frames: [range, ...], tolerance, most} -> {handle, count, offsets, weights, largest}: principalOffsets of the
+/// frames.
+EXPORT const char* shapespline_principal_offsets(const char* request) {
+  return callResult([&]() -> Result<Json> {
+    const Json json = Json::parse(request);
+    std::vector<std::vector<float>> rows;
+    for (const Json& frame : json.at("frames")) {
+      const auto numbers = elements<float>(frame);
+      rows.emplace_back(numbers.begin(), numbers.end());
+    }
+    const int handle = handleTable().add(principalOffsets(rows, json.at("tolerance"), json.at("most")));
+    const PrincipalOffsets& kept = handleTable().get<PrincipalOffsets>(handle);
+    return Json{{"handle", handle},
+                {"count", kept.count},
+                {"offsets", range(kept.offsets.data(), kept.offsets.size())},
+                {"weights", range(kept.weights.data(), kept.weights.size())},
+                {"largest", kept.largest}};
   });
 }
 

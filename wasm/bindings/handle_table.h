@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/mesh/principal_offsets.h"
 #include "core/sequence/sequence.h"
 #include "io/import.h"
 
@@ -27,7 +28,7 @@ struct ImportObject {
 };
 
 using Bytes = std::vector<std::uint8_t>;
-using Object = std::variant<SequenceObject, ImportObject, Bytes>;
+using Object = std::variant<SequenceObject, ImportObject, Bytes, PrincipalOffsets>;
 
 class HandleTable {
  public:

@@ -32,6 +32,7 @@ Json describe(const ImportObject& object) {
           {"warnings", toJson(import.warnings)},
           {"animations", toJson(import.animations)},
           {"animation", import.animation},
+          {"objects", import.objects},
           {"project", import.project}};
 }
 

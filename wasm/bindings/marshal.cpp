@@ -159,6 +159,8 @@ ImportOptions importOptionsFrom(const Json& json) {
   options.zUp = json.at("zUp");
   options.unit = json.at("unit");
   options.like = trianglesFrom(elements<std::int32_t>(json.at("like")));
+  options.likePose = positionsFrom(elements<float>(json.at("likePose")));
+  options.objects = json.at("objects").get<std::vector<std::string>>();
   return options;
 }
 
@@ -171,6 +173,8 @@ Scene sceneFrom(const Json& json) {
     const auto copyOf = elements<std::int32_t>(seams.at("copyOf"));
     scene.seams = {{copyOf.begin(), copyOf.end()}, trianglesFrom(elements<std::int32_t>(seams.at("indices")))};
   }
+  const auto polygons = elements<std::int32_t>(json.at("polygons"));
+  scene.polygons.assign(polygons.begin(), polygons.end());
   scene.groups = json.at("groups").get<std::vector<MaterialGroup>>();
   scene.materials = json.at("materials").get<std::vector<Material>>();
   for (const Json& image : json.at("images")) {
@@ -203,8 +207,13 @@ Json toJson(const Scene& scene) {
   for (const Image& image : scene.images) {
     images.push_back({{"mimeType", image.mimeType}, {"bytes", range(image.bytes.data(), image.bytes.size())}});
   }
-  return {{"uvs", rangeOrNull(scene.uvs)}, {"colors", rangeOrNull(scene.colors)}, {"seams", seamsJson(scene.seams)},
-          {"groups", scene.groups},        {"materials", scene.materials},        {"images", images}};
+  return {{"uvs", rangeOrNull(scene.uvs)},
+          {"colors", rangeOrNull(scene.colors)},
+          {"seams", seamsJson(scene.seams)},
+          {"polygons", rangeOrNull(scene.polygons)},
+          {"groups", scene.groups},
+          {"materials", scene.materials},
+          {"images", images}};
 }
 
 }  // namespace shapespline::bindings

@@ -23,7 +23,8 @@ Json range(const T* data, std::size_t length) {
   return {{"address", reinterpret_cast<std::uintptr_t>(data)}, {"length", length}};
 }
 
-inline Json rangeOrNull(const std::vector<float>& numbers) {
+template <class T>
+Json rangeOrNull(const std::vector<T>& numbers) {
   return numbers.empty() ? Json() : range(numbers.data(), numbers.size());
 }
 

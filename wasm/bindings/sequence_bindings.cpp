@@ -86,6 +86,14 @@ EXPORT const char* shapespline_plane(int handle, const char* request) {
   });
 }
 
+/// {distance, tension}: feature_curve.h.
+EXPORT const char* shapespline_pace(int handle) {
+  return callResult([&]() -> Result<Json> {
+    const KeyPace pace = sequenceOf(handle).keyPace();
+    return Json{{"distance", pace.distance}, {"tension", pace.tension}};
+  });
+}
+
 /// {times} -> {energy}.
 EXPORT const char* shapespline_bending(int handle, const char* request) {
   return callResult([&]() -> Result<Json> {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "io/base/byte_text.h"
+#include "io/cache/point_cache.h"
 #include "io/gltf/glb_container.h"
 
 namespace shapespline {
@@ -45,6 +46,7 @@ const char* somethingElse(std::string_view text, const std::string& extension) {
 }
 
 std::optional<FileKind> kindByContent(std::span<const std::uint8_t> bytes, std::string_view text) {
+  if (isPc2(bytes)) return FileKind::Pc2;
   if (isGlb(bytes) || text.starts_with('{')) return FileKind::Gltf;
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return FileKind::Ply;
   const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
@@ -68,7 +70,8 @@ Result<FileKind> fileKind(const NamedBytes& file, const std::string& where) {
   if (const auto kind = kindByContent(file.bytes, text)) return *kind;
   if (const char* what = somethingElse(text, extension)) return Error{ErrorCode::NotRecognised, where + what};
   if (extension == "obj") return FileKind::Obj;
-  if (extension == "glb" || extension == "gltf" || extension == "ply" || extension == "off")
+  if (extension == "mdd") return FileKind::Mdd;
+  if (extension == "glb" || extension == "gltf" || extension == "ply" || extension == "off" || extension == "pc2")
     return Error{ErrorCode::NotRecognised,
                  where + " is named ." + extension + " but is not such a file. Export it again."};
   return Error{ErrorCode::NotRecognised,

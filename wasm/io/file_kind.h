@@ -9,7 +9,10 @@
 
 namespace shapespline {
 
-enum class FileKind { Gltf, Obj, Ply, Off };
+enum class FileKind { Gltf, Obj, Ply, Off, Pc2, Mdd };
+
+/// Whether files of this kind hold a motion for the mesh of another file.
+constexpr bool isCache(FileKind kind) { return kind == FileKind::Pc2 || kind == FileKind::Mdd; }
 
 /// Whether a file of this name only accompanies mesh files: buffers, images, OBJ materials, read-me files.
 bool isCompanion(std::string_view name);

@@ -75,7 +75,7 @@ void transportFrames(Limb& limb) {
 // Grooves meet at the tip, so they fade where the offset points along the limb.
 double ribFactor(const Limb& limb, double along, const Vec3& offset, double distance) {
   if (limb.ribs.count == 0 || distance <= 0) return 1;
-  const Vec3 local = limb.frame[static_cast<int>(along + 0.5)].transpose() * offset;
+  const Vec3 local = limb.frame[std::lround(along)].transpose() * offset;
   const double across = std::hypot(local.x(), local.y()) / distance;
   const double crest = std::cos(0.5 * limb.ribs.count * std::atan2(local.y(), local.x()));
   const double rounded = std::sqrt(crest * crest + 0.04) - 0.2;

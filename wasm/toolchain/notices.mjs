@@ -1,4 +1,5 @@
-// Copyright and licences of everything that is handed on: the npm packages in a bundle, and the libraries in the wasm module.
+// Copyright and licences of everything that is handed on: the npm packages in a bundle, and the libraries in the wasm
+// module.
 import { existsSync, readFileSync, readdirSync, realpathSync } from 'node:fs';
 import path from 'node:path';
 import { findEmscripten } from './emscripten.mjs';

@@ -2,6 +2,7 @@
 // went.
 import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
+import { installBlender } from './blender.mjs';
 import { buildNative, buildWasm, nodeBundle, page, wasmModule } from './build.mjs';
 import { nothing, reports, runReported, sentence, sum } from './counts.mjs';
 import { runDoctest } from './doctest.mjs';
@@ -125,6 +126,13 @@ const suites = {
     files: ['tests/engine', '.test.ts'],
     requirements: forWasm,
     steps: [wasmModule, nodeBundle],
+  },
+  tools: {
+    run: vitest('tools'),
+    files: ['tests/tools', '.test.ts'],
+    requirements: forWasm,
+    steps: [wasmModule, nodeBundle],
+    compile: installBlender,
   },
   e2e: {
     run: endToEnd,

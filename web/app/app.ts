@@ -30,6 +30,7 @@ export function startApp(root: HTMLElement): void {
   const layout = createLayout();
   const newVersion = createOffer('new-version');
   const notReopened = createOffer('not-reopened');
+  const importOffer = createOffer('import-offer');
   const redraw = (): void => page.redraw();
   const viewState = createViewState(redraw);
   const feedback = createFeedback(viewState);
@@ -49,14 +50,14 @@ export function startApp(root: HTMLElement): void {
   const { frameLoop } = display.playback;
   const commands = commandsOf(session, display, viewState);
   const { analysis, onAnalysisError } = analysisOf(session, viewState, feedback);
-  const ways = createWays({ session, display, analysis, viewState, feedback });
+  const ways = createWays({ session, display, analysis, viewState, feedback, onOffer: importOffer.offer });
   const { files, remembered } = ways;
   const applyLook = (): void => scene.setLook(store.get().view, theme.isDark());
   const theme = createTheme(() => {
     applyLook();
     redraw();
   });
-  const offers = [newVersion.element, notReopened.element];
+  const offers = [newVersion.element, notReopened.element, importOffer.element];
   const page = createPage({
     ...{ root, layout, offers, session, viewState, feedback, scene, marking, commands, analysis, theme, files },
     onAnalysisError,
@@ -103,13 +104,18 @@ export function startApp(root: HTMLElement): void {
   redraw();
 }
 
-function commandsOf({ store, workspace, range }: Session, display: Display, viewState: ViewStateHolder): Commands {
+function commandsOf(
+  { store, workspace, sequence, range }: Session,
+  display: Display,
+  viewState: ViewStateHolder,
+): Commands {
   const { scene, playback } = display;
   return createCommands({
     store,
     range,
     pool: () => workspace.pool,
     initial: () => viewState.get().initial,
+    keyPace: async () => (await sequence()?.keyPace()) ?? null,
     async exactShape(t) {
       await playback.frameLoop.request(t);
       return scene.viewer.positions(0);

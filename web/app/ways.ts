@@ -1,10 +1,12 @@
 /** Ways in and out: files and samples, what an earlier visit left, the page's address, exports. */
+import type { Offer } from '../ui/messages.ts';
 import { plural } from '../ui/status-line.ts';
 import type { AnalysisCache } from './analysis/analysis-cache.ts';
 import type { Display } from './display.ts';
 import { createExportController } from './export/export-controller.ts';
 import type { ExportController } from './export/export-controller.ts';
 import type { Feedback } from './panels/feedback.ts';
+import { importOffer } from './panels/import-offer.ts';
 import { openedView } from './panels/view-state.ts';
 import type { ViewStateHolder } from './panels/view-state.ts';
 import { reducedMotion } from './panels/window-events.ts';
@@ -22,6 +24,8 @@ export interface WaysParts {
   analysis: AnalysisCache;
   viewState: ViewStateHolder;
   feedback: Feedback;
+  /** What can be done about what an import warns of; null: nothing. */
+  onOffer(offer: Offer | null): void;
 }
 
 export interface Ways {
@@ -31,7 +35,7 @@ export interface Ways {
   exporting: ExportController;
 }
 
-export function createWays({ session, display, analysis, viewState, feedback }: WaysParts): Ways {
+export function createWays({ session, display, analysis, viewState, feedback, onOffer }: WaysParts): Ways {
   const { engine, store, workspace, sequence, range } = session;
   const { scene, playback } = display;
   const { say, onStart, onWorking, onError } = feedback;
@@ -39,6 +43,7 @@ export function createWays({ session, display, analysis, viewState, feedback }: 
     const { info, pool, source, doc, camera } = opened;
     scene.setImport(info, pool, camera);
     viewState.change(openedView(opened, viewState.get()));
+    onOffer(importOffer(opened, files));
     if (source.kind !== 'files') return;
     say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
   };

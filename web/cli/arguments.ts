@@ -9,8 +9,13 @@ export interface Arguments {
   flags: Set<string>;
 }
 
+/** Between the values of an option that is given several times: no argument holds it. */
+export const BETWEEN_VALUES = '\0';
+
 export interface Known {
   options: ReadonlySet<string>;
+  /** Those of the options that may be given several times. */
+  repeated: ReadonlySet<string>;
   flags: ReadonlySet<string>;
 }
 
@@ -40,8 +45,9 @@ function takeOption(word: string, rest: string[], known: Known, result: Argument
     throw new UsageError(`unknown option ${word.split('=')[0]} (see --help)`);
   const value = given ?? takeValue(rest, known);
   if (value === undefined || value === '') throw new UsageError(`--${name} needs a value`);
-  if (result.values.has(name)) throw new UsageError(`--${name} is given twice`);
-  result.values.set(name, value);
+  const before = result.values.get(name);
+  if (before !== undefined && !known.repeated.has(name)) throw new UsageError(`--${name} is given twice`);
+  result.values.set(name, before === undefined ? value : before + BETWEEN_VALUES + value);
 }
 
 // The next word, unless it is an option itself: -0.3,1.3 is a value, --report is not.

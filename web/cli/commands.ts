@@ -1,6 +1,7 @@
 /** What the two commands do. */
 import { version } from '../../package.json';
 import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
+import { errorText } from '../engine/api/error-text.ts';
 import { ENCODING, SHAPES } from '../engine/api/option-table.ts';
 import { kgBetween } from '../study/ghost-study.ts';
 import { withEngine } from '../engine/node.ts';
@@ -29,7 +30,7 @@ function checkFiles(args: Arguments): void {
   if (args.files.length === 0) throw new UsageError('name at least one file (see --help)');
 }
 
-function describe({ names, times, report, animations, animation, project }: KeysInfo): object {
+function describe({ names, times, report, animations, animation, objects, project }: KeysInfo): object {
   const { vertices, weldedVertices, ...rest } = report;
   return {
     keys: names.map((name, key) => ({ name, time: times[key] })),
@@ -37,6 +38,7 @@ function describe({ names, times, report, animations, animation, project }: Keys
     ...rest,
     animations,
     animation: animations[animation]?.name ?? null,
+    objects,
     isProject: project !== null,
   };
 }
@@ -76,7 +78,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
       'build',
       engine.createSequence(keys, { ...keys.info.project, ...options.sequence, ...tangents }),
     );
-    const plan = await sequence.planExport(options.export);
+    const plan = await timings.time('plan', sequence.planExport(options.export));
     if (plan.bytes > LARGE) say(`${output} will take about ${Math.round(plan.bytes / 1e6)} MB`);
     const warnings = [...keys.info.warnings, ...sequence.warnings, ...plan.warnings];
     let [files, bytes] = [0, 0];
@@ -105,6 +107,8 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
         ...describe(keys.info),
         range: sequence.range,
         frames: plan.times,
+        targets: plan.targets,
+        playbackError: plan.error,
         timings: { ...timings.ms, ...stages },
         counts,
         warnings,
@@ -116,8 +120,9 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     if (report) outputs.push({ path: report, files: reported() });
     await writeOutputs(outputs);
     const count = plan.times.length;
+    const off = plan.error === null ? '' : `, off by at most ${errorText(plan.error)} between them`;
     return {
-      summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}, ${bytes} bytes\n`,
+      summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}${off}, ${bytes} bytes\n`,
       warnings: warnings.map(({ message }) => message),
     };
   });

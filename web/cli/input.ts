@@ -3,12 +3,12 @@
  * network.
  */
 import { constants } from 'node:fs';
-import { open, realpath } from 'node:fs/promises';
+import { open, readdir, realpath, stat } from 'node:fs/promises';
 import path from 'node:path';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseGltf } from '../engine/api/gltf-json.ts';
 import { checkImportSize } from '../engine/api/import-size.ts';
-import { beside, decodedUri, extensionOf, isExternal, resourceUris } from '../engine/api/paths.ts';
+import { CACHES, beside, decodedUri, extensionOf, isExternal, isModel, resourceUris } from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
 
 /** Bytes that were read of all files together. */
@@ -16,10 +16,30 @@ interface Total {
   bytes: number;
 }
 
-export async function readInputs(names: string[]): Promise<InputFile[]> {
+const naturally = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
+
+/** Folders stand for the models in them, in natural order of their names; no deeper. */
+async function withoutFolders(names: string[]): Promise<string[]> {
+  const lists = await Promise.all(
+    names.map(async (name) => {
+      const isFolder = await stat(name).then(
+        (stats) => stats.isDirectory(),
+        () => false,
+      );
+      if (!isFolder) return [name];
+      const inside = (await readdir(name)).filter((one) => isModel(one) || CACHES.includes(extensionOf(one)));
+      if (inside.length === 0)
+        throw new EngineError('missing-file', `${name}: there is no model in this folder.`, { file: name });
+      return inside.sort(naturally.compare).map((one) => path.join(name, one));
+    }),
+  );
+  return lists.flat();
+}
+
+export async function readInputs(given: string[]): Promise<InputFile[]> {
   const files: InputFile[] = [];
   const total: Total = { bytes: 0 };
-  for (const name of names) {
+  for (const name of await withoutFolders(given)) {
     const file = { name: toSlashes(name), bytes: await read(name, total) };
     files.push(file);
     const named = extensionOf(name) === 'obj' ? await librariesOf(file, total) : urisOf(file.bytes);
@@ -50,7 +70,10 @@ async function librariesOf({ name, bytes }: InputFile, total: Total): Promise<st
 
 const OBJ_HEAD = 1 << 16;
 
-/** What the lines that begin with a keyword name, each once. Read line by line: a pattern would try every blank of a long one. */
+/**
+ * What the lines that begin with a keyword name, each once. Read line by line: a pattern would try every blank of a
+ * long one.
+ */
 export function namedIn(bytes: Uint8Array, keyword: string): string[] {
   const lines = new TextDecoder().decode(bytes).split('\n');
   const named = lines

@@ -10,7 +10,7 @@ interface OutputFile {
 }
 
 export interface Output {
-  /** Ends in '/' for a folder of several files. */
+  /** Ends in '/' for a folder of several files; else the first file is written there, the others beside it. */
   path: string;
   /** One is asked for when the one before it is written, so that no more than one is held. */
   files: Iterable<OutputFile> | AsyncIterable<OutputFile>;
@@ -56,18 +56,21 @@ async function move(outputs: Output[], partial: string[], made: string[]): Promi
   const streams: { to: string; bytes: OutputFile['bytes'] }[] = [];
   for (const output of outputs) {
     const { target, stream } = await place(output.path);
+    const isFolder = output.path.endsWith('/');
     const beside = stream ? null : await partialPlace(target, output, partial);
+    let isFirst = true;
     for await (const { name, bytes } of output.files) {
+      const isMain = isFirst && !isFolder;
+      isFirst = false;
       if (beside === null) {
-        streams.push({ to: target, bytes });
+        if (isMain || isFolder) streams.push({ to: target, bytes });
         continue;
       }
-      const isFolder = output.path.endsWith('/');
-      const move = isFolder
-        ? { from: path.join(beside, name), to: path.join(target, name) }
-        : { from: beside, to: target };
-      await writeFile(move.from, bytes);
-      whole.push(move);
+      const to = isMain ? target : path.join(isFolder ? target : path.dirname(target), name);
+      const from = isFolder ? path.join(beside, name) : `${beside}${isMain ? '' : `.${whole.length}`}`;
+      if (!isFolder && !isMain) partial.push(from);
+      await writeFile(from, bytes);
+      whole.push({ from, to });
     }
   }
   await checkPlaces(whole);

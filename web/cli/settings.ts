@@ -3,7 +3,7 @@ import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/
 import { wrongWith, wrongWithList } from '../engine/api/options.ts';
 import type { KeyOption, NumberOption, Option, OptionTable } from '../engine/api/option-table.ts';
 import type { ExportOptions, ImportOptions, SequenceOptions } from '../engine/api/types.ts';
-import { UsageError, type Arguments, type Known } from './arguments.ts';
+import { BETWEEN_VALUES, UsageError, type Arguments, type Known } from './arguments.ts';
 import * as read from './values.ts';
 
 /** How the text of an option becomes its value; a shape is a file, which the command reads. */
@@ -28,6 +28,8 @@ const readKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Read | null
   animation: read.animation,
   sample: (text, option) => (/^\d+$/.test(text) ? read.wholeFrom(2)(text, option) : read.times(text, option)),
   faces: null,
+  names: (text) => text.split(BETWEEN_VALUES),
+  text: (text) => text,
 };
 
 function readNumber({ whole, above, least = -Infinity, zero }: NumberOption): Read {
@@ -74,7 +76,12 @@ const exportFlags = flagsOf(EXPORT);
 function known(flags: Flag[], own: string[]): Known {
   const named = (withValue: boolean): string[] =>
     flags.filter((one) => (one.read !== null) === withValue).map(({ flag }) => flag);
-  return { options: new Set([...named(true), ...own]), flags: new Set([...named(false), 'help']) };
+  const repeated = flags.filter(({ option }) => option.kind === 'names').map(({ flag }) => flag);
+  return {
+    options: new Set([...named(true), ...own]),
+    repeated: new Set(repeated),
+    flags: new Set([...named(false), 'help']),
+  };
 }
 
 export const INSPECT = known(importFlags, []);
@@ -109,10 +116,17 @@ export const HELP = `shapespline: smooth motion of a shape through key poses
   complete FILE... --output OUT          the completed motion
 
 FILE is a .glb, .gltf, .obj, .ply or .off file: several are the keys in the order given, one holds
-morph targets or an animation. What a .gltf or .obj names (buffers, materials, textures) is read from
-its own folder.
+morph targets or an animation. A .pc2 or .mdd file given with its .obj is an animation, too, and so are
+numbered .obj or .ply files of which --sample takes keys. A folder stands for the models in it, in the
+order of their names. What a .gltf or .obj names (buffers, materials, textures) is read from its own
+folder.
 OUT ending in .glb is one file with an animation, in .obj or .ply one shape (with one --at time), and
 a folder (ending in /) gets 0000.obj, 0001.obj, ... one for each requested time.
+morph targets or an animation. What a .gltf or .obj names (buffers, materials, textures) is read from
+its own folder.
+OUT ending in .glb is one file with an animation, in .obj or .ply one shape (with one --at time), in
+.pc2 or .mdd a point cache with the OBJ that it moves beside it, and a folder (ending in /) gets 0000.obj,
+0001.obj, ... one for each requested time. Materials and textures of an OBJ lie beside it.
 
 Keys are counted from 1, animations from 0, and everything in a report from 0. Times are in any unit you like.
 
@@ -150,16 +164,32 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
 }
 
 export function exportOptions(args: Arguments, output: string): Partial<ExportOptions> {
-  const options: Partial<ExportOptions> = { format: formatOf(output), ...given(args, exportFlags) };
-  const { format, times, frames, range } = options;
-  if (times && (frames || range)) throw new UsageError('give either --at or --frames and --range');
-  if (output.endsWith('/') || times?.length === 1 || format === 'glb') return options;
+  const options: Partial<ExportOptions> = {
+    format: formatOf(output),
+    ...nameOf(output),
+    ...given(args, exportFlags),
+  };
+  const { format, times, frames, fps, range } = options;
+  if (times && (frames || fps || range)) throw new UsageError('give either --at or --frames or --fps, and --range');
+  if (frames && fps) throw new UsageError('give either --frames or --fps');
+  if (output.endsWith('/') || times?.length === 1 || HOLD_ALL.includes(format!)) return options;
   throw new UsageError(`${output} holds one shape: give one --at time, or a folder (ending in /) for several`);
+}
+
+/** Formats that hold all frames in one file. */
+const HOLD_ALL: readonly string[] = ['glb', 'pc2', 'mdd'];
+
+/** Files that belong to the output are called as it is. */
+function nameOf(output: string): Partial<ExportOptions> {
+  const stem = output.replace(/^.*[/\\]/, '').replace(/\.[^.]*$/, '');
+  return stem === '' || wrongWith(EXPORT.name, stem) ? {} : { name: stem };
 }
 
 function formatOf(output: string): ExportOptions['format'] {
   if (output.endsWith('/') || /\.obj$/i.test(output)) return 'obj';
   if (/\.glb$/i.test(output)) return 'glb';
   if (/\.ply$/i.test(output)) return 'ply';
-  throw new UsageError(`--output: '${output}' must end in .glb, .obj or .ply, or in / for a folder`);
+  if (/\.pc2$/i.test(output)) return 'pc2';
+  if (/\.mdd$/i.test(output)) return 'mdd';
+  throw new UsageError(`--output: '${output}' must end in .glb, .obj, .ply, .pc2 or .mdd, or in / for a folder`);
 }

@@ -13,12 +13,14 @@ export function printable(text: string): string {
 
 export const oneLine = (text: string): string => printable(text.replace(/\s+/g, ' ').trim());
 
-/** Resolves when all of it is written; rejects with a sentence where it cannot be. A reader that has gone wants no more. */
+/**
+ * Resolves when all of it is written; rejects with a sentence where it cannot be. A reader that has gone wants no more.
+ */
 export function writeTo(stream: NodeJS.WriteStream, text: string): Promise<void> {
   return new Promise((resolve, reject) => {
     const failed = (error: NodeJS.ErrnoException): void => {
       if (error.code === 'EPIPE') resolve();
-      else reject(new Error(`The answer cannot be written to its place (${messageOf(error)}).`));
+      else reject(new Error(`The output cannot be written to its place (${messageOf(error)}).`));
     };
     stream.once('error', failed);
     stream.write(printable(text), (error) => {

@@ -62,7 +62,7 @@ function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | u
     const worker = workerUrl
       ? new Worker(sameOrigin(new URL(workerUrl, document.baseURI)), { type: 'module', name })
       : new Worker(new URL('./worker/engine.worker.ts', import.meta.url), { type: 'module', name });
-    let answered = false;
+    let replied = false;
     let wanted = true;
     const lost = (reason: string): void => {
       const unexpected = wanted;
@@ -70,14 +70,14 @@ function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | u
       if (unexpected) onLost?.();
     };
     worker.onmessage = ({ data }: MessageEvent<FromWorker | Locked>) => {
-      answered = true;
+      replied = true;
       if (data.type === 'locked') void lockReleased(name).then(() => lost('the browser has ended it'));
       else events.message(data);
     };
-    worker.onmessageerror = () => events.failure(endedWorker('an answer could not be received'));
+    worker.onmessageerror = () => events.failure(endedWorker('a message could not be received'));
     worker.onerror = (event) => {
       event.preventDefault();
-      if (answered || event.message) lost(event.message);
+      if (replied || event.message) lost(event.message);
       else events.failure(notLoaded("the worker's script", 'it did not start'));
     };
     const terminate = (): void => {

@@ -20,7 +20,10 @@ export function removeKey(doc: Doc, index: number): Doc {
   return { ...doc, keys: doc.keys.filter((_, other) => other !== index) };
 }
 
-/** Gives a key another time; past its neighbours it takes another place in the order. Equal times are refused, and those that none can have. */
+/**
+ * Gives a key another time; past its neighbours it takes another place in the order. Equal times are refused, and those
+ * that none can have.
+ */
 export function retimeKey(doc: Doc, index: number, time: number): Doc {
   const key = doc.keys[index];
   if (
@@ -46,6 +49,43 @@ export function addKey(doc: Doc, key: Omit<KeyRef, 'shaping'>): Doc {
 
 export function setShaping(doc: Doc, name: ShapingNumber, index: number, value: number): Doc {
   return reshaped(doc, index, (shaping) => (shaping[name] === value ? shaping : { ...shaping, [name]: value }));
+}
+
+/** One tension for every key, or one each. */
+export function setTightness(doc: Doc, tension: number | readonly number[]): Doc {
+  const at = (index: number): number => (typeof tension === 'number' ? tension : (tension[index] ?? 0));
+  return doc.keys.reduce((next, _, index) => setShaping(next, 'tension', index, at(index)), doc);
+}
+
+/** How intervals grow with the distance between their keys: the power of it. */
+export const SPACINGS = { even: 0, root: 0.5, difference: 1 } as const;
+export type Spacing = keyof typeof SPACINGS;
+
+/** The least share of a mean interval that two keys are apart, however equal they are. */
+const LEAST_INTERVAL = 0.1;
+
+/**
+ * Times between the first and the last key's, with intervals as large as powers of the distances between the keys: 0
+ * spaces them evenly, 1 by how different they are. distance: one less than keys.
+ */
+export function spaceKeys(doc: Doc, distance: readonly number[], power: number): Doc {
+  const first = doc.keys[0]?.time ?? 0;
+  const total = (doc.keys.at(-1)?.time ?? first) - first;
+  const mean = distance.reduce((sum, d) => sum + d ** power, 0) / Math.max(distance.length, 1);
+  const intervals = distance.map((d) => (mean > 0 ? Math.max(d ** power, LEAST_INTERVAL * mean) : 1));
+  const all = intervals.reduce((sum, interval) => sum + interval, 0);
+  let passed = 0;
+  const times = doc.keys.map((_, index) => {
+    passed += intervals[index - 1] ?? 0;
+    return index === doc.keys.length - 1 ? first + total : first + (total * passed) / all;
+  });
+  if (doc.keys.every(({ time }, index) => time === times[index])) return doc;
+  return { ...doc, keys: doc.keys.map((key, index) => ({ ...key, time: times[index]! })) };
+}
+
+/** Mean tension of the keys. */
+export function tightness({ keys }: Doc): number {
+  return keys.reduce((sum, { shaping }) => sum + shaping.tension, 0) / Math.max(keys.length, 1);
 }
 
 /** Whole turns on the way to a key; 0 takes them away. */

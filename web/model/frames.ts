@@ -2,13 +2,12 @@
  * Whole frames on the motion's own time: frame n stands at time n / fps, frame 0 at time 0, as in any animation
  * program. Also the stretch that plays. `fps` is null where the motion runs as smoothly as the screen allows.
  */
+import { SAME_FRAME } from '../engine/api/whole-frames.ts';
 import type { Range } from './time-scale.ts';
-import { clamp, formatTime, length, limits } from './time-scale.ts';
+import { clamp, formatTime, length, reach } from './time-scale.ts';
 
 export const MIN_FPS = 0.01;
 export const MAX_FPS = 1000;
-/** A frame number this near to a whole one is meant to be it: times are quotients. */
-const SAME_FRAME = 1e-6;
 /** Shorter stretches, as a share of the range, cannot be told from a moment. */
 const SHORTEST = 1e-4;
 
@@ -33,19 +32,6 @@ export function steppedFrameTime(t: number, fps: number, by: number): number {
   return ((by > 0 ? Math.floor(frame) : Math.ceil(frame)) + by) / fps;
 }
 
-const firstFrame = (start: number, fps: number): number => Math.ceil(start * fps - SAME_FRAME);
-
-/** How many whole frames the range has: any number, so that it is asked before they are listed. */
-export function frameCount([start, end]: Range, fps: number): number {
-  return Math.max(Math.floor(end * fps + SAME_FRAME) - firstFrame(start, fps) + 1, 0);
-}
-
-/** Times of all whole frames in the range. */
-export function frameTimes(range: Range, fps: number): number[] {
-  const first = firstFrame(range[0], fps);
-  return Array.from({ length: frameCount(range, fps) }, (_, index) => (first + index) / fps);
-}
-
 /** A moment as people read it: a time, or a frame number with two decimals between frames. */
 export function formatMoment(t: number, range: Range, fps: number | null): string {
   return fps === null ? formatTime(t, range) : String(Number(frameAt(t, fps).toFixed(2)) + 0);
@@ -59,14 +45,14 @@ export function playRange(between: Range | null, range: Range): Range {
 /** The wanted stretch as far as the slider reaches; null where nothing of it is left. */
 export function loopRange(between: Range | null, range: Range): Range | null {
   if (!between) return null;
-  const [low, high] = limits(range);
+  const [low, high] = reach(range);
   const inside: Range = [clamp(between[0], low, high), clamp(between[1], low, high)];
   return length(inside) > SHORTEST * length(range) ? inside : null;
 }
 
 /** The stretch with one end moved; the other end gives way by at least `gap`. */
 export function withEnd(between: Range | null, range: Range, end: 'start' | 'end', t: number, gap: number): Range {
-  const [low, high] = limits(range);
+  const [low, high] = reach(range);
   const [start, stop] = playRange(between, range);
   if (end === 'start') {
     const moved = clamp(t, low, high - gap);

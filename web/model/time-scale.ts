@@ -1,7 +1,9 @@
 /** Times and where they lie: the slider's scale, snapping, stepping, and how a moment relates to the keys. */
 
-/** The slider reaches this share of the key range beyond either end. */
-export const MARGIN = 0.4;
+/** The timeline shows this share of a mean interval between keys beyond either end, unless it is zoomed. */
+export const MARGIN = 0.8;
+/** Zooming out and typing lead so many times the length of the motion beyond its ends. */
+const FURTHEST = 2;
 /** Two times closer than this share of the range are the same. */
 export const SAME_TIME = 1e-6;
 
@@ -11,9 +13,23 @@ export function length(range: Range): number {
   return range[1] - range[0];
 }
 
-/** Lowest and highest time that the slider reaches. */
-export function limits(range: Range): Range {
-  const margin = MARGIN * length(range);
+/** Where the keys define the motion, and all that the timeline shows of it when it is not zoomed. */
+export interface TimeScale {
+  range: Range;
+  whole: Range;
+}
+
+export function timeScale(range: Range, keys: number): TimeScale {
+  return { range, whole: widened(range, MARGIN / Math.max(keys - 1, 1)) };
+}
+
+/** Lowest and highest time that can be reached. */
+export function reach(range: Range): Range {
+  return widened(range, FURTHEST);
+}
+
+function widened(range: Range, share: number): Range {
+  const margin = share * length(range);
   return [range[0] - margin, range[1] + margin];
 }
 
@@ -22,7 +38,7 @@ export function clamp(value: number, low: number, high: number): number {
 }
 
 export function clampTime(t: number, range: Range): number {
-  const [low, high] = limits(range);
+  const [low, high] = reach(range);
   return clamp(t, low, high);
 }
 
@@ -118,9 +134,9 @@ export function formatTime(t: number, range: Range = [0, 1]): string {
   return Number(text) === 0 ? (0).toFixed(decimals) : text;
 }
 
-/** So many times, evenly over all that the slider reaches, and those of the keys. */
+/** So many times, evenly over all that the timeline shows when it is not zoomed, and those of the keys. */
 export function plottedTimes(range: Range, keyTimes: readonly number[], count: number): number[] {
-  const [low, high] = limits(range);
+  const [low, high] = timeScale(range, keyTimes.length).whole;
   const gap = length(range) * 1e-6;
   const even = Array.from({ length: count }, (_, index) => low + ((high - low) * index) / (count - 1));
   return [...even.filter((t) => keyTimes.every((key) => Math.abs(key - t) > gap)), ...keyTimes].sort((a, b) => a - b);

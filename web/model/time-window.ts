@@ -1,16 +1,16 @@
-/** The stretch of time that the slider shows: all that it reaches, or a part of it, as when one zooms into a map. */
-import type { Range } from './time-scale.ts';
-import { clamp, length, limits } from './time-scale.ts';
+/** The stretch of time that the timeline shows: the motion with its margins, a part of it, or more. */
+import type { Range, TimeScale } from './time-scale.ts';
+import { clamp, length, reach } from './time-scale.ts';
 
-/** How many times larger than the whole the slider can show a part. */
+/** How many times larger than the whole the timeline can show a part. */
 export const MAX_ZOOM = 200;
 
-/** The window that is shown: the wanted one as far as the slider reaches, or everything. */
-export function windowOf(wanted: Range | null, range: Range): Range {
-  const whole = limits(range);
+/** The window that is shown: the wanted one as far as time reaches, or the whole. */
+export function windowOf(wanted: Range | null, { range, whole }: TimeScale): Range {
   if (!wanted) return whole;
-  const size = clamp(length(wanted), length(whole) / MAX_ZOOM, length(whole));
-  const start = clamp(wanted[0], whole[0], whole[1] - size);
+  const furthest = reach(range);
+  const size = clamp(length(wanted), length(whole) / MAX_ZOOM, length(furthest));
+  const start = clamp(wanted[0], furthest[0], furthest[1] - size);
   return [start, start + size];
 }
 
@@ -23,29 +23,40 @@ export function timeIn(fraction: number, window: Range): number {
   return window[0] + fraction * length(window);
 }
 
-/** The window made `factor` times larger, t staying where it is; null once everything is shown. */
-export function zoomed(window: Range, range: Range, factor: number, t: number): Range | null {
-  const whole = limits(range);
-  const size = clamp(length(window) / factor, length(whole) / MAX_ZOOM, length(whole));
+/**
+ * The window made `factor` times larger, t staying where it is. On the way out it stops where the whole is shown
+ * (null); from there it goes on to all that can be reached.
+ */
+export function zoomed(window: Range, scale: TimeScale, factor: number, t: number): Range | null {
+  const { whole, range } = scale;
+  const zoomedIn = length(window) < length(whole) * (1 - NEARLY);
+  const most = length(zoomedIn ? whole : reach(range));
+  const size = clamp(length(window) / factor, length(whole) / MAX_ZOOM, most);
+  if (zoomedIn && size >= most * (1 - NEARLY)) return null;
   const start = t - fractionIn(t, window) * size;
-  return orNull([start, start + size], range);
+  return orNull([start, start + size], scale);
 }
 
-/** The window moved by a stretch of time, as far as the slider reaches. */
-export function panned(window: Range, range: Range, by: number): Range | null {
-  return orNull([window[0] + by, window[1] + by], range);
+/** The window moved by a stretch of time, as far as time reaches. */
+export function panned(window: Range, scale: TimeScale, by: number): Range | null {
+  return orNull([window[0] + by, window[1] + by], scale);
 }
 
 /** The window moved just far enough to hold t; a page further where t runs out of it. */
-export function revealing(window: Range, range: Range, t: number): Range | null {
-  if (t >= window[0] && t <= window[1]) return orNull(window, range);
+export function revealing(window: Range, scale: TimeScale, t: number): Range | null {
+  if (t >= window[0] && t <= window[1]) return orNull(window, scale);
   const lead = 0.05 * length(window);
-  return panned(window, range, t > window[1] ? t - lead - window[0] : t + lead - window[1]);
+  return panned(window, scale, t > window[1] ? t - lead - window[0] : t + lead - window[1]);
 }
 
-function orNull(window: Range, range: Range): Range | null {
-  const shown = windowOf(window, range);
-  return length(shown) >= length(limits(range)) * (1 - 1e-9) ? null : shown;
+/** Lengths that differ by less of themselves are the same. */
+const NEARLY = 1e-9;
+
+function orNull(window: Range, scale: TimeScale): Range | null {
+  const shown = windowOf(window, scale);
+  const near = NEARLY * length(scale.whole);
+  const same = scale.whole.every((end, side) => Math.abs(end - shown[side as 0 | 1]) <= near);
+  return same ? null : shown;
 }
 
 /** Round places for numbers along the window, at most `most` of them: 1, 2 or 5 times a power of ten apart. */

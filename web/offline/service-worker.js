@@ -23,7 +23,7 @@ self.addEventListener('fetch', (event) => {
   const url = new URL(event.request.url);
   if (event.request.method !== 'GET' || !url.href.startsWith(SCOPE)) return;
   url.search = url.hash = '';
-  event.respondWith(answer(event, url));
+  event.respondWith(responseTo(event, url));
   if (event.request.mode === 'navigate') event.waitUntil(dropUnused());
 });
 
@@ -53,7 +53,7 @@ async function fill() {
 
 // Files with a digest in their name never change: they come from whichever build is kept. The others are asked for
 // first, so that a new build is seen at once.
-async function answer(event, url) {
+async function responseTo(event, url) {
   const named = url.pathname.includes('/assets/');
   const kept = named ? await match(url.href) : undefined;
   if (kept) return kept;

@@ -2,13 +2,12 @@
 import { button, checkbox, numberField } from './controls.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import { popover } from './popover.ts';
-import type { Range } from '../model/time-scale.ts';
-import { length, limits } from '../model/time-scale.ts';
+import type { Range, TimeScale } from '../model/time-scale.ts';
+import { length } from '../model/time-scale.ts';
 import { MAX_FPS, MIN_FPS, formatMoment, loopRange, playRange } from '../model/frames.ts';
 import { MAX_ZOOM, windowOf } from '../model/time-window.ts';
 
-export interface ClockMenuProps {
-  range: Range;
+export interface ClockMenuProps extends TimeScale {
   time: number;
   fps: number | null;
   between: Range | null;
@@ -151,7 +150,7 @@ export function createClockMenu(events: ClockMenuEvents): {
     const looped = loopRange(between, range) !== null;
     reset.disabled = !looped;
     setAttribute(reset, 'data-idle', !looped);
-    const times = length(limits(range)) / length(windowOf(window, range));
+    const times = length(props.whole) / length(windowOf(window, props));
     setText(zoom, `Zoom ${times < 9.95 ? Number(times.toFixed(1)) : Math.round(times)}×`);
     farther.disabled = whole.disabled = window === null;
     nearer.disabled = times >= MAX_ZOOM * (1 - 1e-9);

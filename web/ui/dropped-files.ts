@@ -3,7 +3,7 @@
  * out.
  */
 
-import { COMPANIONS, MODELS, extensionOf, isModel } from '../engine/api/paths.ts';
+import { CACHES, COMPANIONS, MODELS, extensionOf, isModel } from '../engine/api/paths.ts';
 
 export interface PickedFile {
   /** Path relative to what was dropped. */
@@ -18,7 +18,7 @@ export function leadingName(names: readonly string[]): string {
 
 /** For the system's picker. */
 export const ACCEPTED = [
-  ...[...MODELS, ...COMPANIONS].map((extension) => `.${extension}`),
+  ...[...MODELS, ...CACHES, ...COMPANIONS].map((extension) => `.${extension}`),
   'model/gltf-binary',
   'model/gltf+json',
 ].join();
@@ -65,7 +65,7 @@ export async function filesOf(entries: readonly FileSystemEntry[]): Promise<Pick
 
 /** Names with a dot in front are what systems leave behind beside other files. */
 function belongs(name: string): boolean {
-  return !name.startsWith('.') && [...MODELS, ...COMPANIONS].includes(extensionOf(name));
+  return !name.startsWith('.') && [...MODELS, ...CACHES, ...COMPANIONS].includes(extensionOf(name));
 }
 
 async function childrenOf(folder: FileSystemDirectoryEntry, name: string): Promise<FileSystemEntry[]> {

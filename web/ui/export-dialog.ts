@@ -1,12 +1,15 @@
 /** What to take along: an animation, one pose, a picture, a video, or the numbers; the size is stated before. */
-import { EXPORT } from '../engine/api/option-table.ts';
+import { EXPORT, USUAL_FRAMES } from '../engine/api/option-table.ts';
 import { button, checkbox, numberField, segments } from './controls.ts';
 import { h, memo, setField, setHidden, setText } from './dom.ts';
-import { frameCount } from '../model/frames.ts';
+import { frameCount } from '../engine/api/whole-frames.ts';
 import type { Range } from '../model/time-scale.ts';
 
 export type ExportKind = 'animation' | 'pose' | 'picture' | 'numbers';
-export type AnimationFormat = 'glb' | 'obj' | 'video';
+export type AnimationFormat = 'glb' | 'obj' | 'pc2' | 'mdd' | 'video';
+/** Of a GLB: as few as the tolerance allows, one for each frame, or the keys with in-betweens that are mixed. */
+export type Targets = 'few' | 'every' | 'principal';
+export type Compression = 'none' | 'quantized' | 'meshopt';
 export type PoseFormat = 'glb' | 'obj' | 'ply';
 export type PictureFormat = 'png' | 'turntable';
 export type VideoFormat = 'mp4' | 'webm';
@@ -21,6 +24,10 @@ export interface ExportRequest {
   numbers: NumbersFormat;
   /** null = the first that the browser can write. */
   video: VideoFormat | null;
+  targets: Targets;
+  /** In percent of the diagonal. */
+  tolerance: number;
+  compression: Compression;
   /** null = the whole frames of the timeline, or 60 where it has none. */
   frames: number | null;
   /** First and last time; null = what plays. */
@@ -30,7 +37,6 @@ export interface ExportRequest {
   inPlace: boolean;
 }
 
-const USUAL_FRAMES = EXPORT.frames.default;
 export const MAX_FRAMES = 2000;
 
 export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
@@ -40,6 +46,9 @@ export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
   picture: 'png',
   numbers: 'measures',
   video: null,
+  targets: 'few',
+  tolerance: EXPORT.tolerance.default,
+  compression: EXPORT.compression.default,
   frames: null,
   range: null,
   duration: null,
@@ -64,8 +73,12 @@ export interface ExportDialogEvents {
 
 const WORDS: Record<string, string> = {
   glb: 'Plays in Blender, three.js and most viewers, with the materials of the files. It is also the project: opened here again, it restores keys, times and options.',
-  obj: 'One OBJ per frame in a zip, in the order of vertices and faces of your files.',
+  obj: 'One OBJ per frame in a zip, with the vertices, polygons and materials of your files in their order.',
+  pc2: 'One OBJ and a point cache that moves its vertices, in a zip: exact in Mesh Cache of Blender and in Houdini.',
+  mdd: 'One OBJ and a point cache that moves its vertices, in a zip: for Blender, Cinema 4D, LightWave and Maya.',
   video: 'A video of the current view, played once.',
+  principal:
+    'The keys as morph targets, and a few in-betweens that bend what those would shrink. With a table of the weights over one slider, and drivers for Blender.',
   'pose-glb': 'The current shape, with the materials of the files.',
   'pose-obj': 'The current shape.',
   'pose-ply': 'The current shape, binary.',
@@ -106,9 +119,31 @@ export function createExportDialog(events: ExportDialogEvents): {
     [
       { value: 'glb', label: 'GLB' },
       { value: 'obj', label: 'OBJ frames' },
+      { value: 'pc2', label: 'PC2' },
+      { value: 'mdd', label: 'MDD' },
       { value: 'video', label: 'Video' },
     ],
     (value) => change({ animation: value }),
+  );
+  const targets = segments<Targets>(
+    'Morph targets',
+    'export-targets',
+    [
+      { value: 'few', label: 'As few as needed' },
+      { value: 'every', label: 'Every frame' },
+      { value: 'principal', label: 'In-betweens' },
+    ],
+    (value) => change({ targets: value }),
+  );
+  const compression = segments<Compression>(
+    'Numbers',
+    'export-compression',
+    [
+      { value: 'none', label: 'Exact' },
+      { value: 'quantized', label: '16 bits' },
+      { value: 'meshopt', label: 'Meshopt' },
+    ],
+    (value) => change({ compression: value }),
   );
   const pose = segments<PoseFormat>(
     'Format',
@@ -156,6 +191,13 @@ export function createExportDialog(events: ExportDialogEvents): {
     step: 1,
     onInput: (value) => change({ frames: Math.round(value) }),
   });
+  const tolerance = numberField({
+    label: 'Tolerance in percent of the diagonal',
+    testId: 'export-tolerance',
+    min: EXPORT.tolerance.least,
+    max: EXPORT.tolerance.most,
+    onInput: (value) => change({ tolerance: value }),
+  });
   const from = numberField({
     label: 'From',
     testId: 'export-from',
@@ -185,6 +227,7 @@ export function createExportDialog(events: ExportDialogEvents): {
   const row = (label: string, ...fields: Node[]): HTMLElement =>
     h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
   const framesRow = row('Frames', frames);
+  const toleranceRow = row('Off by at most, % of the diagonal', tolerance);
   const rangeRow = row('From, to', from, to);
   const durationRow = row('Seconds', duration);
   const about = h('p', { class: 'hint' });
@@ -217,9 +260,12 @@ export function createExportDialog(events: ExportDialogEvents): {
     numbers.element,
     video.element,
     about,
+    targets.element,
+    toleranceRow,
     framesRow,
     rangeRow,
     durationRow,
+    compression.element,
     inPlace.element,
     h('footer', {}, h('div', {}, plan, warnings), go),
   );
@@ -246,15 +292,22 @@ export function createExportDialog(events: ExportDialogEvents): {
     setHidden(picture.element, what !== 'picture');
     setHidden(numbers.element, what !== 'numbers');
     setHidden(video.element, !isVideo || formats.length < 2);
-    setHidden(framesRow, !files);
+    const glb = files && request.animation === 'glb';
+    targets.update(request.targets);
+    compression.update(request.compression);
+    setHidden(targets.element, !glb);
+    setHidden(compression.element, !glb);
+    setHidden(toleranceRow, !glb || request.targets === 'every');
+    setHidden(framesRow, !files || (glb && request.targets !== 'every'));
     setHidden(rangeRow, what !== 'animation');
     setHidden(
       durationRow,
-      !(what === 'animation' && request.animation !== 'obj') &&
+      !(what === 'animation' && request.animation !== 'obj' && request.animation !== 'pc2') &&
         !(what === 'picture' && request.picture === 'turntable'),
     );
     setHidden(inPlace.element, !files);
     inPlace.update(request.inPlace);
+    setField(tolerance, String(request.tolerance));
     setText(about, WORDS[wordsFor(request)] ?? '');
     const [start, end] = bounds();
     setField(frames, String(framesWanted(request, [start, end], props.fps)));
@@ -278,12 +331,7 @@ export function framesWanted({ frames }: ExportRequest, range: Range, fps: numbe
   return fps === null ? USUAL_FRAMES : Math.max(frameCount(range, fps), 2);
 }
 
-function wordsFor({ kind, animation, pose, picture, numbers }: ExportRequest): string {
+function wordsFor({ kind, animation, pose, picture, numbers, targets }: ExportRequest): string {
+  if (kind === 'animation' && animation === 'glb' && targets === 'principal') return 'principal';
   return { animation, pose: `pose-${pose}`, picture, numbers }[kind];
-}
-
-export function bytesText(bytes: number): string {
-  if (bytes < 1000) return `${bytes} B`;
-  if (bytes < 999_500) return `${(bytes / 1e3).toFixed(0)} kB`;
-  return bytes < 999.5e6 ? `${(bytes / 1e6).toFixed(bytes < 9.95e6 ? 1 : 0)} MB` : `${(bytes / 1e9).toFixed(2)} GB`;
 }

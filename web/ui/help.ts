@@ -1,10 +1,38 @@
-/** Help: what the page does, its keys, and where the method comes from. */
+/** Help: what the page does, its gestures and keys, and where the method comes from. */
 import { button, checkbox } from './controls.ts';
-import { h } from './dom.ts';
+import { h, setText } from './dom.ts';
 
 export interface ShortcutLine {
   keys: string;
   does: string;
+}
+
+const GESTURES: readonly ShortcutLine[] = [
+  { keys: 'Drag the shape', does: 'Turn it' },
+  { keys: 'Right drag  two fingers', does: 'Move it' },
+  { keys: 'Wheel  pinch', does: 'Zoom' },
+  { keys: 'Drag the timeline', does: 'Go through the motion, and beyond its ends' },
+  { keys: 'Wheel over the timeline', does: 'Zoom in time' },
+  { keys: 'Drag a diamond', does: 'Give a key another time' },
+  { keys: 'Drag a card', does: 'Give a key another place in the order' },
+];
+
+const BIBTEX = `@article{xia2019shapecompletion,
+  author  = {Xia, Qing and Chen, Chengju and Liu, Jiarui and Li, Shuai and Hao, Aimin and Qin, Hong},
+  title   = {Efficient 4D shape completion from sparse samples via cubic spline fitting in linear rotation-invariant space},
+  journal = {Computers \\& Graphics},
+  year    = {2019}
+}
+`;
+
+function lines(list: readonly ShortcutLine[], kind = ''): HTMLElement {
+  return h(
+    'dl',
+    { class: `shortcuts ${kind}` },
+    ...list.map(({ keys, does }) =>
+      h('div', {}, h('dt', {}, ...keys.split('  ').map((key) => h('kbd', {}, key))), h('dd', {}, does)),
+    ),
+  );
 }
 
 export function createHelp(
@@ -15,6 +43,20 @@ export function createHelp(
   open(): void;
   update(singleKeys: boolean): void;
 } {
+  const cite = button({
+    label: 'Copy the BibTeX entry of the paper',
+    testId: 'copy-bibtex',
+    icon: 'link',
+    text: 'Copy BibTeX',
+    kind: 'plain',
+    onClick: () =>
+      void navigator.clipboard
+        .writeText(BIBTEX)
+        .then(() => setText(cited, 'Copied.'))
+        .catch(() => setText(cited, BIBTEX)),
+  });
+  // Where the clipboard cannot be written to, the entry itself.
+  const cited = h('pre', { class: 'cited', role: 'status' });
   const switchOff = checkbox('Single-letter shortcuts', 'single-keys', onShortcuts);
   const element = h(
     'dialog',
@@ -30,19 +72,11 @@ export function createHelp(
       {},
       'Open two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Cubic splines run through rotations and stretches, not through positions, so that the shape bends and twists and hardly shrinks.',
     ),
-    h(
-      'p',
-      {},
-      'Drag the slider through the motion, and past both ends, where the motion is extrapolated. Drag the shape to turn it; the right button moves it, the wheel zooms. Your files stay on your machine.',
-    ),
+    h('p', {}, 'Your files stay on your machine.'),
+    h('h3', {}, 'Mouse and touch'),
+    lines(GESTURES, 'gestures'),
     h('h3', {}, 'Keyboard'),
-    h(
-      'dl',
-      { class: 'shortcuts' },
-      ...shortcuts.map(({ keys, does }) =>
-        h('div', {}, h('dt', {}, ...keys.split('  ').map((key) => h('kbd', {}, key))), h('dd', {}, does)),
-      ),
-    ),
+    lines(shortcuts),
     switchOff.element,
     h('h3', {}, 'The method'),
     h(
@@ -50,6 +84,8 @@ export function createHelp(
       {},
       'Cubic splines in linear rotation-invariant (LRI) shape space: Q. Xia, C. Chen, J. Liu, S. Li, A. Hao and H. Qin, “Efficient 4D shape completion from sparse samples via cubic spline fitting in linear rotation-invariant space”, Computers & Graphics, 2019.',
     ),
+    h('div', { class: 'button-row' }, cite),
+    cited,
     h(
       'p',
       {},

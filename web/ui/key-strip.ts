@@ -5,6 +5,7 @@ import type { Choice } from './controls.ts';
 import { button, numberField, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
+import { shortNames } from '../model/short-names.ts';
 import { MOST_TURNS, PER_KEY } from '../engine/api/option-table.ts';
 import type { KeyTurns, ShapingNumber } from '../model/shaping.ts';
 import { DEFAULT_SHAPING, SHAPING_NUMBERS, turnsOf } from '../model/shaping.ts';
@@ -47,7 +48,8 @@ export interface KeyStripEvents {
 
 interface Card {
   element: HTMLElement;
-  update(item: KeyItem, index: number, props: KeyStripProps): void;
+  /** `short`: its name without what all names begin with. */
+  update(item: KeyItem, index: number, props: KeyStripProps, short: string): void;
 }
 
 export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; update(props: KeyStripProps): void } {
@@ -78,16 +80,22 @@ export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; 
     editor.element,
   );
   const cards: Card[] = [];
+  // What is dragged is told to the page only when it is dropped.
+  const drag = { from: -1 };
+  const edit = (index: number, from: HTMLElement, time: number): void => {
+    if (editor.open(index, from)) events.onSeek(time);
+  };
   const draw = memo((next: KeyStripProps) => {
     while (cards.length > next.keys.length) cards.pop()?.element.remove();
+    const names = shortNames(next.keys.map(({ name }) => name));
     next.keys.forEach((item, index) => {
       let card = cards[index];
       if (!card) {
-        card = createCard(events, editor.open);
+        card = createCard(events, drag, edit);
         cards.push(card);
         list.append(card.element);
       }
-      card.update(item, index, next);
+      card.update(item, index, next, names[index]!);
     });
     setAttribute(element, 'data-empty', next.keys.length === 0);
     addCurrent.disabled = next.disabled || next.addReason !== null;
@@ -99,9 +107,14 @@ export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; 
   return { element, update: draw };
 }
 
-function createCard(events: KeyStripEvents, onEdit: (index: number, from: HTMLElement) => void): Card {
+function createCard(
+  events: KeyStripEvents,
+  dragged: { from: number },
+  onEdit: (index: number, from: HTMLElement, time: number) => void,
+): Card {
   let index = 0;
   let time = 0;
+  let removable = false;
   const image = h('img', { alt: '', draggable: 'false', width: 72, height: 54 });
   const badge = h('span', { class: 'badge' });
   const name = h('span', { class: 'key-name' });
@@ -113,33 +126,42 @@ function createCard(events: KeyStripEvents, onEdit: (index: number, from: HTMLEl
     name,
     when,
   );
-  const edit = h('button', { type: 'button', class: 'key-edit', onclick: () => onEdit(index, edit) }, icon('down'));
+  const edit = h(
+    'button',
+    { type: 'button', class: 'key-edit', onclick: () => onEdit(index, edit, time) },
+    icon('down'),
+  );
   const element = h('li', { class: 'key-card', draggable: 'true' }, go, edit);
 
   element.addEventListener('dragstart', (event) => {
+    dragged.from = index;
     event.dataTransfer?.setData('application/x-shapespline-key', String(index));
     if (event.dataTransfer) event.dataTransfer.effectAllowed = 'move';
   });
   element.addEventListener('dragover', (event) => {
     if (!event.dataTransfer?.types.includes('application/x-shapespline-key')) return;
     event.preventDefault();
-    element.classList.add('drop-target');
+    setAttribute(element, 'data-drop', dragged.from < index ? 'after' : 'before');
   });
-  element.addEventListener('dragleave', () => element.classList.remove('drop-target'));
+  element.addEventListener('dragleave', () => setAttribute(element, 'data-drop', null));
   element.addEventListener('drop', (event) => {
-    element.classList.remove('drop-target');
+    setAttribute(element, 'data-drop', null);
     const from = event.dataTransfer?.getData('application/x-shapespline-key');
     if (!from) return;
     event.preventDefault();
     event.stopPropagation();
     events.onMove(Number(from), index);
   });
+  go.addEventListener('keydown', (event) => {
+    if ((event.key === 'Delete' || event.key === 'Backspace') && removable) events.onRemove(index);
+  });
 
   return {
     element,
-    update(item, at, { range, time: now, disabled }) {
+    update(item, at, { range, time: now, disabled, canRemove }, short) {
       index = at;
       time = item.time;
+      removable = canRemove && !disabled;
       const current = Math.abs(now - item.time) <= SAME_TIME * length(range);
       setAttribute(element, 'data-testid', `key-${at}`);
       setAttribute(element, 'data-pose', item.pose);
@@ -158,7 +180,7 @@ function createCard(events: KeyStripEvents, onEdit: (index: number, from: HTMLEl
       setAttribute(image, 'src', item.thumbnail);
       setAttribute(image, 'hidden', item.thumbnail === null);
       setText(badge, String(at + 1));
-      setText(name, item.name);
+      setText(name, short);
       // Keys of an animation are named by their time already.
       const named = Math.abs(parseFloat(item.name) - item.time) <= 1e-3 * length(range) && item.name.endsWith(' s');
       setText(when, named ? '' : String(Number(formatTime(item.time, range))));
@@ -183,14 +205,16 @@ function componentChoices(count: number, turnsOf: (component: number) => number)
 
 interface Editor {
   element: HTMLElement;
-  /** `from`: what was pressed, where the focus goes back to. */
-  open(index: number, from: HTMLElement): void;
+  /** `from`: what was pressed, where the focus goes back to. False where that closes the editor. */
+  open(index: number, from: HTMLElement): boolean;
   update(props: KeyStripProps): void;
 }
 
 /** Not modal: the shape, and the time, can be moved while a key is changed. */
 function createEditor(events: KeyStripEvents): Editor {
   let index = 0;
+  /** The pose of the key that is edited: another time may give it another place. */
+  let pose: KeyRef['pose'] | null = null;
   let props: KeyStripProps | null = null;
   let opener: HTMLElement | null = null;
   const title = h('h2', {});
@@ -349,16 +373,22 @@ function createEditor(events: KeyStripEvents): Editor {
   return {
     element,
     open(at, from) {
-      if (!element.hidden && at === index) return close();
+      if (!element.hidden && at === index) {
+        close();
+        return false;
+      }
       index = at;
+      pose = props?.keys[at]?.pose ?? null;
       opener = from;
       element.hidden = false;
       draw();
       name.focus();
       name.select();
+      return true;
     },
     update(next) {
       props = next;
+      if (next.keys[index]?.pose !== pose) index = next.keys.findIndex((key) => key.pose === pose);
       draw();
     },
   };

@@ -44,6 +44,17 @@ export function createProgress(onCancel: () => void): { element: HTMLElement; up
   };
 }
 
+/** Where the shape has left the picture: how it comes back. */
+export function createFitHint(onFit: () => void): { element: HTMLElement; update(shown: boolean): void } {
+  const element = h(
+    'div',
+    { class: 'card progress', role: 'status', 'data-testid': 'out-of-view', hidden: true },
+    h('span', {}, 'The shape is out of view.'),
+    button({ label: 'Fit the view to the shape', testId: 'fit-hint', text: 'Fit', kind: 'plain', onClick: onFit }),
+  );
+  return { element, update: (shown) => setHidden(element, !shown) };
+}
+
 export interface ErrorMessage {
   /** One sentence: what, where, what to do. */
   message: string;
@@ -77,13 +88,13 @@ export function createErrorMessage(onClose: () => void): {
 
 export interface Offer {
   message: string;
-  /** What can be done about it. */
-  action: string;
-  onAccept(): void;
+  /** What can be done about it; absent where it is only said. */
+  action?: string;
+  onAccept?(): void;
 }
 
 /** Something that waits for the user's word, and goes when it is taken up or put off. */
-export function createOffer(testId: string): { element: HTMLElement; offer(offer: Offer): void } {
+export function createOffer(testId: string): { element: HTMLElement; offer(offer: Offer | null): void } {
   let current: Offer | null = null;
   const show = (now: Offer | null): void => {
     current = now;
@@ -92,7 +103,7 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
   const accept = (): void => {
     const taken = current;
     show(null);
-    taken?.onAccept();
+    taken?.onAccept?.();
   };
   const message = h('p', { class: 'message' });
   const action = button({
@@ -113,9 +124,12 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
   return {
     element,
     offer(now) {
-      setText(message, now.message);
-      setText(action, now.action);
-      setAttribute(action, 'aria-label', now.action);
+      if (now) {
+        setText(message, now.message);
+        setHidden(action, now.action === undefined);
+        setText(action, now.action ?? '');
+        setAttribute(action, 'aria-label', now.action ?? '');
+      }
       show(now);
     },
   };

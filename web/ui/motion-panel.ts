@@ -1,7 +1,9 @@
 /** How the keys are joined: the method, what stands beside it, and the boundary with what it asks for. */
 import type { Boundary, Method } from '../engine/api/types.ts';
 import type { Encoding, KeyRef, Motion } from '../model/state.ts';
+import type { Spacing } from '../model/edits.ts';
 import type { End } from '../model/speeds.ts';
+import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP } from '../model/speeds.ts';
 import { BOUNDARIES, DEFAULT_MOTION, METHODS, ignoresHermite } from '../model/state.ts';
 import type { Choice } from './controls.ts';
@@ -40,11 +42,19 @@ const BOUNDARY_WORDS: Record<Boundary, { label: string; hint: string }> = {
   periodic: { label: 'Periodic', hint: 'A closed loop without a seam.' },
 };
 
+const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] = [
+  { value: 'even', text: 'Evenly', hint: 'Intervals of equal length' },
+  { value: 'root', text: 'Softly', hint: 'Intervals as the square root of how different the poses are' },
+  { value: 'difference', text: 'By difference', hint: 'Intervals as how different the poses are: an even pace' },
+];
+
 export interface MotionPanelProps {
   motion: Motion;
   encoding: Encoding;
   compare: readonly Method[];
   keys: readonly KeyRef[];
+  /** Mean tension of the keys. */
+  tightness: number;
   /** The default period, for the field's placeholder. */
   period: number;
   disabled: boolean;
@@ -57,6 +67,11 @@ export interface MotionPanelEvents {
   onSpeed(end: End, speed: number): void;
   onEncoding(change: Partial<Encoding>): void;
   onCompare(methods: Method[]): void;
+  /** The same tension for every key. */
+  onTightness(tension: number): void;
+  /** As much as keeps the motion from overshooting. */
+  onAutoTightness(): void;
+  onSpacing(spacing: Spacing): void;
   onReset(): void;
 }
 
@@ -108,6 +123,36 @@ export function createMotionPanel(events: MotionPanelEvents): {
     onClick: () => events.onMotion({ period: null }),
   });
   const periodic = h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Period'), period, periodReset);
+  const tightness = slider({
+    label: 'Tightness',
+    testId: 'tightness',
+    hint: 'Tension of all keys: 0 passes them smoothly, to the right with less overshoot, stopping at each at 1; to the left livelier',
+    min: -1,
+    max: 1,
+    step: 0.05,
+    fallback: DEFAULT_SHAPING.tension,
+    onInput: (value) => events.onTightness(value),
+  });
+  const auto = button({
+    label: 'Tension at each key as much as keeps the motion from overshooting it',
+    testId: 'tightness-auto',
+    text: 'No overshoot',
+    kind: 'plain',
+    onClick: () => events.onAutoTightness(),
+  });
+  const tight = h('div', { class: 'group' }, tightness.element, h('div', { class: 'button-row' }, auto));
+  const spacing = h(
+    'div',
+    { class: 'field', role: 'group', 'aria-label': 'Space keys' },
+    h('span', { class: 'label' }, 'Space keys'),
+    h(
+      'div',
+      { class: 'button-row' },
+      ...SPACING_WORDS.map(({ value, text, hint }) =>
+        button({ label: hint, testId: `space-${value}`, text, kind: 'plain', onClick: () => events.onSpacing(value) }),
+      ),
+    ),
+  );
   const reset = button({
     label: 'Reset the motion to what it was when opened',
     testId: 'motion-reset',
@@ -130,6 +175,8 @@ export function createMotionPanel(events: MotionPanelEvents): {
     boundaryHint,
     hermite,
     periodic,
+    tight,
+    spacing,
   );
 
   const draw = memo((props: MotionPanelProps) => {
@@ -155,6 +202,8 @@ export function createMotionPanel(events: MotionPanelEvents): {
     const poses = poseChoices(props.keys, 'the next key');
     startTangent.update(String(props.encoding.startTangentPose ?? ''), poses);
     endTangent.update(String(props.encoding.endTangentPose ?? ''), poseChoices(props.keys, 'the key before'));
+    tightness.update(Number(props.tightness.toFixed(3)));
+    setHidden(tight, ignoresHermite(motion.method));
     setField(period, String(Number((motion.period ?? props.period).toFixed(4))));
     periodReset.disabled = motion.period === null;
     setAttribute(periodReset, 'data-idle', motion.period === null);

@@ -1,17 +1,17 @@
 /** Under a timeline that is zoomed into: where its window lies in the whole; dragged, it moves the window. */
 import { h, setHidden, setStyle } from './dom.ts';
-import type { Range } from '../model/time-scale.ts';
-import { length, limits } from '../model/time-scale.ts';
+import type { Range, TimeScale } from '../model/time-scale.ts';
+import { length } from '../model/time-scale.ts';
 import { panned } from '../model/time-window.ts';
 import { drag } from './pointer.ts';
 
 export interface Overview {
   element: HTMLElement;
-  update(range: Range, window: Range): void;
+  update(scale: TimeScale, window: Range): void;
 }
 
 export function createOverview(onWindow: (window: Range | null) => void): Overview {
-  let range: Range = [0, 1];
+  let scale: TimeScale = { range: [0, 1], whole: [0, 1] };
   let shown: Range = [0, 1];
   const thumb = h('div', { class: 'overview-thumb' });
   const element = h(
@@ -26,9 +26,9 @@ export function createOverview(onWindow: (window: Range | null) => void): Overvi
         if (event.button !== 0) return;
         event.preventDefault();
         const start = shown;
-        const scale = length(limits(range)) / element.clientWidth;
+        const perPixel = length(scale.whole) / element.clientWidth;
         drag(element, event, {
-          onMove: (move) => onWindow(panned(start, range, (move.clientX - event.clientX) * scale)),
+          onMove: (move) => onWindow(panned(start, scale, (move.clientX - event.clientX) * perPixel)),
         });
       },
     },
@@ -36,10 +36,10 @@ export function createOverview(onWindow: (window: Range | null) => void): Overvi
   );
   return {
     element,
-    update(nextRange, window) {
-      range = nextRange;
+    update(next, window) {
+      scale = next;
       shown = window;
-      const whole = limits(range);
+      const { whole } = scale;
       setHidden(element, length(window) >= length(whole) * (1 - 1e-9));
       setStyle(thumb, 'left', `${(100 * (window[0] - whole[0])) / length(whole)}%`);
       setStyle(thumb, 'width', `${(100 * length(window)) / length(whole)}%`);

@@ -5,6 +5,7 @@ import { DEFAULT_ENCODING } from '../model/state.ts';
 import type { Choice } from './controls.ts';
 import { button, keyLabel, numberField, segments, select } from './controls.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
+import { createObjectList } from './object-list.ts';
 import { createOrientation } from './orientation.ts';
 import type { Orientation } from './orientation.ts';
 import { createSampling } from './sampling.ts';
@@ -18,10 +19,12 @@ export interface ShapePanelProps {
   /** That work on a frame. */
   threads: number | null;
   lriMethod: boolean;
-  /** The keys may be taken from the file's animation anew. */
+  /** The user's own files are open: keys and objects may be taken from them anew. */
   canSample: boolean;
   /** How files were read that do not say it themselves; null where there are none. */
   orientation: Orientation | null;
+  /** Of the objects that the files hold those that were taken; empty for all of them. */
+  objects: readonly string[];
   /** What the reset button goes back to. */
   defaults: Encoding;
   disabled: boolean;
@@ -32,7 +35,10 @@ export interface ShapePanelEvents {
   onReset(): void;
   onSample(animation: number, times: number[]): void;
   onOrient(orientation: Orientation): void;
+  onObjects(names: string[]): void;
 }
+
+const NO_NAMES: readonly string[] = [];
 
 const STRETCHES: readonly Choice<Stretch>[] = [
   { value: 'linear', label: 'Linear', hint: 'Blends stretches, as in the paper' },
@@ -66,6 +72,7 @@ export function createShapePanel(
   const facts = h('dl', { class: 'facts' });
   const sampling = createSampling(events.onSample);
   const orientation = createOrientation(events.onOrient);
+  const objects = createObjectList(events.onObjects);
   const element = h(
     'section',
     { class: 'panel', 'aria-labelledby': 'shape-title', 'data-testid': 'panel-shape' },
@@ -88,6 +95,7 @@ export function createShapePanel(
     ),
     sampling.element,
     orientation.element,
+    objects.element,
     ghost,
     h('details', { class: 'details', 'data-testid': 'mesh-report' }, h('summary', {}, 'Mesh details'), facts),
   );
@@ -116,6 +124,7 @@ export function createShapePanel(
     setAttribute(reset, 'data-idle', !touched);
     sampling.update(props.canSample ? info : null);
     orientation.update(props.orientation);
+    objects.update({ names: props.canSample ? (info?.objects ?? NO_NAMES) : NO_NAMES, taken: props.objects });
     drawFacts(facts, info, stats, props.threads);
   });
   return { element, update: draw };

@@ -6,8 +6,8 @@
  */
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import type { End } from '../model/speeds.ts';
-import type { Phase, Range } from '../model/time-scale.ts';
-import { clamp, clampKeyTime, clampTime, length, limits, snap } from '../model/time-scale.ts';
+import type { Phase, Range, TimeScale } from '../model/time-scale.ts';
+import { clamp, clampKeyTime, clampTime, length, snap } from '../model/time-scale.ts';
 import { formatMoment, loopRange, nearestFrameTime, steppedFrameTime } from '../model/frames.ts';
 import { fractionIn, panned, revealing, ruler, timeIn, windowOf, zoomed } from '../model/time-window.ts';
 import { createLoopHandles } from './loop-handles.ts';
@@ -20,11 +20,12 @@ import { createSpeedHandles } from './speed-handles.ts';
 const SNAP_PX = 7;
 /** Pixels that a press on a tick may move and still be a click. */
 const CLICK_PX = 4;
+/** Pixels that the number of a key takes. */
+const NUMBER_PX = 20;
 /** Pixels that a number of the ruler takes. */
 const RULER_PX = 72;
 
-export interface TimelineProps {
-  range: Range;
+export interface TimelineProps extends TimeScale {
   keys: readonly { time: number; name: string }[];
   time: number;
   playing: boolean;
@@ -34,7 +35,7 @@ export interface TimelineProps {
   fps: number | null;
   /** What plays; null = the range of the keys. */
   between: Range | null;
-  /** What is shown; null = all. */
+  /** What is shown; null = the whole. */
   window: Range | null;
   /** Hermite: how fast the motion leaves the first key and arrives at the last; null = another boundary. */
   speeds: SpeedHandlesProps['speeds'];
@@ -58,7 +59,7 @@ export interface Timeline {
 
 export function createTimeline(events: TimelineEvents): Timeline {
   let props: TimelineProps | null = null;
-  const shown = (): Range => windowOf(props!.window, props!.range);
+  const shown = (): Range => windowOf(props!.window, props!);
   // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
   const setWindow = (window: Range | null): void => {
     if (props) props = { ...props, window };
@@ -137,11 +138,10 @@ export function createTimeline(events: TimelineEvents): Timeline {
 
   listenToGestures(element, {
     onZoom: (factor, x) => {
-      if (props && !props.disabled) setWindow(zoomed(shown(), props.range, factor, timeAt(x)));
+      if (props && !props.disabled) setWindow(zoomed(shown(), props, factor, timeAt(x)));
     },
     onPan: (pixels) => {
-      if (props && !props.disabled)
-        setWindow(panned(shown(), props.range, (-pixels / track.clientWidth) * length(shown())));
+      if (props && !props.disabled) setWindow(panned(shown(), props, (-pixels / track.clientWidth) * length(shown())));
     },
   });
 
@@ -170,20 +170,26 @@ export function createTimeline(events: TimelineEvents): Timeline {
     });
   };
 
-  const drawTicks = memo(({ keys, range, window, fps }: Pick<TimelineProps, 'keys' | 'range' | 'fps' | 'window'>) => {
-    const part = windowOf(window, range);
-    while (ticks.children.length > keys.length) ticks.lastElementChild?.remove();
-    keys.forEach((key, index) => {
-      const tick = (ticks.children[index] ?? ticks.appendChild(makeTick(index))) as HTMLElement;
-      place(tick, key.time, part);
-      setAttribute(
-        tick,
-        'title',
-        `Key ${index + 1}, ${key.name}, at ${formatMoment(key.time, range, fps)}: click to go there, drag to move it in time`,
-      );
-      setAttribute(tick, 'data-time', key.time);
-    });
-  });
+  const drawTicks = memo(
+    ({ keys, range, part, fps, width }: Pick<TimelineProps, 'keys' | 'range' | 'fps'> & Part & { width: number }) => {
+      let numbered = -Infinity;
+      while (ticks.children.length > keys.length) ticks.lastElementChild?.remove();
+      keys.forEach((key, index) => {
+        const tick = (ticks.children[index] ?? ticks.appendChild(makeTick(index))) as HTMLElement;
+        place(tick, key.time, part);
+        setAttribute(
+          tick,
+          'title',
+          `Key ${index + 1}, ${key.name}, at ${formatMoment(key.time, range, fps)}: click to go there, drag to move it in time`,
+        );
+        setAttribute(tick, 'data-time', key.time);
+        const x = fractionIn(key.time, part) * width;
+        const room = x - numbered >= NUMBER_PX || width === 0;
+        setAttribute(tick, 'data-unnumbered', !room);
+        if (room) numbered = x;
+      });
+    },
+  );
 
   const makeTick = (index: number): HTMLElement =>
     h(
@@ -201,13 +207,14 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const drawRange = memo(
     ({
       range,
-      window,
+      whole,
+      part,
       between,
       periodic,
       disabled,
-    }: Pick<TimelineProps, 'range' | 'window' | 'between' | 'periodic' | 'disabled'>) => {
-      const [low, high] = limits(range);
-      const part = windowOf(window, range);
+    }: Pick<TimelineProps, 'range' | 'whole' | 'between' | 'periodic' | 'disabled'> & Part) => {
+      const low = Math.min(whole[0], part[0]);
+      const high = Math.max(whole[1], part[1]);
       const loop = loopRange(between, range);
       stretch(before.element, low, range[0], part);
       stretch(keyRange, range[0], range[1], part);
@@ -220,15 +227,14 @@ export function createTimeline(events: TimelineEvents): Timeline {
       setAttribute(slider, 'data-periodic', periodic);
       before.label(periodic ? REPEATS : ['Before the first key (extrapolated)', 'Extrapolated', 'Before']);
       after.label(periodic ? REPEATS : ['Beyond the last key (extrapolated)', 'Extrapolated', 'Beyond']);
-      setAttribute(element, 'data-zoomed', window !== null);
-      overview.update(range, part);
+      setAttribute(element, 'data-zoomed', length(part) < length(whole));
+      overview.update({ range, whole }, part);
     },
   );
 
   const drawRuler = memo(
-    ({ range, window, fps, width }: Pick<TimelineProps, 'range' | 'window' | 'fps'> & { width: number }) => {
-      const needed = width > 0 && (window !== null || fps !== null);
-      const part = windowOf(window, range);
+    ({ zoomed, part, fps, width }: Pick<TimelineProps, 'fps'> & Part & { zoomed: boolean; width: number }) => {
+      const needed = width > 0 && (zoomed || fps !== null);
       const unit = fps ?? 1;
       const numbers = needed
         ? ruler([part[0] * unit, part[1] * unit], width / RULER_PX).filter((n) => fps === null || Number.isInteger(n))
@@ -247,16 +253,18 @@ export function createTimeline(events: TimelineEvents): Timeline {
   let width = 0;
   new ResizeObserver(() => {
     width = track.clientWidth;
-    if (props) drawRuler({ range: props.range, window: props.window, fps: props.fps, width });
+    if (!props) return;
+    drawRuler({ zoomed: props.window !== null, part: shown(), fps: props.fps, width });
+    drawTicks({ ...props, part: shown(), width });
   }).observe(track);
 
   /** The playhead stays in sight wherever it goes, unless the user has panned away from a motion that plays. */
   const follow = (last: TimelineProps | null, next: TimelineProps): void => {
     if (!last || next.window === null || last.time === next.time || next.window !== last.window) return;
-    const part = windowOf(next.window, next.range);
+    const part = windowOf(next.window, next);
     const sees = (t: number): boolean => t >= part[0] && t <= part[1];
     if (!sees(next.time) && (sees(last.time) || !next.playing))
-      events.onWindow(revealing(part, next.range, clampTime(next.time, next.range)));
+      events.onWindow(revealing(part, next, clampTime(next.time, next.range)));
   };
 
   return {
@@ -265,11 +273,11 @@ export function createTimeline(events: TimelineEvents): Timeline {
     update(next) {
       const last = props;
       props = next;
-      const { range, keys, periodic, disabled, fps, between, window, speeds, phase } = next;
-      const part = windowOf(window, range);
-      drawRange({ range, window, between, periodic, disabled });
-      drawTicks({ keys, range, window, fps });
-      drawRuler({ range, window, fps, width });
+      const { range, whole, keys, periodic, disabled, fps, between, window, speeds, phase } = next;
+      const part = windowOf(window, next);
+      drawRange({ range, whole, part, between, periodic, disabled });
+      drawTicks({ keys, range, part, fps, width });
+      drawRuler({ zoomed: window !== null, part, fps, width });
       handles.update({ range, window: part, between: loopRange(between, range), fps, disabled });
       speedHandles.update({ speeds, range, window: part });
       if (disabled) setHidden(playhead, true);
@@ -284,6 +292,11 @@ export function createTimeline(events: TimelineEvents): Timeline {
       follow(last, next);
     },
   };
+}
+
+/** The stretch of time that is shown. */
+interface Part {
+  part: Range;
 }
 
 /** From the longest to the shortest; the style sheet shows the one that fits. */
@@ -326,8 +339,11 @@ function round(value: number): number {
 }
 
 /** Where a key press takes the playhead, or null when the key means something else. */
-export function keyboardStep(event: KeyboardEvent, time: number, range: Range, fps: number | null): number | null {
-  const [low, high] = limits(range);
+export function keyboardStep(event: KeyboardEvent, time: number, scale: TimeScale, fps: number | null): number | null {
+  const {
+    range,
+    whole: [low, high],
+  } = scale;
   const step = (by: number): number =>
     clampTime(fps === null ? time + 0.01 * by * length(range) : steppedFrameTime(time, fps, by), range);
   switch (event.key) {

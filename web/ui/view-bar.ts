@@ -10,12 +10,15 @@ export interface ViewBarProps {
   view: View;
   /** The import has texture or materials worth showing. */
   hasTexture: boolean;
+  /** Which axis is up where the files do not say it themselves. */
+  up: 'y' | 'z' | null;
   disabled: boolean;
 }
 
 export interface ViewBarEvents {
   onFit(view: ViewName | null): void;
   onView(change: Partial<View>): void;
+  onUp(up: 'y' | 'z'): void;
 }
 
 export function createViewBar(events: ViewBarEvents): {
@@ -80,6 +83,14 @@ export function createViewBar(events: ViewBarEvents): {
     kind: 'plain',
     onClick: () => events.onFit(null),
   });
+  let up: ViewBarProps['up'] = null;
+  const stand = button({
+    label: 'Stand the shape up, or lay it down: these files do not say which axis is up',
+    testId: 'stand-up',
+    text: 'Stand up',
+    kind: 'plain',
+    onClick: () => events.onUp(up === 'z' ? 'y' : 'z'),
+  });
   const bar = h(
     'div',
     { class: 'view-buttons', role: 'toolbar', 'aria-label': 'View' },
@@ -87,13 +98,17 @@ export function createViewBar(events: ViewBarEvents): {
     view('front', 'Front', '1'),
     view('top', 'Top', '7'),
     view('right', 'Right', '3'),
+    stand,
     toggle,
   );
   const element = h('div', { class: 'view-bar' }, look, bar);
 
   const toggleLook = popover(element, toggle, look);
 
-  const draw = memo(({ view: state, hasTexture, disabled }: ViewBarProps) => {
+  const draw = memo(({ view: state, hasTexture, up: present, disabled }: ViewBarProps) => {
+    up = present;
+    setHidden(stand, up === null);
+    setAttribute(stand, 'aria-pressed', String(up === 'z'));
     colouring.update(state.colouring, hasTexture ? {} : { texture: 'The files have no textures or colours.' });
     shading.update(state.shading);
     wireframe.update(state.wireframe);

@@ -1,5 +1,5 @@
 /** What is in the picture: the shapes, one per view, onion skins or a film strip, and the ghost mesh. */
-import { Group } from 'three';
+import { Group, Layers } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import { GhostView } from './ghost.ts';
 import { Shape, topologyOf } from './shape.ts';
@@ -10,6 +10,13 @@ import type { Extra, GhostPicture, Look } from './types.ts';
 /** How long a shape takes to go over into the exact one. */
 const EASE_MS = 150;
 const DEFAULT_LOOK: Look = { colouring: 'phase', shading: 'smooth', wireframe: false, floor: true, dark: false };
+
+/**
+ * Layers of the scene. Light and floor are on layer 0, as everything that says nothing else; then come onion skins or a
+ * film strip, then the shape of each view.
+ */
+const EXTRAS = 1;
+const FIRST_SHAPE = 2;
 
 export class Contents {
   readonly object = new Group();
@@ -39,13 +46,16 @@ export class Contents {
     return this.easedSince !== null;
   }
 
+  /** Resolves once what is open is seen in its own textures. */
+  textured: Promise<void> = Promise.resolve();
+
   /** A new import: fresh buffers. */
   setImport(info: KeysInfo): void {
     this.clear();
     for (const texture of this.topology?.textures ?? []) texture?.dispose();
     this.topology = topologyOf(info);
     this.patchColours = null;
-    void this.loadTextures(this.topology);
+    this.textured = this.loadTextures(this.topology);
   }
 
   /** How many shapes are shown side by side; those that exist keep their frame. */
@@ -53,7 +63,7 @@ export class Contents {
     if (!this.topology) return;
     while (this.shapes.length > count) this.shapes.pop()?.dispose();
     while (this.shapes.length < count) {
-      const shape = this.addShape();
+      const shape = this.addShape(FIRST_SHAPE + this.shapes.length);
       shape.setPatchColours(this.patchColours);
       shape.setLook(this.current);
       shape.object.visible = false;
@@ -80,7 +90,7 @@ export class Contents {
   setExtras(extras: readonly Extra[], instead = false): void {
     if (!extras.every(({ positions }) => this.fits(positions))) return;
     while (this.extras.length > extras.length) this.extras.pop()?.dispose();
-    while (this.extras.length < extras.length && this.topology) this.extras.push(this.addShape());
+    while (this.extras.length < extras.length && this.topology) this.extras.push(this.addShape(EXTRAS));
     extras.forEach((extra, index) => {
       const shape = this.extras[index];
       if (!shape) return;
@@ -123,7 +133,7 @@ export class Contents {
     const shape = this.shapes[0];
     if (!ghost || !this.ghost?.fits(ghost)) {
       this.ghost?.dispose();
-      this.ghost = ghost && new GhostView(ghost);
+      this.ghost = ghost && new GhostView(ghost, FIRST_SHAPE);
       if (this.ghost) this.object.add(this.ghost.object);
     }
     if (ghost && shape) this.ghost?.setFrame(ghost, shape.positions, this.current.dark);
@@ -142,6 +152,18 @@ export class Contents {
     return shape?.object.visible ? shape.positions.slice() : new Float32Array();
   }
 
+  /** So many vertices of the first view's shape, or all, or none before its first frame. */
+  sample(count: number): Float32Array {
+    const shape = this.shapes[0];
+    if (!shape?.object.visible) return new Float32Array();
+    const all = shape.positions;
+    const step = 3 * Math.max(Math.floor(all.length / 3 / count), 1);
+    return Float32Array.from(
+      { length: 3 * Math.ceil(all.length / step) },
+      (_, i) => all[Math.floor(i / 3) * step + (i % 3)]!,
+    );
+  }
+
   /** The clock starts with the first drawing: large shapes take a moment to reach the graphics card. */
   ease(now: number): void {
     if (this.easedSince === null) return;
@@ -151,35 +173,22 @@ export class Contents {
     if (share === 1) this.easedSince = null;
   }
 
-  /** Draws each view with what belongs to it. Onion skins and film strip belong to the first view's motion. */
-  eachView(count: number, draw: (view: number) => void): void {
-    this.restoring(() => {
-      const visible = this.shapes.map((shape) => shape.object.visible);
-      for (let view = 0; view < count; view += 1) {
-        const hidden = this.hideShapes && view === 0;
-        for (const extra of this.extras) extra.object.visible = view === 0;
-        if (this.ghost) this.ghost.object.visible = view === 0 && !hidden;
-        this.shapes.forEach((shape, index) => {
-          shape.object.visible = visible[index]! && index === view && !hidden;
-        });
-        draw(view);
-      }
-    });
+  /** What a view shows. Onion skins, film strip and ghost belong to the first view's motion. */
+  layersOf(view: number): Layers {
+    const layers = new Layers();
+    if (view === 0) layers.enable(EXTRAS);
+    if (view > 0 || !this.hideShapes) layers.enable(FIRST_SHAPE + view);
+    return layers;
   }
 
-  /** Draws one further shape alone, or nothing where it is of another import. */
-  alone<T>(positions: Float32Array, normals: Float32Array, colour: string, draw: () => T): T | null {
+  /** A further shape for a picture of its own, to be disposed of; null for a frame of another import. */
+  shapeOf(positions: Float32Array, normals: Float32Array, colour: string): Shape | null {
     if (!this.topology || !this.fits(positions)) return null;
-    return this.restoring(() => {
-      for (const other of this.drawn) other.object.visible = false;
-      const shape = this.addShape();
-      shape.setFrame(positions, normals);
-      shape.setLook({ ...this.current, wireframe: false });
-      shape.setColour(colour);
-      const result = draw();
-      shape.dispose();
-      return result;
-    });
+    const shape = new Shape(this.topology);
+    shape.setFrame(positions, normals);
+    shape.setLook({ ...this.current, wireframe: false });
+    shape.setColour(colour);
+    return shape;
   }
 
   clear(): void {
@@ -192,26 +201,12 @@ export class Contents {
     this.easedSince = null;
   }
 
-  private get drawn(): { object: { visible: boolean } }[] {
-    return [...this.shapes, ...this.extras, ...(this.ghost ? [this.ghost] : [])];
-  }
-
-  /** What is visible is so again after the work. */
-  private restoring<T>(work: () => T): T {
-    const before = this.drawn.map(({ object }) => [object, object.visible] as const);
-    try {
-      return work();
-    } finally {
-      for (const [object, visible] of before) object.visible = visible;
-    }
-  }
-
   private fits(positions: Float32Array): boolean {
     return positions.length === 3 * (this.topology?.vertices ?? -1);
   }
 
-  private addShape(): Shape {
-    const shape = new Shape(this.topology!);
+  private addShape(layer: number): Shape {
+    const shape = new Shape(this.topology!, layer);
     shape.setLook(this.current);
     this.object.add(shape.object);
     return shape;

@@ -48,7 +48,7 @@ export class GhostView {
   private readonly lines = new Group();
 
   /** For one mesh; `fits` tells whether another picture is of the same one. */
-  constructor({ faces, positions, vertexOf }: GhostPicture) {
+  constructor({ faces, positions, vertexOf }: GhostPicture, layer: number) {
     this.faces = faces;
     this.links = spread(positions, Math.min(LINKS, vertexOf.length));
     this.positions = dynamic(positions.length / 3);
@@ -64,6 +64,7 @@ export class GhostView {
     this.object.add(this.overlay, this.beside, this.lines);
     this.object.traverse((part) => {
       part.frustumCulled = false;
+      part.layers.set(layer);
     });
   }
 

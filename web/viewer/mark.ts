@@ -37,13 +37,14 @@ export class Mark {
   });
 
   /** index: 3 drawn vertices a face. */
-  constructor(index: Uint32Array, shape: BufferGeometry, easing: Easing) {
+  constructor(index: Uint32Array, shape: BufferGeometry, easing: Easing, layer: number) {
     this.geometry.setIndex(new BufferAttribute(index, 1));
     this.follow(shape);
     for (const material of [this.seen, this.hidden]) {
       easing.install(material);
       const mesh = new Mesh(this.geometry, material);
       mesh.frustumCulled = false;
+      mesh.layers.set(layer);
       this.object.add(mesh);
     }
   }

@@ -64,7 +64,11 @@ export class Shape {
   private readonly mesh: Mesh;
   private readonly wire: Mesh;
 
-  constructor(private readonly topology: Topology) {
+  /** Drawn by cameras that see the layer. */
+  constructor(
+    private readonly topology: Topology,
+    private readonly layer = 0,
+  ) {
     const drawn = topology.vertices + (topology.scene.seams?.copyOf.length ?? 0);
     this.position = dynamic(drawn);
     this.normal = dynamic(drawn);
@@ -78,7 +82,10 @@ export class Shape {
     this.wire = new Mesh(this.geometry, this.lines);
     this.mesh.castShadow = true;
     for (const material of [this.plain, this.lines]) this.easing.install(material);
-    for (const mesh of [this.mesh, this.wire]) mesh.frustumCulled = false;
+    for (const mesh of [this.mesh, this.wire]) {
+      mesh.frustumCulled = false;
+      mesh.layers.set(layer);
+    }
     this.object.add(this.mesh, this.wire);
   }
 
@@ -128,7 +135,7 @@ export class Shape {
   /** Marks faces, 3 drawn vertices each, over every colouring; null takes the mark away. */
   setMark(index: Uint32Array | null): void {
     this.mark?.dispose();
-    this.mark = index && new Mark(index, this.geometry, this.easing);
+    this.mark = index && new Mark(index, this.geometry, this.easing, this.layer);
     if (this.mark) this.object.add(this.mark.object);
   }
 

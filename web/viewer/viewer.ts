@@ -1,12 +1,14 @@
 /** The picture: what it shows in one to four views with one camera, drawn only when something changed. */
 import { NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
+import type { Layers } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../model/camera.ts';
-import { CameraRig, NO_INSETS } from './camera.ts';
-import type { Insets } from './camera.ts';
+import { CameraRig } from './camera.ts';
 import { Contents } from './contents.ts';
+import type { Insets } from './fit.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
+import { Thumbnails } from './thumbnails.ts';
 import { tiles } from './tiles.ts';
 import type { Extra, GhostPicture, Look, Rect } from './types.ts';
 
@@ -21,6 +23,8 @@ export interface ViewerEvents {
   covered(views: number): { top: number; bottom: number };
 }
 
+/** Vertices that tell whether a shape is seen. */
+const SAMPLED = 300;
 /** The largest share of a view's height that is given to what lies over it. */
 const MOST_COVERED = 0.4;
 
@@ -31,7 +35,7 @@ export class Viewer {
   private readonly stage = new Stage();
   private readonly rig: CameraRig;
   private readonly contents = new Contents(() => this.invalidate());
-  private home: { bounds: Bounds; points: Float32Array; radius: number } | null = null;
+  private readonly thumbnails: Thumbnails;
   private pending = 0;
   private waiting: (() => void)[] = [];
   private readonly resize: ResizeObserver;
@@ -47,6 +51,7 @@ export class Viewer {
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.setClearColor(0x000000, 0);
     this.renderer.autoClear = false;
+    this.thumbnails = new Thumbnails(this.renderer);
     this.canvas = this.renderer.domElement;
     host.append(this.canvas);
     this.scene.add(this.stage.object, this.contents.object);
@@ -74,8 +79,14 @@ export class Viewer {
   setImport(info: KeysInfo, bounds: Bounds, points: Float32Array): void {
     this.contents.setImport(info);
     this.stage.setBounds(bounds);
-    this.home = { bounds, points, radius: radiusOf(bounds) };
-    this.rig.setPoints(points, this.home.radius);
+    const extent = { points, radius: radiusOf(bounds) };
+    this.thumbnails.setExtent(bounds, extent);
+    this.rig.setExtent(extent);
+  }
+
+  /** Resolves once what is open is seen in its own textures. */
+  textured(): Promise<void> {
+    return this.contents.textured;
   }
 
   get views(): number {
@@ -141,7 +152,7 @@ export class Viewer {
   /** Lets light, floor and fitted views follow other shapes than the keys: what is extrapolated, a film strip. */
   setExtent(bounds: Bounds, points: Float32Array): void {
     this.stage.setBounds(bounds);
-    this.rig.setPoints(points, radiusOf(bounds));
+    this.rig.setExtent({ points, radius: radiusOf(bounds) });
     this.invalidate();
   }
 
@@ -185,6 +196,20 @@ export class Viewer {
     return result;
   }
 
+  /** Whether anything of the shape is in the picture; true where none is drawn. A sample of the vertices tells. */
+  seesShape(): boolean {
+    const [rect] = this.rects();
+    const points = this.contents.sample(SAMPLED);
+    if (!rect || points.length === 0) return true;
+    const places = this.project(points);
+    for (let i = 0; i < places.length; i += 2) {
+      const x = places[i]! - rect.x;
+      const y = places[i + 1]! - rect.y;
+      if (x >= 0 && x <= rect.width && y >= 0 && y <= rect.height) return true;
+    }
+    return false;
+  }
+
   /** The parts of the canvas that the views take, in CSS pixels. */
   rects(): Rect[] {
     return tiles(
@@ -216,12 +241,13 @@ export class Viewer {
     return use(this.canvas);
   }
 
-  /** A small picture of one shape in the current look, as a data URL. */
+  /** A small picture of one shape in the current look, as a data URL; empty for a frame of another import. */
   thumbnail(positions: Float32Array, normals: Float32Array, width: number, height: number, colour: string): string {
-    const picture = this.contents.alone(positions, normals, colour, () => this.drawHome(width, height));
-    // Before the browser shows the canvas again: several pictures in a row cost one drawing.
-    if (picture !== null) this.invalidate();
-    return picture ?? '';
+    const shape = this.contents.shapeOf(positions, normals, colour);
+    if (!shape) return '';
+    const picture = this.thumbnails.draw(shape, width, height, this.contents.look.dark);
+    shape.dispose();
+    return picture;
   }
 
   dispose(): void {
@@ -264,36 +290,13 @@ export class Viewer {
     this.pending = 0;
     this.contents.ease(performance.now());
     if (this.contents.easing) this.invalidate();
-    const rects = this.rects();
-    this.contents.eachView(rects.length, (view) => this.renderOne(rects[view]!));
+    this.rects().forEach((rect, view) => this.renderOne(rect, this.contents.layersOf(view)));
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();
   }
 
-  /** From where a new import is seen. Uses a corner of the canvas, where the picture has to be drawn again. */
-  private drawHome(width: number, height: number): string {
-    const { clientWidth, clientHeight } = this.host;
-    const scale = Math.min(1, clientWidth / width, clientHeight / height);
-    const [w, h] = [Math.max(Math.floor(width * scale), 1), Math.max(Math.floor(height * scale), 1)];
-    const before = this.rig.extent();
-    const pose = this.rig.pose();
-    const insets = this.rig.setInsets(NO_INSETS);
-    const { floor, dark } = this.contents.look;
-    if (this.home) this.rig.setPoints(this.home.points, this.home.radius);
-    this.rig.setAspect(w / h);
-    this.rig.setPose(this.rig.fittedPose('home'));
-    this.stage.setLook(false, dark);
-    this.renderOne({ x: 0, y: clientHeight - h, width: w, height: h });
-    const picture = cut(this.canvas, w, h, this.renderer.getPixelRatio());
-    this.stage.setLook(floor, dark);
-    this.rig.setPoints(before.points, before.radius);
-    this.rig.setInsets(insets);
-    this.rig.setPose(pose);
-    return picture;
-  }
-
-  private renderOne(rect: Rect): void {
+  private renderOne(rect: Rect, layers: Layers): void {
     const bottom = this.host.clientHeight - rect.y - rect.height;
     this.renderer.setViewport(rect.x, bottom, rect.width, rect.height);
     this.renderer.setScissor(rect.x, bottom, rect.width, rect.height);
@@ -301,31 +304,11 @@ export class Viewer {
     this.renderer.clear();
     this.rig.prepare(rect.width / rect.height);
     this.stage.follow(this.rig.camera, this.rig.target);
+    this.rig.camera.layers.mask = layers.mask;
     this.renderer.render(this.scene, this.rig.camera);
   }
 }
 
 function radiusOf({ min, max }: Bounds): number {
-  return new Vector3(...max).distanceTo(new Vector3(...min)) / 2;
-}
-
-/** The bottom left corner of the canvas as a PNG; in the same task as the drawing, before the buffer is cleared. */
-function cut(source: HTMLCanvasElement, width: number, height: number, ratio: number): string {
-  const canvas = document.createElement('canvas');
-  canvas.width = Math.round(width * ratio);
-  canvas.height = Math.round(height * ratio);
-  canvas
-    .getContext('2d')
-    ?.drawImage(
-      source,
-      0,
-      source.height - canvas.height,
-      canvas.width,
-      canvas.height,
-      0,
-      0,
-      canvas.width,
-      canvas.height,
-    );
-  return canvas.toDataURL('image/png');
+  return Math.max(new Vector3(...max).distanceTo(new Vector3(...min)) / 2, 1e-6);
 }

@@ -1,6 +1,7 @@
 // The real worker, with faults that a test calls for by the time of a frame. Nothing of the worker itself is replaced:
-// the process ends, an exception is thrown, or the wasm memory is overwritten so that the next call traps. A second thread
-// is the real one, too, with a stack that ends where it begins: it traps in the middle of the first frame that it helps with.
+// the process ends, an exception is thrown, or the wasm memory is overwritten so that the next call traps. A second
+// thread is the real one, too, with a stack that ends where it begins: it traps in the middle of the first frame that
+// it helps with.
 import { syncBuiltinESMExports } from 'node:module';
 import threads, { parentPort, Worker } from 'node:worker_threads';
 

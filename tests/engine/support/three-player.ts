@@ -17,10 +17,18 @@ export function withoutImages(bytes: Uint8Array): ArrayBuffer {
   for (const name of ['images', 'textures', 'materials']) delete json[name];
   for (const mesh of json.meshes as { primitives: { material?: number }[] }[])
     for (const part of mesh.primitives) delete part.material;
-  const text = new TextEncoder().encode(JSON.stringify(json).padEnd(length)); // shorter than before, so the rest stays in its place
+  // Shorter than before and padded, so that the rest stays in its place.
+  const text = new TextEncoder().encode(JSON.stringify(json).padEnd(length));
   const copy = bytes.slice();
   copy.set(text.subarray(0, length), 20);
   return copy.buffer;
+}
+
+/** Which vertex of the mesh each of a primitive's is. */
+function numbersOf({ geometry }: Mesh): number[] {
+  const numbers = geometry.getAttribute('_shapespline_vertex');
+  const { count } = geometry.getAttribute('position');
+  return Array.from({ length: count }, (_, i) => (numbers ? numbers.getX(i) : i));
 }
 
 export async function threePlayer(bytes: Uint8Array): Promise<Player> {
@@ -35,18 +43,20 @@ export async function threePlayer(bytes: Uint8Array): Promise<Player> {
   action.setLoop(LoopOnce, 1);
   action.clampWhenFinished = true;
   action.play();
+  const size = Math.max(...meshes.map((mesh) => 1 + Math.max(...numbersOf(mesh))));
   const positionsAt = (seconds: number): Float32Array => {
     action.reset();
     mixer.setTime(seconds);
     scene.updateMatrixWorld(true);
-    const mesh = meshes[0]!;
     const point = new Vector3();
-    const result = new Float32Array(3 * mesh.geometry.getAttribute('position').count);
-    for (let i = 0; i < result.length / 3; ++i) {
-      mesh
-        .getVertexPosition(i, point)
-        .applyMatrix4(mesh.matrixWorld)
-        .toArray(result, 3 * i);
+    const result = new Float32Array(3 * size).fill(NaN);
+    for (const mesh of meshes) {
+      for (const [i, vertex] of numbersOf(mesh).entries()) {
+        mesh
+          .getVertexPosition(i, point)
+          .applyMatrix4(mesh.matrixWorld)
+          .toArray(result, 3 * vertex);
+      }
     }
     return result;
   };

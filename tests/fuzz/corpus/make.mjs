@@ -319,3 +319,44 @@ const off = {
   'four-dimensions': '4OFF\n1 1 0\n',
 };
 for (const [name, content] of Object.entries(off)) write('off', `${name}.off`, content);
+
+// --- PC2 and MDD, beside a mesh of four vertices --------------------------------------------------
+
+const square = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
+const lifted = square.map((x, i) => (i === 8 ? 1 : x));
+
+function pc2({ points: count = 4, frames = 2, start = 0, step = 1, numbers = [...square, ...lifted] } = {}) {
+  const head = Buffer.alloc(32);
+  head.write('POINTCACHE2\0', 'latin1');
+  head.writeUInt32LE(1, 12);
+  head.writeUInt32LE(count, 16);
+  head.writeFloatLE(start, 20);
+  head.writeFloatLE(step, 24);
+  head.writeUInt32LE(frames, 28);
+  return Buffer.concat([head, floats(numbers)]);
+}
+
+function mdd({ points: count = 4, frames = 2, times = [0, 1], numbers = [...square, ...lifted] } = {}) {
+  const head = Buffer.alloc(8);
+  head.writeUInt32BE(frames, 0);
+  head.writeUInt32BE(count, 4);
+  return Buffer.concat([head, floats([...times, ...numbers]).swap32()]);
+}
+
+write('pc2', 'two-frames.pc2', pc2());
+write('pc2', 'points-of-gigabytes.pc2', pc2({ points: 0xffffffff, frames: 0xffffffff }));
+write('pc2', 'no-points.pc2', pc2({ points: 0, frames: 0xffffffff }));
+write('pc2', 'one-frame.pc2', pc2({ frames: 1 }));
+write('pc2', 'step-none.pc2', pc2({ step: 0 }));
+write('pc2', 'step-nan.pc2', pc2({ start: NaN, step: Infinity }));
+write('pc2', 'cut-in-header.pc2', pc2().subarray(0, 20));
+write('pc2', 'cut-in-points.pc2', pc2().subarray(0, 60));
+write('pc2', 'point-nan.pc2', pc2({ numbers: [...square, ...lifted.with(4, NaN)] }));
+write('mdd', 'two-frames.mdd', mdd());
+write('mdd', 'points-of-gigabytes.mdd', mdd({ points: 0xffffffff, frames: 0xffffffff }));
+write('mdd', 'frames-wrap.mdd', mdd({ points: 1, frames: 0x40000000 }));
+write('mdd', 'no-points.mdd', mdd({ points: 0 }));
+write('mdd', 'times-back.mdd', mdd({ times: [1, 0] }));
+write('mdd', 'times-nan.mdd', mdd({ times: [NaN, 1] }));
+write('mdd', 'cut-in-points.mdd', mdd().subarray(0, 40));
+write('mdd', 'far-points.mdd', mdd({ numbers: [...square, ...lifted.map((x) => 3e38 * x)] }));

@@ -13,6 +13,13 @@ describe('the command line', () => {
     expect(parse('--at', '-0.3,1.3').values.get('at')).toBe('-0.3,1.3');
   });
 
+  it('takes the same option several times where it names several things', () => {
+    expect(importOptions(parse('--object', 'Body', '--object=left, right'))).toEqual({
+      objects: ['Body', 'left, right'],
+    });
+    expect(importOptions(parse('--object', 'Body'))).toEqual({ objects: ['Body'] });
+  });
+
   it('takes anything behind -- as a file', () => {
     expect(parse('--', '--at', '-x.glb').files).toEqual(['--at', '-x.glb']);
   });
@@ -84,6 +91,7 @@ describe('the values of options', () => {
     expect(importOptions(parse('--animation', 'Walk', '--sample', '5'))).toEqual({ animation: 'Walk', sample: 5 });
     expect(exportOptions(parse('--frames', '3', '--range=-0.3:1.3'), 'o.glb')).toEqual({
       format: 'glb',
+      name: 'o',
       frames: 3,
       range: [-0.3, 1.3],
     });

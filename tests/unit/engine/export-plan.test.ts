@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { checkBytes, exportWarnings, framesOf } from '../../../web/engine/caller/export-plan.ts';
+import { checkBytes, choicesOf, exportWarnings, framesOf, isThinned } from '../../../web/engine/caller/export-plan.ts';
 import { EXPORT_DEFAULTS } from '../../../web/engine/api/types.ts';
 
 const keys = [0, 0.4, 1];
@@ -59,10 +59,52 @@ describe('the times of an export', () => {
     expect(() => checkBytes({ ...EXPORT_DEFAULTS, format: 'obj' }, 1e10)).not.toThrow();
   });
 
-  it('draw a warning beyond 256 morph targets only', () => {
-    const warned = (frames: number) =>
-      exportWarnings(EXPORT_DEFAULTS, plan({ frames, range: [1, 2] })).map(({ code }) => code);
-    expect(warned(255)).toEqual([]); // 255 frames and 2 stills are a mesh and 256 targets
-    expect(warned(256)).toEqual(['many-targets']);
+  it('are whole frames of the motion, or of an exported animation that has a length of its own', () => {
+    expect(plan({ fps: 4, format: 'obj' }).times).toEqual([0, 0.25, 0.5, 0.75, 1]);
+    expect(plan({ fps: 4, range: [0.1, 0.8], format: 'obj' }).times).toEqual([0.25, 0.5, 0.75]);
+    const { times, seconds } = plan({ fps: 2, duration: 2, range: [0.5, 1], tolerance: 0 });
+    expect(times).toEqual([0.5, 0.625, 0.75, 0.875, 1]);
+    expect(seconds).toEqual([0, 0.5, 1, 1.5, 2]);
+    expect(plan({ fps: 4 }).times).toEqual([0, 0.25, 0.4, 0.5, 0.75, 1]); // with the key that is none
+    expect(() => plan({ fps: 0.5 })).toThrow('fewer than two whole frames');
+    expect(() => plan({ fps: 1000, range: [0, 1e6] })).toThrow('1,000,000,001 frames');
+  });
+});
+
+describe('what an export leaves out', () => {
+  const isThin = (options: object): boolean => isThinned({ ...EXPORT_DEFAULTS, ...options });
+
+  it('is what the tolerance allows, in a GLB whose times nobody asked for', () => {
+    expect(isThin({})).toBe(true);
+    expect(isThin({ fps: 24 })).toBe(true);
+    expect([{ tolerance: 0 }, { frames: 60 }, { times: [0, 1] }, { pose: 0.5 }, { format: 'pc2' }].map(isThin)).toEqual(
+      Array(5).fill(false),
+    );
+    expect(isThin({ frames: 60, targets: 'principal' })).toBe(true);
+  });
+
+  it('never is a key, nor the ends of the range', () => {
+    const choices = (options: object) => choicesOf({ ...EXPORT_DEFAULTS, ...options }, keys, [0, 1]);
+    expect(choices({})).toEqual({ corners: [0, 0.4, 1], grid: null });
+    expect(choices({ range: [0.2, 1.5] })).toEqual({ corners: [0.2, 0.4, 1, 1.5], grid: null });
+    expect(choices({ fps: 4 })).toEqual({ corners: [0, 0.4, 1], grid: [0, 0.25, 0.5, 0.75, 1] });
+  });
+});
+
+describe('the warning about the size', () => {
+  const warned = (targets: number, vertices: number) => exportWarnings(EXPORT_DEFAULTS, targets, vertices);
+
+  it('counts what players hold, not the targets', () => {
+    expect(warned(1000, 5000)).toEqual([]);
+    const [warning] = warned(240, 84_000);
+    expect(warning?.code).toBe('heavy-animation');
+    expect(warning?.message).toContain('645 MB of graphics memory in three.js and Babylon.js');
+    expect(warning?.message).toContain('242 MB in Blender');
+    expect(exportWarnings({ ...EXPORT_DEFAULTS, format: 'obj' }, 1000, 1e6)).toEqual([]);
+  });
+
+  it('names the targets where they are more than a texture has layers', () => {
+    expect(warned(2048, 8)).toEqual([]);
+    expect(warned(2049, 8).map(({ code }) => code)).toEqual(['many-targets']);
   });
 });

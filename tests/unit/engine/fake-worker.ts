@@ -1,4 +1,4 @@
-/** A worker that answers by hand, for tests of what the engine does with one. */
+/** A worker that replies by hand, for tests of what the engine does with one. */
 import { EngineClient } from '../../../web/engine/caller/engine.ts';
 import { EngineError } from '../../../web/engine/api/errors.ts';
 import type { FromWorker, Request, ToWorker } from '../../../web/engine/wire/protocol.ts';
@@ -8,18 +8,18 @@ export class FakeWorker {
   readonly requests: Request[] = [];
   terminated = false;
   private readonly events: PortEvents;
-  private readonly answer: (request: Request) => FromWorker | null;
+  private readonly reply: (request: Request) => FromWorker | null;
 
-  constructor(events: PortEvents, answer: (request: Request) => FromWorker | null) {
+  constructor(events: PortEvents, reply: (request: Request) => FromWorker | null) {
     this.events = events;
-    this.answer = answer;
+    this.reply = reply;
   }
 
   receive(message: ToWorker): void {
     if (message.type === 'start') return;
     this.requests.push(message);
-    const answer = this.answer(message);
-    if (answer) queueMicrotask(() => this.say(answer));
+    const reply = this.reply(message);
+    if (reply) queueMicrotask(() => this.say(reply));
   }
 
   say(message: FromWorker): void {
@@ -35,8 +35,8 @@ export class FakeWorker {
   }
 }
 
-/** Answers to everything that a test does not answer itself: three vertices, one face, keys at 0 and 1. */
-export function answerTo(request: Request): FromWorker {
+/** Replies to everything that a test does not reply to itself: three vertices, one face, keys at 0 and 1. */
+export function replyTo(request: Request): FromWorker {
   const positions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
   const result = (value: unknown): FromWorker => ({ type: 'result', id: request.id, value: value as never });
   switch (request.type) {
@@ -46,7 +46,7 @@ export function answerTo(request: Request): FromWorker {
           names: ['a', 'b'],
           times: [0, 1],
           faces: Uint32Array.of(0, 1, 2),
-          scene: { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] },
+          scene: { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] },
           report: { vertices: 3, faces: 1 },
           warnings: [],
           animations: [],
@@ -73,8 +73,8 @@ export function answerTo(request: Request): FromWorker {
 
 const EMPTY_MODULE = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
 
-/** An engine over fake workers; `answer` returns null for what the test answers itself. */
-export function fakeEngine(answer: (request: Request) => FromWorker | null = answerTo): {
+/** An engine over fake workers; `reply` returns null for what the test itself replies to. */
+export function fakeEngine(reply: (request: Request) => FromWorker | null = replyTo): {
   engine: EngineClient;
   workers: FakeWorker[];
 } {
@@ -82,7 +82,7 @@ export function fakeEngine(answer: (request: Request) => FromWorker | null = ans
   const engine = new EngineClient({
     module: Promise.resolve(EMPTY_MODULE),
     spawn: (events) => {
-      const worker = new FakeWorker(events, answer);
+      const worker = new FakeWorker(events, reply);
       workers.push(worker);
       return {
         post: (message) => worker.receive(message),

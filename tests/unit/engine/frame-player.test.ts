@@ -5,7 +5,7 @@ import { settled } from './fake-worker.ts';
 
 interface Asked {
   t: number;
-  answer(): Promise<void>;
+  reply(): Promise<void>;
   fail(): Promise<void>;
 }
 
@@ -27,7 +27,7 @@ function heldSequence(ms = 1) {
       };
       asked.push({
         t,
-        answer: async () => {
+        reply: async () => {
           ++counts.out;
           resolve(frame);
           await settled();
@@ -49,7 +49,7 @@ describe('the frame player', () => {
     const player = new FramePlayer(sequence, settings);
     expect(player.take(0)).toBeNull();
     expect(asked.map(({ t }) => t)).toEqual([0, 0.1, 0.2]);
-    for (const one of asked.slice()) await one.answer();
+    for (const one of asked.slice()) await one.reply();
     expect(asked).toHaveLength(3);
     for (const tick of [0, 1, 2]) {
       const frame = player.take(tick);
@@ -64,7 +64,7 @@ describe('the frame player', () => {
     const { sequence, asked, counts } = heldSequence();
     const player = new FramePlayer(sequence, settings);
     player.take(0);
-    for (const one of asked.slice()) await one.answer();
+    for (const one of asked.slice()) await one.reply();
     expect(player.take(7)?.t).toBe(0.2);
     expect(counts.out).toBe(1);
     expect(asked.at(-1)?.t).toBeGreaterThan(0.7);
@@ -74,7 +74,7 @@ describe('the frame player', () => {
     const { sequence, asked } = heldSequence(40); // 2.4 ticks
     const player = new FramePlayer(sequence, settings);
     player.take(0);
-    for (const one of asked.slice()) await one.answer();
+    for (const one of asked.slice()) await one.reply();
     player.take(4);
     expect(asked.slice(3).map(({ t }) => Math.round(10 * t))).toEqual([7, 10, 13]);
   });
@@ -84,7 +84,7 @@ describe('the frame player', () => {
     const player = new FramePlayer(sequence, { ...settings, timeOf: (tick) => Math.floor(tick / 4) });
     player.take(0);
     expect(asked.map(({ t }) => t)).toEqual([0, 1, 2]);
-    for (const one of asked.slice()) await one.answer();
+    for (const one of asked.slice()) await one.reply();
     expect(player.take(3)?.t).toBe(0);
     expect(player.take(4)?.t).toBe(1);
     expect(asked.map(({ t }) => t)).toEqual([0, 1, 2, 3, 4]);
@@ -102,9 +102,9 @@ describe('the frame player', () => {
     const { sequence, asked, counts } = heldSequence();
     const player = new FramePlayer(sequence, settings);
     player.take(0);
-    await asked[0]?.answer();
+    await asked[0]?.reply();
     player.stop();
-    await asked[1]?.answer();
+    await asked[1]?.reply();
     expect(counts.out).toBe(0);
     expect(player.take(1)).toBeNull();
     expect(asked).toHaveLength(3);

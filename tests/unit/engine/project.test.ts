@@ -1,8 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { readOptions, writeProject } from '../../../web/engine/wire/project.ts';
+import { readMesh, readOptions, writeProject } from '../../../web/engine/wire/project.ts';
 import { SEQUENCE_DEFAULTS, type SequenceOptions } from '../../../web/engine/api/types.ts';
 
 const keys = { times: [0, 1], names: ['a', 'b'], frames: [0, 9] };
+
+const mesh = { vertices: 3, faces: 1, error: 0.001 };
 
 describe('a project', () => {
   it('gives its options back, tangent shapes bit for bit', () => {
@@ -18,7 +20,7 @@ describe('a project', () => {
       ],
       endTangent: tangent,
     };
-    const read = readOptions(writeProject(keys, options));
+    const read = readOptions(writeProject(keys, options, mesh));
     expect(read).toEqual(options);
   });
 
@@ -31,7 +33,7 @@ describe('a project', () => {
   });
 
   it('names its keys as the reader expects them', () => {
-    expect(JSON.parse(writeProject(keys, SEQUENCE_DEFAULTS))).toMatchObject({ version: 1, keys });
+    expect(JSON.parse(writeProject(keys, SEQUENCE_DEFAULTS, mesh))).toMatchObject({ version: 1, keys });
   });
 
   it.each([
@@ -47,5 +49,11 @@ describe('a project', () => {
     '{"version":1,"options":{"startTangent":"???"}}',
   ])('that is broken gives no options: %s', (text) => {
     expect(readOptions(text)).toBeNull();
+  });
+
+  it('says what mesh it was saved with, and nothing where that is missing or no number', () => {
+    expect(readMesh(writeProject(keys, SEQUENCE_DEFAULTS, mesh))).toEqual(mesh);
+    for (const text of ['{}', '{"mesh": 1}', '{"mesh": {"vertices": "3", "faces": 1}}', 'no JSON'])
+      expect(readMesh(text)).toBeNull();
   });
 });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { EngineError } from '../../../web/engine/api/errors.ts';
 import type { FromWorker, Request } from '../../../web/engine/wire/protocol.ts';
-import { answerTo, fakeEngine, settled, someFile, type FakeWorker } from './fake-worker.ts';
+import { replyTo, fakeEngine, settled, someFile, type FakeWorker } from './fake-worker.ts';
 
 const failure = (work: Promise<unknown>): Promise<EngineError> =>
   work.then(
@@ -11,53 +11,53 @@ const failure = (work: Promise<unknown>): Promise<EngineError> =>
     (e: EngineError) => e,
   );
 
-/** A sequence whose frames wait until the test answers them. */
+/** A sequence whose frames wait until the test replies. */
 async function heldSequence() {
-  const { engine, workers } = fakeEngine((request) => (request.type === 'evaluate' ? null : answerTo(request)));
+  const { engine, workers } = fakeEngine((request) => (request.type === 'evaluate' ? null : replyTo(request)));
   const sequence = await engine.createSequence(await engine.importKeyframes([someFile]));
   const worker = workers[0] as FakeWorker;
-  const answerNext = async (): Promise<void> => {
-    worker.say(answerTo(worker.requests.at(-1) as Request));
+  const replyNext = async (): Promise<void> => {
+    worker.say(replyTo(worker.requests.at(-1) as Request));
     await settled();
   };
-  return { engine, workers, sequence, worker, answerNext };
+  return { engine, workers, sequence, worker, replyNext };
 }
 
 describe('evaluate', () => {
   it('is latest-wins: one is under way, one waits, the overtaken ones are null', async () => {
-    const { sequence, worker, answerNext } = await heldSequence();
+    const { sequence, worker, replyNext } = await heldSequence();
     const frames = [0.1, 0.2, 0.3, 0.4].map((t) => sequence.evaluate(t));
     await settled();
     expect(worker.of('evaluate').map(({ t }) => t)).toEqual([0.1]);
-    await answerNext();
+    await replyNext();
     expect(worker.of('evaluate').map(({ t }) => t)).toEqual([0.1, 0.4]);
-    await answerNext();
+    await replyNext();
     expect((await Promise.all(frames)).map((frame) => frame?.t ?? null)).toEqual([0.1, null, null, 0.4]);
   });
 
   it('goes before the frames of an export, which go on afterwards', async () => {
-    const { sequence, worker, answerNext } = await heldSequence();
+    const { sequence, worker, replyNext } = await heldSequence();
     const many = sequence.evaluateMany([1, 2, 3]);
     await settled();
     const shown = sequence.evaluate(0.5);
-    for (let i = 0; i < 4; ++i) await answerNext();
+    for (let i = 0; i < 4; ++i) await replyNext();
     expect(worker.of('evaluate').map(({ t }) => t)).toEqual([1, 0.5, 2, 3]);
     expect((await shown)?.t).toBe(0.5);
     expect((await many).map(({ t }) => t)).toEqual([1, 2, 3]);
   });
 
   it('sends released buffers back instead of asking for new ones', async () => {
-    const { sequence, worker, answerNext } = await heldSequence();
+    const { sequence, worker, replyNext } = await heldSequence();
     const first = sequence.evaluate(0);
     await settled();
-    await answerNext();
+    await replyNext();
     const frame = await first;
     frame?.release();
     frame?.release();
     const second = sequence.evaluate(1);
     await settled();
     expect(worker.of('evaluate').map(({ buffers }) => buffers !== null)).toEqual([false, true]);
-    await answerNext();
+    await replyNext();
     expect((await second)?.positions).toBe(frame?.positions);
     void sequence.evaluate(2);
     await settled();
@@ -72,13 +72,13 @@ describe('evaluate', () => {
 
 describe('update', () => {
   it('is followed by what is asked after it, not by an export that began before', async () => {
-    const { sequence, worker, answerNext } = await heldSequence();
+    const { sequence, worker, replyNext } = await heldSequence();
     const many = sequence.evaluateMany([1, 2]);
     await settled();
-    await Promise.all([sequence.update({ boundary: 'periodic' }), answerNext()]);
+    await Promise.all([sequence.update({ boundary: 'periodic' }), replyNext()]);
     expect(sequence.options.boundary).toBe('periodic');
     const shown = sequence.evaluate(0.5);
-    for (let i = 0; i < 2; ++i) await answerNext();
+    for (let i = 0; i < 2; ++i) await replyNext();
     await Promise.all([many, shown]);
     const asked = worker.of('evaluate').map(({ t, motion }) => [t, motion.options.boundary, motion.version]);
     expect(asked).toEqual([
@@ -97,7 +97,7 @@ describe('update', () => {
             error: { code: 'times-not-increasing', message: 'no', place: { key: 1 } },
             fatal: false,
           }
-        : answerTo(request);
+        : replyTo(request);
     const { engine, workers } = fakeEngine(fails);
     const sequence = await engine.createSequence(await engine.importKeyframes([someFile]));
     const error = await failure(sequence.update({ keyTimes: [1, 0], startSpeed: 3 }));
@@ -121,15 +121,15 @@ describe('a worker that dies', () => {
     await settled();
     const fresh = workers[1] as FakeWorker;
     expect(fresh.of('create')[0]?.motion).toMatchObject({ options: { boundary: 'hermite' }, keyTimes: [0, 3] });
-    fresh.say(answerTo(fresh.requests.at(-1) as Request));
+    fresh.say(replyTo(fresh.requests.at(-1) as Request));
     expect((await next)?.t).toBe(0.6);
     expect(workers).toHaveLength(2);
   });
 
-  it('is replaced after a fatal answer too', async () => {
+  it('is replaced after a fatal reply too', async () => {
     let fatal = true;
     const { engine, workers } = fakeEngine((request) => {
-      if (request.type !== 'evaluate' || !fatal) return answerTo(request);
+      if (request.type !== 'evaluate' || !fatal) return replyTo(request);
       fatal = false;
       return { type: 'error', id: request.id, error: { code: 'out-of-memory', message: 'no', place: {} }, fatal: true };
     });
@@ -143,7 +143,7 @@ describe('a worker that dies', () => {
 describe('cancelling', () => {
   it('ends the worker of a new sequence at once and leaves the old one alone', async () => {
     const { engine, workers } = fakeEngine((request) =>
-      request.type === 'create' && workers.length > 1 ? null : answerTo(request),
+      request.type === 'create' && workers.length > 1 ? null : replyTo(request),
     );
     const keys = await engine.importKeyframes([someFile]);
     const old = await engine.createSequence(keys);
@@ -175,7 +175,7 @@ describe('cancelling', () => {
 
 describe('progress', () => {
   it('never falls, whatever the worker says', async () => {
-    const { engine, workers } = fakeEngine((request) => (request.type === 'create' ? null : answerTo(request)));
+    const { engine, workers } = fakeEngine((request) => (request.type === 'create' ? null : replyTo(request)));
     const seen: number[] = [];
     const keys = await engine.importKeyframes([someFile]);
     const made = engine.createSequence(keys, {}, { onProgress: ({ fraction }) => seen.push(fraction) });
@@ -183,7 +183,7 @@ describe('progress', () => {
     const worker = workers[0] as FakeWorker;
     const { id } = worker.requests.at(-1) as Request;
     for (const fraction of [0.1, 0.5, 0.3, 1.5]) worker.say({ type: 'progress', id, stage: 'encoding', fraction });
-    worker.say(answerTo(worker.requests.at(-1) as Request));
+    worker.say(replyTo(worker.requests.at(-1) as Request));
     await made;
     expect(seen).toEqual([0.1, 0.5, 0.5, 1]);
   });
@@ -195,7 +195,7 @@ describe('a worker that read a bad file', () => {
     const { engine, workers } = fakeEngine((request) =>
       request.type === 'import' && !good
         ? { type: 'error', id: request.id, error: { code: 'malformed-file', message: 'no', place: {} }, fatal: false }
-        : answerTo(request),
+        : replyTo(request),
     );
     expect((await failure(engine.importKeyframes([someFile]))).code).toBe('malformed-file');
     expect(workers[0]?.terminated).toBe(true);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 #include "core/base/coarse_cost.h"
+#include "core/base/sort_indices.h"
 
 namespace shapespline {
 
@@ -35,7 +37,7 @@ FaceBudget budgetFaces(const WeldedShape& shape, const ShapeTopology& topology, 
   }
   std::vector<int> order(components);
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return coarse(area[a]) < coarse(area[b]); });
+  sortIndices(order, [&](int a, int b) { return std::pair(coarse(area[a]), a) < std::pair(coarse(area[b]), b); });
   for (int component : order) {
     if (sum <= target) break;
     if (component == topology.tree.root()) continue;

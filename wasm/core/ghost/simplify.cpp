@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/coarse_cost.h"
+#include "core/base/sort_indices.h"
 #include "core/ghost/collapse_mesh.h"
 #include "core/ghost/face_budget.h"
 #include "core/ghost/quadric.h"
@@ -128,8 +129,7 @@ class Simplifier {
     for (Triangle& t : sorted) std::sort(t.begin(), t.end());
     std::vector<int> order(m);
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(),
-              [&](int a, int b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
+    sortIndices(order, [&](int a, int b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
     std::vector<char> repeated(m, 0);
     for (int i = 1; i < m; ++i) repeated[order[i]] = sorted[order[i]] == sorted[order[i - 1]];
     count_.assign(budget_.least.size(), 0);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <queue>
 
 #include "core/mesh/contact.h"
 
@@ -87,21 +86,21 @@ class Encoder {
   void unwrapWildFaces(const std::vector<int>& wild) {
     std::vector<char> open(shape_.faceCount(), 0);
     for (int f : wild) open[f] = 1;
-    std::queue<std::pair<int, int>> next;  // face, settled neighbour or -1
+    std::vector<std::pair<int, int>> next;  // face, settled neighbour or -1; taken from the front
+    std::size_t taken = 0;
     const auto spread = [&](int settled) {
       for (int g : topology_.graph.of(settled))
-        if (open[g] && frames_.ofFace[g] == frames_.ofFace[settled]) next.emplace(g, settled);
+        if (open[g] && frames_.ofFace[g] == frames_.ofFace[settled]) next.emplace_back(g, settled);
     };
     for (int f : wild)
       for (int g : topology_.graph.of(f))
         if (!open[g] && frames_.ofFace[g] == frames_.ofFace[f]) {
-          next.emplace(f, g);
+          next.emplace_back(f, g);
           break;
         }
     const auto drain = [&] {
-      while (!next.empty()) {
-        const auto [f, neighbour] = next.front();
-        next.pop();
+      while (taken < next.size()) {
+        const auto [f, neighbour] = next[taken++];
         if (!open[f]) continue;
         open[f] = 0;
         unwrapFace(f, neighbour);
@@ -110,7 +109,7 @@ class Encoder {
     };
     drain();
     for (int f : wild)
-      if (open[f]) next.emplace(f, -1), drain();
+      if (open[f]) next.emplace_back(f, -1), drain();
   }
 
   void unwrapFace(int f, int neighbour) {
@@ -207,16 +206,15 @@ class Encoder {
 
   // Vertices held only by faces without area take the anchor of the nearest vertex that such faces join them to.
   void spreadOverFacesWithoutArea(const VertexFaces& facesAt, std::vector<int>& anchor) const {
-    std::queue<int> settled;
+    std::vector<int> settled;  // taken from the front
     for (int v = 0; v < shape_.vertexCount(); ++v)
-      if (anchor[v] >= 0) settled.push(v);
-    while (!settled.empty()) {
-      const int v = settled.front();
-      settled.pop();
+      if (anchor[v] >= 0) settled.push_back(v);
+    for (std::size_t taken = 0; taken < settled.size(); ++taken) {
+      const int v = settled[taken];
       for (int f : facesAt.of(v)) {
         if (topology_.hasArea[f]) continue;
         for (int u : shape_.faces[f])
-          if (anchor[u] < 0) anchor[u] = anchor[v], settled.push(u);
+          if (anchor[u] < 0) anchor[u] = anchor[v], settled.push_back(u);
       }
     }
   }

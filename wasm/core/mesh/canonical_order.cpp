@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/base/permutation.h"
+#include "core/base/sort_indices.h"
 #include "core/mesh/mesh.h"
 
 namespace shapespline {
@@ -176,7 +177,7 @@ class Orderer {
         sides = {last};
         for (int side = next_[last]; side != last; side = next_[side]) sides.push_back(side);
         if (sides.size() < 3) continue;
-        std::sort(sides.begin(), sides.end(), [&](int a, int b) { return comesFirst(a, b, false); });
+        sortIndices(sides, [&](int a, int b) { return comesFirst(a, b, false); });
         for (std::size_t i = 0; i < sides.size(); ++i) next_[sides[i]] = sides[(i + 1) % sides.size()];
       }
     });
@@ -207,7 +208,7 @@ class Orderer {
       firsts.push_back(3 * f);
       for (int side; (side = walk.step()) >= 0;) takeFirst(side / 3, firsts.back());
     }
-    std::sort(firsts.begin(), firsts.end(), [&](int a, int b) { return comesFirst(b, a, true); });
+    sortIndices(firsts, [&](int a, int b) { return comesFirst(b, a, true); });
     return firsts;
   }
 

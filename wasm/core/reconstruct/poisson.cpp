@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 
 #include "core/base/compressed_rows.h"
+#include "core/base/sort_indices.h"
 
 namespace shapespline {
 
@@ -76,13 +79,17 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
   matrix.size = count;
   matrix.row.reserve(columns.item.size() / 2 + 2 * static_cast<std::size_t>(count));
   matrix.value.reserve(matrix.row.capacity());
+  std::vector<int> order;
   for (int column = 0; column < count; ++column) {
     reportItem(onColumns, static_cast<std::size_t>(column), static_cast<std::size_t>(count));
     matrix.row.push_back(column);
     matrix.value.push_back(diagonal[column]);
-    const std::span<Entry> entries = columns.of(column);
-    std::stable_sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) { return x.row < y.row; });
-    for (const Entry& entry : entries) {
+    const std::span<const Entry> entries = columns.of(column);
+    order.resize(entries.size());
+    std::iota(order.begin(), order.end(), 0);
+    sortIndices(order, [&](int a, int b) { return std::pair(entries[a].row, a) < std::pair(entries[b].row, b); });
+    for (const int at : order) {
+      const Entry& entry = entries[at];
       if (entry.row == matrix.row.back()) {
         matrix.value.back() += entry.value;
         continue;

@@ -10,6 +10,7 @@
 #include "core/base/permutation.h"
 #include "core/base/precision.h"
 #include "core/base/simd.h"
+#include "core/base/sort_indices.h"
 #include "core/base/union_find.h"
 #include "core/reconstruct/stretch_limits.h"
 
@@ -91,8 +92,7 @@ class PreviewEmbedding::Builder {
     };
     std::vector<int> vertices(out_.vertexCount_);
     std::iota(vertices.begin(), vertices.end(), 0);
-    std::sort(vertices.begin(), vertices.end(),
-              [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+    sortIndices(vertices, [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
     for (std::size_t begin = 0, end; begin < vertices.size(); begin = end) {
       for (end = begin + 1; end < vertices.size() && key(vertices[end]) == key(vertices[begin]); ++end) {
       }
@@ -119,7 +119,7 @@ class PreviewEmbedding::Builder {
 
   // A cell's centre is the mean of its vertices: the mean of all vertices then depends on the centres alone.
   void addCell(std::span<int> vertices, int anchor) {
-    std::sort(vertices.begin(), vertices.end(), [&](int a, int b) { return in_.placeOf[a] < in_.placeOf[b]; });
+    sortIndices(vertices, [&](int a, int b) { return in_.placeOf[a] < in_.placeOf[b]; });
     const int face = in_.faceOfVertex[vertices[0]], begin = static_cast<int>(vertex_.size());
     Cell cell{
         in_.frameOf[face], anchor < 0 ? in_.componentOf[face] : -1, begin, 0, static_cast<int>(vertices.size()), {}};

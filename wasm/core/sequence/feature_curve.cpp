@@ -1,6 +1,8 @@
 #include "core/sequence/feature_curve.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/sequence/gram_matrix.h"
 #include "core/spline/discrete_spline.h"
@@ -55,19 +57,45 @@ Result<DiscretePath> FeatureCurve::discretePath(int samples) const {
   return path;
 }
 
-std::vector<double> FeatureCurve::bendingEnergy(const std::vector<double>& times) const {
-  const auto energy = [&](const Eigen::VectorXd& w) { return std::max(0.0, w.dot(gram_ * w)); };
-  double average = 0;
+double FeatureCurve::squaredLength(const Eigen::VectorXd& poseWeights) const {
+  return std::max(0.0, poseWeights.dot(gram_ * poseWeights));
+}
+
+double FeatureCurve::squaredDistance(int key, int other) const {
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(shape_.columns());
+  step[key] = 1, step[other] = -1;
+  return squaredLength(step);
+}
+
+KeyPace FeatureCurve::pace() const {
+  constexpr double steepest = 3;
+  const std::vector<double>& times = motion_.keyTimes();
+  const Curve smooth = motion_.unshapedCurve(shape_);
+  const Eigen::MatrixXd toPoses = columnsToPoses();
+  const double none = std::numeric_limits<double>::infinity();
+  KeyPace pace;
+  std::vector<double> chord = {none};  // the slope before each key, and after the last
   for (int j = 1; j < shape_.keys; ++j) {
-    Eigen::VectorXd step = Eigen::VectorXd::Zero(shape_.columns());
-    step[j] = 1, step[j - 1] = -1;
-    average += energy(step) / (shape_.keys - 1);
+    pace.distance.push_back(std::sqrt(squaredDistance(j, j - 1)));
+    chord.push_back(pace.distance.back() / (times[j] - times[j - 1]));
   }
+  chord.push_back(none);
+  for (int j = 0; j < shape_.keys; ++j) {
+    const Eigen::VectorXd slope = toPoses.transpose() * smooth.weights(times[j], 1);
+    const double length = std::sqrt(squaredLength(slope)), most = steepest * std::min(chord[j], chord[j + 1]);
+    pace.tension.push_back(length > most ? 1 - most / length : 0);
+  }
+  return pace;
+}
+
+std::vector<double> FeatureCurve::bendingEnergy(const std::vector<double>& times) const {
+  double average = 0;
+  for (int j = 1; j < shape_.keys; ++j) average += squaredDistance(j, j - 1) / (shape_.keys - 1);
   const double h = (motion_.curve().end() - motion_.curve().start()) / 100;
   std::vector<double> result;
   for (double t : times) {
     const Eigen::VectorXd second = (poseWeightsAt(t - h) - 2 * poseWeightsAt(t) + poseWeightsAt(t + h)) / (h * h);
-    result.push_back(average > 0 ? energy(second) / average : 0);
+    result.push_back(average > 0 ? squaredLength(second) / average : 0);
   }
   return result;
 }

@@ -26,6 +26,15 @@ struct DiscretePath {
   double curveEnergy = 0;       ///< of the curve's own shapes at the same times
 };
 
+/// How far the keys lie apart, and what keeps the curve from overshooting them.
+struct KeyPace {
+  std::vector<double> distance;  ///< J - 1: |x_j - x_(j-1)|, without unit
+  /// J, in [0, 1]: the least tension with which the slope at a key is at most three times that of either chord beside
+  /// it (Fritsch and Carlson 1980, one bound for all coordinates, so that the weights stay linear in the keys). 1 where
+  /// two keys are equal: the motion rests there.
+  std::vector<double> tension;
+};
+
 /// What can be said of a motion from the inner products of its coordinates alone.
 class FeatureCurve {
  public:
@@ -44,7 +53,11 @@ class FeatureCurve {
   /// a piecewise linear curve show as peaks.
   std::vector<double> bendingEnergy(const std::vector<double>& times) const;
 
+  KeyPace pace() const;
+
  private:
+  double squaredLength(const Eigen::VectorXd& poseWeights) const;
+  double squaredDistance(int key, int other) const;
   Eigen::MatrixXd columnsToPoses() const;
   Eigen::VectorXd poseWeightsAt(double t) const;
 

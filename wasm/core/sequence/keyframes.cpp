@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/format.h"
+#include "core/mesh/same_surface.h"
 
 namespace shapespline {
 
@@ -14,10 +15,9 @@ std::string keyName(const std::string& name, int key) {
   return name.empty() ? number : name + " (" + number + ")";
 }
 
-// Whether two faces are the same triangle with the same winding, whichever corner they start at.
-bool sameTriangle(const Triangle& a, const Triangle& b) {
-  return b == a || b == Triangle{a[1], a[2], a[0]} || b == Triangle{a[2], a[0], a[1]};
-}
+constexpr const char* kOneMesh =
+    " All keys must be poses of one mesh. In Blender, export the same object each time, with its modifiers applied and "
+    "the same settings, or one GLB with shape keys or an animation; OBJ keeps the vertices as they are.";
 
 Triangle sorted(Triangle face) {
   std::sort(face.begin(), face.end());
@@ -61,11 +61,7 @@ Status validateFaces(const Keyframes& k) {
 Status validatePositions(const Keyframes& k, int key) {
   const Key& pose = k.keys[key];
   const auto n = static_cast<std::size_t>(k.vertexCount());
-  if (pose.positions.size() != n)
-    return Error{ErrorCode::VertexCountMismatch,
-                 keyName(pose.name, key) + " has " + grouped(pose.positions.size()) + " vertices, but " +
-                     keyName(k.keys[0].name, 0) + " has " + grouped(n) + ". All keys must be poses of one mesh.",
-                 key};
+  if (pose.positions.size() != n) return vertexCountMismatch(keyName(pose.name, key), key, pose.positions.size(), n);
   for (std::size_t v = 0; v < n; ++v)
     if (!pose.positions[v].allFinite())
       return Error{ErrorCode::NotFinite,
@@ -102,20 +98,26 @@ Status validate(const Keyframes& k) {
   return validateTimes(times, k.keyCount());
 }
 
+Error vertexCountMismatch(const std::string& what, int key, std::size_t count, std::size_t first) {
+  return {ErrorCode::VertexCountMismatch,
+          what + " has " + grouped(static_cast<std::int64_t>(count)) + " vertices, but key 1 has " +
+              grouped(static_cast<std::int64_t>(first)) + "." + kOneMesh,
+          key};
+}
+
 Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triangle>& other, int key,
                     const std::string& name) {
   if (first.size() != other.size())
-    return Error{ErrorCode::FaceCountMismatch,
-                 keyName(name, key) + " has " + grouped(other.size()) + " faces, but key 1 has " +
-                     grouped(first.size()) + ". All keys must be poses of one mesh.",
-                 key};
+    return Error{
+        ErrorCode::FaceCountMismatch,
+        name + " has " + grouped(other.size()) + " faces, but key 1 has " + grouped(first.size()) + "." + kOneMesh,
+        key};
   const auto [a, b] = std::mismatch(first.begin(), first.end(), other.begin(), sameTriangle);
   if (a == first.end()) return {};
   const int face = static_cast<int>(a - first.begin());
   return Error{ErrorCode::FaceMismatch,
-               keyName(name, key) + ": face " + grouped(face) + " is " + faceText(*b) + ", but in key 1 it is " +
-                   faceText(*a) + "." + sameTrianglesHint(first, other) +
-                   " Export all keys from one mesh without reordering it.",
+               name + ": face " + grouped(face) + " is " + faceText(*b) + ", but in key 1 it is " + faceText(*a) + "." +
+                   sameTrianglesHint(first, other) + kOneMesh,
                key, -1, face};
 }
 

@@ -35,9 +35,13 @@ struct Keyframes {
 /// Errors name the key, and the vertex or face.
 Status validate(const Keyframes& keyframes);
 
-/// Compares the faces of key `key` with those of the first key. Error: FaceCountMismatch with both counts, or
-/// FaceMismatch with the first face that differs; says whether the triangles are the same set in another order or
-/// winding.
+/// The error of a key with another number of vertices than the first one, which says what to do about it. `what` is how
+/// the message calls the key.
+Error vertexCountMismatch(const std::string& what, int key, std::size_t count, std::size_t first);
+
+/// Compares the faces of key `key` with those of the first key, one by one. Error: FaceCountMismatch with both counts,
+/// or FaceMismatch with the first face that differs; says whether the triangles are the same set in another order or
+/// winding. `name` is how the message calls the key.
 Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triangle>& other, int key,
                     const std::string& name);
 

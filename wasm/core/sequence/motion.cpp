@@ -9,7 +9,8 @@ namespace shapespline {
 
 namespace {
 
-constexpr int mostTurns = 1000;
+/// More than anybody means; MOST_TURNS of web/engine/api/option-table.ts is the same.
+constexpr int mostTurns = 100;
 
 Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int components) {
   const auto number = [](int index) { return std::to_string(static_cast<std::int64_t>(index) + 1); };  // counted from 1
@@ -51,6 +52,15 @@ Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyT
   motion.turns_ = encoded.turnsOfPatches(options.turns);
   motion.collectWarnings(encoded);
   return motion;
+}
+
+Curve Motion::unshapedCurve(const WeldedShape& shape) const {
+  CurveOptions options = curveOptions(shape, options_);
+  options.tension.clear();
+  options.bias.clear();
+  // What was fitted with them is fitted without.
+  Result<Curve> curve = Curve::fit(times_, options);
+  return std::move(*curve);
 }
 
 void Motion::collectWarnings(const EncodedShape& encoded) {

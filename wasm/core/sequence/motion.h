@@ -22,6 +22,8 @@ class Motion {
   const MotionOptions& options() const { return options_; }
   const std::vector<double>& keyTimes() const { return times_; }
   const Curve& curve() const { return curve_; }
+  /// The curve as it would be without tensions and biases. shape: of what this motion was fitted to.
+  Curve unshapedCurve(const WeldedShape& shape) const;
   const PatchTurns& turns() const { return turns_; }
 
   /// First and last time at which the curve is defined by keys (for periodic: one whole period).

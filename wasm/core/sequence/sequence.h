@@ -77,6 +77,7 @@ class Sequence {
   /// feature_curve.h
   ShapePlane shapePlane(const std::vector<double>& times) { return featureCurve().plane(times); }
   Result<DiscretePath> discretePath(int samples) { return featureCurve().discretePath(samples); }
+  KeyPace keyPace() { return featureCurve().pace(); }
   std::vector<double> bendingEnergy(const std::vector<double>& times) { return featureCurve().bendingEnergy(times); }
 
  private:

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/base/sort_indices.h"
+
 namespace shapespline {
 
 namespace {
@@ -112,8 +114,7 @@ class DisjointPaths {
       findDistances();
       std::erase_if(starts, [&](int b) { return distance(b) == size(); });
       if (starts.empty()) return;
-      std::sort(starts.begin(), starts.end(),
-                [&](int a, int b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });
+      sortIndices(starts, [&](int a, int b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });
       std::fill(next_.begin(), next_.end(), 0);
       for (int b : starts)
         if (distance(b) < size()) search(b);

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/sort_indices.h"
 #include "core/sparse/minimum_degree.h"
 #include "core/sparse/separator.h"
 
@@ -80,7 +81,7 @@ class Dissection {
     }
     int axis = 0;
     (high - low).maxCoeff(&axis);
-    std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
+    sortIndices(nodes, [&](int a, int b) {
       return std::pair(subgraph.coordinates[a][axis], a) < std::pair(subgraph.coordinates[b][axis], b);
     });
     end_ -= static_cast<int>(nodes.size());

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/permutation.h"
+#include "core/base/sort_indices.h"
 #include "core/sparse/elimination_tree.h"
 
 namespace shapespline {
@@ -56,7 +57,7 @@ std::vector<int> mergeSupernodes(std::vector<Node>& nodes) {
     children.clear();
     for (int c = firstChild[s]; c != -1; c = sibling[c]) children.push_back(c);
     // Children with the most rows first: they have most in common with the parent.
-    std::sort(children.begin(), children.end(), [&](int a, int b) {
+    sortIndices(children, [&](int a, int b) {
       const int rowsA = nodes[a].front - nodes[a].columns, rowsB = nodes[b].front - nodes[b].columns;
       return rowsA != rowsB ? rowsA > rowsB : a < b;
     });
@@ -92,7 +93,7 @@ std::vector<int> stackOrder(const std::vector<Node>& nodes, const std::vector<in
   const auto update = [&](int s) { return lowerTriangle(nodes[s].front - nodes[s].columns); };
   for (int s = 0; s < count; ++s) {
     if (mergedInto[s] != s) continue;
-    std::sort(children[s].begin(), children[s].end(), [&](int a, int b) {
+    sortIndices(children[s], [&](int a, int b) {
       const std::int64_t keyA = peak[a] - update(a), keyB = peak[b] - update(b);
       return keyA != keyB ? keyA > keyB : a < b;
     });

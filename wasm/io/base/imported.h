@@ -17,10 +17,15 @@ struct ImportOptions {
   std::vector<double> sampleTimes;  ///< seconds on the animation's own timeline; wins over sampleCount
   int sampleCount = 8;       ///< evenly spaced, used when the animation has more than 32 key times or there are several
   bool sampleAsked = false;  ///< sampleCount was given by the user: use it even for few key times
+  bool oneKeyWillDo = false;     ///< an animation with one key time is a pose: the file is one of several
   std::vector<double> keyTimes;  ///< default: the animation's own times, else evenly over [0, 1]
   bool zUp = false;              ///< OBJ, PLY and OFF only
   double unit = 1;               ///< metres per unit, OBJ, PLY and OFF only
-  std::vector<Triangle> like;    ///< of a mesh that the files are further poses of: polygons are cut into its triangles
+  /// Faces and a pose of a mesh that the files are further poses of: polygons are cut into its triangles, and keys come
+  /// in its vertices where the pose is given.
+  std::vector<Triangle> like;
+  Positions likePose;
+  std::vector<std::string> objects;  ///< the objects of each file that are taken; empty for all of them
 
   bool animationAsked() const {
     return !std::holds_alternative<std::monostate>(animation) || !sampleTimes.empty() || sampleAsked;
@@ -37,7 +42,8 @@ struct Import {
   Keyframes keyframes;
   Scene scene;
   std::vector<AnimationInfo> animations;
-  int animation = -1;  ///< which one the keys were taken from
+  int animation = -1;                ///< which one the keys were taken from
+  std::vector<std::string> objects;  ///< names of what may be left out: those of the first file, each once
   std::vector<Warning> warnings;
   /// JSON of extras.shapespline where the keys were taken from a saved project, else empty.
   std::string project;

@@ -50,6 +50,8 @@ struct Scene {
   std::vector<float> uvs;     ///< 2 a drawn vertex, or empty; origin at the upper left (glTF)
   std::vector<float> colors;  ///< 4n linear RGBA, or empty
   Seams seams;
+  /// Of how many faces each polygon of the file was cut, in their order; empty where all were triangles.
+  std::vector<int> polygons;
   std::vector<MaterialGroup> groups;
   std::vector<Material> materials;
   std::vector<Image> images;

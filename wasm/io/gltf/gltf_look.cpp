@@ -174,6 +174,13 @@ struct LookReader {
     }
   }
 
+  // Some tools write a colour that nobody chose: multiplied by it everything would be black.
+  static bool isAllZero(const std::vector<double>& colors, int components) {
+    for (std::size_t i = 0; i < colors.size(); ++i)
+      if (static_cast<int>(i % components) < 3 && colors[i] != 0) return false;
+    return true;
+  }
+
   void readColors(const GltfPart& part) {
     const auto it = part.primitive->attributes.find("COLOR_0");
     if (it == part.primitive->attributes.end() || it->second < 0 ||
@@ -181,7 +188,7 @@ struct LookReader {
       return;
     const int components = doc.model.accessors[it->second].type == TINYGLTF_TYPE_VEC3 ? 3 : 4;
     const auto numbers = vertexNumbers(part, "COLOR_0", components);
-    if (numbers.empty()) return;
+    if (numbers.empty() || isAllZero(numbers, components)) return;
     scene.colors.resize(4 * static_cast<std::size_t>(shape.vertexCount), 1);
     for (std::size_t v = 0; v < part.positions.size(); ++v)
       for (int c = 0; c < components; ++c)

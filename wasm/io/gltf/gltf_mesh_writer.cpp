@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "io/gltf/gltf_seams.h"
+#include "io/gltf/gltf_vertices.h"
 #include "io/gltf/tangents.h"
 
 namespace shapespline {
@@ -67,7 +67,7 @@ struct LookWriter {
   json material(const Material& m) {
     json pbr = {{"baseColorFactor", m.baseColor}, {"metallicFactor", m.metallic}, {"roughnessFactor", m.roughness}};
     json out = {{"doubleSided", m.doubleSided}, {"alphaMode", alphaName(m.alphaMode)}};
-    if (!m.name.empty()) out["name"] = m.name;
+    out["name"] = m.name.empty() ? "material " + std::to_string(glb.doc["materials"].size() + 1) : m.name;
     if (m.alphaMode == Material::Alpha::Mask) out["alphaCutoff"] = m.alphaCutoff;
     if (m.emissive != std::array<float, 3>{0, 0, 0}) out["emissiveFactor"] = m.emissive;
     if (json t = texture(m.baseColorImage, m); !t.is_null()) pbr["baseColorTexture"] = t;
@@ -89,22 +89,6 @@ struct LookWriter {
   }
 };
 
-// The scene's groups, with those faces that no group names in groups without material, in the order of the faces.
-std::vector<MaterialGroup> completeGroups(const Scene& scene, int faces) {
-  std::vector<MaterialGroup> out;
-  int next = 0;
-  const auto add = [&](int end, int material) {
-    end = std::min(end, faces);
-    if (end > next) out.push_back({next, end - next, material}), next = end;
-  };
-  for (const MaterialGroup& g : scene.groups) {
-    add(g.start, -1);
-    add(g.start + g.count, g.material);
-  }
-  add(faces, -1);
-  return out;
-}
-
 }  // namespace
 
 void addCopies(const Seams& seams, std::size_t width, std::vector<float>& values) {
@@ -116,13 +100,15 @@ void addCopies(const Seams& seams, std::size_t width, std::vector<float>& values
 
 void writeLook(GlbBuilder& glb, const Scene& scene) { LookWriter{glb, scene, {}}.write(); }
 
-int MeshWriter::addIndices(const MaterialGroup& group) {
+namespace {
+
+int addIndices(GlbBuilder& glb, const DrawnPrimitive& primitive) {
   const auto collect = [&](auto& out) {
-    out.reserve(3 * static_cast<std::size_t>(group.count));
-    for (int f = group.start; f < group.start + group.count; ++f)
-      for (int v : faces[f]) out.push_back(v);
+    out.reserve(3 * primitive.faces.size());
+    for (const Triangle& face : primitive.faces)
+      for (int v : face) out.push_back(v);
   };
-  if (vertices <= 0xffff) {  // 65535 itself would restart a strip
+  if (primitive.vertices.size() <= 0xffff) {  // 65535 itself would restart a strip
     std::vector<std::uint16_t> indices;
     collect(indices);
     return glb.addArray(indices, "SCALAR", 1, kUnsignedShort, kElementArrayBuffer);
@@ -132,54 +118,56 @@ int MeshWriter::addIndices(const MaterialGroup& group) {
   return glb.addArray(indices, "SCALAR", 1, kUnsignedInt, kElementArrayBuffer);
 }
 
+}  // namespace
+
 // A normal map without tangents would look different in every viewer. They do not turn with the morph targets, for
 // which few viewers have a place.
-void MeshWriter::addTangents(json& attributes, std::span<const float> positions, std::span<const float> normals) {
+void MeshWriter::makeTangents(std::span<const float> positions, std::span<const float> normals) {
   const auto& m = scene.materials;
   const bool wanted = std::any_of(m.begin(), m.end(), [](const Material& one) { return one.normalImage >= 0; });
   if (!wanted || normals.empty() || scene.uvs.size() != 2 * vertices) return;
-  attributes["TANGENT"] =
-      glb.addArray(tangentsOf(positions, normals, scene.uvs, faces), "VEC4", 4, kFloat, kArrayBuffer);
+  tangents = tangentsOf(positions, normals, scene.uvs, faces);
 }
 
-void MeshWriter::addColors(json& attributes) {
-  std::vector<float> colors = scene.colors;
-  addCopies(scene.seams, 4, colors);
-  if (colors.size() == 4 * vertices) attributes["COLOR_0"] = glb.addArray(colors, "VEC4", 4, kFloat, kArrayBuffer);
-}
-
-// So that the file opens again with the mesh's own vertices.
-void MeshWriter::addVertexNumbers(json& attributes) {
+// So that the file opens again with the mesh's own vertices, whoever reorders, divides or welds them meanwhile.
+void MeshWriter::makeVertexNumbers() {
   const std::vector<int>& copyOf = scene.seams.copyOf;
-  if (copyOf.empty()) return;
-  std::vector<float> numbers(vertices - copyOf.size());
+  numbers.resize(vertices - copyOf.size());
   for (std::size_t v = 0; v < numbers.size(); ++v) numbers[v] = static_cast<float>(v);
   numbers.insert(numbers.end(), copyOf.begin(), copyOf.end());
-  attributes[std::string(kVertexAttribute)] = glb.addArray(numbers, "SCALAR", 1, kFloat, kArrayBuffer);
+  if (copyOf.empty()) return;
+  drawnNumbers.resize(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) drawnNumbers[v] = static_cast<float>(v);
 }
 
-json MeshWriter::primitives(json attributes, const json& targets) {
-  if (scene.uvs.size() == 2 * vertices)
-    attributes["TEXCOORD_0"] = glb.addArray(scene.uvs, "VEC2", 2, kFloat, kArrayBuffer);
-  addColors(attributes);
-  addVertexNumbers(attributes);
-  json out = json::array();
-  int plain = -1;
-  for (const MaterialGroup& group : completeGroups(scene, static_cast<int>(faces.size()))) {
-    json primitive = {{"attributes", attributes}, {"indices", addIndices(group)}};
-    if (group.material >= 0 && group.material < static_cast<int>(scene.materials.size()))
-      primitive["material"] = group.material;
-    else primitive["material"] = plain = plain < 0 ? addPlainMaterial() : plain;
-    if (!targets.empty()) primitive["targets"] = targets;
-    out.push_back(std::move(primitive));
-  }
-  return out;
+json MeshWriter::primitive(const DrawnPrimitive& drawn, json attributes) {
+  const auto add = [&](std::string_view name, const std::vector<float>& values, const char* type, int width) {
+    if (values.size() != width * vertices) return;
+    const auto own = gathered(std::span<const float>(values), width, drawn);
+    attributes[std::string(name)] = glb.addArray(own, type, width, kFloat, kArrayBuffer);
+  };
+  std::vector<float> colors = scene.colors;
+  addCopies(scene.seams, 4, colors);
+  add("TEXCOORD_0", scene.uvs, "VEC2", 2);
+  add("TANGENT", tangents, "VEC4", 4);
+  add("COLOR_0", colors, "VEC4", 4);
+  add(kVertexAttribute, numbers, "SCALAR", 1);
+  add(kDrawnAttribute, drawnNumbers, "SCALAR", 1);
+  if (drawn.material < 0 && plain < 0) plain = addPlainMaterial();
+  return {{"attributes", std::move(attributes)},
+          {"indices", addIndices(glb, drawn)},
+          {"material", drawn.material < 0 ? plain : drawn.material}};
 }
 
-// glTF's own default is polished metal, which is black where there is nothing to mirror.
+// glTF's own default is polished metal, which is black where there is nothing to mirror; white cannot be seen on a
+// white page.
 int MeshWriter::addPlainMaterial() {
-  glb.doc["materials"].push_back(
-      {{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}, {"doubleSided", true}});
+  glb.doc["materials"].push_back({{"name", "plain"},
+                                  {"pbrMetallicRoughness",
+                                   {{"baseColorFactor", {0.35, 0.38, 0.42, 1}},  // linear
+                                    {"metallicFactor", 0},
+                                    {"roughnessFactor", 0.8}}},
+                                  {"doubleSided", true}});
   return static_cast<int>(glb.doc["materials"].size()) - 1;
 }
 

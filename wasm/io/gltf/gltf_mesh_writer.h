@@ -7,6 +7,7 @@
 
 #include "core/base/types.h"
 #include "io/base/scene.h"
+#include "io/gltf/drawn_primitives.h"
 #include "io/gltf/glb_builder.h"
 
 namespace shapespline {
@@ -18,22 +19,29 @@ void addCopies(const Seams& seams, std::size_t width, std::vector<float>& values
 void writeLook(GlbBuilder& glb, const Scene& scene);
 
 /// The mesh but for its positions and normals.
-struct MeshWriter {
-  GlbBuilder& glb;
-  const std::vector<Triangle>& faces;  ///< of drawn vertices
-  const Scene& scene;
-  std::size_t vertices = 0;  ///< that are drawn
+class MeshWriter {
+ public:
+  /// `faces` are of `vertices` drawn ones. All must outlive the writer.
+  MeshWriter(GlbBuilder& glb, const std::vector<Triangle>& faces, const Scene& scene, std::size_t vertices)
+      : glb(glb), faces(faces), scene(scene), vertices(vertices) {}
 
   /// Where a material asks for them.
-  void addTangents(nlohmann::json& attributes, std::span<const float> positions, std::span<const float> normals);
+  void makeTangents(std::span<const float> positions, std::span<const float> normals);
 
-  /// A primitive for every material group, all on the same vertices.
-  nlohmann::json primitives(nlohmann::json attributes, const nlohmann::json& targets);
+  /// Primitives say from here on which of the mesh's vertices theirs are.
+  void makeVertexNumbers();
+
+  /// Its vertices' look, faces and material, besides the given attributes.
+  nlohmann::json primitive(const DrawnPrimitive& drawn, nlohmann::json attributes);
 
  private:
-  int addIndices(const MaterialGroup& group);
-  void addColors(nlohmann::json& attributes);
-  void addVertexNumbers(nlohmann::json& attributes);
+  GlbBuilder& glb;
+  const std::vector<Triangle>& faces;
+  const Scene& scene;
+  std::size_t vertices;
+  std::vector<float> tangents, numbers, drawnNumbers;  // of drawn vertices, or empty
+  int plain = -1;                                      // the material of faces that have none
+
   int addPlainMaterial();
 };
 

@@ -5,26 +5,63 @@
 
 #include "core/base/format.h"
 #include "io/base/byte_text.h"
+#include "io/base/sample_times.h"
 #include "io/gltf/gltf_look.h"
 #include "io/gltf/gltf_pose.h"
-#include "io/gltf/gltf_seams.h"
+#include "io/gltf/gltf_vertices.h"
 #include "io/gltf/project.h"
 
 namespace shapespline {
 
 namespace {
 
-// Key times up to which a lone weight animation gives its own keys.
-constexpr std::size_t kMostOwnKeys = 32;
-// Positions of all keys together that a 32-bit address space still holds beside their encoding.
-constexpr std::uint64_t kMostKeyVertices = 60'000'000;
-// Keys of one file; more are a recording, not key poses.
-constexpr std::size_t kMostKeys = 10'000;
 // Share of the progress that goes to the file itself, before its keys.
 constexpr double kReading = 0.4;
 
 void append(std::vector<Warning>& to, std::vector<Warning>&& from) {
   std::move(from.begin(), from.end(), std::back_inserter(to));
+}
+
+// Nodes whose transforms place a vertex: mesh nodes, joints, and everything above them.
+std::vector<char> placingNodes(const GltfDocument& doc, const GltfShape& shape) {
+  std::vector<char> placing(doc.model.nodes.size(), 0);
+  const auto markUp = [&](int node) {
+    for (; node >= 0 && !placing[node]; node = shape.graph.parent[node]) placing[node] = 1;
+  };
+  for (const GltfPart& part : shape.parts) {
+    if (part.influences == 0) markUp(part.node);
+    else
+      for (int joint : shape.skins[part.skin].joints) markUp(joint);
+  }
+  return placing;
+}
+
+// Animations that only move cameras, lights or hidden meshes are not offered.
+Result<std::vector<GltfAnimation>> movingAnimations(const GltfDocument& doc, const GltfShape& shape) {
+  auto animations = readAnimations(doc);
+  if (!animations) return animations;
+  const std::vector<char> placing = placingNodes(doc, shape);
+  std::vector<char> morphing(doc.model.nodes.size(), 0);
+  for (const GltfPart& part : shape.parts) morphing[part.node] |= !part.primitive->targets.empty();
+  const auto moves = [&](const AnimationCurve& curve) {
+    return curve.path == AnimationCurve::Path::Weights ? morphing[curve.node] : placing[curve.node];
+  };
+  std::erase_if(*animations,
+                [&](const GltfAnimation& a) { return std::none_of(a.curves.begin(), a.curves.end(), moves); });
+  return animations;
+}
+
+std::vector<AnimationInfo> infosOf(const std::vector<GltfAnimation>& animations) {
+  std::vector<AnimationInfo> infos;
+  for (const GltfAnimation& a : animations)
+    infos.push_back({a.name, a.keyTimes.front(), a.keyTimes.back(), static_cast<int>(a.keyTimes.size())});
+  return infos;
+}
+
+// What a pose's file could move by. Broken animations are no reason to refuse the pose.
+std::vector<AnimationInfo> animationsOf(const GltfDocument& doc, const GltfShape& shape) {
+  const auto animations = movingAnimations(doc, shape);
+  return animations ? infosOf(*animations) : std::vector<AnimationInfo>();
 }
 
 // One file's keys in the making.
@@ -45,11 +82,7 @@ struct KeyReader {
     return most;
   }
 
-  Status checkSize(std::size_t keys) const {
-    if (keys <= kMostKeys && static_cast<std::uint64_t>(keys) * shape.vertexCount <= kMostKeyVertices) return {};
-    return error(ErrorCode::TooLarge, ": " + grouped(std::int64_t(keys)) + " keys of " + grouped(shape.vertexCount) +
-                                          " vertices are more than is supported. Take fewer keys.");
-  }
+  Status checkSize(std::size_t keys) const { return checkKeyCount(keys, shape.vertexCount, doc.where); }
 
   void report(const char* stage, double fraction) const {
     if (progress) progress(stage, fraction);
@@ -141,79 +174,30 @@ struct KeyReader {
     return list + (animations.size() > 20 ? ", and more." : ".");
   }
 
-  Result<std::vector<double>> sampleTimes(const GltfAnimation& animation) {
-    if (!options.sampleTimes.empty()) {
-      for (std::size_t i = 0; i < options.sampleTimes.size(); ++i)
-        if (!std::isfinite(options.sampleTimes[i]) || (i > 0 && !(options.sampleTimes[i] > options.sampleTimes[i - 1])))
-          return Error{ErrorCode::TimesNotIncreasing,
-                       "The sample times do not increase: sample " + std::to_string(i + 1) + " is at " +
-                           shortNumber(options.sampleTimes[i]) + ". Give them in increasing order.",
-                       static_cast<int>(i)};
-      if (options.sampleTimes.front() < animation.keyTimes.front() ||
-          options.sampleTimes.back() > animation.keyTimes.back())
-        out.warnings.push_back({"sample-outside-animation",
-                                "Some sample times lie outside the animation, which runs from " +
-                                    shortNumber(animation.keyTimes.front()) + " to " +
-                                    shortNumber(animation.keyTimes.back()) + " s: it stands still there.",
-                                0});
-      return options.sampleTimes;
-    }
-    const bool ownTimes = animations.size() == 1 && animation.weightsOnly && !options.sampleAsked &&
-                          animation.keyTimes.size() >= 2 && animation.keyTimes.size() <= kMostOwnKeys;
+  Result<std::vector<double>> timesOf(const GltfAnimation& animation) {
+    const bool ownTimes = options.sampleTimes.empty() && animations.size() == 1 && animation.weightsOnly &&
+                          !options.sampleAsked && animation.keyTimes.size() >= 2 &&
+                          animation.keyTimes.size() <= kMostOwnKeys;
     if (ownTimes) return animation.keyTimes;
-    const double start = animation.keyTimes.front(), end = animation.keyTimes.back();
-    if (options.sampleCount < 2)
-      return Error{ErrorCode::TooFewKeys, "At least two keys are needed. Take two or more samples of the animation."};
-    if (Status size = checkSize(options.sampleCount); !size) return size.error();
-    if (!(end > start))
-      return error(ErrorCode::TooFewKeys,
-                   ": the animation " + inQuotes(animation.name) + " has only one key time. Choose another.");
-    std::vector<double> times = evenTimes(options.sampleCount);
-    for (double& t : times) t = t == 1 ? end : start + t * (end - start);
-    return times;
+    if (options.oneKeyWillDo && animation.keyTimes.size() == 1) return animation.keyTimes;
+    return sampleTimes(options, animation.keyTimes.front(), animation.keyTimes.back(),
+                       doc.where + ": the animation " + inQuotes(animation.name), out.warnings);
   }
 
   Status takeAnimation() {
     const auto chosen = chosenAnimation();
     if (!chosen) return chosen.error();
     const GltfAnimation& animation = animations[*chosen];
-    const auto times = sampleTimes(animation);
+    const auto times = timesOf(animation);
     if (!times) return times.error();
     if (Status size = checkSize(times->size()); !size) return size;
     out.animation = *chosen;
     for (double t : *times) {
       SceneState state = restState(doc, shape);
       applyAnimation(animation, t, state);
-      const std::string name = shortNumber(std::round(1000 * t) / 1000) + " s";
-      if (Status key = addKey(name, t, state, times->size(), &animation); !key) return key;
+      if (Status key = addKey(sampleName(t), t, state, times->size(), &animation); !key) return key;
     }
     return {};
-  }
-
-  // Nodes whose transforms place a vertex: mesh nodes, joints, and everything above them.
-  std::vector<char> placingNodes() const {
-    std::vector<char> placing(doc.model.nodes.size(), 0);
-    const auto markUp = [&](int node) {
-      for (; node >= 0 && !placing[node]; node = shape.graph.parent[node]) placing[node] = 1;
-    };
-    for (const GltfPart& part : shape.parts) {
-      if (part.influences == 0) markUp(part.node);
-      else
-        for (int joint : shape.skins[part.skin].joints) markUp(joint);
-    }
-    return placing;
-  }
-
-  // Animations that only move cameras, lights or hidden meshes are not offered.
-  void dropIdleAnimations() {
-    const std::vector<char> placing = placingNodes();
-    std::vector<char> morphing(doc.model.nodes.size(), 0);
-    for (const GltfPart& part : shape.parts) morphing[part.node] |= !part.primitive->targets.empty();
-    const auto moves = [&](const AnimationCurve& curve) {
-      return curve.path == AnimationCurve::Path::Weights ? morphing[curve.node] : placing[curve.node];
-    };
-    std::erase_if(animations,
-                  [&](const GltfAnimation& a) { return std::none_of(a.curves.begin(), a.curves.end(), moves); });
   }
 
   Status takeKeys() {
@@ -232,18 +216,17 @@ struct KeyReader {
   }
 
   Status read() {
-    auto read = readAnimations(doc);
+    auto read = movingAnimations(doc, shape);
     if (!read) return read.error();
     animations = std::move(*read);
-    dropIdleAnimations();
-    for (const GltfAnimation& a : animations)
-      out.animations.push_back({a.name, a.keyTimes.front(), a.keyTimes.back(), static_cast<int>(a.keyTimes.size())});
+    out.animations = infosOf(animations);
     if (Status keys = takeKeys(); !keys) return keys;
+    out.objects = std::move(shape.objects);
     out.scene = readLook(doc, shape);
     out.keyframes.faces = std::move(shape.faces);
     std::vector<Positions*> poses;
     for (Key& key : out.keyframes.keys) poses.push_back(&key.positions);
-    joinSeams(doc, shape, poses, out.keyframes.normals, out.keyframes.faces, out.scene);
+    joinVertices(doc, shape, poses, out.keyframes.normals, out.keyframes.faces, out.scene);
     append(out.warnings, std::move(doc.warnings));
     append(out.warnings, std::move(shape.warnings));
     return {};
@@ -252,11 +235,11 @@ struct KeyReader {
 
 }  // namespace
 
-Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
-                              const FractionReport& onProgress) {
+Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
+                              const std::string& where, const FractionReport& onProgress) {
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();
-  auto shape = readShape(*doc, partOf(onProgress, 0.2, 0.6));
+  auto shape = readShape(*doc, options.objects, partOf(onProgress, 0.2, 0.6));
   if (!shape) return shape.error();
   PoseFile out;
   const SceneState rest = restState(*doc, *shape);
@@ -266,9 +249,12 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
   auto positions = posedVertices(*doc, *shape, rest, &out.normals, partOf(onProgress, 0.6, 1));
   if (!positions) return positions.error();
   out.positions = std::move(*positions);
+  out.animations = animationsOf(*doc, *shape);
+  out.skinned = std::any_of(shape->parts.begin(), shape->parts.end(), [](auto& part) { return part.influences > 0; });
+  out.objects = std::move(shape->objects);
   out.scene = readLook(*doc, *shape);
   out.faces = std::move(shape->faces);
-  joinSeams(*doc, *shape, {&out.positions}, out.normals, out.faces, out.scene);
+  joinVertices(*doc, *shape, {&out.positions}, out.normals, out.faces, out.scene);
   append(out.warnings, std::move(doc->warnings));
   append(out.warnings, std::move(shape->warnings));
   return out;
@@ -283,7 +269,7 @@ Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> 
     if (progress) progress("reading the mesh", kReading / 2 * (1 + fraction));
   };
   onMesh(0);
-  auto shape = readShape(*doc, onMesh);
+  auto shape = readShape(*doc, options.objects, onMesh);
   if (!shape) return shape.error();
   KeyReader reader{*doc, *shape, options, progress, {}, {}};
   if (Status read = reader.read(); !read) return read.error();

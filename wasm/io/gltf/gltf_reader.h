@@ -21,11 +21,15 @@ struct PoseFile {
   Positions normals;  ///< n, or empty
   Scene scene;
   std::vector<Warning> warnings;
+  std::vector<std::string> objects;       ///< names of what may be left out, each once
+  std::vector<AnimationInfo> animations;  ///< of the file's own, which the pose does not show
+  bool skinned = false;                   ///< bones pose it
+  bool writtenZUp = false;                ///< its program writes this format with z up
 };
 
 /// The scene as the file itself poses it. `where` is how messages call the file.
-Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
-                              const FractionReport& onProgress = {});
+Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
+                              const std::string& where, const FractionReport& onProgress = {});
 
 /// Several keys of one file. Times are set; nothing is validated beyond what reading needs.
 Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,

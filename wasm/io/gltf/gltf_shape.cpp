@@ -7,6 +7,7 @@
 
 #include "core/base/format.h"
 #include "io/base/limits.h"
+#include "io/base/objects.h"
 #include "io/gltf/gltf_accessor.h"
 #include "io/gltf/malformed.h"
 
@@ -68,6 +69,7 @@ struct ByVertices {
 
 struct ShapeReader {
   const GltfDocument& doc;
+  const std::vector<std::string>& objects;
   const FractionReport& onProgress;
   GltfShape shape;
   int skippedPrimitives = 0, leftoverCorners = 0, unskinnedParts = 0;
@@ -279,6 +281,15 @@ struct ShapeReader {
     return {};
   }
 
+  // What the user calls it: the node's name, else the mesh's.
+  std::string objectName(int node) const {
+    const tinygltf::Node& at = doc.model.nodes[node];
+    if (!at.name.empty()) return at.name;
+    const bool hasMesh = at.mesh < static_cast<int>(doc.model.meshes.size());
+    if (hasMesh && !doc.model.meshes[at.mesh].name.empty()) return doc.model.meshes[at.mesh].name;
+    return "mesh " + std::to_string(at.mesh);
+  }
+
   Status read() {
     for (const tinygltf::Mesh& mesh : doc.model.meshes) targetCounts.push_back(targetCount(mesh));
     if (Status weights = countWeights(); !weights) return weights;
@@ -293,6 +304,9 @@ struct ShapeReader {
     std::vector<int> shown;  // nodes with a mesh
     std::copy_if(shape.graph.shown.begin(), shape.graph.shown.end(), std::back_inserter(shown),
                  [&](int node) { return doc.model.nodes[node].mesh >= 0; });
+    for (int node : shown) addObject(objectName(node), shape.objects);
+    if (Status known = checkObjects(objects, shape.objects, doc.where); !known) return known;
+    std::erase_if(shown, [&](int node) { return !takesObject(objects, objectName(node)); });
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const double count = static_cast<double>(shown.size()), before = static_cast<double>(i);
       const bool mirrored = world[shown[i]].linear().determinant() < 0;
@@ -318,8 +332,9 @@ int targetCount(const tinygltf::Mesh& mesh) {
   return static_cast<int>(most);
 }
 
-Result<GltfShape> readShape(const GltfDocument& doc, const FractionReport& onProgress) {
-  ShapeReader reader{doc, onProgress, {}};
+Result<GltfShape> readShape(const GltfDocument& doc, const std::vector<std::string>& objects,
+                            const FractionReport& onProgress) {
+  ShapeReader reader{doc, objects, onProgress, {}};
   if (Status read = reader.read(); !read) return read.error();
   return std::move(reader.shape);
 }

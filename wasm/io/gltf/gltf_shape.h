@@ -40,12 +40,15 @@ struct GltfShape {
   int vertexCount = 0;
   bool hasNormals = false;  ///< every part has them
   std::vector<Warning> warnings;
+  std::vector<std::string> objects;  ///< names of all mesh nodes that are shown, each once
 };
 
 /// Reads the default scene: every triangle primitive (lists, strips, fans) of every mesh node, depth first, primitives
 /// in the file's order. Lines and points are skipped with a warning. Faces of mirrored nodes are turned around.
-/// The document must outlive the result. Errors: NoTriangles, MalformedFile, IndexOutOfRange, TooLarge.
-Result<GltfShape> readShape(const GltfDocument& doc, const FractionReport& onProgress = {});
+/// With `objects`, mesh nodes of these names alone. The document must outlive the result. Errors: InvalidOption of a
+/// name that is not there, NoTriangles, MalformedFile, IndexOutOfRange, TooLarge.
+Result<GltfShape> readShape(const GltfDocument& doc, const std::vector<std::string>& objects,
+                            const FractionReport& onProgress = {});
 
 /// Number of morph targets of a mesh.
 int targetCount(const tinygltf::Mesh& mesh);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/base/format.h"
 #include "io/base/limits.h"
@@ -19,28 +20,29 @@ using nlohmann::json;
 // understands that; beyond, as a sparse accessor, which grows with the frames instead of their square.
 constexpr std::size_t kMostDenseFrames = 1024;
 
-// One attribute of all frames: the base first, then every target's differences.
-struct FrameAttribute {
-  bool bounded;  // POSITION must state its bounds
-  std::vector<float> base;
-  std::vector<json> accessors;
-
-  // Writes the vectors at the end of the chunk and describes them; the buffer view's number comes later.
-  void add(GlbBuilder& glb, const std::vector<float>& values) {
-    const std::size_t start = glb.append(values.data(), values.size());
-    json accessor = {{"byteOffset", start}, {"componentType", kFloat}, {"count", values.size() / 3}, {"type", "VEC3"}};
-    if (bounded) addBounds(accessor, values);
-    accessors.push_back(std::move(accessor));
+json boundsOf(const std::vector<float>& values) {
+  float low[3] = {values[0], values[1], values[2]}, high[3] = {values[0], values[1], values[2]};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    low[i % 3] = std::min(low[i % 3], values[i]);
+    high[i % 3] = std::max(high[i % 3], values[i]);
   }
+  return {{"min", low}, {"max", high}};
+}
 
-  static void addBounds(json& accessor, const std::vector<float>& values) {
-    float low[3] = {values[0], values[1], values[2]}, high[3] = {values[0], values[1], values[2]};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      low[i % 3] = std::min(low[i % 3], values[i]);
-      high[i % 3] = std::max(high[i % 3], values[i]);
-    }
-    accessor["min"] = low;
-    accessor["max"] = high;
+// The frames of one primitive, in a view of its own: the base first, then every target's differences.
+struct PrimitiveFrames {
+  DrawnPrimitive drawn;
+  std::size_t start = 0, next = 0;  // bytes: of the view, of what is written next
+  std::vector<json> positions{}, normals{};
+
+  void add(GlbBuilder& glb, std::span<const float> ofMesh, std::vector<json>& accessors, bool bounded) {
+    const std::vector<float> values = gathered(ofMesh, 3, drawn);
+    json accessor = {
+        {"byteOffset", next - start}, {"componentType", kFloat}, {"count", values.size() / 3}, {"type", "VEC3"}};
+    if (bounded) accessor.update(boundsOf(values));  // POSITION must state them
+    accessors.push_back(std::move(accessor));
+    std::memcpy(glb.bin.data() + next, values.data(), values.size() * sizeof(float));
+    next += values.size() * sizeof(float);
   }
 };
 
@@ -68,16 +70,24 @@ Status checkFinite(std::span<const float> values, int frame) {
 struct AnimationWriter {
   const AnimationSource& source;
   GlbBuilder glb;
-  std::size_t vertices = 0;  // of the mesh itself
-  FrameAttribute positions{true, {}, {}}, normals{false, {}, {}};
+  std::size_t vertices = 0;                         // of the mesh itself
+  std::vector<float> firstShape{}, firstNormals{};  // of drawn vertices
+  std::vector<PrimitiveFrames> primitives{};
 
-  int frameCount() const { return static_cast<int>(source.seconds.size()) + source.stills; }
+  const Seams& seams() const { return source.scene->seams; }
+  const std::vector<Triangle>& drawnFaces() const { return seams().copyOf.empty() ? *source.faces : seams().faces; }
+  std::size_t drawnVertices() const { return vertices + seams().copyOf.size(); }
+
+  int frameCount() const { return source.shapes(); }
 
   Status checkTimes() const {
     const auto& t = source.seconds;
     bool increasing = !t.empty() && t[0] == 0;
     for (std::size_t k = 1; k < t.size(); ++k)
       increasing = increasing && static_cast<float>(t[k]) > static_cast<float>(t[k - 1]);
+    const std::size_t weights = source.seconds.size() * static_cast<std::size_t>(frameCount() - 1);
+    if (!source.weights.empty() && source.weights.size() != weights)
+      return Error{ErrorCode::Internal, "The weights are not one for each target at every time."};
     if (increasing) return {};
     return Error{ErrorCode::InvalidOption,
                  "The exported times must start at 0 and increase. Use a longer duration or fewer frames."};
@@ -99,44 +109,92 @@ struct AnimationWriter {
     if (p.empty() || p.size() != 3 * vertices || (!n.empty() && n.size() != p.size()))
       return Error{ErrorCode::Internal, "Frame " + std::to_string(k) + " has a different number of vertices."};
     if (Status finite = checkFinite(p, k); !finite) return finite;
-    makeUnit(n);
+    if (k == 0 || source.weights.empty()) makeUnit(n);
     addCopies(source.scene->seams, 3, p);
     addCopies(source.scene->seams, 3, n);
     return {};
   }
 
-  // Positions and normals of a frame lie beside each other, so that frames are asked for once and never held.
+  // The frames of a primitive lie beside each other, though they come one after the other: their sizes are known.
+  void divide() {
+    for (DrawnPrimitive& drawn : drawnPrimitives(drawnFaces(), static_cast<int>(drawnVertices()), *source.scene))
+      primitives.push_back({std::move(drawn)});
+    const std::size_t bytes = (firstNormals.empty() ? 12 : 24) * static_cast<std::size_t>(frameCount());
+    std::size_t end = 0;
+    for (PrimitiveFrames& p : primitives) {
+      p.start = p.next = end;
+      end += bytes * p.drawn.vertices.size();
+    }
+    glb.bin.reserve(animatedGlbSize(*source.faces, static_cast<int>(vertices), frameCount(), *source.scene).bytes);
+    glb.bin.resize(end);
+  }
+
+  // Frames are asked for once and never held.
   Status writeFrames() {
     std::vector<float> p, n;
     for (int k = 0; k < frameCount(); ++k) {
       if (Status frame = readFrame(k, p, n); !frame) return frame;
       if (k == 0) {
-        positions.base = p, normals.base = n;
-        glb.bin.reserve(animatedGlbSize(static_cast<int>(vertices), static_cast<int>(source.faces->size()),
-                                        frameCount(), *source.scene));
+        firstShape = p, firstNormals = n;
+        divide();
       } else {
-        for (std::size_t i = 0; i < p.size(); ++i) p[i] -= positions.base[i];
-        n.resize(normals.base.size());
-        for (std::size_t i = 0; i < n.size(); ++i) n[i] -= normals.base[i];
+        n.resize(firstNormals.size());
+        for (std::size_t i = 0; i < p.size(); ++i) p[i] -= firstShape[i];
+        for (std::size_t i = 0; i < n.size(); ++i) n[i] -= firstNormals[i];
       }
-      positions.add(glb, p);
-      if (!n.empty()) normals.add(glb, n);
+      for (PrimitiveFrames& primitive : primitives) {
+        primitive.add(glb, p, primitive.positions, true);
+        if (!n.empty()) primitive.add(glb, n, primitive.normals, false);
+      }
     }
     return {};
   }
 
-  // Accessors into the one view of all frames.
-  std::vector<int> addAccessors(FrameAttribute& block, int view) {
-    std::vector<int> out;
-    for (json& accessor : block.accessors) {
-      accessor["bufferView"] = view;
-      out.push_back(glb.addAccessor(std::move(accessor)));
-    }
+  // Attributes of one frame: numbers of accessors into the primitive's view.
+  json attributesOf(PrimitiveFrames& primitive, std::size_t frame, int view) {
+    json out;
+    const auto add = [&](const char* name, std::vector<json>& accessors) {
+      if (accessors.empty()) return;
+      accessors[frame]["bufferView"] = view;
+      out[name] = glb.addAccessor(std::move(accessors[frame]));
+    };
+    add("POSITION", primitive.positions);
+    add("NORMAL", primitive.normals);
     return out;
   }
 
-  // Weights: frame k shows target k - 1 alone, frame 0 the base.
+  json addPrimitive(MeshWriter& mesh, PrimitiveFrames& primitive) {
+    json view = {{"buffer", 0},
+                 {"byteOffset", primitive.start},
+                 {"byteLength", primitive.next - primitive.start},
+                 {"target", kArrayBuffer},
+                 {"byteStride", 12}};
+    glb.doc["bufferViews"].push_back(std::move(view));
+    const int index = static_cast<int>(glb.doc["bufferViews"].size()) - 1;
+    json out = mesh.primitive(primitive.drawn, attributesOf(primitive, 0, index));
+    for (std::size_t k = 1; k < static_cast<std::size_t>(frameCount()); ++k)
+      out["targets"].push_back(attributesOf(primitive, k, index));
+    return out;
+  }
+
+  json addMesh() {
+    MeshWriter mesh(glb, drawnFaces(), *source.scene, drawnVertices());
+    mesh.makeTangents(firstShape, firstNormals);
+    if (!seams().copyOf.empty() || primitives.size() > 1 || !source.project.empty()) mesh.makeVertexNumbers();
+    json out = {{"primitives", json::array()}};
+    if (!source.name.empty()) out["name"] = source.name;
+    for (PrimitiveFrames& primitive : primitives) out["primitives"].push_back(addPrimitive(mesh, primitive));
+    if (frameCount() == 1) return out;
+    out["weights"] = std::vector<int>(frameCount() - 1, 0);
+    // What Blender, three.js and Babylon.js call the targets.
+    if (source.targetNames.size() + 1 == static_cast<std::size_t>(frameCount()))
+      out["extras"]["targetNames"] = source.targetNames;
+    return out;
+  }
+
+  // Unless the source has its own, frame k shows target k - 1 alone, frame 0 the base.
   int addWeights(std::size_t frames, std::size_t targets) {
+    if (!source.weights.empty()) return glb.addArray(source.weights, "SCALAR", 1, kFloat);
     if (frames <= kMostDenseFrames) {
       std::vector<float> weights(frames * targets, 0);
       for (std::size_t k = 1; k < frames; ++k) weights[k * targets + k - 1] = 1;
@@ -163,7 +221,7 @@ struct AnimationWriter {
     glb.doc["accessors"][input]["min"] = {times.front()};
     glb.doc["accessors"][input]["max"] = {times.back()};
     const int output = addWeights(times.size(), frameCount() - 1);
-    glb.doc["animations"] = {{{"name", "shapespline"},
+    glb.doc["animations"] = {{{"name", source.name.empty() ? "shapespline" : source.name},
                               {"samplers", {{{"input", input}, {"output", output}, {"interpolation", "LINEAR"}}}},
                               {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
   }
@@ -172,28 +230,17 @@ struct AnimationWriter {
     if (Status times = checkTimes(); !times) return times.error();
     if (Status weights = checkWeights(); !weights) return weights.error();
     if (Status frames = writeFrames(); !frames) return frames.error();
-    const int view = glb.addView(0, kArrayBuffer, 12);
-    const auto p = addAccessors(positions, view), n = addAccessors(normals, view);
-    json attributes = {{"POSITION", p[0]}}, targets = json::array();
-    if (!n.empty()) attributes["NORMAL"] = n[0];
-    for (std::size_t k = 1; k < p.size(); ++k) {
-      targets.push_back({{"POSITION", p[k]}});
-      if (!n.empty()) targets.back()["NORMAL"] = n[k];
-    }
     writeLook(glb, *source.scene);
-    const Seams& seams = source.scene->seams;
-    MeshWriter mesh{glb, seams.copyOf.empty() ? *source.faces : seams.faces, *source.scene,
-                    vertices + seams.copyOf.size()};
-    mesh.addTangents(attributes, positions.base, normals.base);
-    json out = {{"primitives", mesh.primitives(std::move(attributes), targets)}};
-    if (!targets.empty()) out["weights"] = std::vector<int>(targets.size(), 0);
-    glb.doc["meshes"].push_back(std::move(out));
-    glb.doc["nodes"] = {{{"mesh", 0}}};
+    glb.doc["meshes"].push_back(addMesh());
+    json node = {{"mesh", 0}};
+    if (!source.name.empty()) node["name"] = source.name;
+    glb.doc["nodes"].push_back(std::move(node));
     glb.doc["scenes"] = {{{"nodes", {0}}}};
     glb.doc["scene"] = 0;
     addAnimation();
     if (!source.project.empty()) {
-      json project = json::parse(source.project, nullptr, false);
+      const char* text = source.project.data();
+      json project = json::parse(text, text + source.project.size(), nullptr, false);
       if (!project.is_object()) return Error{ErrorCode::InvalidOption, "The project to be saved is not a JSON object."};
       glb.doc["extras"]["shapespline"] = std::move(project);
     }
@@ -232,16 +279,25 @@ Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source
   }
 }
 
-std::uint64_t animatedGlbSize(int vertices, int faces, int frames, const Scene& scene) {
-  if (hasIdleSeams(scene)) return animatedGlbSize(vertices, faces, frames, withoutSeams(scene));
-  const std::uint64_t copies = scene.seams.copyOf.size(), n = vertices + copies, f = frames;
-  const std::uint64_t dense = f * f * 4, sparse = f * 8;
-  std::uint64_t size = n * 24 * f + std::uint64_t(faces) * (n <= 0xffff ? 6 : 12) + f * 500 + 2000;
-  size += f <= kMostDenseFrames ? dense : sparse;
-  size += 4 * (scene.uvs.size() + scene.colors.size() + (copies > 0 ? n : 0));
+GlbSize animatedGlbSize(const std::vector<Triangle>& faces, int vertices, int frames, const Scene& scene) {
+  if (hasIdleSeams(scene)) return animatedGlbSize(faces, vertices, frames, withoutSeams(scene));
+  const bool seams = !scene.seams.copyOf.empty();
+  const int drawn = vertices + static_cast<int>(scene.seams.copyOf.size());
+  const auto primitives = drawnPrimitives(seams ? scene.seams.faces : faces, drawn, scene);
+  const std::uint64_t f = frames, dense = f * f * 4, sparse = f * 8;
+  GlbSize size;
+  size.bytes = 2000 + f * 20 + (f <= kMostDenseFrames ? dense : sparse);
+  for (const DrawnPrimitive& primitive : primitives) {
+    const std::uint64_t n = primitive.vertices.size();
+    size.vertices += n;
+    size.bytes += n * 24 * f + primitive.faces.size() * (n <= 0xffff ? 6 : 12) + f * 480;
+  }
+  const std::uint64_t perVertex = 4 + (seams ? 4 : 0) + (scene.uvs.empty() ? 0 : 8) + (scene.colors.empty() ? 0 : 16);
+  size.bytes += perVertex * size.vertices;
   const auto mapped = [](const Material& m) { return m.normalImage >= 0; };
-  if (std::any_of(scene.materials.begin(), scene.materials.end(), mapped)) size += 16 * n;  // tangents
-  for (const Image& image : scene.images) size += image.bytes.size();
+  if (std::any_of(scene.materials.begin(), scene.materials.end(), mapped))
+    size.bytes += 16 * size.vertices;  // tangents
+  for (const Image& image : scene.images) size.bytes += image.bytes.size();
   return size;
 }
 

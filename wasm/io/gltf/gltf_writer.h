@@ -21,23 +21,38 @@ struct AnimationSource {
   /// Frames behind those of `seconds` that the animation never shows: a place for keys outside the exported range, so
   /// that the file still holds the whole project.
   int stills = 0;
-  /// k in [0, seconds.size() + stills). Normals: 3n unit vectors, or empty for a file without normals.
+  /// Empty: frame k is shown alone at seconds[k]. Else a row for every time, with a weight for each frame but the
+  /// first, which all others are added to; how many frames there are follows from it.
+  std::vector<float> weights{};
+  /// k in [0, shapes()). Normals: 3n unit vectors, or empty for a file without normals.
   std::function<Status(int frame, std::vector<float>& positions, std::vector<float>& normals)> frame;
   /// JSON object for extras.shapespline of the file, or empty. Import takes the keys from its member
   /// "keys": {"times": [...], "names": [...], "frames": [...]}, frames counted as above ("seconds" on this timeline do
   /// as well where all keys are played), and hands the whole back.
-  std::string project;
+  std::string project{};
+  std::string name{};                      ///< of the node and its mesh, or empty
+  std::vector<std::string> targetNames{};  ///< of every frame but the first, or empty
+
+  int shapes() const {
+    return static_cast<int>(weights.empty() ? seconds.size() + stills : 1 + weights.size() / seconds.size());
+  }
 };
 
 /// One GLB, with the scene's seams split open where it has textures: a mesh whose base is frame 0 and a morph target
-/// for every later frame, and one LINEAR weight animation that plays them (glTF 2.0). Passes the Khronos validator
+/// for every later frame, and one LINEAR weight animation that plays them (glTF 2.0). Every primitive has vertices of
+/// its own, which say what vertices of the mesh they are (gltf_vertices). Passes the Khronos validator
 /// without error or warning. Errors: InvalidOption for times that do not increase from 0, NotFinite with the frame as
 /// `key`, TooLarge where the file would not open again (2 GB; 16 million weights, which are some 4,000 frames), and
 /// whatever `frame` returns.
 Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source);
 
-/// Bytes that writeAnimatedGlb will produce, to a few percent. `frames` counts stills too.
-std::uint64_t animatedGlbSize(int vertices, int faces, int frames, const Scene& scene);
+struct GlbSize {
+  std::uint64_t bytes = 0;     ///< that writeAnimatedGlb will produce, to a few percent
+  std::uint64_t vertices = 0;  ///< of all primitives together, which is what players hold for every target
+};
+
+/// `frames` counts stills too.
+GlbSize animatedGlbSize(const std::vector<Triangle>& faces, int vertices, int frames, const Scene& scene);
 
 /// One pose. positions: 3n; normals: 3n or empty.
 Result<std::vector<std::uint8_t>> writePoseGlb(std::span<const float> positions, std::span<const float> normals,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/base/sort_indices.h"
+
 namespace shapespline {
 
 namespace {
@@ -29,8 +31,7 @@ void placeCoordinates(PolygonMesh& mesh, const std::vector<Coordinate>& coordina
 
   // Corners that share a copy come to lie beside each other; the copies are numbered in the order of their vertices.
   const auto place = [&](int c) { return std::tie(mesh.corners[c], coordinates[ofCorner[c]]); };
-  std::sort(apart.begin(), apart.end(),
-            [&](int a, int b) { return place(a) != place(b) ? place(a) < place(b) : a < b; });
+  sortIndices(apart, [&](int a, int b) { return place(a) != place(b) ? place(a) < place(b) : a < b; });
   mesh.drawn = mesh.corners;
   for (std::size_t i = 0; i < apart.size(); ++i) {
     if (i == 0 || place(apart[i]) != place(apart[i - 1])) {

@@ -1,8 +1,11 @@
 // OBJ and PLY, both in the input's own vertices and faces.
 #include "io/polygon/mesh_writer.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <string_view>
+#include <utility>
 
 namespace shapespline {
 
@@ -29,32 +32,120 @@ void appendBytes(std::vector<std::uint8_t>& out, T value) {
   out.insert(out.end(), bytes, bytes + sizeof value);
 }
 
+using Edge = std::pair<int, int>;
+
+// The corners of the polygon that these triangles were cut from, in their sense; empty where they are no simple one.
+std::vector<int> outline(std::span<const Triangle> triangles) {
+  if (triangles.size() == 1) return {triangles[0].begin(), triangles[0].end()};
+  std::vector<Edge> edges;
+  for (const Triangle& t : triangles)
+    for (int c = 0; c < 3; ++c) edges.emplace_back(t[c], t[(c + 1) % 3]);
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> border;
+  for (const auto& [a, b] : edges)
+    if (!std::binary_search(edges.begin(), edges.end(), Edge(b, a))) border.emplace_back(a, b);
+  std::vector<int> corners;
+  if (border.size() != triangles.size() + 2) return corners;
+  for (int corner = triangles[0][0]; corners.size() < border.size();) {
+    corners.push_back(corner);
+    const auto edge = std::lower_bound(border.begin(), border.end(), Edge(corner, -1));
+    if (edge == border.end() || edge->first != corner) return {};
+    corner = edge->second;
+    if ((corner == corners[0]) != (corners.size() == border.size())) return {};
+  }
+  return corners;
+}
+
+struct ObjWriter {
+  TextSink sink;
+  const std::vector<Triangle>& faces;
+  const Scene& scene;
+  const MaterialLibrary& library;
+  bool hasNormals;
+  std::size_t nextGroup = 0;
+
+  bool hasUvs() const { return !scene.uvs.empty(); }
+  bool hasSeams() const { return !scene.seams.copyOf.empty(); }
+
+  void vectors(const char* name, std::span<const float> values) {
+    for (std::size_t i = 0; i + 2 < values.size(); i += 3) {
+      sink.text(name);
+      for (int c = 0; c < 3; ++c) sink.text(" "), sink.number(values[i + c]);
+      sink.text("\n");
+    }
+  }
+
+  void coordinates() {
+    for (std::size_t i = 0; i + 1 < scene.uvs.size(); i += 2) {
+      sink.text("vt "), sink.number(scene.uvs[i]), sink.text(" ");
+      sink.number(1 - scene.uvs[i + 1]);  // counted from below
+      sink.text("\n");
+    }
+  }
+
+  // Copies of vertices are numbered behind the mesh's own.
+  int vertexOf(int drawn) const {
+    const int own = static_cast<int>(scene.uvs.size() / 2 - scene.seams.copyOf.size());
+    return hasSeams() && drawn >= own ? scene.seams.copyOf[drawn - own] : drawn;
+  }
+
+  void corner(int drawn) {
+    const int vertex = vertexOf(drawn) + 1;
+    sink.text(" "), sink.number(vertex);
+    if (hasUvs()) sink.text("/"), sink.number(drawn + 1);
+    else if (hasNormals) sink.text("/");
+    if (hasNormals) sink.text("/"), sink.number(vertex);
+  }
+
+  void face(std::span<const int> corners) {
+    sink.text("f");
+    for (int drawn : corners) corner(drawn);
+    sink.text("\n");
+  }
+
+  void polygon(std::span<const Triangle> triangles) {
+    if (const std::vector<int> corners = outline(triangles); !corners.empty()) return face(corners);
+    for (const Triangle& triangle : triangles) face(triangle);
+  }
+
+  // Before the first face of each group; they come in the order of the faces.
+  void material(std::size_t face) {
+    for (; nextGroup < scene.groups.size(); ++nextGroup) {
+      const MaterialGroup& group = scene.groups[nextGroup];
+      if (static_cast<std::size_t>(group.start) > face) return;
+      if (library.file.empty() || group.material < 0 || group.material >= static_cast<int>(library.names.size()))
+        continue;
+      sink.text("usemtl "), sink.text(library.names[group.material]), sink.text("\n");
+    }
+  }
+
+  void write(std::span<const float> positions, std::span<const float> normals) {
+    if (!library.file.empty()) sink.text("mtllib "), sink.text(library.file), sink.text("\n");
+    vectors("v", positions);
+    coordinates();
+    vectors("vn", normals);
+    const std::span<const Triangle> drawn(hasSeams() ? scene.seams.faces : faces);
+    std::size_t next = 0;
+    for (int count : scene.polygons) {
+      if (count < 1 || next + count > drawn.size()) break;
+      material(next);
+      polygon(drawn.subspan(next, count));
+      next += count;
+    }
+    for (; next < drawn.size(); ++next) {
+      material(next);
+      face(drawn[next]);
+    }
+  }
+};
+
 }  // namespace
 
 std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
-                                   const Scene& scene) {
+                                   const Scene& scene, std::span<const float> normals, const MaterialLibrary& library) {
   std::vector<std::uint8_t> out;
-  out.reserve(positions.size() * 12 + scene.uvs.size() * 12 + faces.size() * (scene.uvs.empty() ? 24 : 45));
-  TextSink sink{out};
-  for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
-    sink.text("v");
-    for (int c = 0; c < 3; ++c) sink.text(" "), sink.number(positions[i + c]);
-    sink.text("\n");
-  }
-  for (std::size_t i = 0; i + 1 < scene.uvs.size(); i += 2) {
-    sink.text("vt "), sink.number(scene.uvs[i]), sink.text(" "),
-        sink.number(1 - scene.uvs[i + 1]);  // counted from below
-    sink.text("\n");
-  }
-  const std::vector<Triangle>& drawn = scene.seams.copyOf.empty() ? faces : scene.seams.faces;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    sink.text("f");
-    for (int c = 0; c < 3; ++c) {
-      sink.text(" "), sink.number(faces[f][c] + 1);
-      if (!scene.uvs.empty()) sink.text("/"), sink.number(drawn[f][c] + 1);
-    }
-    sink.text("\n");
-  }
+  out.reserve(positions.size() * 12 + normals.size() * 12 + scene.uvs.size() * 12 + faces.size() * 45);
+  ObjWriter{{out}, faces, scene, library, !normals.empty()}.write(positions, normals);
   return out;
 }
 

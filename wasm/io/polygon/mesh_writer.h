@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/base/types.h"
@@ -10,9 +11,17 @@
 
 namespace shapespline {
 
-/// Of the scene: texture coordinates.
+/// A file of materials beside an OBJ: what OBJ calls it and the scene's materials.
+struct MaterialLibrary {
+  std::string file;                ///< empty: none
+  std::vector<std::string> names;  ///< of every material of the scene, without blanks
+};
+
+/// Of the scene: texture coordinates, polygons as they came in, materials where there is a library. Normals: 3n unit
+/// vectors, or empty.
 std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
-                                   const Scene& scene);
+                                   const Scene& scene, std::span<const float> normals = {},
+                                   const MaterialLibrary& library = {});
 std::vector<std::uint8_t> writePly(std::span<const float> positions,
                                    const std::vector<Triangle>& faces);  ///< binary little endian
 

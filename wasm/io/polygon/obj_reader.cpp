@@ -9,6 +9,7 @@
 #include "io/base/byte_text.h"
 #include "io/base/image_type.h"
 #include "io/base/limits.h"
+#include "io/base/objects.h"
 #include "io/base/uri.h"
 #include "io/polygon/corner_coordinates.h"
 #include "io/polygon/polygon_readers.h"
@@ -108,9 +109,16 @@ struct MtlReader {
   }
 };
 
+// The polygons from one name on belong to it, up to the next one.
+struct NamedRun {
+  int start;  // polygon
+  std::string name;
+};
+
 struct ObjReader {
   const NamedBytes& file;
   std::span<const NamedBytes> files;
+  const std::vector<std::string>& wanted;  // objects, none for all
   const std::string& where;
   const FractionReport& onProgress;
   PolygonMesh mesh;
@@ -121,6 +129,7 @@ struct ObjReader {
   std::map<const std::uint8_t*, int> imageAt;
   std::set<std::string, std::less<>> libraries;  // read already
   std::set<const std::uint8_t*> librariesAt;
+  std::vector<NamedRun> objects{}, groups{};
   std::int64_t line = 0;
   int leftOut = 0;
 
@@ -144,7 +153,7 @@ struct ObjReader {
     return {};
   }
 
-  // 1-based, or counted back from the last one so far; 0-based in the answer, -1 for none.
+  // 1-based, or counted back from the last one so far; 0-based in the result, -1 for none.
   Status readIndex(std::string_view& text, std::size_t count, int& index) {
     std::int64_t number = 0;
     if (!takeInteger(text, number) || number == 0)
@@ -203,6 +212,65 @@ struct ObjReader {
     groups.push_back({mesh.polygonCount(), 0, material});
   }
 
+  void startRun(std::vector<NamedRun>& runs, std::string_view name) {
+    if (!runs.empty() && runs.back().start == mesh.polygonCount()) runs.pop_back();
+    if (runs.empty() && mesh.polygonCount() > 0) runs.push_back({0, "default"});
+    runs.push_back({mesh.polygonCount(), std::string(name.empty() ? "default" : name)});
+  }
+
+  // Groups stand for objects where there are none. Only polygons make one.
+  Status takeObjects() {
+    const std::vector<NamedRun>& runs = objects.empty() ? groups : objects;
+    for (const NamedRun& run : runs)
+      if (run.start < mesh.polygonCount()) addObject(run.name, mesh.objects);
+    if (Status known = checkObjects(wanted, mesh.objects, where); !known) return known;
+    if (wanted.empty()) return {};
+    std::vector<char> taken(mesh.polygonCount(), 0);
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      if (takesObject(wanted, runs[r].name))
+        std::fill(taken.begin() + runs[r].start, r + 1 < runs.size() ? taken.begin() + runs[r + 1].start : taken.end(),
+                  1);
+    keepPolygons(taken);
+    return {};
+  }
+
+  // Polygons that are not taken go, and the vertices that only they had.
+  void keepPolygons(const std::vector<char>& taken) {
+    std::vector<int> vertexOf(mesh.positions.size(), -1), ends;
+    std::vector<int> polygonsBefore(taken.size() + 1, 0);
+    std::size_t kept = 0;
+    for (int p = 0; p < mesh.polygonCount(); ++p) {
+      polygonsBefore[p + 1] = polygonsBefore[p] + taken[p];
+      if (!taken[p]) continue;
+      for (int c = mesh.firstCorner(p); c < mesh.ends[p]; ++c, ++kept) {
+        vertexOf[mesh.corners[c]] = 0;
+        mesh.corners[kept] = mesh.corners[c];
+        cornerNormal[kept] = cornerNormal[c];
+        cornerCoordinate[kept] = cornerCoordinate[c];
+      }
+      ends.push_back(static_cast<int>(kept));
+    }
+    for (auto* corners : {&mesh.corners, &cornerNormal, &cornerCoordinate}) corners->resize(kept);
+    mesh.ends = std::move(ends);
+    for (MaterialGroup& group : mesh.scene.groups) group.start = polygonsBefore[group.start];
+    keepVertices(vertexOf);
+  }
+
+  // `vertexOf` is -1 for those that go.
+  void keepVertices(std::vector<int>& vertexOf) {
+    if (!colors.empty()) colors.resize(mesh.positions.size(), Vec3::Ones());
+    int count = 0;
+    for (std::size_t v = 0; v < vertexOf.size(); ++v) {
+      if (vertexOf[v] < 0) continue;
+      mesh.positions[count] = mesh.positions[v];
+      if (!colors.empty()) colors[count] = colors[v];
+      vertexOf[v] = count++;
+    }
+    mesh.positions.resize(count);
+    if (!colors.empty()) colors.resize(count);
+    for (int& corner : mesh.corners) corner = vertexOf[corner];
+  }
+
   void readLibrary(std::string_view name) {
     if (!libraries.emplace(name).second) return;
     const auto found = resolveUri(name, file.name, files, where);
@@ -227,6 +295,8 @@ struct ObjReader {
       Vec3 normal = Vec3::Zero();
       for (int c = 0; c < 3 && takeNumber(text, value); ++c) normal[c] = value;
       normals.push_back(normal);
+    } else if (word == "o" || word == "g") {
+      startRun(word == "o" ? objects : groups, trimmed(text));
     } else if (word == "usemtl") {
       useMaterial(trimmed(text));
     } else if (word == "mtllib") {
@@ -301,6 +371,7 @@ struct ObjReader {
   Result<PolygonMesh> read() {
     if (Status lines = readLines(); !lines) return lines.error();
     if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();
+    if (Status taken = takeObjects(); !taken) return taken.error();
     reportFraction(onProgress, 0.92);
     keepNormals();
     reportFraction(onProgress, 0.95);
@@ -334,9 +405,10 @@ void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where) {
         {"skipped-primitives", where + ": faces of fewer than three corners are left out.", leftOut});
 }
 
-Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
+Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files,
+                            const std::vector<std::string>& objects, const std::string& where,
                             const FractionReport& onProgress) {
-  return ObjReader{file, files, where, onProgress, {}, {}, {}, {}, {}, {}, {}, {}, {}}.read();
+  return ObjReader{file, files, objects, where, onProgress, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}.read();
 }
 
 }  // namespace shapespline

@@ -31,6 +31,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::Ascii;
   std::vector<PlyElement> elements;
+  bool byBlender = false;  ///< says a comment
 };
 
 /// Reads up to and including end_header. Errors: MalformedFile, TruncatedFile.

@@ -236,6 +236,7 @@ struct PlyReader {
     }
     if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();
     mesh.scene.groups = {{0, mesh.polygonCount(), -1}};
+    mesh.writtenZUp = header.byBlender;
     warnOfLeftOut(mesh, leftOut, where);
     return std::move(mesh);
   }

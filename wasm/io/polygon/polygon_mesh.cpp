@@ -155,6 +155,13 @@ std::vector<Triangle> drawnTrianglesOf(const PolygonMesh& mesh, const PolygonCut
   return mesh.drawn.empty() ? std::vector<Triangle>() : cutTriangles(mesh, mesh.drawn, cuts);
 }
 
+std::vector<int> trianglesPerPolygon(const PolygonMesh& mesh) {
+  if (mesh.corners.size() == 3 * mesh.ends.size()) return {};
+  std::vector<int> out(mesh.ends.size());
+  for (int p = 0; p < mesh.polygonCount(); ++p) out[p] = mesh.ends[p] - mesh.firstCorner(p) - 2;
+  return out;
+}
+
 std::vector<MaterialGroup> triangleGroups(const PolygonMesh& mesh) {
   const auto trianglesBefore = [&](int polygon) { return mesh.firstCorner(polygon) - 2 * polygon; };
   std::vector<MaterialGroup> out;

@@ -14,11 +14,13 @@ namespace shapespline {
 /// One pose as it stands in a file.
 struct PolygonMesh {
   Positions positions;
-  Positions normals;         ///< n unit vectors, or empty
-  std::vector<int> corners;  ///< vertex of every corner of every polygon, in range
-  std::vector<int> drawn;    ///< drawn vertex of every corner where there are seams, else empty
-  std::vector<int> ends;     ///< of each polygon: one past its last corner; at least 3 corners each
-  Scene scene;               ///< its groups count polygons
+  Positions normals;                 ///< n unit vectors, or empty
+  std::vector<int> corners;          ///< vertex of every corner of every polygon, in range
+  std::vector<int> drawn;            ///< drawn vertex of every corner where there are seams, else empty
+  std::vector<int> ends;             ///< of each polygon: one past its last corner; at least 3 corners each
+  Scene scene;                       ///< its groups count polygons
+  std::vector<std::string> objects;  ///< names, each once
+  bool writtenZUp = false;           ///< by a program whose files of this kind have z up
   std::vector<Warning> warnings;
 
   int polygonCount() const { return static_cast<int>(ends.size()); }
@@ -41,6 +43,9 @@ std::vector<Triangle> trianglesOf(const PolygonMesh& mesh, const PolygonCuts& cu
 
 /// The same triangles of drawn vertices; empty where there are no seams.
 std::vector<Triangle> drawnTrianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts);
+
+/// Number of triangles of each polygon; empty where all polygons are triangles.
+std::vector<int> trianglesPerPolygon(const PolygonMesh& mesh);
 
 /// Groups of triangles from groups of polygons.
 std::vector<MaterialGroup> triangleGroups(const PolygonMesh& mesh);

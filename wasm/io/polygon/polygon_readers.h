@@ -13,8 +13,10 @@ namespace shapespline {
 
 /// Wavefront OBJ with its MTL and textures where they are among the files: v (with colours), vt, vn, f, usemtl, mtllib.
 /// Lines, points and everything curved are left out. Coordinates belong to corners; a vertex has the mean of its
-/// normals. Errors: MalformedFile, IndexOutOfRange, NoTriangles, TooLarge; messages name the line.
-Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where,
+/// normals. With `objects`, the faces of these alone (o, or g where there is no o). Errors: MalformedFile,
+/// IndexOutOfRange, NoTriangles, TooLarge, which name the line; InvalidOption of an object that is not there.
+Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files,
+                            const std::vector<std::string>& objects, const std::string& where,
                             const FractionReport& onProgress = {});
 
 /// Stanford PLY 1.0: ascii, binary little and big endian; elements vertex and face.

@@ -154,6 +154,10 @@ export class SceneController {
     });
   }
 
+  get outOfView(): boolean {
+    return !this.viewer.seesShape();
+  }
+
   thumbnail(frame: Frame): string {
     return this.viewer.thumbnail(frame.positions, frame.normals, THUMBNAIL.width, THUMBNAIL.height, PHASE_COLOURS.key);
   }

@@ -33,6 +33,7 @@ export function createThumbnails({ store, workspace, scene, idle, has, onThumbna
     if (!sequence || !key || !sequence.keyTimes.includes(key.time)) return false;
     const [frame] = await sequence.evaluateMany([key.time]);
     if (!frame) return false;
+    await scene.viewer.textured();
     await idle();
     const stillOpen = workspace.pool === pool;
     if (stillOpen) onThumbnail(key.pose, scene.thumbnail(frame));

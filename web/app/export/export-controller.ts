@@ -54,6 +54,10 @@ export function createExportController(parts: ExportParts): ExportController {
   let abort: AbortController | null = null;
   let last: ExportRequest = DEFAULT_REQUEST;
   let planned = 0;
+  /**
+   * Of the plan that is being worked out: it evaluates the motion, which nobody waits for once another is asked for.
+   */
+  let planning: AbortController | null = null;
   let formats: Promise<VideoFormat[]> | null = null;
 
   const stretch = (): Stretch => {
@@ -111,7 +115,9 @@ export function createExportController(parts: ExportParts): ExportController {
       const of = sequence();
       tell(null);
       if (!of) return;
-      describeExport(request, of, store.get().time, stretch()).then(tell, (error: unknown) =>
+      planning?.abort();
+      planning = new AbortController();
+      describeExport(request, of, store.get().time, stretch(), planning.signal).then(tell, (error: unknown) =>
         tell({ text: error instanceof Error ? error.message : '', warnings: [] }),
       );
     },
@@ -123,6 +129,7 @@ export function createExportController(parts: ExportParts): ExportController {
       const before = store.get();
       store.set({ play: { ...before.play, playing: false } });
       parts.onStart();
+      planning?.abort();
       try {
         // What moved or played until now may be on the screen as a preview.
         await parts.idle();

@@ -1,17 +1,20 @@
 /** From what the export dialog asks for to a download. */
 import packageJson from '../../../package.json';
 import type { Sequence } from '../../engine/api/api.ts';
-import type { ExportOptions, Progress } from '../../engine/api/types.ts';
+import { errorText } from '../../engine/api/error-text.ts';
+import type { ExportedFile, ExportOptions, ExportPlan as EnginePlan, Progress } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
-import { frameCount, frameTimes } from '../../model/frames.ts';
+import { bytesText } from '../../engine/api/bytes-text.ts';
+import { frameCount } from '../../engine/api/whole-frames.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
-import { MAX_FRAMES, bytesText, framesWanted, isVideoRequest } from '../../ui/export-dialog.ts';
+import { MAX_FRAMES, framesWanted, isVideoRequest } from '../../ui/export-dialog.ts';
 import { measuresCsv, patchesCsv } from './csv.ts';
 import { download } from './download.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 import { videoFrames } from './video.ts';
 import { videoFormats, writeVideo } from './write-video.ts';
+import { withReadme } from './readme.ts';
 import { zip } from './zip.ts';
 
 export interface ExportJob {
@@ -50,9 +53,18 @@ export interface Stretch {
 export function engineOptions(request: ExportRequest, time: number, stretch: Stretch): Partial<ExportOptions> | null {
   if (request.kind === 'pose') return { format: request.pose, pose: time };
   if (request.kind !== 'animation' || request.animation === 'video') return null;
-  const { animation, duration, inPlace } = request;
-  const grid = gridOf(request, stretch);
-  return animation === 'glb' ? { format: 'glb', ...grid, duration, inPlace } : { format: 'obj', ...grid, inPlace };
+  const { animation: format, inPlace, duration, compression, targets } = request;
+  if (format === 'obj' || format === 'pc2') return { format, ...gridOf(request, stretch), inPlace };
+  if (format === 'mdd') return { format, ...gridOf(request, stretch), duration, inPlace };
+  const shared = { format, duration, inPlace, compression };
+  if (targets === 'every') return { ...shared, ...gridOf(request, stretch), tolerance: 0 };
+  return {
+    ...shared,
+    range: [...(request.range ?? stretch.range)] as [number, number],
+    fps: stretch.fps,
+    tolerance: request.tolerance,
+    targets: targets === 'principal' ? 'principal' : 'frames',
+  };
 }
 
 /** The whole frames of the timeline where there are some and no other number was asked for. */
@@ -63,8 +75,8 @@ function gridOf(request: ExportRequest, { range, fps }: Stretch): Partial<Export
     throw new Error(
       `This would be ${count.toLocaleString('en')} frames; the maximum is ${MAX_FRAMES.toLocaleString('en')}. Use a shorter range or fewer frames per second.`,
     );
-  const times = count > 1 ? frameTimes([start, end], fps!) : [];
-  return times.length > 1 ? { times } : { frames: framesWanted(request, [start, end], fps), range: [start, end] };
+  if (count > 1) return { fps, range: [start, end] };
+  return { frames: framesWanted(request, [start, end], fps), range: [start, end] };
 }
 
 /** What would be made, in words. */
@@ -78,13 +90,13 @@ export async function describeExport(
   sequence: Sequence,
   time: number,
   stretch: Stretch,
+  signal?: AbortSignal,
 ): Promise<ExportPlan> {
   const options = engineOptions(request, time, stretch);
   if (options) {
-    const plan = await sequence.planExport(options);
-    const size = `about ${bytesText(plan.bytes)}`;
+    const plan = await sequence.planExport(options, { signal });
     return {
-      text: request.kind === 'pose' ? `One shape, ${size}` : `${plan.times.length} frames, ${size}`,
+      text: request.kind === 'pose' ? `One shape, about ${bytesText(plan.bytes)}` : planText(request, plan),
       warnings: plan.warnings.map(({ message }) => message),
     };
   }
@@ -94,6 +106,13 @@ export async function describeExport(
     return { text: `${frames} frames, ${seconds.toFixed(1)} s of video`, warnings: [] };
   }
   return { text: request.kind === 'picture' ? 'A picture' : 'A table', warnings: [] };
+}
+
+function planText(request: ExportRequest, { times, targets, error, bytes }: EnginePlan): string {
+  const isWhole = request.animation !== 'glb' || request.targets === 'every';
+  const what = isWhole ? `${times.length} frames` : `${targets} morph ${targets === 1 ? 'target' : 'targets'}`;
+  const off = error === null ? '' : `, off by at most ${errorText(error)} between them`;
+  return `${what}${off}, about ${bytesText(bytes)}`;
 }
 
 export async function runExport(request: ExportRequest, job: ExportJob): Promise<void> {
@@ -107,12 +126,29 @@ export async function runExport(request: ExportRequest, job: ExportJob): Promise
     const [start, end] = request.range ?? job.stretch.range;
     return video(request, job, (share) => job.show(start + share * (end - start)));
   }
-  const options = engineOptions(request, job.time, job.stretch)!;
+  const options = { ...engineOptions(request, job.time, job.stretch)!, name: safeName(name) };
   const call = { signal: job.signal, onProgress: job.onProgress };
-  if (request.kind === 'animation' && request.animation === 'obj')
-    return download(await zip(job.sequence.exportFiles(options, call)), `${name}.zip`);
-  const [file] = await job.sequence.export(options, call);
+  const files = job.sequence.exportFiles(options, call);
+  if (request.kind === 'animation' && request.animation !== 'glb')
+    return download(await zip(withReadme(request.animation, files, job.stretch.fps)), `${name}.zip`);
+  return downloadAll(await all(files), name);
+}
+
+/** Without what file systems refuse. */
+function safeName(name: string): string {
+  return name.replace(/[/\\\p{C}]/gu, '').slice(0, 100) || 'shapespline';
+}
+
+async function all(files: AsyncIterable<ExportedFile>): Promise<ExportedFile[]> {
+  const list: ExportedFile[] = [];
+  for await (const file of files) list.push(file);
+  return list;
+}
+
+async function downloadAll(files: ExportedFile[], name: string): Promise<void> {
+  const [file, ...others] = files;
   if (!file) return;
+  if (others.length > 0) return download(await zip(files), `${name}.zip`);
   const extension = file.name.split('.').at(-1) ?? 'glb';
   const type = extension === 'glb' ? 'model/gltf-binary' : 'application/octet-stream';
   download(new Blob([file.bytes as Uint8Array<ArrayBuffer>], { type }), `${name}.${extension}`);

@@ -15,8 +15,8 @@ export async function videoFormats(): Promise<VideoFormat[]> {
 
 async function isEncodable(codecs: readonly string[]): Promise<boolean> {
   const size = { width: 640, height: 480 };
-  const answers = await Promise.all(codecs.map((codec) => VideoEncoder.isConfigSupported({ codec, ...size })));
-  return answers.some(({ supported }) => supported);
+  const supports = await Promise.all(codecs.map((codec) => VideoEncoder.isConfigSupported({ codec, ...size })));
+  return supports.some(({ supported }) => supported);
 }
 
 /** Encoders and muxer are loaded when the first video is made. */

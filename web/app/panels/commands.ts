@@ -1,6 +1,6 @@
 /** What the controls do to the document, the time and the view. */
 import { PER_KEY } from '../../engine/api/option-table.ts';
-import type { Method } from '../../engine/api/types.ts';
+import type { KeyPace, Method } from '../../engine/api/types.ts';
 import {
   addKey,
   moveKey,
@@ -10,8 +10,12 @@ import {
   setEncoding,
   setMotion,
   setShaping,
+  setTightness,
   setTurns,
+  spaceKeys,
+  SPACINGS,
 } from '../../model/edits.ts';
+import type { Spacing } from '../../model/edits.ts';
 import type { ViewName } from '../../model/camera.ts';
 import { undoName } from '../../model/page-options.ts';
 import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
@@ -27,7 +31,7 @@ import {
   SPEEDS,
   ignoresHermite,
 } from '../../model/state.ts';
-import { SAME_TIME, clampTime, formatTime, length, neighbourKey } from '../../model/time-scale.ts';
+import { SAME_TIME, clampTime, formatTime, length, neighbourKey, timeScale } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { loopRange, withEnd } from '../../model/frames.ts';
 import { windowOf, zoomed } from '../../model/time-window.ts';
@@ -44,6 +48,8 @@ export interface CommandParts {
   range(): Range;
   /** The document that the open files started with. */
   initial(): Doc | null;
+  /** Of the running sequence; null without one. */
+  keyPace(): Promise<KeyPace | null>;
   /** The exact shape of a moment, drawn and copied. */
   exactShape(t: number): Promise<Float32Array>;
   fit(view: ViewName | null): void;
@@ -51,7 +57,7 @@ export interface CommandParts {
   onUse(): void;
 }
 
-export function createCommands({ store, pool, range, initial, exactShape, fit, onUse }: CommandParts) {
+export function createCommands({ store, pool, range, initial, keyPace, exactShape, fit, onUse }: CommandParts) {
   const state = store.get;
   const times = (): number[] => state().doc.keys.map((key) => key.time);
 
@@ -59,6 +65,12 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
     if (!Number.isFinite(t)) return;
     store.set({ time: clampTime(t, range()), play: { ...state().play, playing: false } });
     onUse();
+  };
+  /** Of the keys as they are; null where they have changed meanwhile. */
+  const paceOfKeys = async (): Promise<KeyPace | null> => {
+    const { keys } = state().doc;
+    const pace = await keyPace();
+    return state().doc.keys === keys && pace?.tension.length === keys.length ? pace : null;
   };
   const view = (change: Partial<View>): void => store.set({ view: { ...state().view, ...change } });
   const motion = (change: Partial<Motion>, merge?: string): void =>
@@ -94,6 +106,20 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
       store.edit('time of a key', (doc) => retimeKey(doc, key, time), `time ${key}`),
     shaping: (key: number, name: ShapingNumber, value: number): void =>
       store.edit(PER_KEY[name].undo, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
+    tightness: (tension: number): void =>
+      store.edit(`${PER_KEY.tension.undo} of all keys`, (doc) => setTightness(doc, tension), 'tightness'),
+    /** As much tension at each key as keeps the motion from overshooting it. */
+    async autoTightness(): Promise<void> {
+      const pace = await paceOfKeys();
+      if (pace) {
+        const tension = pace.tension.map((value) => Math.ceil(value * 1000) / 1000);
+        store.edit(`${PER_KEY.tension.undo} without overshoot`, (doc) => setTightness(doc, tension));
+      }
+    },
+    async spaceKeys(spacing: Spacing): Promise<void> {
+      const pace = await paceOfKeys();
+      if (pace) store.edit('times of the keys', (doc) => spaceKeys(doc, pace.distance, SPACINGS[spacing]));
+    },
     turns: (key: number, added: KeyTurns): void => {
       const whose = added.component === undefined ? '' : ` of component ${added.component + 1}`;
       const merge = `turns ${added.component} ${key}`;
@@ -135,10 +161,10 @@ export function createCommands({ store, pool, range, initial, exactShape, fit, o
     },
     /** Zooms the timeline about the playhead, or about its middle where that is out of sight. */
     zoomTime: (factor: number): void => {
-      const whole = range();
-      const part = windowOf(state().view.window, whole);
+      const scale = timeScale(range(), state().doc.keys.length);
+      const part = windowOf(state().view.window, scale);
       const t = state().time;
-      window(zoomed(part, whole, factor, t >= part[0] && t <= part[1] ? t : (part[0] + part[1]) / 2));
+      window(zoomed(part, scale, factor, t >= part[0] && t <= part[1] ? t : (part[0] + part[1]) / 2));
     },
     jumpKey: (direction: 1 | -1): void => seek(neighbourKey(state().time, times(), direction, range())),
 

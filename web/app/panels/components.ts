@@ -1,9 +1,10 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
 import type { Warning } from '../../engine/api/types.ts';
+import { tightness } from '../../model/edits.ts';
 import type { AppState } from '../../model/state.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../../model/state.ts';
 import { playRange } from '../../model/frames.ts';
-import { phaseOf } from '../../model/time-scale.ts';
+import { phaseOf, timeScale } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { viridisGradient } from '../../plots/viridis.ts';
 import { createClockMenu } from '../../ui/clock-menu.ts';
@@ -20,7 +21,7 @@ import { createHelp } from '../../ui/help.ts';
 import type { ShortcutLine } from '../../ui/help.ts';
 import { createKeyStrip } from '../../ui/key-strip.ts';
 import type { KeyItem } from '../../ui/key-strip.ts';
-import { createErrorMessage, createProgress, createWelcome } from '../../ui/messages.ts';
+import { createErrorMessage, createFitHint, createProgress, createWelcome } from '../../ui/messages.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
 import { createStatusLine } from '../../ui/status-line.ts';
@@ -44,6 +45,7 @@ import type { ViewState } from './view-state.ts';
 import type { Layout } from './layout.ts';
 
 export interface ComponentsInput {
+  onError(error: unknown): void;
   layout: Layout;
   root: HTMLElement;
   /** Where short news appear. */
@@ -79,6 +81,7 @@ export interface Shown {
   undo: string | null;
   redo: string | null;
   labels: readonly TileLabel[];
+  outOfView: boolean;
   colourBar: ColourBarProps | null;
 }
 
@@ -146,6 +149,9 @@ export function createComponents(input: ComponentsInput): Components {
     onSpeed: commands.endSpeed,
     onEncoding: commands.encoding,
     onCompare: commands.compare,
+    onTightness: commands.tightness,
+    onAutoTightness: () => void commands.autoTightness().catch(input.onError),
+    onSpacing: (spacing) => void commands.spaceKeys(spacing).catch(input.onError),
     onReset: commands.resetMotion,
   });
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
@@ -154,8 +160,15 @@ export function createComponents(input: ComponentsInput): Components {
     onReset: commands.resetShape,
     onSample: (animation, times) => void files.resample(animation, times),
     onOrient: (orientation) => void files.reorient(orientation),
+    onObjects: (names) => void files.takeObjects(names),
   });
-  const viewBar = createViewBar({ onFit: commands.fit, onView: commands.view });
+  const viewBar = createViewBar({
+    onFit: commands.fit,
+    onView: commands.view,
+    onUp: (up) => void (lying && files.reorient({ ...lying, up })),
+  });
+  let lying: ViewState['orientation'] = null;
+  const fitHint = createFitHint(() => commands.fit(null));
   const phaseLabel = createPhaseLabel(() => input.marking.around(input.indefiniteFace()));
   const tileLabels = createTileLabels();
   const colourBar = createColourBar(viridisGradient('to top'));
@@ -178,12 +191,12 @@ export function createComponents(input: ComponentsInput): Components {
     warnings: warnings.element,
     status: status.element,
     overlays: [tileLabels.element, colourBar.element, welcome.element, phaseLabel.element, viewBar.element],
-    messages: [errorMessage.element, progress.element, ...input.offers],
+    messages: [errorMessage.element, progress.element, fitHint.element, ...input.offers],
     panels: [motionPanel.element, shapePanel.element, analysis.element],
     floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, input.toast],
   });
 
-  const update = ({ state, viewState, range, theme, undo, redo, labels, colourBar: heat }: Shown): void => {
+  const update = ({ state, viewState, range, theme, undo, redo, labels, outOfView, colourBar: heat }: Shown): void => {
     const { doc, play, time, view, source } = state;
     const { info } = viewState;
     const disabled = info === null;
@@ -211,8 +224,9 @@ export function createComponents(input: ComponentsInput): Components {
       doc.motion.boundary === 'hermite' && !disabled
         ? { start: doc.motion.startSpeed, end: doc.motion.endSpeed }
         : null;
+    const scale = timeScale(range, doc.keys.length);
     timeline.update({
-      range,
+      ...scale,
       keys: doc.keys,
       time,
       playing,
@@ -224,7 +238,7 @@ export function createComponents(input: ComponentsInput): Components {
       window: view.window,
       speeds,
     });
-    clockMenu.update({ range, time, fps, between, window: view.window, disabled });
+    clockMenu.update({ ...scale, time, fps, between, window: view.window, disabled });
     transport.update({ play, time, range, periodic, disabled });
     keyStrip.update({
       keys: keyItems(state, viewState),
@@ -244,6 +258,7 @@ export function createComponents(input: ComponentsInput): Components {
       encoding: doc.encoding,
       compare: view.compare,
       keys: doc.keys,
+      tightness: tightness(doc),
       period: range[1] - range[0],
       disabled,
       defaults: viewState.initial?.motion ?? DEFAULT_MOTION,
@@ -257,6 +272,7 @@ export function createComponents(input: ComponentsInput): Components {
       threads: viewState.threads,
       canSample: source.kind === 'files',
       orientation: viewState.orientation,
+      objects: viewState.objects,
       disabled,
       defaults: viewState.initial?.encoding ?? DEFAULT_ENCODING,
       lriMethod: isInLri(doc.motion.method),
@@ -270,11 +286,13 @@ export function createComponents(input: ComponentsInput): Components {
       disabled,
     });
     ghostStudy.update();
-    viewBar.update({ view, hasTexture: hasTexture(info), disabled });
+    lying = viewState.orientation;
+    viewBar.update({ view, hasTexture: hasTexture(info), up: lying?.up ?? null, disabled });
     phaseLabel.update(disabled ? null : phase, {
       share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1),
       hasPlace: viewState.indefiniteFace >= 0,
     });
+    fitHint.update(!disabled && outOfView);
     tileLabels.update(labels);
     colourBar.update(heat);
     status.update({

@@ -1,5 +1,5 @@
 /** Which key does what; the help lists the same table. */
-import { clampTime } from '../../model/time-scale.ts';
+import { clampTime, timeScale } from '../../model/time-scale.ts';
 import { keyboardStep } from '../../ui/timeline.ts';
 import type { Commands } from './commands.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -97,7 +97,8 @@ export function listenToArrows({ store, commands, viewport, range, isOpen }: Arr
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || usesArrows(event.target)) return;
     if (!isOpen() || event.target === viewport || document.querySelector('dialog[open]')) return;
-    const time = keyboardStep(event, store.get().time, range(), store.get().play.fps);
+    const { doc, time: now, play } = store.get();
+    const time = keyboardStep(event, now, timeScale(range(), doc.keys.length), play.fps);
     if (time === null) return;
     event.preventDefault();
     commands.seek(clampTime(time, range()));

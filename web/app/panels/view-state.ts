@@ -13,6 +13,8 @@ export interface ViewState {
   info: KeysInfo | null;
   /** How the open files were read where they do not say it themselves, else null. */
   orientation: Orientation | null;
+  /** The objects of the open files that were taken; empty for all of them. */
+  objects: readonly string[];
   /** The document that the open files started with: links are written against it. */
   initial: Doc | null;
   warnings: readonly Warning[];
@@ -49,11 +51,12 @@ export interface ViewStateHolder {
 
 /** What other files bring with them. */
 export function openedView(opened: OpenedFiles, before: ViewState): Partial<ViewState> {
-  const { info, initial, orientation, source } = opened;
+  const { info, initial, orientation, objects, source } = opened;
   return {
     info,
     initial,
     orientation,
+    objects,
     warnings: info.warnings,
     thumbnails: new Map(),
     stats: null,
@@ -93,6 +96,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   samples: [],
   info: null,
   orientation: null,
+  objects: [],
   initial: null,
   warnings: [],
   shownWarning: null,

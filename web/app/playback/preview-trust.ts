@@ -4,7 +4,7 @@
  * measured.
  */
 import type { PreviewError } from '../../engine/api/types.ts';
-import { limits, wrap } from '../../model/time-scale.ts';
+import { timeScale, wrap } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 
 /** What the motion is measured over. */
@@ -99,7 +99,7 @@ function contains({ start, end }: Stretch, t: number): boolean {
 }
 
 function stretchesOf({ keyTimes, range, periodic }: TimeLine): Stretch[] {
-  const [low, high] = limits(range);
+  const [low, high] = timeScale(range, keyTimes.length).whole;
   const ends = [...keyTimes.filter((t) => t > range[0] && t < range[1]), range[1]];
   const between = ends.map((end, index) => stretchOf(ends[index - 1] ?? range[0], end, BETWEEN, MOMENTS_BETWEEN));
   if (periodic) return between;

@@ -33,6 +33,8 @@ export interface OpenedFiles {
   initial: Doc;
   /** How the files were read where they do not say it themselves. */
   orientation: Orientation | null;
+  /** The objects of the files that were taken; empty for all of them. */
+  objects: readonly string[];
   /** Of a link or an earlier visit. */
   camera: View['camera'];
 }
@@ -60,6 +62,10 @@ export interface OpenFiles {
   again(remembered: Remembered): Promise<boolean>;
   /** Takes the keys anew, at these seconds of the animation's own timeline. */
   resample(animation: number, times: number[]): Promise<boolean>;
+  /** Takes the keys from the animation that the files hold themselves, at the times that are taken by default. */
+  takeAnimation(): Promise<boolean>;
+  /** Reads the files again with these of their objects; with none, all of them. */
+  takeObjects(objects: string[]): Promise<boolean>;
   /** Reads the files again with another axis up or another unit. */
   reorient(orientation: Orientation): Promise<boolean>;
   /** Adds the files' poses after the last key. */
@@ -77,6 +83,8 @@ interface Request {
   link: Permalink | null;
   /** How an earlier visit left it. */
   left?: Remembered;
+  /** Time and history go on where the document does. */
+  goesOn?: boolean;
 }
 
 export function createOpenFiles({
@@ -94,7 +102,7 @@ export function createOpenFiles({
   let fetching = new AbortController();
   const running = new Set<Promise<unknown>>();
 
-  const open = async ({ input, options, source, adjust, link, left }: Request): Promise<boolean> => {
+  const open = async ({ input, options, source, adjust, link, left, goesOn }: Request): Promise<boolean> => {
     onStart();
     let initial = EMPTY_STATE.doc;
     const opened = await workspace.open(input, options, (doc, pool) => {
@@ -112,8 +120,13 @@ export function createOpenFiles({
       doc,
       initial,
       orientation: orientationOf(source, options),
+      objects: options.objects ?? [],
       camera: view.camera,
     });
+    if (goesOn && doc === store.get().doc) {
+      store.set({ view });
+      return true;
+    }
     const time = left?.state.time ?? openingTime(doc, link);
     store.reset({
       source,
@@ -131,12 +144,12 @@ export function createOpenFiles({
   const openingTime = (doc: Doc, link: Permalink | null): number =>
     clampTime(link?.time ?? doc.keys[0]?.time ?? 0, motionRange(doc, workspace.range));
 
-  /** Samples start moving slowly by themselves, unless the visitor wants no motion or came by a link to a moment. */
+  /** What is opened moves at once, unless the visitor wants no motion or came by a link to a moment. */
   const openingPlay = ({ info, doc }: Opened, source: Source, link: Permalink | null): Play => {
     const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
     const own = info.animation >= 0 && source.kind === 'files' ? 1 : comfortableSpeed(length(range));
     const speed = link?.speed ?? own;
-    const playing = (link ? link.playing : source.kind === 'sample') && !reducedMotion();
+    const playing = (link?.playing ?? true) && !reducedMotion();
     if (link) return { playing, speed, loop: link.loop ?? store.get().play.loop, between: link.between, fps: link.fps };
     const { loop, fps } = store.get().play;
     return { playing, speed, loop, between: null, fps };
@@ -149,6 +162,13 @@ export function createOpenFiles({
     });
     running.add(task);
     return task.finally(() => running.delete(task));
+  };
+
+  /** The files once more, lying as they were said to lie; what keys there are is asked anew. */
+  const reread = (change: ImportOptions): Promise<boolean> => {
+    const { up, unit, objects } = workspace.options;
+    const options = { up, unit, objects, ...change };
+    return open({ input: workspace.input, options, source: store.get().source, adjust: (doc) => doc, link: null });
   };
 
   const addKeys = async (files: PickedFile[]): Promise<boolean> => {
@@ -224,24 +244,21 @@ export function createOpenFiles({
           left,
         }),
       ),
-    resample: (animation, times) =>
-      guarded(() => {
-        const { source } = store.get();
-        return open({
-          input: workspace.input,
-          options: { animation, sample: times },
-          source,
-          adjust: (doc) => doc,
-          link: null,
-        });
-      }),
+    resample: (animation, times) => guarded(() => reread({ animation, sample: times })),
+    takeAnimation: () => guarded(() => reread({ animation: 0 })),
+    takeObjects: (objects) => {
+      const { animation, sample } = workspace.options;
+      return guarded(() => reread({ animation, sample, objects: objects.length > 0 ? objects : undefined }));
+    },
     reorient: (orientation) =>
       guarded(() => {
         const { source, doc } = store.get();
         const options = { ...workspace.options, ...orientation };
         // Everything but poses that were taken from the shape as it lay before.
         const adjust = (fresh: Doc): Doc => (doc.keys.every(({ pose }) => pose < fresh.keys.length) ? doc : fresh);
-        return open({ input: workspace.input, options, source, adjust, link: null });
+        // History may hold such poses, too.
+        const goesOn = workspace.pool?.count === workspace.pool?.imported;
+        return open({ input: workspace.input, options, source, adjust, link: null, goesOn });
       }),
     addKeys: async (files) => {
       await guarded(() => addKeys(files));
@@ -277,7 +294,9 @@ function ofSample(doc: Doc, { boundary }: Sample): Doc {
 function openingView(view: View, info: KeysInfo, link: Permalink | null): View {
   const textured = hasTexture(info);
   const base = link ? { ...DEFAULT_VIEW, ...link.view } : { ...view, camera: null, window: null, film: false };
-  if (base.colouring === 'texture' && !textured) base.colouring = 'phase';
+  if (!textured && base.colouring === 'texture') base.colouring = 'phase';
+  // What is painted is seen in its own colours; another choice of the visitor's stays.
+  if (isPainted(info) && !link && base.colouring === 'phase') base.colouring = 'texture';
   return base;
 }
 
@@ -290,6 +309,11 @@ function orientationOf(
     source.names.some((name) => !['glb', 'gltf'].includes(extensionOf(name)) && isModel(name))
     ? { up, unit }
     : null;
+}
+
+/** With an image, colours of vertices, or materials of several colours. */
+function isPainted({ scene: { images, colors, materials } }: KeysInfo): boolean {
+  return images.length > 0 || colors !== null || new Set(materials.map(({ baseColor }) => baseColor.join())).size > 1;
 }
 
 export function hasTexture(info: KeysInfo | null): boolean {

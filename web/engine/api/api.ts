@@ -14,6 +14,7 @@ import type {
   Progress,
   SequenceOptions,
   SequenceStats,
+  KeyPace,
   ShapePlane,
   Warning,
 } from './types.ts';
@@ -79,6 +80,8 @@ export interface Sequence {
   stats(): Promise<SequenceStats>;
   measures(times: number[], call?: CallOptions): Promise<Measures>;
   shapePlane(times: number[]): Promise<ShapePlane>;
+  /** For spacing keys by how different they are, and for tensions without overshoot. */
+  keyPace(): Promise<KeyPace>;
   bendingEnergy(times: number[]): Promise<number[]>;
   /** Patch index of each face, -1 for faces without area. */
   patches(): Promise<Int32Array>;
@@ -88,8 +91,11 @@ export interface Sequence {
   ghost(): Promise<Ghost | null>;
   /** 3 x ghost vertices at t; code 'invalid-option' without a ghost mesh. */
   ghostPositions(t: number): Promise<Float32Array>;
-  /** Times, size and warnings of an export, without making it. */
-  planExport(options?: Partial<ExportOptions>): Promise<ExportPlan>;
+  /**
+   * Times, size, error and warnings of an export, without making it. A GLB's frames are evaluated for it, those between
+   * them, too; an export of the same options that follows need not do that again.
+   */
+  planExport(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportPlan>;
   export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]>;
   /** The same files one by one, each made when it is asked for. */
   exportFiles(options?: Partial<ExportOptions>, call?: CallOptions): AsyncIterable<ExportedFile>;

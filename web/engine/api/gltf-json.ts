@@ -29,7 +29,9 @@ function canBeHeld(text: string): boolean {
   return true;
 }
 
-/** undefined where it is broken or holds more than can be held: the core, which reads the same text, says what is wrong. */
+/**
+ * undefined where it is broken or holds more than can be held: the core, which reads the same text, says what is wrong.
+ */
 export function parseGltf(text: string): unknown {
   if (!canBeHeld(text)) return undefined;
   try {

@@ -1,4 +1,4 @@
-/** How much is read at once: the files, the worker's copy and what is made of them stand in memory beside each other. */
+/** How much is read at once: the files, the worker's copy and what is made of them are in memory at the same time. */
 import { EngineError } from './errors.ts';
 
 export const MOST_BYTES = 2 ** 30;

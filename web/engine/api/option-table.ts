@@ -42,6 +42,8 @@ interface Values {
   sample: number[] | number;
   /** 3 x faces. */
   faces: Uint32Array;
+  names: string[];
+  text: string;
 }
 
 interface Described {
@@ -338,7 +340,9 @@ export const IMPORT = {
     most: MOST_KEYS,
     flag: 'sample',
     value: 'T,T,...|N',
-    help: `at these times of it, in seconds, or at N evenly spaced ones (default: ${SAMPLED_KEYS})`,
+    help:
+      `at these times of it, in seconds, or at N evenly spaced ones (default: ${SAMPLED_KEYS}); also of a PC2 or MDD ` +
+      'given with its OBJ, and of numbered .obj or .ply files (24 a second)',
   },
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
   up: {
@@ -358,19 +362,35 @@ export const IMPORT = {
     value: 'METRES',
     help: 'metres per unit of .obj, .ply and .off files',
   },
+  /** Names of objects in the files; default: all of them. */
+  objects: {
+    kind: 'names',
+    some: true,
+    flag: 'object',
+    value: 'NAME',
+    help: 'take this object of the files alone; several times for several; default: all of them',
+  },
   /** 3 x faces of a mesh that the files are further poses of: their polygons are cut into its triangles. */
   like: {
     kind: 'faces',
     help: 'faces of a mesh that the files are further poses of; their polygons are cut into its triangles',
   },
+  /** 3 x vertices of that mesh in some pose: the keys come in its vertices, however the files split them. */
+  likePose: {
+    kind: 'shape',
+    help: 'positions of that mesh; the keys come in its vertices then, however the files split theirs',
+  },
 } as const satisfies OptionTable;
+
+/** Frames of an export that neither says how many nor has a tolerance. */
+export const USUAL_FRAMES = 60;
 
 export const EXPORT = {
   format: {
     kind: 'choice',
-    choices: ['glb', 'obj', 'ply'],
+    choices: ['glb', 'obj', 'ply', 'pc2', 'mdd'],
     default: 'glb',
-    help: 'one file with an animation, or a file for each shape',
+    help: 'one file with an animation, a file for each shape, or a point cache beside one OBJ',
   },
   /** These times instead of frames and range, in any order; a GLB gets the keys between them too. */
   times: {
@@ -388,10 +408,52 @@ export const EXPORT = {
     whole: true,
     least: 2,
     most: MOST_FRAMES,
-    default: 60,
+    default: null,
     flag: 'frames',
     value: 'K',
-    help: 'or at K evenly spaced times; default: 60',
+    help: `or at K evenly spaced times; default: as few as the tolerance allows in a GLB, else ${USUAL_FRAMES}`,
+  },
+  /**
+   * Whole frames of the motion's own time, or from the start of the exported one where that has a duration; a GLB
+   * leaves out those that the tolerance allows.
+   */
+  fps: {
+    kind: 'number',
+    least: 0.01,
+    most: 1000,
+    default: null,
+    flag: 'fps',
+    value: 'F',
+    help: 'or at whole frames, F a second, so that they fall on those of an animation program',
+  },
+  /**
+   * How far a vertex may be off when a GLB is played, in percent of the bounding box's diagonal: without it every frame
+   * is written.
+   */
+  tolerance: {
+    kind: 'number',
+    least: 0.0001,
+    most: 100,
+    zero: 'off',
+    default: 0.1,
+    flag: 'tolerance',
+    value: 'PERCENT|off',
+    help: 'GLB: how far linear playback may be off, in percent of the diagonal; off: every frame; default: 0.1',
+  },
+  /** 'principal': the keys and a few corrections that the animation mixes, instead of a target for each moment. */
+  targets: {
+    kind: 'choice',
+    choices: ['frames', 'principal'],
+    default: 'frames',
+    flag: 'targets',
+    help: 'GLB: a morph target for each exported time, or the keys and a few in-betweens that are mixed',
+  },
+  compression: {
+    kind: 'choice',
+    choices: ['none', 'quantized', 'meshopt'],
+    default: 'none',
+    flag: 'compression',
+    help: 'GLB: 16 bits a coordinate (KHR_mesh_quantization), and EXT_meshopt_compression of these',
   },
   /** First and last time; default: first and last key. */
   range: {
@@ -414,6 +476,14 @@ export const EXPORT = {
   /** One pose only, at this time: frames, range and duration are ignored. */
   pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'one pose only, at this time' },
   inPlace: { kind: 'flag', default: MOTION.inPlace.default, help: MOTION.inPlace.help },
+  /** Of the files, of the mesh in a GLB and its node; null: 'shapespline'. */
+  name: {
+    kind: 'text',
+    default: null,
+    flag: 'name',
+    value: 'NAME',
+    help: "what the mesh is called in a GLB, and files that belong together; default: as the output's file",
+  },
 } as const satisfies OptionTable;
 
 /** The entries of a table, with the type that every option has. */

@@ -56,6 +56,9 @@ const sample: Check = (v) => {
   return increasing ? null : `must be increasing times in seconds ${BETWEEN_TIMES}, or how many (at least 2)`;
 };
 
+/** Of a file's name. */
+const LONGEST_NAME = 120;
+
 const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
   flag: (v) => (typeof v === 'boolean' ? null : 'must be true or false'),
   key: wholeFrom(0),
@@ -69,6 +72,11 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
   animation: (v) => (typeof v === 'string' || !wholeFrom(0)(v) ? null : "must be an animation's name or index"),
   sample,
   faces: (v) => (v instanceof Uint32Array ? null : 'must be a Uint32Array of vertices'),
+  names: (v) => (Array.isArray(v) && v.every((one) => typeof one === 'string') ? null : 'must be an array of names'),
+  text: (v) =>
+    typeof v === 'string' && v !== '' && v.length <= LONGEST_NAME && !/[/\\\p{C}]/u.test(v)
+      ? null
+      : `must be a name of at most ${LONGEST_NAME} characters, none of them / or \\`,
 };
 
 /** What the option may be, in words. */
@@ -91,7 +99,7 @@ function numberCheck(option: NumberOption): Check {
 function countCheck({ some, most = Infinity }: OtherOption): Check {
   return (v) => {
     const count = Array.isArray(v) ? v.length : typeof v === 'number' ? v : 1;
-    if (some && count === 0) return 'must name at least one time';
+    if (some && count === 0) return 'must name at least one';
     return count <= most ? null : `must be at most ${grouped(most)} times, not ${grouped(count)}`;
   };
 }
@@ -105,7 +113,7 @@ function checkOf(option: Option): Check {
     return (v) => (choices.includes(v as string) ? null : `must be one of ${names}`);
   }
   const count = countCheck(option);
-  return (v) => ofKind[kind](v) ?? (kind === 'numbers' || kind === 'sample' ? count(v) : null);
+  return (v) => ofKind[kind](v) ?? (kind === 'numbers' || kind === 'sample' || kind === 'names' ? count(v) : null);
 }
 
 /** What is wrong with an option's value, or null. */

@@ -1,12 +1,14 @@
 /**
  * Names and paths of given files, and the URIs in them that name other files. They are taken apart, joined and decoded
- * here and nowhere else, but for what the disk needs (`web/cli`). `wasm/io/base/uri` follows the same rules for what only
- * the core reads; both pass `tests/uri-cases.json`.
+ * here and nowhere else, but for what the disk needs (`web/cli`). `wasm/io/base/uri` follows the same rules for what
+ * only the core reads; both pass `tests/uri-cases.json`.
  */
 import { EngineError } from './errors.ts';
 import type { InputFile } from './types.ts';
 
 export const MODELS: readonly string[] = ['glb', 'gltf', 'obj', 'ply', 'off'];
+/** Motions of a model's vertices, given beside it. */
+export const CACHES: readonly string[] = ['pc2', 'mdd'];
 /** Files that a model may need. */
 export const COMPANIONS: readonly string[] = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp', 'ktx2'];
 

@@ -18,11 +18,18 @@ export async function readPoses(
   engine: Engine,
   files: InputFile[],
   keys: Keys,
-  { up, unit }: ImportOptions = {},
+  { up, unit, objects }: ImportOptions = {},
 ): Promise<Pose[]> {
-  const { poses, count } = await importAny(engine, files, { up, unit, like: keys.info.faces });
+  const file = fileName(files[0]?.name ?? 'The file');
+  const like = { like: keys.info.faces, likePose: keys.positions(0) };
+  const { poses, count } = await importAny(engine, files, { up, unit, objects, ...like }).catch((error: unknown) => {
+    if (!isMismatch(error)) throw error;
+    // The core knows the pose by its name alone.
+    const message = error.message.replace(/^.*?(?= has )/, file);
+    throw new EngineError(error.code, message, { ...error.place, file });
+  });
   try {
-    checkSameMesh(fileName(files[0]?.name ?? 'The file'), poses.info, keys.info);
+    checkSameMesh(file, poses.info, keys.info);
     return poses.info.names.slice(0, count).map((name, key) => ({ name, positions: poses.positions(key) }));
   } finally {
     poses.dispose();
@@ -55,6 +62,12 @@ async function importAny(
     if (!tooFew || !single || others.length > 0) throw error;
     return { poses: await engine.importKeyframes([...files, { ...single }], options), count: 1 };
   }
+}
+
+const MISMATCHES = ['vertex-count-mismatch', 'face-count-mismatch', 'face-mismatch'];
+
+function isMismatch(error: unknown): error is EngineError {
+  return error instanceof EngineError && MISMATCHES.includes(error.code);
 }
 
 function checkSameMesh(file: string, { report, faces }: KeysInfo, keys: KeysInfo): void {

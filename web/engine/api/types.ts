@@ -163,6 +163,8 @@ export interface Scene {
   seams: Seams | null;
   /** 4 x vertices, linear RGBA, or null. */
   colors: Float32Array | null;
+  /** Of how many faces each polygon of the file was cut, in their order; null where all were triangles. */
+  polygons: Int32Array | null;
   groups: MaterialGroup[];
   materials: Material[];
   images: TextureImage[];
@@ -178,6 +180,8 @@ export interface KeysInfo {
   animations: AnimationInfo[];
   /** Index of the animation that the keys were taken from, or -1. */
   animation: number;
+  /** Names of the objects that the first file holds, each once: those that `objects` may name. */
+  objects: string[];
   /** 3 x faces, of vertices. */
   faces: Uint32Array;
   scene: Scene;
@@ -269,6 +273,14 @@ export interface Measures {
 }
 
 /** The plane of the two leading principal components (Fig. 2b): 2 numbers per point. */
+/** How far the keys lie apart in shape space, and what keeps the motion from overshooting them. */
+export interface KeyPace {
+  /** Between each key and the next, without unit. */
+  distance: number[];
+  /** Per key, in [0, 1]: the least that keeps the slope within three times that of either chord beside it. */
+  tension: number[];
+}
+
 export interface ShapePlane {
   keys: number[];
   curve: number[];
@@ -283,6 +295,10 @@ export const EXPORT_DEFAULTS: Readonly<ExportOptions> = defaultsOf(EXPORT);
 export interface ExportPlan {
   /** Times of its frames, in the sequence's own unit, increasing for a GLB. */
   times: number[];
+  /** Morph targets of a GLB; 0 elsewhere. */
+  targets: number;
+  /** The largest distance of what plays from the motion, as a share of the diagonal; null where nothing plays. */
+  error: number | null;
   /** Bytes of all files together, to a few percent. */
   bytes: number;
   warnings: Warning[];

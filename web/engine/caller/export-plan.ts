@@ -1,10 +1,20 @@
 /** Which times an export holds, and where they lie on the exported animation's own timeline. */
+import { bytesText } from '../api/bytes-text.ts';
 import { EngineError, invalidOption } from '../api/errors.ts';
+import { MOST_FRAMES, USUAL_FRAMES } from '../api/option-table.ts';
 import { NO_PLACE } from '../api/types.ts';
+import { frameCount, frameTimes } from '../api/whole-frames.ts';
 import type { ExportOptions, Warning } from '../api/types.ts';
 
-/** Morph targets that WebGL2 players are sure to hold: 256 layers of an array texture. */
-const SAFE_TARGETS = 256;
+/**
+ * Bytes of one target at one vertex: three.js and Babylon.js hold position and normal as four floats each in a texture,
+ * and three floats each besides; Blender holds a position.
+ */
+const PLAYED_BYTES = { texture: 32, memory: 24, blender: 12 };
+/** Of textures: more than many phones and integrated GPUs take for one model. */
+const HEAVY_BYTES = 256e6;
+/** Layers of an array texture, which three.js has one of for each target: what nearly all GPUs can do. */
+const MOST_LAYERS = 2048;
 
 /**
  * What opens again: weights are one for each target at every frame, and a file's sizes are read up to 2^31
@@ -25,14 +35,14 @@ export interface Frames {
   stills: number[];
 }
 
-/** `range`: what is exported unless the options say otherwise. */
+/** `range`: what is exported unless the options say otherwise. A GLB's frames without those that it can do without. */
 export function framesOf(
   options: ExportOptions,
   keyTimes: readonly number[],
   range: readonly [number, number],
 ): Frames {
   if (options.pose !== null) return { times: [options.pose], seconds: [0], stills: [] };
-  const asked = options.times ?? evenly(options.range ?? range, options.frames);
+  const asked = askedTimes(options, options.range ?? range);
   if (options.format !== 'glb' || asked.length === 1) return { times: asked, seconds: asked.map(() => 0), stills: [] };
   checkWeights(asked.length, asked.length - 1);
   const times = withKeys(
@@ -40,6 +50,45 @@ export function framesOf(
     keyTimes,
   );
   return onTimeLine(times, keyTimes, options.duration);
+}
+
+function askedTimes({ times, frames, fps, duration }: ExportOptions, range: readonly [number, number]): number[] {
+  if (times) return times;
+  return fps !== null && frames === null ? wholeFrames(range, fps, duration) : evenly(range, frames ?? USUAL_FRAMES);
+}
+
+/** With a duration the frames are those of the exported animation, which starts with frame 0. */
+function wholeFrames([first, last]: readonly [number, number], fps: number, duration: number | null): number[] {
+  const scale = duration === null ? 1 : duration / (last - first);
+  const count = duration === null ? frameCount([first, last], fps) : frameCount([0, duration], fps);
+  if (count > MOST_FRAMES)
+    throw tooLarge(
+      `This would be ${grouped(count)} frames; the maximum is ${grouped(MOST_FRAMES)}. Use a shorter range or fewer frames per second.`,
+    );
+  const times =
+    duration === null
+      ? frameTimes([first, last], fps)
+      : frameTimes([0, duration], fps).map((seconds) => Math.min(first + seconds / scale, last));
+  if (times.length > 1) return times;
+  throw invalidOption('The range holds fewer than two whole frames. Use a longer one or more frames per second.');
+}
+
+/** Whether a GLB leaves out what the tolerance allows. */
+export function isThinned({ format, pose, times, frames, tolerance, targets }: ExportOptions): boolean {
+  return format === 'glb' && pose === null && (targets === 'principal' || (tolerance > 0 && !times && frames === null));
+}
+
+/** What a thinned GLB may take its times from: times that it has to hold, and others. */
+export function choicesOf(
+  options: ExportOptions,
+  keyTimes: readonly number[],
+  range: readonly [number, number],
+): { corners: number[]; grid: number[] | null } {
+  const [first, last] = options.range ?? range;
+  if (options.fps === null || options.frames !== null || options.times)
+    return { corners: withKeys([first, last], keyTimes), grid: null };
+  const grid = wholeFrames([first, last], options.fps, options.duration);
+  return { corners: withKeys([grid[0]!, grid.at(-1)!], keyTimes), grid };
 }
 
 function evenly([first, last]: readonly [number, number], count: number): number[] {
@@ -56,7 +105,7 @@ function withKeys(times: number[], keyTimes: readonly number[]): number[] {
   return [...new Set([...free, ...keys])].sort((a, b) => a - b);
 }
 
-function onTimeLine(times: number[], keyTimes: readonly number[], duration: number | null): Frames {
+export function onTimeLine(times: number[], keyTimes: readonly number[], duration: number | null): Frames {
   const first = times[0]!;
   const length = times.at(-1)! - first;
   if (!(length > 0)) throw invalidOption('An animation needs at least two different times.');
@@ -92,11 +141,28 @@ const grouped = (count: number): string => count.toLocaleString('en');
 
 const tooLarge = (sentence: string): EngineError => new EngineError('too-large', sentence);
 
-export function exportWarnings(options: ExportOptions, frames: Frames): Warning[] {
-  const targets = frames.times.length + frames.stills.length - 1;
-  if (options.format !== 'glb' || targets <= SAFE_TARGETS) return [];
-  const message =
-    `The animation has ${targets} morph targets; some players take no more than ${SAFE_TARGETS}. ` +
-    'Fewer frames are safer.';
-  return [{ ...NO_PLACE, code: 'many-targets', message, count: targets }];
+/** `vertices`: of all primitives together. */
+export function exportWarnings(options: ExportOptions, targets: number, vertices: number): Warning[] {
+  if (options.format !== 'glb') return [];
+  const warnings: Warning[] = [];
+  const texture = targets * vertices * PLAYED_BYTES.texture;
+  const bytes = (each: number): string => bytesText(targets * vertices * each);
+  if (texture > HEAVY_BYTES)
+    warnings.push({
+      ...NO_PLACE,
+      code: 'heavy-animation',
+      message:
+        `Playing this takes ${bytesText(texture)} of graphics memory in three.js and Babylon.js (${grouped(targets)} ` +
+        `morph targets of ${grouped(vertices)} vertices, 32 bytes each) and ${bytes(PLAYED_BYTES.memory)} besides; ` +
+        `${bytes(PLAYED_BYTES.blender)} in Blender. A larger tolerance or fewer frames make it lighter.`,
+      count: targets,
+    });
+  if (targets > MOST_LAYERS)
+    warnings.push({
+      ...NO_PLACE,
+      code: 'many-targets',
+      message: `The animation has ${grouped(targets)} morph targets; three.js plays no more than ${grouped(MOST_LAYERS)} on most GPUs.`,
+      count: targets,
+    });
+  return warnings;
 }

@@ -4,9 +4,14 @@
  */
 import type { CallOptions } from '../api/api.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
-import { checkBytes, exportWarnings, framesOf, type Frames } from './export-plan.ts';
+import { checkBytes, exportWarnings } from './export-plan.ts';
+import { planFrames, shapeCount, type PlannedFrames } from './export-frames.ts';
+import { materialFiles, materialLibrary } from './material-library.ts';
+import { PointCache } from './point-cache.ts';
+import { sliderFiles } from './slider-files.ts';
+import { targetNames } from './target-names.ts';
 import { writeProject } from '../wire/project.ts';
-import type { KeyData } from '../wire/protocol.ts';
+import type { FrameBuffers, KeyData } from '../wire/protocol.ts';
 import type { WorkerClient } from './worker-client.ts';
 import type { ExportedFile, ExportOptions, ExportPlan, Frame, Scene, SequenceOptions } from '../api/types.ts';
 
@@ -15,19 +20,51 @@ export interface ExportSource {
   keyTimes: readonly number[];
   options: SequenceOptions;
   range: readonly [number, number];
+  /** What was planned last, and for what: planning may cost as much as exporting. */
+  planned: { latest: { for: string; frames: PlannedFrames } | null };
   freshWorker(): WorkerClient;
   frame(t: number): Promise<Frame>;
-  /** Bytes of an animated GLB without its images. */
-  glbSize(vertices: number, faces: number, frames: number, scene: Scene): Promise<number>;
+  /** Of an animated GLB without its images: its bytes, and the vertices of its primitives. */
+  glbSize(
+    faces: Uint32Array,
+    vertices: number,
+    frames: number,
+    scene: Scene,
+  ): Promise<{ bytes: number; vertices: number }>;
 }
 
-const NO_SCENE: Scene = { uvs: null, colors: null, seams: null, groups: [], materials: [], images: [] };
+const NO_SCENE: Scene = { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] };
 
-export async function planExport(source: ExportSource, options: ExportOptions): Promise<ExportPlan> {
-  const frames = framesOf(options, source.keyTimes, source.range);
-  const bytes = await estimate(source, options, frames.times.length + frames.stills.length);
-  checkBytes(options, bytes);
-  return { times: frames.times, bytes, warnings: exportWarnings(options, frames) };
+/** Shares of the bytes that compression leaves of a shape that turns far, whose normals do not fit into fewer bits. */
+const LEFT = { none: 1, quantized: 0.83, meshopt: 0.56 };
+
+/** Share of the progress that goes to planning, where that has not been done before. */
+const PLANNING = 0.4;
+
+async function framesOnce(source: ExportSource, options: ExportOptions, call: CallOptions): Promise<PlannedFrames> {
+  const { compression: _, name: __, ...rest } = options;
+  const mine = JSON.stringify([rest, source.keyTimes, source.options]);
+  if (source.planned.latest?.for === mine) return source.planned.latest.frames;
+  const frames = await planFrames(source, options, call);
+  source.planned.latest = { for: mine, frames };
+  return frames;
+}
+
+export async function planExport(
+  source: ExportSource,
+  options: ExportOptions,
+  call: CallOptions = {},
+): Promise<ExportPlan> {
+  const frames = await framesOnce(source, options, call);
+  const size = await estimate(source, options, shapeCount(frames));
+  checkBytes(options, size.bytes);
+  return {
+    times: frames.times,
+    targets: options.format === 'glb' ? shapeCount(frames) - 1 : 0,
+    error: frames.error,
+    bytes: size.bytes,
+    warnings: exportWarnings(options, shapeCount(frames) - 1, size.vertices),
+  };
 }
 
 /** The files as they are written: who takes them one by one need not hold them all. */
@@ -36,15 +73,21 @@ export async function* exportFiles(
   options: ExportOptions,
   call: CallOptions,
 ): AsyncGenerator<ExportedFile, void, undefined> {
-  const frames = framesOf(options, source.keyTimes, source.range);
-  await planExport(source, options);
+  let start = 0;
+  await planExport(source, options, {
+    signal: call.signal,
+    onProgress: ({ stage, fraction }) => {
+      start = PLANNING;
+      call.onProgress?.({ stage, fraction: PLANNING * fraction });
+    },
+  });
+  const frames = await framesOnce(source, options, call);
   const writer = source.freshWorker();
   const stop = (): void => writer.terminate(cancelled());
   if (call.signal?.aborted) stop();
   call.signal?.addEventListener('abort', stop, { once: true });
   try {
-    const animated = options.format === 'glb' && frames.times.length > 1;
-    yield* (animated ? writeAnimation : writePoses)({ source, options, frames, writer, call });
+    yield* writerOf(options, frames)({ source, options, frames, writer, call, start });
     call.onProgress?.({ stage: 'writing', fraction: 1 });
   } finally {
     call.signal?.removeEventListener('abort', stop);
@@ -52,90 +95,151 @@ export async function* exportFiles(
   }
 }
 
+function writerOf({ format }: ExportOptions, { times }: PlannedFrames) {
+  if (format === 'pc2' || format === 'mdd') return writePointCache;
+  return format === 'glb' && times.length > 1 ? writeAnimation : writePoses;
+}
+
 interface Job {
   source: ExportSource;
   options: ExportOptions;
-  frames: Frames;
+  frames: PlannedFrames;
   writer: WorkerClient;
   call: CallOptions;
+  /** How far the progress is. */
+  start: number;
 }
 
-function report({ call, frames }: Job, done: number): void {
-  call.onProgress?.({ stage: 'evaluating', fraction: (0.95 * done) / (frames.times.length + frames.stills.length) });
+function report({ call, frames, start }: Job, done: number): void {
+  const fraction = start + ((0.95 - start) * done) / shapeCount(frames);
+  call.onProgress?.({ stage: 'evaluating', fraction });
+}
+
+const stemOf = ({ name }: ExportOptions): string => name ?? 'shapespline';
+
+/** The shapes of an animation: frames at their times, or targets that were worked out before. */
+async function* shapesOf({ source, frames, call: { signal } }: Job): AsyncGenerator<FrameBuffers, void, undefined> {
+  if (frames.principal) {
+    for (const { positions, normals } of frames.principal.shapes)
+      yield { positions: positions.slice(), normals: normals.slice() };
+    return;
+  }
+  for (const t of [...frames.times, ...frames.stills]) yield await untilAborted(signal, source.frame(t));
 }
 
 async function* writeAnimation(job: Job): AsyncGenerator<ExportedFile, void, undefined> {
-  const {
-    source,
-    frames: { times, seconds, stills },
-    writer,
-    call: { signal },
-  } = job;
-  for (const [index, t] of [...times, ...stills].entries()) {
-    const { positions, normals } = await untilAborted(signal, source.frame(t));
+  const { source, options, frames, writer } = job;
+  let done = 0;
+  for await (const { positions, normals } of shapesOf(job)) {
     const transfer = [positions.buffer, normals.buffer] as ArrayBuffer[];
     await writer.call('addFrame', { positions, normals }, { transfer });
-    report(job, index + 1);
+    done += 1;
+    report(job, done);
   }
   const { faces, scene } = source.keys.info;
-  const project = projectOf(source, job.frames);
-  const bytes = await writer.call('writeAnimation', { faces, scene, seconds, stills: stills.length, project });
-  yield { name: 'shapespline.glb', bytes };
+  const names = targetNames(source.keys.info.names, source.keyTimes, frames);
+  const bytes = await writer.call('writeAnimation', {
+    faces,
+    scene,
+    seconds: frames.seconds,
+    stills: frames.stills.length,
+    weights: frames.principal?.weights ?? null,
+    project: projectOf(source, frames),
+    name: stemOf(options),
+    targetNames: names,
+    compression: options.compression,
+    diagonal: source.keys.info.report.diagonal,
+  });
+  yield { name: `${stemOf(options)}.glb`, bytes };
+  if (frames.principal) yield* sliderFiles(stemOf(options), names, frames);
 }
 
 async function* writePoses(job: Job): AsyncGenerator<ExportedFile, void, undefined> {
-  const {
-    source,
-    options: { format },
-    frames,
-    writer,
-    call: { signal },
-  } = job;
-  const { faces } = source.keys.info;
-  const scene = sceneOf(format, source.keys.info.scene);
+  const { source, options, frames, call } = job;
+  const { signal } = call;
+  const many = frames.times.length > 1;
   for (const [index, t] of frames.times.entries()) {
     const frame = await untilAborted(signal, source.frame(t));
-    const pose = { positions: frame.positions, normals: frame.normals };
-    const bytes = await writer.call('writePose', { format, faces, scene, pose });
+    const bytes = await writePose(job, frame);
     frame.release();
     report(job, index + 1);
-    yield { name: `${String(index).padStart(4, '0')}.${format}`, bytes };
+    const name = many || options.pose === null ? String(index).padStart(4, '0') : stemOf(options);
+    yield { name: `${name}.${options.format}`, bytes };
   }
+  if (options.format === 'obj') yield* materialFiles(stemOf(options), source.keys.info.scene);
+}
+
+function writePose({ source, options, writer }: Job, frame: Frame): Promise<Uint8Array> {
+  const { info } = source.keys;
+  const format = options.format === 'glb' || options.format === 'ply' ? options.format : 'obj';
+  return writer.call('writePose', {
+    format,
+    faces: info.faces,
+    scene: sceneOf(format, info.scene),
+    pose: { positions: frame.positions, normals: frame.normals },
+    library: materialLibrary(stemOf(options), info.scene),
+  });
+}
+
+/** The cache, and one OBJ with the vertices that it moves: the shape of the first frame. */
+async function* writePointCache(job: Job): AsyncGenerator<ExportedFile, void, undefined> {
+  const { source, options, frames, call } = job;
+  const cache = new PointCache(options.format as 'pc2' | 'mdd', frames, source.keys.positions[0]!.length / 3);
+  let obj: Uint8Array | null = null;
+  for (const [index, t] of frames.times.entries()) {
+    const frame = await untilAborted(call.signal, source.frame(t));
+    obj ??= await writePose(job, frame);
+    cache.add(frame.positions);
+    frame.release();
+    report(job, index + 1);
+  }
+  yield { name: `${stemOf(options)}.${options.format}`, bytes: cache.bytes };
+  yield { name: `${stemOf(options)}.obj`, bytes: obj! };
+  yield* materialFiles(stemOf(options), source.keys.info.scene);
 }
 
 /** What a format keeps of the look. */
-function sceneOf(format: ExportOptions['format'], { uvs, seams, ...rest }: Scene): Scene {
-  if (format === 'glb') return { uvs, seams, ...rest };
-  return format === 'obj' ? { ...NO_SCENE, uvs, seams } : NO_SCENE;
+function sceneOf(format: 'glb' | 'obj' | 'ply', scene: Scene): Scene {
+  if (format === 'glb') return scene;
+  return format === 'obj' ? { ...scene, colors: null, images: [] } : NO_SCENE;
 }
 
-/** Every key is one of the frames, shown or not. */
-function projectOf({ keys, keyTimes, options }: ExportSource, { times, stills }: Frames): string {
-  const all = [...times, ...stills];
+/** Every key is one of the frames, shown or not; with principal targets they are the first ones. */
+function projectOf({ keys, keyTimes, options }: ExportSource, frames: PlannedFrames): string {
+  const all = [...frames.times, ...frames.stills];
+  const { vertices, faces } = keys.info.report;
   return writeProject(
-    { names: keys.info.names, times: keyTimes, frames: keyTimes.map((t) => all.indexOf(t)) },
+    {
+      names: keys.info.names,
+      times: keyTimes,
+      frames: keyTimes.map((t, key) => (frames.principal ? key : all.indexOf(t))),
+    },
     options,
+    { vertices, faces, error: frames.error },
   );
 }
 
 async function estimate(
   { keys: { info, positions }, glbSize }: ExportSource,
-  { format }: ExportOptions,
+  { format, compression }: ExportOptions,
   frames: number,
-): Promise<number> {
+): Promise<{ bytes: number; vertices: number }> {
   const { scene } = info;
   const vertices = positions[0]!.length / 3;
   const faces = info.faces.length / 3;
-  if (format === 'ply') return frames * (12 * vertices + 13 * faces);
-  if (format === 'obj') return frames * objBytes(vertices, faces, (scene.uvs?.length ?? 0) / 2);
+  const obj = objBytes(vertices, faces, (scene.uvs?.length ?? 0) / 2);
+  if (format === 'ply') return { bytes: frames * (12 * vertices + 13 * faces), vertices };
+  if (format === 'obj') return { bytes: frames * obj, vertices };
+  if (format !== 'glb') return { bytes: frames * (12 * vertices + 4) + obj, vertices };
   const images = scene.images.reduce((sum, image) => sum + image.bytes.length, 0);
   const bare = { ...scene, images: scene.images.map((image) => ({ ...image, bytes: new Uint8Array(0) })) };
-  return images + (await glbSize(vertices, faces, frames, bare));
+  const size = await glbSize(info.faces, vertices, frames, bare);
+  return { bytes: images + LEFT[compression] * size.bytes, vertices: size.vertices };
 }
 
-/** Numbers of about 10 characters; indices as long as the largest, twice a corner where there are coordinates. */
+/** Numbers of about 10 characters; indices as long as the largest, up to three a corner. */
 function objBytes(vertices: number, faces: number, coordinates: number): number {
   const digits = (count: number): number => String(count).length;
-  const corner = 1 + digits(vertices) + (coordinates > 0 ? 1 + digits(coordinates) : 0);
-  return 33 * vertices + 24 * coordinates + (2 + 3 * corner) * faces;
+  const corner = 2 * (1 + digits(vertices)) + 1 + (coordinates > 0 ? digits(coordinates) : 0);
+  return 68 * vertices + 24 * coordinates + (2 + 3 * corner) * faces;
 }

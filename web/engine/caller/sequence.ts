@@ -27,6 +27,7 @@ import type {
   PreviewError,
   SequenceOptions,
   SequenceStats,
+  KeyPace,
   ShapePlane,
   Warning,
 } from '../api/types.ts';
@@ -56,6 +57,8 @@ export class SequenceClient implements Sequence {
   private shown: Shown | null = null;
   private updates: Promise<unknown> = Promise.resolve();
   private over = false;
+  /** Of the last export that was planned. */
+  private readonly planned: ExportSource['planned'] = { latest: null };
 
   private constructor(parts: SequenceParts, client: WorkerClient, motion: MotionSpec, state: ResultOf<'create'>) {
     this.parts = parts;
@@ -170,6 +173,10 @@ export class SequenceClient implements Sequence {
     return this.scheduled(urgency.shown, 'plane', () => ({ motion: this.motion, times: checked }));
   }
 
+  async keyPace(): Promise<KeyPace> {
+    return this.scheduled(urgency.shown, 'pace', () => ({ motion: this.motion }));
+  }
+
   async bendingEnergy(times: number[]): Promise<number[]> {
     const checked = checkTimes(times);
     return this.scheduled(urgency.shown, 'bending', () => ({ motion: this.motion, times: checked }));
@@ -192,9 +199,10 @@ export class SequenceClient implements Sequence {
     return this.scheduled(urgency.shown, 'ghostPositions', () => ({ motion: this.motion, t: checked }));
   }
 
-  async planExport(options?: Partial<ExportOptions>): Promise<ExportPlan> {
+  async planExport(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportPlan> {
+    checkCall(call);
     const checked = checkExportOptions(options);
-    return planExport(await this.exportSource(checked), checked);
+    return planExport(await this.exportSource(checked), checked, call);
   }
 
   async export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]> {
@@ -288,14 +296,15 @@ export class SequenceClient implements Sequence {
         ? { ...settled, version: ++this.versions, options: { ...settled.options, inPlace } }
         : settled;
     return {
+      planned: this.planned,
       keys: this.parts.keys,
       keyTimes: motion.keyTimes,
       options: { ...this.encoding, ...motion.options },
       range: this.range,
       freshWorker: this.parts.freshWorker,
       frame: (t) => this.batch(() => this.frame(t, motion)),
-      glbSize: (vertices, faces, frames, scene) =>
-        this.scheduled(urgency.shown, 'glbSize', () => ({ vertices, faces, frames, scene })),
+      glbSize: (faces, vertices, frames, scene) =>
+        this.scheduled(urgency.shown, 'glbSize', () => ({ faces, vertices, frames, scene })),
     };
   }
 }

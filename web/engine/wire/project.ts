@@ -17,10 +17,28 @@ export interface ProjectKeys {
   frames: readonly number[];
 }
 
+/** The mesh as it was written, and what its playback is off at most, as a share of the diagonal. */
+export interface ProjectMesh {
+  vertices: number;
+  faces: number;
+  error: number | null;
+}
+
 /** JSON holds shapes as base64 of little-endian float32. */
-export function writeProject(keys: ProjectKeys, options: SequenceOptions): string {
+export function writeProject(keys: ProjectKeys, options: SequenceOptions, mesh: ProjectMesh): string {
   const shapes = SHAPES.map((name) => [name, options[name] && toBase64(options[name])]);
-  return JSON.stringify({ version: VERSION, keys, options: { ...options, ...Object.fromEntries(shapes) } });
+  return JSON.stringify({ version: VERSION, keys, mesh, options: { ...options, ...Object.fromEntries(shapes) } });
+}
+
+/** null where the text says nothing of it, as in files of earlier versions. */
+export function readMesh(text: string): ProjectMesh | null {
+  try {
+    const { vertices, faces, error } = record(record(JSON.parse(text))['mesh']);
+    if (typeof vertices !== 'number' || typeof faces !== 'number') return null;
+    return { vertices, faces, error: typeof error === 'number' ? error : null };
+  } catch {
+    return null;
+  }
 }
 
 /** null where the text is of another version, broken, or made by hand and wrong. */

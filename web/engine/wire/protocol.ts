@@ -5,6 +5,7 @@
 import type { ErrorData } from '../api/errors.ts';
 import type {
   EncodingOptions,
+  ExportOptions,
   Ghost,
   ImportOptions,
   InputFile,
@@ -13,6 +14,7 @@ import type {
   PreviewError,
   Scene,
   SequenceStats,
+  KeyPace,
   ShapePlane,
   Warning,
 } from '../api/types.ts';
@@ -46,6 +48,8 @@ export interface FrameData extends FrameBuffers {
   indefiniteFace?: number;
 }
 
+export type Compression = ExportOptions['compression'];
+
 /** Request and result of every call. */
 export interface Calls {
   import: { request: { files: InputFile[]; options: ImportOptions }; result: KeyData };
@@ -63,6 +67,7 @@ export interface Calls {
   previewError: { request: { motion: MotionSpec; t: number }; result: PreviewError };
   measure: { request: { motion: MotionSpec; t: number }; result: { volume: number; area: number } };
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
+  pace: { request: { motion: MotionSpec }; result: KeyPace };
   bending: { request: { motion: MotionSpec; times: number[] }; result: number[] };
   patches: { request: object; result: Int32Array };
   components: { request: object; result: Int32Array };
@@ -70,16 +75,44 @@ export interface Calls {
   ghost: { request: object; result: Ghost | null };
   ghostPositions: { request: { motion: MotionSpec; t: number }; result: Float32Array };
   stats: { request: object; result: SequenceStats };
-  /** Bytes of an animated GLB, to a few percent; the images' own bytes are not in it. */
-  glbSize: { request: { vertices: number; faces: number; frames: number; scene: Scene }; result: number };
+  /** Bytes of an animated GLB, to a few percent, without the images' own; and the vertices of its primitives. */
+  glbSize: {
+    request: { faces: Uint32Array; vertices: number; frames: number; scene: Scene };
+    result: { bytes: number; vertices: number };
+  };
+  /** Leading components of offsets (3 x vertices each): few, whose weighted sums are as near as the tolerance. */
+  principalOffsets: {
+    request: { frames: Float32Array[]; tolerance: number; most: number };
+    result: { count: number; offsets: Float32Array; weights: Float32Array; largest: number };
+  };
   /** Takes one frame of the animation that is about to be written: those that are shown, then the stills. */
   addFrame: { request: FrameBuffers; result: null };
   writeAnimation: {
-    request: { faces: Uint32Array; scene: Scene; seconds: number[]; stills: number; project: string };
+    request: {
+      faces: Uint32Array;
+      scene: Scene;
+      seconds: number[];
+      stills: number;
+      /** A row for each time, with a weight for each target; null: each target is shown alone at its time. */
+      weights: Float32Array | null;
+      project: string;
+      name: string;
+      targetNames: string[];
+      compression: Compression;
+      /** Of the bounding box of all keys. */
+      diagonal: number;
+    };
     result: Uint8Array;
   };
   writePose: {
-    request: { format: 'glb' | 'obj' | 'ply'; faces: Uint32Array; scene: Scene; pose: FrameBuffers };
+    request: {
+      format: 'glb' | 'obj' | 'ply';
+      faces: Uint32Array;
+      scene: Scene;
+      pose: FrameBuffers;
+      /** The file of materials beside an OBJ, '' for none, and what it calls them. */
+      library: { file: string; names: string[] };
+    };
     result: Uint8Array;
   };
 }

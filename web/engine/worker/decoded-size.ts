@@ -1,6 +1,6 @@
 /**
- * What a glTF file with compressed meshes would become, judged by what it declares, before anything is decoded: sizes in
- * proportion to the bytes that are there, and nodes that form a forest. The decoders take all of that on trust.
+ * What a glTF file with compressed meshes would become, judged by what it declares, before anything is decoded: sizes
+ * in proportion to the bytes that are there, and nodes that form a forest. The decoders take all of that on trust.
  */
 import { EngineError } from '../api/errors.ts';
 
@@ -12,7 +12,10 @@ const LARGEST = 2 ** 30;
 /** Bytes that may come out of so many. */
 export const roomFor = (bytes: number): number => Math.min(Math.max(SMALL, LARGEST_RATIO * bytes), LARGEST);
 
-/** Bytes that a byte of each of meshopt's codecs stands for at most: a control byte of a block of vertices, a triangle, an index. */
+/**
+ * Bytes that a byte of each of meshopt's codecs stands for at most: a control byte of a block of vertices, a triangle,
+ * an index.
+ */
 const MESHOPT_RATIO: Record<string, number> = { ATTRIBUTES: 1024, TRIANGLES: 12, INDICES: 4 };
 
 type Json = Record<string, unknown>;
@@ -71,7 +74,9 @@ function accessorSize({ count = 0, type, componentType }: Json, index: number): 
   return count * components * width;
 }
 
-/** Throws a sentence without its end where the nodes form no forest: what reads them next would not notice, or not end. */
+/**
+ * Throws a sentence without its end where the nodes form no forest: what reads them next would not notice, or not end.
+ */
 export function checkForest(json: unknown): void {
   const nodes = listOf(isObject(json) ? json : {}, 'nodes');
   const parent = new Int32Array(nodes.length).fill(-1);

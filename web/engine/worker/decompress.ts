@@ -7,14 +7,13 @@ import type { Document, JSONDocument } from '@gltf-transform/core';
 import { EngineError, messageOf } from '../api/errors.ts';
 import { parseGltf } from '../api/gltf-json.ts';
 import { fileName, resolveUri, resourceUris, uriError } from '../api/paths.ts';
+import { GLB_MAGIC, jsonOf } from './gltf-text.ts';
 import { checkDecodedSize, checkForest, roomFor } from './decoded-size.ts';
 import type { Decode } from './import-files.ts';
 import { withMemoryLimit } from './wasm-memory.ts';
 import type { InputFile } from '../api/types.ts';
 
 const COMPRESSIONS = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression'];
-const GLB_MAGIC = 0x46546c67;
-const JSON_CHUNK = 0x4e4f534a;
 const BIN_CHUNK = 0x004e4942;
 /** What glTF-Transform calls the binary chunk. */
 const GLB_BUFFER = '@glb.bin';
@@ -60,18 +59,6 @@ async function decodeFile(job: Job): Promise<InputFile> {
     const sentence = `${name}: its compressed mesh cannot be decoded (${reason}). Export the file again, or without compression.`;
     throw new EngineError('malformed-file', sentence, { file: name });
   }
-}
-
-/** The JSON text of a .glb or .gltf file; null for anything else, which is for the core to judge. */
-function jsonOf(bytes: Uint8Array): string | null {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const decode = (start: number, end: number): string => new TextDecoder().decode(bytes.subarray(start, end));
-  if (bytes.length >= 20 && view.getUint32(0, true) === GLB_MAGIC) {
-    if (view.getUint32(8, true) > bytes.length) return null; // cut off
-    const length = view.getUint32(12, true);
-    return view.getUint32(16, true) === JSON_CHUNK && 20 + length <= bytes.length ? decode(20, 20 + length) : null;
-  }
-  return /^[\uFEFF\s]*\{/.test(decode(0, 64)) ? decode(0, bytes.length) : null;
 }
 
 async function uncompress({ file, text, files, dracoWasm }: Job, json: JSONDocument['json']): Promise<Uint8Array> {

@@ -27,6 +27,9 @@ const ARRAYS = {
   positions: Float32Array,
   normals: Float32Array,
   uvs: Float32Array,
+  offsets: Float32Array,
+  weights: Float32Array,
+  polygons: Int32Array,
   colors: Float32Array,
 };
 

@@ -1,10 +1,12 @@
 /** Files -> keys, inside a worker: compressed meshes are decoded first, a project brings its options along. */
-import type { WasmCore, OnProgress } from './wasm-core.ts';
+import type { ImportedInfo, OnProgress, WasmCore } from './wasm-core.ts';
+import { jsonOf } from './gltf-text.ts';
 import { drawnImages } from './image-size.ts';
-import { readOptions } from '../wire/project.ts';
+import { readMesh, readOptions } from '../wire/project.ts';
+import { SHAPES } from '../api/option-table.ts';
 import type { KeyData } from '../wire/protocol.ts';
 import { NO_PLACE } from '../api/types.ts';
-import type { ImportOptions, InputFile, Warning } from '../api/types.ts';
+import type { ImportOptions, InputFile, MeshReport, Warning } from '../api/types.ts';
 
 /**
  * Undoes compression, one file after the other; those that have none are returned as they are. `report` hears how far
@@ -51,13 +53,52 @@ export async function importFiles(
   const { images, warnings } = drawnImages(scene.images, scene.materials);
   const project = info.project === '' ? null : readOptions(info.project);
   const unreadable = info.project !== '' && !project ? [UNREADABLE] : [];
+  const changed = info.project === '' ? null : changedMesh(info.project, info.report);
+  // Shapes of the mesh as it was fit no other.
+  if (project && changed) for (const name of SHAPES) project[name] = null;
   return {
     ...poses,
     info: {
       ...info,
       scene: { ...scene, images },
-      warnings: [...info.warnings, ...warnings, ...unreadable],
+      warnings: [
+        ...info.warnings,
+        ...warnings,
+        ...unreadable,
+        ...(changed ? [changed] : []),
+        ...lostProject(files, info),
+      ],
       project,
     },
   };
+}
+
+/** What another program has done to the mesh of a project since it was saved; null where it is as it was. */
+function changedMesh(project: string, { vertices, faces }: MeshReport): Warning | null {
+  const mesh = readMesh(project);
+  if (!mesh || (mesh.vertices === vertices && mesh.faces === faces)) return null;
+  const grouped = (count: number): string => count.toLocaleString('en');
+  const message =
+    `Another program has changed the mesh of this project: it has ${grouped(vertices)} vertices and ${grouped(faces)} ` +
+    `faces, and was saved with ${grouped(mesh.vertices)} and ${grouped(mesh.faces)}. Its keys are used as they are now; ` +
+    'open the file as it was exported to work on the whole mesh.';
+  return { ...NO_PLACE, code: 'project-mesh-changed', message, count: Math.abs(mesh.vertices - vertices) };
+}
+
+/** Morph targets that are called as our exports call theirs: by a time at the end. */
+const OUR_TARGET = /"([^"]* )?t=-?\d[\d.e+-]*"/;
+
+function hasOurTargets(text: string): boolean {
+  const start = text.indexOf('"targetNames"');
+  return start >= 0 && OUR_TARGET.test(text.slice(start, start + 4000));
+}
+
+/** An animation of ours that another program has written again, without the project that it came with. */
+function lostProject(files: readonly InputFile[], { project, animation }: Pick<ImportedInfo, 'project' | 'animation'>) {
+  const text = files.length === 1 && project === '' && animation >= 0 ? jsonOf(files[0]!.bytes) : null;
+  if (text === null || text.includes('"shapespline":') || !hasOurTargets(text)) return [];
+  const message =
+    'This animation was exported from here, and another program has written it again without the project. Its keys ' +
+    'are taken from the animation; to work on the project itself, open the file as it was exported.';
+  return [{ ...NO_PLACE, code: 'project-lost', message, count: 0 }];
 }

@@ -10,6 +10,7 @@ import {
   type ErrorData,
 } from '../api/errors.ts';
 import type { SecondThreadStart } from './second-thread.ts';
+import { compress } from './compress.ts';
 import { importFiles, type Decode } from './import-files.ts';
 import type {
   CallName,
@@ -123,6 +124,7 @@ export class RequestHandler {
       previewError: (core, { motion, t }) => core.previewError(this.follow(core, motion), t),
       measure: (core, { motion, t }) => core.measure(this.follow(core, motion), t),
       plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
+      pace: (core, { motion }) => core.pace(this.follow(core, motion)),
       bending: (core, { motion, times }) => core.bending(this.follow(core, motion), times),
       patches: (core) => core.patches(this.sequence),
       components: (core) => core.components(this.sequence),
@@ -134,7 +136,12 @@ export class RequestHandler {
         this.frames.push({ positions, normals });
         return null;
       },
-      writeAnimation: (core, request) => core.writeAnimation(this.frames.splice(0), request),
+      principalOffsets: (core, request) => core.principalOffsets(request),
+      writeAnimation: async (core, request) => {
+        const bytes = core.writeAnimation(this.frames.splice(0), request);
+        const { compression, diagonal } = request;
+        return compression === 'none' ? bytes : compress(bytes, { compression, diagonal, weight: mostWeight(request) });
+      },
       writePose: (core, request) => core.writePose(request),
     };
   }
@@ -172,6 +179,17 @@ export class RequestHandler {
 
 // What the core says of itself leaves it sound, but for memory that ran out in the middle and its own defects. Anything
 // else that arrives here is a trap.
+/** The largest sum of an animation's weights at any time. */
+function mostWeight({ weights, seconds }: RequestOf<'writeAnimation'>): number {
+  if (!weights) return 1;
+  const targets = weights.length / seconds.length;
+  return Math.max(
+    ...seconds.map((_, i) =>
+      weights.subarray(i * targets, (i + 1) * targets).reduce((sum, weight) => sum + Math.abs(weight), 0),
+    ),
+  );
+}
+
 function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
   const error = reason instanceof EngineError ? reason : trapped(messageOf(reason));
   const fatal = error !== reason || ['out-of-memory', 'internal', 'crashed', 'not-loaded'].includes(error.code);

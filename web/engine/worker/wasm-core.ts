@@ -3,7 +3,7 @@ import { IMPORT } from '../api/option-table.ts';
 import { EngineError, outOfMemory } from '../api/errors.ts';
 import type { SecondThreadStart } from './second-thread.ts';
 import { HeapScope, readFloats, readJson, readText, sharedFloats, writeFloats, type Range } from './heap.ts';
-import type { FrameBuffers, FrameData, KeyData, MotionSpec, RequestOf } from '../wire/protocol.ts';
+import type { FrameBuffers, FrameData, KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
 import type {
   Ghost,
   ImportOptions,
@@ -12,6 +12,7 @@ import type {
   PreviewError,
   Scene,
   SequenceStats,
+  KeyPace,
   ShapePlane,
   TextureImage,
   Warning,
@@ -96,7 +97,7 @@ export class WasmCore {
     onProgress: OnProgress = () => undefined,
   ): Omit<KeyData, 'info'> & { info: ImportedInfo } {
     this.hear(onProgress);
-    const { animation, sample, keyTimes, up, unit, like } = options;
+    const { animation, sample, keyTimes, up, unit, objects, like, likePose } = options;
     const request = {
       files,
       options: {
@@ -106,7 +107,9 @@ export class WasmCore {
         keyTimes: keyTimes ?? [],
         zUp: (up ?? IMPORT.up.default) === 'z',
         unit: unit ?? IMPORT.unit.default,
+        objects: objects ?? [],
         like: like ?? null,
+        likePose: likePose ?? null,
       },
     };
     return this.lend((scope) => {
@@ -172,6 +175,10 @@ export class WasmCore {
     return this.ask({ times }, (address) => this.module._shapespline_plane(handle, address));
   }
 
+  pace(handle: number): KeyPace {
+    return this.result(this.module._shapespline_pace(handle));
+  }
+
   bending(handle: number, times: number[]): number[] {
     return this.ask<{ energy: number[] }>({ times }, (address) => this.module._shapespline_bending(handle, address))
       .energy;
@@ -204,7 +211,7 @@ export class WasmCore {
   /** One GLB that plays `frames` at their seconds; the last `stills` of them are in the file but never shown. */
   writeAnimation(
     frames: FrameBuffers[],
-    { faces, scene, seconds, stills, project }: RequestOf<'writeAnimation'>,
+    { compression: _, diagonal: __, ...request }: RequestOf<'writeAnimation'>,
   ): Uint8Array {
     this.module.takeFrame = (index, positions, normals) => {
       const frame = frames[index];
@@ -215,17 +222,23 @@ export class WasmCore {
       return true;
     };
     const vertices = (frames[0]?.positions.length ?? 0) / 3;
-    return this.written({ faces, scene, vertices, seconds, stills, project }, (address) =>
-      this.module._shapespline_write_animation(address),
+    return this.written({ ...request, vertices }, (address) => this.module._shapespline_write_animation(address));
+  }
+
+  animationSize(request: RequestOf<'glbSize'>): ResultOf<'glbSize'> {
+    return this.ask(request, (address) => this.module._shapespline_animation_size(address));
+  }
+
+  principalOffsets(request: RequestOf<'principalOffsets'>): ResultOf<'principalOffsets'> {
+    const { handle, ...result } = this.ask<ResultOf<'principalOffsets'> & { handle: number }>(request, (address) =>
+      this.module._shapespline_principal_offsets(address),
     );
+    this.release(handle);
+    return result;
   }
 
-  animationSize(request: RequestOf<'glbSize'>): number {
-    return this.ask<{ bytes: number }>(request, (address) => this.module._shapespline_animation_size(address)).bytes;
-  }
-
-  writePose({ format, faces, scene, pose }: RequestOf<'writePose'>): Uint8Array {
-    return this.written({ format, faces, scene, ...pose }, (address) => this.module._shapespline_write_pose(address));
+  writePose({ pose, ...request }: RequestOf<'writePose'>): Uint8Array {
+    return this.written({ ...request, ...pose }, (address) => this.module._shapespline_write_pose(address));
   }
 
   release(handle: number): void {

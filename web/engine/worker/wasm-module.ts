@@ -24,6 +24,7 @@ export interface WasmModule extends JsImports {
   _shapespline_preview_error(handle: number, t: number): Address;
   _shapespline_measure(handle: number, t: number): Address;
   _shapespline_plane(handle: number, request: Address): Address;
+  _shapespline_pace(handle: number): Address;
   _shapespline_bending(handle: number, request: Address): Address;
   _shapespline_patches(handle: number): Address;
   _shapespline_components(handle: number): Address;
@@ -33,6 +34,7 @@ export interface WasmModule extends JsImports {
   _shapespline_write_animation(request: Address): Address;
   _shapespline_animation_size(request: Address): Address;
   _shapespline_write_pose(request: Address): Address;
+  _shapespline_principal_offsets(request: Address): Address;
   _shapespline_objects(): Address;
   _shapespline_release(handle: number): void;
   _shapespline_set_threads(handle: number, threads: number): void;

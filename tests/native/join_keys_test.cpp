@@ -1,0 +1,271 @@
+// Poses of one mesh that files split, cut and order in ways of their own, and what is said of those that are none.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gltf_maker.h"
+#include "real_data.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+// A strip of quads, bent upwards by `bend` per quad; quads are 4 vertices each, or share theirs.
+constexpr int kQuads = 6;
+
+Vec3 point(int column, int row, double bend) {
+  Vec3 p(0, row, 0);
+  for (int i = 0; i < column; ++i) p += Vec3(std::cos(bend * i), 0, std::sin(bend * i));
+  return p.cast<float>().cast<double>();
+}
+
+struct Strip {
+  Positions positions;
+  std::vector<Triangle> faces;
+};
+
+// Vertices by column and row: 2 c and 2 c + 1.
+Strip shared(double bend, bool otherDiagonal = false) {
+  Strip out;
+  for (int c = 0; c <= kQuads; ++c)
+    out.positions.push_back(point(c, 0, bend)), out.positions.push_back(point(c, 1, bend));
+  for (int c = 0; c < kQuads; ++c) {
+    const int a = 2 * c, b = a + 2, d = a + 1, e = a + 3;  // around: a b e d
+    if (otherDiagonal && c % 2 == 0) out.faces.insert(out.faces.end(), {{a, b, d}, {b, e, d}});
+    else out.faces.insert(out.faces.end(), {{a, b, e}, {a, e, d}});
+  }
+  return out;
+}
+
+// Every quad has its own vertices, as flat shading splits them; sorted by vertex, or in the order of the faces.
+Strip flat(double bend, bool sorted, bool otherDiagonal = false) {
+  const Strip whole = shared(bend, otherDiagonal);
+  std::vector<std::pair<int, int>> copies;  // vertex, quad
+  for (std::size_t f = 0; f < whole.faces.size(); ++f)
+    for (int v : whole.faces[f])
+      if (std::find(copies.begin(), copies.end(), std::pair(v, int(f / 2))) == copies.end())
+        copies.push_back({v, int(f / 2)});
+  if (sorted) std::sort(copies.begin(), copies.end());
+  Strip out;
+  for (const auto& [v, quad] : copies) out.positions.push_back(whole.positions[v]);
+  for (std::size_t f = 0; f < whole.faces.size(); ++f) {
+    Triangle face;
+    for (int c = 0; c < 3; ++c)
+      face[c] = int(std::find(copies.begin(), copies.end(), std::pair(whole.faces[f][c], int(f / 2))) - copies.begin());
+    out.faces.push_back(face);
+  }
+  return out;
+}
+
+Bytes glbOf(const Strip& strip, json extra = json::object()) {
+  GltfMaker maker;
+  json attributes = {{"POSITION", maker.vectors(strip.positions)}};
+  attributes.update(extra);
+  maker.node({{"name", "Strip"}, {"mesh", maker.mesh(attributes, maker.indices(strip.faces))}});
+  return maker.glb();
+}
+
+Result<Import> joined(const std::vector<Strip>& strips) {
+  Files files;
+  for (std::size_t j = 0; j < strips.size(); ++j)
+    files.add("pose" + std::string(1, char('a' + j)) + ".glb", glbOf(strips[j]));
+  return files.import();
+}
+
+// Every corner of every key stands where its own file has it.
+void checkCorners(const Import& import, const std::vector<double>& bends) {
+  const Strip mesh = shared(0);
+  const Keyframes& k = import.keyframes;
+  REQUIRE(k.keyCount() == int(bends.size()));
+  const Strip first = shared(bends[0]);
+  for (int v = 0; v < k.vertexCount(); ++v) {
+    const auto at = std::find(first.positions.begin(), first.positions.end(), k.keys[0].positions[v]);
+    REQUIRE(at != first.positions.end());
+    for (int j = 1; j < k.keyCount(); ++j)
+      CHECK(k.keys[j].positions[v] == shared(bends[j]).positions[at - first.positions.begin()]);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("poses that flat shading splits are one mesh, whichever of them comes first") {
+  for (const bool sorted : {true, false}) {
+    CAPTURE(sorted);
+    for (const auto& [first, second] : {std::pair{shared(0), flat(0.4, sorted)},
+                                        {flat(0, sorted), shared(0.4)},
+                                        {flat(0, sorted), flat(0.4, !sorted)}}) {
+      const auto import = joined({first, second});
+      REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+      CHECK(import->keyframes.vertexCount() == int(first.positions.size()));
+      CHECK(import->keyframes.faces == first.faces);
+      CHECK(import->warnings.empty());
+      checkCorners(*import, {0, 0.4});
+    }
+  }
+}
+
+TEST_CASE("quads that are cut along the other diagonal take the first key's, shared or split") {
+  for (const Strip& second : {shared(0.4, true), flat(0.4, true, true), flat(0.4, false, true)}) {
+    const auto import = joined({shared(0), second});
+    REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+    CHECK(import->keyframes.faces == shared(0).faces);
+    checkCorners(*import, {0, 0.4});
+    const auto back = joined({second, shared(0)});
+    REQUIRE_MESSAGE(back.ok(), (back.ok() ? "" : back.error().message));
+    checkCorners(*back, {0.4, 0});
+  }
+}
+
+TEST_CASE("faces in another order are found") {
+  Strip second = shared(0.4);
+  std::reverse(second.faces.begin(), second.faces.end());
+  const auto import = joined({shared(0), second});
+  REQUIRE(import.ok());
+  checkCorners(*import, {0, 0.4});
+}
+
+TEST_CASE("what touches in the first key and parts in another is split, and said") {
+  // The strip as a ring that is closed by one vertex pair in the first key, and open in the second.
+  Strip closed = shared(0), open = shared(0.4);
+  for (Triangle& f : closed.faces)
+    for (int& v : f) v = v >= 2 * kQuads ? v - 2 * kQuads : v;
+  closed.positions.resize(2 * kQuads);
+  const auto import = joined({closed, open});
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  CHECK(import->keyframes.vertexCount() == 2 * kQuads + 2);
+  REQUIRE(import->warnings.size() == 1);
+  CHECK(import->warnings[0].code == "split-vertices");
+  CHECK(import->warnings[0].count == 2);
+  const Keyframes& k = import->keyframes;
+  for (int f = 0; f < k.faceCount(); ++f)
+    for (int c = 0; c < 3; ++c) {
+      CHECK(k.keys[0].positions[k.faces[f][c]] == closed.positions[closed.faces[f][c]]);
+      CHECK(k.keys[1].positions[k.faces[f][c]] == open.positions[open.faces[f][c]]);
+    }
+}
+
+TEST_CASE("other meshes are refused, and the sentence says what to do") {
+  Strip shuffled = flat(0.4, false), fewer = shared(0.4);
+  std::rotate(shuffled.faces.begin(), shuffled.faces.begin() + 5, shuffled.faces.end());
+  fewer.faces.pop_back();
+  const auto counts = joined({shared(0), shuffled}), faces = joined({shared(0), fewer});
+  REQUIRE(!counts.ok());
+  CHECK(counts.error().code == ErrorCode::VertexCountMismatch);
+  REQUIRE(!faces.ok());
+  CHECK(faces.error().code == ErrorCode::FaceCountMismatch);
+  for (const Error& error : {counts.error(), faces.error()}) {
+    CAPTURE(error.message);
+    CHECK(error.key == 1);
+    CHECK(error.message.starts_with("poseb.glb (key 2) has "));
+    CHECK(error.message.find("modifiers applied") != std::string::npos);
+    CHECK(error.message.find("OBJ") != std::string::npos);
+  }
+}
+
+TEST_CASE("one face of other vertices is another mesh, however many there are") {
+  Strip other = shared(0.4), more = flat(0.4, false);
+  other.faces[3][0] = 13;
+  more.faces[3][0] = more.faces[9][0];
+  CHECK(joined({shared(0), other}).error().code == ErrorCode::FaceMismatch);
+  CHECK(joined({shared(0), more}).error().code == ErrorCode::VertexCountMismatch);
+}
+
+TEST_CASE("keys that are one pose are named, with the reason and what to do") {
+  const auto all = joined({shared(0.2), shared(0.2), shared(0.2)});
+  REQUIRE(all.ok());
+  REQUIRE(all->warnings.size() == 1);
+  CHECK(all->warnings[0].code == "same-poses");
+  CHECK(all->warnings[0].count == 3);
+  CHECK(all->warnings[0].message.starts_with("Keys 1, 2 and 3 are the same pose, so that nothing moves."));
+  CHECK(all->warnings[0].message.find("Apply the modifiers") != std::string::npos);
+  const auto some = joined({shared(0), shared(0.2), shared(0.2)});
+  REQUIRE(some.ok());
+  REQUIRE(some->warnings.size() == 1);
+  CHECK(some->warnings[0].message.starts_with("Keys 2 and 3 are the same pose, so that nothing moves between them."));
+  // A loop ends where it began.
+  CHECK(joined({shared(0), shared(0.2), shared(0)})->warnings.empty());
+}
+
+TEST_CASE("poses come in the vertices of the mesh that they are said to be of") {
+  const Strip mesh = shared(0), split = flat(0.4, false);
+  ImportOptions options;
+  options.like = mesh.faces;
+  options.likePose = mesh.positions;
+  const auto import = Files().add("a.glb", glbOf(split)).add("b.glb", glbOf(flat(0.2, true))).import(options);
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  CHECK(import->keyframes.faces == mesh.faces);
+  CHECK(import->keyframes.keys[0].positions == shared(0.4).positions);
+  CHECK(import->keyframes.keys[1].positions == shared(0.2).positions);
+  options.like[0][0] = 999;
+  CHECK(Files().add("a.glb", glbOf(split)).add("b.glb", glbOf(split)).import(options).error().code ==
+        ErrorCode::InvalidOption);
+}
+
+TEST_CASE("vertex colours that are all zero are none") {
+  const Strip strip = shared(0);
+  const auto withColours = [&](float green) {
+    GltfMaker maker;
+    std::vector<float> colours(4 * strip.positions.size(), 0);
+    colours[5] = green;
+    json attributes = {{"POSITION", maker.vectors(strip.positions)},
+                       {"COLOR_0", maker.accessor(colours, "VEC4", 4, kFloat32)}};
+    maker.node({{"mesh", maker.mesh(attributes, maker.indices(strip.faces))}});
+    return Files().add("a.glb", maker.glb()).add("b.glb", glbOf(shared(0.4))).import()->scene.colors;
+  };
+  CHECK(withColours(0).empty());
+  CHECK(withColours(0.5f).size() == 4 * strip.positions.size());
+}
+
+TEST_CASE("objects of a glTF and of an OBJ can be left out") {
+  const auto scene = [](double bend) {
+    GltfMaker maker;
+    const Strip strip = shared(bend), floor = shared(0);
+    maker.node({{"name", "Strip"},
+                {"mesh", maker.mesh({{"POSITION", maker.vectors(strip.positions)}}, maker.indices(strip.faces))}});
+    maker.node({{"name", "Floor"},
+                {"mesh", maker.mesh({{"POSITION", maker.vectors(floor.positions)}}, maker.indices(floor.faces))}});
+    return maker.glb();
+  };
+  const std::string obj =
+      "o Floor\nv 0 0 0\nv 9 0 0\nv 9 9 0\nf 1 2 3\no Thing\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 2\nusemtl none\nf 4 5 6 "
+      "7\n";
+  ImportOptions options;
+  const auto check = [&](const Files& files, std::vector<std::string> names, const std::string& one, int vertices) {
+    options.objects = {};
+    const auto all = files.import(options);
+    REQUIRE_MESSAGE(all.ok(), (all.ok() ? "" : all.error().message));
+    CHECK(all->objects == names);
+    options.objects = {one};
+    const auto some = files.import(options);
+    REQUIRE_MESSAGE(some.ok(), (some.ok() ? "" : some.error().message));
+    CHECK(some->objects == names);
+    CHECK(some->keyframes.vertexCount() == vertices);
+    options.objects = {"Roof"};
+    const auto none = files.import(options);
+    REQUIRE(!none.ok());
+    CHECK(none.error().code == ErrorCode::InvalidOption);
+    CHECK(none.error().message.find(names[0]) != std::string::npos);
+  };
+  check(Files().add("a.glb", scene(0)).add("b.glb", scene(0.4)), {"Strip", "Floor"}, "Strip", 2 * kQuads + 2);
+  check(Files().add("a.obj", bytesOf(obj)).add("b.obj", bytesOf(obj + "o Empty\n")), {"Floor", "Thing"}, "Thing", 4);
+}
+
+TEST_CASE("Blender's poses: flat shading, other diagonals, modifiers that are not applied") {
+  if (!hasData({"blender"})) return;
+  const auto blender = [](const std::string& name) {
+    return realFiles({"blender/" + name + "_0.glb", "blender/" + name + "_1.glb", "blender/" + name + "_2.glb"})
+        .import();
+  };
+  const auto split = blender("baked_flat"), cut = blender("suzsm"), still = blender("apply");
+  REQUIRE_MESSAGE(split.ok(), (split.ok() ? "" : split.error().message));
+  CHECK(split->keyframes.vertexCount() == 1584);
+  CHECK(split->warnings.empty());
+  REQUIRE_MESSAGE(cut.ok(), (cut.ok() ? "" : cut.error().message));
+  CHECK(cut->keyframes.vertexCount() == 555);
+  REQUIRE(still.ok());
+  REQUIRE(still->warnings.size() == 1);
+  CHECK(still->warnings[0].code == "same-poses");
+  CHECK(still->warnings[0].message.find("bones are at rest") != std::string::npos);
+}

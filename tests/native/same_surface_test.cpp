@@ -1,0 +1,37 @@
+// The same triangles in another order, and polygons that are cut otherwise.
+#include <doctest/doctest.h>
+
+#include "core/mesh/same_surface.h"
+
+using namespace shapespline;
+
+namespace {
+
+// Two quads side by side, 0 1 2 3 and 1 4 5 2, and a pentagon 2 5 6 7 8 on top.
+const std::vector<Triangle> kMesh = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {2, 5, 6}, {2, 6, 7}, {2, 7, 8}};
+
+}  // namespace
+
+TEST_CASE("triangles in any order, starting anywhere, are one surface") {
+  CHECK(sameSurface(kMesh, kMesh));
+  CHECK(sameSurface(kMesh, {{2, 7, 8}, {2, 0, 1}, {6, 2, 5}, {0, 2, 3}, {1, 5, 2}, {1, 4, 5}, {2, 6, 7}}));
+}
+
+TEST_CASE("polygons may be cut along other diagonals, beside each other and at another place of the list") {
+  CHECK(sameSurface(kMesh, {{0, 1, 3}, {1, 2, 3}, {1, 4, 5}, {1, 5, 2}, {2, 5, 6}, {2, 6, 7}, {2, 7, 8}}));
+  CHECK(sameSurface(kMesh, {{0, 1, 3}, {1, 4, 2}, {2, 5, 8}, {5, 6, 8}, {6, 7, 8}, {1, 2, 3}, {4, 5, 2}}));
+}
+
+TEST_CASE("other surfaces are told apart") {
+  std::vector<Triangle> turned = kMesh, other = kMesh, twice = kMesh;
+  turned[1] = {0, 3, 2};
+  CHECK(!sameSurface(kMesh, turned));
+  other[6] = {2, 7, 9};
+  CHECK(!sameSurface(kMesh, other));
+  twice[1] = twice[0];
+  CHECK(!sameSurface(kMesh, twice));
+  CHECK(!sameSurface(kMesh, {kMesh.begin(), kMesh.end() - 1}));
+  // A closed surface over the same vertices, all of whose edges are others: it has no boundary to be told by.
+  const std::vector<Triangle> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  CHECK(!sameSurface(tetrahedron, {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}));
+}

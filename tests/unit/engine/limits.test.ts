@@ -1,0 +1,32 @@
+/** Limits that the engine checks before it calls the core, and the core once more, are the same numbers. */
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import { describe, expect, it } from 'vitest';
+
+const root = path.resolve(import.meta.dirname, '../../..');
+
+/** The number that a constant is set to in a source file of TypeScript or C++. */
+function constantIn(file: string, name: string): number {
+  const text = readFileSync(path.join(root, file), 'utf8');
+  const found = new RegExp(`\\b${name} = (-?[\\d][\\d.e'_]*)[,;]`).exec(text)?.[1];
+  if (found === undefined) throw new Error(`${file} has no ${name} = NUMBER`);
+  return Number(found.replace(/['_]/g, ''));
+}
+
+const TABLE = 'web/engine/api/option-table.ts';
+const JSON_TS = 'web/engine/api/gltf-json.ts';
+const LIMITS = 'wasm/io/base/limits.h';
+
+describe('a limit of the engine is the one of the core', () => {
+  it.each([
+    [TABLE, 'MOST_TURNS', 'wasm/core/sequence/motion.cpp', 'mostTurns'],
+    [TABLE, 'MOST_TIME', 'wasm/core/spline/key_times.cpp', 'farthestTime'],
+    [TABLE, 'MOST_KEYS', 'wasm/io/base/sample_times.cpp', 'kMostKeys'],
+    ['web/engine/caller/export-plan.ts', 'MOST_WEIGHTS', LIMITS, 'kMostElements'],
+    [JSON_TS, 'DEEPEST', LIMITS, 'kDeepestJson'],
+    [JSON_TS, 'MOST_OBJECTS', LIMITS, 'kMostJsonObjects'],
+    [JSON_TS, 'MOST_VALUES', LIMITS, 'kMostJsonValues'],
+  ])('%s %s', (file, name, coreFile, coreName) => {
+    expect(constantIn(file, name)).toBe(constantIn(coreFile, coreName));
+  });
+});

@@ -1,0 +1,58 @@
+#include "io/base/sample_times.h"
+
+#include <cmath>
+
+#include "core/base/format.h"
+#include "core/spline/key_times.h"
+
+namespace shapespline {
+
+namespace {
+
+// Positions of all keys together that a 32-bit address space still holds beside their encoding.
+constexpr std::uint64_t kMostKeyVertices = 60'000'000;
+// Keys of one file; more are a recording, not key poses.
+constexpr std::size_t kMostKeys = 10'000;
+
+Status checkTimes(const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
+      return Error{ErrorCode::TimesNotIncreasing,
+                   "The sample times do not increase: sample " + std::to_string(i + 1) + " is at " +
+                       shortNumber(times[i]) + ". Give them in increasing order.",
+                   static_cast<int>(i)};
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<double>> sampleTimes(const ImportOptions& options, double start, double end, const std::string& what,
+                                        std::vector<Warning>& warnings) {
+  if (!options.sampleTimes.empty()) {
+    if (Status times = checkTimes(options.sampleTimes); !times) return times.error();
+    if (options.sampleTimes.front() < start || options.sampleTimes.back() > end)
+      warnings.push_back({"sample-outside-animation",
+                          "Some sample times lie outside the animation, which runs from " + shortNumber(start) +
+                              " to " + shortNumber(end) + " s: it stands still there.",
+                          0});
+    return options.sampleTimes;
+  }
+  if (options.sampleCount < 2)
+    return Error{ErrorCode::TooFewKeys, "At least two keys are needed. Take two or more samples of the animation."};
+  if (Status size = checkKeyCount(options.sampleCount, 0, what); !size) return size.error();
+  if (!(end > start)) return Error{ErrorCode::TooFewKeys, what + " has only one key time. Choose another."};
+  std::vector<double> times = evenTimes(options.sampleCount);
+  for (double& t : times) t = t == 1 ? end : start + t * (end - start);
+  return times;
+}
+
+std::string sampleName(double seconds) { return shortNumber(std::round(1000 * seconds) / 1000) + " s"; }
+
+Status checkKeyCount(std::size_t keys, std::size_t vertices, const std::string& where) {
+  if (keys <= kMostKeys && static_cast<std::uint64_t>(keys) * vertices <= kMostKeyVertices) return {};
+  return Error{ErrorCode::TooLarge, where + ": " + grouped(static_cast<std::int64_t>(keys)) + " keys of " +
+                                        grouped(static_cast<std::int64_t>(vertices)) +
+                                        " vertices are more than is supported. Take fewer keys."};
+}
+
+}  // namespace shapespline

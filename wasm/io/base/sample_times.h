@@ -1,0 +1,26 @@
+// At which times keys are taken from an animation, whatever holds it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/status.h"
+#include "io/base/imported.h"
+
+namespace shapespline {
+
+/// Key times up to which an animation that only shows its own shapes gives these as keys.
+constexpr std::size_t kMostOwnKeys = 32;
+
+/// The times that were asked for, or evenly spaced ones over the animation. A warning says so where some lie outside.
+/// `what` names the animation in messages. Errors: TimesNotIncreasing, TooFewKeys.
+Result<std::vector<double>> sampleTimes(const ImportOptions& options, double start, double end, const std::string& what,
+                                        std::vector<Warning>& warnings);
+
+/// What a key is called that was taken at this time.
+std::string sampleName(double seconds);
+
+/// Errors: TooLarge for more keys, or more vertices in all of them, than memory holds.
+Status checkKeyCount(std::size_t keys, std::size_t vertices, const std::string& where);
+
+}  // namespace shapespline

@@ -1,0 +1,34 @@
+// The primitives of a written mesh, each with vertices of its own: players copy what a primitive names, all of it, once
+// per primitive.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/types.h"
+#include "io/base/scene.h"
+
+namespace shapespline {
+
+/// Faces that are drawn with one material, and the vertices that they are made of.
+struct DrawnPrimitive {
+  int material = -1;            ///< index into Scene::materials, or -1
+  std::vector<int> vertices;    ///< drawn vertices of the mesh, increasing
+  std::vector<Triangle> faces;  ///< of places in `vertices`
+};
+
+/// One per material group, in the order of the faces; faces of no group make groups without material. `faces` are of
+/// `vertices` drawn ones; those that no face names go with the first primitive, so that none is lost.
+std::vector<DrawnPrimitive> drawnPrimitives(const std::vector<Triangle>& faces, int vertices, const Scene& scene);
+
+/// The numbers of a primitive's vertices, `width` each, out of those of the whole mesh.
+template <class Number>
+std::vector<Number> gathered(std::span<const Number> numbers, std::size_t width, const DrawnPrimitive& primitive) {
+  std::vector<Number> out;
+  out.reserve(width * primitive.vertices.size());
+  for (int v : primitive.vertices)
+    for (std::size_t i = 0; i < width; ++i) out.push_back(numbers[width * v + i]);
+  return out;
+}
+
+}  // namespace shapespline

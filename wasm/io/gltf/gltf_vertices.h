@@ -1,0 +1,28 @@
+// The vertices of the mesh, where a file has others: glTF splits them at seams of a texture, and every primitive has
+// its own. Files of ours say which vertex of the mesh each of theirs is.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/base/types.h"
+#include "io/base/scene.h"
+#include "io/gltf/gltf_shape.h"
+
+namespace shapespline {
+
+/// A number for each vertex of a primitive: the vertex of the mesh that it is, or is a copy of. A float holds them
+/// exactly up to 16.7 million, which is more than kMostElements.
+inline constexpr std::string_view kVertexAttribute = "_SHAPESPLINE_VERTEX";
+
+/// Where there are seams: the drawn vertex that it is. Without it the first one of a vertex is its own, the others are
+/// copies.
+inline constexpr std::string_view kDrawnAttribute = "_SHAPESPLINE_DRAWN";
+
+/// Puts the mesh together again: poses, normals, faces and scene get the vertices that the file's numbers say, in their
+/// order, and the scene its seams. Numbers that other programs have left out leave no gaps. Nothing happens where a
+/// primitive has no numbers, or where vertices of one number do not stand at one place in every pose.
+void joinVertices(const GltfDocument& doc, const GltfShape& shape, const std::vector<Positions*>& poses,
+                  Positions& normals, std::vector<Triangle>& faces, Scene& scene);
+
+}  // namespace shapespline

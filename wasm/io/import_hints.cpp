@@ -1,0 +1,92 @@
+#include "io/import_hints.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/format.h"
+#include "core/mesh/mesh.h"
+
+namespace shapespline {
+
+namespace {
+
+constexpr double kSameShare = 1e-6;  // of the diagonal
+
+bool isSamePose(const Positions& a, const Positions& b) {
+  const Positions* one = &a;
+  const double distance = kSameShare * boundingDiagonal({&one, 1});
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](const Vec3& p, const Vec3& q) { return (p - q).squaredNorm() <= distance * distance; });
+}
+
+// 1, 2 and 3.
+std::string keyList(int first, int last) {
+  std::string list = std::to_string(first + 1);
+  if (last - first > 8) return list + " to " + std::to_string(last + 1);
+  for (int key = first + 1; key <= last; ++key) list += (key < last ? ", " : " and ") + std::to_string(key + 1);
+  return list;
+}
+
+std::string whatToDo(const FileFacts& facts) {
+  if (!facts.gltf) return " Export each pose as it is shown.";
+  std::string text =
+      " Blender writes the rest pose of a rig or modifier that is not applied. Apply the modifiers before each export, "
+      "or export one GLB with the animation.";
+  if (facts.animated == facts.files)
+    text +=
+        " Each file holds an animation of its own: the keys can be taken from it (on the command line, with "
+        "--sample).";
+  else if (facts.skinned > 0) text += " The files hold bones, but no animation: the bones are at rest.";
+  return text;
+}
+
+// Area of the faces that lie flat within a hundredth of the extent at either end of an axis.
+std::array<double, 2> flatAreas(const Positions& positions, const std::vector<Triangle>& faces, int axis) {
+  double low = positions[0][axis], high = low;
+  for (const Vec3& p : positions) low = std::min(low, p[axis]), high = std::max(high, p[axis]);
+  const double slack = (high - low) / 100;
+  std::array<double, 2> areas{};
+  for (const Triangle& f : faces) {
+    const Vec3 &a = positions[f[0]], &b = positions[f[1]], &c = positions[f[2]];
+    const double least = std::min({a[axis], b[axis], c[axis]}), most = std::max({a[axis], b[axis], c[axis]});
+    if (most <= low + slack) areas[0] += (b - a).cross(c - a).norm() / 2;
+    if (least >= high - slack) areas[1] += (b - a).cross(c - a).norm() / 2;
+  }
+  return areas;
+}
+
+}  // namespace
+
+void warnOfSamePoses(const FileFacts& facts, Import& import) {
+  const std::vector<Key>& keys = import.keyframes.keys;
+  const int count = static_cast<int>(keys.size());
+  for (int first = 0, last = 0; first < count; first = last + 1) {
+    last = first;
+    while (last + 1 < count && isSamePose(keys[first].positions, keys[last + 1].positions)) ++last;
+    if (last == first) continue;
+    const bool all = last - first + 1 == count;
+    import.warnings.push_back({"same-poses",
+                               "Keys " + keyList(first, last) + " are the same pose, so that nothing moves" +
+                                   (all ? "." : " between them.") + whatToDo(facts),
+                               last - first + 1, last});
+  }
+}
+
+bool standsOnZ(const Positions& positions, const std::vector<Triangle>& faces) {
+  if (positions.empty()) return false;
+  double all = 0;
+  for (const Triangle& f : faces)
+    all += (positions[f[1]] - positions[f[0]]).cross(positions[f[2]] - positions[f[0]]).norm() / 2;
+  const auto alongZ = flatAreas(positions, faces, 2), alongY = flatAreas(positions, faces, 1);
+  // A flat base below, none above, and nothing like it along y.
+  return alongZ[0] > 0.002 * all && alongZ[0] > 4 * alongZ[1] && alongZ[0] > 4 * std::max(alongY[0], alongY[1]);
+}
+
+Warning zUpWarning(const std::string& where, bool byBlender) {
+  const std::string why = byBlender ? " was written by Blender, whose files of this kind have Z up."
+                                    : " does not say which axis is up, and seems to stand on its base along Z.";
+  return {"z-up",
+          where + why + " If the shape lies on its back, choose Z as the up axis (on the command line, --up z).", 1};
+}
+
+}  // namespace shapespline

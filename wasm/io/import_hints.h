@@ -1,0 +1,27 @@
+// What an import's keys let one suspect: poses that are all the same, shapes that lie on their backs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/warning.h"
+#include "io/base/imported.h"
+
+namespace shapespline {
+
+/// What the files of several poses hold besides them.
+struct FileFacts {
+  int files = 0, skinned = 0, animated = 0;  ///< all that were read; those with bones; with a motion of the mesh
+  bool gltf = false;                         ///< all of them are glTF
+};
+
+/// Warns of neighbouring keys that are one pose: which, why that happens, and what to do.
+void warnOfSamePoses(const FileFacts& facts, Import& import);
+
+/// Whether a shape that is taken to have y up stands on a flat base or on feet along z.
+bool standsOnZ(const Positions& positions, const std::vector<Triangle>& faces);
+
+/// Of a PLY or OFF file that was read with y up. `byBlender`: the file says that it was written there.
+Warning zUpWarning(const std::string& where, bool byBlender);
+
+}  // namespace shapespline

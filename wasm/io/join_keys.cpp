@@ -1,0 +1,125 @@
+#include "io/join_keys.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/base/format.h"
+#include "io/pose_match.h"
+
+namespace shapespline {
+
+namespace {
+
+std::vector<const Positions*> posesOf(const std::vector<Key>& keys) {
+  std::vector<const Positions*> poses;
+  for (const Key& key : keys) poses.push_back(&key.positions);
+  return poses;
+}
+
+// The vertices of a mesh that a further pose has at several places: n + i becomes a copy of vertex copyOf[i].
+struct Split {
+  std::vector<int> copyOf;
+  std::vector<Triangle> faces;
+  std::vector<int> vertexOf;  // of the n and their copies, in the pose; -1 where no face tells
+};
+
+Split splitBy(const std::vector<int>& cornerOf, const Welding& points, const std::vector<Triangle>& faces, int n) {
+  Split out{{}, faces, std::vector<int>(n, -1)};
+  std::map<std::pair<int, int>, int> copyAt;  // of a vertex, at a point
+  for (std::size_t corner = 0; corner < cornerOf.size(); ++corner) {
+    int& v = out.faces[corner / 3][corner % 3];
+    const int there = cornerOf[corner], point = points.weldedOfRaw[there];
+    if (out.vertexOf[v] < 0) out.vertexOf[v] = there;
+    if (points.weldedOfRaw[out.vertexOf[v]] == point) continue;
+    const auto [copy, isNew] = copyAt.try_emplace({v, point}, n + static_cast<int>(out.copyOf.size()));
+    if (isNew) out.copyOf.push_back(v), out.vertexOf.push_back(there);
+    v = copy->second;
+  }
+  return out;
+}
+
+template <class T>
+void appendCopies(const std::vector<int>& copyOf, std::size_t width, std::size_t at, std::vector<T>& values) {
+  if (values.empty()) return;
+  std::vector<T> copies;
+  for (int v : copyOf) copies.insert(copies.end(), &values[width * v], &values[width * v] + width);
+  values.insert(values.begin() + static_cast<std::ptrdiff_t>(width * at), copies.begin(), copies.end());
+}
+
+// Drawn vertices are the mesh's own, which get more, and copies behind them. A copy is of one vertex: where that is
+// split, there is one for each.
+void splitSeams(const Split& split, int n, const std::vector<Triangle>& before, Scene& scene) {
+  Seams& seams = scene.seams;
+  const int more = static_cast<int>(split.copyOf.size());
+  appendCopies(split.copyOf, 2, n, scene.uvs);
+  if (seams.copyOf.empty()) return;
+  std::map<std::pair<int, int>, int> copyAt;  // of a drawn vertex, for a vertex
+  for (std::size_t f = 0; f < seams.faces.size(); ++f)
+    for (int c = 0; c < 3; ++c) {
+      int& drawn = seams.faces[f][c];
+      const int vertex = split.faces[f][c];
+      if (drawn < n) {
+        drawn = vertex;
+        continue;
+      }
+      drawn += more;
+      if (vertex == before[f][c]) continue;
+      const auto [copy, isNew] = copyAt.try_emplace({drawn, vertex}, n + more + static_cast<int>(seams.copyOf.size()));
+      if (isNew) {
+        seams.copyOf.push_back(vertex);
+        for (int i = 0; i < 2 && !scene.uvs.empty(); ++i) scene.uvs.push_back(scene.uvs[2 * drawn + i]);
+      }
+      drawn = copy->second;
+    }
+}
+
+void splitVertices(Split& split, Import& import) {
+  const int n = import.keyframes.vertexCount();
+  for (Key& key : import.keyframes.keys) appendCopies(split.copyOf, 1, n, key.positions);
+  appendCopies(split.copyOf, 1, n, import.keyframes.normals);
+  appendCopies(split.copyOf, 4, n, import.scene.colors);
+  splitSeams(split, n, import.keyframes.faces, import.scene);
+  import.keyframes.faces = std::move(split.faces);
+}
+
+Warning splitWarning(const std::string& where, int count, int key) {
+  const std::string vertices = count == 1 ? "one vertex of key 1 stands" : grouped(count) + " vertices of key 1 stand";
+  return {"split-vertices",
+          where + ": " + vertices +
+              " at more than one place here, so that the surface opens there. Where that is not "
+              "meant, weld the mesh before it is posed.",
+          count, key};
+}
+
+}  // namespace
+
+Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added, const std::string& where) {
+  Keyframes& k = import_.keyframes;
+  const int key = k.keyCount(), n = k.vertexCount();
+  const std::vector<const Positions*> poses = posesOf(added);
+  const auto match = PoseMatcher(k.faces, k.keys[0].positions).find(faces, poses);
+  if (!match && poses[0]->size() != k.keys[0].positions.size())
+    return vertexCountMismatch(where, key, poses[0]->size(), k.keys[0].positions.size());
+  if (!match) return compareFaces(k.faces, faces, key, where);
+
+  std::vector<int> vertexOf = match->vertexOf;
+  if (!match->cornerOf.empty()) {
+    Split split = splitBy(match->cornerOf, weldPoses(poses), k.faces, n);
+    if (!split.copyOf.empty()) {
+      import_.warnings.push_back(splitWarning(where, static_cast<int>(split.copyOf.size()), key));
+      splitVertices(split, import_);
+    }
+    vertexOf = std::move(split.vertexOf);
+  }
+  for (Key& one : added) {
+    Positions positions(vertexOf.size());
+    for (std::size_t v = 0; v < vertexOf.size(); ++v)
+      // What belongs to no face stays where it is.
+      positions[v] = vertexOf[v] < 0 ? k.keys[0].positions[v] : one.positions[vertexOf[v]];
+    k.keys.push_back({std::move(one.name), one.time, std::move(positions)});
+  }
+  return {};
+}
+
+}  // namespace shapespline

@@ -1,0 +1,26 @@
+// Poses of several files -> keys of one mesh, in the first one's vertices.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/status.h"
+#include "io/base/imported.h"
+
+namespace shapespline {
+
+/// Adds further poses of an import's mesh, one after the other. The import holds at least one key.
+class KeyJoiner {
+ public:
+  explicit KeyJoiner(Import& import) : import_(import) {}
+
+  /// Adds keys that share these faces. Where one vertex of the mesh stands at several places in them it is split, and a
+  /// warning says so: normals, colours and coordinates go with it. `where` is how messages call the file.
+  /// Errors: VertexCountMismatch, FaceCountMismatch, FaceMismatch of keys that are not of the mesh.
+  Status add(const std::vector<Triangle>& faces, std::vector<Key> keys, const std::string& where);
+
+ private:
+  Import& import_;
+};
+
+}  // namespace shapespline

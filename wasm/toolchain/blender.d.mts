@@ -1,0 +1,2 @@
+export function findBlender(): string | null;
+export function installBlender(): Promise<string | null>;

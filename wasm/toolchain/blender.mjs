@@ -1,0 +1,67 @@
+// Blender as a Python module (bpy): the tests of tests/tools ask it what it makes of our files. It is large and runs in
+// few Pythons, so that it is no requirement: where it cannot be had, those tests are skipped.
+import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { installPackages, whyNoInstall } from './apt.mjs';
+import { capture, run, which } from './exec.mjs';
+import { whileHolding } from './lock.mjs';
+import { Explained, step } from './log.mjs';
+import { toolchainDir } from './paths.mjs';
+
+/** Blender's last release with long-term support, and the only Python that it has modules for. */
+const VERSION = '4.5.15';
+const PYTHON = '3.11';
+
+const folder = path.join(toolchainDir, 'blender');
+const python = path.join(folder, 'bin', 'python');
+const ready = path.join(folder, 'ready');
+
+// What the module loads and a system without a desktop may lack.
+const debianPackages = ['python3', 'python3-venv', 'libgl1', 'libsm6', 'libxi6', 'libxkbcommon0', 'libxrender1'];
+
+/** The Python with the module, or null where it is not installed. */
+export function findBlender() {
+  return existsSync(ready) && readFileSync(ready, 'utf8') === VERSION ? python : null;
+}
+
+// With what makes environments and installs into them, which Debian packs separately.
+function isUsable(program) {
+  const asked = 'import ensurepip, sys, venv; print("%d.%d" % sys.version_info[:2])';
+  return capture(program, ['-c', asked])?.trim() === PYTHON;
+}
+
+function findPython() {
+  const onPath = [`python${PYTHON}`, 'python3'].map((name) => which(name));
+  return [...onPath, `/usr/bin/python${PYTHON}`].find((program) => program && isUsable(program)) ?? null;
+}
+
+async function install() {
+  if (process.env.SHAPESPLINE_NO_INSTALL) throw new Explained('SHAPESPLINE_NO_INSTALL is set');
+  if (!findPython() && !whyNoInstall()) await installPackages(debianPackages);
+  const base = findPython();
+  if (!base) throw new Explained(`it needs Python ${PYTHON} with venv and pip`);
+  step(`installing Blender ${VERSION} as a Python module (about 350 MB)`);
+  rmSync(folder, { recursive: true, force: true });
+  await run(base, ['-m', 'venv', folder]);
+  await run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', `bpy==${VERSION}`]);
+  if (capture(python, ['-c', 'import bpy']) === null && !whyNoInstall()) await installPackages(debianPackages);
+  await run(python, ['-c', 'import bpy']);
+  writeFileSync(ready, VERSION);
+}
+
+/** Installs it where that can be done; says why not where it cannot. Returns the Python with the module, or null. */
+export async function installBlender() {
+  return findBlender() ?? whileHolding(path.join(toolchainDir, 'blender.lock'), installOnce);
+}
+
+async function installOnce() {
+  const already = findBlender();
+  if (already) return already;
+  try {
+    await install();
+  } catch (error) {
+    if (!(error instanceof Explained)) throw error;
+    step(`Blender cannot be installed here, the tests that need it are skipped: ${error.message}`);
+  }
+  return findBlender();
+}

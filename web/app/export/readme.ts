@@ -1,0 +1,50 @@
+/** What to do with the files of a zip, in the programs that most people open them with. */
+import type { ExportedFile } from '../../engine/api/types.ts';
+
+type Format = 'obj' | 'pc2' | 'mdd' | 'video' | 'glb';
+
+const SEQUENCE = [
+  'Blender',
+  '  1. Enable the add-on "Stop motion OBJ" (or another one for mesh sequences), or use the PC2 export instead.',
+  '  2. File > Import > Mesh Sequence, choose this folder and the file name 0000.',
+  '  3. Set the frame rate of the scene to RATE.',
+  'Houdini',
+  '  1. Put down a File node inside a Geometry object.',
+  '  2. Set its file to $HIP/`padzero(4, $F-1)`.obj, so that frame 1 is 0000.obj.',
+  '  3. Set the frame rate of the scene to RATE.',
+  'Unreal',
+  '  1. Unreal reads no OBJ sequences: open them in Blender or Houdini and export Alembic (.abc).',
+  '  2. Import the .abc as a Geometry Cache.',
+  '  3. Or take the GLB export, which Unreal imports with its morph targets.',
+];
+
+const CACHE = [
+  'Blender',
+  '  1. File > Import > Wavefront (.obj), with the axes as they are offered.',
+  '  2. Add the modifier Mesh Cache to the mesh, format FORMAT, and choose the FORMAT file; leave its axes as they are.',
+  '  3. Set the frame rate of the scene to RATE; sample 0 is shown at the start frame of the modifier.',
+  'Houdini',
+  '  1. Read the OBJ with a File node, without merging or reordering points.',
+  '  2. Put the FORMAT on its points with the node for point caches (MDD: the SideFX Labs MDD tools).',
+  '  3. Set the frame rate of the scene to RATE.',
+  'Unreal',
+  '  1. Unreal reads no point caches: set it up in Blender as above and export Alembic (.abc).',
+  '  2. Import the .abc as a Geometry Cache.',
+  '  3. Or take the GLB export, which Unreal imports with its morph targets.',
+];
+
+function text(format: Format, fps: number | null): string {
+  const lines = format === 'obj' ? SEQUENCE : CACHE;
+  const rate = fps === null ? 'what the motion is to play at' : `${fps}`;
+  return `${lines.join('\n').replaceAll('FORMAT', format.toUpperCase()).replaceAll('RATE', rate)}\n`;
+}
+
+/** The files, and README.txt behind them. */
+export async function* withReadme(
+  format: Format,
+  files: AsyncIterable<ExportedFile>,
+  fps: number | null,
+): AsyncGenerator<ExportedFile, void, undefined> {
+  yield* files;
+  yield { name: 'README.txt', bytes: new TextEncoder().encode(text(format, fps)) };
+}

@@ -1,0 +1,185 @@
+/**
+ * As few times as a motion needs, so that straight lines between its shapes there stay near it. A chord over h is off
+ * by h^2/8 of the second derivative: each stretch is divided evenly by the root of what that is, measured at a few
+ * times, and then its chords are measured in their middles.
+ */
+import { EngineError } from '../api/errors.ts';
+import { farthest } from './distances.ts';
+
+export interface Motion {
+  /** 3 x vertices; the array is the receiver's. */
+  at(t: number): Promise<Float32Array>;
+}
+
+export interface Wanted {
+  /** Times that are taken whatever happens; the motion is smooth between two of them. */
+  corners: readonly number[];
+  /** The largest distance of a vertex, in the unit of the positions. */
+  tolerance: number;
+  /** Times that may be taken beside the corners, increasing; null: any. */
+  grid: readonly number[] | null;
+  /** More times than this are refused. */
+  most: number;
+  onProgress?: (fraction: number) => void;
+}
+
+export interface AdaptiveTimes {
+  times: number[];
+  /** The largest distance that was found. */
+  error: number;
+}
+
+/** Where the second derivative is measured: at so many times of all stretches together, and of one. */
+const SURVEYED = 120;
+const [FEWEST_CELLS, MOST_CELLS] = [2, 12];
+/** Of the tolerance that is aimed at, and that is accepted: between the middles of chords and their ends a little is
+ * not seen. */
+const [AIM, ACCEPTED] = [0.8, 0.95];
+const ROUNDS = 8;
+
+export async function adaptiveTimes(motion: Motion, wanted: Wanted): Promise<AdaptiveTimes> {
+  const { corners, onProgress } = wanted;
+  const stretches = corners.length - 1;
+  const times = [corners[0]!];
+  let error = 0;
+  for (let i = 0; i < stretches; i += 1) {
+    const stretch = await divided(motion, [corners[i]!, corners[i + 1]!], stretches, wanted);
+    times.push(...stretch.times);
+    error = Math.max(error, stretch.error);
+    if (times.length > wanted.most) throw tooMany(times.length, wanted.most);
+    onProgress?.((i + 1) / stretches);
+  }
+  return { times, error };
+}
+
+function tooMany(count: number, most: number): EngineError {
+  const sentence =
+    `This tolerance needs more than ${most.toLocaleString('en')} morph targets (${count.toLocaleString('en')} so far). ` +
+    'Allow a larger one, or export a shorter range.';
+  return new EngineError('too-large', sentence);
+}
+
+/** Times of one stretch without its start. */
+async function divided(
+  motion: Motion,
+  [start, end]: readonly [number, number],
+  stretches: number,
+  { tolerance, grid, most }: Wanted,
+): Promise<AdaptiveTimes> {
+  const free = grid?.filter((t) => t > start && t < end) ?? null;
+  const finest = free ? free.length + 1 : Infinity;
+  const bending = await survey(motion, start, end, stretches);
+  let count = Math.max(1, Math.ceil(bending.at(-1)! / Math.sqrt(8 * AIM * tolerance)));
+  for (let round = 1; ; round += 1) {
+    if (count > most) throw tooMany(count, most);
+    const times = cut(bending, [start, end], Math.min(count, finest), free);
+    const error = await largestError(motion, [start, ...times]);
+    if (error <= ACCEPTED * tolerance || count >= finest || round === ROUNDS) return { times, error };
+    count = Math.max(count + 1, Math.ceil(count * Math.min(Math.sqrt(error / (AIM * tolerance)), 4)));
+  }
+}
+
+/** The root of the second derivative at the inner ones of evenly spaced times. */
+async function curvature(motion: Motion, start: number, end: number, stretches: number): Promise<number[]> {
+  const cells = Math.min(Math.max(Math.ceil(SURVEYED / stretches), FEWEST_CELLS), MOST_CELLS);
+  const step = (end - start) / cells;
+  const roots: number[] = [];
+  let [before, middle] = [await motion.at(start), await motion.at(start + step)];
+  for (let i = 2; i <= cells; i += 1) {
+    const after = await motion.at(i === cells ? end : start + i * step);
+    // At the middle of three times: twice what it is off from between the others, over the step squared.
+    roots.push(Math.sqrt((2 * farthest(middle, before, after, 0.5)) / step ** 2));
+    [before, middle] = [middle, after];
+  }
+  return roots;
+}
+
+/** What the root of the second derivative adds up to, from the start to each of evenly spaced times. */
+async function survey(motion: Motion, start: number, end: number, stretches: number): Promise<number[]> {
+  const roots = await curvature(motion, start, end, stretches);
+  const cells = roots.length + 1;
+  const step = (end - start) / cells;
+  const at = (i: number): number => roots[Math.min(Math.max(i - 1, 0), roots.length - 1)]!;
+  const sums = [0];
+  for (let i = 0; i < cells; i += 1) sums.push(sums[i]! + ((at(i) + at(i + 1)) / 2) * step);
+  return sums;
+}
+
+/** The ends of `count` parts in which the root adds up to the same. */
+function cut(
+  sums: readonly number[],
+  [start, end]: readonly [number, number],
+  count: number,
+  free: readonly number[] | null,
+): number[] {
+  if (free && count > free.length) return [...free, end];
+  const times: number[] = [];
+  const total = sums.at(-1)!;
+  let cell = 0;
+  for (let i = 1; i < count; i += 1) {
+    const wanted = (total * i) / count;
+    while (cell < sums.length - 2 && sums[cell + 1]! < wanted) cell += 1;
+    const share =
+      total > 0 ? (wanted - sums[cell]!) / (sums[cell + 1]! - sums[cell]!) : (i / count) * (sums.length - 1) - cell;
+    const t = start + ((cell + share) / (sums.length - 1)) * (end - start);
+    const last = times.at(-1) ?? start;
+    const taken = free ? nearest(free, t) : t;
+    if (taken > last && taken < end) times.push(taken);
+  }
+  return [...times, end];
+}
+
+function nearest(grid: readonly number[], t: number): number {
+  let [low, high] = [0, grid.length - 1];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (grid[middle]! < t) low = middle + 1;
+    else high = middle;
+  }
+  const before = grid[Math.max(low - 1, 0)]!;
+  return t - before < grid[low]! - t ? before : grid[low]!;
+}
+
+/** Of all chords in their middles. */
+export async function largestError(motion: Motion, times: readonly number[]): Promise<number> {
+  let error = 0;
+  let before = await motion.at(times[0]!);
+  for (let i = 1; i < times.length; i += 1) {
+    const after = await motion.at(times[i]!);
+    error = Math.max(error, farthest(await motion.at((times[i - 1]! + times[i]!) / 2), before, after, 0.5));
+    before = after;
+  }
+  return error;
+}
+
+/** Chords up to here are all measured; of more, those that ought to be farthest off. */
+const MEASURED_CHORDS = 72;
+const SUSPECTS = 12;
+
+/** The value at a share of the stretch, on straight lines through those at its inner times. */
+function between(values: readonly number[], share: number): number {
+  const place = share * (values.length + 1) - 1;
+  const i = Math.min(Math.max(Math.floor(place), 0), Math.max(values.length - 2, 0));
+  const [low, high] = [values[i]!, values[i + 1] ?? values[i]!];
+  return low + (place - i) * (high - low);
+}
+
+/** Of the chords of given times, at a cost that does not grow with them. `corners`: as of `adaptiveTimes`. */
+export async function errorOf(motion: Motion, times: readonly number[], corners: readonly number[]): Promise<number> {
+  if (times.length <= MEASURED_CHORDS) return largestError(motion, times);
+  const suspects: { chord: readonly [number, number]; expected: number }[] = [];
+  let next = 1;
+  for (let i = 1; i < corners.length; i += 1) {
+    const [start, end] = [corners[i - 1]!, corners[i]!];
+    const roots = await curvature(motion, start, end, corners.length - 1);
+    for (; next < times.length && times[next]! <= end; next += 1) {
+      const chord = [times[next - 1]!, times[next]!] as const;
+      const root = between(roots, ((chord[0] + chord[1]) / 2 - start) / (end - start));
+      suspects.push({ chord, expected: root * (chord[1] - chord[0]) });
+    }
+  }
+  let error = 0;
+  for (const { chord } of suspects.sort((a, b) => b.expected - a.expected).slice(0, SUSPECTS))
+    error = Math.max(error, await largestError(motion, chord));
+  return error;
+}

@@ -1,0 +1,105 @@
+/** Which shapes an export holds: those asked for, or as few as its tolerance allows. Planning evaluates the motion. */
+import type { CallOptions } from '../api/api.ts';
+import { cancelled, EngineError } from '../api/errors.ts';
+import { adaptiveTimes, errorOf, type Motion } from './adaptive-times.ts';
+import { choicesOf, framesOf, isThinned, onTimeLine, type Frames } from './export-plan.ts';
+import { principalTargets, type PrincipalTargets } from './principal-targets.ts';
+import type { ExportSource } from './export.ts';
+import type { ExportOptions } from '../api/types.ts';
+
+export interface PlannedFrames extends Frames {
+  /** Instead of a target for each time. */
+  principal: PrincipalTargets | null;
+  /** The largest distance of what plays from the motion, as a share of the diagonal; null where nothing plays. */
+  error: number | null;
+}
+
+/** Morph targets of a thinned animation. */
+const MOST_TARGETS = 3999;
+/** Principal targets take their weights at times that use up this share of the tolerance. */
+const SHARE_OF_TIMES = 0.25;
+/** Bytes of frames that are held at once to find the principal targets. */
+const MOST_HELD = 1.5e9;
+/** Tolerance of principal targets that are asked for without one, in percent. */
+const LEAST_TOLERANCE = 0.0001;
+
+export function shapeCount({ principal, times, stills }: PlannedFrames): number {
+  return principal ? principal.shapes.length : times.length + stills.length;
+}
+
+export async function planFrames(
+  source: ExportSource,
+  options: ExportOptions,
+  call: CallOptions,
+): Promise<PlannedFrames> {
+  const { signal } = call;
+  const motion: Motion = {
+    at: async (t) => {
+      if (signal?.aborted) throw cancelled();
+      const frame = await source.frame(t);
+      return frame.positions;
+    },
+  };
+  const { diagonal } = source.keys.info.report;
+  if (!isThinned(options)) {
+    const frames = framesOf(options, source.keyTimes, source.range);
+    const plays = options.format === 'glb' && frames.times.length > 1;
+    const corners = [...new Set([frames.times[0]!, ...source.keyTimes, frames.times.at(-1)!])]
+      .filter((t) => t >= frames.times[0]! && t <= frames.times.at(-1)!)
+      .sort((a, b) => a - b);
+    const error = plays ? (await errorOf(motion, frames.times, corners)) / diagonal : null;
+    return { ...frames, principal: null, error };
+  }
+  const percent = Math.max(options.tolerance, LEAST_TOLERANCE);
+  const tolerance = (percent / 100) * diagonal;
+  const isPrincipal = options.targets === 'principal';
+  const { times, error } = await adaptiveTimes(motion, {
+    ...choicesOf(options, source.keyTimes, source.range),
+    tolerance: isPrincipal ? SHARE_OF_TIMES * tolerance : tolerance,
+    most: MOST_TARGETS,
+    onProgress: (fraction) => call.onProgress?.({ stage: 'choosing frames', fraction }),
+  });
+  const frames = onTimeLine(times, source.keyTimes, options.duration);
+  if (!isPrincipal) return { ...frames, principal: null, error: error / diagonal };
+  const principal = await principalOf(source, times, Math.max(tolerance - error, tolerance / 2), call);
+  return { ...frames, stills: [], principal, error: (error + principal.error) / diagonal };
+}
+
+async function principalOf(
+  source: ExportSource,
+  times: readonly number[],
+  tolerance: number,
+  { signal }: CallOptions,
+): Promise<PrincipalTargets> {
+  const size = source.keys.positions[0]!.length;
+  if (2 * 4 * size * times.length > MOST_HELD)
+    throw new EngineError(
+      'too-large',
+      `Principal targets of so large a shape need ${times.length} frames at once, more than memory holds. ` +
+        'Use targets of frames, or a larger tolerance.',
+    );
+  const frame = async (t: number) => {
+    if (signal?.aborted) throw cancelled();
+    const { positions, normals } = await source.frame(t);
+    return { positions, normals };
+  };
+  const all = async (list: readonly number[]) => {
+    const frames = [];
+    for (const t of list) frames.push(await frame(t));
+    return frames;
+  };
+  const worker = source.freshWorker();
+  try {
+    const [first, last] = source.range;
+    return await principalTargets({
+      keys: await all(source.keyTimes),
+      keyTimes: source.keyTimes,
+      period: source.options.boundary === 'periodic' ? last - first : null,
+      frames: await all(times),
+      times,
+      reduce: (rows) => worker.call('principalOffsets', { frames: rows, tolerance, most: times.length }),
+    });
+  } finally {
+    worker.terminate(cancelled());
+  }
+}

@@ -1,0 +1,64 @@
+/** Materials and textures as files beside an OBJ. */
+import type { ExportedFile, Material, Scene, TextureImage } from '../api/types.ts';
+
+const EXTENSIONS: Record<string, string> = {
+  'image/png': 'png',
+  'image/jpeg': 'jpg',
+  'image/webp': 'webp',
+  'image/ktx2': 'ktx2',
+};
+
+/** What an OBJ calls its materials: OBJ ends a name at the first blank. */
+export function materialLibrary(stem: string, { materials }: Scene): { file: string; names: string[] } {
+  if (materials.length === 0) return { file: '', names: [] };
+  const taken = new Set<string>();
+  const names = materials.map(({ name }, index) => {
+    const plain = name.replace(/[\s\p{C}]+/gu, '_') || `material_${index + 1}`;
+    const own = taken.has(plain) ? `${plain}_${index + 1}` : plain;
+    taken.add(own);
+    return own;
+  });
+  return { file: `${stem.replace(/\s+/g, '_')}.mtl`, names };
+}
+
+const imageName = (stem: string, image: TextureImage, index: number): string =>
+  `${stem.replace(/\s+/g, '_')}-texture-${index + 1}.${EXTENSIONS[image.mimeType] ?? 'bin'}`;
+
+/** OBJ's colours are those of the screen. */
+const encoded = (linear: number): number =>
+  linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055;
+const number = (value: number): string => String(Number(value.toFixed(6)));
+const colour = (rgb: readonly number[]): string =>
+  rgb
+    .slice(0, 3)
+    .map((part) => number(encoded(part)))
+    .join(' ');
+
+function described(material: Material, name: string, imageNames: readonly string[]): string {
+  const map = (word: string, index: number): string[] => (index >= 0 ? [`${word} ${imageNames[index]}`] : []);
+  return [
+    `newmtl ${name}`,
+    `Kd ${colour(material.baseColor)}`,
+    'Ks 0 0 0',
+    `Ke ${colour(material.emissive)}`,
+    `d ${number(material.alphaMode === 'OPAQUE' ? 1 : material.baseColor[3])}`,
+    `Pm ${number(material.metallic)}`,
+    `Pr ${number(material.roughness)}`,
+    ...map('map_Kd', material.baseColorImage),
+    ...map('norm', material.normalImage),
+    ...map('map_Ke', material.emissiveImage),
+    '',
+  ].join('\n');
+}
+
+/** None where the scene has no materials. */
+export function materialFiles(stem: string, scene: Scene): ExportedFile[] {
+  const { file, names } = materialLibrary(stem, scene);
+  if (file === '') return [];
+  const imageNames = scene.images.map((image, index) => imageName(stem, image, index));
+  const text = scene.materials.map((material, index) => described(material, names[index]!, imageNames)).join('\n');
+  return [
+    { name: file, bytes: new TextEncoder().encode(text) },
+    ...scene.images.map((image, index) => ({ name: imageNames[index]!, bytes: image.bytes })),
+  ];
+}

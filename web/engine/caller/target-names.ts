@@ -1,0 +1,30 @@
+/** What an export calls its morph targets, so that they arrive as shape keys with names: keys, and times. */
+import type { PlannedFrames } from './export-frames.ts';
+
+/** Bytes that Blender keeps of a shape key's name. */
+const MOST_BYTES = 63;
+
+/** The name before the time, as much of it as there is room for. */
+function named(name: string, at: string): string {
+  const bytes = (text: string): number => new TextEncoder().encode(text).length;
+  const letters = [...name];
+  while (letters.length > 0 && bytes(`${letters.join('')} ${at}`) > MOST_BYTES) letters.pop();
+  return `${letters.join('')} ${at}`;
+}
+
+const time = (t: number): string => `t=${Number(t.toFixed(4))}`;
+
+/** Of all shapes but the first, which is the mesh itself. */
+export function targetNames(
+  names: readonly string[],
+  keyTimes: readonly number[],
+  { principal, times, stills }: PlannedFrames,
+): string[] {
+  const nameAt = (t: number): string => {
+    const key = keyTimes.indexOf(t);
+    return key < 0 ? time(t) : named(names[key]!, time(t));
+  };
+  if (!principal) return [...times, ...stills].slice(1).map(nameAt);
+  const corrections = Array.from({ length: principal.corrections }, (_, index) => `in-between ${index + 1}`);
+  return [...keyTimes.slice(1).map(nameAt), ...corrections];
+}

@@ -1,0 +1,86 @@
+/**
+ * A GLB of ours with smaller numbers: KHR_mesh_quantization, and EXT_meshopt_compression of what that leaves, by
+ * glTF-Transform's own functions, which are loaded when the first export asks for them.
+ */
+import type { Document } from '@gltf-transform/core';
+import type { Compression } from '../wire/protocol.ts';
+
+/** glTF's own attributes; numbers of vertices stay exact. */
+const QUANTIZED = /^(POSITION|NORMAL|TANGENT|TEXCOORD_\d+|COLOR_\d+)$/;
+const POSITION_BITS = 16;
+/** Steps of a normalised 16-bit number on either side of 0. */
+const STEPS = 32767;
+
+export interface Compressed {
+  compression: Exclude<Compression, 'none'>;
+  /** Of the bounding box of all keys. */
+  diagonal: number;
+  /** The largest sum of the weights at any time. */
+  weight: number;
+}
+
+export async function compress(bytes: Uint8Array, { compression, diagonal, weight }: Compressed): Promise<Uint8Array> {
+  const [{ Logger, WebIO }, { ALL_EXTENSIONS }, { quantize }] = await Promise.all([
+    import('@gltf-transform/core'),
+    import('@gltf-transform/extensions'),
+    import('@gltf-transform/functions'),
+  ]);
+  const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
+  const document = (await io.readBinary(bytes as Uint8Array<ArrayBuffer>)).setLogger(
+    new Logger(Logger.Verbosity.SILENT),
+  );
+  if (compression === 'meshopt') await orderForMeshopt(document, io);
+  await document.transform(
+    quantize({
+      pattern: QUANTIZED,
+      patternTargets: normalsFit(document) ? /^(POSITION|NORMAL)$/ : /^POSITION$/,
+      quantizePosition: POSITION_BITS,
+      quantizeNormal: 12,
+      quantizeTexcoord: 16,
+      quantizeColor: 16,
+    }),
+  );
+  noteError(document, diagonal, weight);
+  return io.writeBinary(document);
+}
+
+async function orderForMeshopt(document: Document, io: { registerDependencies(what: object): unknown }): Promise<void> {
+  const [{ EXTMeshoptCompression }, { reorder }, { MeshoptEncoder }] = await Promise.all([
+    import('@gltf-transform/extensions'),
+    import('@gltf-transform/functions'),
+    import('meshoptimizer/encoder'),
+  ]);
+  await MeshoptEncoder.ready;
+  io.registerDependencies({ 'meshopt.encoder': MeshoptEncoder });
+  await document.transform(reorder({ encoder: MeshoptEncoder, target: 'size' }));
+  const method = EXTMeshoptCompression.EncoderMethod.QUANTIZE;
+  document.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method });
+}
+
+/** Differences of normals are up to 2 long; normalised numbers end at 1. */
+function normalsFit(document: Document): boolean {
+  const targets = document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh) => mesh.listPrimitives())
+    .flatMap((primitive) => primitive.listTargets());
+  return targets.every((target) => {
+    const normals = target.getAttribute('NORMAL')?.getArray() ?? [];
+    return (normals as Float32Array).every((value) => Math.abs(value) <= 1);
+  });
+}
+
+/** Half a step of the base and of every target that is added to it, along each axis. */
+function noteError(document: Document, diagonal: number, weight: number): void {
+  const root = document.getRoot();
+  const extras = root.getExtras() as { shapespline?: { mesh?: { error?: number | null } } };
+  const mesh = extras.shapespline?.mesh;
+  const scale = root.listNodes()[0]?.getScale()[0] ?? 0;
+  if (mesh) mesh.error = (mesh.error ?? 0) + roundingError(scale, weight) / diagonal;
+  root.setExtras(extras);
+}
+
+/** The largest distance that rounding moves a vertex, of a shape that reaches `scale` from its middle. */
+export function roundingError(scale: number, weight: number): number {
+  return (Math.sqrt(3) * scale * (1 + weight)) / 2 / STEPS;
+}

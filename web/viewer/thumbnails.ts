@@ -1,0 +1,95 @@
+/** Small pictures of shapes. They are drawn beside the canvas, which keeps what it shows. */
+import { Color, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderTarget } from 'three';
+import type { WebGLRenderer } from 'three';
+import { FIELD_OF_VIEW, NO_INSETS, directionOf, fittedPose, setLens } from './fit.ts';
+import type { Extent } from './fit.ts';
+import type { Shape } from './shape.ts';
+import { Stage } from './stage.ts';
+import type { Bounds } from './stage.ts';
+
+const SAMPLES = 4;
+
+export class Thumbnails {
+  private readonly scene = new Scene();
+  private readonly stage = new Stage();
+  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW);
+  private extent: Extent | null = null;
+
+  constructor(private readonly renderer: WebGLRenderer) {
+    this.scene.add(this.stage.object);
+  }
+
+  /** All pictures are taken from where a new import is seen. */
+  setExtent(bounds: Bounds, extent: Extent): void {
+    this.stage.setBounds(bounds);
+    this.extent = extent;
+  }
+
+  /** A data URL; width and height in CSS pixels. */
+  draw(shape: Shape, width: number, height: number, dark: boolean): string {
+    if (!this.extent) return '';
+    const ratio = this.renderer.getPixelRatio();
+    const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+    this.stage.setLook(false, dark);
+    this.placeCamera(this.extent, w / h);
+    this.scene.add(shape.object);
+    const target = new WebGLRenderTarget(w, h, { colorSpace: SRGBColorSpace, samples: SAMPLES });
+    const pixels = new Uint8ClampedArray(4 * w * h);
+    this.renderInto(target);
+    this.renderer.readRenderTargetPixels(target, 0, 0, w, h, pixels);
+    target.dispose();
+    shape.object.removeFromParent();
+    return pngOf(pixels, w, h);
+  }
+
+  private placeCamera(extent: Extent, aspect: number): void {
+    const pose = fittedPose(directionOf('home'), extent, aspect, NO_INSETS);
+    const target = new Vector3(...pose.target);
+    this.camera.position.set(...pose.position);
+    this.camera.lookAt(target);
+    setLens(this.camera, target, extent.radius, aspect, NO_INSETS);
+    this.stage.follow(this.camera, target);
+  }
+
+  /** On transparent ground, whatever is behind the shape on the canvas. */
+  private renderInto(target: WebGLRenderTarget): void {
+    const { renderer } = this;
+    const ground = renderer.getClearColor(new Color());
+    const alpha = renderer.getClearAlpha();
+    renderer.setRenderTarget(target);
+    renderer.setClearColor(0x000000, 0);
+    renderer.clear();
+    renderer.render(this.scene, this.camera);
+    renderer.setRenderTarget(null);
+    renderer.setClearColor(ground, alpha);
+  }
+}
+
+/**
+ * Rows from the bottom up, sRGB, in linear light multiplied by alpha, as blending and the mean of samples leave them.
+ */
+function pngOf(pixels: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): string {
+  const canvas = document.createElement('canvas');
+  canvas.width = width;
+  canvas.height = height;
+  const context = canvas.getContext('2d');
+  if (!context) return '';
+  const image = context.createImageData(width, height);
+  for (let row = 0; row < height; row += 1)
+    image.data.set(pixels.subarray(4 * width * row, 4 * width * (row + 1)), 4 * width * (height - 1 - row));
+  divideByAlpha(image.data);
+  context.putImageData(image, 0, 0);
+  return canvas.toDataURL('image/png');
+}
+
+function divideByAlpha(pixels: Uint8ClampedArray): void {
+  const colour = new Color();
+  const parts = { r: 0, g: 0, b: 0 };
+  for (let i = 0; i < pixels.length; i += 4) {
+    const alpha = pixels[i + 3]! / 255;
+    if (alpha === 0 || alpha === 1) continue;
+    colour.setRGB(pixels[i]! / 255, pixels[i + 1]! / 255, pixels[i + 2]! / 255, SRGBColorSpace);
+    colour.multiplyScalar(1 / alpha).getRGB(parts, SRGBColorSpace);
+    pixels.set([255 * parts.r, 255 * parts.g, 255 * parts.b], i);
+  }
+}
