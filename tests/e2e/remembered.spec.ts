@@ -14,16 +14,15 @@ const BAR = sample('twisted-bar');
 const OTHER = sample('cactus');
 
 interface Kept {
-  project?: { id: string; opening: boolean; state: { time: number; source: { names: string[] } } };
+  project: { id: string; opening: boolean; version: number; state: { time: number; source: { names: string[] } } };
   files?: { name: string }[];
-  'set aside'?: unknown;
 }
 
 /** Everything on the shelf, by key. */
-const kept = (page: Page): Promise<Kept> =>
+const shelf = (page: Page): Promise<Record<string, unknown>> =>
   page.evaluate(
     () =>
-      new Promise<Kept>((resolve, reject) => {
+      new Promise<Record<string, unknown>>((resolve, reject) => {
         const open = indexedDB.open('shapespline');
         open.onerror = () => reject(open.error);
         open.onsuccess = () => {
@@ -37,6 +36,21 @@ const kept = (page: Page): Promise<Kept> =>
       }),
   );
 
+/** The projects on the shelf with their files, by the name of their first file. */
+async function kept(page: Page): Promise<Record<string, Kept>> {
+  const all = await shelf(page);
+  const projects = Object.entries(all).filter(([key]) => key.startsWith('project '));
+  return Object.fromEntries(
+    projects.map(([, value]) => {
+      const project = value as Kept['project'];
+      return [project.state.source.names[0], { project, files: all[`files ${project.id}`] as Kept['files'] }];
+    }),
+  );
+}
+
+const keptTime = async (page: Page, name: string): Promise<number | undefined> =>
+  (await kept(page))[name]?.project.state.time;
+
 /** Writes a record as some other version, or some accident, might have left it. */
 const leave = (page: Page, records: Record<string, unknown>): Promise<void> =>
   page.evaluate(
@@ -46,7 +60,10 @@ const leave = (page: Page, records: Record<string, unknown>): Promise<void> =>
         open.onerror = () => reject(open.error);
         open.onsuccess = () => {
           const store = open.result.transaction('remembered', 'readwrite').objectStore('remembered');
-          for (const [key, value] of Object.entries(entries)) store.put(value, key);
+          for (const [key, value] of Object.entries(entries)) {
+            if (value === undefined) store.delete(key);
+            else store.put(value, key);
+          }
           store.transaction.oncomplete = () => {
             open.result.close();
             resolve();
@@ -62,38 +79,37 @@ async function drop(app: App, file: string): Promise<void> {
   await app.settled();
 }
 
-async function remember(app: App): Promise<void> {
-  await app.by('remember').click();
-  await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'true');
-}
+/** The page keeps files by itself, some time after they were opened. */
+const isRemembered = (app: App, is = true): Promise<void> =>
+  expect(app.by('remember')).toHaveAttribute('aria-pressed', String(is));
 
 const names = async (app: App): Promise<string[] | null> => {
   const { source } = await app.state();
   return source.kind === 'files' ? source.names : null;
 };
 
-test('files are remembered only where the user says so, with all that was done to them', async ({ app }) => {
+/** Longer than a change waits for others before it is written. */
+const untilWritten = (app: App): Promise<void> => app.page.waitForTimeout(700);
+
+/** Chooses from the list of samples and own files. */
+async function choose(app: App, label: string): Promise<void> {
+  await app.by('sample').selectOption({ label });
+  await app.settled();
+}
+
+test('own files are remembered with all that was done to them, until the user says no', async ({ app }) => {
   await app.open();
   await expect(app.by('remember')).toBeHidden();
-  await app.by('file-input').setInputFiles(BAR);
-  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
-  await app.settled();
-  await app.page.reload();
-  await app.open();
-  expect((await app.state()).source.kind).toBe('sample');
-
-  await app.by('file-input').setInputFiles(BAR);
-  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
-  await app.settled();
-  await app.by('remember').click();
-  await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'true');
+  await drop(app, BAR);
+  await isRemembered(app);
+  await expect(app.by('toast')).toContainText('remembered on this computer');
   await app.setTime(0.3);
   await app.by('add-current').click();
   await app.settled();
   await app.by('boundary-hermite').check();
   await app.settled();
   const before = { ...(await app.state()), shape: await app.positionsAt(0.2) };
-  await expect.poll(async () => ((await kept(app.page)) as Kept).project?.state.time).toBe(0.2);
+  await expect.poll(() => keptTime(app.page, 'twisted-bar.glb')).toBe(0.2);
 
   await app.page.reload();
   await app.open();
@@ -102,115 +118,185 @@ test('files are remembered only where the user says so, with all that was done t
   expect(after.doc).toEqual(before.doc);
   expect(after.time).toBe(0.2);
   expect(await app.positions()).toEqual(before.shape);
-  await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'true');
+  await isRemembered(app);
 
   await app.by('remember').click();
-  await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'false');
+  await isRemembered(app, false);
   await app.page.reload();
   await app.open();
   expect((await app.state()).source.kind).toBe('sample');
+  await drop(app, BAR);
+  await untilWritten(app);
+  await isRemembered(app, false);
+  expect(await shelf(app.page)).toEqual({});
   await app.expectNoProblems();
 });
 
+test('what was open before comes back by undo, from the list, and with the next visit', async ({ app }) => {
+  await app.open();
+  const first = (await app.state()).source;
+  await drop(app, BAR);
+  await app.by('boundary-hermite').check();
+  await app.settled();
+  const bar = await app.state();
+  await isRemembered(app);
+  await choose(app, 'Octopus');
+  await expect(app.by('undo')).toHaveAttribute('aria-label', 'Undo: open Octopus');
+  await app.by('undo').click();
+  await expect.poll(() => names(app)).toEqual(['twisted-bar.glb']);
+  await app.settled();
+  expect((await app.state()).doc).toEqual(bar.doc);
+  await expect(app.by('redo')).toHaveAttribute('aria-label', 'Redo: open Octopus');
+  // Its own edits are undone next, and then its opening.
+  await app.by('undo').click();
+  await app.settled();
+  expect((await app.state()).doc.motion.boundary).toBe('natural');
+  await expect(app.by('undo')).toHaveAttribute('aria-label', 'Undo: open twisted-bar.glb');
+  await app.by('undo').click();
+  await expect.poll(async () => (await app.state()).source).toEqual(first);
+  await app.settled();
+  await app.by('redo').click();
+  await expect.poll(() => names(app)).toEqual(['twisted-bar.glb']);
+  await app.settled();
+  await app.by('redo').click();
+  await app.settled();
+  expect((await app.state()).doc).toEqual(bar.doc);
+  await untilWritten(app);
+
+  await drop(app, OTHER);
+  await isRemembered(app);
+  await choose(app, 'twisted-bar.glb');
+  expect((await app.state()).doc).toEqual(bar.doc);
+  await untilWritten(app);
+  await app.page.reload();
+  await app.open();
+  expect(await names(app)).toEqual(['twisted-bar.glb']);
+  expect((await app.state()).doc).toEqual(bar.doc);
+  await choose(app, 'cactus.glb');
+  await expect.poll(() => names(app)).toEqual(['cactus.glb']);
+  await app.expectNoProblems();
+});
+
+test('leaving asks where it would lose edits', async ({ app }) => {
+  await app.open();
+  await drop(app, BAR);
+  await isRemembered(app);
+  await app.by('remember').click();
+  await isRemembered(app, false);
+  let asked = 0;
+  app.page.on('dialog', (dialog) => {
+    asked += dialog.type() === 'beforeunload' ? 1 : 0;
+    void dialog.accept();
+  });
+  await app.page.reload();
+  await app.open();
+  expect(asked).toBe(0);
+  await drop(app, BAR);
+  await app.by('boundary-hermite').check();
+  await app.settled();
+  await app.page.reload();
+  expect(asked).toBe(1);
+});
+
 test.describe('two tabs', () => {
-  test('remember one project, and never the files of one with the state of the other', async ({ app, context }) => {
+  test('keep a project each, and never the files of one with the state of the other', async ({ app, context }) => {
     await app.open();
     await drop(app, BAR);
-    await remember(app);
+    await isRemembered(app);
     const other = await new App(await context.newPage()).open();
     await drop(other, OTHER);
-    await expect(other.by('remember')).toHaveAttribute('aria-pressed', 'true');
-    // The tab that opened the next files took over, and the first was told.
-    await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'false');
-    await expect(app.by('toast')).toContainText('Another tab has remembered its own files');
+    await isRemembered(other);
     await app.setTime(0.7);
     await other.setTime(0.3);
-    await expect.poll(async () => (await kept(other.page)).project?.state.time).toBe(0.3);
-    const { project, files } = await kept(other.page);
-    expect(project?.state.source.names).toEqual(files?.map(({ name }) => name));
-    expect(files?.map(({ name }) => name)).toEqual(['cactus.glb']);
+    await expect.poll(() => keptTime(app.page, 'twisted-bar.glb')).toBe(0.7);
+    await expect.poll(() => keptTime(app.page, 'cactus.glb')).toBe(0.3);
+    for (const [name, { project, files }] of Object.entries(await kept(app.page))) {
+      expect(project.state.source.names).toEqual([name]);
+      expect(files?.map((file) => file.name)).toEqual([name]);
+    }
+  });
 
-    await remember(app);
-    await expect(other.by('remember')).toHaveAttribute('aria-pressed', 'false');
-    expect((await kept(app.page)).files?.map(({ name }) => name)).toEqual(['twisted-bar.glb']);
+  test('that change the same files keep both versions', async ({ app, context }) => {
+    await app.open();
+    await drop(app, BAR);
+    await isRemembered(app);
+    await untilWritten(app);
+    const other = await new App(await context.newPage()).open();
+    expect(await names(other)).toEqual(['twisted-bar.glb']);
+    await other.setTime(0.3);
+    await expect.poll(() => keptTime(app.page, 'twisted-bar.glb')).toBe(0.3);
+    await app.setTime(0.7);
+    await expect(app.by('toast')).toContainText('Both versions are kept');
+    const projects = Object.entries(await shelf(app.page)).filter(([key]) => key.startsWith('project '));
+    expect(projects.map(([, project]) => (project as Kept['project']).state.time).sort()).toEqual([0.3, 0.7]);
   });
 
   test('forget for both', async ({ app, context }) => {
     await app.open();
     await drop(app, BAR);
-    await remember(app);
+    await isRemembered(app);
+    await untilWritten(app);
     const other = await new App(await context.newPage()).open();
     expect(await names(other)).toEqual(['twisted-bar.glb']);
     await other.by('remember').click();
-    await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'false');
+    await isRemembered(app, false);
     await app.setTime(0.7);
     await app.by('boundary-hermite').check();
     await app.settled();
-    // Longer than a change waits for others before it is written.
-    await app.page.waitForTimeout(700);
-    expect(await kept(app.page)).toEqual({});
+    await untilWritten(app);
+    expect(await shelf(app.page)).toEqual({});
   });
 });
 
 test('what an earlier visit left and does not read is set aside with a word', async ({ app }) => {
   test.slow(); // many pages, one after the other
   await app.open();
-  await drop(app, BAR);
-  await remember(app);
-  for (const project of ['nonsense', { format: 2, id: 'x', opening: false, poses: [], state: {} }, { format: 99 }]) {
-    await leave(app.page, { project });
-    await app.page.reload();
+  for (const project of ['nonsense', { format: 3, id: 'x', opening: false, poses: [], state: {} }, { format: 99 }]) {
+    await leave(app.page, { 'project x': project, 'files x': [] });
     await app.open();
     expect((await app.state()).source.kind).toBe('sample');
     await expect(app.by('toast')).toContainText('set aside');
     await expect(app.by('error')).toBeHidden();
-    const shelf = await kept(app.page);
-    expect(shelf['set aside']).toMatchObject({ project });
-    expect(shelf).not.toHaveProperty('project');
+    const after = await shelf(app.page);
+    expect(after['set aside x']).toMatchObject({ project });
+    expect(after).not.toHaveProperty(['project x']);
   }
   await app.page.reload();
   await app.open();
   await expect(app.by('toast')).toHaveText('');
 });
 
-test('what an earlier version of the page remembered opens', async ({ app }) => {
-  await app.open();
-  await drop(app, BAR);
-  await app.setTime(0.25);
-  await remember(app);
-  await app.page.evaluate(
-    () =>
-      new Promise<void>((resolve) => {
-        const open = indexedDB.open('shapespline');
-        open.onsuccess = () => {
-          const store = open.result.transaction('remembered', 'readwrite').objectStore('remembered');
-          const project = store.get('project');
-          project.onsuccess = () => {
-            const { options, poses, state } = project.result;
-            store.put({ options, poses, state }, 'rest');
-            store.put(1, 'format');
-            store.delete('project');
-          };
-          store.transaction.oncomplete = () => {
-            open.result.close();
-            resolve();
-          };
-        };
-      }),
-  );
-  await app.page.reload();
-  await app.open();
-  expect(await names(app)).toEqual(['twisted-bar.glb']);
-  expect((await app.state()).time).toBe(0.25);
-  await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'true');
-});
+/** As earlier versions of the page kept one project. */
+const EARLIER = {
+  'under three keys': (project: object) => ({ format: 1, rest: project }),
+  'without a list': (project: object) => ({ project: { format: 2, id: 'x', opening: false, ...project } }),
+};
+
+for (const [how, records] of Object.entries(EARLIER)) {
+  test(`what an earlier version of the page remembered ${how} opens`, async ({ app }) => {
+    await app.open();
+    await drop(app, BAR);
+    await app.setTime(0.25);
+    await expect.poll(() => keptTime(app.page, 'twisted-bar.glb')).toBe(0.25);
+    const { project, files } = (await kept(app.page))['twisted-bar.glb']!;
+    const { options, poses, state } = project as unknown as Record<string, unknown>;
+    await leave(app.page, { ...records({ options, poses, state }), files });
+    await leave(app.page, { [`project ${project.id}`]: undefined, [`files ${project.id}`]: undefined });
+    await app.page.reload();
+    await app.open();
+    expect(await names(app)).toEqual(['twisted-bar.glb']);
+    expect((await app.state()).time).toBe(0.25);
+    await isRemembered(app);
+  });
+}
 
 test('files that ended the last visit while they were opened are opened on demand only', async ({ app }) => {
   await app.open();
   await drop(app, BAR);
-  await remember(app);
-  const { project } = await kept(app.page);
-  await leave(app.page, { project: { ...project, opening: true } });
+  await isRemembered(app);
+  await untilWritten(app);
+  const { project } = (await kept(app.page))['twisted-bar.glb']!;
+  await leave(app.page, { [`project ${project.id}`]: { ...project, opening: true } });
   await app.page.reload();
   await app.open();
   expect((await app.state()).source.kind).toBe('sample');
@@ -219,17 +305,20 @@ test('files that ended the last visit while they were opened are opened on deman
   await expect.poll(() => names(app)).toEqual(['twisted-bar.glb']);
   await app.settled();
   await expect(app.by('not-reopened')).toBeHidden();
-  await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'true');
-  await expect.poll(async () => (await kept(app.page)).project?.opening).toBe(false);
+  await isRemembered(app);
+  await expect.poll(async () => (await kept(app.page))['twisted-bar.glb']?.project.opening).toBe(false);
 });
 
 test('files whose opening was interrupted by a reload are opened by the next visit', async ({ app }) => {
   await app.open();
   await drop(app, BAR);
-  await remember(app);
+  await isRemembered(app);
+  await untilWritten(app);
   for (let i = 0; i < 3; ++i) {
     await app.page.reload({ waitUntil: 'commit' });
-    await expect.poll(async () => (await kept(app.page)).project?.opening, { intervals: [5] }).toBe(true);
+    await expect
+      .poll(async () => (await kept(app.page))['twisted-bar.glb']?.project.opening, { intervals: [5] })
+      .toBe(true);
   }
   await app.open();
   expect(await names(app)).toEqual(['twisted-bar.glb']);
@@ -239,22 +328,20 @@ test('files whose opening was interrupted by a reload are opened by the next vis
 test('a full disk is told of, and what was remembered before is kept', async ({ app, context }, info) => {
   test.skip(info.project.name === 'dev', 'the room is measured once the files of the page are kept');
   await app.open();
-  await drop(app, BAR);
   await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   // Room for the first files, not for the next: the browser looks at its limit before the first write, and then seldom.
   const session = await context.newCDPSession(app.page);
   const { origin } = new URL(app.page.url());
   const { usage } = await session.send('Storage.getUsageAndQuota', { origin });
   await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: usage + 1.5 * statSync(BAR).size });
-  await remember(app);
+  await drop(app, BAR);
+  await isRemembered(app);
   const before = await kept(app.page);
   await drop(app, OTHER);
-  await expect(app.by('error-message')).toContainText('The version before is kept');
-  await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'false');
-  const after = await kept(app.page);
-  expect(after.project?.id).toBe(before.project?.id);
-  expect(after.files?.map(({ name }) => name)).toEqual(['twisted-bar.glb']);
+  await expect(app.by('error-message')).toContainText('no room');
+  await isRemembered(app, false);
+  expect(Object.keys(await kept(app.page))).toEqual(Object.keys(before));
   await app.by('remember').click();
   await expect(app.by('error-message')).toContainText('no room');
-  expect((await kept(app.page)).project?.id).toBe(before.project?.id);
+  expect((await kept(app.page))['twisted-bar.glb']?.files?.map(({ name }) => name)).toEqual(['twisted-bar.glb']);
 });

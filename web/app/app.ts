@@ -15,7 +15,7 @@ import { createLayout } from './panels/layout.ts';
 import { createPage } from './panels/page.ts';
 import { createViewState } from './panels/view-state.ts';
 import type { ViewStateHolder } from './panels/view-state.ts';
-import { listenToNetwork, listenToPointer, reducedMotion } from './panels/window-events.ts';
+import { listenToLeaving, listenToNetwork, listenToPointer, reducedMotion } from './panels/window-events.ts';
 import { createSession } from './session/session.ts';
 import type { Session } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
@@ -51,7 +51,7 @@ export function startApp(root: HTMLElement): void {
   const commands = commandsOf(session, display, viewState);
   const { analysis, onAnalysisError } = analysisOf(session, viewState, feedback);
   const ways = createWays({ session, display, analysis, viewState, feedback, onOffer: importOffer.offer });
-  const { files, remembered } = ways;
+  const { files, remembered, undo } = ways;
   const applyLook = (): void => scene.setLook(store.get().view, theme.isDark());
   const theme = createTheme(() => {
     applyLook();
@@ -59,9 +59,10 @@ export function startApp(root: HTMLElement): void {
   });
   const offers = [newVersion.element, notReopened.element, importOffer.element];
   const page = createPage({
-    ...{ root, layout, offers, session, viewState, feedback, scene, marking, commands, analysis, theme, files },
+    ...{ root, layout, offers, session, viewState, feedback, scene, marking, commands, analysis, theme, files, undo },
     onAnalysisError,
     onLink: () => void ways.link.copy(),
+    onOwn: (id) => void ways.openOwn(id),
     onRemember: () => void remembered.toggle().catch(feedback.onError),
     onExportPlan: ways.exporting.plan,
     onExport: (request) => void ways.exporting.run(request),
@@ -88,6 +89,7 @@ export function startApp(root: HTMLElement): void {
     store.hold(down);
     if (!down) frameLoop.settle();
   });
+  listenToLeaving(() => remembered.unsaved);
   listenToNetwork((offline) => viewState.change({ offline }));
   const ready = openFirst({
     files,
@@ -168,10 +170,8 @@ function followState({ session, display, ways, applyLook, onEdit, redraw }: Foll
     if (changed.look) applyLook();
     display.playback.follow(state, changed);
     if (changed.motions && !changed.opened) onEdit();
-    if (!state.play.playing) {
-      ways.link.follow();
-      ways.remembered.follow();
-    }
+    if (!state.play.playing) ways.link.follow();
+    if (!state.play.playing || changed.opened || changed.motions) ways.remembered.follow();
     redraw();
   });
 }

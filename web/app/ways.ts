@@ -13,10 +13,13 @@ import { reducedMotion } from './panels/window-events.ts';
 import type { Session } from './session/session.ts';
 import { createOpenFiles } from './sources/open-files.ts';
 import type { OpenedFiles, OpenFiles } from './sources/open-files.ts';
+import { sourceTitle } from './sources/own-files.ts';
 import { createPageLink } from './sources/page-link.ts';
 import type { PageLink } from './sources/page-link.ts';
 import { createRememberedFiles } from './sources/remembered-files.ts';
 import type { RememberedFiles } from './sources/remembered-files.ts';
+import { createUndo } from './sources/undo.ts';
+import type { Undo } from './sources/undo.ts';
 
 export interface WaysParts {
   session: Session;
@@ -31,6 +34,9 @@ export interface WaysParts {
 export interface Ways {
   files: OpenFiles;
   remembered: RememberedFiles;
+  undo: Undo;
+  /** Opens files of the user again. */
+  openOwn(project: string): Promise<void>;
   link: PageLink;
   exporting: ExportController;
 }
@@ -64,7 +70,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     workspace,
     say,
     onError,
-    onChange: (kept) => viewState.change({ remembered: kept }),
+    onChange: (kept, shelf) => viewState.change({ remembered: kept, shelf }),
   });
   const link = createPageLink({
     store,
@@ -87,5 +93,11 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onVideoFormats: (videoFormats) => viewState.change({ videoFormats }),
     onPlan: (planned) => viewState.change({ exporting: planned }),
   });
-  return { files, remembered, link, exporting };
+  const undo = createUndo({ store, files, titleOf: (source) => sourceTitle(source, viewState.get().samples) });
+  const openOwn = async (project: string): Promise<void> => {
+    const left = files.openings.all.find(({ state }) => state.project === project);
+    if (left) await files.again(left);
+    else await remembered.reopen(project, files.again).catch(onError);
+  };
+  return { files, remembered, undo, openOwn, link, exporting };
 }

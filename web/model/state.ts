@@ -66,6 +66,8 @@ export interface View {
 
 export interface AppState {
   source: Source;
+  /** Of the user's own files, with all that is done to them: under which it is kept between visits. Else null. */
+  project: string | null;
   doc: Doc;
   time: number;
   play: Play;
@@ -98,6 +100,7 @@ export const DEFAULT_VIEW: Readonly<View> = {
 
 export const EMPTY_STATE: AppState = {
   source: { kind: 'none' },
+  project: null,
   doc: { keys: [], motion: { ...DEFAULT_MOTION }, encoding: { ...DEFAULT_ENCODING } },
   time: 0,
   play: { playing: false, speed: 0.25, loop: 'bounce', between: null, fps: null },

@@ -11,22 +11,29 @@ export interface SampleItem {
   description: string;
 }
 
+export interface OwnItem {
+  id: string;
+  title: string;
+}
+
 export interface HeaderProps {
   samples: readonly SampleItem[];
   /** Id of the loaded sample, or null where files of the user are loaded. */
   sample: string | null;
-  fileName: string;
+  /** Files of the user that can be opened again. */
+  own: readonly OwnItem[];
+  /** Which of them are loaded: links cannot carry them, this browser can remember them. Else null. */
+  project: string | null;
   undo: string | null;
   redo: string | null;
   theme: Theme;
   canExport: boolean;
-  /** Files of the user are loaded: links cannot carry them, this browser can remember them. */
-  own: boolean;
   remembered: boolean;
 }
 
 export interface HeaderEvents {
   onSample(id: string): void;
+  onOwn(id: string): void;
   onOpen(): void;
   onUndo(): void;
   onRedo(): void;
@@ -43,12 +50,13 @@ const THEMES: Record<Theme, { icon: IconName; label: string }> = {
   dark: { icon: 'dark', label: 'Dark colours' },
 };
 
-/** Value of the entry that stands for the user's own files. */
-const OWN = '';
+/** Begins the values of the entries that stand for the user's own files. */
+const OWN = 'own ';
 
 export function createHeader(events: HeaderEvents): { element: HTMLElement; update(props: HeaderProps): void } {
   const sample = select<string>('Sample', 'sample', [], (id) => {
-    if (id !== OWN) events.onSample(id);
+    if (id.startsWith(OWN)) events.onOwn(id.slice(OWN.length));
+    else events.onSample(id);
   });
   sample.element.classList.add('compact', 'sample');
   const open = button({
@@ -119,16 +127,15 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
   );
 
   const draw = memo((props: HeaderProps) => {
-    const own = props.sample === null && props.fileName ? [{ value: OWN, label: props.fileName }] : [];
-    sample.update(props.sample ?? OWN, [
-      ...own,
+    sample.update(props.sample ?? OWN + props.project, [
+      ...props.own.map(({ id, title }) => ({ value: OWN + id, label: title })),
       ...props.samples.map((s) => ({ value: s.id, label: s.title, hint: s.description })),
     ]);
     describe(undo, 'Undo', props.undo, 'Ctrl+Z');
     describe(redo, 'Redo', props.redo, 'Ctrl+Shift+Z');
     exporting.disabled = !props.canExport;
-    setHidden(link, props.own);
-    setHidden(remember, !props.own);
+    setHidden(link, props.project !== null);
+    setHidden(remember, props.project === null);
     setAttribute(remember, 'aria-pressed', String(props.remembered));
     setAttribute(
       remember,

@@ -12,7 +12,6 @@ import { createColourBar } from '../../ui/colour-bar.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import { createExportDialog } from '../../ui/export-dialog.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
-import { leadingName } from '../../ui/dropped-files.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
 import { createGhostPanel } from '../../ui/ghost-panel.ts';
@@ -40,6 +39,7 @@ import { warningItems } from '../drawing/marking.ts';
 import type { Marking } from '../drawing/marking.ts';
 import { hasTexture } from '../sources/open-files.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
+import { ownFiles } from '../sources/own-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
 import type { ViewState } from './view-state.ts';
 import type { Layout } from './layout.ts';
@@ -62,6 +62,7 @@ export interface ComponentsInput {
   shortcuts: readonly ShortcutLine[];
   onUndo(): void;
   onRedo(): void;
+  onOwn(project: string): void;
   onLink(): void;
   onRemember(): void;
   onTheme(): void;
@@ -102,6 +103,7 @@ export function createComponents(input: ComponentsInput): Components {
   const dropZone = createDropZone(openFiles);
   const header = createHeader({
     onSample: (id) => void files.sample(id),
+    onOwn: input.onOwn,
     onOpen: picker.open,
     onUndo: input.onUndo,
     onRedo: input.onRedo,
@@ -214,9 +216,9 @@ export function createComponents(input: ComponentsInput): Components {
       theme,
       undo,
       redo,
-      fileName: source.kind === 'files' ? sourceName(source.names) : '',
+      own: ownFiles(state, files.openings.all, viewState.shelf),
+      project: state.project,
       canExport: !disabled,
-      own: source.kind === 'files',
       remembered: viewState.remembered,
     });
     const { fps, between, playing } = play;
@@ -323,11 +325,6 @@ export function createComponents(input: ComponentsInput): Components {
     toggleLook: viewBar.toggleLook,
     toggleClock: clockMenu.toggle,
   };
-}
-
-function sourceName(names: readonly string[]): string {
-  const first = leadingName(names);
-  return names.length > 1 ? `${first} and ${names.length - 1} more` : first;
 }
 
 /** The same list as long as nothing in it changes, so that the strip is not drawn anew on every frame. */

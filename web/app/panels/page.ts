@@ -6,6 +6,7 @@ import type { Marking } from '../drawing/marking.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
 import type { Session } from '../session/session.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
+import type { Undo } from '../sources/undo.ts';
 import { createAnalysisPanel } from './analysis-panel.ts';
 import type { Commands } from './commands.ts';
 import { createComponents } from './components.ts';
@@ -28,8 +29,11 @@ export interface PageParts {
   commands: Commands;
   marking: Marking;
   files: OpenFiles;
+  undo: Undo;
   theme: ThemeSwitch;
   onLink(): void;
+  /** Opens files of the user by their project. */
+  onOwn(project: string): void;
   onRemember(): void;
   /** Ends the work under way. */
   onCancel(): void;
@@ -45,7 +49,7 @@ export interface Page {
 }
 
 export function createPage(parts: PageParts): Page {
-  const { layout, session, viewState, feedback, scene, commands, theme, onCancel } = parts;
+  const { layout, session, viewState, feedback, scene, commands, theme, undo, onCancel } = parts;
   const { engine, store, workspace, range } = session;
   const { onError } = feedback;
   const closeError = (): void => viewState.change({ errorMessage: null });
@@ -58,8 +62,8 @@ export function createPage(parts: PageParts): Page {
     toggleLook: () => components.toggleLook(),
     toggleClock: () => components.toggleClock(),
     nextTheme: theme.next,
-    undo: store.undo,
-    redo: store.redo,
+    undo: undo.undo,
+    redo: undo.redo,
     escape: () => (viewState.get().working ? onCancel() : closeError()),
   });
   const components = createComponents({
@@ -79,8 +83,9 @@ export function createPage(parts: PageParts): Page {
     ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),
     indefiniteFace: () => viewState.get().indefiniteFace,
     shortcuts: shortcutLines(shortcuts),
-    onUndo: store.undo,
-    onRedo: store.redo,
+    onUndo: undo.undo,
+    onRedo: undo.redo,
+    onOwn: parts.onOwn,
     onTheme: theme.next,
     onCancel,
     onLink: parts.onLink,
@@ -106,8 +111,8 @@ export function createPage(parts: PageParts): Page {
       labels: scene.labels,
       outOfView: scene.outOfView,
       colourBar: scene.colourBar,
-      undo: store.undoLabel(),
-      redo: store.redoLabel(),
+      undo: undo.undoLabel(),
+      redo: undo.redoLabel(),
     });
   };
   return {

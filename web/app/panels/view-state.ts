@@ -6,6 +6,7 @@ import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
 import type { ErrorMessage, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../ui/orientation.ts';
 import type { OpenedFiles } from '../sources/open-files.ts';
+import type { ProjectOnShelf } from '../sources/project-shelf.ts';
 import type { Sample } from '../sources/samples.ts';
 
 export interface ViewState {
@@ -38,6 +39,8 @@ export interface ViewState {
   offline: boolean;
   /** The user's files are kept in this browser for the next visit. */
   remembered: boolean;
+  /** All files of the user that are kept, the last changed first. */
+  shelf: readonly ProjectOnShelf[];
   singleKeys: boolean;
   /** What the browser can write; null until the export dialog has asked. */
   videoFormats: readonly VideoFormat[] | null;
@@ -112,6 +115,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   welcome: true,
   offline: false,
   remembered: false,
+  shelf: [],
   singleKeys: true,
   videoFormats: null,
   exporting: { request: { ...DEFAULT_REQUEST }, plan: null },

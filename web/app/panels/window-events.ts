@@ -8,6 +8,13 @@ export function listenToPointer(onHold: (down: boolean) => void): void {
   }
 }
 
+/** The browser asks before the page is left where that would lose something. */
+export function listenToLeaving(loses: () => boolean): void {
+  window.addEventListener('beforeunload', (event) => {
+    if (loses()) event.preventDefault();
+  });
+}
+
 export function listenToNetwork(onOffline: (offline: boolean) => void): void {
   window.addEventListener('offline', () => onOffline(true));
   window.addEventListener('online', () => onOffline(false));

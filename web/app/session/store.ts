@@ -17,8 +17,10 @@ export interface Store {
   hold(down: boolean): void;
   /** Replaces the document without a step back, for when the engine refuses an edit. */
   revert(doc: Doc): void;
-  /** A new import: everything is replaced and the history ends. */
-  reset(state: AppState): void;
+  /** A new import: everything is replaced, and the history with it. */
+  reset(state: AppState, history?: History): void;
+  /** The steps back and forth as they are now. */
+  history(): History;
   undo(): void;
   redo(): void;
   /** Label of the edit that undo or redo would step over, or null. */
@@ -31,6 +33,14 @@ interface Step {
   label: string;
   doc: Doc;
 }
+
+/** What undo and redo step to, the next step last. */
+export interface History {
+  past: readonly Step[];
+  future: readonly Step[];
+}
+
+const NO_HISTORY: History = { past: [], future: [] };
 
 export function createStore(initial: AppState, now: () => number = () => performance.now()): Store {
   let state = initial;
@@ -69,10 +79,11 @@ export function createStore(initial: AppState, now: () => number = () => perform
       if (down && !held) last = { merge: '', at: -Infinity };
       held = down;
     },
+    history: () => ({ past, future }),
     revert: (doc) => publish({ ...state, doc }),
-    reset(next) {
-      past = [];
-      future = [];
+    reset(next, history = NO_HISTORY) {
+      past = [...history.past];
+      future = [...history.future];
       last = { merge: '', at: -Infinity };
       publish(next);
     },

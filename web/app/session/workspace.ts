@@ -22,6 +22,13 @@ export interface WorkspaceEvents {
   onRefused(error: unknown, current: SequencePlan | null): void;
 }
 
+export interface OpeningSteps {
+  /** May change the document that the files start with. */
+  adjust(doc: Doc, pool: PosePool): Doc;
+  /** The last moment of what was open before. */
+  leave(): void;
+}
+
 interface Current {
   info: KeysInfo;
   set: SequenceSet;
@@ -87,10 +94,10 @@ export class Workspace {
   }
 
   /**
-   * Reads files and makes the motion; only when both have succeeded does it replace what is open. `adjust` may change
-   * the document first. Resolves to null when it was cancelled or overtaken by another call.
+   * Reads files and makes the motion; only when both have succeeded does it replace what is open. Resolves to null when
+   * it was cancelled or overtaken by another call.
    */
-  async open(source: Input, options: ImportOptions, adjust: (doc: Doc, pool: PosePool) => Doc): Promise<Opened | null> {
+  async open(source: Input, options: ImportOptions, { adjust, leave }: OpeningSteps): Promise<Opened | null> {
     this.opening?.abort();
     const abort = new AbortController();
     this.opening = abort;
@@ -111,6 +118,7 @@ export class Workspace {
       const pool = new PosePool(keys);
       const doc = adjust(documentFromImport(info, pool), pool);
       const set = await this.firstSet(pool, sequencePlan(doc, []), abort);
+      if (this.current) leave();
       this.close();
       this.current = { info, set, pool, input, options };
       return { info, doc };

@@ -16,12 +16,16 @@ import { motionRange } from '../session/motion-range.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Input, Opened, Workspace } from '../session/workspace.ts';
-import type { Remembered } from './project-shelf.ts';
 import { readFiles } from './input-files.ts';
+import { Openings } from './openings.ts';
 import { applyPermalink, leftOut } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
+import { newProjectId } from './project-shelf.ts';
+import type { Remembered } from './project-shelf.ts';
 import type { Sample } from './samples.ts';
 import { fetchSample } from './samples.ts';
+import { currentWork } from './work.ts';
+import type { Work } from './work.ts';
 
 /** What is open now, while the state does not say so yet. */
 export interface OpenedFiles {
@@ -58,8 +62,13 @@ export interface OpenFiles {
   /** Resolve to whether what was asked for is open now. */
   sample(id: string, link?: Permalink | null): Promise<boolean>;
   files(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean>;
-  /** Opens what an earlier visit left. */
-  again(remembered: Remembered): Promise<boolean>;
+  /** Opens what an earlier visit left, or this one. */
+  again(left: Remembered | Work): Promise<boolean>;
+  /** What was open before this, as it was left; opening is undone by it. */
+  back(): Promise<boolean>;
+  /** Redoes that. */
+  forth(): Promise<boolean>;
+  readonly openings: Readonly<Pick<Openings, 'before' | 'after' | 'all'>>;
   /** Takes the keys anew, at these seconds of the animation's own timeline. */
   resample(animation: number, times: number[]): Promise<boolean>;
   /** Takes the keys from the animation that the files hold themselves, at the times that are taken by default. */
@@ -79,12 +88,16 @@ interface Request {
   input: Input;
   options: ImportOptions;
   source: Source;
+  /** Of files of the user. */
+  project: string | null;
   adjust(doc: Doc): Doc;
   link: Permalink | null;
-  /** How an earlier visit left it. */
-  left?: Remembered;
+  /** How it was left before. */
+  left?: Remembered | Work;
   /** Time and history go on where the document does. */
   goesOn?: boolean;
+  /** What is left for it, and how that is found again; by default, by undoing. */
+  onLeft?(work: Work): void;
 }
 
 export function createOpenFiles({
@@ -102,16 +115,25 @@ export function createOpenFiles({
   let fetching = new AbortController();
   const running = new Set<Promise<unknown>>();
 
-  const open = async ({ input, options, source, adjust, link, left, goesOn }: Request): Promise<boolean> => {
+  const openings = new Openings();
+
+  const open = async (request: Request): Promise<boolean> => {
+    const { input, options, source, project, adjust, link, left, onLeft = (work) => openings.left(work) } = request;
     onStart();
     let initial = EMPTY_STATE.doc;
-    const opened = await workspace.open(input, options, (doc, pool) => {
-      initial = adjust(doc);
-      if (left) return restored(left, pool);
-      return link ? applyPermalink(initial, link, pool.keys.info.report.components) : initial;
+    let leaving: Work | null = null;
+    const opened = await workspace.open(input, options, {
+      adjust(doc, pool) {
+        initial = adjust(doc);
+        if (left) return restored(left, pool);
+        return link ? applyPermalink(initial, link, pool.keys.info.report.components) : initial;
+      },
+      leave: () => (leaving = currentWork(store, workspace)),
     });
     if (!opened) return false;
     const { info, doc } = opened;
+    const goesOn = request.goesOn === true && doc === store.get().doc;
+    if (leaving && !goesOn) onLeft(leaving);
     const view = left ? { ...DEFAULT_VIEW, ...left.state.view } : openingView(store.get().view, info, link);
     onOpened({
       info,
@@ -123,18 +145,13 @@ export function createOpenFiles({
       objects: options.objects ?? [],
       camera: view.camera,
     });
-    if (goesOn && doc === store.get().doc) {
+    if (goesOn) {
       store.set({ view });
       return true;
     }
     const time = left?.state.time ?? openingTime(doc, link);
-    store.reset({
-      source,
-      doc,
-      view,
-      play: left ? { ...left.state.play, playing: false } : openingPlay(opened, source, link),
-      time,
-    });
+    const play = left ? { ...left.state.play, playing: false } : openingPlay(opened, source, link);
+    store.reset({ source, project, doc, view, play, time }, left && 'history' in left ? left.history : undefined);
     const unused = link && leftOut(link, doc);
     if (unused) say(unused);
     return true;
@@ -168,8 +185,27 @@ export function createOpenFiles({
   const reread = (change: ImportOptions): Promise<boolean> => {
     const { up, unit, objects } = workspace.options;
     const options = { up, unit, objects, ...change };
-    return open({ input: workspace.input, options, source: store.get().source, adjust: (doc) => doc, link: null });
+    const { source, project } = store.get();
+    return open({ input: workspace.input, options, source, project, adjust: (doc) => doc, link: null });
   };
+
+  const again = (left: Remembered | Work, onLeft?: (work: Work) => void): Promise<boolean> => {
+    const { source, project } = left.state;
+    const sample = source.kind === 'sample' && samples().find(({ id }) => id === source.id);
+    return open({
+      input: left.files,
+      options: left.options,
+      source,
+      project: source.kind === 'files' ? (project ?? newProjectId()) : null,
+      adjust: (doc) => (sample ? ofSample(doc, sample) : doc),
+      link: null,
+      left,
+      onLeft,
+    });
+  };
+
+  const stepTo = async (work: Work | null, onLeft: (work: Work) => void): Promise<boolean> =>
+    work !== null && (await again(work, onLeft));
 
   const addKeys = async (files: PickedFile[]): Promise<boolean> => {
     const { pool } = workspace;
@@ -208,6 +244,7 @@ export function createOpenFiles({
           input,
           options,
           source: { kind: 'sample', id },
+          project: null,
           adjust: (doc: Doc) => ofSample(doc, sample),
         } as const;
         return open({ ...request, link }).catch(async (error: unknown) => {
@@ -229,21 +266,15 @@ export function createOpenFiles({
           input,
           options: {},
           source: { kind: 'files', names: files.map(({ name }) => name) },
+          project: newProjectId(),
           adjust: (doc) => doc,
           link: null,
         });
       }),
-    again: (left) =>
-      guarded(() =>
-        open({
-          input: left.files,
-          options: left.options,
-          source: left.state.source,
-          adjust: (doc) => doc,
-          link: null,
-          left,
-        }),
-      ),
+    again: (left) => guarded(() => again(left)),
+    back: () => guarded(async () => stepTo(openings.before, (work) => openings.steppedBack(work))),
+    forth: () => guarded(async () => stepTo(openings.after, (work) => openings.steppedForth(work))),
+    openings,
     resample: (animation, times) => guarded(() => reread({ animation, sample: times })),
     takeAnimation: () => guarded(() => reread({ animation: 0 })),
     takeObjects: (objects) => {
@@ -252,13 +283,13 @@ export function createOpenFiles({
     },
     reorient: (orientation) =>
       guarded(() => {
-        const { source, doc } = store.get();
+        const { source, project, doc } = store.get();
         const options = { ...workspace.options, ...orientation };
         // Everything but poses that were taken from the shape as it lay before.
         const adjust = (fresh: Doc): Doc => (doc.keys.every(({ pose }) => pose < fresh.keys.length) ? doc : fresh);
         // History may hold such poses, too.
         const goesOn = workspace.pool?.count === workspace.pool?.imported;
-        return open({ input: workspace.input, options, source, adjust, link: null, goesOn });
+        return open({ input: workspace.input, options, source, project, adjust, link: null, goesOn });
       }),
     addKeys: async (files) => {
       await guarded(() => addKeys(files));

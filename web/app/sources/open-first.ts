@@ -18,15 +18,16 @@ export interface OpenFirstParts {
 
 export async function openFirst({ files, remembered, onSamples, onStopped }: OpenFirstParts): Promise<void> {
   const link = readPermalink(location.hash);
-  const [samples, left] = await Promise.all([fetchSamples(), link ? null : remembered.recall()]);
+  const [samples, kept] = await Promise.all([fetchSamples(), remembered.recall()]);
   onSamples(samples);
+  const [left] = link ? [] : kept;
   if (left?.opening) {
     onStopped({
-      message: `“${left.remembered.files[0]?.name ?? 'A file'}” was not opened again: the last visit ended while it was being opened.`,
+      message: `“${left.names[0] ?? 'A file'}” was not opened again: the last visit ended while it was being opened.`,
       action: 'Open it',
-      onAccept: () => void remembered.reopen(left, files.again),
+      onAccept: () => void remembered.reopen(left.id, files.again),
     });
-  } else if (left && (await remembered.reopen(left, files.again))) return;
+  } else if (left && (await remembered.reopen(left.id, files.again).catch(() => false))) return;
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
   if (!first) throw new Error('This page has no samples. Open your own files.');
   await files.sample(first.id, first.id === link?.sample ? link : null);

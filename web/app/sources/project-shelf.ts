@@ -1,6 +1,6 @@
 /**
- * The project that this browser keeps between visits: one record for all tabs, written whole in one transaction or not
- * at all.
+ * The projects that this browser keeps between visits, for all tabs: each written whole in one transaction or not at
+ * all. Of the last ones only: older ones make room.
  */
 import { createStore, promisifyRequest } from 'idb-keyval';
 import type { Pose } from '../../engine/api/read-poses.ts';
@@ -20,37 +20,50 @@ export interface Remembered extends Changing {
   files: InputFile[];
 }
 
-export interface KeptProject {
+/** A project as a list shows it. */
+export interface ProjectOnShelf {
   id: string;
+  /** Of the files that were opened. */
+  names: readonly string[];
+  /** Milliseconds since 1970 of the last change. */
+  changed: number;
   /** A visit began to open it and has not said that it is open. */
   opening: boolean;
-  remembered: Remembered;
 }
 
 interface ProjectRecord extends Changing {
   format: typeof FORMAT;
   id: string;
   opening: boolean;
+  changed: number;
+  /** Another one for every write, so that a tab notices what others have written. */
+  version: number;
 }
 
-/** Raised when older visits can no longer be read. Format 1 lay under three keys, without an id. */
-const FORMAT = 2;
-const PROJECT = 'project';
+export interface Shelf {
+  /** The last changed one first. */
+  projects: ProjectOnShelf[];
+  /** How many did not read, and were set aside. */
+  setAside: number;
+}
+
+/** Raised when older visits can no longer be read. Format 1 and 2 held one project, under keys without an id. */
+const FORMAT = 3;
+const PROJECT = 'project ';
 /**
- * In a record of their own, as they may be large and stay the same while the rest changes; always of the project beside
- * them.
+ * In a record of their own, as they may be large and stay the same while the rest changes; always of the project of the
+ * same id.
  */
-const FILES = 'files';
-const SET_ASIDE = 'set aside';
+const FILES = 'files ';
+const SET_ASIDE = 'set aside ';
+const KEPT_PROJECTS = 6;
 
 const shelf = createStore('shapespline', 'remembered');
 
 const stored = (store: IDBObjectStore, key: string): Promise<unknown> => promisifyRequest<unknown>(store.get(key));
 
-async function projectOn(store: IDBObjectStore): Promise<ProjectRecord | null> {
-  const project = (await stored(store, PROJECT)) as ProjectRecord | undefined;
-  return project?.format === FORMAT ? project : null;
-}
+const projectOn = async (store: IDBObjectStore, id: string): Promise<ProjectRecord | undefined> =>
+  (await stored(store, PROJECT + id)) as ProjectRecord | undefined;
 
 /** Does all of it or nothing: resolves when it is on the disk. */
 function atomically<T>(work: (store: IDBObjectStore) => T | Promise<T>): Promise<T> {
@@ -76,63 +89,63 @@ function abort(transaction: IDBTransaction): void {
   }
 }
 
+/** Writes a project, its files included, and resolves to its version; the oldest of too many goes. */
+export function keepProject(id: string, { files, ...changing }: Remembered): Promise<number> {
+  return atomically(async (store) => {
+    const version = ((await projectOn(store, id))?.version ?? 0) + 1;
+    store.put(recordOf(id, version, changing), PROJECT + id);
+    store.put(files, FILES + id);
+    const { projects } = await readAll(store);
+    for (const { id: old } of projects.slice(KEPT_PROJECTS)) remove(store, old);
+    return version;
+  });
+}
+
 /**
- * Writes a project over whatever is kept, or, where `instead` is given, only over that project; resolves to whether it
- * did.
+ * Writes what has changed of a project and resolves to its new version; null where it is kept no longer, or another tab
+ * has written since `version`.
  */
-export function keepProject(id: string, remembered: Remembered, instead: string | null): Promise<boolean> {
-  const { files, ...changing } = remembered;
+export function updateProject(id: string, version: number, changing: Changing): Promise<number | null> {
   return atomically(async (store) => {
-    if (instead !== null && (await projectOn(store))?.id !== instead) return false;
-    store.put({ format: FORMAT, id, opening: false, ...changing } satisfies ProjectRecord, PROJECT);
-    store.put(files, FILES);
-    return true;
+    if ((await projectOn(store, id))?.version !== version) return null;
+    store.put(recordOf(id, version + 1, changing), PROJECT + id);
+    return version + 1;
   });
 }
 
-/** Writes what has changed of a project; false where another one, or none, is kept meanwhile. */
-export function updateProject(id: string, part: Partial<Changing & { opening: boolean }>): Promise<boolean> {
+/** Says that a visit begins to open a project, or has opened it. */
+export function markOpening(id: string, opening: boolean): Promise<void> {
   return atomically(async (store) => {
-    const project = await projectOn(store);
-    if (project?.id !== id) return false;
-    store.put({ ...project, ...part }, PROJECT);
-    return true;
+    const project = await projectOn(store, id);
+    if (project) store.put({ ...project, opening }, PROJECT + id);
   });
 }
 
-/** False where another project, or none, is kept. */
-export function forgetProject(id: string): Promise<boolean> {
-  return atomically(async (store) => {
-    if ((await projectOn(store))?.id !== id) return false;
-    store.delete(PROJECT);
-    store.delete(FILES);
-    return true;
-  });
+export function forgetProject(id: string): Promise<void> {
+  return atomically((store) => remove(store, id));
 }
 
-/** The kept project, or null where there is none. Fails where it does not read. */
-export function readProject(): Promise<KeptProject | null> {
+/** What is kept. What does not read makes room under another key, where it stays for whoever may need it. */
+export function readShelf(): Promise<Shelf> {
   return atomically(async (store) => {
     await upgrade(store);
-    const [project, files] = [await stored(store, PROJECT), await stored(store, FILES)];
-    if (project === undefined && files === undefined) return null;
-    const { format, id, opening, ...changing } = project as ProjectRecord;
-    const whole =
-      format === FORMAT &&
-      Array.isArray(files) &&
-      Array.isArray(changing.poses) &&
-      Array.isArray(changing.state?.doc?.keys);
-    if (!whole) throw new Error('a kept project does not read');
-    return { id, opening, remembered: { files: files as InputFile[], ...changing } };
+    const { projects, broken } = await readAll(store);
+    for (const key of broken) {
+      const id = key.slice(PROJECT.length);
+      store.put({ project: await stored(store, key), files: await stored(store, FILES + id) }, SET_ASIDE + id);
+      remove(store, id);
+    }
+    return { projects, setAside: broken.length };
   });
 }
 
-/** What does not read makes room, and stays for whoever may need it. */
-export function setProjectAside(): Promise<void> {
+/** A project with its files and its version, or null where it is kept no longer. */
+export function readProject(id: string): Promise<{ remembered: Remembered; version: number } | null> {
   return atomically(async (store) => {
-    store.put({ project: await stored(store, PROJECT), files: await stored(store, FILES) }, SET_ASIDE);
-    store.delete(PROJECT);
-    store.delete(FILES);
+    const [project, files] = [await projectOn(store, id), await stored(store, FILES + id)];
+    if (!project || !files) return null;
+    const { options, poses, state, version } = project;
+    return { remembered: { files: files as InputFile[], options, poses, state }, version };
   });
 }
 
@@ -140,10 +153,46 @@ export function newProjectId(): string {
   return Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(16).padStart(8, '0')).join('');
 }
 
+function recordOf(id: string, version: number, changing: Changing): ProjectRecord {
+  return { ...changing, format: FORMAT, id, version, opening: false, changed: Date.now() };
+}
+
+function remove(store: IDBObjectStore, id: string): void {
+  store.delete(PROJECT + id);
+  store.delete(FILES + id);
+}
+
+async function readAll(store: IDBObjectStore): Promise<{ projects: ProjectOnShelf[]; broken: string[] }> {
+  const projects: ProjectOnShelf[] = [];
+  const broken: string[] = [];
+  const all = await promisifyRequest(store.getAllKeys());
+  const keys = new Set(all.filter((key) => typeof key === 'string'));
+  for (const key of keys) {
+    if (!key.startsWith(PROJECT)) continue;
+    const project = readRecord(await stored(store, key));
+    if (project && PROJECT + project.id === key && keys.has(FILES + project.id)) projects.push(project);
+    else broken.push(key);
+  }
+  return { projects: projects.sort((a, b) => b.changed - a.changed), broken };
+}
+
+function readRecord(record: unknown): ProjectOnShelf | null {
+  const { format, id, opening, changed, poses, state } = (record ?? {}) as Partial<ProjectRecord>;
+  const whole = format === FORMAT && Array.isArray(poses) && Array.isArray(state?.doc?.keys);
+  if (!whole || state.source?.kind !== 'files') return null;
+  return { id: id!, names: state.source.names, changed: changed ?? 0, opening: opening === true };
+}
+
+/** Format 1 had `rest` and `files`, format 2 `project` and `files`. */
 async function upgrade(store: IDBObjectStore): Promise<void> {
-  if ((await stored(store, 'format')) !== 1) return;
-  const changing = (await stored(store, 'rest')) as Changing | undefined;
-  if (changing) store.put({ format: FORMAT, id: newProjectId(), opening: false, ...changing }, PROJECT);
-  store.delete('format');
-  store.delete('rest');
+  const files = await stored(store, 'files');
+  const [rest, project] = [await stored(store, 'rest'), await stored(store, 'project')];
+  const old = (project ?? rest) as (Changing & { format?: number; opening?: boolean }) | undefined;
+  if (old === undefined && files === undefined) return;
+  const readable = project === undefined || old?.format === 2;
+  const record = { ...old, ...(readable ? { format: FORMAT } : {}) };
+  const id = newProjectId();
+  store.put({ opening: false, version: 1, changed: Date.now(), ...record, id }, PROJECT + id);
+  if (files !== undefined) store.put(files, FILES + id);
+  for (const key of ['format', 'rest', 'project', 'files']) store.delete(key);
 }

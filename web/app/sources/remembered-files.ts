@@ -1,4 +1,7 @@
-/** The user's own files, kept in this browser between visits where the user has asked for it. They are sent nowhere. */
+/**
+ * The user's own files with all that is done to them, kept in this browser between visits unless the user wants
+ * otherwise. They are sent nowhere.
+ */
 import type { InputFile } from '../../engine/api/types.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { Store } from '../session/store.ts';
@@ -6,46 +9,59 @@ import type { Workspace } from '../session/workspace.ts';
 import {
   forgetProject,
   keepProject,
+  markOpening,
   newProjectId,
   readProject,
-  setProjectAside,
+  readShelf,
   updateProject,
 } from './project-shelf.ts';
-import type { Changing, KeptProject, Remembered } from './project-shelf.ts';
+import type { ProjectOnShelf, Remembered } from './project-shelf.ts';
+import { bytesOf, currentWork } from './work.ts';
 
 export interface RememberedFilesParts {
   store: Store;
   workspace: Workspace;
-  /** Whether the files are kept for the next visit. */
-  onChange(remembered: boolean): void;
+  /** Whether what is open is kept for the next visit, and all that is kept, the last changed first. */
+  onChange(remembered: boolean, shelf: readonly ProjectOnShelf[]): void;
   say(text: string): void;
   onError(error: unknown): void;
 }
 
 export interface RememberedFiles {
-  /** Remembers what is open, or forgets it. */
+  /** Remembers what is open, and what is opened from now on; or forgets it, and keeps nothing from now on. */
   toggle(): Promise<void>;
   /** The state has changed. */
   follow(): void;
-  /** What an earlier visit left, or null. Nothing that goes wrong here keeps the page from starting. */
-  recall(): Promise<KeptProject | null>;
-  /** Opens what was recalled by `open`; a visit that ends meanwhile leaves a sign of it. */
-  reopen(kept: KeptProject, open: (remembered: Remembered) => Promise<boolean>): Promise<boolean>;
+  /** What earlier visits left, the last changed first. Nothing that goes wrong here keeps the page from starting. */
+  recall(): Promise<readonly ProjectOnShelf[]>;
+  /** Opens what is kept by `open`; a visit that ends meanwhile leaves a sign of it. */
+  reopen(id: string, open: (remembered: Remembered) => Promise<boolean>): Promise<boolean>;
+  /** Whether leaving the page now would lose the user's work. */
+  readonly unsaved: boolean;
 }
 
 /** From one tab to the others of this page. */
 interface News {
-  /** The project that is kept now; null: it was forgotten. */
-  kept: string | null;
-  /** The project that was kept before. */
-  before: string;
+  forgotten: string;
+}
+
+/** What this visit knows of a project on the shelf. */
+interface Kept {
+  version: number;
+  files: InputFile[];
+  /** The state that is written, as text. */
+  state: string;
 }
 
 /** A page that is left while it opens files has not been ended by them. */
 const LEFT = 'shapespline.left-while-opening';
+/** Kept where the user wants no files to be kept. */
+const UNWANTED = 'shapespline.keep-no-files';
 const SAVE_DELAY_MS = 500;
 /** Another tab can hold a browser's storage for any time: the page starts without it then. */
 const RECALL_MS = 10_000;
+/** More is kept only where the user asks for it. */
+const UNASKED_BYTES = 256e6;
 
 const NO_ROOM =
   'This browser cannot store these files: it has no room for them, or this is a private window. Export a GLB to save the project.';
@@ -60,125 +76,156 @@ export function createRememberedFiles({
   onError,
 }: RememberedFilesParts): RememberedFiles {
   const tabs = typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('shapespline remembered files');
-  /** The project of this tab that is kept, and its files. */
-  let own: { id: string; files: InputFile[] | null } | null = null;
+  const kept = new Map<string, Kept>();
+  /** Projects that are not to be written any more: forgotten, or without room. */
+  const dropped = new Set<string>();
+  let shelf: readonly ProjectOnShelf[] = [];
   let timer = 0;
   let saving: Promise<void> = Promise.resolve();
+  let told = false;
 
-  const change = (now: typeof own): void => {
-    own = now;
-    if (!now) window.clearTimeout(timer);
-    onChange(now !== null);
+  const own = (): string | null => store.get().project;
+  const isKept = (): boolean => kept.has(own() ?? '');
+  let shown: { remembered: boolean; shelf: readonly ProjectOnShelf[] } | null = null;
+  const changed = (): void => {
+    const remembered = isKept();
+    if (shown?.remembered === remembered && shown.shelf === shelf) return;
+    shown = { remembered, shelf };
+    onChange(remembered, shelf);
   };
 
-  const tell = (news: News): void => tabs?.postMessage(news);
+  const readList = async (): Promise<number> => {
+    const { projects, setAside } = await readShelf();
+    shelf = projects;
+    changed();
+    return setAside;
+  };
 
-  const lose = (why: string): void => {
-    change(null);
-    say(why);
+  const giveUp = (id: string): void => {
+    kept.delete(id);
+    dropped.add(id);
+    shelf = shelf.filter((project) => project.id !== id);
+    changed();
   };
 
   tabs?.addEventListener('message', ({ data }: MessageEvent<News>) => {
-    if (!own || data.kept === own.id) return;
-    if (data.kept === null && data.before === own.id) lose('Forgotten in another tab.');
-    else if (data.kept !== null) lose('Another tab has remembered its own files instead of these.');
+    if (own() === data.forgotten && isKept()) say('Forgotten in another tab.');
+    giveUp(data.forgotten);
   });
 
-  const changing = (): Changing | null => {
-    const { options, pool } = workspace;
-    const state = store.get();
-    if (!pool || state.source.kind !== 'files') return null;
-    const poses = Array.from({ length: pool.count - pool.imported }, (_, index) => pool.imported + index).map(
-      (pose) => ({ name: pool.keys.info.names[pose] ?? '', positions: pool.keys.positions(pose) }),
-    );
-    return { options, poses, state };
-  };
-
-  /** Files are written once, the rest with every change. */
-  const save = async (): Promise<void> => {
-    const part = changing();
-    const { input } = workspace;
-    if (!part || !own) return;
-    const { id, files } = own;
-    if (files === input) {
-      if (!(await updateProject(id, part)) && own)
-        lose('Another tab has changed the remembered files: these are no longer among them.');
+  /** Under a name of its own where another tab has written since: both versions stay. */
+  const write = async (id: string): Promise<void> => {
+    const work = currentWork(store, workspace);
+    if (!work || own() !== id || dropped.has(id)) return;
+    const { files, options, poses, state } = work;
+    const text = JSON.stringify(state);
+    const before = kept.get(id);
+    if (before?.files === files) {
+      if (before.state === text) return;
+      const version = await updateProject(id, before.version, { options, poses, state });
+      if (version !== null) kept.set(id, { version, files, state: text });
+      else if (!dropped.has(id)) {
+        kept.delete(id);
+        const other = newProjectId();
+        store.set({ project: other });
+        say('Another tab has changed these files, too. Both versions are kept.');
+        await write(other);
+      }
       return;
     }
-    const next = newProjectId();
-    if (!(await keepProject(next, { files: input, ...part }, id))) {
-      lose('Another tab has changed the remembered files: these are not among them.');
-      return;
-    }
-    if (own) change({ id: next, files: input });
-    tell({ kept: next, before: id });
+    const version = await keepProject(id, { files, options, poses, state });
+    if (dropped.has(id)) return forgetProject(id);
+    kept.set(id, { version, files, state: text });
+    await readList();
   };
 
   /** One after the other, so that a later state is not overtaken. */
-  const saveInTurn = (): Promise<void> => {
-    saving = saving.then(save).catch(() => {
-      change(null);
-      onError(new Error(NOT_WRITTEN));
-    });
+  const inTurn = (id: string, failure: string): Promise<void> => {
+    saving = saving
+      .then(() => write(id))
+      .catch(() => {
+        const lost = kept.has(id);
+        dropped.add(id);
+        kept.delete(id);
+        changed();
+        onError(new Error(lost ? failure : NO_ROOM));
+      });
     return saving;
   };
 
-  const remember = async (): Promise<void> => {
-    const part = changing();
-    if (!part) return;
-    const id = newProjectId();
-    const { input } = workspace;
-    try {
-      await keepProject(id, { files: input, ...part }, null);
-    } catch {
-      onError(new Error(NO_ROOM));
-      return;
-    }
-    change({ id, files: input });
-    tell({ kept: id, before: '' });
-    say('Remembered on this computer: the next visit starts with these files.');
+  const wanted = (): boolean => {
+    const work = readSetting(UNWANTED) === null && currentWork(store, workspace);
+    return isKept() || (work !== false && work !== null && bytesOf(work) <= UNASKED_BYTES);
   };
 
   const forget = async (id: string): Promise<void> => {
-    change(null);
+    giveUp(id);
+    writeSetting(UNWANTED, 'yes');
     await saving;
     await forgetProject(id);
-    tell({ kept: null, before: id });
-    say('Forgotten: the next visit starts with a sample.');
+    tabs?.postMessage({ forgotten: id } satisfies News);
+    say('Forgotten, and files are not remembered any more.');
+  };
+
+  const remember = async (id: string): Promise<void> => {
+    dropped.delete(id);
+    writeSetting(UNWANTED, null);
+    await inTurn(id, NOT_WRITTEN);
+    if (kept.has(id)) say('Remembered on this computer: the next visit starts with these files.');
   };
 
   return {
-    toggle: () => (own ? forget(own.id) : remember()),
+    async toggle() {
+      const id = own();
+      if (id !== null) await (isKept() ? forget(id) : remember(id));
+    },
     follow() {
-      if (!own) return;
+      const id = own();
+      changed();
       window.clearTimeout(timer);
-      timer = window.setTimeout(() => void saveInTurn(), SAVE_DELAY_MS);
+      if (id === null || dropped.has(id) || !wanted()) return;
+      timer = window.setTimeout(() => {
+        void inTurn(id, NOT_WRITTEN).then(() => {
+          if (told || !kept.has(id)) return;
+          told = true;
+          say('These files are remembered on this computer for your next visit. They are sent nowhere.');
+        });
+      }, SAVE_DELAY_MS);
     },
     async recall() {
-      try {
-        const kept = await within(RECALL_MS, readProject());
-        return kept && { ...kept, opening: kept.opening && readSetting(LEFT) !== kept.id };
-      } catch {
-        // A browser that keeps nothing has nothing to set aside.
-        const aside = await within(
-          RECALL_MS,
-          setProjectAside().then(() => true),
-        ).catch(() => false);
-        if (aside) say('The files remembered by an earlier visit can no longer be read. They were set aside.');
-        return null;
-      }
+      const setAside = await within(RECALL_MS, readList()).catch(() => 0);
+      if (setAside) say('The files remembered by an earlier visit can no longer be read. They were set aside.');
+      return shelf.map((project) => ({ ...project, opening: project.opening && readSetting(LEFT) !== project.id }));
     },
-    async reopen({ id, remembered }, open) {
+    async reopen(id, open) {
+      const project = await readProject(id);
+      if (!project) {
+        giveUp(id);
+        throw new Error('These files are not remembered any more. Open them again.');
+      }
+      const { remembered, version } = project;
       const leave = (): void => writeSetting(LEFT, id);
       writeSetting(LEFT, null);
       window.addEventListener('pagehide', leave);
-      await updateProject(id, { opening: true }).catch(() => undefined);
-      const opened = await open(remembered);
-      await updateProject(id, { opening: false }).catch(() => undefined);
+      await markOpening(id, true).catch(() => undefined);
+      dropped.delete(id);
+      const { files } = remembered;
+      kept.set(id, { version, files, state: '' });
+      told = true;
+      const opened = await open({ ...remembered, state: { ...remembered.state, project: id } });
+      if (opened) kept.set(id, { version, files, state: JSON.stringify(store.get()) });
+      await markOpening(id, false).catch(() => undefined);
       window.removeEventListener('pagehide', leave);
-      // The files as the workspace holds them now are those that are kept.
-      if (opened) change({ id, files: workspace.input });
+      changed();
       return opened;
+    },
+    get unsaved() {
+      const { source, doc } = store.get();
+      const { pool } = workspace;
+      const edited = store.history().past.length > 0;
+      if (source.kind === 'files') return edited && !isKept();
+      // A link holds all of a sample but the poses that were added.
+      return pool !== null && doc.keys.some(({ pose }) => pose >= pool.imported);
     },
   };
 }

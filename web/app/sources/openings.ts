@@ -1,0 +1,54 @@
+/** What was open before in this visit, to step back to and forth again like an edit. */
+import type { Work } from './work.ts';
+import { bytesOf } from './work.ts';
+
+const AT_MOST = 10;
+/** Of files and poses together; what was left last stays whatever it takes. */
+const AT_MOST_BYTES = 512e6;
+
+export class Openings {
+  private earlier: Work[] = [];
+  private later: Work[] = [];
+
+  /** Something else was opened in its place. */
+  left(work: Work): void {
+    this.earlier = lasting([...this.earlier, work]);
+    this.later = [];
+  }
+
+  get before(): Work | null {
+    return this.earlier.at(-1) ?? null;
+  }
+
+  get after(): Work | null {
+    return this.later.at(-1) ?? null;
+  }
+
+  /** `work` was left for what was before it. */
+  steppedBack(work: Work): void {
+    this.earlier.pop();
+    this.later = lasting([...this.later, work]);
+  }
+
+  steppedForth(work: Work): void {
+    this.later.pop();
+    this.earlier = lasting([...this.earlier, work]);
+  }
+
+  /** All of it, what was left last first. */
+  get all(): Work[] {
+    return [...this.later, ...this.earlier].reverse();
+  }
+}
+
+/** The end of the list that fits. */
+function lasting(works: Work[]): Work[] {
+  const kept: Work[] = [];
+  let bytes = 0;
+  for (const work of works.slice(-AT_MOST).reverse()) {
+    bytes += bytesOf(work);
+    if (kept.length > 0 && bytes > AT_MOST_BYTES) break;
+    kept.unshift(work);
+  }
+  return kept;
+}

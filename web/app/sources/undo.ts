@@ -1,0 +1,35 @@
+/** Undo and redo, of the edits of what is open and, when there are no more of them, of its opening. */
+import type { Source } from '../../model/state.ts';
+import type { Store } from '../session/store.ts';
+import type { OpenFiles } from './open-files.ts';
+
+export interface Undo {
+  undo(): void;
+  redo(): void;
+  /** The step that undo or redo would go over, or null. */
+  undoLabel(): string | null;
+  redoLabel(): string | null;
+}
+
+export interface UndoParts {
+  store: Store;
+  files: OpenFiles;
+  titleOf(source: Source): string;
+}
+
+export function createUndo({ store, files, titleOf }: UndoParts): Undo {
+  const opening = (source: Source | undefined): string | null => (source ? `open ${titleOf(source)}` : null);
+  const { openings } = files;
+  return {
+    undo() {
+      if (store.undoLabel() !== null) store.undo();
+      else void files.back();
+    },
+    redo() {
+      if (store.redoLabel() !== null) store.redo();
+      else void files.forth();
+    },
+    undoLabel: () => store.undoLabel() ?? opening(openings.before ? store.get().source : undefined),
+    redoLabel: () => store.redoLabel() ?? opening(openings.after?.state.source),
+  };
+}

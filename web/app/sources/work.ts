@@ -1,0 +1,24 @@
+/** What is open with all that was done to it: enough to open it again as it was left. */
+import type { History, Store } from '../session/store.ts';
+import type { Workspace } from '../session/workspace.ts';
+import type { Remembered } from './project-shelf.ts';
+
+export interface Work extends Remembered {
+  history: History;
+}
+
+/** null where nothing is open. */
+export function currentWork(store: Store, workspace: Workspace): Work | null {
+  const { options, pool, input } = workspace;
+  if (!pool) return null;
+  const poses = Array.from({ length: pool.count - pool.imported }, (_, index) => pool.imported + index).map((pose) => ({
+    name: pool.keys.info.names[pose] ?? '',
+    positions: pool.keys.positions(pose),
+  }));
+  return { files: input, options, poses, state: store.get(), history: store.history() };
+}
+
+export function bytesOf({ files, poses }: Remembered): number {
+  const sum = (sizes: number[]): number => sizes.reduce((total, size) => total + size, 0);
+  return sum(files.map(({ bytes }) => bytes.byteLength)) + sum(poses.map(({ positions }) => positions.byteLength));
+}
