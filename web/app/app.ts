@@ -21,6 +21,7 @@ import type { Session } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
 import { openFirst } from './sources/open-first.ts';
 import type { OpenFiles } from './sources/open-files.ts';
+import { createTakeFiles } from './sources/take-files.ts';
 import { createTestHook, installTestHook } from './test-hook.ts';
 import type { TestHook } from './test-hook.ts';
 import { createWays } from './ways.ts';
@@ -31,6 +32,7 @@ export function startApp(root: HTMLElement): void {
   const newVersion = createOffer('new-version');
   const notReopened = createOffer('not-reopened');
   const importOffer = createOffer('import-offer');
+  const poseOffer = createOffer('pose-offer');
   const redraw = (): void => page.redraw();
   const viewState = createViewState(redraw);
   const feedback = createFeedback(viewState);
@@ -57,9 +59,31 @@ export function startApp(root: HTMLElement): void {
     applyLook();
     redraw();
   });
-  const offers = [newVersion.element, notReopened.element, importOffer.element];
+  const takeFiles = createTakeFiles({
+    store,
+    files,
+    say: feedback.say,
+    onOffer: poseOffer.offer,
+    onPick: () => page.openFiles(),
+  });
+  const offers = [newVersion, notReopened, importOffer, poseOffer].map(({ element }) => element);
   const page = createPage({
-    ...{ root, layout, offers, session, viewState, feedback, scene, marking, commands, analysis, theme, files, undo },
+    ...{
+      root,
+      layout,
+      offers,
+      session,
+      viewState,
+      feedback,
+      scene,
+      marking,
+      commands,
+      analysis,
+      theme,
+      files,
+      takeFiles,
+      undo,
+    },
     onAnalysisError,
     onLink: () => void ways.link.copy(),
     onOwn: (id) => void ways.openOwn(id),
@@ -84,7 +108,7 @@ export function startApp(root: HTMLElement): void {
   }
 
   const onEdit = (): void => viewState.change({ welcome: false });
-  followState({ session, display, ways, applyLook, onEdit, redraw });
+  followState({ session, display, ways, applyLook, onEdit, onOpened: takeFiles.forget, redraw });
   listenToPointer((down) => {
     store.hold(down);
     if (!down) frameLoop.settle();
@@ -156,11 +180,13 @@ interface Followers {
   applyLook(): void;
   /** What is open has been edited. */
   onEdit(): void;
+  /** Something else is open. */
+  onOpened(): void;
   redraw(): void;
 }
 
 /** The one subscriber of the state: what changed decides who hears of it. */
-function followState({ session, display, ways, applyLook, onEdit, redraw }: Followers): void {
+function followState({ session, display, ways, applyLook, onEdit, onOpened, redraw }: Followers): void {
   const { store } = session;
   let before = store.get();
   store.subscribe((state) => {
@@ -169,7 +195,8 @@ function followState({ session, display, ways, applyLook, onEdit, redraw }: Foll
     if (changed.motions) session.serve();
     if (changed.look) applyLook();
     display.playback.follow(state, changed);
-    if (changed.motions && !changed.opened) onEdit();
+    if (changed.opened) onOpened();
+    else if (changed.motions) onEdit();
     if (!state.play.playing) ways.link.follow();
     if (!state.play.playing || changed.opened || changed.motions) ways.remembered.follow();
     redraw();

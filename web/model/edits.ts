@@ -47,6 +47,22 @@ export function addKey(doc: Doc, key: Omit<KeyRef, 'shaping'>): Doc {
   return sorted({ ...doc, keys: [...doc.keys, { ...key, shaping: DEFAULT_SHAPING }] });
 }
 
+/**
+ * Times for new keys before the key `place`: evenly in between, and beyond the ends as far apart as the keys are on
+ * average.
+ */
+export function timesAt({ keys }: Doc, place: number, count: number): number[] {
+  const first = keys[0]?.time ?? 0;
+  const last = keys.at(-1)?.time ?? 0;
+  const step = (last - first) / Math.max(keys.length - 1, 1) || 1;
+  const [before, after] = [keys[place - 1]?.time, keys[place]?.time];
+  return Array.from({ length: count }, (_, index) => {
+    if (after === undefined) return last + step * (index + 1);
+    if (before === undefined) return first - step * (count - index);
+    return before + ((after - before) * (index + 1)) / (count + 1);
+  });
+}
+
 export function setShaping(doc: Doc, name: ShapingNumber, index: number, value: number): Doc {
   return reshaped(doc, index, (shaping) => (shaping[name] === value ? shaping : { ...shaping, [name]: value }));
 }

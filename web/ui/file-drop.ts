@@ -10,8 +10,16 @@ export function inNaturalOrder<T extends { name: string }>(files: readonly T[]):
   return [...files].sort((a, b) => naturally.compare(a.name, b.name));
 }
 
+/** Where on the page something was dropped, in its pixels. */
+export interface DropPoint {
+  x: number;
+  y: number;
+}
+
 /** Covers the page while files are dragged over it. Folders take a while to be looked through, which may fail. */
-export function createDropZone(onFiles: (files: Promise<PickedFile[]>) => void): { element: HTMLElement } {
+export function createDropZone(onFiles: (files: Promise<PickedFile[]>, at: DropPoint) => void): {
+  element: HTMLElement;
+} {
   const element = h(
     'div',
     { class: 'drop-zone', 'data-testid': 'drop-zone', hidden: true },
@@ -24,6 +32,7 @@ export function createDropZone(onFiles: (files: Promise<PickedFile[]>) => void):
         {},
         'Drop the poses of one mesh: several files or their folder, or one file with morph targets or an animation',
       ),
+      h('p', { class: 'drop-hint' }, 'A single pose of the open mesh becomes a key; on the keys, in its place'),
     ),
   );
   let depth = 0;
@@ -50,7 +59,7 @@ export function createDropZone(onFiles: (files: Promise<PickedFile[]>) => void):
     if (!holdsFiles(event) || !event.dataTransfer) return;
     event.preventDefault();
     leave();
-    onFiles(droppedFiles(event.dataTransfer).then(inNaturalOrder));
+    onFiles(droppedFiles(event.dataTransfer).then(inNaturalOrder), { x: event.clientX, y: event.clientY });
   });
   return { element };
 }

@@ -52,7 +52,14 @@ interface Card {
   update(item: KeyItem, index: number, props: KeyStripProps, short: string): void;
 }
 
-export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; update(props: KeyStripProps): void } {
+export interface KeyStrip {
+  element: HTMLElement;
+  update(props: KeyStripProps): void;
+  /** The key before which something lies that is put down here, the number of keys after the last; null elsewhere. */
+  placeAt(point: { x: number; y: number }): number | null;
+}
+
+export function createKeyStrip(events: KeyStripEvents): KeyStrip {
   const list = h('ol', { class: 'key-list', 'data-testid': 'keys' });
   const editor = createEditor(events);
   const addCurrent = button({
@@ -104,7 +111,17 @@ export function createKeyStrip(events: KeyStripEvents): { element: HTMLElement; 
     editor.update(next);
   });
 
-  return { element, update: draw };
+  const placeAt = ({ x, y }: { x: number; y: number }): number | null => {
+    const { left, right, top, bottom } = list.getBoundingClientRect();
+    if (x < left || x > right || y < top || y > bottom) return null;
+    return cards.filter((card) => middleOf(card.element) < x).length;
+  };
+  return { element, update: draw, placeAt };
+}
+
+function middleOf(element: HTMLElement): number {
+  const { left, right } = element.getBoundingClientRect();
+  return (left + right) / 2;
 }
 
 function createCard(

@@ -91,6 +91,8 @@ export interface Offer {
   /** What can be done about it; absent where it is only said. */
   action?: string;
   onAccept?(): void;
+  /** It was put off. */
+  onDecline?(): void;
 }
 
 /** Something that waits for the user's word, and goes when it is taken up or put off. */
@@ -113,7 +115,12 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
     kind: 'plain',
     onClick: accept,
   });
-  const later = button({ label: 'Not now', testId: `${testId}-later`, icon: 'close', onClick: () => show(null) });
+  const decline = (): void => {
+    const declined = current;
+    show(null);
+    declined?.onDecline?.();
+  };
+  const later = button({ label: 'Not now', testId: `${testId}-later`, icon: 'close', onClick: decline });
   const element = h(
     'div',
     { class: 'card offer', role: 'status', 'data-testid': testId, hidden: true },

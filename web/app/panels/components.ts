@@ -12,7 +12,6 @@ import { createColourBar } from '../../ui/colour-bar.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import { createExportDialog } from '../../ui/export-dialog.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
-import type { PickedFile } from '../../ui/dropped-files.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
 import { createGhostPanel } from '../../ui/ghost-panel.ts';
 import { createHeader } from '../../ui/header.ts';
@@ -40,6 +39,7 @@ import type { Marking } from '../drawing/marking.ts';
 import { hasTexture } from '../sources/open-files.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
 import { ownFiles } from '../sources/own-files.ts';
+import type { TakeFiles } from '../sources/take-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
 import type { ViewState } from './view-state.ts';
 import type { Layout } from './layout.ts';
@@ -54,6 +54,7 @@ export interface ComponentsInput {
   offers: readonly HTMLElement[];
   commands: Commands;
   files: OpenFiles;
+  takeFiles: TakeFiles;
   analysis: AnalysisPanel;
   ghostStudy: GhostStudyPanel;
   marking: Marking;
@@ -97,10 +98,9 @@ export interface Components {
 
 export function createComponents(input: ComponentsInput): Components {
   const { commands, files, analysis, ghostStudy, layout } = input;
-  const openFiles = (picked: PickedFile[] | Promise<PickedFile[]>): void => void files.files(picked);
-  const picker = createPicker('file-input', openFiles);
+  const picker = createPicker('file-input', (picked) => void input.takeFiles.take(picked));
   const keyPicker = createPicker('key-file-input', (picked) => void files.addKeys(picked));
-  const dropZone = createDropZone(openFiles);
+  const dropZone = createDropZone((dropped, at) => void input.takeFiles.take(dropped, keyStrip.placeAt(at)));
   const header = createHeader({
     onSample: (id) => void files.sample(id),
     onOwn: input.onOwn,

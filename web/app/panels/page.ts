@@ -6,6 +6,7 @@ import type { Marking } from '../drawing/marking.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
 import type { Session } from '../session/session.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
+import type { TakeFiles } from '../sources/take-files.ts';
 import type { Undo } from '../sources/undo.ts';
 import { createAnalysisPanel } from './analysis-panel.ts';
 import type { Commands } from './commands.ts';
@@ -29,6 +30,7 @@ export interface PageParts {
   commands: Commands;
   marking: Marking;
   files: OpenFiles;
+  takeFiles: TakeFiles;
   undo: Undo;
   theme: ThemeSwitch;
   onLink(): void;
@@ -46,6 +48,8 @@ export interface PageParts {
 export interface Page {
   /** Something that the components show has changed. */
   redraw(): void;
+  /** Has the user choose files. */
+  openFiles(): void;
 }
 
 export function createPage(parts: PageParts): Page {
@@ -74,6 +78,7 @@ export function createPage(parts: PageParts): Page {
     offers: parts.offers,
     commands,
     files: parts.files,
+    takeFiles: parts.takeFiles,
     marking: parts.marking,
     analysis: createAnalysisPanel(parts.analysis, {
       onSeek: commands.seek,
@@ -116,6 +121,7 @@ export function createPage(parts: PageParts): Page {
     });
   };
   return {
+    openFiles: () => components.openFiles(),
     redraw: () => {
       if (frame === 0) frame = requestAnimationFrame(draw);
     },

@@ -2,10 +2,9 @@
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import { IMPORT } from '../../engine/api/option-table.ts';
-import { extensionOf, isModel, modelName } from '../../engine/api/paths.ts';
-import { readPoses } from '../../engine/api/read-poses.ts';
+import { extensionOf, isModel } from '../../engine/api/paths.ts';
 import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.ts';
-import { addKey, setMotion } from '../../model/edits.ts';
+import { setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
 import type { Doc, Play, Source, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, EMPTY_STATE, comfortableSpeed } from '../../model/state.ts';
@@ -16,6 +15,7 @@ import { motionRange } from '../session/motion-range.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Input, Opened, Workspace } from '../session/workspace.ts';
+import { addPoses } from './add-poses.ts';
 import { readFiles } from './input-files.ts';
 import { Openings } from './openings.ts';
 import { applyPermalink, leftOut } from './permalink.ts';
@@ -61,7 +61,12 @@ export interface OpenFilesParts {
 export interface OpenFiles {
   /** Resolve to whether what was asked for is open now. */
   sample(id: string, link?: Permalink | null): Promise<boolean>;
-  files(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean>;
+  /** Does with the files what `work` says, unless other ones are asked for before they are there. */
+  run(files: PickedFile[] | Promise<PickedFile[]>, work: (files: PickedFile[]) => Promise<boolean>): Promise<boolean>;
+  /** Opens them as the keys of a motion. To be run; fails where they are not. */
+  open(files: readonly PickedFile[]): Promise<boolean>;
+  /** Adds their poses before the key `place`, by default after the last. To be run; fails on another mesh. */
+  addPoses(files: readonly PickedFile[], place?: number | null): Promise<number | null>;
   /** Opens what an earlier visit left, or this one. */
   again(left: Remembered | Work): Promise<boolean>;
   /** What was open before this, as it was left; opening is undone by it. */
@@ -207,26 +212,17 @@ export function createOpenFiles({
   const stepTo = async (work: Work | null, onLeft: (work: Work) => void): Promise<boolean> =>
     work !== null && (await again(work, onLeft));
 
-  const addKeys = async (files: PickedFile[]): Promise<boolean> => {
-    const { pool } = workspace;
-    if (!pool) return false;
-    onStart();
-    onWorking({ stage: 'reading', fraction: 0 });
-    try {
-      const poses = await readPoses(engine, await readFiles(files), pool.keys, workspace.options);
-      if (workspace.pool !== pool) return false;
-      const added = poses.map(({ name, positions }) => ({
-        name: modelName(name),
-        pose: pool.add(name, positions),
-      }));
-      store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => added.reduce(appendKey, doc));
-      return true;
-    } finally {
-      onWorking(null);
-    }
-  };
+  const openFiles = (files: readonly PickedFile[]): Promise<boolean> =>
+    open({
+      input: (report, signal) => readFiles(files, report, signal),
+      options: {},
+      source: { kind: 'files', names: files.map(({ name }) => name) },
+      project: newProjectId(),
+      adjust: (doc) => doc,
+      link: null,
+    });
 
-  return {
+  const opener: OpenFiles = {
     sample: (id, link = null) =>
       guarded(async () => {
         const sample = samples().find((one) => one.id === id);
@@ -254,23 +250,24 @@ export function createOpenFiles({
           return true;
         });
       }),
-    files: (given) =>
+    run: (given, work) =>
       guarded(async () => {
         fetching.abort();
         fetching = new AbortController();
         const { signal } = fetching;
         const files = await given;
-        if (signal.aborted || files.length === 0) return false;
-        const input: Input = (report, signal) => readFiles(files, report, signal);
-        return open({
-          input,
-          options: {},
-          source: { kind: 'files', names: files.map(({ name }) => name) },
-          project: newProjectId(),
-          adjust: (doc) => doc,
-          link: null,
-        });
+        return !signal.aborted && files.length > 0 && work(files);
       }),
+    open: openFiles,
+    async addPoses(files, place) {
+      onStart();
+      onWorking({ stage: 'reading', fraction: 0 });
+      try {
+        return await addPoses({ engine, store, workspace }, files, place);
+      } finally {
+        onWorking(null);
+      }
+    },
     again: (left) => guarded(() => again(left)),
     back: () => guarded(async () => stepTo(openings.before, (work) => openings.steppedBack(work))),
     forth: () => guarded(async () => stepTo(openings.after, (work) => openings.steppedForth(work))),
@@ -292,7 +289,7 @@ export function createOpenFiles({
         return open({ input: workspace.input, options, source, project, adjust, link: null, goesOn });
       }),
     addKeys: async (files) => {
-      await guarded(() => addKeys(files));
+      await guarded(async () => (await opener.addPoses(files)) !== null);
     },
     get busy() {
       return running.size > 0;
@@ -301,20 +298,13 @@ export function createOpenFiles({
       while (running.size > 0) await Promise.all(running);
     },
   };
+  return opener;
 }
 
 /** The poses that are not of the files come back first: the document's keys name them by their place. */
 function restored({ poses, state }: Remembered, pool: PosePool): Doc {
   for (const { name, positions } of poses.slice(pool.count - pool.imported)) pool.add(name, positions);
   return keptDoc(state.doc);
-}
-
-/** After the last key, as far from it as the keys are from each other on average. */
-function appendKey(doc: Doc, { name, pose }: { name: string; pose: number }): Doc {
-  const first = doc.keys[0]?.time ?? 0;
-  const last = doc.keys.at(-1)?.time ?? 0;
-  const step = (last - first) / Math.max(doc.keys.length - 1, 1);
-  return addKey(doc, { pose, name, time: last + (step || 1) });
 }
 
 function ofSample(doc: Doc, { boundary }: Sample): Doc {

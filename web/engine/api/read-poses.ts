@@ -66,7 +66,8 @@ async function importAny(
 
 const MISMATCHES = ['vertex-count-mismatch', 'face-count-mismatch', 'face-mismatch'];
 
-function isMismatch(error: unknown): error is EngineError {
+/** The files hold another mesh than the keys. */
+export function isMismatch(error: unknown): error is EngineError {
   return error instanceof EngineError && MISMATCHES.includes(error.code);
 }
 

@@ -1,0 +1,113 @@
+/** Poses that come one after the other: the first waits for the next, a further one becomes a key. */
+import { writeFileSync } from 'node:fs';
+import type { App } from './support.ts';
+import { expect, test } from './support.ts';
+
+const QUAD = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
+const TRIANGLE = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${x} 1 0\nf 1 2 3\n`;
+
+const given = (name: string, text: string) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+
+async function pick(app: App, name: string, text: string): Promise<void> {
+  await app.by('file-input').setInputFiles(given(name, text));
+}
+
+const keys = async (app: App): Promise<[string, number][]> =>
+  (await app.state()).doc.keys.map(({ name, time }) => [name, time]);
+
+/** The browser's own drag and drop of one file onto this place. */
+async function drop(app: App, file: string, x: number, y: number): Promise<void> {
+  const session = await app.page.context().newCDPSession(app.page);
+  const data = { items: [], files: [file], dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
+    await session.send('Input.dispatchDragEvent', { type, x, y, data });
+  await session.detach();
+}
+
+test('poses are picked one by one: the first waits, the second opens the motion, further ones are keys', async ({
+  app,
+}) => {
+  await app.open();
+  await pick(app, 'a.obj', QUAD(0.5));
+  await expect(app.by('pose-offer')).toContainText('“a.obj” is the first pose');
+  await expect(app.by('error')).toBeHidden();
+  expect((await app.state()).source.kind).toBe('sample');
+  await pick(app, 'b.obj', QUAD(0.2));
+  await expect
+    .poll(() => keys(app))
+    .toEqual([
+      ['a', 0],
+      ['b', 1],
+    ]);
+  await expect(app.by('pose-offer')).toBeHidden();
+  await app.settled();
+  await pick(app, 'c.obj', QUAD(-0.5));
+  await expect
+    .poll(() => keys(app))
+    .toEqual([
+      ['a', 0],
+      ['b', 1],
+      ['c', 2],
+    ]);
+  await app.settled();
+  expect((await app.positionsAt(2)).slice(6, 9)).toEqual([0.5, 0, 1]);
+  await app.by('undo').click();
+  await expect.poll(async () => (await keys(app)).length).toBe(2);
+  await app.expectNoProblems();
+});
+
+test('a pose that is dropped between two keys becomes a key between them', async ({ app }, info) => {
+  await app.open();
+  await app.by('file-input').setInputFiles([given('a.obj', QUAD(0.5)), given('b.obj', QUAD(0.2))]);
+  await expect.poll(async () => (await keys(app)).length).toBe(2);
+  await app.settled();
+  const file = info.outputPath('between.obj');
+  writeFileSync(file, QUAD(0.9));
+  const [first, second] = [(await app.by('key-0').boundingBox())!, (await app.by('key-1').boundingBox())!];
+  await drop(app, file, (first.x + first.width + second.x) / 2, first.y + first.height / 2);
+  await expect
+    .poll(() => keys(app))
+    .toEqual([
+      ['a', 0],
+      ['between', 0.5],
+      ['b', 1],
+    ]);
+  await app.settled();
+  await expect(app.by('toast')).toContainText('“between.obj” was added as a key');
+  await app.expectNoProblems();
+});
+
+test('a pose of another mesh asks before it takes the place of own work, which comes back by undo', async ({ app }) => {
+  await app.open();
+  await app.by('file-input').setInputFiles([given('a.obj', QUAD(0.5)), given('b.obj', QUAD(0.2))]);
+  await expect.poll(async () => (await keys(app)).length).toBe(2);
+  await app.settled();
+  await pick(app, 'other.obj', TRIANGLE(0));
+  await expect(app.by('pose-offer')).toContainText('“other.obj” is of another mesh');
+  expect(await keys(app)).toHaveLength(2);
+  await app.by('pose-offer-accept').click();
+  await expect(app.by('pose-offer')).toContainText('“other.obj” is the first pose');
+  // A pose that fits neither: what waits goes on waiting.
+  await pick(app, 'wrong.obj', QUAD(0.1));
+  await expect(app.by('error-message')).toContainText('wrong.obj');
+  await pick(app, 'next.obj', TRIANGLE(0.5));
+  await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['other', 'next']);
+  await app.settled();
+  await expect(app.by('error')).toBeHidden();
+  await app.by('undo').click();
+  await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['a', 'b']);
+  await app.settled();
+  await app.expectNoProblems();
+});
+
+test('a first pose that waits is let go of with one click', async ({ app }) => {
+  await app.open();
+  await pick(app, 'a.obj', QUAD(0.5));
+  await app.by('pose-offer-later').click();
+  await expect(app.by('pose-offer')).toBeHidden();
+  await pick(app, 'other.obj', TRIANGLE(0));
+  await expect(app.by('pose-offer')).toContainText('“other.obj” is the first pose');
+  await app.by('sample').selectOption({ label: 'Octopus' });
+  await app.settled();
+  await expect(app.by('pose-offer')).toBeHidden();
+});
