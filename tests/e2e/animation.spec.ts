@@ -33,9 +33,9 @@ const keyTimes = async (app: App): Promise<number[]> => (await app.state()).doc.
 
 async function takeAt(app: App, animation: string, times: number[]): Promise<void> {
   await app.by('animation').selectOption({ label: animation });
+  await app.by('sample-times-open').click();
   await app.by('sample-times').fill(times.join(', '));
   await app.by('sample-times').press('Enter');
-  await app.by('sample-apply').click();
   await expect.poll(() => keyTimes(app)).toEqual(times);
   await app.settled();
 }
@@ -111,6 +111,7 @@ test('sample times are spread, typed, added by a click on the timeline, moved an
   await app.by('file-input').setInputFiles(upload('rig.glb', (await rigFile()).bytes));
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.settled();
+  await app.by('sample-times-open').click();
   const field = app.by('sample-times');
   const marks = app.by('sample-track').getByRole('slider');
   await app.by('animation').selectOption({ index: 0 });
@@ -144,7 +145,100 @@ test('sample times are spread, typed, added by a click on the timeline, moved an
   await field.fill('1.5; 0.25 2');
   await field.press('Enter');
   await expect(app.by('sample-reason')).toBeHidden();
-  await app.by('sample-apply').click();
   await expect.poll(() => keyTimes(app)).toEqual([0.25, 1.5, 2]);
+  await app.expectNoProblems();
+});
+
+const animated = [
+  { what: 'a generated rig', file: async () => upload('rig.glb', (await rigFile()).bytes) },
+  { what: 'Soldier', file: async () => realFile('skin/Soldier.glb') },
+];
+
+for (const { what, file } of animated) {
+  test(`${what}: another animation and number of keys are taken at once, and undone`, async ({ app }) => {
+    const found = await file();
+    test.skip(found === null, 'the real inputs are not there');
+    await app.open();
+    await dropped(app, typeof found === 'string' ? upload(path.basename(found), bytesOf(found)) : found!);
+    await expect(app.by('sampling')).toBeVisible();
+    await app.by('boundary-periodic').check();
+    await app.settled();
+    const before = await app.state();
+    await app.by('animation').selectOption({ index: 1 });
+    await expect.poll(() => keyTimes(app)).not.toEqual(before.doc.keys.map((key) => key.time));
+    await app.settled();
+    await app.by('sample-count').fill('5');
+    await app.by('sample-count').press('Enter');
+    await expect.poll(async () => (await keyTimes(app)).length).toBe(5);
+    await app.settled();
+    // The settings of the motion are not of the keys.
+    expect((await app.state()).doc.motion.boundary).toBe('periodic');
+    await app.by('undo').click();
+    await expect.poll(async () => (await keyTimes(app)).length).toBe(8);
+    await app.settled();
+    await app.by('undo').click();
+    await expect.poll(async () => (await app.state()).doc).toEqual(before.doc);
+    await app.settled();
+    await app.expectNoProblems();
+  });
+}
+
+test('as few keys as an error allows are found, and the animation stands beside the motion', async ({ app }) => {
+  const file = realFile('skin/CesiumMan.glb');
+  test.skip(file === null, 'the real inputs are not there');
+  test.slow();
+  await app.open();
+  await dropped(app, upload('CesiumMan.glb', bytesOf(file!)));
+  const counts: number[] = [];
+  for (const percent of [4, 2]) {
+    await app.by('sample-tolerance').fill(String(percent));
+    await app.by('sample-tolerance').press('Enter');
+    await app.by('sample-fewest').click();
+    const found = (pattern: RegExp) => async (): Promise<number> =>
+      Number((await app.by('sample-found').innerText()).match(pattern)?.[1] ?? Infinity);
+    await expect.poll(found(/most ([\d.]+) %/), { timeout: 60_000 }).toBeLessThanOrEqual(percent);
+    const count = (await keyTimes(app)).length;
+    expect(await found(/^(\d+) keys/)()).toBe(count);
+    counts.push(count);
+  }
+  expect(counts[0]).toBeLessThan(counts[1]!);
+
+  await app.by('sample-original').check();
+  await expect(app.by('tile-1')).toContainText('The animation');
+  const times = await keyTimes(app);
+  const shape = await app.positionsAt(times[1]!);
+  expect(difference(await app.positions(1), shape)).toBeLessThan(1e-4 * diagonal(shape));
+  const middle = (times[1]! + times[2]!) / 2;
+  const between = await app.positionsAt(middle);
+  const off = difference(await app.positions(1), between) / diagonal(between);
+  expect(off).toBeGreaterThan(1e-4);
+  expect(off).toBeLessThan(0.03);
+  await app.by('sample-original').uncheck();
+  await expect(app.by('tile-1')).toBeHidden();
+  await app.expectNoProblems();
+});
+
+test('a motion that ends as it began offers to go on as a loop', async ({ app }) => {
+  const closed = realFile('skin/Soldier.glb');
+  await app.open();
+  const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
+  const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2), given('c.obj', -0.1)]);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  await expect(app.by('import-offer')).toBeHidden();
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2), given('d.obj', 0.5)]);
+  await expect(app.by('import-offer')).toContainText('The last pose is the first again');
+  await app.by('import-offer-accept').click();
+  await app.settled();
+  const { doc, play } = await app.state();
+  expect([doc.motion.boundary, play.loop]).toEqual(['periodic', 'loop']);
+  expect(await app.positionsAt(0)).toEqual(await app.positionsAt(doc.keys.at(-1)!.time));
+  await app.by('undo').click();
+  await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('natural');
+  if (closed) {
+    await dropped(app, upload('Soldier.glb', bytesOf(closed)));
+    await expect(app.by('import-offer')).toContainText('The last pose is the first again');
+  }
   await app.expectNoProblems();
 });

@@ -50,7 +50,7 @@ test('an animation is sampled anew with as many keys as are asked for', { tag: '
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.settled();
   await app.by('sample-count').fill('5');
-  await app.by('sample-apply').click();
+  await app.by('sample-count').press('Enter');
   await expect.poll(async () => (await app.state()).doc.keys.length).toBe(5);
   await app.settled();
   expect((await app.positions()).every(Number.isFinite)).toBe(true);

@@ -7,6 +7,7 @@ import { analysisInput } from './analysis/analysis.ts';
 import { AnalysisCache } from './analysis/analysis-cache.ts';
 import { createDisplay } from './display.ts';
 import type { Display } from './display.ts';
+import { originalOf } from './drawing/original.ts';
 import { createCommands } from './panels/commands.ts';
 import type { Commands } from './panels/commands.ts';
 import { createFeedback } from './panels/feedback.ts';
@@ -53,7 +54,7 @@ export function startApp(root: HTMLElement): void {
   const commands = commandsOf(session, display, viewState);
   const { analysis, onAnalysisError } = analysisOf(session, viewState, feedback);
   const ways = createWays({ session, display, analysis, viewState, feedback, onOffer: importOffer.offer });
-  const { files, remembered, undo } = ways;
+  const { files, remembered, undo, animation } = ways;
   const applyLook = (): void => scene.setLook(store.get().view, theme.isDark());
   const theme = createTheme(() => {
     applyLook();
@@ -88,13 +89,37 @@ export function startApp(root: HTMLElement): void {
     onLink: () => void ways.link.copy(),
     onOwn: (id) => void ways.openOwn(id),
     onRemember: () => void remembered.toggle().catch(feedback.onError),
+    onTake: (of, times) => void besideOriginal(() => files.resample(of, times)),
+    onFewest: (of, percent) => void besideOriginal(() => takeFewest(of, percent)),
+    onOriginal: (shown) => void showOriginal(shown),
     onExportPlan: ways.exporting.plan,
     onExport: (request) => void ways.exporting.run(request),
     onCancel() {
       ways.exporting.cancel();
+      animation.cancel();
       session.cancel();
     },
   });
+
+  const takeFewest = async (of: number, percent: number): Promise<void> => {
+    viewState.change({ fewest: null });
+    const fewest = await animation.takeFewest(of, percent);
+    if (fewest) viewState.change({ fewest });
+  };
+  /** Other keys leave the animation where it is shown. */
+  const besideOriginal = async (work: () => Promise<unknown>): Promise<void> => {
+    const { original } = viewState.get();
+    await work();
+    if (original && !viewState.get().original) await showOriginal(true);
+  };
+  const showOriginal = async (shown: boolean): Promise<void> => {
+    viewState.change({ original: shown });
+    const reference = shown ? await animation.reference() : null;
+    const { info } = workspace;
+    scene.setOriginal(reference && info && originalOf(reference, info.faces));
+    viewState.change({ original: reference !== null });
+    await frameLoop.request(store.get().time);
+  };
 
   function onServed(): void {
     const main = sequence();

@@ -1,4 +1,5 @@
 /** Ways in and out: files and samples, what an earlier visit left, the page's address, exports. */
+import { setMotion } from '../model/edits.ts';
 import type { Offer } from '../ui/messages.ts';
 import { plural } from '../ui/status-line.ts';
 import type { AnalysisCache } from './analysis/analysis-cache.ts';
@@ -11,6 +12,8 @@ import { openedView } from './panels/view-state.ts';
 import type { ViewStateHolder } from './panels/view-state.ts';
 import { reducedMotion } from './panels/window-events.ts';
 import type { Session } from './session/session.ts';
+import { createAnimation } from './sources/animation.ts';
+import type { Animation } from './sources/animation.ts';
 import { createOpenFiles } from './sources/open-files.ts';
 import type { OpenedFiles, OpenFiles } from './sources/open-files.ts';
 import { sourceTitle } from './sources/own-files.ts';
@@ -35,6 +38,7 @@ export interface Ways {
   files: OpenFiles;
   remembered: RememberedFiles;
   undo: Undo;
+  animation: Animation;
   /** Opens files of the user again. */
   openOwn(project: string): Promise<void>;
   link: PageLink;
@@ -45,13 +49,19 @@ export function createWays({ session, display, analysis, viewState, feedback, on
   const { engine, store, workspace, sequence, range } = session;
   const { scene, playback } = display;
   const { say, onStart, onWorking, onError } = feedback;
+  const loopMotion = (): void => {
+    store.edit('boundary', (doc) => setMotion(doc, { boundary: 'periodic' }));
+    store.set({ play: { ...store.get().play, loop: 'loop' } });
+  };
   const onOpened = (opened: OpenedFiles): void => {
     const { info, pool, source, doc, camera } = opened;
     scene.setImport(info, pool, camera);
     viewState.change(openedView(opened, viewState.get()));
-    onOffer(importOffer(opened, files));
+    onOffer(importOffer(opened, files, loopMotion));
     if (source.kind !== 'files') return;
-    say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
+    const counts = `${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`;
+    const { length } = info.animations;
+    say(length > 1 ? `${counts} The files hold ${length} animations: choose one under Motion.` : counts);
   };
   const files = createOpenFiles({
     engine,
@@ -65,6 +75,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onOpened,
     onWorking,
   });
+  const animation = createAnimation({ engine, store, workspace, files, onWorking, onError });
   const remembered = createRememberedFiles({
     store,
     workspace,
@@ -99,5 +110,5 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     if (left) await files.again(left);
     else await remembered.reopen(project, files.again).catch(onError);
   };
-  return { files, remembered, undo, openOwn, link, exporting };
+  return { files, remembered, undo, animation, openOwn, link, exporting };
 }

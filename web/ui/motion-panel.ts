@@ -75,7 +75,11 @@ export interface MotionPanelEvents {
   onReset(): void;
 }
 
-export function createMotionPanel(events: MotionPanelEvents): {
+/** `animation`: where the keys come from, on top of it. */
+export function createMotionPanel(
+  events: MotionPanelEvents,
+  animation: HTMLElement,
+): {
   element: HTMLElement;
   update(props: MotionPanelProps): void;
 } {
@@ -163,6 +167,7 @@ export function createMotionPanel(events: MotionPanelEvents): {
     'section',
     { class: 'panel', 'aria-labelledby': 'motion-title', 'data-testid': 'panel-motion' },
     h('header', {}, h('h2', { id: 'motion-title' }, 'Motion'), reset),
+    animation,
     method.element,
     methodHint,
     h(

@@ -1,33 +1,64 @@
-/** Where the file holds animations: which one the keys are taken from, and at which times of its own timeline. */
+/**
+ * Where a file holds animations: which one the keys are taken from, how many, and at which times of its own timeline.
+ * What is chosen is taken at once.
+ */
 import { SAMPLED_KEYS } from '../engine/api/option-table.ts';
 import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
-import { button, numberField, select } from './controls.ts';
+import { button, checkbox, numberField, select } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setStyle, setText } from './dom.ts';
 
-const MOST_KEYS = 64;
+export const MOST_SAMPLED = 64;
+/** Of the error that the fewest keys are found for, in percent of the diagonal. */
+const TOLERANCE = { least: 0.1, most: 20, default: 2 };
+/** A mark that is moved by an arrow key is moved again soon. */
+const TAKE_DELAY_MS = 300;
+
+export interface SamplingProps {
+  /** null: no animation. */
+  info: KeysInfo | null;
+  /** What was found for this error. */
+  fewest: { keys: number; percent: number } | null;
+  /** The animation is shown beside the motion. */
+  original: boolean;
+}
+
+export interface SamplingEvents {
+  onTake(animation: number, times: number[]): void;
+  /** As few keys as keep the error below so many percent of the diagonal. */
+  onFewest(animation: number, percent: number): void;
+  onOriginal(shown: boolean): void;
+}
 
 export interface Sampling {
   element: HTMLElement;
-  /** null hides it. */
-  update(info: KeysInfo | null): void;
+  update(props: SamplingProps): void;
 }
 
-export function createSampling(onTake: (animation: number, times: number[]) => void): Sampling {
+export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents): Sampling {
   let animations: readonly AnimationInfo[] = [];
   let chosen = 0;
   let times: number[] = [];
+  let timer = 0;
 
   const span = (): AnimationInfo => animations[chosen] ?? { name: '', start: 0, end: 1, keys: 0 };
   const choose = (next: number[]): void => {
     times = [...new Set(next)].sort((a, b) => a - b);
     draw();
   };
+  const takeSoon = (next: number[]): void => {
+    choose(next);
+    window.clearTimeout(timer);
+    timer = window.setTimeout(() => {
+      timer = 0;
+      onTake(chosen, times);
+    }, TAKE_DELAY_MS);
+  };
 
-  const animation = select<string>('Keys from animation', 'animation', [], (value) => {
+  const animation = select<string>('Animation', 'animation', [], (value) => {
     chosen = Number(value);
-    choose(evenly(span(), times.length));
+    takeSoon(evenly(span(), times.length));
   });
-  const track = createTrack(choose);
+  const track = createTrack(choose, takeSoon);
   const list = h('input', {
     type: 'text',
     'data-testid': 'sample-times',
@@ -40,36 +71,56 @@ export function createSampling(onTake: (animation: number, times: number[]) => v
   list.addEventListener('change', () => {
     const read = readTimes(list.value, span());
     if (typeof read === 'string') complain(read);
-    else choose(read);
+    else takeSoon(read);
   });
   list.addEventListener('keydown', (event) => {
     if (event.key === 'Enter') list.blur();
   });
   const count = numberField({
-    label: 'Space this many keys evenly',
+    label: 'Number of keys, evenly spaced',
     testId: 'sample-count',
     min: 2,
-    max: MOST_KEYS,
+    max: MOST_SAMPLED,
     step: 1,
-    onInput: (value) => choose(evenly(span(), Math.round(value))),
+    onInput: (value) => takeSoon(evenly(span(), Math.round(value))),
   });
-  const take = button({
-    label: 'Use these times of the animation as keys',
-    testId: 'sample-apply',
-    text: 'Apply',
+  const tolerance = numberField({
+    label: 'Largest error in percent of the diagonal',
+    testId: 'sample-tolerance',
+    min: TOLERANCE.least,
+    max: TOLERANCE.most,
+    onInput: (value) => setField(tolerance, String(value)),
+  });
+  tolerance.value = tolerance.defaultValue = String(TOLERANCE.default);
+  const fewest = button({
+    label: 'Take as few keys as keep the motion this close to the animation',
+    testId: 'sample-fewest',
+    text: 'Find',
     kind: 'plain',
-    onClick: () => onTake(chosen, times),
+    onClick: () => onFewest(chosen, tolerance.valueAsNumber || TOLERANCE.default),
   });
+  const found = h('p', { class: 'hint', role: 'status', 'data-testid': 'sample-found', hidden: true });
+  const original = checkbox('Show the animation beside it', 'sample-original', onOriginal);
+  const title = h('strong', {}, '');
   const row = (label: string, ...controls: HTMLElement[]): HTMLElement =>
     h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...controls);
   const element = h(
-    'div',
-    { class: 'group', hidden: true, 'data-testid': 'sampling' },
+    'section',
+    { class: 'group animation-source', hidden: true, 'data-testid': 'sampling', 'aria-label': 'Animation' },
+    title,
     animation.element,
-    track.element,
-    list,
-    reason,
-    row('Number of keys', count, take),
+    row('Evenly spaced keys', count),
+    row('Fewest within', tolerance, h('span', { class: 'muted' }, '%'), fewest),
+    found,
+    original.element,
+    h(
+      'details',
+      { class: 'details' },
+      h('summary', { 'data-testid': 'sample-times-open' }, 'Times of the keys'),
+      track.element,
+      list,
+      reason,
+    ),
   );
 
   function complain(text: string): void {
@@ -88,22 +139,39 @@ export function createSampling(onTake: (animation: number, times: number[]) => v
   const read = memo(({ info }: { info: KeysInfo | null }) => {
     animations = info?.animations ?? [];
     setHidden(element, animations.length === 0);
-    if (!info || animations.length === 0) return;
+    // What was chosen meanwhile is taken next.
+    if (!info || animations.length === 0 || timer !== 0) return;
     chosen = Math.max(info.animation, 0);
     animation.update(
       String(chosen),
       animations.map((a, index) => ({
         value: String(index),
-        label: `${a.name || `Animation ${index + 1}`}  (${(a.end - a.start).toFixed(2)} s, ${a.keys} keys)`,
+        label: `${a.name || `Animation ${index + 1}`}  (${(a.end - a.start).toFixed(2)} s)`,
       })),
+    );
+    setText(
+      title,
+      animations.length > 1 ? `The files hold ${animations.length} animations` : 'The files hold an animation',
     );
     const taken =
       info.animation >= 0 &&
-      info.times.length <= MOST_KEYS &&
+      info.times.length <= MOST_SAMPLED &&
       info.times.every((t) => t >= span().start && t <= span().end);
     choose(taken ? info.times : evenly(span(), SAMPLED_KEYS));
   });
-  return { element, update: (info) => read({ info }) };
+  return {
+    element,
+    update(props) {
+      read({ info: props.info });
+      setHidden(found, props.fewest === null);
+      setText(found, props.fewest ? foundText(props.fewest) : '');
+      original.update(props.original);
+    },
+  };
+}
+
+function foundText({ keys, percent }: { keys: number; percent: number }): string {
+  return `${keys} keys: the motion is at most ${Number(percent.toPrecision(2))} % of the diagonal off.`;
 }
 
 function evenly({ start, end }: AnimationInfo, count: number): number[] {
@@ -125,12 +193,15 @@ function readTimes(text: string, { start, end }: AnimationInfo): number[] | stri
   if (outside !== undefined)
     return `${short(outside)} s lies outside the animation, which runs from ${short(start)} to ${short(end)} s.`;
   if (new Set(times).size < 2) return 'Give at least two times.';
-  if (times.length > MOST_KEYS) return `Give at most ${MOST_KEYS} times.`;
+  if (times.length > MOST_SAMPLED) return `Give at most ${MOST_SAMPLED} times.`;
   return times.map((t) => Math.min(Math.max(t, start), end));
 }
 
 /** The animation's timeline: marks are dragged or moved by arrow keys, a click adds one, Delete removes it. */
-function createTrack(onChange: (times: number[]) => void): {
+function createTrack(
+  onChange: (times: number[]) => void,
+  onTake: (times: number[]) => void,
+): {
   element: HTMLElement;
   update(span: AnimationInfo, times: number[]): void;
 } {
@@ -161,7 +232,7 @@ function createTrack(onChange: (times: number[]) => void): {
   element.addEventListener('pointerdown', (event) => {
     const known = [...marks.children].indexOf(event.target as Element);
     const t = timeAt(event);
-    if (known < 0 && times.length >= MOST_KEYS) return;
+    if (known < 0 && times.length >= MOST_SAMPLED) return;
     event.preventDefault();
     const others = known < 0 ? times : times.filter((_, i) => i !== known);
     if (known < 0) onChange([...others, t]);
@@ -175,6 +246,7 @@ function createTrack(onChange: (times: number[]) => void): {
     };
     const end = (): void => {
       element.removeEventListener('pointermove', move);
+      onTake([...others, last]);
       focus(last);
     };
     element.addEventListener('pointermove', move);
@@ -193,7 +265,7 @@ function createTrack(onChange: (times: number[]) => void): {
     const next = removes ? times.filter((_, i) => i !== index) : replaced(index, times[index]! + step);
     if (new Set(next).size < next.length) return;
     const goal = removes ? next[Math.min(index, next.length - 1)]! : next[index]!;
-    onChange(next);
+    onTake(next);
     focus(goal);
   });
 

@@ -8,7 +8,6 @@ import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import { createObjectList } from './object-list.ts';
 import { createOrientation } from './orientation.ts';
 import type { Orientation } from './orientation.ts';
-import { createSampling } from './sampling.ts';
 
 export interface ShapePanelProps {
   encoding: Encoding;
@@ -33,7 +32,6 @@ export interface ShapePanelProps {
 export interface ShapePanelEvents {
   onEncoding(change: Partial<Encoding>): void;
   onReset(): void;
-  onSample(animation: number, times: number[]): void;
   onOrient(orientation: Orientation): void;
   onObjects(names: string[]): void;
 }
@@ -70,7 +68,6 @@ export function createShapePanel(
     onClick: () => events.onReset(),
   });
   const facts = h('dl', { class: 'facts' });
-  const sampling = createSampling(events.onSample);
   const orientation = createOrientation(events.onOrient);
   const objects = createObjectList(events.onObjects);
   const element = h(
@@ -93,7 +90,6 @@ export function createShapePanel(
       patches,
       patchesUsed,
     ),
-    sampling.element,
     orientation.element,
     objects.element,
     ghost,
@@ -122,7 +118,6 @@ export function createShapePanel(
     );
     reset.disabled = !touched;
     setAttribute(reset, 'data-idle', !touched);
-    sampling.update(props.canSample ? info : null);
     orientation.update(props.orientation);
     objects.update({ names: props.canSample ? (info?.objects ?? NO_NAMES) : NO_NAMES, taken: props.objects });
     drawFacts(facts, info, stats, props.threads);

@@ -19,6 +19,7 @@ import type { Difference } from './difference.ts';
 import { extentOf } from './bounds.ts';
 import { measure } from './measures.ts';
 import type { Measure } from './measures.ts';
+import type { Original } from './original.ts';
 import { patchColours } from './patch-colours.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
@@ -34,6 +35,8 @@ const MEASURED_FACES = 60_000;
 const ONION = 'onion';
 /** Between the shape and its ghost beside it, in widths of the shape. */
 const BESIDE = 1.12;
+/** Neither key nor between nor beyond. */
+const ORIGINAL_COLOUR = '#8f8f8f';
 const THUMBNAIL = { width: 88, height: 60 };
 
 export class SceneController {
@@ -42,6 +45,8 @@ export class SceneController {
   colourBar: ColourBarProps | null = null;
   /** What the colours of the first view show now. */
   difference: Difference | null = null;
+  /** Shown beside the motions, or null. */
+  private original: Original | null = null;
   private info: KeysInfo | null = null;
   private pool: PosePool | null = null;
   private base: Measure | null = null;
@@ -79,6 +84,7 @@ export class SceneController {
 
   /** A new import: another mesh, another size. `camera` keeps a view that came with a link. */
   setImport(info: KeysInfo, pool: PosePool, camera: View['camera']): void {
+    this.original = null;
     this.info = info;
     this.pool = pool;
     this.patchesOf = null;
@@ -129,19 +135,27 @@ export class SceneController {
   ): Promise<void> {
     const input = onionSkinInput(t, state, range);
     const phase = phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
-    if (this.viewer.views !== sequences.length) this.setViews(sequences.length);
+    const views = sequences.length + (this.original ? 1 : 0);
+    if (this.viewer.views !== views) this.setViews(views);
     frames.forEach((frame, view) =>
       this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind], eased),
     );
+    const original = this.original?.(t);
+    if (original) this.viewer.setFrame(sequences.length, original.positions, original.normals, ORIGINAL_COLOUR, eased);
     if (preview) {
       if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'updated when the shape rests' };
       return this.showGhost(t, sequences[0], state.view);
     }
-    this.labels = sequences.length > 1 ? this.tileLabels(frames, sequences) : [];
+    this.labels = views > 1 ? this.tileLabels(frames, sequences, original?.positions) : [];
     this.showDifference(frames, sequences, state.view);
     await this.showGhost(t, sequences[0], state.view);
     await this.showOnionSkins(input, sequences[0]?.sequence, state);
     await this.showPatches(sequences[0]?.sequence, state.view);
+  }
+
+  /** Shows the animation itself beside the motions with the next frame; null: no more. */
+  setOriginal(original: Original | null): void {
+    this.original = original;
   }
 
   setLook(view: View, dark: boolean): void {
@@ -181,23 +195,26 @@ export class SceneController {
     this.viewer.fit(null, false);
   }
 
-  private tileLabels(frames: readonly Frame[], sequences: readonly RunningSequence[]): TileLabel[] {
+  private tileLabels(
+    frames: readonly Frame[],
+    sequences: readonly RunningSequence[],
+    original: Float32Array | undefined,
+  ): TileLabel[] {
     const rects = this.viewer.rects();
-    return sequences.map((running, index) => {
-      const rect = rects[index] ?? { x: 0, y: 0, width: 0 };
-      return {
-        title: titleOf(running),
-        detail: this.measureText(frames[index]),
-        x: rect.x,
-        y: rect.y,
-        width: rect.width,
-      };
+    const tiles = sequences.map((running, index) => ({
+      title: titleOf(running),
+      positions: frames[index]?.positions,
+    }));
+    if (original) tiles.push({ title: 'The animation', positions: original });
+    return tiles.map(({ title, positions }, index) => {
+      const { x, y, width } = rects[index] ?? { x: 0, y: 0, width: 0 };
+      return { title, detail: this.measureText(positions), x, y, width };
     });
   }
 
-  private measureText(frame: Frame | undefined): string {
-    if (!frame || !this.base || !this.info) return '';
-    const { volume, area } = measure(frame.positions, this.info.faces);
+  private measureText(positions: Float32Array | undefined): string {
+    if (!positions || !this.base || !this.info) return '';
+    const { volume, area } = measure(positions, this.info.faces);
     const percent = (value: number, base: number): string =>
       base === 0 ? '?' : `${((100 * value) / base).toFixed(1)}\u00a0%`;
     return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)}`;

@@ -21,6 +21,7 @@ import { createKeyStrip } from '../../ui/key-strip.ts';
 import type { KeyItem } from '../../ui/key-strip.ts';
 import { createErrorMessage, createFitHint, createProgress, createWelcome } from '../../ui/messages.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
+import { createSampling } from '../../ui/sampling.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
 import { createStatusLine } from '../../ui/status-line.ts';
 import type { Theme } from '../../ui/theme.ts';
@@ -70,6 +71,11 @@ export interface ComponentsInput {
   onCancel(): void;
   onCloseError(): void;
   onSingleKeys(on: boolean): void;
+  /** Takes the keys anew, at these seconds of the animation. */
+  onTake(animation: number, times: number[]): void;
+  /** Looks for the fewest keys of an animation, for an error in percent of the diagonal. */
+  onFewest(animation: number, percent: number): void;
+  onOriginal(shown: boolean): void;
   onExportOpen(): void;
   onExportChange(request: ExportRequest): void;
   onExport(request: ExportRequest): void;
@@ -146,21 +152,28 @@ export function createComponents(input: ComponentsInput): Components {
     onAddCurrent: () => void commands.addCurrent(),
     onAddFile: keyPicker.open,
   });
-  const motionPanel = createMotionPanel({
-    onMotion: commands.motion,
-    onSpeed: commands.endSpeed,
-    onEncoding: commands.encoding,
-    onCompare: commands.compare,
-    onTightness: commands.tightness,
-    onAutoTightness: () => void commands.autoTightness().catch(input.onError),
-    onSpacing: (spacing) => void commands.spaceKeys(spacing).catch(input.onError),
-    onReset: commands.resetMotion,
+  const sampling = createSampling({
+    onTake: input.onTake,
+    onFewest: input.onFewest,
+    onOriginal: input.onOriginal,
   });
+  const motionPanel = createMotionPanel(
+    {
+      onMotion: commands.motion,
+      onSpeed: commands.endSpeed,
+      onEncoding: commands.encoding,
+      onCompare: commands.compare,
+      onTightness: commands.tightness,
+      onAutoTightness: () => void commands.autoTightness().catch(input.onError),
+      onSpacing: (spacing) => void commands.spaceKeys(spacing).catch(input.onError),
+      onReset: commands.resetMotion,
+    },
+    sampling.element,
+  );
   const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
   const shapePanel = createShapePanel(ghostPanel.element, {
     onEncoding: commands.encoding,
     onReset: commands.resetShape,
-    onSample: (animation, times) => void files.resample(animation, times),
     onOrient: (orientation) => void files.reorient(orientation),
     onObjects: (names) => void files.takeObjects(names),
   });
@@ -289,6 +302,11 @@ export function createComponents(input: ComponentsInput): Components {
     });
     ghostStudy.update();
     lying = viewState.orientation;
+    sampling.update({
+      info: source.kind === 'files' ? info : null,
+      fewest: viewState.fewest,
+      original: viewState.original,
+    });
     viewBar.update({ view, hasTexture: hasTexture(info), up: lying?.up ?? null, disabled });
     phaseLabel.update(disabled ? null : phase, {
       share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1),

@@ -1,9 +1,11 @@
-/** What can be done at once about what an import warns of: an offer over the viewport, gone with the next files. */
+/** What can be done at once about what is found in files: an offer over the viewport, gone with the next ones. */
 import type { Offer } from '../../ui/messages.ts';
+import { isClosed } from '../sources/closed-motion.ts';
 import type { OpenedFiles, OpenFiles } from '../sources/open-files.ts';
 
-/** null where there is nothing to be done. */
-export function importOffer({ info, orientation }: OpenedFiles, files: OpenFiles): Offer | null {
+/** null where there is nothing to be done. `onLoop` makes the motion periodic. */
+export function importOffer(opened: OpenedFiles, files: OpenFiles, onLoop: () => void): Offer | null {
+  const { info, orientation, source, doc, pool } = opened;
   const message = (code: string): string | undefined => info.warnings.find((warning) => warning.code === code)?.message;
   const same = message('same-poses');
   if (same && info.animations.length > 0)
@@ -16,5 +18,8 @@ export function importOffer({ info, orientation }: OpenedFiles, files: OpenFiles
       action: 'Stand it up',
       onAccept: () => void files.reorient({ ...orientation, up: 'z' }),
     };
+  const open = source.kind === 'files' && doc.motion.boundary === 'natural';
+  if (open && isClosed(doc, pool))
+    return { message: 'The last pose is the first again.', action: 'Make it a loop', onAccept: onLoop };
   return null;
 }

@@ -39,6 +39,9 @@ export interface PageParts {
   onRemember(): void;
   /** Ends the work under way. */
   onCancel(): void;
+  onTake(animation: number, times: number[]): void;
+  onFewest(animation: number, percent: number): void;
+  onOriginal(shown: boolean): void;
   onExportPlan(request?: ExportRequest): void;
   onExport(request: ExportRequest): void;
   /** The analysis failed. */
@@ -97,6 +100,9 @@ export function createPage(parts: PageParts): Page {
     onRemember: parts.onRemember,
     onCloseError: closeError,
     onSingleKeys: (singleKeys) => viewState.change({ singleKeys }),
+    onTake: parts.onTake,
+    onFewest: parts.onFewest,
+    onOriginal: parts.onOriginal,
     onExportOpen: () => parts.onExportPlan(),
     onExportChange: parts.onExportPlan,
     onExport: parts.onExport,

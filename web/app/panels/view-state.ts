@@ -5,6 +5,7 @@ import type { ExportRequest, VideoFormat } from '../../ui/export-dialog.ts';
 import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
 import type { ErrorMessage, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../ui/orientation.ts';
+import type { Fewest } from '../sources/animation.ts';
 import type { OpenedFiles } from '../sources/open-files.ts';
 import type { ProjectOnShelf } from '../sources/project-shelf.ts';
 import type { Sample } from '../sources/samples.ts';
@@ -42,6 +43,10 @@ export interface ViewState {
   /** All files of the user that are kept, the last changed first. */
   shelf: readonly ProjectOnShelf[];
   singleKeys: boolean;
+  /** What was found when the fewest keys of an animation were looked for. */
+  fewest: Fewest | null;
+  /** The animation is shown beside the motion. */
+  original: boolean;
   /** What the browser can write; null until the export dialog has asked. */
   videoFormats: readonly VideoFormat[] | null;
   exporting: { request: ExportRequest; plan: { text: string; warnings: readonly string[] } | null };
@@ -62,6 +67,8 @@ export function openedView(opened: OpenedFiles, before: ViewState): Partial<View
     objects,
     warnings: info.warnings,
     thumbnails: new Map(),
+    fewest: null,
+    original: false,
     stats: null,
     shownWarning: null,
     indefinite: 0,
@@ -117,6 +124,8 @@ const EMPTY_VIEW_STATE: ViewState = {
   remembered: false,
   shelf: [],
   singleKeys: true,
+  fewest: null,
+  original: false,
   videoFormats: null,
   exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

@@ -101,6 +101,8 @@ interface Request {
   left?: Remembered | Work;
   /** Time and history go on where the document does. */
   goesOn?: boolean;
+  /** The same mesh: time, view and playing go on. */
+  stays?: boolean;
   /** What is left for it, and how that is found again; by default, by undoing. */
   onLeft?(work: Work): void;
 }
@@ -139,7 +141,12 @@ export function createOpenFiles({
     const { info, doc } = opened;
     const goesOn = request.goesOn === true && doc === store.get().doc;
     if (leaving && !goesOn) onLeft(leaving);
-    const view = left ? { ...DEFAULT_VIEW, ...left.state.view } : openingView(store.get().view, info, link);
+    const before = store.get();
+    const view = left
+      ? { ...DEFAULT_VIEW, ...left.state.view }
+      : request.stays
+        ? before.view
+        : openingView(before.view, info, link);
     onOpened({
       info,
       pool: workspace.pool!,
@@ -154,8 +161,12 @@ export function createOpenFiles({
       store.set({ view });
       return true;
     }
-    const time = left?.state.time ?? openingTime(doc, link);
-    const play = left ? { ...left.state.play, playing: false } : openingPlay(opened, source, link);
+    const time = left?.state.time ?? openingTime(doc, link, request.stays ? before.time : undefined);
+    const play = left
+      ? { ...left.state.play, playing: false }
+      : request.stays
+        ? before.play
+        : openingPlay(opened, source, link);
     store.reset({ source, project, doc, view, play, time }, left && 'history' in left ? left.history : undefined);
     const unused = link && leftOut(link, doc);
     if (unused) say(unused);
@@ -163,8 +174,8 @@ export function createOpenFiles({
   };
 
   /** No further than the slider reaches. */
-  const openingTime = (doc: Doc, link: Permalink | null): number =>
-    clampTime(link?.time ?? doc.keys[0]?.time ?? 0, motionRange(doc, workspace.range));
+  const openingTime = (doc: Doc, link: Permalink | null, before?: number): number =>
+    clampTime(before ?? link?.time ?? doc.keys[0]?.time ?? 0, motionRange(doc, workspace.range));
 
   /** What is opened moves at once, unless the visitor wants no motion or came by a link to a moment. */
   const openingPlay = ({ info, doc }: Opened, source: Source, link: Permalink | null): Play => {
@@ -190,8 +201,17 @@ export function createOpenFiles({
   const reread = (change: ImportOptions): Promise<boolean> => {
     const { up, unit, objects } = workspace.options;
     const options = { up, unit, objects, ...change };
-    const { source, project } = store.get();
-    return open({ input: workspace.input, options, source, project, adjust: (doc) => doc, link: null });
+    const { source, project, doc } = store.get();
+    const adjust = (fresh: Doc): Doc => withSettings(fresh, doc);
+    return open({
+      input: workspace.input,
+      options,
+      source,
+      project,
+      adjust,
+      link: null,
+      stays: !('objects' in change),
+    });
   };
 
   const again = (left: Remembered | Work, onLeft?: (work: Work) => void): Promise<boolean> => {
@@ -305,6 +325,16 @@ export function createOpenFiles({
 function restored({ poses, state }: Remembered, pool: PosePool): Doc {
   for (const { name, positions } of poses.slice(pool.count - pool.imported)) pool.add(name, positions);
   return keptDoc(state.doc);
+}
+
+/** With the settings of another document, but for those that name its keys. */
+function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
+  const { referencePose, startTangentPose, endTangentPose } = fresh.encoding;
+  return {
+    ...fresh,
+    motion: { ...motion, period: fresh.motion.period },
+    encoding: { ...encoding, referencePose, startTangentPose, endTangentPose },
+  };
 }
 
 function ofSample(doc: Doc, { boundary }: Sample): Doc {

@@ -25,7 +25,7 @@ export interface ProjectOnShelf {
   id: string;
   /** Of the files that were opened. */
   names: readonly string[];
-  /** Milliseconds since 1970 of the last change. */
+  /** Milliseconds since 1970 of the last change, or of its opening. */
   changed: number;
   /** A visit began to open it and has not said that it is open. */
   opening: boolean;
@@ -117,7 +117,7 @@ export function updateProject(id: string, version: number, changing: Changing): 
 export function markOpening(id: string, opening: boolean): Promise<void> {
   return atomically(async (store) => {
     const project = await projectOn(store, id);
-    if (project) store.put({ ...project, opening }, PROJECT + id);
+    if (project) store.put({ ...project, opening, changed: Date.now() }, PROJECT + id);
   });
 }
 

@@ -63,6 +63,10 @@ const RECALL_MS = 10_000;
 /** More is kept only where the user asks for it. */
 const UNASKED_BYTES = 256e6;
 
+/** What was said of opening can be read first. */
+const TELL_DELAY_MS = 4000;
+
+const KEPT = 'These files are remembered on this computer for your next visit. They are sent nowhere.';
 const NO_ROOM =
   'This browser cannot store these files: it has no room for them, or this is a private window. Export a GLB to save the project.';
 const NOT_WRITTEN =
@@ -83,6 +87,8 @@ export function createRememberedFiles({
   let timer = 0;
   let saving: Promise<void> = Promise.resolve();
   let told = false;
+  /** What was opened or written last: the next visit starts with it. */
+  let newest: string | null = null;
 
   const own = (): string | null => store.get().project;
   const isKept = (): boolean => kept.has(own() ?? '');
@@ -121,10 +127,12 @@ export function createRememberedFiles({
     const text = JSON.stringify(state);
     const before = kept.get(id);
     if (before?.files === files) {
-      if (before.state === text) return;
+      if (before.state === text && newest === id) return;
       const version = await updateProject(id, before.version, { options, poses, state });
-      if (version !== null) kept.set(id, { version, files, state: text });
-      else if (!dropped.has(id)) {
+      if (version !== null) {
+        kept.set(id, { version, files, state: text });
+        newest = id;
+      } else if (!dropped.has(id)) {
         kept.delete(id);
         const other = newProjectId();
         store.set({ project: other });
@@ -136,6 +144,7 @@ export function createRememberedFiles({
     const version = await keepProject(id, { files, options, poses, state });
     if (dropped.has(id)) return forgetProject(id);
     kept.set(id, { version, files, state: text });
+    newest = id;
     await readList();
   };
 
@@ -188,7 +197,7 @@ export function createRememberedFiles({
         void inTurn(id, NOT_WRITTEN).then(() => {
           if (told || !kept.has(id)) return;
           told = true;
-          say('These files are remembered on this computer for your next visit. They are sent nowhere.');
+          window.setTimeout(say, TELL_DELAY_MS, KEPT);
         });
       }, SAVE_DELAY_MS);
     },
@@ -213,7 +222,10 @@ export function createRememberedFiles({
       kept.set(id, { version, files, state: '' });
       told = true;
       const opened = await open({ ...remembered, state: { ...remembered.state, project: id } });
-      if (opened) kept.set(id, { version, files, state: JSON.stringify(store.get()) });
+      if (opened) {
+        kept.set(id, { version, files, state: JSON.stringify(store.get()) });
+        newest = id;
+      }
       await markOpening(id, false).catch(() => undefined);
       window.removeEventListener('pagehide', leave);
       changed();

@@ -1,0 +1,26 @@
+/** Whether a motion ends as it began, so that it can go on as a loop. */
+import type { Doc } from '../../model/state.ts';
+import type { PosePool } from '../session/pose-pool.ts';
+
+/** Of the diagonal: what a file's rounding or a hand's placing may leave between two poses that are meant as one. */
+const SAME = 0.01;
+
+/** The last pose is the first again, but for where it stands; two keys make no loop. */
+export function isClosed({ keys }: Doc, { keys: poses }: PosePool): boolean {
+  const [first, last] = [keys[0], keys.at(-1)];
+  if (!first || !last || keys.length < 3) return false;
+  const [a, b] = [poses.positions(first.pose), poses.positions(last.pose)];
+  const [from, to] = [centreOf(a), centreOf(b)];
+  const reach = SAME * poses.info.report.diagonal;
+  for (let i = 0; i < a.length; i += 3) {
+    const apart = [0, 1, 2].map((axis) => b[i + axis]! - to[axis]! - a[i + axis]! + from[axis]!);
+    if (Math.hypot(...apart) > reach) return false;
+  }
+  return true;
+}
+
+function centreOf(positions: Float32Array): number[] {
+  const sum = [0, 0, 0];
+  for (let i = 0; i < positions.length; i += 1) sum[i % 3]! += positions[i]!;
+  return sum.map((value) => (3 * value) / positions.length);
+}

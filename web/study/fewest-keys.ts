@@ -1,0 +1,96 @@
+/**
+ * How few of an animation's shapes the method needs as keys to complete the rest of it: keys are added where the motion
+ * is farthest off, until it is nowhere farther than allowed.
+ */
+import type { CallOptions, Engine } from '../engine/api/api.ts';
+import type { SequenceOptions } from '../engine/api/types.ts';
+import type { ReferenceMotion } from './reference-motion.ts';
+
+export interface FewestKeys {
+  times: number[];
+  /** The largest distance of a vertex at a sample, as a share of the diagonal; larger than asked for with `most` keys. */
+  error: number;
+}
+
+export interface FewestKeysOptions extends CallOptions {
+  /** As a share of the diagonal. */
+  tolerance: number;
+  most: number;
+  /** Of the motion between the keys. */
+  options: Partial<SequenceOptions>;
+}
+
+/** Where a stretch is farther off than this share of the farthest one, it gets a key in the same round. */
+const NEAR_WORST = 0.6;
+
+export async function fewestKeys(
+  engine: Engine,
+  reference: ReferenceMotion,
+  { tolerance, most, options, signal, onProgress }: FewestKeysOptions,
+): Promise<FewestKeys> {
+  const last = reference.times.length - 1;
+  const target = tolerance * reference.keys.info.report.diagonal;
+  let chosen = [0, last];
+  let first = 0;
+  for (;;) {
+    const worst = await worstSamples(engine, reference, chosen, options, signal);
+    const error = Math.max(...worst.map((one) => one.distance));
+    first ||= error;
+    // Errors fall about as the fourth power of the distance of the keys.
+    onProgress?.({
+      stage: `${chosen.length} keys`,
+      fraction: first <= target ? 1 : Math.min(Math.max(Math.log(first / error) / Math.log(first / target), 0), 1),
+    });
+    const done = error <= target || chosen.length >= Math.min(most, last + 1);
+    if (done) {
+      const share = error / reference.keys.info.report.diagonal;
+      return { times: chosen.map((index) => reference.times[index]!), error: share };
+    }
+    const added = worst
+      .filter(({ distance }) => distance > target && distance >= NEAR_WORST * error)
+      .sort((a, b) => b.distance - a.distance)
+      .slice(0, most - chosen.length);
+    chosen = [...chosen, ...added.map(({ index }) => index)].sort((a, b) => a - b);
+  }
+}
+
+interface Sample {
+  index: number;
+  distance: number;
+}
+
+/** Of every stretch between two keys, the sample that the motion is farthest from. */
+async function worstSamples(
+  engine: Engine,
+  reference: ReferenceMotion,
+  chosen: readonly number[],
+  options: Partial<SequenceOptions>,
+  signal?: AbortSignal,
+): Promise<Sample[]> {
+  const times = chosen.map((index) => reference.times[index]!);
+  const keys = reference.keys.arrange([...chosen], times);
+  const call = signal ? { signal } : {};
+  const sequence = await engine.createSequence(keys, options, call).finally(() => keys.dispose());
+  try {
+    const worst = chosen.slice(1).map((): Sample => ({ index: -1, distance: 0 }));
+    let stretch = 0;
+    for (let index = 0; index < reference.times.length; index += 1) {
+      while (index > chosen[stretch + 1]!) stretch += 1;
+      signal?.throwIfAborted();
+      const [frame] = await sequence.evaluateMany([reference.times[index]!], call);
+      const distance = largestDistance(frame!.positions, reference.keys.positions(index));
+      frame!.release();
+      if (!chosen.includes(index) && distance > worst[stretch]!.distance) worst[stretch] = { index, distance };
+    }
+    return worst;
+  } finally {
+    sequence.dispose();
+  }
+}
+
+function largestDistance(a: Float32Array, b: Float32Array): number {
+  let largest = 0;
+  for (let i = 0; i < a.length; i += 3)
+    largest = Math.max(largest, (a[i]! - b[i]!) ** 2 + (a[i + 1]! - b[i + 1]!) ** 2 + (a[i + 2]! - b[i + 2]!) ** 2);
+  return Math.sqrt(largest);
+}

@@ -1,0 +1,66 @@
+/** An animation as it is, sampled densely: what a completed motion is measured against. */
+import type { CallOptions, Engine, Keys } from '../engine/api/api.ts';
+import type { AnimationInfo, ImportOptions, InputFile } from '../engine/api/types.ts';
+
+/** Of the samples: so many a second, where there is room for them. */
+const RATE = 30;
+const [FEWEST, MOST] = [9, 241];
+const MOST_BYTES = 192e6;
+
+export interface ReferenceMotion {
+  /** One key a sample. */
+  readonly keys: Keys;
+  readonly times: readonly number[];
+  /** Straight between two samples, and the end ones beyond: 3 x vertices, the same array for every time. */
+  at(t: number): Float32Array;
+  dispose(): void;
+}
+
+/** `vertices`: of the mesh, for how many samples fit. `options` say how its files were read. */
+export async function readReference(
+  engine: Engine,
+  files: InputFile[],
+  animation: number,
+  { start, end }: AnimationInfo,
+  vertices: number,
+  options: ImportOptions,
+  call: CallOptions = {},
+): Promise<ReferenceMotion> {
+  const room = Math.floor(MOST_BYTES / (12 * vertices));
+  const count = Math.max(Math.min(Math.ceil((end - start) * RATE) + 1, MOST, room), FEWEST);
+  const sample = Array.from({ length: count }, (_, i) =>
+    i === count - 1 ? end : start + ((end - start) * i) / (count - 1),
+  );
+  const { up, unit, objects } = options;
+  const keys = await engine.importKeyframes(files, { up, unit, objects, animation, sample }, call);
+  return new Samples(keys);
+}
+
+class Samples implements ReferenceMotion {
+  readonly times: readonly number[];
+  private readonly shape: Float32Array;
+  /** The samples that the last shape lies between. */
+  private ends: { index: number; before: Float32Array; after: Float32Array } | null = null;
+
+  constructor(readonly keys: Keys) {
+    this.times = keys.info.times;
+    this.shape = keys.positions(0);
+  }
+
+  at(t: number): Float32Array {
+    const { times, shape } = this;
+    const next = times.findIndex((time) => time > t);
+    const index = next < 0 ? times.length - 2 : Math.max(next - 1, 0);
+    if (this.ends?.index !== index)
+      this.ends = { index, before: this.keys.positions(index), after: this.keys.positions(index + 1) };
+    const { before, after } = this.ends;
+    const [from, to] = [times[index]!, times[index + 1]!];
+    const share = Math.min(Math.max((t - from) / (to - from), 0), 1);
+    for (let i = 0; i < shape.length; i += 1) shape[i] = before[i]! + share * (after[i]! - before[i]!);
+    return shape;
+  }
+
+  dispose(): void {
+    this.keys.dispose();
+  }
+}
