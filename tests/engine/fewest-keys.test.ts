@@ -1,4 +1,4 @@
-/** As few keys of an animation as complete the rest of it within an error, measured at times that were not looked at. */
+/** As few keys of an animation as complete it within an error, measured at times that were not looked at. */
 import { describe, expect, it } from 'vitest';
 import type { InputFile } from '../../web/engine/api/types.ts';
 import { fewestKeys } from '../../web/study/fewest-keys.ts';

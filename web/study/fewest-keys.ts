@@ -8,7 +8,7 @@ import type { ReferenceMotion } from './reference-motion.ts';
 
 export interface FewestKeys {
   times: number[];
-  /** The largest distance of a vertex at a sample, as a share of the diagonal; larger than asked for with `most` keys. */
+  /** The largest distance of a vertex at a sample, as a share of the diagonal; more than asked for with `most` keys. */
   error: number;
 }
 
