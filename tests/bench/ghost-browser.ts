@@ -4,7 +4,7 @@
  * the tab at its worst.
  */
 import { execFileSync, spawn } from 'node:child_process';
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { createServer, type AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
@@ -14,6 +14,7 @@ import { chromium, type Page } from '@playwright/test';
 import type { Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 import type {} from '../../web/app/test-hook.ts';
+import { residentOf } from './process-memory.ts';
 
 const DEFAULT_SIZES = [{ faces: 330_000 }, { faces: 1_300_000 }];
 const MOVES = 40;
@@ -134,22 +135,6 @@ async function measure(page: Page, url: string, file: string, pid: number): Prom
 
 /** The largest resident set that any renderer of the browser ever had, where the system tells (Linux). */
 function peakOf(pid: number): number | null {
-  if (!existsSync('/proc/self/status')) return null;
-  const statusOf = (id: string): string => {
-    try {
-      return readFileSync(`/proc/${id}/status`, 'utf8');
-    } catch {
-      return '';
-    }
-  };
-  const parentOf = new Map(
-    readdirSync('/proc')
-      .filter((id) => /^\d+$/.test(id))
-      .map((id) => [Number(id), Number(/^PPid:\s+(\d+)/m.exec(statusOf(id))?.[1] ?? 0)]),
-  );
-  const isOurs = (id: number): boolean => id === pid || (id > 1 && isOurs(parentOf.get(id) ?? 0));
-  const peaks = [...parentOf.keys()]
-    .filter((id) => id !== pid && isOurs(id))
-    .map((id) => Number(/^VmHWM:\s+(\d+)/m.exec(statusOf(String(id)))?.[1] ?? 0));
-  return Math.round(Math.max(0, ...peaks) / 1024);
+  const processes = residentOf(pid);
+  return processes && Math.round(Math.max(0, ...processes.map(({ peak }) => peak)));
 }

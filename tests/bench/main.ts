@@ -9,6 +9,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { benchArguments, type Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
 import { browserRunner } from './browser.ts';
+import { exportTable } from './exports.ts';
 import { benchGhostInBrowser } from './ghost-browser.ts';
 import { benchGhost } from './ghost.ts';
 import { FEW_KEYS, MANY_KEYS } from './key-counts.ts';
@@ -92,9 +93,9 @@ async function runAll(runner: Runner, sizes: number[]): Promise<Results> {
   return results;
 }
 
-function save(text: string, browser: boolean): void {
+function save(text: string, kind: '' | '-browser' | '-exports'): void {
   const { version } = JSON.parse(readFileSync(path.join(repository, 'package.json'), 'utf8')) as { version: string };
-  const file = path.join(repository, 'tests/bench/results', `${version}${browser ? '-browser' : ''}.md`);
+  const file = path.join(repository, 'tests/bench/results', `${version}${kind}.md`);
   mkdirSync(path.dirname(file), { recursive: true });
   writeFileSync(file, text);
   say(`saved as ${path.relative(repository, file)}`);
@@ -115,7 +116,7 @@ function bench(wanted: Wanted): Promise<void> {
   return withRunner(wanted.browser, async (runner) => {
     const { text, verdict } = report(await runAll(runner, facesOf(wanted)));
     console.log(text);
-    if (wanted.save) save(text, wanted.browser);
+    if (wanted.save) save(text, wanted.browser ? '-browser' : '');
     say(verdict);
   });
 }
@@ -126,6 +127,20 @@ function benchThreads(wanted: Wanted): Promise<void> {
   });
 }
 
-const benches = { stages: bench, threads: benchThreads, ghost: benchGhost, 'ghost browser': benchGhostInBrowser };
+async function benchExports({ sizes, save: wanted }: Wanted): Promise<void> {
+  const meshBytes = (faces: number): Uint8Array => readFileSync(meshOf(faces));
+  const place = { repository, folder: path.join(folder, 'exports'), meshOf: meshBytes, say };
+  const text = await exportTable(place, sizes?.map(({ faces }) => faces) ?? null);
+  console.log(text);
+  if (wanted) save(`# Exported animations in players: ${machine()}\n\n${text}\n`, '-exports');
+}
+
+const benches = {
+  stages: bench,
+  threads: benchThreads,
+  exports: benchExports,
+  ghost: benchGhost,
+  'ghost browser': benchGhostInBrowser,
+};
 const wanted = benchArguments(process.argv.slice(2));
 await benches[wanted.what](wanted);

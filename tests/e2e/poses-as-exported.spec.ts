@@ -109,6 +109,11 @@ test('many numbered files are the frames of an animation', async ({ app }) => {
   );
   expect(await names(app)).toHaveLength(8);
   await expect(app.by('animation')).toContainText('walk');
+  await app.by('warning-count').click();
+  await expect(app.by('warnings')).toContainText(
+    '40 numbered files are taken as frames of an animation, 24 a second: 8 evenly spaced ones of them are the keys.',
+  );
+  await expect(app.by('warnings')).toContainText('Choose others on its timeline');
   await app.by('sample-count').fill('5');
   await app.by('sample-count').press('Enter');
   await expect.poll(async () => (await names(app)).length).toBe(5);

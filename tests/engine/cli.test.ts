@@ -252,6 +252,7 @@ describe('complete', () => {
       expect(code).toBe(0);
       return JSON.parse(await readFile(path.join(folder, 'rig.json'), 'utf8')) as {
         targets: number;
+        frames: number[];
         playbackError: number;
       };
     };
@@ -264,7 +265,10 @@ describe('complete', () => {
     ]);
     expect(rough.targets).toBeLessThan(usual.targets);
     expect(all.targets).toBeGreaterThan(58);
-    await report('--targets', 'principal');
+    const mixed = await report('--targets', 'principal');
+    const mixedAt = await report('--targets', 'principal', '--frames', '9');
+    expect(mixedAt.frames).toHaveLength(9);
+    expect(mixedAt.frames.length).toBeLessThan(mixed.frames.length);
     expect(await listed(folder)).toEqual(expect.arrayContaining(['rig.csv', 'rig.glb', 'rig.py']));
   });
 
@@ -427,6 +431,41 @@ describe('wrong use', () => {
   });
 });
 
+describe('many numbered files', () => {
+  it('are an animation of which 8 frames are keys: it says how many files there are, and how others are chosen', async () => {
+    const pose = (frame: number): string => `v 0 0 0\nv 1 0 0\nv 0 ${1 + frame / 20} 0\nf 1 2 3\n`;
+    const series = Array.from({ length: 40 }, (_, frame) => ({
+      name: `walk_${100 + frame}.obj`,
+      bytes: new TextEncoder().encode(pose(frame)),
+    }));
+    const where = await folderOf(series);
+    const files = series.map(({ name }) => name);
+    const run = async (...words: string[]) => {
+      const { code, stderr } = await runCli(
+        where,
+        'complete',
+        ...files,
+        '--output',
+        'a.glb',
+        '--report',
+        'a.json',
+        ...words,
+      );
+      expect(code).toBe(0);
+      const { keys } = JSON.parse(await readFile(path.join(where, 'a.json'), 'utf8')) as { keys: object[] };
+      return { stderr, keys: keys.length };
+    };
+    const usual = await run();
+    expect(usual.keys).toBe(8);
+    expect(usual.stderr).toContain('warning: 40 numbered files are taken as frames of an animation');
+    expect(usual.stderr).toContain('8 evenly spaced ones of them are the keys');
+    expect(usual.stderr).toContain('--sample');
+    const asked = await run('--sample', '12');
+    expect(asked.keys).toBe(12);
+    expect(asked.stderr).not.toContain('numbered files');
+  });
+});
+
 describe('bad input', () => {
   it.each([
     [['no-such.glb', 'pose-1.glb'], /no-such\.glb/],
@@ -434,10 +473,19 @@ describe('bad input', () => {
     [['pose-1.glb', 'cut.glb'], /cut\.glb/],
     [['pose-1.glb', 'page.glb'], /page\.glb/],
     [['pose-1.glb', 'pose-2.glb', '--key-times', '1,0'], /time/],
+    [['bodies-1.obj', 'bodies-2.obj', '--object', 'Roof'], /bodies-1\.obj.*no object "Roof"; it has "Body", "Floor"/],
+    [['pose-1.ply', 'pose-2.ply', '--object', 'Roof'], /pose-1\.ply.*no object "Roof"; it names none/],
     [['pose-1.glb', 'pose-2.glb', '--key-times', '0,1,2'], /3 .*2|times/],
   ])('is one line that names it, exit code 1, and no output: %j', async (words, says) => {
     await writeFile(path.join(folder, 'cut.glb'), files[1]!.bytes.slice(0, 3000));
     await writeFile(path.join(folder, 'page.glb'), '<!DOCTYPE html><title>404</title>');
+    for (const k of [1, 2]) {
+      const bodies = `o Body\nv 0 0 0\nv 1 0 0\nv 0 ${k} 0\nf 1 2 3\no Floor\nv 0 0 9\nv 1 0 9\nv 0 1 9\nf 4 5 6\n`;
+      await writeFile(path.join(folder, `bodies-${k}.obj`), bodies);
+      const header = 'element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n';
+      const ply = `ply\nformat ascii 1.0\n${header}property list uchar int vertex_indices\nend_header\n`;
+      await writeFile(path.join(folder, `pose-${k}.ply`), `${ply}0 0 0\n1 0 0\n0 ${k} 0\n3 0 1 2\n`);
+    }
     const before = await listed(folder);
     for (const output of ['bad.glb', 'bad/', 'new/folder/bad.glb']) {
       const { code, stdout, stderr } = await runCli(

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
+import { farthest } from '../../web/engine/caller/distances.ts';
 import type { ImportOptions } from '../../web/engine/api/types.ts';
 import { dataFile, dataFiles, hasData } from './support/data.ts';
 import { frameAt, testEngine } from './support/engines.ts';
@@ -85,6 +86,42 @@ describe.skipIf(!hasData)('real files', () => {
       sequence.dispose();
     }
   });
+
+  const plies = (folder: string): string[] => dataFiles(folder).filter((name) => name.endsWith('.ply'));
+  const poses = (folder: string): string[] =>
+    dataFiles(folder).filter((name) => name.endsWith('.obj') && !name.includes('reference'));
+  it.each([
+    ['a gallop', ['morph/Horse.glb'], { sample: 5 }],
+    ['a run', ['skin/Fox.glb'], { animation: 2, sample: 5 }],
+    ['a saddle that is bent', plies('turns/saddle'), {}],
+    ['a sheet that is rolled up', plies('turns/plate'), {}],
+    ['a cat', poses('obj/lowpoly-cat'), {}],
+    ['a bar of Blender', [0, 1, 2].map((pose) => `blender/baked_flat_${pose}.glb`), {}],
+  ] as [string, string[], ImportOptions][])(
+    'of %s: the error that an export states holds between its frames',
+    async (_, names, options) => {
+      const keys = await load(names, options);
+      for (const boundary of ['natural', 'periodic'] as const) {
+        const sequence = await engine.createSequence(keys, { boundary });
+        const [first, last] = sequence.range;
+        const beyond: [number, number] = [first - 0.4 * (last - first), last + 0.4 * (last - first)];
+        for (const asked of [{}, { tolerance: 1 }, { range: beyond }, { frames: 3 }, { frames: 7 }, { frames: 30 }]) {
+          const { times, error } = await sequence.planExport(asked);
+          const shapes = await sequence.evaluateMany(times);
+          let largest = 0;
+          for (let i = 1; i < times.length; i += 1)
+            for (let share = 1 / 8; share < 1; share += 1 / 8) {
+              const { positions } = await frameAt(sequence, times[i - 1]! + share * (times[i]! - times[i - 1]!));
+              const [from, to] = [shapes[i - 1]!.positions, shapes[i]!.positions];
+              largest = Math.max(largest, farthest(positions, from, to, share));
+            }
+          expect(largest).toBeGreaterThan(0.97 * error! * keys.info.report.diagonal);
+          expect(largest).toBeLessThan(1.02 * error! * keys.info.report.diagonal);
+        }
+        sequence.dispose();
+      }
+    },
+  );
 });
 
 describe.skipIf(!hasData)('malformed files', () => {

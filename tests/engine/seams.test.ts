@@ -1,4 +1,5 @@
 /** OBJ files whose textures have seams: the motion stays in the files' own vertices, the look does not suffer. */
+import { WebIO } from '@gltf-transform/core';
 import { describe, expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
 import type { InputFile } from '../../web/engine/api/types.ts';
@@ -39,6 +40,16 @@ function corners({ info }: Keys): number[] {
     info.scene.uvs![2 * v]!,
     info.scene.uvs![2 * v + 1]!,
   ]);
+}
+
+/** The same as a GLB has them. */
+async function coordinatesOf(bytes: Uint8Array): Promise<number[]> {
+  const document = await new WebIO().readBinary(bytes as Uint8Array<ArrayBuffer>);
+  const [primitive] = document.getRoot().listMeshes()[0]!.listPrimitives();
+  const coordinates = primitive!.getAttribute('TEXCOORD_0')!;
+  return Array.from(primitive!.getIndices()!.getArray() as Uint16Array).flatMap((v) =>
+    coordinates.getElement(v, [0, 0]),
+  );
 }
 
 describe('an OBJ whose texture has seams', () => {
@@ -103,12 +114,20 @@ describe('an OBJ whose texture has seams', () => {
     sequence.dispose();
   });
 
-  it('has its own vertices in the GLB where there is no texture to see them in', async () => {
+  it('keeps its coordinates in the GLB without a texture, and its own vertices when that is opened again', async () => {
     const keys = await engine.importKeyframes(files);
     expect(keys.info.warnings.map(({ code }) => code)).toEqual(['missing-materials']);
     const sequence = await engine.createSequence(keys);
-    const player = await threePlayer(await exported(sequence, { frames: 3 }));
-    expect(player.positionsAt(0)).toHaveLength(3 * vertices);
+    expect((await sequence.stats()).weldedVertices).toBe(vertices);
+    const bytes = await exported(sequence, { frames: 3 });
+    await expectValid(bytes);
+    expect(await coordinatesOf(bytes)).toEqual(corners(keys));
+    const player = await threePlayer(bytes);
+    expect(largestDistance(player.positionsAt(0), keys.positions(0))).toBeLessThan(1e-6 * diagonal(poses[0]!));
+    const again = await engine.importKeyframes([{ name: 'again.glb', bytes }]);
+    expect(again.info.report).toMatchObject({ vertices, weldedVertices: vertices });
+    expect(again.info.faces).toEqual(keys.info.faces);
+    expect(corners(again)).toEqual(corners(keys));
     sequence.dispose();
   });
 });

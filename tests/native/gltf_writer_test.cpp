@@ -496,15 +496,19 @@ TEST_CASE("weights of one's own: every target at every time") {
   CHECK(!writeAnimatedGlb(source).ok());
 }
 
-TEST_CASE("where there is no texture, seams cannot be seen, and the file has the mesh's own vertices") {
+TEST_CASE("texture coordinates are kept without a texture, with their seams, and the mesh with its own vertices") {
   Scene scene = seamScene();
   scene.images.clear();
   scene.materials[0].baseColorImage = -1;
-  const Exported file = exported(writeAnimatedGlb(bending({0, 0.5}, scene)));
+  const auto bytes = writeAnimatedGlb(bending({0, 0.5}, scene));
+  const Exported file = exported(bytes);
   const json& attributes = file.doc["meshes"][0]["primitives"][0]["attributes"];
-  CHECK(attributes.size() == 3);
-  for (const char* name : {"POSITION", "NORMAL", "COLOR_0"})
-    CHECK(file.doc["accessors"][attributes[name].get<int>()]["count"] == 8);
+  for (const char* name : {"POSITION", "NORMAL", "COLOR_0", "TEXCOORD_0"})
+    CHECK(file.doc["accessors"][attributes[name].get<int>()]["count"] == 8 + scene.seams.copyOf.size());
+  const auto import = Files().add("m.glb", *bytes).import();
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  CHECK(import->keyframes.vertexCount() == 8);
+  checkSeams(*import, scene);
   CHECK(static_cast<double>(animatedGlbSize(boxFaces(), 8, 2, scene).bytes) ==
         doctest::Approx(file.bytes.size()).epsilon(0.5));
 }

@@ -172,6 +172,47 @@ TEST_CASE("one face of other vertices is another mesh, however many there are") 
   CHECK(joined({shared(0), more}).error().code == ErrorCode::VertexCountMismatch);
 }
 
+TEST_CASE("faces that name wrong vertices are refused, a mesh that is numbered otherwise is not") {
+  const int n = 2 * kQuads + 2;
+  const Strip mesh = shared(0);
+  // Counted from 0 where they should be from 1, and the other way; to their last vertex, which wraps around.
+  for (const int by : {1, n - 1, 2, 5}) {
+    CAPTURE(by);
+    Strip wrong = shared(0.4), renumbered = shared(0.4);
+    for (Triangle& face : wrong.faces)
+      for (int& v : face) v = (v + by) % n;
+    renumbered.faces = wrong.faces;
+    std::rotate(renumbered.positions.begin(), renumbered.positions.begin() + (n - by), renumbered.positions.end());
+    const auto import = joined({mesh, wrong});
+    REQUIRE(!import.ok());
+    CAPTURE(import.error().message);
+    CHECK(import.error().code == ErrorCode::FaceMismatch);
+    CHECK(import.error().key == 1);
+    CHECK(import.error().message.starts_with("poseb.glb (key 2): face 0 is (" + std::to_string(wrong.faces[0][0])));
+    const auto good = joined({mesh, renumbered});
+    REQUIRE_MESSAGE(good.ok(), (good.ok() ? "" : good.error().message));
+    checkCorners(*good, {0, 0.4});
+  }
+}
+
+TEST_CASE("an OBJ whose faces count its vertices from 0 is refused") {
+  const auto obj = [](double bend, int first) {
+    const Strip strip = shared(bend);
+    std::string text = "v 9 9 9\n";  // of no face
+    for (const Vec3& p : strip.positions)
+      text += "v " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " + std::to_string(p.z()) + "\n";
+    for (const Triangle& f : strip.faces)
+      text += "f " + std::to_string(f[0] + first) + " " + std::to_string(f[1] + first) + " " +
+              std::to_string(f[2] + first) + "\n";
+    return bytesOf(text);
+  };
+  const auto import = Files().add("a.obj", obj(0, 2)).add("b.obj", obj(0.4, 1)).import();
+  REQUIRE(!import.ok());
+  CHECK(import.error().code == ErrorCode::FaceMismatch);
+  CHECK(import.error().message.starts_with("b.obj (key 2): face 0 is (0, 2, 3), but in key 1 it is (1, 3, 4)."));
+  CHECK(Files().add("a.obj", obj(0, 2)).add("b.obj", obj(0.4, 2)).import().ok());
+}
+
 TEST_CASE("keys that are one pose are named, with the reason and what to do") {
   const auto all = joined({shared(0.2), shared(0.2), shared(0.2)});
   REQUIRE(all.ok());
@@ -245,7 +286,7 @@ TEST_CASE("objects of a glTF and of an OBJ can be left out") {
     options.objects = {"Roof"};
     const auto none = files.import(options);
     REQUIRE(!none.ok());
-    CHECK(none.error().code == ErrorCode::InvalidOption);
+    CHECK(none.error().code == ErrorCode::UnknownObject);
     CHECK(none.error().message.find(names[0]) != std::string::npos);
   };
   check(Files().add("a.glb", scene(0)).add("b.glb", scene(0.4)), {"Strip", "Floor"}, "Strip", 2 * kQuads + 2);

@@ -3,11 +3,16 @@ import { cpSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { WebIO } from '@gltf-transform/core';
+import { validateBytes } from 'gltf-validator';
 import { describe, expect, it } from 'vitest';
 import { benchArguments } from '../../wasm/toolchain/bench-arguments.mjs';
 import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import type { Frame, ImportOptions, SequenceStats } from '../../web/engine/api/types.ts';
+import { sharingVertices } from '../bench/old-layout.ts';
 import { withProgram } from '../bench/line-protocol.ts';
+import { meshGlb } from '../engine/support/glb.ts';
+import { bar, bent } from '../engine/support/shapes.ts';
 import { errorsOf } from '../bench/errors.ts';
 import { msText } from '../bench/format.ts';
 import { fromFramesMs, stagesMs } from '../bench/frames.ts';
@@ -35,6 +40,12 @@ describe('the words behind npm run bench --', () => {
       save: true,
     });
     expect(benchArguments(['threads', '--browser'])).toMatchObject({ what: 'threads', sizes: null, browser: true });
+    expect(benchArguments(['exports', '2000', '--save'])).toEqual({
+      what: 'exports',
+      sizes: [{ faces: 2000, keys: null }],
+      browser: false,
+      save: true,
+    });
     expect(benchArguments(['ghost', '85000:10,1000'])).toMatchObject({
       what: 'ghost',
       sizes: [
@@ -63,6 +74,8 @@ describe('the words behind npm run bench --', () => {
     'ghost 1000:1',
     'ghost 1000:101',
     'ghost --browser',
+    'exports --browser',
+    'exports 1000:3',
     'ghost browser 1000:3',
     'ghost browser nonsense',
   ])('are refused where they make no sense: %s', (words) => {
@@ -87,6 +100,22 @@ describe('the words behind npm run bench --', () => {
     } finally {
       rmSync(folder, { recursive: true, force: true });
     }
+  });
+});
+
+describe('the old layout of an animation', () => {
+  it('has all primitives share one vertex buffer with its targets, and the faces of the mesh in their order', async () => {
+    const mesh = bar(2, 5);
+    const bytes = sharingVertices(meshGlb(mesh, mesh.positions, [bent(mesh, 40)]), 3);
+    const { issues } = await validateBytes(bytes);
+    expect(issues.messages.filter(({ severity }) => severity < 2)).toEqual([]);
+    const root = (await new WebIO().readBinary(bytes as Uint8Array<ArrayBuffer>)).getRoot();
+    const primitives = root.listMeshes()[0]!.listPrimitives();
+    expect(primitives).toHaveLength(3);
+    expect(new Set(primitives.map((one) => one.getAttribute('POSITION')))).toHaveProperty('size', 1);
+    expect(new Set(primitives.map((one) => one.listTargets()[0]!.getAttribute('POSITION')))).toHaveProperty('size', 1);
+    expect(new Set(primitives.map((one) => one.getMaterial()))).toHaveProperty('size', 3);
+    expect(primitives.flatMap((one) => [...(one.getIndices()!.getArray() as Uint32Array)])).toEqual([...mesh.indices]);
   });
 });
 

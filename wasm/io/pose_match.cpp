@@ -81,6 +81,26 @@ bool belongTogether(const std::vector<int>& a, int countA, const std::vector<int
                      [&](const auto& pair) { return ofA[pair.first] == 1 || ofB[pair.second] == 1; });
 }
 
+// What the sides of the faces differ from those of the mesh, squared and added up.
+double strainOf(const Positions& mesh, const std::vector<int>& corners, const Positions& pose,
+                const std::vector<int>& posed) {
+  double sum = 0;
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const std::size_t d = c % 3 == 2 ? c - 2 : c + 1;
+    const double change = (pose[posed[c]] - pose[posed[d]]).norm() - (mesh[corners[c]] - mesh[corners[d]]).norm();
+    sum += change * change;
+  }
+  return sum;
+}
+
+// Faces that name wrong vertices, each another one, tell their corners as those of a mesh in another order do; but the
+// pose is the mesh's with the mesh's own faces then, and torn to pieces with these.
+bool nameWrongVertices(const Positions& mesh, const std::vector<int>& corners, const Positions& pose,
+                       const std::vector<int>& posed) {
+  return mesh.size() == pose.size() &&
+         strainOf(mesh, corners, pose, posed) > 4 * strainOf(mesh, corners, pose, corners);
+}
+
 }  // namespace
 
 Welding weldPoses(std::span<const Positions* const> poses) { return weld(poses, weldTolerances(poses)); }
@@ -121,6 +141,7 @@ std::optional<PoseMatch> PoseMatcher::byCorners(const std::vector<Triangle>& fac
   std::vector<int> ofMesh = cornersOf(weldFaces(faces_, points)), ofPose;
   for (int v : match.cornerOf) ofPose.push_back(theirs.weldedOfRaw[v]);
   if (!belongTogether(ofMesh, points.count, ofPose, theirs.count)) return {};
+  if (nameWrongVertices(positions_, cornersOf(faces_), *poses[0], match.cornerOf)) return {};
   return match;
 }
 

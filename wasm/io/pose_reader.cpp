@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "io/base/objects.h"
 #include "io/polygon/polygon_readers.h"
 
 namespace shapespline {
@@ -11,6 +12,7 @@ namespace {
 Result<PolygonMesh> readPolygons(const MeshFile& mesh, std::span<const NamedBytes> files, const ImportOptions& options,
                                  const std::string& where, const FractionReport& onProgress) {
   if (mesh.kind == FileKind::Obj) return readObj(*mesh.file, files, options.objects, where, onProgress);
+  if (Status known = checkObjects(options.objects, {}, where); !known) return known.error();
   return mesh.kind == FileKind::Ply ? readPly(*mesh.file, where, onProgress) : readOff(*mesh.file, where, onProgress);
 }
 

@@ -5,6 +5,7 @@ import { Explained } from './log.mjs';
 const USAGE = [
   'usage: npm run bench [-- FACES,FACES,... --browser --save]',
   '       npm run bench -- threads [FACES,... --browser]',
+  '       npm run bench -- exports [FACES,... --save]',
   '       npm run bench -- ghost [FACES[:KEYS],...]',
   '       npm run bench -- ghost browser [FACES,...]',
   'with 64 to 4000000 faces and 2 to 100 keys',
@@ -13,8 +14,8 @@ const USAGE = [
 /** What is measured, on which sizes (null: the usual ones), and where. */
 export function benchArguments(words) {
   const what =
-    words[0] === 'threads'
-      ? 'threads'
+    words[0] === 'threads' || words[0] === 'exports'
+      ? words[0]
       : words[0] !== 'ghost'
         ? 'stages'
         : words[1] === 'browser'
@@ -23,13 +24,13 @@ export function benchArguments(words) {
   const {
     values: { browser = false, save = false },
     positionals: [list, ...more],
-  } = parsed(words.slice({ stages: 0, threads: 1, ghost: 1, 'ghost browser': 2 }[what]));
+  } = parsed(words.slice({ stages: 0, threads: 1, exports: 1, ghost: 1, 'ghost browser': 2 }[what]));
   const sizes = list?.split(',').map(sizeOf) ?? null;
   const good =
     more.length === 0 &&
     (sizes?.every((size) => isGood(size, what === 'ghost')) ?? true) &&
-    !(save && what !== 'stages') &&
-    !(browser && what.startsWith('ghost'));
+    !(save && what !== 'stages' && what !== 'exports') &&
+    !(browser && (what.startsWith('ghost') || what === 'exports'));
   if (!good) throw new Explained(USAGE);
   return { what, sizes, browser, save };
 }

@@ -197,8 +197,13 @@ export const benchPrograms = guarded(
 export const benchBundle = guarded(
   'bench-bundle',
   () => digest(['web/engine', 'tests/bench', 'package.json', 'package-lock.json']),
-  ['build/node/bench.mjs'],
-  () => bundle([entry('bench', 'tests/bench/main.ts'), ...engineEntries]),
+  ['build/node/bench.mjs', 'build/node/load-babylon.mjs'],
+  () =>
+    bundle([
+      entry('bench', 'tests/bench/main.ts'),
+      entry('load-babylon', 'tests/bench/load-babylon.ts'),
+      ...engineEntries,
+    ]),
 );
 
 export const fuzzBundle = guarded(

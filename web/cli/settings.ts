@@ -117,13 +117,9 @@ export const HELP = `shapespline: smooth motion of a shape through key poses
 
 FILE is a .glb, .gltf, .obj, .ply or .off file: several are the keys in the order given, one holds
 morph targets or an animation. A .pc2 or .mdd file given with its .obj is an animation, too, and so are
-numbered .obj or .ply files of which --sample takes keys. A folder stands for the models in it, in the
-order of their names. What a .gltf or .obj names (buffers, materials, textures) is read from its own
-folder.
-OUT ending in .glb is one file with an animation, in .obj or .ply one shape (with one --at time), and
-a folder (ending in /) gets 0000.obj, 0001.obj, ... one for each requested time.
-morph targets or an animation. What a .gltf or .obj names (buffers, materials, textures) is read from
-its own folder.
+numbered .obj or .ply files of which --sample takes keys: 8 of more than 32, unless it says otherwise. A
+folder stands for the models in it, in the order of their names. What a .gltf or .obj names (buffers,
+materials, textures) is read from its own folder.
 OUT ending in .glb is one file with an animation, in .obj or .ply one shape (with one --at time), in
 .pc2 or .mdd a point cache with the OBJ that it moves beside it, and a folder (ending in /) gets 0000.obj,
 0001.obj, ... one for each requested time. Materials and textures of an OBJ lie beside it.

@@ -1,5 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { adaptiveTimes, errorOf, largestError, type Motion } from '../../../web/engine/caller/adaptive-times.ts';
+import {
+  adaptiveTimes,
+  errorOf,
+  largestError,
+  peakOf,
+  type Motion,
+} from '../../../web/engine/caller/adaptive-times.ts';
 
 /** A point on the unit circle that turns faster and faster, and one that rests. */
 const angle = (t: number): number => 3 * t * t;
@@ -30,7 +36,7 @@ describe('adaptive times', () => {
     expect(times).toEqual([...new Set(times)].sort((a, b) => a - b));
     const measured = await densely(turning, times);
     expect(measured).toBeLessThan(wanted.tolerance);
-    expect(error).toBeGreaterThan(0.9 * measured);
+    expect(error).toBeGreaterThan(0.99 * measured);
     // A chord of the circle may span 2 acos(1 - tolerance): no fewer than this would do.
     const least = angle(2) / (2 * Math.acos(1 - wanted.tolerance));
     expect(times.length).toBeLessThan(1.6 * least + wanted.corners.length);
@@ -60,6 +66,35 @@ describe('adaptive times', () => {
     await expect(adaptiveTimes(turning, { ...wanted, tolerance: 1e-7, most: 100 })).rejects.toThrow(
       'more than 100 morph targets',
     );
+  });
+});
+
+/** A point that goes along x and swings across it. */
+const swinging = (across: (t: number) => number): Motion => ({ at: async (t) => Float32Array.of(t, across(t), 0) });
+
+describe('the largest error of a chord', () => {
+  it.each([
+    ['bends one way, more and more', (t: number) => t ** 4],
+    ['bends both ways, and is on the chord in its middle', (t: number) => t * (t - 0.5) * (t - 1)],
+    ['bends mostly near its end', (t: number) => Math.exp(4 * t)],
+    ['bends both ways, one more than the other', (t: number) => t * (t - 0.6) * (t - 1)],
+  ])('is found where the motion %s', async (_, across) => {
+    const motion = swinging(across);
+    const measured = await densely(motion, [0, 1]);
+    const stated = await largestError(motion, [0, 1]);
+    expect(stated).toBeGreaterThan(0.97 * measured);
+    expect(stated).toBeLessThan(1.005 * measured); // which is measured at steps, too
+    // Beside another one that is about as far off in its middle.
+    expect(await largestError(motion, [-0.01, 0, 1])).toBeGreaterThan(0.97 * measured);
+  });
+
+  it('lies where a motion of fourth order has it', () => {
+    const off = (s: number): number => s * (1 - s) * (1 + 3 * s + 2 * s * s);
+    const { share, distance } = peakOf(off(0.25), off(0.5), off(0.75));
+    const largest = Math.max(...Array.from({ length: 1001 }, (_, i) => off(i / 1000)));
+    expect(distance).toBeCloseTo(largest, 3);
+    expect(off(share)).toBeCloseTo(largest, 3);
+    expect(peakOf(0, 0, 0)).toEqual({ share: 0.5, distance: 0 });
   });
 });
 

@@ -80,7 +80,8 @@ describe('what an export leaves out', () => {
     expect([{ tolerance: 0 }, { frames: 60 }, { times: [0, 1] }, { pose: 0.5 }, { format: 'pc2' }].map(isThin)).toEqual(
       Array(5).fill(false),
     );
-    expect(isThin({ frames: 60, targets: 'principal' })).toBe(true);
+    expect(isThin({ tolerance: 0, targets: 'principal' })).toBe(true);
+    expect(isThin({ frames: 60, targets: 'principal' })).toBe(false);
   });
 
   it('never is a key, nor the ends of the range', () => {

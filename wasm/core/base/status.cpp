@@ -14,6 +14,7 @@ const char* errorCodeName(ErrorCode code) {
     case ErrorCode::TooLarge: return "too-large";
     case ErrorCode::NoTriangles: return "no-triangles";
     case ErrorCode::UnknownAnimation: return "unknown-animation";
+    case ErrorCode::UnknownObject: return "unknown-object";
     case ErrorCode::TooFewKeys: return "too-few-keys";
     case ErrorCode::VertexCountMismatch: return "vertex-count-mismatch";
     case ErrorCode::FaceCountMismatch: return "face-count-mismatch";

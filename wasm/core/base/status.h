@@ -21,6 +21,7 @@ enum class ErrorCode {
   TooLarge,          ///< a declared size beyond what can be held
   NoTriangles,
   UnknownAnimation,
+  UnknownObject,
   // keys that do not fit together
   TooFewKeys,
   VertexCountMismatch,

@@ -28,10 +28,10 @@ Status checkObjects(const std::vector<std::string>& wanted, const std::vector<st
   for (const std::string& name : wanted) {
     if (holds(names, name)) continue;
     std::string message = where;
-    message.append(" has no object ").append(inQuotes(name)).append(names.empty() ? "; it names none" : "; it has");
+    message.append(" has no object ").append(inQuotes(name)).append(names.empty() ? "; it names none." : "; it has");
     for (std::size_t i = 0; i < names.size() && i < 20; ++i) message.append(i ? ", " : " ").append(inQuotes(names[i]));
-    message.append(names.size() > 20 ? ", and more." : ".");
-    return Error{ErrorCode::InvalidOption, std::move(message)};
+    if (!names.empty()) message.append(names.size() > 20 ? ", and more." : ".");
+    return Error{ErrorCode::UnknownObject, std::move(message)};
   }
   return {};
 }

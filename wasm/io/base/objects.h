@@ -17,7 +17,7 @@ void addObject(const std::string& name, std::vector<std::string>& names);
 /// Whether an object of this name is among the wanted ones; none wanted are all.
 bool takesObject(const std::vector<std::string>& wanted, const std::string& name);
 
-/// Error: InvalidOption, with the names that there are, where one of the wanted is not among them.
+/// Error: UnknownObject, with the names that there are, where one of the wanted is not among them.
 Status checkObjects(const std::vector<std::string>& wanted, const std::vector<std::string>& names,
                     const std::string& where);
 

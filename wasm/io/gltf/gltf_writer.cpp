@@ -248,28 +248,11 @@ struct AnimationWriter {
   }
 };
 
-// Seams can only be seen in a texture: without one the file has the mesh's own vertices.
-bool hasIdleSeams(const Scene& scene) { return !scene.seams.copyOf.empty() && scene.images.empty(); }
-
-Scene withoutSeams(Scene scene) {
-  scene.seams = {};
-  scene.uvs.clear();
-  return scene;
-}
-
-Result<std::vector<std::uint8_t>> write(const AnimationSource& source) {
-  if (!hasIdleSeams(*source.scene)) return AnimationWriter{source, {}}.write();
-  const Scene scene = withoutSeams(*source.scene);
-  AnimationSource plain = source;
-  plain.scene = &scene;
-  return AnimationWriter{plain, {}}.write();
-}
-
 }  // namespace
 
 Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source) {
   try {
-    return write(source);
+    return AnimationWriter{source, {}}.write();
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::OutOfMemory, "There is not enough memory for this export. Export fewer frames."};
   } catch (const std::length_error&) {
@@ -280,7 +263,6 @@ Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source
 }
 
 GlbSize animatedGlbSize(const std::vector<Triangle>& faces, int vertices, int frames, const Scene& scene) {
-  if (hasIdleSeams(scene)) return animatedGlbSize(faces, vertices, frames, withoutSeams(scene));
   const bool seams = !scene.seams.copyOf.empty();
   const int drawn = vertices + static_cast<int>(scene.seams.copyOf.size());
   const auto primitives = drawnPrimitives(seams ? scene.seams.faces : faces, drawn, scene);

@@ -1,7 +1,8 @@
 /**
  * As few times as a motion needs, so that straight lines between its shapes there stay near it. A chord over h is off
  * by h^2/8 of the second derivative: each stretch is divided evenly by the root of what that is, measured at a few
- * times, and then its chords are measured in their middles.
+ * times, and then its chords are measured: in their middles, where they are farthest off as long as the motion bends
+ * evenly, and where that is much, also beside them.
  */
 import { EngineError } from '../api/errors.ts';
 import { farthest } from './distances.ts';
@@ -32,9 +33,8 @@ export interface AdaptiveTimes {
 /** Where the second derivative is measured: at so many times of all stretches together, and of one. */
 const SURVEYED = 120;
 const [FEWEST_CELLS, MOST_CELLS] = [2, 12];
-/** Of the tolerance that is aimed at, and that is accepted: between the middles of chords and their ends a little is
- * not seen. */
-const [AIM, ACCEPTED] = [0.8, 0.95];
+/** Of the tolerance that is aimed at, and that is accepted: what is found is nearly the largest. */
+const [AIM, ACCEPTED] = [0.8, 0.97];
 const ROUNDS = 8;
 
 export async function adaptiveTimes(motion: Motion, wanted: Wanted): Promise<AdaptiveTimes> {
@@ -73,8 +73,9 @@ async function divided(
   for (let round = 1; ; round += 1) {
     if (count > most) throw tooMany(count, most);
     const times = cut(bending, [start, end], Math.min(count, finest), free);
-    const error = await largestError(motion, [start, ...times]);
-    if (error <= ACCEPTED * tolerance || count >= finest || round === ROUNDS) return { times, error };
+    const isLast = count >= finest || round === ROUNDS;
+    const error = await largestError(motion, [start, ...times], isLast ? Infinity : ACCEPTED * tolerance);
+    if (isLast || error <= ACCEPTED * tolerance) return { times, error };
     count = Math.max(count + 1, Math.ceil(count * Math.min(Math.sqrt(error / (AIM * tolerance)), 4)));
   }
 }
@@ -140,20 +141,70 @@ function nearest(grid: readonly number[], t: number): number {
   return t - before < grid[low]! - t ? before : grid[low]!;
 }
 
-/** Of all chords in their middles. */
-export async function largestError(motion: Motion, times: readonly number[]): Promise<number> {
+/** A chord's end, and the motion there. */
+interface End {
+  t: number;
+  shape: Float32Array;
+}
+
+const endAt = async (motion: Motion, t: number): Promise<End> => ({ t, shape: await motion.at(t) });
+
+/** A chord that is less than this share of another one's distance off, in its middle and at a quarter, is not more. */
+const SUSPICIOUS = 0.5;
+
+/**
+ * Where a chord is farthest off and by how much, if along it that is s (1 - s) times a parabola, as it is for a motion
+ * of fourth order: from the distances at a quarter, in the middle and at three quarters.
+ */
+export function peakOf(quarter: number, middle: number, last: number): { share: number; distance: number } {
+  const parabola = (distance: number, share: number): number => distance / (share * (1 - share));
+  const [low, centre, high] = [parabola(quarter, 0.25), parabola(middle, 0.5), parabola(last, 0.75)];
+  const [slope, bend] = [2 * (high - low), 8 * (low + high - 2 * centre)];
+  let peak = { share: 0.5, distance: middle };
+  for (let i = 1; i < 64; i += 1) {
+    const x = i / 64 - 0.5;
+    const distance = (0.25 - x * x) * (centre + slope * x + bend * x * x);
+    if (distance > peak.distance) peak = { share: i / 64, distance };
+  }
+  return peak;
+}
+
+/**
+ * How far a chord is off, where that is more than `least`; else it may be told as less. `enough`: farther off in the
+ * middle, the rest does not matter.
+ */
+async function chordError(
+  motion: Motion,
+  [start, end]: readonly [End, End],
+  least: number,
+  enough: number,
+): Promise<number> {
+  const off = async (share: number): Promise<number> =>
+    farthest(await motion.at(start.t + share * (end.t - start.t)), start.shape, end.shape, share);
+  const middle = await off(0.5);
+  if (middle > enough) return middle;
+  const quarter = await off(0.25);
+  if (Math.max(quarter, middle) < SUSPICIOUS * least) return Math.max(quarter, middle);
+  const last = await off(0.75);
+  const largest = Math.max(quarter, middle, last);
+  const peak = peakOf(quarter, middle, last);
+  return peak.distance > Math.max(least, largest) ? Math.max(largest, await off(peak.share)) : largest;
+}
+
+/** Of all chords; `enough`: more is told as more, but not as how much. */
+export async function largestError(motion: Motion, times: readonly number[], enough = Infinity): Promise<number> {
   let error = 0;
-  let before = await motion.at(times[0]!);
-  for (let i = 1; i < times.length; i += 1) {
-    const after = await motion.at(times[i]!);
-    error = Math.max(error, farthest(await motion.at((times[i - 1]! + times[i]!) / 2), before, after, 0.5));
-    before = after;
+  let start = await endAt(motion, times[0]!);
+  for (const t of times.slice(1)) {
+    const end = await endAt(motion, t);
+    error = Math.max(error, await chordError(motion, [start, end], error, enough));
+    start = end;
   }
   return error;
 }
 
 /** Chords up to here are all measured; of more, those that ought to be farthest off. */
-const MEASURED_CHORDS = 72;
+const MEASURED_CHORDS = 24;
 const SUSPECTS = 12;
 
 /** The value at a share of the stretch, on straight lines through those at its inner times. */

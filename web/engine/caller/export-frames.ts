@@ -27,6 +27,17 @@ export function shapeCount({ principal, times, stills }: PlannedFrames): number 
   return principal ? principal.shapes.length : times.length + stills.length;
 }
 
+interface Chosen {
+  frames: Frames;
+  /** The largest distance between the times, in the unit of the positions; null where nothing plays. */
+  error: number | null;
+}
+
+/** Principal targets that are given no tolerance get the least. */
+function toleranceOf(source: ExportSource, { tolerance }: ExportOptions): number {
+  return (Math.max(tolerance, LEAST_TOLERANCE) / 100) * source.keys.info.report.diagonal;
+}
+
 export async function planFrames(
   source: ExportSource,
   options: ExportOptions,
@@ -40,29 +51,40 @@ export async function planFrames(
       return frame.positions;
     },
   };
+  const choose = isThinned(options) ? fewFrames : givenFrames;
+  const { frames, error } = await choose(motion, source, options, call);
   const { diagonal } = source.keys.info.report;
-  if (!isThinned(options)) {
-    const frames = framesOf(options, source.keyTimes, source.range);
-    const plays = options.format === 'glb' && frames.times.length > 1;
-    const corners = [...new Set([frames.times[0]!, ...source.keyTimes, frames.times.at(-1)!])]
-      .filter((t) => t >= frames.times[0]! && t <= frames.times.at(-1)!)
-      .sort((a, b) => a - b);
-    const error = plays ? (await errorOf(motion, frames.times, corners)) / diagonal : null;
-    return { ...frames, principal: null, error };
-  }
-  const percent = Math.max(options.tolerance, LEAST_TOLERANCE);
-  const tolerance = (percent / 100) * diagonal;
-  const isPrincipal = options.targets === 'principal';
+  if (error === null || options.targets !== 'principal')
+    return { ...frames, principal: null, error: error === null ? null : error / diagonal };
+  const tolerance = toleranceOf(source, options);
+  const principal = await principalOf(source, frames.times, Math.max(tolerance - error, tolerance / 2), call);
+  return { ...frames, stills: [], principal, error: (error + principal.error) / diagonal };
+}
+
+async function givenFrames(motion: Motion, source: ExportSource, options: ExportOptions): Promise<Chosen> {
+  const frames = framesOf(options, source.keyTimes, source.range);
+  if (options.format !== 'glb' || frames.times.length === 1) return { frames, error: null };
+  const [first, last] = [frames.times[0]!, frames.times.at(-1)!];
+  const corners = [...new Set([first, ...source.keyTimes, last])]
+    .filter((t) => t >= first && t <= last)
+    .sort((a, b) => a - b);
+  return { frames, error: await errorOf(motion, frames.times, corners) };
+}
+
+async function fewFrames(
+  motion: Motion,
+  source: ExportSource,
+  options: ExportOptions,
+  call: CallOptions,
+): Promise<Chosen> {
+  const share = options.targets === 'principal' ? SHARE_OF_TIMES : 1;
   const { times, error } = await adaptiveTimes(motion, {
     ...choicesOf(options, source.keyTimes, source.range),
-    tolerance: isPrincipal ? SHARE_OF_TIMES * tolerance : tolerance,
+    tolerance: share * toleranceOf(source, options),
     most: MOST_TARGETS,
     onProgress: (fraction) => call.onProgress?.({ stage: 'choosing frames', fraction }),
   });
-  const frames = onTimeLine(times, source.keyTimes, options.duration);
-  if (!isPrincipal) return { ...frames, principal: null, error: error / diagonal };
-  const principal = await principalOf(source, times, Math.max(tolerance - error, tolerance / 2), call);
-  return { ...frames, stills: [], principal, error: (error + principal.error) / diagonal };
+  return { frames: onTimeLine(times, source.keyTimes, options.duration), error };
 }
 
 async function principalOf(

@@ -73,9 +73,10 @@ function wholeFrames([first, last]: readonly [number, number], fps: number, dura
   throw invalidOption('The range holds fewer than two whole frames. Use a longer one or more frames per second.');
 }
 
-/** Whether a GLB leaves out what the tolerance allows. */
+/** Whether a GLB leaves out what the tolerance allows: of principal targets, times of their weights. */
 export function isThinned({ format, pose, times, frames, tolerance, targets }: ExportOptions): boolean {
-  return format === 'glb' && pose === null && (targets === 'principal' || (tolerance > 0 && !times && frames === null));
+  const wanted = tolerance > 0 || targets === 'principal';
+  return format === 'glb' && pose === null && wanted && !times && frames === null;
 }
 
 /** What a thinned GLB may take its times from: times that it has to hold, and others. */

@@ -8,6 +8,7 @@ import type { Compression } from '../wire/protocol.ts';
 /** glTF's own attributes; numbers of vertices stay exact. */
 const QUANTIZED = /^(POSITION|NORMAL|TANGENT|TEXCOORD_\d+|COLOR_\d+)$/;
 const POSITION_BITS = 16;
+const NORMAL_BITS = 12;
 /** Steps of a normalised 16-bit number on either side of 0. */
 const STEPS = 32767;
 
@@ -20,7 +21,7 @@ export interface Compressed {
 }
 
 export async function compress(bytes: Uint8Array, { compression, diagonal, weight }: Compressed): Promise<Uint8Array> {
-  const [{ Logger, WebIO }, { ALL_EXTENSIONS }, { quantize }] = await Promise.all([
+  const [{ Logger, PropertyType, WebIO }, { ALL_EXTENSIONS }, { prune, quantize }] = await Promise.all([
     import('@gltf-transform/core'),
     import('@gltf-transform/extensions'),
     import('@gltf-transform/functions'),
@@ -30,16 +31,20 @@ export async function compress(bytes: Uint8Array, { compression, diagonal, weigh
     new Logger(Logger.Verbosity.SILENT),
   );
   if (compression === 'meshopt') await orderForMeshopt(document, io);
+  const attach = detachLongNormals(document);
   await document.transform(
     quantize({
       pattern: QUANTIZED,
-      patternTargets: normalsFit(document) ? /^(POSITION|NORMAL)$/ : /^POSITION$/,
+      patternTargets: /^(POSITION|NORMAL)$/,
       quantizePosition: POSITION_BITS,
-      quantizeNormal: 12,
+      quantizeNormal: NORMAL_BITS,
       quantizeTexcoord: 16,
       quantizeColor: 16,
+      cleanup: false,
     }),
   );
+  attach();
+  await document.transform(prune({ propertyTypes: [PropertyType.ACCESSOR], keepAttributes: true, keepIndices: true }));
   noteError(document, diagonal, weight);
   return io.writeBinary(document);
 }
@@ -57,17 +62,25 @@ async function orderForMeshopt(document: Document, io: { registerDependencies(wh
   document.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method });
 }
 
-/** Differences of normals are up to 2 long; normalised numbers end at 1. */
-function normalsFit(document: Document): boolean {
-  const targets = document
-    .getRoot()
-    .listMeshes()
-    .flatMap((mesh) => mesh.listPrimitives())
-    .flatMap((primitive) => primitive.listTargets());
-  return targets.every((target) => {
-    const normals = target.getAttribute('NORMAL')?.getArray() ?? [];
-    return (normals as Float32Array).every((value) => Math.abs(value) <= 1);
-  });
+/**
+ * Takes away the normals of those targets where some turn so far that the difference is longer than normalised numbers
+ * reach: they stay floats, of as many bits as the others. What is returned gives them back.
+ */
+function detachLongNormals(document: Document): () => void {
+  const steps = 2 ** (NORMAL_BITS - 1) - 1;
+  const long: (() => void)[] = [];
+  for (const mesh of document.getRoot().listMeshes())
+    for (const target of mesh.listPrimitives().flatMap((primitive) => primitive.listTargets())) {
+      const normals = target.getAttribute('NORMAL');
+      const values = (normals?.getArray() ?? []) as Float32Array;
+      if (values.every((value) => Math.abs(value) <= 1)) continue;
+      normals!.setArray(values.map((value) => Math.round(value * steps) / steps));
+      target.setAttribute('NORMAL', null);
+      long.push(() => target.setAttribute('NORMAL', normals));
+    }
+  return () => {
+    for (const attach of long) attach();
+  };
 }
 
 /** Half a step of the base and of every target that is added to it, along each axis. */

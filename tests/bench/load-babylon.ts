@@ -1,0 +1,35 @@
+/** A program of its own: loads a GLB with Babylon.js (NullEngine), and prints what that took. */
+import { readFileSync } from 'node:fs';
+import '@babylonjs/loaders/glTF/index.js';
+import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js';
+import { ImportMeshAsync } from '@babylonjs/core/Loading/sceneLoader.js';
+import { Logger } from '@babylonjs/core/Misc/logger.js';
+import { Scene } from '@babylonjs/core/scene.js';
+import { MeshoptDecoder } from 'meshoptimizer';
+
+export interface Loaded {
+  seconds: number;
+  /** Of the process, beyond what it had before. */
+  memoryMB: number;
+  targets: number;
+}
+
+// As in a worker, where Babylon.js imports the decoder from its own server.
+Object.assign(globalThis, {
+  importScripts: () => {},
+  MeshoptDecoder: { ...MeshoptDecoder, useWorkers: () => {} },
+});
+
+Logger.LogLevels = Logger.ErrorLogLevel;
+const scene = new Scene(new NullEngine());
+const before = process.memoryUsage().rss;
+const bytes = new Uint8Array(readFileSync(process.argv[2]!));
+const start = performance.now();
+const { meshes } = await ImportMeshAsync(bytes, scene, { pluginExtension: '.glb' });
+const loaded: Loaded = {
+  seconds: (performance.now() - start) / 1000,
+  memoryMB: process.resourceUsage().maxRSS / 1024 - before / 2 ** 20,
+  targets: Math.max(...meshes.map((mesh) => mesh.morphTargetManager?.numTargets ?? 0)),
+};
+process.stdout.write(`${JSON.stringify(loaded)}\n`);
+process.exit(0);
