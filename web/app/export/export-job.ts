@@ -6,6 +6,7 @@ import type { ExportedFile, ExportOptions, ExportPlan as EnginePlan, Progress } 
 import { bytesText } from '../../engine/api/bytes-text.ts';
 import type { ExportNumbers, ExportRequest, PictureSize, Playing, VideoFormat } from '../../model/export-request.ts';
 import {
+  MAX_FRAMES,
   canBounce,
   exportNumbers,
   gridTimes,
@@ -70,9 +71,17 @@ export function engineOptions(request: ExportRequest, time: number, playing: Pla
 
 /** Whole frames of the timeline, which are counted on the exported animation's where that has a duration. */
 function gridOf(numbers: ExportNumbers, duration: number | null): Partial<ExportOptions> {
-  const { range, frames, whole, rate, speed } = numbers;
+  const { range, frames, whole, rate, speed } = counted(numbers);
   if (!whole) return { frames, range: [...range] };
   return { fps: duration === null ? rate / speed : rate, range: [...range] };
+}
+
+/** Refuses more frames than anybody means; only whole frames of a long range can be so many. */
+function counted(numbers: ExportNumbers): ExportNumbers {
+  if (numbers.frames <= MAX_FRAMES) return numbers;
+  throw new Error(
+    `This would be ${grouped(numbers.frames)} frames; the maximum is ${grouped(MAX_FRAMES)}. Use a shorter range or fewer frames per second.`,
+  );
 }
 
 /** What would be made, in words. */
@@ -105,7 +114,8 @@ export async function describeExport(
   if (isVideoRequest(request)) return { text: await videoText(request, playing, window), warnings: [] };
   if (request.kind === 'picture') return { text: pictureText(request, window), warnings: [] };
   if (request.numbers === 'patches') return { text: 'A table', warnings: [] };
-  return { text: `A table of ${grouped(exportNumbers(request, playing, null).frames)} frames`, warnings: [] };
+  const { frames } = counted(exportNumbers(request, playing, null));
+  return { text: `A table of ${grouped(frames)} frames`, warnings: [] };
 }
 
 async function videoText(request: ExportRequest, playing: Playing, window: PictureSize): Promise<string> {
@@ -215,7 +225,7 @@ async function table(request: ExportRequest, job: ExportJob): Promise<void> {
     const text = patchesCsv(await job.sequence.patches(), job.doc, version);
     return download(new Blob([text], { type: 'text/csv' }), `${job.name}-patches.csv`);
   }
-  const numbers = exportNumbers(request, job.playing, null);
+  const numbers = counted(exportNumbers(request, job.playing, null));
   const report = (fraction: number): void => job.onProgress({ stage: 'measuring', fraction });
   const analysis = await job.analyseAt(gridTimes(numbers), report, job.signal);
   if (!analysis) throw new Error('There is nothing to tabulate yet. Open some shapes first.');

@@ -15,6 +15,7 @@ import {
   WebMOutputFormat,
 } from 'mediabunny';
 import type { EncodedPacket } from 'mediabunny';
+import { meantTimes } from './meant-times.ts';
 import { recordedType } from './recorded-types.ts';
 import { bitrateOf } from './video.ts';
 import type { VideoOptions } from './video.ts';
@@ -83,29 +84,4 @@ async function retimed(recorded: Blob, { format, frames, framesPerSecond }: Vide
     await source.add(packet.clone(times[index]), index === 0 ? { decoderConfig } : undefined);
   await output.finalize();
   return new Blob([target.buffer!], { type: `video/${format}` });
-}
-
-/**
- * The recorder may have left frames out, or taken some twice: then each keeps its place in the whole. Packets may come
- * in another order than they are shown.
- */
-export function meantTimes(
-  stamps: readonly number[],
-  frames: number,
-  framesPerSecond: number,
-): { timestamp: number; duration: number }[] {
-  const order = stamps.map((_, index) => index).sort((a, b) => stamps[a]! - stamps[b]!);
-  const seconds = frames / framesPerSecond;
-  const first = stamps[order[0]!] ?? 0;
-  const last = stamps[order.at(-1)!] ?? 0;
-  const mean = (last - first) / Math.max(stamps.length - 1, 1);
-  const scale = last > first ? seconds / (last - first + mean) : 1;
-  const all = stamps.length === frames;
-  const begins = order.map((index, place) => (all ? place / framesPerSecond : (stamps[index]! - first) * scale));
-  const times = stamps.map(() => ({ timestamp: 0, duration: 0 }));
-  order.forEach((index, place) => {
-    const timestamp = begins[place]!;
-    times[index] = { timestamp, duration: (begins[place + 1] ?? seconds) - timestamp };
-  });
-  return times;
 }

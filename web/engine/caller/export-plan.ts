@@ -98,8 +98,8 @@ function evenly([first, last]: readonly [number, number], count: number): number
 
 /** Of files with no keys among their frames: only an MDD says when its frames are. */
 function placesOf(asked: readonly number[], { format, duration }: ExportOptions): number[] {
-  const first = asked[0]!;
-  const length = asked.at(-1)! - first;
+  const first = asked.reduce((least, t) => Math.min(least, t));
+  const length = asked.reduce((most, t) => Math.max(most, t)) - first;
   if (format !== 'mdd' || !(length > 0)) return asked.map(() => 0);
   return asked.map((t) => ((t - first) / length) * (duration ?? length));
 }
