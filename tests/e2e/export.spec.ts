@@ -1,25 +1,7 @@
 /** What is taken along: it comes down, and what can come back does. */
-import { readFileSync } from 'node:fs';
-import type { Download, Page } from '@playwright/test';
-import { ALL_FORMATS, BufferSource, EncodedPacketSink, Input } from 'mediabunny';
-import { colourAt, decode } from './png.ts';
+import { exported, stated, type } from './exporting.ts';
 import { diagonal, difference, expect, test } from './support.ts';
 import { unzip } from '../unzip.ts';
-import type { App } from './support.ts';
-
-async function exported(
-  app: App,
-  choose: () => Promise<void>,
-): Promise<{ download: Download; bytes: Buffer; stated: string }> {
-  await app.by('export').click();
-  await choose();
-  await app.nextFrame();
-  await expect(app.by('export-size')).not.toHaveText('Estimating the size');
-  const stated = await app.by('export-size').innerText();
-  const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
-  const bytes = readFileSync(await download.path());
-  return { download, bytes, stated };
-}
 
 function statedBytes(text: string): number {
   const [, value, unit] = /about ([\d.]+) (B|kB|MB)/.exec(text)!;
@@ -78,9 +60,9 @@ test('frames come as OBJ files in a zip', async ({ app }) => {
 
 test('as few morph targets as the tolerance needs are exported, with the error that results', async ({ app }) => {
   await app.open();
-  const targetsIn = (stated: string): number => Number(/^(\d+) morph targets/.exec(stated)![1]);
+  const targetsIn = (stated: string): number => Number(/(\d+) morph targets/.exec(stated)![1]);
   const { bytes, stated } = await exported(app, async () => {});
-  expect(stated).toMatch(/^\d+ morph targets, off by at most 0\.0\d+ % of the diagonal between them, about /);
+  expect(stated).toMatch(/^4 s, \d+ morph targets, off by at most 0\.0\d+ % of the diagonal between them, about /);
   const length = bytes.readUInt32LE(12);
   const json = JSON.parse(bytes.subarray(20, 20 + length).toString());
   expect(json.meshes[0].primitives[0].targets).toHaveLength(targetsIn(stated));
@@ -168,164 +150,118 @@ test('the view is saved as a PNG', async ({ app }) => {
   expect(bytes.length).toBeGreaterThan(5000);
 });
 
-interface Tested {
-  page: Page;
-  bytes: Buffer;
-  times: readonly number[];
-}
-
-interface Played {
-  duration: number;
-  ended: boolean;
-  /** Where the frames that were shown begin, as the file says. */
-  stamps: number[];
-  frames: Buffer[];
-}
-
-/** Seeks a video in a page of its own from moment to moment, then plays it to its end. */
-async function played({ page, bytes, times }: Tested): Promise<Played> {
-  const other = await page.context().newPage();
-  const { frames, ...rest } = await other.evaluate(
-    async ([base64, moments]) => {
-      const video = document.createElement('video');
-      const happens = (name: string): Promise<unknown> =>
-        new Promise((resolve, reject) => {
-          video.addEventListener(name, resolve, { once: true });
-          video.addEventListener('error', () => reject(new Error(video.error?.message)), { once: true });
-        });
-      video.muted = true;
-      video.src = URL.createObjectURL(await (await fetch(`data:video/any;base64,${base64}`)).blob());
-      await happens('canplaythrough');
-      const canvas = Object.assign(document.createElement('canvas'), {
-        width: video.videoWidth,
-        height: video.videoHeight,
-      });
-      const frames: string[] = [];
-      // The event that a seek has ended may come before its frame.
-      const presented = (): Promise<number> =>
-        new Promise((resolve) => {
-          video.requestVideoFrameCallback((_, { mediaTime }) => resolve(mediaTime));
-        });
-      const stamps: number[] = [];
-      for (const moment of moments) {
-        const frame = presented();
-        video.currentTime = moment;
-        stamps.push(await frame);
-        canvas.getContext('2d')!.drawImage(video, 0, 0);
-        frames.push(canvas.toDataURL('image/png').split(',')[1]!);
-      }
-      const ended = happens('ended');
-      await video.play();
-      await ended;
-      return { duration: video.duration, ended: video.ended, stamps, frames };
-    },
-    [bytes.toString('base64'), times] as const,
-  );
-  await other.close();
-  return { ...rest, frames: frames.map((frame) => Buffer.from(frame, 'base64')) };
-}
-
-/** Mean difference of a video's frame to a picture of the same place, in levels of 255. */
-function meanDifference(frame: Buffer, picture: Buffer): number {
-  const [a, b] = [decode(frame), decode(picture)];
-  let sum = 0;
-  for (let y = 0; y < a.height; y += 1) {
-    for (let x = 0; x < a.width; x += 1) {
-      const other = colourAt(b, x, y);
-      sum += colourAt(a, x, y).reduce((most, level, i) => Math.max(most, Math.abs(level - other[i]!)), 0);
-    }
-  }
-  return sum / (a.width * a.height);
-}
-
-for (const [format, codec] of [
-  ['mp4', 'avc'],
-  ['webm', 'vp9'],
-] as const) {
-  test(`the playing shape is saved as ${format}: every frame at its time, as long as was asked`, async ({ app }) => {
-    // Odd, and small: software renders and encodes it.
-    await app.page.setViewportSize({ width: 801, height: 601 });
-    await app.open();
-    const { download, bytes, stated } = await exported(app, async () => {
-      await app.by('export-animation-video').check();
-      await app.by(`export-video-${format}`).check();
-      await app.by('export-duration').fill('0.5');
-      await app.by('export-duration').press('Enter');
-    });
-    expect(stated).toBe('15 frames, 0.5 s of video');
-    expect(download.suggestedFilename()).toBe(`cactus.${format}`);
-    await app.expectNoProblems();
-
-    const input = new Input({ source: new BufferSource(new Uint8Array(bytes)), formats: ALL_FORMATS });
-    const track = (await input.getPrimaryVideoTrack())!;
-    const size = (await app.page.locator('.picture canvas').boundingBox())!;
-    expect(await track.getCodec()).toBe(codec);
-    expect(await track.getDisplayWidth()).toBe(size.width - (size.width % 2));
-    expect(await track.getDisplayHeight()).toBe(size.height - (size.height % 2));
-    const stamps: number[] = [];
-    for await (const packet of new EncodedPacketSink(track).packets()) stamps.push(packet.timestamp);
-    expect(stamps).toHaveLength(15);
-    // WebM counts milliseconds.
-    const digits = format === 'webm' ? 2 : 6;
-    stamps.forEach((stamp, frame) => expect(stamp).toBeCloseTo(frame / 30, digits));
-    expect(await input.computeDuration()).toBeCloseTo(0.5, digits);
-
-    // The middles of four frames, two of them neighbours; the animation goes from 0 to 1.
-    const numbers = [14, 8, 7, 0];
-    const {
-      duration,
-      ended,
-      stamps: shown,
-      frames,
-    } = await played({
-      page: app.page,
-      bytes,
-      times: numbers.map((frame) => (frame + 0.5) / 30),
-    });
-    expect(duration).toBeCloseTo(0.5, digits);
-    expect(ended).toBe(true);
-    shown.forEach((stamp, index) => expect(stamp).toBeCloseTo(numbers[index]! / 30, digits));
-    const pictures: Buffer[] = [];
-    for (const frame of numbers) {
-      await app.setTime(frame / 15);
-      pictures.push(await app.picture());
-    }
-    for (const [index, frame] of frames.entries()) {
-      const differences = pictures.map((picture) => meanDifference(frame, picture));
-      expect(differences.indexOf(Math.min(...differences)), differences.join(' ')).toBe(index);
-    }
-  });
-}
-
-test('where a browser has no WebCodecs its recorder makes the video', async ({ app, page }) => {
-  await page.addInitScript(() => Reflect.deleteProperty(window, 'VideoEncoder'));
+test('numbers are saved as CSV at the frames that are exported, rounded, with version, options and units', async ({
+  app,
+}) => {
   await app.open();
-  const { download, bytes } = await exported(app, async () => {
-    await app.by('export-animation-video').check();
-    await app.by('export-duration').fill('0.5');
-    await app.by('export-duration').press('Enter');
+  const { bytes, stated: text } = await exported(app, async () => {
+    await app.by('export-kind-numbers').check();
+    await type(app, 'export-rate', '10');
   });
-  expect(download.suggestedFilename()).toBe('cactus.webm');
-  const input = new Input({ source: new BufferSource(new Uint8Array(bytes)), formats: ALL_FORMATS });
-  expect(await (await input.getPrimaryVideoTrack())!.getCodec()).toBe('vp9');
-});
-
-test('the plotted numbers are saved as CSV, with version and options', async ({ app }) => {
-  await app.open();
-  const { bytes } = await exported(app, () => app.by('export-kind-numbers').check());
+  expect(text).toBe('A table of 41 frames');
   const lines = bytes.toString().trim().split('\n');
   expect(lines[0]).toMatch(/^# shapespline \d+\.\d+\.\d+$/);
   expect(lines[2]).toContain('"boundary":"natural"');
+  expect(lines[3]).toMatch(/^# units: time s .* volume m\^3/);
   const header = lines.find((line) => line.startsWith('time,'))!.split(',');
-  expect(header).toContain('lri volume');
-  const rows = lines.slice(lines.indexOf(header.join(',')) + 1).map((line) => line.split(',').map(Number));
-  expect(rows.length).toBeGreaterThan(10);
+  expect(header.slice(0, 3)).toEqual(['time', 'seconds', 'lri volume']);
+  const cells = lines.slice(lines.indexOf(header.join(',')) + 1).map((line) => line.split(','));
+  const rows = cells.map((row) => row.map(Number));
+  expect(rows).toHaveLength(41);
   for (const row of rows) {
     expect(row.length).toBe(header.length);
     expect(row.every(Number.isFinite)).toBe(true);
   }
-  expect(rows[0]![0]).toBeCloseTo(-0.4, 9);
-  expect(rows.at(-1)![0]).toBeCloseTo(1.4, 9);
+  rows.forEach((row, frame) => {
+    expect(row[0]).toBeCloseTo(frame / 40, 9);
+    expect(row[1]).toBeCloseTo(frame / 10, 9);
+  });
+  for (const cell of cells.flat()) expect(cell.replace(/e.*|[-.]/g, '').replace(/^0+/, '').length).toBeLessThan(13);
+});
+
+test('what is exported takes the time that was watched, and opens again at the same speed', async ({ app }) => {
+  await app.open();
+  const text = await stated(app, () => app.by('export-targets-every').check());
+  // 121 frames at 30 a second fill 4 s; the keys are among them.
+  expect(text).toMatch(/^4 s, 121 frames, off by /);
+  await expect(app.by('export-frames')).toHaveValue('121');
+  await type(app, 'export-frames', '60');
+  await app.nextFrame();
+  await expect(app.by('export-size')).toHaveText(/^4\ss, 61 frames \(60, and 1 at keys between them\)/);
+  await expect(app.by('export-rate')).toHaveValue('14.75');
+  await app.by('export-close').click();
+
+  const { bytes } = await exported(app, () => app.by('export-targets-few').check());
+  const once = animationOf(bytes);
+  expect(once.times[0]).toBe(0);
+  expect(once.times.at(-1)).toBeCloseTo(4, 6);
+  await app.by('file-input').setInputFiles({ name: 'again.glb', mimeType: 'model/gltf-binary', buffer: bytes });
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  const { doc, play } = await app.state();
+  expect(doc.keys.map(({ time }) => time)).toEqual([0, 0.5, 1]);
+  expect(play.speed).toBe(0.25);
+  await app.expectNoProblems();
+});
+
+test('a GLB goes there and back with the same targets, and opens again as the same project', async ({ app }) => {
+  await app.open();
+  const oneWay = animationOf((await exported(app, async () => {})).bytes);
+  const { bytes, stated: text } = await exported(app, () => app.by('export-bounce').check());
+  expect(text).toMatch(/^8 s there and back, \d+ morph targets/);
+  const both = animationOf(bytes);
+  expect(both.targets).toBe(oneWay.targets);
+  expect(both.times).toHaveLength(2 * oneWay.times.length - 1);
+  expect(both.times.at(-1)).toBeCloseTo(8, 6);
+  both.times.forEach((time, index) => {
+    expect(time + both.times[both.times.length - 1 - index]!).toBeCloseTo(8, 5);
+    if (index > 0) expect(time).toBeGreaterThan(both.times[index - 1]!);
+  });
+  both.weights.forEach((row, index) => {
+    expect(row).toEqual(both.weights[both.weights.length - 1 - index]);
+    if (index < oneWay.weights.length) expect(row).toEqual(oneWay.weights[index]);
+  });
+  await app.by('file-input').setInputFiles({ name: 'again.glb', mimeType: 'model/gltf-binary', buffer: bytes });
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  expect((await app.state()).doc.keys.map(({ time }) => time)).toEqual([0, 0.5, 1]);
+  await app.expectNoProblems();
+});
+
+/** Times of the one animation of a GLB, and a row of weights for each. */
+function animationOf(glb: Buffer): { times: number[]; weights: number[][]; targets: number } {
+  const length = glb.readUInt32LE(12);
+  const json = JSON.parse(glb.subarray(20, 20 + length).toString());
+  const binary = glb.subarray(20 + length + 8);
+  const floats = (accessor: number): number[] => {
+    const { bufferView, byteOffset = 0, count } = json.accessors[accessor];
+    const start = (json.bufferViews[bufferView].byteOffset ?? 0) + byteOffset;
+    return Array.from({ length: count }, (_, i) => binary.readFloatLE(start + 4 * i));
+  };
+  const [{ input, output }] = json.animations[0].samplers;
+  const targets = json.meshes[0].primitives[0].targets.length;
+  const times = floats(input);
+  const all = floats(output);
+  return { times, targets, weights: times.map((_, row) => all.slice(row * targets, (row + 1) * targets)) };
+}
+
+test('poses without times get a second each, which the timeline says, and play in it', async ({ app }) => {
+  const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
+  const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
+  await app.open();
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.4), given('c.obj', 0.1)]);
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(3);
+  await app.settled();
+  const { doc, play } = await app.state();
+  expect(doc.keys.map(({ time }) => time)).toEqual([0, 1, 2]);
+  expect(play.speed).toBe(1);
+  await expect(app.page.locator('.ruler .mark', { hasText: /^2(\.0)? s$/ })).toBeVisible();
+  await expect(app.by('time-unit')).toHaveText('s');
+  await expect(app.by('timeline')).toHaveAttribute('aria-valuetext', /^0\.000 s, At key 1/);
+  const text = await stated(app, () => app.by('export-animation-video').check());
+  expect(text).toMatch(/^60 frames, 2 s, /);
+  await expect(app.by('export-duration')).toHaveValue('2');
+  await expect(app.by('export-pace')).toHaveText('as it plays here');
 });
 
 test('the patch of every face is saved as CSV', async ({ app }) => {
@@ -342,21 +278,6 @@ test('the patch of every face is saved as CSV', async ({ app }) => {
   const faces = Number((await app.by('status-faces').innerText()).replace(/\D/g, ''));
   expect(rows.length).toBe(faces);
   expect(new Set(rows.map((row) => row.split(',')[1])).size).toBe((await app.stats()).patches);
-});
-
-test('a long export is cancelled and leaves everything as it was', async ({ app }) => {
-  await app.open();
-  await app.by('export').click();
-  await app.by('export-animation-video').check();
-  await app.by('export-duration').fill('300');
-  await app.by('export-duration').press('Enter');
-  await app.by('export-go').click();
-  await expect(app.by('progress')).toBeVisible();
-  await app.by('cancel').click();
-  await expect(app.by('progress')).toBeHidden();
-  await app.settled();
-  expect((await app.state()).time).toBe(0);
-  await expect(app.by('error')).toBeHidden();
 });
 
 test('a link brings the whole view back', async ({ app, page }) => {

@@ -50,8 +50,8 @@ describe('inspect', () => {
     expect(JSON.parse(stdout)).toMatchObject({
       keys: [
         { name: 'pose-1', time: 0 },
-        { name: 'pose-2', time: 0.5 },
-        { name: 'pose-3', time: 1 },
+        { name: 'pose-2', time: 1 },
+        { name: 'pose-3', time: 2 },
       ],
       vertices: { raw: mesh.positions.length / 3, welded: mesh.positions.length / 3 },
       faces: mesh.indices.length / 3,
@@ -212,19 +212,19 @@ describe('complete', () => {
   });
 
   it("writes a folder of OBJ files in the input's own order, one for each asked time", async () => {
-    const { code } = await runCli(folder, 'complete', ...names, '--output', 'frames/', '--at', '-0.3,0.5,1.3');
+    const { code } = await runCli(folder, 'complete', ...names, '--output', 'frames/', '--at', '-0.3,1,2.3');
     expect(code).toBe(0);
     expect(await listed(path.join(folder, 'frames'))).toEqual(['0000.obj', '0001.obj', '0002.obj']);
     const { positions, faces } = await objOf('frames/0001.obj');
     expect(largestDistance(positions, poses[1]!)).toBeLessThan(1e-5 * diagonal(poses[1]!));
     expect(faces).toEqual([...mesh.indices]);
-    const again = await runCli(folder, 'complete', ...names, '--output=frames/', '--at=-0.3,0.5,1.3');
+    const again = await runCli(folder, 'complete', ...names, '--output=frames/', '--at=-0.3,1,2.3');
     expect(again.code).toBe(0);
     expect(await listed(path.join(folder, 'frames'))).toHaveLength(3);
   });
 
   it('writes one shape', async () => {
-    expect((await runCli(folder, 'complete', ...names, '--output', 'one.obj', '--at', '1')).code).toBe(0);
+    expect((await runCli(folder, 'complete', ...names, '--output', 'one.obj', '--at', '2')).code).toBe(0);
     expect(largestDistance((await objOf('one.obj')).positions, poses[2]!)).toBeLessThan(1e-5 * diagonal(poses[2]!));
   });
 
@@ -232,7 +232,8 @@ describe('complete', () => {
     const { code, stderr } = await runCli(folder, 'complete', ...names, '--output', 'walk.pc2', '--fps', '4');
     expect([code, stderr]).toEqual([0, '']);
     const cache = await readFile(path.join(folder, 'walk.pc2'));
-    expect(cache.readInt32LE(28)).toBe(5);
+    // Two seconds: one from pose to pose.
+    expect(cache.readInt32LE(28)).toBe(9);
     const { positions } = await objOf('walk.obj');
     expect(cache.readInt32LE(16)).toBe(positions.length / 3);
   });
@@ -339,7 +340,7 @@ describe('complete', () => {
     ).toBe(0);
     expect((await runCli(folder, 'complete', 'p.glb', '--output', 'p2.glb', '--report', 'p2.json')).code).toBe(0);
     expect(await json('p2.json')).toMatchObject({
-      options: { sequence: { boundary: 'periodic', period: 3, keyTimes: [0, 0.5, 1] } },
+      options: { sequence: { boundary: 'periodic', period: 3, keyTimes: [0, 1, 2] } },
       isProject: true,
     });
   });

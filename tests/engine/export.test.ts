@@ -156,6 +156,29 @@ describe('an animated GLB', () => {
     }
   });
 
+  it('goes there and back with the same shapes, and opens again as the same keys at the same speed', async () => {
+    const options = { frames: 5, duration: 4, bounce: true };
+    const bytes = await exported(bend.sequence, options);
+    await expectValid(bytes);
+    const player = await threePlayer(bytes);
+    expect(player.times).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8]);
+    for (const second of [0, 1, 2, 3, 4, 5.5, 7, 8]) {
+      const t = (second <= 4 ? second : 8 - second) / 4;
+      if (t % 0.25 !== 0) continue;
+      const computed = (await frameAt(bend.sequence, t)).positions;
+      expect(largestDistance(player.positionsAt(second), computed)).toBeLessThan(1e-4 * size());
+    }
+    const { info } = await engine.importKeyframes([{ name: 'a.glb', bytes }]);
+    expect([info.times, info.speed]).toEqual([[0, 0.5, 1], 0.25]);
+    const principal = await exported(bend.sequence, { ...options, frames: null, targets: 'principal' });
+    await expectValid(principal);
+    const rig = await threePlayer(principal);
+    expect(rig.duration).toBeCloseTo(8, 5);
+    expect(largestDistance(rig.positionsAt(6), (await frameAt(bend.sequence, 0.5)).positions)).toBeLessThan(
+      2e-3 * size(),
+    );
+  });
+
   it('opens as its animation where that is asked for', async () => {
     const bytes = await exported(bend.sequence, { frames: 5 });
     const { info } = await engine.importKeyframes([{ name: 'a.glb', bytes }], { sample: 3 });

@@ -103,6 +103,13 @@ describe('importing', () => {
     keys.positions(2).forEach((value, i) => expect(value).toBeCloseTo(curved[i]!, 5));
   });
 
+  it('gives what says nothing of time a second from one pose to the next', async () => {
+    const poses = await engine.importKeyframes([first, good[1]!, { ...first, name: 'pose-3.glb' }]);
+    expect(poses.info.times).toEqual([0, 1, 2]);
+    const targets = named('morph.glb', meshGlb(mesh, straight, [bent(mesh, 30), curved]));
+    expect((await engine.importKeyframes([targets])).info.times).toEqual([0, 1, 2]);
+  });
+
   it('reports named stages, never falling, and can be cancelled at any of them', async () => {
     const fine = bar(4, 40);
     const morph = named(

@@ -63,6 +63,7 @@ describe('preview', () => {
         mesh,
         [0, 420, 430].map((degrees) => bent(mesh, degrees)),
       ),
+      { keyTimes: [0, 0.5, 1] },
     );
     const sequence = await engine.createSequence(keys);
     for (const t of sequence.keyTimes) expect((await sequence.previewError(t)).largest).toBeLessThan(1e-5);

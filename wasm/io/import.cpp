@@ -73,9 +73,9 @@ void hintAtUpAxis(const PoseFile& pose, const MeshFile& mesh, const ImportOption
     warnings.push_back(zUpWarning(where, pose.writtenZUp));
 }
 
-void setEvenTimes(Keyframes& keyframes) {
-  const std::vector<double> times = evenTimes(keyframes.keyCount());
-  for (int j = 0; j < keyframes.keyCount(); ++j) keyframes.keys[j].time = times[j];
+// Poses say nothing of time: from one to the next it takes a second.
+void setTimesInSeconds(Keyframes& keyframes) {
+  for (int j = 0; j < keyframes.keyCount(); ++j) keyframes.keys[j].time = j;
 }
 
 Error atKey(Error error, int key) {
@@ -108,7 +108,7 @@ Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const 
       return atKey(added.error(), key);
   }
   std::move(hints.begin(), hints.end(), std::back_inserter(out.warnings));
-  setEvenTimes(out.keyframes);
+  setTimesInSeconds(out.keyframes);
   warnOfSamePoses(facts, out);
   // Where nothing moves, the keys can be taken from what the files hold besides.
   const bool still = std::any_of(out.warnings.begin(), out.warnings.end(),
@@ -153,7 +153,7 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, std::span<c
     for (int key = 0; key < out->keyframes.keyCount(); ++key)
       if (out->keyframes.keyCount() == static_cast<int>(meshes.size()))
         out->keyframes.keys[key].name = keyName(*meshes[key].file);
-    setEvenTimes(out->keyframes);
+    setTimesInSeconds(out->keyframes);
   }
   if (repeated > 0)
     out->warnings.push_back(

@@ -37,6 +37,12 @@ export function formatMoment(t: number, range: Range, fps: number | null): strin
   return fps === null ? formatTime(t, range) : String(Number(frameAt(t, fps).toFixed(2)) + 0);
 }
 
+/** The same with its unit. */
+export function momentWords(t: number, range: Range, fps: number | null): string {
+  const moment = formatMoment(t, range, fps);
+  return fps === null ? `${moment} s` : `frame ${moment}`;
+}
+
 /** The stretch that plays: the wanted one as far as the slider reaches, or the range of the keys. */
 export function playRange(between: Range | null, range: Range): Range {
   return loopRange(between, range) ?? range;

@@ -139,7 +139,11 @@ export function tangentKeys({ keys, motion, encoding }: Doc): { start: number | 
 
 /** Speed at which the range plays in about four seconds, among the offered ones. */
 export function comfortableSpeed(length: number): number {
-  const wanted = length / 4;
+  return offeredSpeed(length / 4);
+}
+
+/** The nearest of the speeds that are offered. */
+export function offeredSpeed(wanted: number): number {
   const distance = (speed: number): number => Math.abs(Math.log(speed / wanted));
   return SPEEDS.reduce((best, speed) => (distance(speed) < distance(best) ? speed : best));
 }

@@ -46,12 +46,12 @@ export function createClockMenu(events: ClockMenuEvents): {
   });
   const fpsHint = h('p', { class: 'hint' });
   const from = numberField({
-    label: 'Playback start',
+    label: 'Playback start, in seconds or frames',
     testId: 'loop-from',
     onInput: (value) => events.onLoopEnd('start', seconds(value)),
   });
   const to = numberField({
-    label: 'Playback end',
+    label: 'Playback end, in seconds or frames',
     testId: 'loop-to',
     onInput: (value) => events.onLoopEnd('end', seconds(value)),
   });

@@ -1,67 +1,27 @@
 /** What to take along: an animation, one pose, a picture, a video, or the numbers; the size is stated before. */
-import { EXPORT, USUAL_FRAMES } from '../engine/api/option-table.ts';
+import { EXPORT } from '../engine/api/option-table.ts';
+import type {
+  AnimationFormat,
+  Compression,
+  ExportKind,
+  ExportRequest,
+  NumbersFormat,
+  PictureFormat,
+  Playing,
+  PoseFormat,
+  Targets,
+  VideoFormat,
+} from '../model/export-request.ts';
+import { DEFAULT_REQUEST, isTurn, isVideoRequest } from '../model/export-request.ts';
 import { button, checkbox, numberField, segments } from './controls.ts';
 import { h, memo, setField, setHidden, setText } from './dom.ts';
-import { frameCount } from '../engine/api/whole-frames.ts';
-import type { Range } from '../model/time-scale.ts';
+import type { Change, FieldsProps } from './export-fields.ts';
+import { createPictureFields, createTimeFields, fieldRow } from './export-fields.ts';
 
-export type ExportKind = 'animation' | 'pose' | 'picture' | 'numbers';
-export type AnimationFormat = 'glb' | 'obj' | 'pc2' | 'mdd' | 'video';
-/** Of a GLB: as few as the tolerance allows, one for each frame, or the keys with in-betweens that are mixed. */
-export type Targets = 'few' | 'every' | 'principal';
-export type Compression = 'none' | 'quantized' | 'meshopt';
-export type PoseFormat = 'glb' | 'obj' | 'ply';
-export type PictureFormat = 'png' | 'turntable';
-export type VideoFormat = 'mp4' | 'webm';
-export type NumbersFormat = 'measures' | 'patches';
-
-/** What the dialog asks for; kept while the page is open, so that the next export starts from it. */
-export interface ExportRequest {
-  kind: ExportKind;
-  animation: AnimationFormat;
-  pose: PoseFormat;
-  picture: PictureFormat;
-  numbers: NumbersFormat;
-  /** null = the first that the browser can write. */
-  video: VideoFormat | null;
-  targets: Targets;
-  /** In percent of the diagonal. */
-  tolerance: number;
-  compression: Compression;
-  /** null = the whole frames of the timeline, or 60 where it has none. */
-  frames: number | null;
-  /** First and last time; null = what plays. */
-  range: [number, number] | null;
-  /** Seconds; null = the length of the range. */
-  duration: number | null;
-  inPlace: boolean;
-}
-
-export const MAX_FRAMES = 2000;
-
-export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
-  kind: 'animation',
-  animation: 'glb',
-  pose: 'glb',
-  picture: 'png',
-  numbers: 'measures',
-  video: null,
-  targets: 'few',
-  tolerance: EXPORT.tolerance.default,
-  compression: EXPORT.compression.default,
-  frames: null,
-  range: null,
-  duration: null,
-  inPlace: false,
-};
-
-export interface ExportDialogProps {
+export interface ExportDialogProps extends Playing {
   request: ExportRequest;
   /** What the export will be, in words and size; null while it is being worked out. */
   plan: { text: string; warnings: readonly string[] } | null;
-  /** What plays. */
-  range: readonly [number, number];
-  fps: number | null;
   /** What the browser can write; null while that is not known. */
   videoFormats: readonly VideoFormat[] | null;
 }
@@ -76,32 +36,20 @@ const WORDS: Record<string, string> = {
   obj: 'One OBJ per frame in a zip, with the vertices, polygons and materials of your files in their order.',
   pc2: 'One OBJ and a point cache that moves its vertices, in a zip: exact in Mesh Cache of Blender and in Houdini.',
   mdd: 'One OBJ and a point cache that moves its vertices, in a zip: for Blender, Cinema 4D, LightWave and Maya.',
-  video: 'A video of the current view, played once.',
+  video: 'A video of the current view: every frame is drawn in the size that you choose, however long that takes.',
   principal:
     'The keys as morph targets, and a few in-betweens that bend what those would shrink. With a table of the weights over one slider, and drivers for Blender.',
   'pose-glb': 'The current shape, with the materials of the files.',
   'pose-obj': 'The current shape.',
   'pose-ply': 'The current shape, binary.',
-  png: 'A picture of the current view, without background.',
+  png: 'A picture of the current view.',
   turntable: 'A video of the current shape, turning once.',
-  measures: 'A table of volume, area, bending energy and position in the shape plane over time.',
+  measures: 'A table of volume, area, bending energy and position in the shape plane, a row for each frame.',
   patches: 'A table of the patch that each face belongs to.',
 };
 
-export function createExportDialog(events: ExportDialogEvents): {
-  element: HTMLDialogElement;
-  open(): void;
-  close(): void;
-  update(props: ExportDialogProps): void;
-} {
-  let request: ExportRequest = DEFAULT_REQUEST;
-  let shown: ExportDialogProps | null = null;
-  const change = (part: Partial<ExportRequest>): void => {
-    request = { ...request, ...part };
-    events.onChange(request);
-  };
-  const bounds = (): [number, number] => [...(request.range ?? shown?.range ?? [0, 1])] as [number, number];
-
+/** The rows of choices between kinds and formats, and which of them are shown. */
+function createFormatFields(change: Change) {
   const kind = segments<ExportKind>(
     'What',
     'export-kind',
@@ -124,26 +72,6 @@ export function createExportDialog(events: ExportDialogEvents): {
       { value: 'video', label: 'Video' },
     ],
     (value) => change({ animation: value }),
-  );
-  const targets = segments<Targets>(
-    'Morph targets',
-    'export-targets',
-    [
-      { value: 'few', label: 'As few as needed' },
-      { value: 'every', label: 'Every frame' },
-      { value: 'principal', label: 'In-betweens' },
-    ],
-    (value) => change({ targets: value }),
-  );
-  const compression = segments<Compression>(
-    'Numbers',
-    'export-compression',
-    [
-      { value: 'none', label: 'Exact' },
-      { value: 'quantized', label: '16 bits' },
-      { value: 'meshopt', label: 'Meshopt' },
-    ],
-    (value) => change({ compression: value }),
   );
   const pose = segments<PoseFormat>(
     'Format',
@@ -179,18 +107,59 @@ export function createExportDialog(events: ExportDialogEvents): {
     [
       { value: 'mp4', label: 'MP4' },
       { value: 'webm', label: 'WebM' },
+      { value: 'gif', label: 'GIF' },
     ],
     (value) => change({ video: value }),
   );
+  return {
+    elements: [kind, animation, pose, picture, numbers, video].map(({ element }) => element),
+    update({ request, videoFormats }: ExportDialogProps): void {
+      const { kind: what } = request;
+      kind.update(what);
+      animation.update(request.animation);
+      pose.update(request.pose);
+      picture.update(request.picture);
+      numbers.update(request.numbers);
+      const formats = videoFormats ?? [];
+      const missing = (['mp4', 'webm'] as const).filter((format) => videoFormats && !formats.includes(format));
+      if (formats[0])
+        video.update(
+          request.video ?? formats[0],
+          Object.fromEntries(missing.map((format) => [format, `This browser cannot write ${NAMES[format]}.`])),
+        );
+      setHidden(animation.element, what !== 'animation');
+      setHidden(pose.element, what !== 'pose');
+      setHidden(picture.element, what !== 'picture');
+      setHidden(numbers.element, what !== 'numbers');
+      setHidden(video.element, !isVideoRequest(request) || formats.length === 0);
+    },
+  };
+}
 
-  const frames = numberField({
-    label: 'Frames',
-    testId: 'export-frames',
-    min: 2,
-    max: MAX_FRAMES,
-    step: 1,
-    onInput: (value) => change({ frames: Math.round(value) }),
-  });
+const NAMES = { mp4: 'MP4', webm: 'WebM' } as const;
+
+/** What a GLB is made of. */
+function createGlbFields(change: Change) {
+  const targets = segments<Targets>(
+    'Morph targets',
+    'export-targets',
+    [
+      { value: 'few', label: 'As few as needed' },
+      { value: 'every', label: 'Every frame' },
+      { value: 'principal', label: 'In-betweens' },
+    ],
+    (value) => change({ targets: value }),
+  );
+  const compression = segments<Compression>(
+    'Numbers',
+    'export-compression',
+    [
+      { value: 'none', label: 'Exact' },
+      { value: 'quantized', label: '16 bits' },
+      { value: 'meshopt', label: 'Meshopt' },
+    ],
+    (value) => change({ compression: value }),
+  );
   const tolerance = numberField({
     label: 'Tolerance in percent of the diagonal',
     testId: 'export-tolerance',
@@ -198,38 +167,40 @@ export function createExportDialog(events: ExportDialogEvents): {
     max: EXPORT.tolerance.most,
     onInput: (value) => change({ tolerance: value }),
   });
-  const from = numberField({
-    label: 'From',
-    testId: 'export-from',
-    onInput: (value) => {
-      const [, end] = bounds();
-      if (value < end) change({ range: [value, end] });
+  const toleranceRow = fieldRow('Off by at most, % of the diagonal', tolerance);
+  return {
+    before: [targets.element, toleranceRow],
+    after: [compression.element],
+    update({ request }: ExportDialogProps): void {
+      const glb = request.kind === 'animation' && request.animation === 'glb';
+      targets.update(request.targets);
+      compression.update(request.compression);
+      setField(tolerance, String(request.tolerance));
+      setHidden(targets.element, !glb);
+      setHidden(compression.element, !glb);
+      setHidden(toleranceRow, !glb || request.targets === 'every');
     },
-  });
-  const to = numberField({
-    label: 'To',
-    testId: 'export-to',
-    onInput: (value) => {
-      const [start] = bounds();
-      if (value > start) change({ range: [start, value] });
-    },
-  });
-  const duration = numberField({
-    label: 'Seconds',
-    testId: 'export-duration',
-    min: 0.01,
-    max: 3600,
-    onInput: (value) => change({ duration: value }),
-  });
+  };
+}
+
+export function createExportDialog(events: ExportDialogEvents): {
+  element: HTMLDialogElement;
+  open(): void;
+  close(): void;
+  update(props: ExportDialogProps): void;
+} {
+  let request: ExportRequest = DEFAULT_REQUEST;
+  const change: Change = (part) => {
+    request = { ...request, ...part };
+    events.onChange(request);
+  };
+  const formats = createFormatFields(change);
+  const glb = createGlbFields(change);
+  const time = createTimeFields(change);
+  const picture = createPictureFields(change);
   const inPlace = checkbox('In place (without the overall translation)', 'export-in-place', (on) =>
     change({ inPlace: on }),
   );
-  const row = (label: string, ...fields: Node[]): HTMLElement =>
-    h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
-  const framesRow = row('Frames', frames);
-  const toleranceRow = row('Off by at most, % of the diagonal', tolerance);
-  const rangeRow = row('From, to', from, to);
-  const durationRow = row('Seconds', duration);
   const about = h('p', { class: 'hint' });
   const plan = h('p', { class: 'plan', 'data-testid': 'export-size', role: 'status' });
   const warnings = h('ul', { class: 'warning-list' });
@@ -253,19 +224,12 @@ export function createExportDialog(events: ExportDialogEvents): {
       h('h2', {}, 'Export'),
       button({ label: 'Close', testId: 'export-close', icon: 'close', onClick: () => element.close() }),
     ),
-    kind.element,
-    animation.element,
-    pose.element,
-    picture.element,
-    numbers.element,
-    video.element,
+    ...formats.elements,
     about,
-    targets.element,
-    toleranceRow,
-    framesRow,
-    rangeRow,
-    durationRow,
-    compression.element,
+    ...glb.before,
+    ...time.elements,
+    ...picture.elements,
+    ...glb.after,
     inPlace.element,
     h('footer', {}, h('div', {}, plan, warnings), go),
   );
@@ -275,63 +239,24 @@ export function createExportDialog(events: ExportDialogEvents): {
 
   const draw = memo((props: ExportDialogProps) => {
     request = props.request;
-    shown = props;
-    const { kind: what } = request;
-    const isVideo = isVideoRequest(request);
-    const files = what === 'animation' && !isVideo;
-    kind.update(what);
-    const formats = props.videoFormats ?? [];
-    const noVideo = props.videoFormats?.length === 0 ? 'This browser cannot write videos.' : null;
-    animation.update(request.animation, noVideo ? { video: noVideo } : {});
-    pose.update(request.pose);
-    picture.update(request.picture, noVideo ? { turntable: noVideo } : {});
-    numbers.update(request.numbers);
-    if (formats[0]) video.update(request.video ?? formats[0]);
-    setHidden(animation.element, what !== 'animation');
-    setHidden(pose.element, what !== 'pose');
-    setHidden(picture.element, what !== 'picture');
-    setHidden(numbers.element, what !== 'numbers');
-    setHidden(video.element, !isVideo || formats.length < 2);
-    const glb = files && request.animation === 'glb';
-    targets.update(request.targets);
-    compression.update(request.compression);
-    setHidden(targets.element, !glb);
-    setHidden(compression.element, !glb);
-    setHidden(toleranceRow, !glb || request.targets === 'every');
-    setHidden(framesRow, !files || (glb && request.targets !== 'every'));
-    setHidden(rangeRow, what !== 'animation');
-    setHidden(
-      durationRow,
-      !(what === 'animation' && request.animation !== 'obj' && request.animation !== 'pc2') &&
-        !(what === 'picture' && request.picture === 'turntable'),
-    );
-    setHidden(inPlace.element, !files);
+    const video = isVideoRequest(request) ? (request.video ?? props.videoFormats?.[0] ?? null) : null;
+    const fields: FieldsProps = { ...props, video };
+    formats.update(props);
+    glb.update(props);
+    time.update(fields);
+    picture.update(fields);
+    setHidden(inPlace.element, request.kind !== 'animation' || request.animation === 'video');
     inPlace.update(request.inPlace);
-    setField(tolerance, String(request.tolerance));
     setText(about, WORDS[wordsFor(request)] ?? '');
-    const [start, end] = bounds();
-    setField(frames, String(framesWanted(request, [start, end], props.fps)));
-    setField(from, String(Number(start.toFixed(4))));
-    setField(to, String(Number(end.toFixed(4))));
-    setField(duration, String(Number((request.duration ?? end - start).toFixed(3))));
     setText(plan, props.plan ? props.plan.text : 'Estimating the size');
     warnings.replaceChildren(...(props.plan?.warnings ?? []).map((warning) => h('li', {}, warning)));
   });
   return { element, open: () => element.showModal(), close: () => element.close(), update: draw };
 }
 
-/** An animation or a turn, as a video. */
-export function isVideoRequest({ kind, animation, picture }: ExportRequest): boolean {
-  return (kind === 'animation' && animation === 'video') || (kind === 'picture' && picture === 'turntable');
-}
-
-/** How many frames an animation gets. */
-export function framesWanted({ frames }: ExportRequest, range: Range, fps: number | null): number {
-  if (frames !== null) return frames;
-  return fps === null ? USUAL_FRAMES : Math.max(frameCount(range, fps), 2);
-}
-
-function wordsFor({ kind, animation, pose, picture, numbers, targets }: ExportRequest): string {
+function wordsFor(request: ExportRequest): string {
+  const { kind, animation, pose, picture, numbers, targets } = request;
+  if (isTurn(request)) return 'turntable';
   if (kind === 'animation' && animation === 'glb' && targets === 'principal') return 'principal';
   return { animation, pose: `pose-${pose}`, picture, numbers }[kind];
 }

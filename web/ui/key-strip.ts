@@ -187,7 +187,7 @@ function createCard(
       setAttribute(
         go,
         'aria-label',
-        `Key ${at + 1}, ${item.name}, at ${formatTime(item.time, range)}${item.isReference ? ', reference' : ''}`,
+        `Key ${at + 1}, ${item.name}, at ${formatTime(item.time, range)} s${item.isReference ? ', reference' : ''}`,
       );
       setAttribute(go, 'title', `Go to ${item.name}; drag to reorder the keys`);
       setAttribute(go, 'data-testid', `key-${at}-go`);
@@ -200,7 +200,7 @@ function createCard(
       setText(name, short);
       // Keys of an animation are named by their time already.
       const named = Math.abs(parseFloat(item.name) - item.time) <= 1e-3 * length(range) && item.name.endsWith(' s');
-      setText(when, named ? '' : String(Number(formatTime(item.time, range))));
+      setText(when, named ? '' : `${Number(formatTime(item.time, range))} s`);
       go.disabled = disabled;
       edit.disabled = disabled;
     },

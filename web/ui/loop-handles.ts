@@ -2,7 +2,7 @@
 import { h, setAttribute, setHidden, setStyle } from './dom.ts';
 import type { Range } from '../model/time-scale.ts';
 import { length } from '../model/time-scale.ts';
-import { formatMoment, playRange, steppedFrameTime, withEnd } from '../model/frames.ts';
+import { momentWords, playRange, steppedFrameTime, withEnd } from '../model/frames.ts';
 import { fractionIn, timeIn } from '../model/time-window.ts';
 import { drag } from './pointer.ts';
 
@@ -101,7 +101,7 @@ export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents)
         setAttribute(handle, 'aria-valuemin', between ? Number(window[0].toFixed(6)) : null);
         setAttribute(handle, 'aria-valuemax', between ? Number(window[1].toFixed(6)) : null);
         setAttribute(handle, 'aria-valuenow', between ? Number(t.toFixed(6)) : null);
-        setAttribute(handle, 'aria-valuetext', between ? formatMoment(t, range, fps) : null);
+        setAttribute(handle, 'aria-valuetext', between ? momentWords(t, range, fps) : null);
       });
     },
   };

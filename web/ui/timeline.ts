@@ -1,14 +1,14 @@
 /**
  * The time slider, the widest control of the page: a solid key range, hatched margins where the motion is extrapolated,
  * key ticks that the playhead snaps to and that can be dragged to other times, and two handles for what plays. It can
- * be zoomed into, about the pointer; then it has a ruler. Under it are handles for the speeds at its ends, where the
- * boundary has them.
+ * be zoomed into, about the pointer. A ruler counts seconds, or whole frames. Under it are handles for the speeds at
+ * its ends, where the boundary has them.
  */
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import type { End } from '../model/speeds.ts';
 import type { Phase, Range, TimeScale } from '../model/time-scale.ts';
 import { clamp, clampKeyTime, clampTime, length, snap } from '../model/time-scale.ts';
-import { formatMoment, loopRange, nearestFrameTime, steppedFrameTime } from '../model/frames.ts';
+import { loopRange, momentWords, nearestFrameTime, steppedFrameTime } from '../model/frames.ts';
 import { fractionIn, panned, revealing, ruler, timeIn, windowOf, zoomed } from '../model/time-window.ts';
 import { createLoopHandles } from './loop-handles.ts';
 import { createOverview } from './overview.ts';
@@ -180,7 +180,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
         setAttribute(
           tick,
           'title',
-          `Key ${index + 1}, ${key.name}, at ${formatMoment(key.time, range, fps)}: click to go there, drag to move it in time`,
+          `Key ${index + 1}, ${key.name}, at ${momentWords(key.time, range, fps)}: click to go there, drag to move it in time`,
         );
         setAttribute(tick, 'data-time', key.time);
         const x = fractionIn(key.time, part) * width;
@@ -232,29 +232,27 @@ export function createTimeline(events: TimelineEvents): Timeline {
     },
   );
 
-  const drawRuler = memo(
-    ({ zoomed, part, fps, width }: Pick<TimelineProps, 'fps'> & Part & { zoomed: boolean; width: number }) => {
-      const needed = width > 0 && (zoomed || fps !== null);
-      const unit = fps ?? 1;
-      const numbers = needed
+  const drawRuler = memo(({ part, fps, width }: Pick<TimelineProps, 'fps'> & Part & { width: number }) => {
+    const unit = fps ?? 1;
+    const numbers =
+      width > 0
         ? ruler([part[0] * unit, part[1] * unit], width / RULER_PX).filter((n) => fps === null || Number.isInteger(n))
         : [];
-      const decimals = Math.max(Math.ceil(-Math.log10((numbers[1] ?? 1) - (numbers[0] ?? 0)) - 1e-9), 0);
-      marks.replaceChildren(
-        ...numbers.map((n) => {
-          const mark = h('span', { class: 'mark' }, (n + 0).toFixed(decimals));
-          place(mark, n / unit, part);
-          return mark;
-        }),
-      );
-    },
-  );
+    const decimals = Math.max(Math.ceil(-Math.log10((numbers[1] ?? 1) - (numbers[0] ?? 0)) - 1e-9), 0);
+    marks.replaceChildren(
+      ...numbers.map((n) => {
+        const mark = h('span', { class: 'mark' }, `${(n + 0).toFixed(decimals)}${fps === null ? ' s' : ''}`);
+        place(mark, n / unit, part);
+        return mark;
+      }),
+    );
+  });
 
   let width = 0;
   new ResizeObserver(() => {
     width = track.clientWidth;
     if (!props) return;
-    drawRuler({ zoomed: props.window !== null, part: shown(), fps: props.fps, width });
+    drawRuler({ part: shown(), fps: props.fps, width });
     drawTicks({ ...props, part: shown(), width });
   }).observe(track);
 
@@ -277,18 +275,14 @@ export function createTimeline(events: TimelineEvents): Timeline {
       const part = windowOf(window, next);
       drawRange({ range, whole, part, between, periodic, disabled });
       drawTicks({ keys, range, part, fps, width });
-      drawRuler({ zoomed: window !== null, part, fps, width });
+      drawRuler({ part, fps, width });
       handles.update({ range, window: part, between: loopRange(between, range), fps, disabled });
       speedHandles.update({ speeds, range, window: part });
       if (disabled) setHidden(playhead, true);
       else place(playhead, clampTime(next.time, range), part);
       setAttribute(slider, 'data-phase', phase.kind);
       setAttribute(slider, 'aria-valuenow', round(next.time));
-      setAttribute(
-        slider,
-        'aria-valuetext',
-        `${fps === null ? '' : 'frame '}${formatMoment(next.time, range, fps)}, ${phase.text}`,
-      );
+      setAttribute(slider, 'aria-valuetext', `${momentWords(next.time, range, fps)}, ${phase.text}`);
       follow(last, next);
     },
   };

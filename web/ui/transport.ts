@@ -2,11 +2,11 @@
 import type { LoopMode, Play } from '../model/state.ts';
 import { SPEEDS } from '../model/state.ts';
 import { button, numberField, select, tooltip } from './controls.ts';
-import { h, memo, setAttribute, setField } from './dom.ts';
+import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import type { IconName } from './icons.ts';
 import { setIcon } from './icons.ts';
 import type { Range } from '../model/time-scale.ts';
-import { formatMoment } from '../model/frames.ts';
+import { formatMoment, momentWords } from '../model/frames.ts';
 
 export interface TransportProps {
   play: Play;
@@ -64,17 +64,18 @@ export function createTransport(
   speed.element.classList.add('compact');
   let fps: number | null = null;
   const time = numberField({
-    label: 'Time; type a number to go there',
+    label: 'Time in seconds; type a number to go there',
     testId: 'time',
     onInput: (value) => events.onSeek(fps === null ? value : value / fps),
   });
   time.classList.add('time');
+  const unit = h('span', { class: 'unit', 'data-testid': 'time-unit' });
   const element = h(
     'section',
     { class: 'transport', 'aria-label': 'Time' },
     h('div', { class: 'transport-buttons' }, play, loopButton, speed.element),
     timeline,
-    h('div', { class: 'transport-time' }, time, clockMenu),
+    h('div', { class: 'transport-time' }, time, unit, clockMenu),
   );
 
   const drawButtons = memo(
@@ -104,14 +105,15 @@ export function createTransport(
       setAttribute(
         time,
         'aria-label',
-        fps === null ? 'Time; type a number to go there' : 'Frame; type a number to go there',
+        fps === null ? 'Time in seconds; type a number to go there' : 'Frame; type a number to go there',
       );
+      setText(unit, fps === null ? 's' : 'f');
       setAttribute(
         time,
         'title',
         fps === null
-          ? 'Time; type a number to go there'
-          : `Frame, at time ${formatMoment(props.time, props.range, null)}; type a number to go there`,
+          ? 'Time in seconds; type a number to go there'
+          : `Frame, at ${momentWords(props.time, props.range, null)}; type a number to go there`,
       );
       setAttribute(time, 'step', fps === null ? stepFor(props.range) : 1);
     },

@@ -91,8 +91,9 @@ export class CameraRig {
     this.moveTo(this.camera.position.clone().add(shift));
   }
 
-  /** Sets what depends on the size of the view and the distance; call before drawing. */
-  prepare(aspect: number): void {
+  /** Sets what depends on the size of the view and the distance; call before drawing. `zoom` below 1 shows more. */
+  prepare(aspect: number, zoom = 1): void {
+    this.camera.zoom = zoom;
     setLens(this.camera, this.target, this.extent.radius, aspect, this.insets);
   }
 

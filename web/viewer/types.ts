@@ -40,3 +40,8 @@ export interface Rect {
   width: number;
   height: number;
 }
+
+export interface PixelSize {
+  width: number;
+  height: number;
+}

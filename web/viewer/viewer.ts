@@ -5,12 +5,13 @@ import type { KeysInfo } from '../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../model/camera.ts';
 import { CameraRig } from './camera.ts';
 import { Contents } from './contents.ts';
+import { NO_INSETS } from './fit.ts';
 import type { Insets } from './fit.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { tiles } from './tiles.ts';
-import type { Extra, GhostPicture, Look, Rect } from './types.ts';
+import type { Extra, GhostPicture, Look, PixelSize, Rect } from './types.ts';
 
 export interface ViewerEvents {
   /** The user, or a standard view, has moved the camera. */
@@ -36,6 +37,8 @@ export class Viewer {
   private readonly rig: CameraRig;
   private readonly contents = new Contents(() => this.invalidate());
   private readonly thumbnails: Thumbnails;
+  /** Pixels of pictures that are taken instead of what fits the page. */
+  private pictureSize: PixelSize | null = null;
   private pending = 0;
   private waiting: (() => void)[] = [];
   private readonly resize: ResizeObserver;
@@ -53,6 +56,7 @@ export class Viewer {
     this.renderer.autoClear = false;
     this.thumbnails = new Thumbnails(this.renderer);
     this.canvas = this.renderer.domElement;
+    this.canvas.style.objectFit = 'contain';
     host.append(this.canvas);
     this.scene.add(this.stage.object, this.contents.object);
     this.rig = new CameraRig(
@@ -137,10 +141,17 @@ export class Viewer {
     this.invalidate();
   }
 
-  /** A colour behind the shape, for videos, which have no transparency; null lets the page through. */
-  setBackdrop(colour: string | null): void {
-    this.renderer.setClearColor(colour ?? '#000000', colour === null ? 0 : 1);
-    this.invalidate();
+  /**
+   * From here on everything is drawn in so many pixels, with what the views show on the page in their middle and
+   * nothing over it; null goes back to what fits the page. Throws where the graphics card has not so many.
+   */
+  setPictureSize(size: PixelSize | null): void {
+    this.pictureSize = size;
+    this.fitCanvas();
+    const context = this.renderer.getContext();
+    if (!size || (context.drawingBufferWidth === size.width && context.drawingBufferHeight === size.height)) return;
+    this.setPictureSize(null);
+    throw new Error('The graphics card cannot draw a picture of this size. Choose a smaller one.');
   }
 
   fit(view: ViewName | null, eased: boolean): void {
@@ -210,13 +221,18 @@ export class Viewer {
     return false;
   }
 
-  /** The parts of the canvas that the views take, in CSS pixels. */
+  /** The parts of the page's picture that the views take, in CSS pixels. */
   rects(): Rect[] {
-    return tiles(
-      Math.max(this.contents.views, 1),
-      Math.max(this.host.clientWidth, 1),
-      Math.max(this.host.clientHeight, 1),
-    );
+    return this.tiles({ width: this.host.clientWidth, height: this.host.clientHeight });
+  }
+
+  /** The parts of the canvas that they take, in its pixels. */
+  drawnRects(): Rect[] {
+    return this.tiles(this.canvas);
+  }
+
+  private tiles({ width, height }: PixelSize): Rect[] {
+    return tiles(Math.max(this.contents.views, 1), Math.max(width, 1), Math.max(height, 1));
   }
 
   invalidate(): void {
@@ -278,10 +294,15 @@ export class Viewer {
 
   private fitCanvas(): void {
     const { clientWidth, clientHeight } = this.host;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer.setSize(clientWidth, clientHeight);
-    this.rig.setInsets(this.insets());
+    if (this.pictureSize) {
+      this.renderer.setPixelRatio(1);
+      this.renderer.setSize(this.pictureSize.width, this.pictureSize.height, false);
+    } else {
+      if (clientWidth === 0 || clientHeight === 0) return;
+      this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+      this.renderer.setSize(clientWidth, clientHeight);
+    }
+    this.rig.setInsets(this.pictureSize ? NO_INSETS : this.insets());
     this.draw();
   }
 
@@ -290,19 +311,22 @@ export class Viewer {
     this.pending = 0;
     this.contents.ease(performance.now());
     if (this.contents.easing) this.invalidate();
-    this.rects().forEach((rect, view) => this.renderOne(rect, this.contents.layersOf(view)));
+    const size = this.pictureSize ?? { width: this.host.clientWidth, height: this.host.clientHeight };
+    this.tiles(size).forEach((rect, view) => this.renderOne(rect, size.height, this.contents.layersOf(view)));
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();
   }
 
-  private renderOne(rect: Rect, layers: Layers): void {
-    const bottom = this.host.clientHeight - rect.y - rect.height;
+  private renderOne(rect: Rect, height: number, layers: Layers): void {
+    const bottom = height - rect.y - rect.height;
     this.renderer.setViewport(rect.x, bottom, rect.width, rect.height);
     this.renderer.setScissor(rect.x, bottom, rect.width, rect.height);
     this.renderer.setScissorTest(true);
     this.renderer.clear();
-    this.rig.prepare(rect.width / rect.height);
+    const aspect = rect.width / rect.height;
+    // A narrower view than on the page is seen from as much farther off as keeps its sides in it.
+    this.rig.prepare(aspect, this.pictureSize ? Math.min(aspect / this.aspect(), 1) : 1);
     this.stage.follow(this.rig.camera, this.rig.target);
     this.rig.camera.layers.mask = layers.mask;
     this.renderer.render(this.scene, this.rig.camera);

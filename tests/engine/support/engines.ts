@@ -28,7 +28,7 @@ export interface Bend {
 /** A bar bent by 0, 60 and 120 degrees: keys at 0, 0.5 and 1. */
 export async function bendKeys(engine: Engine, mesh = bar()): Promise<Bend> {
   const poses = [0, 60, 120].map((degrees) => bent(mesh, degrees));
-  return { mesh, poses, keys: await engine.importKeyframes(poseFiles(mesh, poses)) };
+  return { mesh, poses, keys: await engine.importKeyframes(poseFiles(mesh, poses), { keyTimes: [0, 0.5, 1] }) };
 }
 
 export async function bendSequence(

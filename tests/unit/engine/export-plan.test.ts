@@ -33,6 +33,12 @@ describe('the times of an export', () => {
     });
   });
 
+  it('are told by an MDD, which has no keys among its frames', () => {
+    expect(plan({ frames: 3, format: 'mdd' }).seconds).toEqual([0, 0.5, 1]);
+    expect(plan({ frames: 3, format: 'mdd', duration: 4, range: [1, 2] }).seconds).toEqual([0, 2, 4]);
+    expect(plan({ frames: 3, format: 'pc2' }).seconds).toEqual([0, 0, 0]);
+  });
+
   it('that are asked for one by one are sorted for a GLB and left as they are for OBJ files', () => {
     expect(plan({ times: [1.3, -0.3] }).times).toEqual([-0.3, 0, 0.4, 1, 1.3]);
     expect(plan({ times: [1.3, -0.3], format: 'obj' }).times).toEqual([1.3, -0.3]);

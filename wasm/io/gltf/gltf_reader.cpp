@@ -133,10 +133,10 @@ struct KeyReader {
   Status takeMorphTargets() {
     const int targets = morphTargets();
     if (Status size = checkSize(targets + 1); !size) return size;
-    const auto times = evenTimes(targets + 1);
+    // A second from one to the next, as of poses that are files of their own.
+    const auto keys = static_cast<std::size_t>(targets) + 1;
     for (int t = -1; t < targets; ++t)
-      if (Status key = addKey(t < 0 ? "base" : targetName(t), times[t + 1], morphState(t), times.size(), nullptr); !key)
-        return key;
+      if (Status key = addKey(t < 0 ? "base" : targetName(t), t + 1, morphState(t), keys, nullptr); !key) return key;
     return {};
   }
 

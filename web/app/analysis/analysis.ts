@@ -53,6 +53,40 @@ export async function analyse({ sequences, keyTimes, range, ms }: AnalysisInput)
   return { times, keyTimes, range, motions };
 }
 
+/** Times that are measured at once; between two of these it can be stopped. */
+const AT_ONCE = 16;
+
+/** The same at these times, however many they are. Rejects when `signal` says so. */
+export async function analyseAt(
+  { sequences, keyTimes, range }: AnalysisInput,
+  times: readonly number[],
+  report: (fraction: number) => void,
+  signal: AbortSignal,
+): Promise<Analysis> {
+  const motions: MotionAnalysis[] = [];
+  for (const [index, running] of sequences.entries()) {
+    const parts: MotionAnalysis[] = [];
+    for (let from = 0; from < times.length; from += AT_ONCE) {
+      signal.throwIfAborted();
+      parts.push(await analyseMotion(running, times.slice(from, from + AT_ONCE)));
+      report((index + Math.min((from + AT_ONCE) / times.length, 1)) / sequences.length);
+    }
+    motions.push(joined(running.method, parts));
+  }
+  return { times: [...times], keyTimes, range, motions };
+}
+
+function joined(method: Method, parts: readonly MotionAnalysis[]): MotionAnalysis {
+  const all = (of: (part: MotionAnalysis) => number[] | null): number[] => parts.flatMap((part) => of(part) ?? []);
+  return {
+    method,
+    volume: all(({ volume }) => volume),
+    area: all(({ area }) => area),
+    bending: parts[0]?.bending ? all(({ bending }) => bending) : null,
+    plane: parts[0]?.plane ? all(({ plane }) => plane) : null,
+  };
+}
+
 async function analyseMotion({ method, sequence }: RunningSequence, times: number[]): Promise<MotionAnalysis> {
   const { volume, area } = await sequence.measures(times);
   const plane = isInLri(method) ? (await sequence.shapePlane(times)).curve : null;

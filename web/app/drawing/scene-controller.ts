@@ -9,7 +9,7 @@ import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { phaseOf } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { TileLabel } from '../../ui/view-bar.ts';
-import type { Extra, Rect } from '../../viewer/types.ts';
+import type { Extra, Look, Rect } from '../../viewer/types.ts';
 import { Viewer } from '../../viewer/viewer.ts';
 import type { ViewerEvents } from '../../viewer/viewer.ts';
 import { PHASE_COLOURS, filmStrip, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
@@ -47,6 +47,8 @@ export class SceneController {
   difference: Difference | null = null;
   /** Shown beside the motions, or null. */
   private original: Original | null = null;
+  private look: Look | null = null;
+  private floorless = false;
   private info: KeysInfo | null = null;
   private pool: PosePool | null = null;
   private base: Measure | null = null;
@@ -159,13 +161,19 @@ export class SceneController {
   }
 
   setLook(view: View, dark: boolean): void {
-    this.viewer.setLook({
-      colouring: view.colouring,
-      shading: view.shading,
-      wireframe: view.wireframe,
-      floor: view.floor,
-      dark,
-    });
+    const { colouring, shading, wireframe, floor } = view;
+    this.look = { colouring, shading, wireframe, floor, dark };
+    this.applyLook();
+  }
+
+  /** For pictures of the shape alone. */
+  setFloorless(floorless: boolean): void {
+    this.floorless = floorless;
+    this.applyLook();
+  }
+
+  private applyLook(): void {
+    if (this.look) this.viewer.setLook({ ...this.look, floor: this.look.floor && !this.floorless });
   }
 
   get outOfView(): boolean {
@@ -174,19 +182,6 @@ export class SceneController {
 
   thumbnail(frame: Frame): string {
     return this.viewer.thumbnail(frame.positions, frame.normals, THUMBNAIL.width, THUMBNAIL.height, PHASE_COLOURS.key);
-  }
-
-  /** A PNG of the view, without background. */
-  async png(): Promise<Blob> {
-    await this.viewer.drawn();
-    return new Promise((resolve, reject) => {
-      this.viewer.snapshot((canvas) =>
-        canvas.toBlob((blob) => {
-          if (blob) resolve(blob);
-          else reject(new Error('The browser could not make a picture of this size. Make the window smaller.'));
-        }, 'image/png'),
-      );
-    });
   }
 
   /** Other tiles have another shape: the view is fitted again from where it stands. */

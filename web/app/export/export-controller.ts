@@ -3,17 +3,18 @@ import { isCancelled } from '../../engine/api/errors.ts';
 import { modelName } from '../../engine/api/paths.ts';
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Progress } from '../../engine/api/types.ts';
+import { DEFAULT_REQUEST } from '../../model/export-request.ts';
+import type { ExportRequest, Playing, VideoFormat } from '../../model/export-request.ts';
 import { playRange } from '../../model/frames.ts';
 import type { AppState } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
-import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
-import type { ExportRequest, VideoFormat } from '../../ui/export-dialog.ts';
+import { analyseAt } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
 import type { Store } from '../session/store.ts';
 import { describeExport, runExport } from './export-job.ts';
-import type { ExportPlan, Stretch } from './export-job.ts';
+import type { ExportPlan } from './export-job.ts';
 import { videoFormats } from './write-video.ts';
 
 export interface ExportParts {
@@ -60,9 +61,9 @@ export function createExportController(parts: ExportParts): ExportController {
   let planning: AbortController | null = null;
   let formats: Promise<VideoFormat[]> | null = null;
 
-  const stretch = (): Stretch => {
-    const { between, fps } = store.get().play;
-    return { range: playRange(between, parts.range()), fps };
+  const playing = (): Playing => {
+    const { between, fps, speed } = store.get().play;
+    return { range: playRange(between, parts.range()), fps, speed };
   };
 
   const show = async (t: number): Promise<void> => {
@@ -87,13 +88,14 @@ export function createExportController(parts: ExportParts): ExportController {
       doc,
       time,
       name: fileStem(source),
-      stretch: stretch(),
-      snapshot: (use) => viewer.snapshot(use),
+      playing: playing(),
+      scene,
       show,
       turn: turned(),
-      analysis: () => parts.analysis.get(),
-      png: () => scene.png(),
-      backdrop: (on) => viewer.setBackdrop(on ? stageColour() : null),
+      async analyseAt(times, report, stop) {
+        const what = parts.analysis.input();
+        return what && analyseAt(what, times, report, stop);
+      },
       onProgress: (working) => {
         if (!signal.aborted) parts.onWorking(working);
       },
@@ -117,9 +119,13 @@ export function createExportController(parts: ExportParts): ExportController {
       if (!of) return;
       planning?.abort();
       planning = new AbortController();
-      describeExport(request, of, store.get().time, stretch(), planning.signal).then(tell, (error: unknown) =>
-        tell({ text: error instanceof Error ? error.message : '', warnings: [] }),
-      );
+      describeExport(request, {
+        sequence: of,
+        time: store.get().time,
+        playing: playing(),
+        window: viewer.canvas,
+        signal: planning.signal,
+      }).then(tell, (error: unknown) => tell({ text: error instanceof Error ? error.message : '', warnings: [] }));
     },
     async run(request) {
       const of = sequence();
@@ -127,6 +133,7 @@ export function createExportController(parts: ExportParts): ExportController {
       abort = new AbortController();
       const { signal } = abort;
       const before = store.get();
+      const camera = viewer.cameraPose();
       store.set({ play: { ...before.play, playing: false } });
       parts.onStart();
       planning?.abort();
@@ -140,21 +147,12 @@ export function createExportController(parts: ExportParts): ExportController {
       } finally {
         abort = null;
         parts.onWorking(null);
-        store.set({ time: before.time });
+        viewer.setCameraPose(camera);
+        store.set({ time: before.time, view: { ...store.get().view, camera: before.view.camera } });
       }
     },
     cancel: () => abort?.abort(),
   };
-}
-
-/** What lies behind the shape on the page. */
-function stageColour(): string {
-  const probe = document.createElement('span');
-  probe.style.color = 'var(--stage-centre)';
-  document.body.append(probe);
-  const { color } = getComputedStyle(probe);
-  probe.remove();
-  return color;
 }
 
 function fileStem(source: AppState['source']): string {

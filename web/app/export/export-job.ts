@@ -3,18 +3,28 @@ import packageJson from '../../../package.json';
 import type { Sequence } from '../../engine/api/api.ts';
 import { errorText } from '../../engine/api/error-text.ts';
 import type { ExportedFile, ExportOptions, ExportPlan as EnginePlan, Progress } from '../../engine/api/types.ts';
-import type { Doc } from '../../model/state.ts';
 import { bytesText } from '../../engine/api/bytes-text.ts';
-import { frameCount } from '../../engine/api/whole-frames.ts';
-import type { Range } from '../../model/time-scale.ts';
-import type { ExportRequest } from '../../ui/export-dialog.ts';
-import { MAX_FRAMES, framesWanted, isVideoRequest } from '../../ui/export-dialog.ts';
+import type { ExportNumbers, ExportRequest, PictureSize, Playing, VideoFormat } from '../../model/export-request.ts';
+import {
+  MAX_FRAMES,
+  canBounce,
+  exportNumbers,
+  gridTimes,
+  isTurn,
+  isVideoRequest,
+  shareOf,
+  sizeOf,
+} from '../../model/export-request.ts';
+import type { Doc } from '../../model/state.ts';
+import type { Analysis } from '../analysis/analysis.ts';
+import type { SceneController } from '../drawing/scene-controller.ts';
 import { measuresCsv, patchesCsv } from './csv.ts';
 import { download } from './download.ts';
-import type { Analysis } from '../analysis/analysis.ts';
-import { videoFrames } from './video.ts';
-import { videoFormats, writeVideo } from './write-video.ts';
+import { takePicture } from './picture.ts';
 import { withReadme } from './readme.ts';
+import { withSheet } from './sheet.ts';
+import { pageColour } from './title.ts';
+import { videoFormats, writeVideo } from './write-video.ts';
 import { zip } from './zip.ts';
 
 export interface ExportJob {
@@ -23,60 +33,55 @@ export interface ExportJob {
   /** Stem of the file's name. */
   name: string;
   time: number;
-  stretch: Stretch;
-  /** Draws now and calls `use` while the canvas holds the picture. */
-  snapshot<T>(use: (canvas: HTMLCanvasElement) => T): T;
-  analysis(): Promise<Analysis | null>;
+  playing: Playing;
+  scene: SceneController;
+  analyseAt(
+    times: readonly number[],
+    report: (fraction: number) => void,
+    signal: AbortSignal,
+  ): Promise<Analysis | null>;
   /** Shows the moment and resolves when it is drawn. */
   show(t: number): Promise<void>;
   /** Turns the view to a share of a whole turn about the upright axis. */
   turn(share: number): Promise<void>;
-  /** A PNG of the view. */
-  png(): Promise<Blob>;
-  /** Puts the page's colour behind the shape, or takes it away. */
-  backdrop(on: boolean): void;
   onProgress(progress: Progress | null): void;
   signal: AbortSignal;
 }
 
-const VIDEO_FPS = 30;
-const MAX_VIDEO_FPS = 60;
-
-/** What an export holds unless the request says otherwise. */
-export interface Stretch {
-  /** What plays. */
-  range: Range;
-  fps: number | null;
-}
-
 /** Options of the engine for the kinds of export that it writes; null for pictures, videos and tables. */
-export function engineOptions(request: ExportRequest, time: number, stretch: Stretch): Partial<ExportOptions> | null {
+export function engineOptions(request: ExportRequest, time: number, playing: Playing): Partial<ExportOptions> | null {
   if (request.kind === 'pose') return { format: request.pose, pose: time };
   if (request.kind !== 'animation' || request.animation === 'video') return null;
-  const { animation: format, inPlace, duration, compression, targets } = request;
-  if (format === 'obj' || format === 'pc2') return { format, ...gridOf(request, stretch), inPlace };
-  if (format === 'mdd') return { format, ...gridOf(request, stretch), duration, inPlace };
-  const shared = { format, duration, inPlace, compression };
-  if (targets === 'every') return { ...shared, ...gridOf(request, stretch), tolerance: 0 };
+  const { animation: format, inPlace, compression, targets, bounce } = request;
+  const numbers = exportNumbers(request, playing, null);
+  // The time on the timeline, unless the export runs faster or slower.
+  const duration = numbers.speed === 1 ? null : numbers.seconds;
+  if (format === 'obj' || format === 'pc2') return { format, ...gridOf(numbers, null), inPlace };
+  if (format === 'mdd') return { format, ...gridOf(numbers, duration), duration, inPlace };
+  const shared = { format, duration, inPlace, compression, bounce };
+  if (targets === 'every') return { ...shared, ...gridOf(numbers, duration), tolerance: 0 };
   return {
     ...shared,
-    range: [...(request.range ?? stretch.range)] as [number, number],
-    fps: stretch.fps,
+    range: [...numbers.range],
+    fps: numbers.whole ? numbers.rate : null,
     tolerance: request.tolerance,
     targets: targets === 'principal' ? 'principal' : 'frames',
   };
 }
 
-/** The whole frames of the timeline where there are some and no other number was asked for. */
-function gridOf(request: ExportRequest, { range, fps }: Stretch): Partial<ExportOptions> {
-  const [start, end] = request.range ?? range;
-  const count = request.frames === null && fps !== null ? frameCount([start, end], fps) : 0;
-  if (count > MAX_FRAMES)
-    throw new Error(
-      `This would be ${count.toLocaleString('en')} frames; the maximum is ${MAX_FRAMES.toLocaleString('en')}. Use a shorter range or fewer frames per second.`,
-    );
-  if (count > 1) return { fps, range: [start, end] };
-  return { frames: framesWanted(request, [start, end], fps), range: [start, end] };
+/** Whole frames of the timeline, which are counted on the exported animation's where that has a duration. */
+function gridOf(numbers: ExportNumbers, duration: number | null): Partial<ExportOptions> {
+  const { range, frames, whole, rate, speed } = counted(numbers);
+  if (!whole) return { frames, range: [...range] };
+  return { fps: duration === null ? rate / speed : rate, range: [...range] };
+}
+
+/** Refuses more frames than anybody means; only whole frames of a long range can be so many. */
+function counted(numbers: ExportNumbers): ExportNumbers {
+  if (numbers.frames <= MAX_FRAMES) return numbers;
+  throw new Error(
+    `This would be ${grouped(numbers.frames)} frames; the maximum is ${grouped(MAX_FRAMES)}. Use a shorter range or fewer frames per second.`,
+  );
 }
 
 /** What would be made, in words. */
@@ -85,52 +90,80 @@ export interface ExportPlan {
   warnings: string[];
 }
 
+export interface Planned {
+  sequence: Sequence;
+  time: number;
+  playing: Playing;
+  /** What the view takes on the screen. */
+  window: PictureSize;
+  signal: AbortSignal;
+}
+
 export async function describeExport(
   request: ExportRequest,
-  sequence: Sequence,
-  time: number,
-  stretch: Stretch,
-  signal?: AbortSignal,
+  { sequence, time, playing, window, signal }: Planned,
 ): Promise<ExportPlan> {
-  const options = engineOptions(request, time, stretch);
+  const options = engineOptions(request, time, playing);
   if (options) {
     const plan = await sequence.planExport(options, { signal });
     return {
-      text: request.kind === 'pose' ? `One shape, about ${bytesText(plan.bytes)}` : planText(request, plan),
+      text: request.kind === 'pose' ? `One shape, about ${bytesText(plan.bytes)}` : planText(request, playing, plan),
       warnings: plan.warnings.map(({ message }) => message),
     };
   }
-  if (isVideoRequest(request)) {
-    const seconds = videoSeconds(request, stretch);
-    const frames = videoFrames(seconds, videoRate(stretch)).toLocaleString('en');
-    return { text: `${frames} frames, ${seconds.toFixed(1)} s of video`, warnings: [] };
-  }
-  return { text: request.kind === 'picture' ? 'A picture' : 'A table', warnings: [] };
+  if (isVideoRequest(request)) return { text: await videoText(request, playing, window), warnings: [] };
+  if (request.kind === 'picture') return { text: pictureText(request, window), warnings: [] };
+  if (request.numbers === 'patches') return { text: 'A table', warnings: [] };
+  const { frames } = counted(exportNumbers(request, playing, null));
+  return { text: `A table of ${grouped(frames)} frames`, warnings: [] };
 }
 
-function planText(request: ExportRequest, { times, targets, error, bytes }: EnginePlan): string {
-  const isWhole = request.animation !== 'glb' || request.targets === 'every';
-  const what = isWhole ? `${times.length} frames` : `${targets} morph ${targets === 1 ? 'target' : 'targets'}`;
+async function videoText(request: ExportRequest, playing: Playing, window: PictureSize): Promise<string> {
+  const format = await formatOf(request);
+  const { frames, rate } = exportNumbers(request, playing, format);
+  return `${grouped(frames)} frames, ${secondsText(frames / rate)}, ${pixels(sizeOf(request, format) ?? window)}`;
+}
+
+function pictureText(request: ExportRequest, window: PictureSize): string {
+  const size = pixels(sizeOf(request, null) ?? window);
+  return request.crop ? `A picture, cropped from ${size}` : `A picture of ${size}`;
+}
+
+const grouped = (count: number): string => count.toLocaleString('en');
+const pixels = ({ width, height }: PictureSize): string => `${width}\u00a0×\u00a0${height}\u00a0pixels`;
+
+function secondsText(seconds: number): string {
+  return `${Number(seconds.toFixed(seconds < 1 ? 2 : 1))}\u00a0s`;
+}
+
+function planText(request: ExportRequest, playing: Playing, { times, targets, error, bytes }: EnginePlan): string {
+  const { frames, seconds } = exportNumbers(request, playing, null);
   const off = error === null ? '' : `, off by at most ${errorText(error)} between them`;
-  return `${what}${off}, about ${bytesText(bytes)}`;
+  const size = `about ${bytesText(bytes)}`;
+  if (request.animation !== 'glb') return `${grouped(times.length)} frames, ${size}`;
+  const back = request.bounce ? ' there and back' : '';
+  const length = secondsText(request.bounce ? 2 * seconds : seconds);
+  if (request.targets !== 'every')
+    return `${length}${back}, ${targets} morph ${targets === 1 ? 'target' : 'targets'}${off}, ${size}`;
+  // A GLB passes through the keys, whatever frames it is given.
+  const keys = times.length - frames;
+  const more = keys > 0 ? ` (${grouped(frames)}, and ${keys} at keys between them)` : '';
+  return `${length}${back}, ${grouped(times.length)} frames${more}${off}, ${size}`;
 }
 
 export async function runExport(request: ExportRequest, job: ExportJob): Promise<void> {
   const { name } = job;
-  if (request.kind === 'picture') {
-    if (request.picture === 'png') return download(await job.png(), `${name}.png`);
-    return video(request, job, (share) => job.turn(share));
-  }
+  if (request.kind === 'picture' && request.picture === 'png')
+    return download(await takePicture(job.scene, { ...request, size: sizeOf(request, null) }), `${name}.png`);
+  if (isVideoRequest(request)) return video(request, job);
   if (request.kind === 'numbers') return table(request, job);
-  if (request.kind === 'animation' && request.animation === 'video') {
-    const [start, end] = request.range ?? job.stretch.range;
-    return video(request, job, (share) => job.show(start + share * (end - start)));
-  }
-  const options = { ...engineOptions(request, job.time, job.stretch)!, name: safeName(name) };
+  const options = { ...engineOptions(request, job.time, job.playing)!, name: safeName(name) };
   const call = { signal: job.signal, onProgress: job.onProgress };
   const files = job.sequence.exportFiles(options, call);
-  if (request.kind === 'animation' && request.animation !== 'glb')
-    return download(await zip(withReadme(request.animation, files, job.stretch.fps)), `${name}.zip`);
+  if (request.kind === 'animation' && request.animation !== 'glb') {
+    const { rate } = exportNumbers(request, job.playing, null);
+    return download(await zip(withReadme(request.animation, files, Number(rate.toFixed(3)))), `${name}.zip`);
+  }
   return downloadAll(await all(files), name);
 }
 
@@ -154,24 +187,36 @@ async function downloadAll(files: ExportedFile[], name: string): Promise<void> {
   download(new Blob([file.bytes as Uint8Array<ArrayBuffer>], { type }), `${name}.${extension}`);
 }
 
-async function video(request: ExportRequest, job: ExportJob, draw: (share: number) => Promise<void>): Promise<void> {
-  const format = request.video ?? (await videoFormats())[0];
-  if (!format) throw new Error('This browser cannot write videos. Export OBJ frames or a GLB instead.');
-  job.backdrop(true);
-  const blob = await writeVideo({
-    format,
-    seconds: videoSeconds(request, job.stretch),
-    framesPerSecond: videoRate(job.stretch),
-    draw,
-    snapshot: job.snapshot,
-    signal: job.signal,
-    onProgress: (fraction) => job.onProgress({ stage: 'recording', fraction }),
-  }).finally(() => job.backdrop(false));
-  download(blob, `${job.name}.${format}`);
+/** The format that was chosen, or the first that the browser can write. */
+async function formatOf({ video }: ExportRequest): Promise<VideoFormat> {
+  return video ?? (await videoFormats())[0] ?? 'gif';
 }
 
-function videoRate({ fps }: Stretch): number {
-  return Math.min(fps ?? VIDEO_FPS, MAX_VIDEO_FPS);
+async function video(request: ExportRequest, job: ExportJob): Promise<void> {
+  const format = await formatOf(request);
+  const { range, frames, rate } = exportNumbers(request, job.playing, format);
+  const [start, end] = range;
+  const bounces = request.bounce && canBounce(request);
+  const show = (share: number): Promise<void> =>
+    isTurn(request) ? job.turn(share) : job.show(start + share * (end - start));
+  const ground = pageColour('--stage-centre');
+  const blob = await withSheet(job.scene, sizeOf(request, format), true, (sheet) =>
+    writeVideo({
+      format,
+      frames,
+      framesPerSecond: rate,
+      canvas: sheet.canvas,
+      async draw(frame) {
+        await show(shareOf(frame, frames, bounces));
+        sheet.take(ground);
+        sheet.takeTitles();
+      },
+      onFrame: (done) =>
+        job.onProgress({ stage: `Frame ${grouped(done)} of ${grouped(frames)}`, fraction: done / frames }),
+      signal: job.signal,
+    }),
+  );
+  download(blob, `${job.name}.${format}`);
 }
 
 async function table(request: ExportRequest, job: ExportJob): Promise<void> {
@@ -180,17 +225,10 @@ async function table(request: ExportRequest, job: ExportJob): Promise<void> {
     const text = patchesCsv(await job.sequence.patches(), job.doc, version);
     return download(new Blob([text], { type: 'text/csv' }), `${job.name}-patches.csv`);
   }
-  const analysis = await job.analysis();
+  const numbers = counted(exportNumbers(request, job.playing, null));
+  const report = (fraction: number): void => job.onProgress({ stage: 'measuring', fraction });
+  const analysis = await job.analyseAt(gridTimes(numbers), report, job.signal);
   if (!analysis) throw new Error('There is nothing to tabulate yet. Open some shapes first.');
-  download(new Blob([measuresCsv(analysis, job.doc, version)], { type: 'text/csv' }), `${job.name}-measures.csv`);
-}
-
-function videoSeconds(request: ExportRequest, stretch: Stretch): number {
-  const length = request.kind === 'animation' ? lengthOf(request, stretch) : 6;
-  return Math.min(request.duration ?? length, 600);
-}
-
-function lengthOf(request: ExportRequest, { range }: Stretch): number {
-  const [start, end] = request.range ?? range;
-  return end - start;
+  const text = measuresCsv(analysis, job.doc, version, numbers.speed);
+  download(new Blob([text], { type: 'text/csv' }), `${job.name}-measures.csv`);
 }

@@ -1,37 +1,36 @@
 /**
  * Videos where a browser has no WebCodecs: its recorder stamps frames by the clock, so that a video takes as long as it
- * plays.
+ * plays at least; written anew, it has the times that were meant, and a length that players can seek in.
  */
-import type { VideoFormat } from '../../ui/export-dialog.ts';
-import { videoFrames } from './video.ts';
+import {
+  BlobSource,
+  BufferTarget,
+  EncodedPacketSink,
+  EncodedVideoPacketSource,
+  Input,
+  MP4,
+  Mp4OutputFormat,
+  Output,
+  WEBM,
+  WebMOutputFormat,
+} from 'mediabunny';
+import type { EncodedPacket } from 'mediabunny';
+import { meantTimes } from './meant-times.ts';
+import { recordedType } from './recorded-types.ts';
+import { bitrateOf } from './video.ts';
 import type { VideoOptions } from './video.ts';
 
-const TYPES: Record<VideoFormat, readonly string[]> = {
-  mp4: ['video/mp4;codecs=avc1.42E01E', 'video/mp4'],
-  webm: ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'],
-};
-const BITS_PER_SECOND = 12e6;
-
-export function recordableFormats(): VideoFormat[] {
-  if (typeof MediaRecorder === 'undefined' || !('captureStream' in HTMLCanvasElement.prototype)) return [];
-  return (['webm', 'mp4'] as const).filter((format) => typeOf(format) !== undefined);
+export async function write(options: VideoOptions): Promise<Blob> {
+  return retimed(await record(options), options);
 }
 
-function typeOf(format: VideoFormat): string | undefined {
-  return TYPES[format].find((type) => MediaRecorder.isTypeSupported(type));
-}
-
-export async function write({
-  format,
-  seconds,
-  framesPerSecond,
-  draw,
-  snapshot,
-  onProgress,
-  signal,
-}: VideoOptions): Promise<Blob> {
-  const stream = snapshot((canvas) => canvas.captureStream(framesPerSecond));
-  const recorder = new MediaRecorder(stream, { mimeType: typeOf(format), videoBitsPerSecond: BITS_PER_SECOND });
+async function record({ format, frames, framesPerSecond, canvas, draw, onFrame, signal }: VideoOptions): Promise<Blob> {
+  const stream = canvas.captureStream(0);
+  const [track] = stream.getVideoTracks() as CanvasCaptureMediaStreamTrack[];
+  const recorder = new MediaRecorder(stream, {
+    mimeType: recordedType(format),
+    videoBitsPerSecond: bitrateOf(canvas, framesPerSecond),
+  });
   const chunks: Blob[] = [];
   recorder.ondataavailable = (event) => {
     if (event.data.size > 0) chunks.push(event.data);
@@ -40,20 +39,19 @@ export async function write({
     recorder.onstop = () => resolve();
     recorder.onerror = () => reject(new Error('The browser stopped writing the video.'));
   });
-  await draw(0);
   recorder.start(500);
   try {
-    const frames = videoFrames(seconds, framesPerSecond);
-    const start = performance.now();
-    for (let frame = 0; frame <= frames && !signal.aborted; frame += 1) {
-      await draw(frame / frames);
-      onProgress(frame / frames);
-      await until(start + (1000 * frame) / framesPerSecond);
+    for (let frame = 0; frame < frames && !signal.aborted; frame += 1) {
+      const next = performance.now() + 1000 / framesPerSecond;
+      await draw(frame);
+      track!.requestFrame();
+      onFrame(frame + 1);
+      await until(next);
     }
   } finally {
     recorder.stop();
     await stopped;
-    for (const track of recorder.stream.getTracks()) track.stop();
+    for (const one of stream.getTracks()) one.stop();
   }
   signal.throwIfAborted();
   return new Blob(chunks, { type: `video/${format}` });
@@ -61,4 +59,29 @@ export async function write({
 
 function until(time: number): Promise<void> {
   return new Promise((resolve) => window.setTimeout(resolve, Math.max(time - performance.now(), 0)));
+}
+
+/** The same pictures at the times that they are meant for. */
+async function retimed(recorded: Blob, { format, frames, framesPerSecond }: VideoOptions): Promise<Blob> {
+  const input = new Input({ source: new BlobSource(recorded), formats: [format === 'mp4' ? MP4 : WEBM] });
+  const track = await input.getPrimaryVideoTrack();
+  const codec = await track?.getCodec();
+  if (!track || !codec) return recorded;
+  const packets: EncodedPacket[] = [];
+  for await (const packet of new EncodedPacketSink(track).packets()) packets.push(packet);
+  const target = new BufferTarget();
+  const output = new Output({ format: format === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat(), target });
+  const source = new EncodedVideoPacketSource(codec);
+  output.addVideoTrack(source);
+  await output.start();
+  const decoderConfig = (await track.getDecoderConfig()) ?? undefined;
+  const times = meantTimes(
+    packets.map(({ timestamp }) => timestamp),
+    frames,
+    framesPerSecond,
+  );
+  for (const [index, packet] of packets.entries())
+    await source.add(packet.clone(times[index]), index === 0 ? { decoderConfig } : undefined);
+  await output.finalize();
+  return new Blob([target.buffer!], { type: `video/${format}` });
 }

@@ -9,32 +9,31 @@ import {
   getFirstEncodableVideoCodec,
 } from 'mediabunny';
 import type { VideoCodec } from 'mediabunny';
-import type { VideoFormat } from '../../ui/export-dialog.ts';
-import { videoFrames } from './video.ts';
+import { bitrateOf } from './video.ts';
 import type { VideoOptions } from './video.ts';
 
-const CODECS: Record<VideoFormat, VideoCodec[]> = { mp4: ['avc'], webm: ['vp9', 'vp8'] };
-const QUALITY = new Quality({ bitrate: 12e6 });
+const CODECS: Record<string, VideoCodec[]> = { mp4: ['avc'], webm: ['vp9', 'vp8'] };
 /** Seconds between the frames that a player can jump to at once. */
 const KEY_FRAME_INTERVAL = 1;
 
 export async function write(options: VideoOptions): Promise<Blob> {
-  const { format, framesPerSecond } = options;
-  const picture = stillOf(options);
-  const codec = await getFirstEncodableVideoCodec(CODECS[format], {
-    width: picture.canvas.width,
-    height: picture.canvas.height,
-    quality: QUALITY,
+  const { format, framesPerSecond, canvas } = options;
+  const quality = new Quality({ bitrate: bitrateOf(canvas, framesPerSecond) });
+  const codec = await getFirstEncodableVideoCodec(CODECS[format]!, {
+    width: canvas.width,
+    height: canvas.height,
+    quality,
     frameRate: framesPerSecond,
   });
-  if (!codec) throw new Error('This browser cannot write a video of this size. Make the window smaller.');
+  if (!codec) throw new Error('This browser cannot write a video of this size. Choose a smaller one.');
   const target = new BufferTarget();
-  const output = new Output({ format: format === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat(), target });
-  const source = new CanvasSource(picture.canvas, { codec, quality: QUALITY, keyFrameInterval: KEY_FRAME_INTERVAL });
+  const container = format === 'mp4' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
+  const output = new Output({ format: container, target });
+  const source = new CanvasSource(canvas, { codec, quality, keyFrameInterval: KEY_FRAME_INTERVAL });
   output.addVideoTrack(source, { frameRate: framesPerSecond });
   try {
     await output.start();
-    await addFrames(options, source, picture.take);
+    await addFrames(options, source);
     await output.finalize();
   } catch (error) {
     await output.cancel();
@@ -44,33 +43,14 @@ export async function write(options: VideoOptions): Promise<Blob> {
 }
 
 async function addFrames(
-  { seconds, framesPerSecond, draw, onProgress, signal }: VideoOptions,
+  { frames, framesPerSecond, draw, onFrame, signal }: VideoOptions,
   source: CanvasSource,
-  take: () => void,
 ): Promise<void> {
-  const frames = videoFrames(seconds, framesPerSecond);
   for (let frame = 0; frame < frames; frame += 1) {
     signal.throwIfAborted();
-    await draw(Math.min(frame / (framesPerSecond * seconds), 1));
-    take();
+    await draw(frame);
     await source.add(frame / framesPerSecond, 1 / framesPerSecond);
-    onProgress((frame + 1) / frames);
+    onFrame(frame + 1);
   }
   signal.throwIfAborted();
-}
-
-/**
- * A canvas for one frame, of even size as encoders want it, and what puts the view on it: in the middle, should its
- * size change.
- */
-function stillOf({ snapshot }: VideoOptions): { canvas: HTMLCanvasElement; take(): void } {
-  const canvas = document.createElement('canvas');
-  const even = (size: number): number => Math.max(size - (size % 2), 2);
-  snapshot(({ width, height }) => Object.assign(canvas, { width: even(width), height: even(height) }));
-  const context = canvas.getContext('2d', { alpha: false })!;
-  const put = (view: HTMLCanvasElement): void => {
-    context.clearRect(0, 0, canvas.width, canvas.height);
-    context.drawImage(view, Math.ceil((canvas.width - view.width) / 2), Math.ceil((canvas.height - view.height) / 2));
-  };
-  return { canvas, take: () => snapshot(put) };
 }

@@ -1,19 +1,22 @@
-/** What a video of the canvas is made of. */
-import type { VideoFormat } from '../../ui/export-dialog.ts';
+/** What a video is made of. */
+import type { VideoFormat } from '../../model/export-request.ts';
 
 export interface VideoOptions {
   format: VideoFormat;
-  seconds: number;
+  /** Each stands for its part of a second, so that they fill the time exactly. */
+  frames: number;
   framesPerSecond: number;
-  /** Draws the moment at a share of the whole, in [0, 1]; resolves when it is on the canvas. */
-  draw(share: number): Promise<void>;
-  /** Draws the same again and gives the canvas to `use` while it holds the picture. */
-  snapshot<T>(use: (canvas: HTMLCanvasElement) => T): T;
-  onProgress(fraction: number): void;
+  /** Where the frames are drawn, of even size. */
+  canvas: HTMLCanvasElement;
+  /** Draws a frame; resolves when it is on the canvas. */
+  draw(frame: number): Promise<void>;
+  /** So many frames are done. */
+  onFrame(done: number): void;
   signal: AbortSignal;
 }
 
-/** Number of frames of a video: each stands for its part of a second, so that they fill the time exactly. */
-export function videoFrames(seconds: number, framesPerSecond: number): number {
-  return Math.max(Math.round(seconds * framesPerSecond), 1);
+/** Bits of a second of video: enough for sharp edges, in larger pictures fewer for each pixel. */
+export function bitrateOf({ width, height }: { width: number; height: number }, framesPerSecond: number): number {
+  const pixels = (width * height * framesPerSecond) / (1920 * 1080 * 30);
+  return Math.round(12e6 * Math.max(pixels, 0.5) ** 0.75);
 }

@@ -1,6 +1,7 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
 import type { Warning } from '../../engine/api/types.ts';
 import { tightness } from '../../model/edits.ts';
+import type { ExportRequest } from '../../model/export-request.ts';
 import type { AppState } from '../../model/state.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../../model/state.ts';
 import { playRange } from '../../model/frames.ts';
@@ -11,7 +12,6 @@ import { createClockMenu } from '../../ui/clock-menu.ts';
 import { createColourBar } from '../../ui/colour-bar.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import { createExportDialog } from '../../ui/export-dialog.ts';
-import type { ExportRequest } from '../../ui/export-dialog.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
 import { createGhostPanel } from '../../ui/ghost-panel.ts';
 import { createHeader } from '../../ui/header.ts';
@@ -330,7 +330,13 @@ export function createComponents(input: ComponentsInput): Components {
     const covered = heat !== null || labels.length > 0 || viewState.errorMessage !== null || viewState.working !== null;
     welcome.update(viewState.welcome, covered);
     const { videoFormats } = viewState;
-    exporting.update({ ...viewState.exporting, range: playRange(between, range), fps, videoFormats });
+    exporting.update({
+      ...viewState.exporting,
+      range: playRange(between, range),
+      fps,
+      speed: play.speed,
+      videoFormats,
+    });
     help.update(viewState.singleKeys);
     analysis.setCursor(time);
     analysis.setSpeeds(speeds);

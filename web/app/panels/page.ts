@@ -1,5 +1,5 @@
 /** The page: its components with their commands, the keyboard, and one redrawing per animation frame. */
-import type { ExportRequest } from '../../ui/export-dialog.ts';
+import type { ExportRequest } from '../../model/export-request.ts';
 import type { ThemeSwitch } from '../../ui/theme.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { Marking } from '../drawing/marking.ts';

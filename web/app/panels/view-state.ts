@@ -1,8 +1,8 @@
 /** What the page shows besides the state: work under way, what was found, thumbnails. It is never saved. */
 import type { Frame, KeysInfo, SequenceStats, Warning } from '../../engine/api/types.ts';
 import type { Doc } from '../../model/state.ts';
-import type { ExportRequest, VideoFormat } from '../../ui/export-dialog.ts';
-import { DEFAULT_REQUEST } from '../../ui/export-dialog.ts';
+import type { ExportRequest, VideoFormat } from '../../model/export-request.ts';
+import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ErrorMessage, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../ui/orientation.ts';
 import type { Fewest } from '../sources/animation.ts';

@@ -7,7 +7,7 @@ import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.t
 import { setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
 import type { Doc, Play, Source, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, EMPTY_STATE, comfortableSpeed } from '../../model/state.ts';
+import { DEFAULT_VIEW, EMPTY_STATE, comfortableSpeed, offeredSpeed } from '../../model/state.ts';
 import { clampTime, length } from '../../model/time-scale.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Orientation } from '../../ui/orientation.ts';
@@ -180,7 +180,9 @@ export function createOpenFiles({
   /** What is opened moves at once, unless the visitor wants no motion or came by a link to a moment. */
   const openingPlay = ({ info, doc }: Opened, source: Source, link: Permalink | null): Play => {
     const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
-    const own = info.animation >= 0 && source.kind === 'files' ? 1 : comfortableSpeed(length(range));
+    // Samples and projects of earlier versions have times of no unit.
+    const timed = source.kind === 'files' && info.project === null;
+    const own = timed ? 1 : info.speed !== null ? offeredSpeed(info.speed) : comfortableSpeed(length(range));
     const speed = link?.speed ?? own;
     const playing = (link?.playing ?? true) && !reducedMotion();
     if (link) return { playing, speed, loop: link.loop ?? store.get().play.loop, between: link.between, fps: link.fps };

@@ -319,13 +319,13 @@ export const SAMPLED_KEYS = 8;
 
 /** What to take from the files. */
 export const IMPORT = {
-  /** Key times; default: the animation's own, else evenly over [0, 1]. */
+  /** Key times; default: the animation's own, else a second from one key to the next. */
   keyTimes: {
     kind: 'numbers',
     most: MOST_KEYS,
     flag: 'key-times',
     value: 'T,T,...',
-    help: "times of the keys; default: evenly over [0,1], or the animation's own",
+    help: "times of the keys in seconds; default: the animation's own, or one a second",
   },
   /** Name or index of the animation to sample keys from; default: the first. */
   animation: {
@@ -463,7 +463,7 @@ export const EXPORT = {
     value: 'A:B',
     help: 'from A to B, which may lie beyond the keys; default: first to last key: --range=-0.3:1.3',
   },
-  /** Seconds that the exported animation plays; default: the length of the range. GLB only. */
+  /** Seconds that the exported animation plays; default: the length of the range. GLB and MDD. */
   duration: {
     kind: 'number',
     above: 0,
@@ -472,6 +472,13 @@ export const EXPORT = {
     flag: 'duration',
     value: 'SECONDS',
     help: 'length of the exported animation; its times start at 0 and include the keys in range',
+  },
+  /** GLB: back the way that it came, so that it takes twice the time. */
+  bounce: {
+    kind: 'flag',
+    default: false,
+    flag: 'bounce',
+    help: 'GLB: there and back again, in twice the time, so that it plays in a loop without a jump',
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
   pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'one pose only, at this time' },

@@ -187,6 +187,8 @@ export interface KeysInfo {
   scene: Scene;
   /** Options that a project file brought along; null for other files. */
   project: Partial<SequenceOptions> | null;
+  /** How many times faster than its times say a project file plays; null where a file does not say. */
+  speed: number | null;
 }
 
 /** The coarse mesh that leads the motion (Fig. 6), and how the shape belongs to it. */

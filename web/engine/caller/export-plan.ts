@@ -20,7 +20,7 @@ const MOST_LAYERS = 2048;
  * What opens again: weights are one for each target at every frame, and a file's sizes are read up to 2^31
  * (wasm/io/gltf/gltf_writer).
  */
-const MOST_WEIGHTS = 16_000_000;
+export const MOST_WEIGHTS = 16_000_000;
 const MOST_GLB_BYTES = 2 ** 31 - 1;
 
 /** A grid time this close to a key, relative to the export's length, is the key's: linspace rounds, keys are exact. */
@@ -43,7 +43,8 @@ export function framesOf(
 ): Frames {
   if (options.pose !== null) return { times: [options.pose], seconds: [0], stills: [] };
   const asked = askedTimes(options, options.range ?? range);
-  if (options.format !== 'glb' || asked.length === 1) return { times: asked, seconds: asked.map(() => 0), stills: [] };
+  if (options.format !== 'glb' || asked.length === 1)
+    return { times: asked, seconds: placesOf(asked, options), stills: [] };
   checkWeights(asked.length, asked.length - 1);
   const times = withKeys(
     [...asked].sort((a, b) => a - b),
@@ -94,6 +95,14 @@ export function choicesOf(
 
 function evenly([first, last]: readonly [number, number], count: number): number[] {
   return Array.from({ length: count }, (_, i) => (i === count - 1 ? last : first + ((last - first) * i) / (count - 1)));
+}
+
+/** Of files with no keys among their frames: only an MDD says when its frames are. */
+function placesOf(asked: readonly number[], { format, duration }: ExportOptions): number[] {
+  const first = asked.reduce((least, t) => Math.min(least, t));
+  const length = asked.reduce((most, t) => Math.max(most, t)) - first;
+  if (format !== 'mdd' || !(length > 0)) return asked.map(() => 0);
+  return asked.map((t) => ((t - first) / length) * (duration ?? length));
 }
 
 /** The sorted times and the keys between them, each once; a key wins over a time that is nearly its own. */

@@ -4,6 +4,7 @@
  */
 import type { CallOptions } from '../api/api.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
+import { thereAndBack } from './bounce.ts';
 import { checkBytes, exportWarnings } from './export-plan.ts';
 import { planFrames, shapeCount, type PlannedFrames } from './export-frames.ts';
 import { materialFiles, materialLibrary } from './material-library.ts';
@@ -140,13 +141,15 @@ async function* writeAnimation(job: Job): AsyncGenerator<ExportedFile, void, und
     report(job, done);
   }
   const { faces, scene } = source.keys.info;
+  const oneWay = { seconds: frames.seconds, weights: frames.principal?.weights ?? null };
+  const { seconds, weights } = options.bounce ? thereAndBack(oneWay, shapeCount(frames) - 1) : oneWay;
   const names = targetNames(source.keys.info.names, source.keyTimes, frames);
   const bytes = await writer.call('writeAnimation', {
     faces,
     scene,
-    seconds: frames.seconds,
+    seconds,
     stills: frames.stills.length,
-    weights: frames.principal?.weights ?? null,
+    weights,
     project: projectOf(source, frames),
     name: stemOf(options),
     targetNames: names,
@@ -219,6 +222,7 @@ function projectOf({ keys, keyTimes, options }: ExportSource, frames: PlannedFra
     },
     options,
     { vertices, faces, error: frames.error },
+    (frames.times.at(-1)! - frames.times[0]!) / frames.seconds.at(-1)!,
   );
 }
 

@@ -24,10 +24,19 @@ export interface ProjectMesh {
   error: number | null;
 }
 
-/** JSON holds shapes as base64 of little-endian float32. */
-export function writeProject(keys: ProjectKeys, options: SequenceOptions, mesh: ProjectMesh): string {
+/**
+ * JSON holds shapes as base64 of little-endian float32. `speed`: how many times faster than its keys' times say the
+ * animation plays.
+ */
+export function writeProject(keys: ProjectKeys, options: SequenceOptions, mesh: ProjectMesh, speed = 1): string {
   const shapes = SHAPES.map((name) => [name, options[name] && toBase64(options[name])]);
-  return JSON.stringify({ version: VERSION, keys, mesh, options: { ...options, ...Object.fromEntries(shapes) } });
+  return JSON.stringify({
+    version: VERSION,
+    keys,
+    mesh,
+    speed,
+    options: { ...options, ...Object.fromEntries(shapes) },
+  });
 }
 
 /** null where the text says nothing of it, as in files of earlier versions. */
@@ -36,6 +45,16 @@ export function readMesh(text: string): ProjectMesh | null {
     const { vertices, faces, error } = record(record(JSON.parse(text))['mesh']);
     if (typeof vertices !== 'number' || typeof faces !== 'number') return null;
     return { vertices, faces, error: typeof error === 'number' ? error : null };
+  } catch {
+    return null;
+  }
+}
+
+/** null where the text says nothing of it, as in files of earlier versions. */
+export function readSpeed(text: string): number | null {
+  try {
+    const { speed } = record(JSON.parse(text));
+    return typeof speed === 'number' && speed > 0 && Number.isFinite(speed) ? speed : null;
   } catch {
     return null;
   }

@@ -2,7 +2,7 @@
 import type { ImportedInfo, OnProgress, WasmCore } from './wasm-core.ts';
 import { jsonOf } from './gltf-text.ts';
 import { drawnImages } from './image-size.ts';
-import { readMesh, readOptions } from '../wire/project.ts';
+import { readMesh, readOptions, readSpeed } from '../wire/project.ts';
 import { SHAPES } from '../api/option-table.ts';
 import type { KeyData } from '../wire/protocol.ts';
 import { NO_PLACE } from '../api/types.ts';
@@ -69,6 +69,7 @@ export async function importFiles(
         ...lostProject(files, info),
       ],
       project,
+      speed: info.project === '' ? null : readSpeed(info.project),
     },
   };
 }

@@ -1,0 +1,38 @@
+/** What tests of exports share: the dialog from its opening to the file. */
+import { readFileSync } from 'node:fs';
+import type { Download } from '@playwright/test';
+import { expect } from './support.ts';
+import type { App } from './support.ts';
+
+export interface Exported {
+  download: Download;
+  bytes: Buffer;
+  /** What the dialog said of the file before, with plain spaces. */
+  stated: string;
+}
+
+/** Opens the dialog and has its choices made; resolves when it says what the export would be. */
+export async function stated(app: App, choose: () => Promise<void>): Promise<string> {
+  await app.by('export').click();
+  await choose();
+  await app.nextFrame();
+  await expect(app.by('export-size')).not.toHaveText('Estimating the size');
+  return plain(await app.by('export-size').innerText());
+}
+
+export async function exported(app: App, choose: () => Promise<void>): Promise<Exported> {
+  const text = await stated(app, choose);
+  const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
+  const bytes = readFileSync(await download.path());
+  return { download, bytes, stated: text };
+}
+
+/** Types a value into a field of the dialog. */
+export async function type(app: App, field: string, value: string): Promise<void> {
+  await app.by(field).fill(value);
+  await app.by(field).press('Enter');
+}
+
+function plain(text: string): string {
+  return text.replace(/\s+/g, ' ');
+}

@@ -1,0 +1,63 @@
+import { describe, expect, it } from 'vitest';
+import { DEFAULT_REQUEST, SIZES, exportNumbers, gridTimes, shareOf, sizeOf } from '../../web/model/export-request.ts';
+import type { ExportRequest, Playing, VideoFormat } from '../../web/model/export-request.ts';
+
+const WATCHED: Playing = { range: [0, 1], fps: null, speed: 0.25 };
+const numbers = (request: Partial<ExportRequest>, playing: Partial<Playing> = {}, video: VideoFormat | null = null) =>
+  exportNumbers({ ...DEFAULT_REQUEST, ...request }, { ...WATCHED, ...playing }, video);
+const VIDEO = { animation: 'video' } as const;
+
+describe('what an export is', () => {
+  it('takes the time that was watched', () => {
+    expect(numbers({})).toMatchObject({ seconds: 4, speed: 0.25, frames: 121, rate: 30 });
+    expect(numbers(VIDEO, {}, 'mp4')).toMatchObject({ seconds: 4, frames: 120, rate: 30 });
+    expect(numbers(VIDEO, { speed: 2, range: [1, 3] }, 'webm')).toMatchObject({ seconds: 1, frames: 30 });
+    expect(numbers({ duration: 2 })).toMatchObject({ seconds: 2, speed: 0.5, frames: 61 });
+  });
+
+  it('has a turn take its own seconds', () => {
+    const turn = { kind: 'picture', picture: 'turntable' } as const;
+    expect(numbers(turn, {}, 'mp4')).toMatchObject({ seconds: 6, frames: 180 });
+    expect(numbers({ ...turn, turn: 2, duration: 9, bounce: true }, {}, 'mp4')).toMatchObject({ frames: 60 });
+  });
+
+  it('has frames and rate that agree, whichever was chosen', () => {
+    expect(numbers({ frames: 60 })).toMatchObject({ frames: 60, rate: 14.75 });
+    expect(numbers({ rate: 10 })).toMatchObject({ frames: 41, rate: 10 });
+    expect(numbers({ rate: 1000, duration: 3600 }).frames).toBe(2000);
+  });
+
+  it('keeps the whole frames of the timeline', () => {
+    const whole = numbers({}, { fps: 24, speed: 1, range: [0.5, 2] });
+    expect(whole).toMatchObject({ frames: 37, rate: 24, whole: true });
+    expect(gridTimes(whole)[0]).toBeCloseTo(0.5, 12);
+    expect(gridTimes(whole).at(-1)).toBeCloseTo(2, 12);
+    // Played slower they are the same frames, for longer.
+    const slow = numbers({}, { fps: 24, speed: 0.5, range: [0.5, 2] });
+    expect(slow).toMatchObject({ frames: 37, rate: 12, seconds: 3 });
+    expect(gridTimes(slow)).toEqual(gridTimes(whole));
+  });
+
+  it('has frames of a GIF that its hundredths of a second can tell', () => {
+    expect(numbers(VIDEO, {}, 'gif')).toMatchObject({ frames: 100, rate: 25 });
+    expect(numbers({ ...VIDEO, rate: 60 }, {}, 'gif').rate).toBe(50);
+    expect(numbers({ ...VIDEO, rate: 120 }, {}, 'mp4').rate).toBe(60);
+  });
+
+  it('goes there and back in twice the frames, without one twice in a row', () => {
+    const { frames } = numbers({ ...VIDEO, bounce: true, duration: 0.1 }, {}, 'mp4');
+    expect(frames).toBe(6);
+    const shares = Array.from({ length: frames }, (_, frame) => shareOf(frame, frames, true));
+    expect(shares).toEqual([0, 1 / 3, 2 / 3, 1, 2 / 3, 1 / 3]);
+  });
+
+  it('has a size of its own, of the screen, or small where it is a GIF', () => {
+    const size = (request: Partial<ExportRequest>, video: VideoFormat | null = null) =>
+      sizeOf({ ...DEFAULT_REQUEST, ...request }, video);
+    expect(size(VIDEO, 'mp4')).toBeNull();
+    expect(size(VIDEO, 'gif')).toEqual(SIZES.small);
+    expect(size({ ...VIDEO, size: 'window' }, 'gif')).toBeNull();
+    expect(size({ kind: 'picture', size: '4k' })).toEqual({ width: 3840, height: 2160 });
+    expect(size({ size: 'own', own: { width: 7, height: 9 } })).toEqual({ width: 7, height: 9 });
+  });
+});

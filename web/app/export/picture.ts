@@ -1,0 +1,52 @@
+/** The view as a PNG. */
+import type { PictureSize } from '../../model/export-request.ts';
+import type { SceneController } from '../drawing/scene-controller.ts';
+import { commonBox, drawnBox, joined } from './crop.ts';
+import type { Sheet } from './sheet.ts';
+import { withSheet } from './sheet.ts';
+import { pageColour } from './title.ts';
+
+export interface PictureOptions {
+  /** null: the size that the view has on the screen. */
+  size: PictureSize | null;
+  /** The shape alone, on nothing; else with its floor, on the page's ground. */
+  transparent: boolean;
+  /** Without what is empty around the shape. */
+  crop: boolean;
+}
+
+export async function takePicture(scene: SceneController, { size, transparent, crop }: PictureOptions): Promise<Blob> {
+  const ground = transparent ? null : pageColour('--stage-centre');
+  try {
+    return await withSheet(scene, size, false, async (sheet) => {
+      // What is drawn is told by what is not transparent.
+      scene.setFloorless(transparent || crop);
+      const box = crop ? boxOf(sheet) : null;
+      scene.setFloorless(transparent);
+      sheet.take(ground);
+      if (box) return await pngOf(joined(sheet.canvas, sheet.rects(), box, scene.labels, ground));
+      sheet.takeTitles();
+      return await pngOf(sheet.canvas);
+    });
+  } finally {
+    scene.setFloorless(false);
+  }
+}
+
+function boxOf(sheet: Sheet): ReturnType<typeof commonBox> {
+  sheet.take(null);
+  const rects = sheet.rects();
+  const boxes = rects.map(({ x, y, width, height }) =>
+    drawnBox(sheet.context.getImageData(Math.round(x), Math.round(y), Math.round(width), Math.round(height))),
+  );
+  return commonBox(boxes, { width: Math.round(rects[0]!.width), height: Math.round(rects[0]!.height) });
+}
+
+function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
+  return new Promise((resolve, reject) => {
+    canvas.toBlob((blob) => {
+      if (blob) resolve(blob);
+      else reject(new Error('The browser could not make a picture of this size. Choose a smaller one.'));
+    }, 'image/png');
+  });
+}

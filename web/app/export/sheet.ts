@@ -1,0 +1,76 @@
+/** What pictures and videos are taken on: a canvas with the view in the wanted size, its ground and its titles. */
+import type { PictureSize } from '../../model/export-request.ts';
+import type { Rect } from '../../viewer/types.ts';
+import type { SceneController } from '../drawing/scene-controller.ts';
+import { writeTitle } from './title.ts';
+
+export interface Sheet {
+  readonly canvas: HTMLCanvasElement;
+  readonly context: CanvasRenderingContext2D;
+  /** Where the views stand on it. */
+  rects(): Rect[];
+  /** Puts the view on it, as it is drawn now. `ground`: a colour behind it; null: nothing. */
+  take(ground: string | null): void;
+  /** Writes over each of several views what it shows. */
+  takeTitles(): void;
+}
+
+/**
+ * Has the viewer draw in a size, with a sheet of that size, and gives the page its picture back. null: in the size that
+ * the view has on the screen. `even`: as encoders of videos want it.
+ */
+export async function withSheet<T>(
+  scene: SceneController,
+  size: PictureSize | null,
+  even: boolean,
+  work: (sheet: Sheet) => Promise<T>,
+): Promise<T> {
+  const { viewer } = scene;
+  const fitted = even ? evened : ({ width, height }: PictureSize): PictureSize => ({ width, height });
+  await viewer.drawn();
+  try {
+    if (size) viewer.setPictureSize(fitted(size));
+    return await work(sheetOf(scene, fitted(viewer.canvas)));
+  } finally {
+    viewer.setPictureSize(null);
+  }
+}
+
+function evened({ width, height }: PictureSize): PictureSize {
+  const even = (side: number): number => Math.max(side - (side % 2), 2);
+  return { width: even(width), height: even(height) };
+}
+
+function sheetOf(scene: SceneController, size: PictureSize): Sheet {
+  const { viewer } = scene;
+  const canvas = Object.assign(document.createElement('canvas'), size);
+  const context = canvas.getContext('2d')!;
+  // In the middle, should the view on the screen get another size, or have an odd one.
+  const shift = (): [number, number] => [
+    Math.ceil((canvas.width - viewer.canvas.width) / 2),
+    Math.ceil((canvas.height - viewer.canvas.height) / 2),
+  ];
+  const rects = (): Rect[] => {
+    const [x, y] = shift();
+    return viewer.drawnRects().map((rect) => ({ ...rect, x: rect.x + x, y: rect.y + y }));
+  };
+  return {
+    canvas,
+    context,
+    rects,
+    take(ground) {
+      context.clearRect(0, 0, canvas.width, canvas.height);
+      if (ground !== null) {
+        context.fillStyle = ground;
+        context.fillRect(0, 0, canvas.width, canvas.height);
+      }
+      viewer.snapshot((view) => context.drawImage(view, ...shift()));
+    },
+    takeTitles() {
+      const places = rects();
+      scene.labels.forEach((label, view) => {
+        if (places[view]) writeTitle(context, label, places[view]);
+      });
+    },
+  };
+}

@@ -1,0 +1,51 @@
+/** What is written over the views of a picture: in the page's letters, as large as the picture needs them. */
+import type { Rect } from '../../viewer/types.ts';
+
+export interface Title {
+  title: string;
+  /** Measures; empty = not known. */
+  detail: string;
+}
+
+/** Of a view's smaller side. */
+const LETTERS = 1 / 30;
+const LEAST_LETTERS = 12;
+const LINE = 1.35;
+
+/** Height of the letters over a view. */
+function lettersOf({ width, height }: Pick<Rect, 'width' | 'height'>): number {
+  return Math.max(Math.round(LETTERS * Math.min(width, height)), LEAST_LETTERS);
+}
+
+/** Height of a title with its measures, and the room around it. */
+export function titleHeight(rect: Pick<Rect, 'width' | 'height'>, { detail }: Title): number {
+  return Math.ceil(lettersOf(rect) * LINE * (detail === '' ? 1.5 : 2.5));
+}
+
+/** At the top of a view, in its middle, no wider than it is. */
+export function writeTitle(context: CanvasRenderingContext2D, { title, detail }: Title, rect: Rect): void {
+  const letters = lettersOf(rect);
+  const family = getComputedStyle(document.body).fontFamily;
+  const middle = rect.x + rect.width / 2;
+  const most = 0.96 * rect.width;
+  context.save();
+  context.textAlign = 'center';
+  context.textBaseline = 'top';
+  context.fillStyle = pageColour('--text');
+  context.font = `600 ${letters}px ${family}`;
+  context.fillText(title, middle, rect.y + 0.4 * letters, most);
+  context.fillStyle = pageColour('--muted');
+  context.font = `400 ${Math.round(0.85 * letters)}px ${family}`;
+  context.fillText(detail, middle, rect.y + (0.4 + LINE) * letters, most);
+  context.restore();
+}
+
+/** A colour of the page's style sheet, as it is in the theme that is shown. */
+export function pageColour(name: string): string {
+  const probe = document.createElement('span');
+  probe.style.color = `var(${name})`;
+  document.body.append(probe);
+  const { color } = getComputedStyle(probe);
+  probe.remove();
+  return color;
+}

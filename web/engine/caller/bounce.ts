@@ -1,0 +1,38 @@
+/** An animation that goes back the way it came: the same shapes, and twice the time. */
+import { EngineError } from '../api/errors.ts';
+import { MOST_WEIGHTS } from './export-plan.ts';
+
+export interface Weighted {
+  seconds: number[];
+  /** A row for each of the seconds, with a weight for each target; null: each shows its own shape alone. */
+  weights: Float32Array | null;
+}
+
+/** Where it turns it is once. `targets`: shapes but the first. */
+export function thereAndBack({ seconds, weights }: Weighted, targets: number): Weighted {
+  const there = seconds.length;
+  const end = seconds.at(-1)!;
+  const rows = 2 * there - 1;
+  if (rows * targets > MOST_WEIGHTS)
+    throw new EngineError(
+      'too-large',
+      `There and back, an animation of ${targets.toLocaleString('en')} morph targets could not be opened again. ` +
+        'Export it one way, or with a larger tolerance.',
+    );
+  const both = new Float32Array(rows * targets);
+  for (let row = 0; row < rows; row += 1) {
+    const from = row < there ? row : rows - 1 - row;
+    if (weights) both.set(weights.subarray(from * targets, (from + 1) * targets), row * targets);
+    else if (from > 0) both[row * targets + from - 1] = 1;
+  }
+  return {
+    seconds: [
+      ...seconds,
+      ...seconds
+        .slice(0, -1)
+        .reverse()
+        .map((s) => Math.fround(2 * end - s)),
+    ],
+    weights: both,
+  };
+}

@@ -1,0 +1,186 @@
+/** Rows of the export dialog: how long and how many frames, and how large pictures are. */
+import type { ExportNumbers, ExportRequest, Playing, SizeName, VideoFormat } from '../model/export-request.ts';
+import {
+  LEAST_PIXELS,
+  MAX_FRAMES,
+  MOST_PIXELS,
+  MOST_SECONDS,
+  SIZES,
+  canBounce,
+  exportNumbers,
+  isTurn,
+  isVideoRequest,
+  sizeName,
+} from '../model/export-request.ts';
+import { button, checkbox, numberField, select } from './controls.ts';
+import { h, setAttribute, setField, setHidden, setText } from './dom.ts';
+
+export type Change = (part: Partial<ExportRequest>) => void;
+
+export interface FieldsProps extends Playing {
+  request: ExportRequest;
+  /** The format, where a video is asked for. */
+  video: VideoFormat | null;
+}
+
+interface Fields {
+  elements: HTMLElement[];
+  update(props: FieldsProps): void;
+}
+
+export function fieldRow(label: string, ...fields: Node[]): HTMLElement {
+  return h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
+}
+
+const unit = (text: string): HTMLElement => h('span', { class: 'unit' }, text);
+const shortest = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
+
+/** First and last time, what they take, and the frames between them. */
+export function createTimeFields(change: Change): Fields {
+  let numbers: ExportNumbers | null = null;
+  let turns = false;
+  const from = numberField({
+    label: 'Start, in seconds on the timeline',
+    testId: 'export-from',
+    onInput: (value) => {
+      if (numbers && value < numbers.range[1]) change({ range: [value, numbers.range[1]] });
+    },
+  });
+  const to = numberField({
+    label: 'End, in seconds on the timeline',
+    testId: 'export-to',
+    onInput: (value) => {
+      if (numbers && value > numbers.range[0]) change({ range: [numbers.range[0], value] });
+    },
+  });
+  const seconds = numberField({
+    label: 'Seconds',
+    testId: 'export-duration',
+    min: 0.01,
+    max: MOST_SECONDS,
+    onInput: (value) => change(turns ? { turn: value } : { duration: value }),
+  });
+  const reset = button({
+    label: 'As it plays here',
+    testId: 'export-duration-reset',
+    icon: 'reset',
+    onClick: () => change({ duration: null }),
+  });
+  const pace = h('span', { class: 'unit', 'data-testid': 'export-pace' });
+  const frames = numberField({
+    label: 'Frames',
+    testId: 'export-frames',
+    min: 2,
+    max: MAX_FRAMES,
+    step: 1,
+    onInput: (value) => change({ frames: Math.round(value), rate: null }),
+  });
+  const rate = numberField({
+    label: 'Frames per second',
+    testId: 'export-rate',
+    min: 0.01,
+    max: 1000,
+    onInput: (value) => change({ rate: value, frames: null }),
+  });
+  const bounce = checkbox('There and back again, in twice the time', 'export-bounce', (on) => change({ bounce: on }));
+  const rangeRow = fieldRow('Range', from, unit('to'), to, unit('s'));
+  const secondsRow = fieldRow('Seconds', pace, reset, seconds);
+  const framesRow = fieldRow('Frames', frames, unit('at'), rate, unit('a second'));
+  return {
+    elements: [rangeRow, secondsRow, framesRow, bounce.element],
+    update({ request, video, ...playing }) {
+      const { kind, animation, targets } = request;
+      const isVideo = isVideoRequest(request);
+      const measures = kind === 'numbers' && request.numbers === 'measures';
+      const thinned = animation === 'glb' && targets !== 'every';
+      turns = isTurn(request);
+      numbers = exportNumbers(request, playing, video);
+      setHidden(rangeRow, kind !== 'animation' && !measures);
+      setHidden(secondsRow, kind !== 'animation' && !measures && !turns);
+      setHidden(framesRow, !(kind === 'animation' && !thinned) && !turns && !measures);
+      setHidden(bounce.element, !canBounce(request));
+      setField(from, shortest(numbers.range[0], 4));
+      setField(to, shortest(numbers.range[1], 4));
+      setField(seconds, shortest(numbers.seconds, 3));
+      setText(pace, turns ? '' : paceWords(request, numbers.speed));
+      setAttribute(reset, 'data-idle', turns || request.duration === null);
+      reset.disabled = turns || request.duration === null;
+      setField(frames, String(numbers.frames));
+      // Of a video their number follows from its seconds.
+      frames.readOnly = isVideo;
+      setField(rate, shortest(numbers.rate, 3));
+      bounce.update(request.bounce);
+    },
+  };
+}
+
+function paceWords({ duration }: ExportRequest, speed: number): string {
+  const times = `${Number(speed.toPrecision(3))}×`;
+  if (duration !== null) return `${times} the timeline`;
+  return speed === 1 ? 'as it plays here' : `as played at ${times}`;
+}
+
+const SIZE_WORDS: Record<SizeName, string> = {
+  window: 'As on the screen',
+  small: 'Small',
+  '720p': '720p',
+  '1080p': '1080p',
+  '1440p': '1440p',
+  '4k': '4K',
+  square: 'Square',
+  upright: 'Upright',
+  own: 'Own size',
+};
+
+/** How large, and for a PNG with what around the shape. */
+export function createPictureFields(change: Change): Fields {
+  let request: ExportRequest | null = null;
+  const size = select<SizeName>(
+    'Size',
+    'export-pixels',
+    (Object.keys(SIZE_WORDS) as SizeName[]).map((value) => ({ value, label: sizeLabel(value) })),
+    (value) => change({ size: value }),
+  );
+  const side = (name: 'width' | 'height'): HTMLInputElement =>
+    numberField({
+      label: `${name === 'width' ? 'Width' : 'Height'} in pixels`,
+      testId: `export-${name}`,
+      min: LEAST_PIXELS,
+      max: MOST_PIXELS,
+      step: 1,
+      onInput: (value) => {
+        if (request) change({ own: { ...request.own, [name]: Math.round(value) } });
+      },
+    });
+  const [width, height] = [side('width'), side('height')];
+  const transparent = checkbox('Transparent, without the floor', 'export-transparent', (on) =>
+    change({ transparent: on }),
+  );
+  const crop = checkbox('Cropped to the shape', 'export-crop', (on) => change({ crop: on }));
+  const ownRow = fieldRow('Pixels', width, unit('×'), height);
+  const checks = h('div', { class: 'checks' }, transparent.element, crop.element);
+  size.element.classList.add('row');
+  return {
+    elements: [size.element, ownRow, checks],
+    update(props) {
+      ({ request } = props);
+      const isVideo = isVideoRequest(request);
+      const isPicture = request.kind === 'picture' && !isVideo;
+      const name = sizeName(request, props.video);
+      size.update(name);
+      setHidden(size.element, !isVideo && !isPicture);
+      setHidden(ownRow, name !== 'own' || (!isVideo && !isPicture));
+      setHidden(checks, !isPicture);
+      setField(width, String(request.own.width));
+      setField(height, String(request.own.height));
+      transparent.update(request.transparent);
+      crop.update(request.crop);
+    },
+  };
+}
+
+function sizeLabel(name: SizeName): string {
+  if (name === 'window' || name === 'own') return SIZE_WORDS[name];
+  const { width, height } = SIZES[name];
+  return `${SIZE_WORDS[name]}, ${width} × ${height}`;
+}
