@@ -43,7 +43,8 @@ export interface Play {
   fps: number | null;
 }
 
-export type Colouring = 'phase' | 'texture' | 'patches';
+/** `texture`: the file's own materials, or clay where it has none. */
+export type Colouring = 'texture' | 'phase' | 'patches';
 
 export interface View {
   colouring: Colouring;
@@ -82,7 +83,7 @@ export const DEFAULT_MOTION: Readonly<Motion> = pageDefaults(MOTION);
 export const DEFAULT_ENCODING: Readonly<Encoding> = pageDefaults(ENCODING);
 
 export const DEFAULT_VIEW: Readonly<View> = {
-  colouring: 'phase',
+  colouring: 'texture',
   shading: 'smooth',
   wireframe: false,
   floor: true,

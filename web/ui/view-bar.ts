@@ -8,8 +8,6 @@ import { popover } from './popover.ts';
 
 export interface ViewBarProps {
   view: View;
-  /** The import has texture or materials worth showing. */
-  hasTexture: boolean;
   /** Which axis is up where the files do not say it themselves. */
   up: 'y' | 'z' | null;
   disabled: boolean;
@@ -30,8 +28,12 @@ export function createViewBar(events: ViewBarEvents): {
     'Colour',
     'colouring',
     [
-      { value: 'phase', label: 'Time', hint: 'Blue at a key, green between, yellow beyond the ends' },
-      { value: 'texture', label: 'Texture', hint: 'From the file' },
+      {
+        value: 'texture',
+        label: 'Material',
+        hint: 'From the file, or clay; the ring on the floor and the outline show the phase',
+      },
+      { value: 'phase', label: 'Phase', hint: 'Colour by phase: blue at a key, green between, yellow beyond the ends' },
       { value: 'patches', label: 'Patches', hint: 'Regions that turn as a whole' },
     ],
     (value) => events.onView({ colouring: value }),
@@ -105,11 +107,11 @@ export function createViewBar(events: ViewBarEvents): {
 
   const toggleLook = popover(element, toggle, look);
 
-  const draw = memo(({ view: state, hasTexture, up: present, disabled }: ViewBarProps) => {
+  const draw = memo(({ view: state, up: present, disabled }: ViewBarProps) => {
     up = present;
     setHidden(stand, up === null);
     setAttribute(stand, 'aria-pressed', String(up === 'z'));
-    colouring.update(state.colouring, hasTexture ? {} : { texture: 'The files have no textures or colours.' });
+    colouring.update(state.colouring);
     shading.update(state.shading);
     wireframe.update(state.wireframe);
     floor.update(state.floor);

@@ -4,33 +4,30 @@ import type { WebGLRenderer } from 'three';
 import { FIELD_OF_VIEW, NO_INSETS, directionOf, fittedPose, setLens } from './fit.ts';
 import type { Extent } from './fit.ts';
 import type { Shape } from './shape.ts';
-import { Stage } from './stage.ts';
-import type { Bounds } from './stage.ts';
+import type { Studio } from './studio.ts';
 
 const SAMPLES = 4;
 
 export class Thumbnails {
   private readonly scene = new Scene();
-  private readonly stage = new Stage();
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW);
   private extent: Extent | null = null;
 
-  constructor(private readonly renderer: WebGLRenderer) {
-    this.scene.add(this.stage.object);
-  }
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly studio: Studio,
+  ) {}
 
   /** All pictures are taken from where a new import is seen. */
-  setExtent(bounds: Bounds, extent: Extent): void {
-    this.stage.setBounds(bounds);
+  setExtent(extent: Extent): void {
     this.extent = extent;
   }
 
   /** A data URL; width and height in CSS pixels. */
-  draw(shape: Shape, width: number, height: number, dark: boolean): string {
+  draw(shape: Shape, width: number, height: number): string {
     if (!this.extent) return '';
     const ratio = this.renderer.getPixelRatio();
     const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-    this.stage.setLook(false, dark);
     this.placeCamera(this.extent, w / h);
     this.scene.add(shape.object);
     const target = new WebGLRenderTarget(w, h, { colorSpace: SRGBColorSpace, samples: SAMPLES });
@@ -48,7 +45,7 @@ export class Thumbnails {
     this.camera.position.set(...pose.position);
     this.camera.lookAt(target);
     setLens(this.camera, target, extent.radius, aspect, NO_INSETS);
-    this.stage.follow(this.camera, target);
+    this.studio.follow(this.camera);
   }
 
   /** On transparent ground, whatever is behind the shape on the canvas. */

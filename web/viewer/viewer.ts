@@ -1,5 +1,5 @@
 /** The picture: what it shows in one to four views with one camera, drawn only when something changed. */
-import { NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
+import { NoToneMapping, Scene, Vector3, WebGLRenderer } from 'three';
 import type { Layers } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../model/camera.ts';
@@ -8,6 +8,7 @@ import { Contents } from './contents.ts';
 import type { Insets } from './fit.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
+import { Studio } from './studio.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { tiles } from './tiles.ts';
 import type { Extra, GhostPicture, Look, Rect } from './types.ts';
@@ -32,10 +33,14 @@ export class Viewer {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
+  private readonly studio = new Studio();
   private readonly stage = new Stage();
   private readonly rig: CameraRig;
-  private readonly contents = new Contents(() => this.invalidate());
+  private readonly contents = new Contents(this.studio, () => this.change());
   private readonly thumbnails: Thumbnails;
+  private phase: string | null = null;
+  /** Another one whenever what stands on the floor has changed. */
+  private version = 0;
   private pending = 0;
   private waiting: (() => void)[] = [];
   private readonly resize: ResizeObserver;
@@ -47,11 +52,9 @@ export class Viewer {
   ) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.toneMapping = NoToneMapping;
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.setClearColor(0x000000, 0);
     this.renderer.autoClear = false;
-    this.thumbnails = new Thumbnails(this.renderer);
+    this.thumbnails = new Thumbnails(this.renderer, this.studio);
     this.canvas = this.renderer.domElement;
     host.append(this.canvas);
     this.scene.add(this.stage.object, this.contents.object);
@@ -63,6 +66,7 @@ export class Viewer {
     this.canvas.addEventListener('webglcontextlost', () => events.onContextLost());
     this.canvas.addEventListener('webglcontextrestored', () => {
       events.onContextRestored();
+      this.stage.restore();
       // The first drawing after it has neither floor nor transparent ground; the second one is whole.
       this.draw();
       this.invalidate();
@@ -80,7 +84,7 @@ export class Viewer {
     this.contents.setImport(info);
     this.stage.setBounds(bounds);
     const extent = { points, radius: radiusOf(bounds) };
-    this.thumbnails.setExtent(bounds, extent);
+    this.thumbnails.setExtent(extent);
     this.rig.setExtent(extent);
   }
 
@@ -96,45 +100,49 @@ export class Viewer {
   /** How many shapes are shown side by side; those that exist keep their frame. */
   setViews(count: number): void {
     this.contents.setViews(count);
-    this.invalidate();
+    this.change();
   }
 
   /** `eased`: the frame before goes over into it; all views are eased together, or none. */
   setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string, eased = false): void {
     this.contents.setFrame(view, positions, normals, colour, eased);
-    this.invalidate();
+    this.phase = colour;
+    this.stage.setPhase(this.contents.isStrip ? null : colour);
+    this.change();
   }
 
   /** Onion skins or a film strip; `instead` hides the moving shapes. */
   setExtras(extras: readonly Extra[], instead = false): void {
     this.contents.setExtras(extras, instead);
-    this.invalidate();
+    this.stage.setPhase(instead ? null : this.phase);
+    this.change();
   }
 
   setPatchColours(colours: Float32Array | null): void {
     this.contents.setPatchColours(colours);
-    this.invalidate();
+    this.change();
   }
 
   setHeatColours(colours: Float32Array | null): void {
     this.contents.setHeatColours(colours);
-    this.invalidate();
+    this.change();
   }
 
   setMark(faces: readonly number[] | null): void {
     this.contents.setMark(faces);
-    this.invalidate();
+    this.change();
   }
 
   setGhost(ghost: GhostPicture | null): void {
     this.contents.setGhost(ghost);
-    this.invalidate();
+    this.change();
   }
 
   setLook(look: Look): void {
     this.contents.setLook(look);
     this.stage.setLook(look.floor, look.dark);
-    this.invalidate();
+    this.studio.setDark(look.dark);
+    this.change();
   }
 
   /** A colour behind the shape, for videos, which have no transparency; null lets the page through. */
@@ -219,6 +227,11 @@ export class Viewer {
     );
   }
 
+  private change(): void {
+    this.version += 1;
+    this.invalidate();
+  }
+
   invalidate(): void {
     if (this.pending === 0) this.pending = requestAnimationFrame(() => this.draw());
   }
@@ -245,7 +258,7 @@ export class Viewer {
   thumbnail(positions: Float32Array, normals: Float32Array, width: number, height: number, colour: string): string {
     const shape = this.contents.shapeOf(positions, normals, colour);
     if (!shape) return '';
-    const picture = this.thumbnails.draw(shape, width, height, this.contents.look.dark);
+    const picture = this.thumbnails.draw(shape, width, height);
     shape.dispose();
     return picture;
   }
@@ -255,6 +268,7 @@ export class Viewer {
     this.resize.disconnect();
     this.contents.clear();
     this.rig.dispose();
+    this.stage.dispose();
     this.renderer.dispose();
     this.canvas.remove();
   }
@@ -303,7 +317,8 @@ export class Viewer {
     this.renderer.setScissorTest(true);
     this.renderer.clear();
     this.rig.prepare(rect.width / rect.height);
-    this.stage.follow(this.rig.camera, this.rig.target);
+    this.studio.follow(this.rig.camera);
+    this.stage.prepare(this.renderer, this.scene, layers.mask, this.version);
     this.rig.camera.layers.mask = layers.mask;
     this.renderer.render(this.scene, this.rig.camera);
   }

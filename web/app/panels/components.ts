@@ -38,7 +38,6 @@ import type { GhostStudyPanel } from './ghost-study-panel.ts';
 import type { AnalysisPanel } from './analysis-panel.ts';
 import { warningItems } from '../drawing/marking.ts';
 import type { Marking } from '../drawing/marking.ts';
-import { hasTexture } from '../sources/open-files.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
 import type { ViewState } from './view-state.ts';
@@ -287,7 +286,7 @@ export function createComponents(input: ComponentsInput): Components {
     });
     ghostStudy.update();
     lying = viewState.orientation;
-    viewBar.update({ view, hasTexture: hasTexture(info), up: lying?.up ?? null, disabled });
+    viewBar.update({ view, up: lying?.up ?? null, disabled });
     phaseLabel.update(disabled ? null : phase, {
       share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1),
       hasPlace: viewState.indefiniteFace >= 0,
