@@ -27,10 +27,10 @@ Body handBody() {
                         20, 0.085, 0);
   whole.flattening = {Vec3::UnitZ(), 0.5};
   attach(body, -1, whole);
-  attach(body, palm, finger(-0.47, -0.06, 1.5, 0.165));
-  attach(body, palm, finger(-0.155, -0.01, 1.66, 0.17));
-  attach(body, palm, finger(0.16, 0.03, 1.56, 0.163));
-  attach(body, palm, finger(0.455, 0.1, 1.26, 0.143));
+  attach(body, palm, finger(-0.49, -0.075, 1.5, 0.165));
+  attach(body, palm, finger(-0.16, -0.015, 1.66, 0.17));
+  attach(body, palm, finger(0.165, 0.035, 1.56, 0.163));
+  attach(body, palm, finger(0.475, 0.12, 1.26, 0.143));
   attach(body, palm,
          makeLimb({{{-0.3, 0.55, 0.08}, 0.2},
                    {{-0.62, 0.85, 0.16}, 0.2},
@@ -50,13 +50,13 @@ Pose posed(const Body& body, const Closed& closed) {
   for (int i = 0; i < 4; ++i) {
     const double share = closed.fingers[i];
     const double spread = (1 - share) * (i - 1.4) * -5 * degree;
-    bend(pose, body, indexFinger + i, 0.2, 0.44, Vec3(62 * share * degree, 0, spread));
-    bend(pose, body, indexFinger + i, 0.46, 0.7, Vec3(84 * share * degree, 0, 0));
-    bend(pose, body, indexFinger + i, 0.7, 0.94, Vec3(46 * share * degree, 0, 0));
+    bend(pose, body, indexFinger + i, 0.18, 0.5, Vec3(54 * share * degree, 0, spread));
+    bend(pose, body, indexFinger + i, 0.46, 0.74, Vec3(78 * share * degree, 0, 0));
+    bend(pose, body, indexFinger + i, 0.7, 0.96, Vec3(34 * share * degree, 0, 0));
   }
   const double share = closed.fingers[4];
-  bend(pose, body, thumb, 0.1, 0.5, Vec3(22 * degree, 38 * degree, -14 * degree) * share);
-  bend(pose, body, thumb, 0.5, 0.9, Vec3(18 * degree, 20 * degree, -34 * degree) * share);
+  bend(pose, body, thumb, 0.1, 0.6, Vec3(16 * degree, 26 * degree, -8 * degree) * share);
+  bend(pose, body, thumb, 0.5, 0.95, Vec3(14 * degree, 14 * degree, -30 * degree) * share);
   return pose;
 }
 
@@ -68,8 +68,8 @@ Sample makeHand() {
       posed(body, {{1, 1, 1, 1, 0.9}}), posed(body, {{0, 1, 1, 1, 0.9}}),       posed(body, {{0, 0, 1, 1, 0.9}}),
       posed(body, {{0, 0, 0, 1, 0.9}}), posed(body, {{0, 0, 0, 0, 0.9}}),       posed(body, {{0, 0, 0, 0, 0}}),
   };
-  return {"hand", "Hand", "A hand counts from a fist to five; every finger turns by 190 degrees and keeps its length.",
-          BoundaryKind::Natural, posedKeyframes(body, poses, 0.4, 8), 0xd9a584};
+  return {"hand", "Hand", "A hand counts from a fist to five; every finger turns by 166 degrees and keeps its length.",
+          BoundaryKind::Natural, posedKeyframes(body, poses, 0.4, 12), 0xd9a584};
 }
 
 }  // namespace shapespline

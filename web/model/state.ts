@@ -55,6 +55,8 @@ export interface View {
   film: boolean;
   /** Methods shown beside the main one. */
   compare: Method[];
+  /** Of two motions, where the divider between them stands, as a share of the width; null = side by side. */
+  split: number | null;
   /** With a ghost mesh: its wireframe over the shape; the ghost beside it; colours for what differs without it. */
   ghostWire: boolean;
   ghostBeside: boolean;
@@ -90,6 +92,7 @@ export const DEFAULT_VIEW: Readonly<View> = {
   onion: false,
   film: false,
   compare: [],
+  split: null,
   ghostWire: false,
   ghostBeside: false,
   ghostDifference: false,

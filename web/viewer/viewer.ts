@@ -10,7 +10,7 @@ import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
 import { Studio } from './studio.ts';
 import { Thumbnails } from './thumbnails.ts';
-import { tiles } from './tiles.ts';
+import { sides, tiles } from './tiles.ts';
 import type { Extra, GhostPicture, Look, Rect } from './types.ts';
 
 export interface ViewerEvents {
@@ -38,6 +38,7 @@ export class Viewer {
   private readonly rig: CameraRig;
   private readonly contents = new Contents(this.studio, () => this.change());
   private readonly thumbnails: Thumbnails;
+  private split: number | null = null;
   private phase: string | null = null;
   /** Another one whenever what stands on the floor has changed. */
   private version = 0;
@@ -220,11 +221,28 @@ export class Viewer {
 
   /** The parts of the canvas that the views take, in CSS pixels. */
   rects(): Rect[] {
-    return tiles(
-      Math.max(this.contents.views, 1),
-      Math.max(this.host.clientWidth, 1),
-      Math.max(this.host.clientHeight, 1),
-    );
+    const { width, height } = this.size();
+    if (this.isSplit) return this.seen().map(() => ({ x: 0, y: 0, width, height }));
+    return tiles(Math.max(this.contents.views, 1), width, height);
+  }
+
+  /** What is seen of them. */
+  seen(): Rect[] {
+    const { width, height } = this.size();
+    return this.isSplit ? sides(this.split!, width, height) : this.rects();
+  }
+
+  /** Where a divider stands between two views, as a share of the width; null = they stand beside each other. */
+  setSplit(share: number | null): void {
+    const before = this.isSplit;
+    this.split = share;
+    if (this.isSplit !== before) this.fit(null, false);
+    this.invalidate();
+  }
+
+  /** Whether a divider stands between the views; there must be two. */
+  get isSplit(): boolean {
+    return this.split !== null && this.contents.views === 2;
   }
 
   private change(): void {
@@ -280,7 +298,7 @@ export class Viewer {
   /** What covers the views, as shares of their height; never so much that little is left. */
   private insets(): Insets {
     const { height } = this.rects()[0]!;
-    const { top, bottom } = this.events.covered(this.contents.views);
+    const { top, bottom } = this.events.covered(this.isSplit ? 1 : this.contents.views);
     const scale = Math.min(1, MOST_COVERED / Math.max((top + bottom) / height, 1e-6));
     return { top: (scale * top) / height, bottom: (scale * bottom) / height };
   }
@@ -304,16 +322,21 @@ export class Viewer {
     this.pending = 0;
     this.contents.ease(performance.now());
     if (this.contents.easing) this.invalidate();
-    this.rects().forEach((rect, view) => this.renderOne(rect, this.contents.layersOf(view)));
+    const seen = this.seen();
+    this.rects().forEach((rect, view) => this.renderOne(rect, seen[view]!, this.contents.layersOf(view)));
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();
   }
 
-  private renderOne(rect: Rect, layers: Layers): void {
-    const bottom = this.host.clientHeight - rect.y - rect.height;
-    this.renderer.setViewport(rect.x, bottom, rect.width, rect.height);
-    this.renderer.setScissor(rect.x, bottom, rect.width, rect.height);
+  private size(): { width: number; height: number } {
+    return { width: Math.max(this.host.clientWidth, 1), height: Math.max(this.host.clientHeight, 1) };
+  }
+
+  private renderOne(rect: Rect, seen: Rect, layers: Layers): void {
+    const bottom = ({ y, height }: Rect): number => this.host.clientHeight - y - height;
+    this.renderer.setViewport(rect.x, bottom(rect), rect.width, rect.height);
+    this.renderer.setScissor(seen.x, bottom(seen), seen.width, seen.height);
     this.renderer.setScissorTest(true);
     this.renderer.clear();
     this.rig.prepare(rect.width / rect.height);

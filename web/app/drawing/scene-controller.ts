@@ -72,7 +72,7 @@ export class SceneController {
 
   /** What is written over the views stands where they stand. */
   private place(): void {
-    const rects = this.viewer.rects();
+    const rects = this.viewer.seen();
     this.labels = this.labels.map((label, index) => ({ ...label, ...rects[index] }));
     if (this.colourBar) this.colourBar = { ...this.colourBar, ...besideOf(rects[0]!) };
   }
@@ -152,6 +152,13 @@ export class SceneController {
       floor: view.floor,
       dark,
     });
+    this.viewer.setSplit(view.split);
+    this.place();
+  }
+
+  /** Two motions are on either side of a divider. */
+  get isSplit(): boolean {
+    return this.viewer.isSplit;
   }
 
   get outOfView(): boolean {
@@ -182,12 +189,12 @@ export class SceneController {
   }
 
   private tileLabels(frames: readonly Frame[], sequences: readonly RunningSequence[]): TileLabel[] {
-    const rects = this.viewer.rects();
+    const rects = this.viewer.seen();
     return sequences.map((running, index) => {
       const rect = rects[index] ?? { x: 0, y: 0, width: 0 };
       return {
         title: titleOf(running),
-        detail: this.measureText(frames[index]),
+        ...this.measures(frames[index]),
         x: rect.x,
         y: rect.y,
         width: rect.width,
@@ -195,12 +202,15 @@ export class SceneController {
     });
   }
 
-  private measureText(frame: Frame | undefined): string {
-    if (!frame || !this.base || !this.info) return '';
+  private measures(frame: Frame | undefined): Pick<TileLabel, 'volume' | 'detail'> {
+    if (!frame || !this.base || !this.info) return { volume: '', detail: '' };
     const { volume, area } = measure(frame.positions, this.info.faces);
-    const percent = (value: number, base: number): string =>
-      base === 0 ? '?' : `${((100 * value) / base).toFixed(1)}\u00a0%`;
-    return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)}`;
+    const percent = (value: number, base: number, digits: number): string =>
+      base === 0 ? '?' : `${((100 * value) / base).toFixed(digits)}\u00a0%`;
+    return {
+      volume: percent(volume, this.base.volume, 0),
+      detail: `volume ${percent(volume, this.base.volume, 1)}, area ${percent(area, this.base.area, 1)}`,
+    };
   }
 
   private async showOnionSkins(

@@ -14,6 +14,7 @@ import { createExportDialog } from '../../ui/export-dialog.ts';
 import type { ExportRequest } from '../../ui/export-dialog.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
+import { createDivider } from '../../ui/divider.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
 import { createGhostPanel } from '../../ui/ghost-panel.ts';
 import { createHeader } from '../../ui/header.ts';
@@ -80,6 +81,8 @@ export interface Shown {
   undo: string | null;
   redo: string | null;
   labels: readonly TileLabel[];
+  /** Two motions are on either side of a divider. */
+  split: boolean;
   outOfView: boolean;
   colourBar: ColourBarProps | null;
 }
@@ -164,12 +167,14 @@ export function createComponents(input: ComponentsInput): Components {
   const viewBar = createViewBar({
     onFit: commands.fit,
     onView: commands.view,
+    onSplit: commands.toggleSplit,
     onUp: (up) => void (lying && files.reorient({ ...lying, up })),
   });
   let lying: ViewState['orientation'] = null;
   const fitHint = createFitHint(() => commands.fit(null));
   const phaseLabel = createPhaseLabel(() => input.marking.around(input.indefiniteFace()));
   const tileLabels = createTileLabels();
+  const divider = createDivider((split) => commands.view({ split }));
   const colourBar = createColourBar(viridisGradient('to top'));
   const warnings = createWarnings(input.marking.warning);
   const status = createStatusLine(warnings.toggle);
@@ -189,13 +194,31 @@ export function createComponents(input: ComponentsInput): Components {
     keyStrip: keyStrip.element,
     warnings: warnings.element,
     status: status.element,
-    overlays: [tileLabels.element, colourBar.element, welcome.element, phaseLabel.element, viewBar.element],
+    overlays: [
+      tileLabels.element,
+      divider.element,
+      colourBar.element,
+      welcome.element,
+      phaseLabel.element,
+      viewBar.element,
+    ],
     messages: [errorMessage.element, progress.element, fitHint.element, ...input.offers],
     panels: [motionPanel.element, shapePanel.element, analysis.element],
     floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, input.toast],
   });
 
-  const update = ({ state, viewState, range, theme, undo, redo, labels, outOfView, colourBar: heat }: Shown): void => {
+  const update = ({
+    state,
+    viewState,
+    range,
+    theme,
+    undo,
+    redo,
+    labels,
+    split,
+    outOfView,
+    colourBar: heat,
+  }: Shown): void => {
     const { doc, play, time, view, source } = state;
     const { info } = viewState;
     const disabled = info === null;
@@ -292,7 +315,12 @@ export function createComponents(input: ComponentsInput): Components {
       hasPlace: viewState.indefiniteFace >= 0,
     });
     fitHint.update(!disabled && outOfView);
-    tileLabels.update(labels);
+    tileLabels.update(labels, split);
+    divider.update({
+      share: split ? view.split : null,
+      left: labels[1]?.title ?? '',
+      right: labels[0]?.title ?? '',
+    });
     colourBar.update(heat);
     status.update({
       keys: doc.keys.length,
@@ -306,8 +334,9 @@ export function createComponents(input: ComponentsInput): Components {
     warnings.update({ items: itemsOf(viewState.warnings), shown: viewState.shownWarning });
     progress.update(viewState.working);
     errorMessage.update(viewState.errorMessage);
-    const covered = heat !== null || labels.length > 0 || viewState.errorMessage !== null || viewState.working !== null;
-    welcome.update(viewState.welcome, covered);
+    const covered =
+      heat !== null || (labels.length > 0 && !split) || viewState.errorMessage !== null || viewState.working !== null;
+    welcome.update(viewState.welcome, covered, split);
     const { videoFormats } = viewState;
     exporting.update({ ...viewState.exporting, range: playRange(between, range), fps, videoFormats });
     help.update(viewState.singleKeys);

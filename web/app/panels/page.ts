@@ -104,6 +104,7 @@ export function createPage(parts: PageParts): Page {
       range: range(),
       theme: theme.theme(),
       labels: scene.labels,
+      split: scene.isSplit,
       outOfView: scene.outOfView,
       colourBar: scene.colourBar,
       undo: store.undoLabel(),

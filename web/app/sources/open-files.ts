@@ -290,9 +290,11 @@ function ofSample(doc: Doc, { boundary }: Sample): Doc {
   return setMotion(doc, { boundary });
 }
 
-/** The look stays; the camera is fitted unless a link says where it was. */
+/** The look stays, but not a divider; the camera is fitted unless a link says where it was. */
 function openingView(view: View, link: Permalink | null): View {
-  return link ? { ...DEFAULT_VIEW, ...link.view } : { ...view, camera: null, window: null, film: false };
+  if (link) return { ...DEFAULT_VIEW, ...link.view };
+  const compare = view.split === null ? view.compare : [];
+  return { ...view, compare, split: null, camera: null, window: null, film: false };
 }
 
 /** glTF says which way is up and how long a metre is; the other formats do not. */

@@ -1,10 +1,18 @@
-/** What a visit starts with: what a link names, else what an earlier visit left, else the first sample. */
+/**
+ * What a visit starts with: what a link names, else what an earlier visit left, else the first sample; a first visit
+ * with what the page is for.
+ */
 import type { Offer } from '../../ui/messages.ts';
+import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { OpenFiles } from './open-files.ts';
 import { readPermalink } from './permalink.ts';
 import type { RememberedFiles } from './remembered-files.ts';
 import { fetchSamples } from './samples.ts';
 import type { Sample } from './samples.ts';
+
+const VISITED = 'shapespline-visited';
+/** Blended positions on the left of a divider, this method on its right. */
+const FIRST_VISIT = 'sample=twisted-bar&compare=linear&split=0.5&play=1';
 
 export interface OpenFirstParts {
   files: OpenFiles;
@@ -17,9 +25,11 @@ export interface OpenFirstParts {
 }
 
 export async function openFirst({ files, remembered, onSamples, onStopped }: OpenFirstParts): Promise<void> {
-  const link = readPermalink(location.hash);
-  const [samples, left] = await Promise.all([fetchSamples(), link ? null : remembered.recall()]);
+  const named = readPermalink(location.hash);
+  const [samples, left] = await Promise.all([fetchSamples(), named ? null : remembered.recall()]);
   onSamples(samples);
+  const isFirstVisit = readSetting(VISITED) === null;
+  writeSetting(VISITED, '1');
   if (left?.opening) {
     onStopped({
       message: `“${left.remembered.files[0]?.name ?? 'A file'}” was not opened again: the last visit ended while it was being opened.`,
@@ -27,6 +37,7 @@ export async function openFirst({ files, remembered, onSamples, onStopped }: Ope
       onAccept: () => void remembered.reopen(left, files.again),
     });
   } else if (left && (await remembered.reopen(left, files.again))) return;
+  const link = named ?? (isFirstVisit && !left ? readPermalink(FIRST_VISIT) : null);
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
   if (!first) throw new Error('This page has no samples. Open your own files.');
   await files.sample(first.id, first.id === link?.sample ? link : null);
