@@ -67,6 +67,13 @@ export class App {
     }
   }
 
+  /** Opens a sample from the gallery. */
+  async pick(id: string): Promise<void> {
+    await this.by('sample').click();
+    await this.by(`sample-card-${id}`).click();
+    await expect.poll(async () => (await this.state()).source).toEqual({ kind: 'sample', id });
+  }
+
   by(testId: string): Locator {
     return this.page.getByTestId(testId);
   }

@@ -7,6 +7,7 @@ import { analysisInput } from './analysis/analysis.ts';
 import { AnalysisCache } from './analysis/analysis-cache.ts';
 import { createDisplay } from './display.ts';
 import type { Display } from './display.ts';
+import { createSamplePreviews } from './drawing/sample-previews.ts';
 import { createCommands } from './panels/commands.ts';
 import type { Commands } from './panels/commands.ts';
 import { createFeedback } from './panels/feedback.ts';
@@ -19,6 +20,7 @@ import { listenToNetwork, listenToPointer, reducedMotion } from './panels/window
 import { createSession } from './session/session.ts';
 import type { Session } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
+import { fetchSample } from './sources/samples.ts';
 import { openFirst } from './sources/open-first.ts';
 import type { OpenFiles } from './sources/open-files.ts';
 import { createTestHook, installTestHook } from './test-hook.ts';
@@ -52,6 +54,15 @@ export function startApp(root: HTMLElement): void {
   const { analysis, onAnalysisError } = analysisOf(session, viewState, feedback);
   const ways = createWays({ session, display, analysis, viewState, feedback, onOffer: importOffer.offer });
   const { files, remembered } = ways;
+  const previews = createSamplePreviews({
+    engine: session.engine,
+    viewer: scene.viewer,
+    samples: () => viewState.get().samples,
+    fetch: fetchSample,
+    isDark: () => theme.isDark(),
+    has: (id) => viewState.get().previews.has(id),
+    onPictures: (id, pictures) => viewState.change({ previews: new Map(viewState.get().previews).set(id, pictures) }),
+  });
   const applyLook = (): void => scene.setLook(store.get().view, theme.isDark());
   const theme = createTheme(() => {
     applyLook();
@@ -61,6 +72,7 @@ export function startApp(root: HTMLElement): void {
   const page = createPage({
     ...{ root, layout, offers, session, viewState, feedback, scene, marking, commands, analysis, theme, files },
     onAnalysisError,
+    onGallery: (open) => (open ? previews.start() : previews.stop()),
     onLink: () => void ways.link.copy(),
     onRemember: () => void remembered.toggle().catch(feedback.onError),
     onExportPlan: ways.exporting.plan,

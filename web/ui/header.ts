@@ -1,18 +1,18 @@
 /** The top bar: name, sample, open, undo and redo, export, link, help, theme. */
-import { button, select, tooltip } from './controls.ts';
+import { button, tooltip } from './controls.ts';
 import { h, memo, setAttribute, setHidden } from './dom.ts';
+import { createGallery } from './gallery.ts';
+import type { GalleryEvents, SampleItem } from './gallery.ts';
 import type { IconName } from './icons.ts';
 import { setIcon } from './icons.ts';
 import type { Theme } from './theme.ts';
 
-export interface SampleItem {
-  id: string;
-  title: string;
-  description: string;
-}
-
 export interface HeaderProps {
   samples: readonly SampleItem[];
+  /** Pictures of each in motion, as far as they are made. */
+  previews: ReadonlyMap<string, readonly HTMLCanvasElement[]>;
+  /** Whether they may move. */
+  moving: boolean;
   /** Id of the loaded sample, or null where files of the user are loaded. */
   sample: string | null;
   fileName: string;
@@ -25,8 +25,7 @@ export interface HeaderProps {
   remembered: boolean;
 }
 
-export interface HeaderEvents {
-  onSample(id: string): void;
+export interface HeaderEvents extends GalleryEvents {
   onOpen(): void;
   onUndo(): void;
   onRedo(): void;
@@ -43,14 +42,8 @@ const THEMES: Record<Theme, { icon: IconName; label: string }> = {
   dark: { icon: 'dark', label: 'Dark colours' },
 };
 
-/** Value of the entry that stands for the user's own files. */
-const OWN = '';
-
 export function createHeader(events: HeaderEvents): { element: HTMLElement; update(props: HeaderProps): void } {
-  const sample = select<string>('Sample', 'sample', [], (id) => {
-    if (id !== OWN) events.onSample(id);
-  });
-  sample.element.classList.add('compact', 'sample');
+  const gallery = createGallery(events);
   const open = button({
     label: 'Open files',
     testId: 'open',
@@ -107,7 +100,7 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
     'header',
     { class: 'app-header' },
     h('h1', { class: 'wordmark' }, 'shape', h('span', {}, 'spline')),
-    sample.element,
+    gallery.element,
     open,
     h('div', { class: 'history' }, undo, redo),
     h('div', { class: 'spacer' }),
@@ -119,11 +112,8 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
   );
 
   const draw = memo((props: HeaderProps) => {
-    const own = props.sample === null && props.fileName ? [{ value: OWN, label: props.fileName }] : [];
-    sample.update(props.sample ?? OWN, [
-      ...own,
-      ...props.samples.map((s) => ({ value: s.id, label: s.title, hint: s.description })),
-    ]);
+    const { samples, sample, fileName, previews, moving } = props;
+    gallery.update({ samples, sample, fileName, previews, moving });
     describe(undo, 'Undo', props.undo, 'Ctrl+Z');
     describe(redo, 'Redo', props.redo, 'Ctrl+Shift+Z');
     exporting.disabled = !props.canExport;

@@ -25,7 +25,12 @@ export class Thumbnails {
 
   /** A data URL; width and height in CSS pixels. */
   draw(shape: Shape, width: number, height: number): string {
-    if (!this.extent) return '';
+    return this.canvas(shape, width, height)?.toDataURL('image/png') ?? '';
+  }
+
+  /** The same as a canvas, or null where the browser gives none. */
+  canvas(shape: Shape, width: number, height: number): HTMLCanvasElement | null {
+    if (!this.extent) return null;
     const ratio = this.renderer.getPixelRatio();
     const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
     this.placeCamera(this.extent, w / h);
@@ -36,7 +41,7 @@ export class Thumbnails {
     this.renderer.readRenderTargetPixels(target, 0, 0, w, h, pixels);
     target.dispose();
     shape.object.removeFromParent();
-    return pngOf(pixels, w, h);
+    return canvasOf(pixels, w, h);
   }
 
   private placeCamera(extent: Extent, aspect: number): void {
@@ -65,18 +70,18 @@ export class Thumbnails {
 /**
  * Rows from the bottom up, sRGB, in linear light multiplied by alpha, as blending and the mean of samples leave them.
  */
-function pngOf(pixels: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): string {
+function canvasOf(pixels: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): HTMLCanvasElement | null {
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext('2d');
-  if (!context) return '';
+  if (!context) return null;
   const image = context.createImageData(width, height);
   for (let row = 0; row < height; row += 1)
     image.data.set(pixels.subarray(4 * width * row, 4 * width * (row + 1)), 4 * width * (height - 1 - row));
   divideByAlpha(image.data);
   context.putImageData(image, 0, 0);
-  return canvas.toDataURL('image/png');
+  return canvas;
 }
 
 function divideByAlpha(pixels: Uint8ClampedArray): void {

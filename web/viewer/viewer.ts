@@ -6,6 +6,7 @@ import type { CameraPose, ViewName } from '../model/camera.ts';
 import { CameraRig } from './camera.ts';
 import { Contents } from './contents.ts';
 import type { Insets } from './fit.ts';
+import { Pictures } from './pictures.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
 import { Studio } from './studio.ts';
@@ -279,6 +280,11 @@ export class Viewer {
     const picture = this.thumbnails.draw(shape, width, height);
     shape.dispose();
     return picture;
+  }
+
+  /** Small pictures of a shape that is not open; to be disposed of. */
+  pictures(info: KeysInfo, bounds: Bounds, points: Float32Array): Promise<Pictures> {
+    return Pictures.of(info, { points, radius: radiusOf(bounds) }, this.renderer, this.studio);
   }
 
   dispose(): void {

@@ -193,7 +193,7 @@ export class SceneController {
     return sequences.map((running, index) => {
       const rect = rects[index] ?? { x: 0, y: 0, width: 0 };
       return {
-        title: titleOf(running),
+        title: titleOf(running, this.viewer.isSplit),
         ...this.measures(frames[index]),
         x: rect.x,
         y: rect.y,
@@ -322,8 +322,10 @@ function besideOf(rect: Rect): { x: number; y: number } {
   return { x: rect.x, y: rect.y + rect.height / 2 };
 }
 
-function titleOf({ method, ghost }: RunningSequence): string {
-  return `${METHOD_WORDS[method].label}${ghost ? ', ghost mesh' : ''}`;
+/** Beside a divider, a blend is called what those know it by who have never heard of it. */
+function titleOf({ method, ghost }: RunningSequence, split: boolean): string {
+  const title = split && method === 'linear' ? 'Morph targets' : METHOD_WORDS[method].label;
+  return `${title}${ghost ? ', ghost mesh' : ''}`;
 }
 
 export function onionSkinInput(t: number, { doc }: AppState, range: Range): OnionSkinInput {

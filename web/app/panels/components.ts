@@ -42,6 +42,7 @@ import type { Marking } from '../drawing/marking.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
 import type { ViewState } from './view-state.ts';
+import { reducedMotion } from './window-events.ts';
 import type { Layout } from './layout.ts';
 
 export interface ComponentsInput {
@@ -60,6 +61,8 @@ export interface ComponentsInput {
   /** An indefinite face of the shape on the screen. */
   indefiniteFace(): number;
   shortcuts: readonly ShortcutLine[];
+  /** The gallery of samples opens or closes. */
+  onGallery(open: boolean): void;
   onUndo(): void;
   onRedo(): void;
   onLink(): void;
@@ -104,6 +107,7 @@ export function createComponents(input: ComponentsInput): Components {
   const dropZone = createDropZone(openFiles);
   const header = createHeader({
     onSample: (id) => void files.sample(id),
+    onGallery: input.onGallery,
     onOpen: picker.open,
     onUndo: input.onUndo,
     onRedo: input.onRedo,
@@ -232,6 +236,8 @@ export function createComponents(input: ComponentsInput): Components {
     });
     header.update({
       samples: viewState.samples,
+      previews: viewState.previews,
+      moving: !reducedMotion(),
       sample: source.kind === 'sample' ? source.id : null,
       theme,
       undo,

@@ -29,6 +29,7 @@ export interface PageParts {
   marking: Marking;
   files: OpenFiles;
   theme: ThemeSwitch;
+  onGallery(open: boolean): void;
   onLink(): void;
   onRemember(): void;
   /** Ends the work under way. */
@@ -79,6 +80,7 @@ export function createPage(parts: PageParts): Page {
     ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),
     indefiniteFace: () => viewState.get().indefiniteFace,
     shortcuts: shortcutLines(shortcuts),
+    onGallery: parts.onGallery,
     onUndo: store.undo,
     onRedo: store.redo,
     onTheme: theme.next,

@@ -286,8 +286,9 @@ function appendKey(doc: Doc, { name, pose }: { name: string; pose: number }): Do
   return addKey(doc, { pose, name, time: last + (step || 1) });
 }
 
-function ofSample(doc: Doc, { boundary }: Sample): Doc {
-  return setMotion(doc, { boundary });
+function ofSample(doc: Doc, { boundary, names }: Sample): Doc {
+  const keys = doc.keys.map((key, index) => ({ ...key, name: names?.[index] ?? key.name }));
+  return setMotion({ ...doc, keys }, { boundary });
 }
 
 /** The look stays, but not a divider; the camera is fitted unless a link says where it was. */

@@ -12,7 +12,7 @@ import type { Sample } from './samples.ts';
 
 const VISITED = 'shapespline-visited';
 /** Blended positions on the left of a divider, this method on its right. */
-const FIRST_VISIT = 'sample=twisted-bar&compare=linear&split=0.5&play=1';
+const FIRST_VISIT = 'sample=column&compare=linear&split=0.5&play=1';
 
 export interface OpenFirstParts {
   files: OpenFiles;
