@@ -157,7 +157,7 @@ test.describe('at 360 px', () => {
     await expect(app.by('panel-motion')).toBeHidden();
     await app.by('tab-keys').tap();
     await expect(app.by('key-0-go')).toBeVisible();
-    await app.by('sample').selectOption({ index: 1 });
+    await app.pick('dachshund');
     await app.settled();
     expect(await overflow()).toBeLessThanOrEqual(0);
     await app.expectNoProblems();
@@ -233,7 +233,7 @@ test.describe('with a service worker', () => {
     await context.setOffline(true);
     await app.open();
     expect((await app.positions()).length).toBeGreaterThan(0);
-    await app.by('sample').selectOption({ index: 1 });
+    await app.pick('dachshund');
     await app.settled();
     await expect(app.by('error')).toBeHidden();
     await context.setOffline(false);

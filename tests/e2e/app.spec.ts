@@ -20,23 +20,6 @@ test('shows the first sample with its counts and a picture that is not flat', { 
   await app.expectNoProblems();
 });
 
-test('every sample opens without a complaint', { tag: '@server' }, async ({ app }) => {
-  await app.open();
-  const ids = await app
-    .by('sample')
-    .locator('option')
-    .evaluateAll((options) => options.map((o) => (o as HTMLOptionElement).value));
-  expect(ids.length).toBeGreaterThanOrEqual(3);
-  for (const id of ids) {
-    await app.by('sample').selectOption(id);
-    await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id });
-    await app.settled();
-    await expect(app.by('error')).toBeHidden();
-    expect((await app.positions()).every(Number.isFinite)).toBe(true);
-  }
-  await app.expectNoProblems();
-});
-
 test.describe('where motion is welcome', () => {
   test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
 

@@ -95,7 +95,7 @@ const askForUpdate = (app: App): Promise<void> =>
 /** Needs a worker's script and decoders that the page has not loaded so far. */
 async function opensAnotherSample(app: App): Promise<void> {
   const before = await app.positions();
-  await app.by('sample').selectOption({ index: 2 });
+  await app.pick('octopus');
   await app.settled();
   await expect(app.by('error')).toBeHidden();
   expect(await app.positions()).not.toEqual(before);

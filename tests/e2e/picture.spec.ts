@@ -53,8 +53,11 @@ function grown(mask: Uint8Array, width: number, radius: number): Uint8Array {
   return result;
 }
 
+/** The shape alone, all of it in the colour of the phase. */
+const COLOURED = '#sample=cactus&colour=phase&floor=0';
+
 test('the drawn silhouette is that of the engine’s vertices, at three times', async ({ app }) => {
-  await app.open();
+  await app.open({ hash: COLOURED });
   for (const t of [0, 0.3, 1.2]) {
     const { verticesOnShape, shapeNearVertices, shapePixels } = await overlap(app, t);
     expect(shapePixels, `t = ${t}`).toBeGreaterThan(2000);
@@ -80,7 +83,7 @@ function meanHue(file: Buffer): number {
 }
 
 test('key, between and beyond have their own colours', async ({ app }) => {
-  await app.open();
+  await app.open({ hash: COLOURED });
   const hues: number[] = [];
   for (const t of [0, 0.25, 1.3]) {
     await app.setTime(t);
@@ -252,7 +255,7 @@ test('thumbnails show the keys as the picture does, and are drawn beside the can
       clear.call(this, mask);
     };
   });
-  await app.open();
+  await app.open({ hash: COLOURED });
   const image = app.by('key-0').locator('img');
   await expect(image).toHaveAttribute('src', /^data:image\/png;base64,/);
   await expect(app.by('key-1').locator('img')).toHaveAttribute('src', /^data:image\/png;base64,/);

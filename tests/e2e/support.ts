@@ -21,6 +21,8 @@ export function realFile(name: string): string | null {
 }
 
 export interface OpenOptions {
+  /** As it opens for somebody who has never been there. */
+  first?: boolean;
   search?: string;
   hash?: string;
   sample?: string;
@@ -43,7 +45,8 @@ export class App {
   }
 
   /** Loads the page and waits for the first shape; the motion stands still unless the test wants it. */
-  async open({ search = '', hash = '', sample }: OpenOptions = {}): Promise<this> {
+  async open({ first = false, search = '', hash = '', sample }: OpenOptions = {}): Promise<this> {
+    if (!first) await this.page.addInitScript(() => localStorage.setItem('shapespline-visited', '1'));
     await this.page.goto(`./${search}${sample ? `#sample=${sample}` : hash}`);
     await this.page.waitForFunction(() => window.__shapespline !== undefined);
     await this.page.evaluate(() => window.__shapespline!.ready);
@@ -62,6 +65,13 @@ export class App {
     } finally {
       rmSync(folder, { recursive: true, force: true });
     }
+  }
+
+  /** Opens a sample from the gallery. */
+  async pick(id: string): Promise<void> {
+    await this.by('sample').click();
+    await this.by(`sample-card-${id}`).click();
+    await expect.poll(async () => (await this.state()).source).toEqual({ kind: 'sample', id });
   }
 
   by(testId: string): Locator {

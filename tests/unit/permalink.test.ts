@@ -36,6 +36,7 @@ const state: AppState = {
     ghostWire: true,
     ghostDifference: true,
     compare: ['linear', 'cubic-vertex'],
+    split: 0.25,
     camera: { position: [1, 2, 3], target: [0, 0.5, 0] },
     window: [0.25, 0.5],
   },

@@ -106,7 +106,8 @@ Sample makeTwistedBar() {
   }
   return {"twisted-bar", "Twisted bar",
           "A bar twisted by 0, 180 and 350 degrees: blending positions would squeeze it thin.", BoundaryKind::Natural,
-          std::move(keyframes)};
+          std::move(keyframes),
+          0xd9b36a};
 }
 
 }  // namespace shapespline

@@ -5,7 +5,7 @@
 namespace shapespline {
 namespace {
 
-constexpr double trunkEdge = 0.067, armEdge = 0.058;  // five to a rib
+constexpr double trunkEdge = 0.05, armEdge = 0.0435;  // seven to a rib
 enum { trunk, leftArm, rightArm };
 
 Limb ribbed(Limb limb, int ribs, double depth, double edge, double blend) {
@@ -68,7 +68,7 @@ Sample makeCactus() {
       bent(body, 80 * degree * Vec3::UnitX(), {0.35, 0.2, 0.3}, {0.6, 0, -0.3}),
   };
   return {"cactus", "Cactus", "A cactus bent to one side, upright, and bent towards you: the paper's first example.",
-          BoundaryKind::Natural, posedKeyframes(body, poses, 0.5, 24)};
+          BoundaryKind::Natural, posedKeyframes(body, poses, 0.5, 32), 0x86a263};
 }
 
 }  // namespace shapespline

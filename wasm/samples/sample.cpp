@@ -7,6 +7,7 @@ const std::vector<SampleMaker>& sampleMakers() {
       {"cactus", makeCactus},
       {"dachshund", makeDachshund},
       {"octopus", makeOctopus},
+      {"hand", makeHand},
       {"twisted-bar", makeTwistedBar},
   };
   return makers;

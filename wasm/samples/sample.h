@@ -1,6 +1,7 @@
 // The built-in samples: each a shape with a few poses.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,14 @@ struct Sample {
   std::string description;  ///< one sentence
   BoundaryKind boundary = BoundaryKind::Natural;
   Keyframes keyframes;
+  std::uint32_t colour = 0xc9b5a4;  ///< of its surface: red, green and blue in sRGB
 };
 
 Sample makeCactus();
 Sample makeTwistedBar();
 Sample makeDachshund();
 Sample makeOctopus();
+Sample makeHand();
 
 struct SampleMaker {
   const char* id;

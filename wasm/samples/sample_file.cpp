@@ -1,5 +1,7 @@
 #include "samples/sample_file.h"
 
+#include <cmath>
+
 #define JSON_NO_IO
 #include <nlohmann/json.hpp>
 
@@ -34,12 +36,17 @@ std::vector<float> toFloats(const Positions& positions) {
   return floats;
 }
 
-// A surface for viewers that take the file's own colours: the blue of the keys, matt.
-Scene plainScene(int faces) {
+float linear(std::uint32_t level) {
+  const double c = level / 255.0;
+  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
+// One colour all over, matt.
+Scene plainScene(int faces, std::uint32_t colour) {
   Scene scene;
   Material material;
   material.name = "clay";
-  material.baseColor = {0.0f, 0.168f, 0.445f, 1.0f};  // #0072B2
+  material.baseColor = {linear(colour >> 16), linear(colour >> 8 & 255), linear(colour & 255), 1.0f};
   material.roughness = 0.6f;
   scene.materials.push_back(material);
   scene.groups.push_back({0, faces, 0});
@@ -52,7 +59,7 @@ std::string sampleFileName(const Sample& sample) { return sample.id + ".glb"; }
 
 Result<std::vector<std::uint8_t>> sampleGlb(const Sample& sample) {
   const Keyframes& keyframes = sample.keyframes;
-  const Scene scene = plainScene(keyframes.faceCount());
+  const Scene scene = plainScene(keyframes.faceCount(), sample.colour);
   AnimationSource source;
   source.faces = &keyframes.faces;
   source.scene = &scene;

@@ -8,6 +8,7 @@ import { AnalysisCache } from './analysis/analysis-cache.ts';
 import { createDisplay } from './display.ts';
 import type { Display } from './display.ts';
 import { originalOf } from './drawing/original.ts';
+import { createSamplePreviews } from './drawing/sample-previews.ts';
 import { createCommands } from './panels/commands.ts';
 import type { Commands } from './panels/commands.ts';
 import { createFeedback } from './panels/feedback.ts';
@@ -20,6 +21,7 @@ import { listenToLeaving, listenToNetwork, listenToPointer, reducedMotion } from
 import { createSession } from './session/session.ts';
 import type { Session } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
+import { fetchSample } from './sources/samples.ts';
 import { openFirst } from './sources/open-first.ts';
 import type { OpenFiles } from './sources/open-files.ts';
 import { createTakeFiles } from './sources/take-files.ts';
@@ -55,6 +57,15 @@ export function startApp(root: HTMLElement): void {
   const { analysis, onAnalysisError } = analysisOf(session, viewState, feedback);
   const ways = createWays({ session, display, analysis, viewState, feedback, onOffer: importOffer.offer });
   const { files, remembered, undo, animation } = ways;
+  const previews = createSamplePreviews({
+    engine: session.engine,
+    viewer: scene.viewer,
+    samples: () => viewState.get().samples,
+    fetch: fetchSample,
+    isDark: () => theme.isDark(),
+    has: (id) => viewState.get().previews.has(id),
+    onPictures: (id, pictures) => viewState.change({ previews: new Map(viewState.get().previews).set(id, pictures) }),
+  });
   const applyLook = (): void => scene.setLook(store.get().view, theme.isDark());
   const theme = createTheme(() => {
     applyLook();
@@ -86,6 +97,7 @@ export function startApp(root: HTMLElement): void {
       undo,
     },
     onAnalysisError,
+    onGallery: (open) => (open ? previews.start() : previews.stop()),
     onLink: () => void ways.link.copy(),
     onOwn: (id) => void ways.openOwn(id),
     onRemember: () => void remembered.toggle().catch(feedback.onError),

@@ -43,7 +43,8 @@ export interface Play {
   fps: number | null;
 }
 
-export type Colouring = 'phase' | 'texture' | 'patches';
+/** `texture`: the file's own materials, or clay where it has none. */
+export type Colouring = 'texture' | 'phase' | 'patches';
 
 export interface View {
   colouring: Colouring;
@@ -54,6 +55,8 @@ export interface View {
   film: boolean;
   /** Methods shown beside the main one. */
   compare: Method[];
+  /** Of two motions, where the divider between them stands, as a share of the width; null = side by side. */
+  split: number | null;
   /** With a ghost mesh: its wireframe over the shape; the ghost beside it; colours for what differs without it. */
   ghostWire: boolean;
   ghostBeside: boolean;
@@ -84,13 +87,14 @@ export const DEFAULT_MOTION: Readonly<Motion> = pageDefaults(MOTION);
 export const DEFAULT_ENCODING: Readonly<Encoding> = pageDefaults(ENCODING);
 
 export const DEFAULT_VIEW: Readonly<View> = {
-  colouring: 'phase',
+  colouring: 'texture',
   shading: 'smooth',
   wireframe: false,
   floor: true,
   onion: false,
   film: false,
   compare: [],
+  split: null,
   ghostWire: false,
   ghostBeside: false,
   ghostDifference: false,

@@ -1,23 +1,18 @@
 /** The top bar: name, sample, open, undo and redo, export, link, help, theme. */
-import { button, select, tooltip } from './controls.ts';
+import { button, tooltip } from './controls.ts';
 import { h, memo, setAttribute, setHidden } from './dom.ts';
+import { createGallery } from './gallery.ts';
+import type { GalleryEvents, OwnItem, SampleItem } from './gallery.ts';
 import type { IconName } from './icons.ts';
 import { setIcon } from './icons.ts';
 import type { Theme } from './theme.ts';
 
-export interface SampleItem {
-  id: string;
-  title: string;
-  description: string;
-}
-
-export interface OwnItem {
-  id: string;
-  title: string;
-}
-
 export interface HeaderProps {
   samples: readonly SampleItem[];
+  /** Pictures of each in motion, as far as they are made. */
+  previews: ReadonlyMap<string, readonly HTMLCanvasElement[]>;
+  /** Whether they may move. */
+  moving: boolean;
   /** Id of the loaded sample, or null where files of the user are loaded. */
   sample: string | null;
   /** Files of the user that can be opened again. */
@@ -31,9 +26,7 @@ export interface HeaderProps {
   remembered: boolean;
 }
 
-export interface HeaderEvents {
-  onSample(id: string): void;
-  onOwn(id: string): void;
+export interface HeaderEvents extends GalleryEvents {
   onOpen(): void;
   onUndo(): void;
   onRedo(): void;
@@ -50,15 +43,8 @@ const THEMES: Record<Theme, { icon: IconName; label: string }> = {
   dark: { icon: 'dark', label: 'Dark colours' },
 };
 
-/** Begins the values of the entries that stand for the user's own files. */
-const OWN = 'own ';
-
 export function createHeader(events: HeaderEvents): { element: HTMLElement; update(props: HeaderProps): void } {
-  const sample = select<string>('Sample', 'sample', [], (id) => {
-    if (id.startsWith(OWN)) events.onOwn(id.slice(OWN.length));
-    else events.onSample(id);
-  });
-  sample.element.classList.add('compact', 'sample');
+  const gallery = createGallery(events);
   const open = button({
     label: 'Open files',
     testId: 'open',
@@ -115,7 +101,7 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
     'header',
     { class: 'app-header' },
     h('h1', { class: 'wordmark' }, 'shape', h('span', {}, 'spline')),
-    sample.element,
+    gallery.element,
     open,
     h('div', { class: 'history' }, undo, redo),
     h('div', { class: 'spacer' }),
@@ -127,10 +113,8 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
   );
 
   const draw = memo((props: HeaderProps) => {
-    sample.update(props.sample ?? OWN + props.project, [
-      ...props.own.map(({ id, title }) => ({ value: OWN + id, label: title })),
-      ...props.samples.map((s) => ({ value: s.id, label: s.title, hint: s.description })),
-    ]);
+    const { samples, sample, own, project, previews, moving } = props;
+    gallery.update({ samples, sample, own, project, previews, moving });
     describe(undo, 'Undo', props.undo, 'Ctrl+Z');
     describe(redo, 'Redo', props.redo, 'Ctrl+Shift+Z');
     exporting.disabled = !props.canExport;

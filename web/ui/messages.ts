@@ -142,23 +142,23 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
   };
 }
 
+const WELCOME = ['Poses in, motion out.', 'Drag the slider, also past both ends, or drop poses of your own mesh here.'];
+const WELCOME_SPLIT = ['Blended, a shape collapses between its poses. Here it keeps its volume.', 'Drag the divider.'];
+
 /**
  * Says in one sentence what the page does, until the visitor has done something; gives way to other messages in the
  * same place.
  */
 export function createWelcome(onPick: () => void): {
   element: HTMLElement;
-  update(wanted: boolean, givesWay: boolean): void;
+  update(wanted: boolean, givesWay: boolean, split: boolean): void;
 } {
+  const claim = h('strong', {});
+  const rest = h('span', {});
   const element = h(
     'div',
     { class: 'welcome', 'data-testid': 'welcome', hidden: true },
-    h(
-      'p',
-      {},
-      h('strong', {}, 'Poses in, motion out. '),
-      'Drag the slider, also past both ends, or drop poses of your own mesh here.',
-    ),
+    h('p', {}, claim, ' ', rest),
     button({
       label: 'Choose files',
       testId: 'welcome-open',
@@ -170,7 +170,10 @@ export function createWelcome(onPick: () => void): {
   );
   return {
     element,
-    update(wanted, givesWay) {
+    update(wanted, givesWay, split) {
+      const [bold, plain] = split ? WELCOME_SPLIT : WELCOME;
+      setText(claim, bold);
+      setText(rest, plain);
       setHidden(element, !wanted);
       setAttribute(element, 'data-gives-way', givesWay);
     },

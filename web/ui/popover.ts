@@ -2,13 +2,19 @@
 import { setAttribute } from './dom.ts';
 
 /** `home` holds both. Returns what opens and closes the panel. */
-export function popover(home: HTMLElement, toggle: HTMLButtonElement, panel: HTMLElement): () => void {
+export function popover(
+  home: HTMLElement,
+  toggle: HTMLButtonElement,
+  panel: HTMLElement,
+  onOpen: (open: boolean) => void = () => undefined,
+): () => void {
   setAttribute(toggle, 'aria-expanded', 'false');
   setAttribute(toggle, 'aria-controls', panel.id);
   const flip = (): void => {
     panel.hidden = !panel.hidden;
     setAttribute(toggle, 'aria-expanded', String(!panel.hidden));
-    if (!panel.hidden) panel.querySelector('input')?.focus();
+    onOpen(!panel.hidden);
+    if (!panel.hidden) panel.querySelector<HTMLElement>('[aria-current], input')?.focus();
   };
   home.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape' || panel.hidden) return;

@@ -8,14 +8,14 @@ import { popover } from './popover.ts';
 
 export interface ViewBarProps {
   view: View;
-  /** The import has texture or materials worth showing. */
-  hasTexture: boolean;
   /** Which axis is up where the files do not say it themselves. */
   up: 'y' | 'z' | null;
   disabled: boolean;
 }
 
 export interface ViewBarEvents {
+  /** Two motions on either side of a divider, or not. */
+  onSplit(on: boolean): void;
   onFit(view: ViewName | null): void;
   onView(change: Partial<View>): void;
   onUp(up: 'y' | 'z'): void;
@@ -30,8 +30,12 @@ export function createViewBar(events: ViewBarEvents): {
     'Colour',
     'colouring',
     [
-      { value: 'phase', label: 'Time', hint: 'Blue at a key, green between, yellow beyond the ends' },
-      { value: 'texture', label: 'Texture', hint: 'From the file' },
+      {
+        value: 'texture',
+        label: 'Material',
+        hint: 'From the file, or clay; the ring on the floor and the outline show the phase',
+      },
+      { value: 'phase', label: 'Phase', hint: 'Colour by phase: blue at a key, green between, yellow beyond the ends' },
       { value: 'patches', label: 'Patches', hint: 'Regions that turn as a whole' },
     ],
     (value) => events.onView({ colouring: value }),
@@ -49,12 +53,14 @@ export function createViewBar(events: ViewBarEvents): {
   const floor = checkbox('Floor', 'floor', (on) => events.onView({ floor: on }), 'G');
   const onion = checkbox('Onion skin', 'onion', (on) => events.onView({ onion: on, film: false }), 'O');
   const film = checkbox('Film strip', 'film', (on) => events.onView({ film: on, onion: false }), 'I');
+  const split = checkbox('Divider', 'split', (on) => events.onSplit(on), 'S');
+  split.element.title = 'Two motions of one shape, on either side of a divider';
   const look = h(
     'div',
     { class: 'card popover', id: 'look', 'data-testid': 'look', hidden: true },
     colouring.element,
     shading.element,
-    h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element),
+    h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element, split.element),
   );
   const toggle = button({
     label: 'Display',
@@ -105,16 +111,17 @@ export function createViewBar(events: ViewBarEvents): {
 
   const toggleLook = popover(element, toggle, look);
 
-  const draw = memo(({ view: state, hasTexture, up: present, disabled }: ViewBarProps) => {
+  const draw = memo(({ view: state, up: present, disabled }: ViewBarProps) => {
     up = present;
     setHidden(stand, up === null);
     setAttribute(stand, 'aria-pressed', String(up === 'z'));
-    colouring.update(state.colouring, hasTexture ? {} : { texture: 'The files have no textures or colours.' });
+    colouring.update(state.colouring);
     shading.update(state.shading);
     wireframe.update(state.wireframe);
     floor.update(state.floor);
     onion.update(state.onion);
     film.update(state.film);
+    split.update(state.split !== null);
     for (const control of bar.querySelectorAll('button')) control.disabled = disabled;
   });
   return { element, toggleLook, update: draw };
@@ -178,17 +185,26 @@ export interface TileLabel {
   title: string;
   /** Measures in percent of the first key's; empty = not known. */
   detail: string;
+  /** The same of the volume alone, in whole percent. */
+  volume: string;
   x: number;
   y: number;
   width: number;
 }
 
-/** The method's name and its measures over each of several views. */
-export function createTileLabels(): { element: HTMLElement; update(labels: readonly TileLabel[]): void } {
+/** Between a divider and an edge as near as this there is no room for words. */
+const NARROW_PX = 120;
+
+/** The method's name and its measures over each of several views; beside a divider, the volume in large figures. */
+export function createTileLabels(): {
+  element: HTMLElement;
+  update(labels: readonly TileLabel[], split: boolean): void;
+} {
   const element = h('div', { class: 'tile-labels' });
   return {
     element,
-    update(labels) {
+    update(labels, split) {
+      setAttribute(element, 'data-split', split);
       while (element.children.length > labels.length) element.lastElementChild?.remove();
       labels.forEach((label, index) => {
         const tile = (element.children[index] ??
@@ -197,7 +213,8 @@ export function createTileLabels(): { element: HTMLElement; update(labels: reado
               'div',
               { class: 'tile-label', 'data-testid': `tile-${index}` },
               h('strong', {}),
-              h('span', {}, h('span', {}), h('span', { class: 'of' }, ' of the first key')),
+              h('span', { class: 'measures' }, h('span', {}), h('span', { class: 'of' }, ' of the first key')),
+              h('span', { class: 'volume' }, h('b', {}), ' of its volume'),
             ),
           )) as HTMLElement;
         setStyle(tile, 'left', `${label.x}px`);
@@ -206,8 +223,12 @@ export function createTileLabels(): { element: HTMLElement; update(labels: reado
         setAttribute(tile, 'data-edge', label.x > 0);
         setAttribute(tile, 'data-below', label.y > 0);
         setText(tile.firstElementChild!, label.title);
-        setHidden(tile.lastElementChild as HTMLElement, label.detail === '');
-        setText(tile.lastElementChild!.firstElementChild!, label.detail);
+        setAttribute(tile, 'data-narrow', label.width < NARROW_PX);
+        const [, measures, volume] = tile.children as unknown as [Element, HTMLElement, HTMLElement];
+        setHidden(measures, split || label.detail === '');
+        setHidden(volume, !split || label.detail === '');
+        setText(measures.firstElementChild!, label.detail);
+        setText(volume.firstElementChild!, label.volume);
       });
     },
   };

@@ -4,12 +4,13 @@ import type { KeysInfo } from '../engine/api/types.ts';
 import { GhostView } from './ghost.ts';
 import { Shape, topologyOf } from './shape.ts';
 import type { Topology } from './shape.ts';
+import type { Studio } from './studio.ts';
 import { decodeTextures } from './textures.ts';
 import type { Extra, GhostPicture, Look } from './types.ts';
 
 /** How long a shape takes to go over into the exact one. */
 const EASE_MS = 150;
-const DEFAULT_LOOK: Look = { colouring: 'phase', shading: 'smooth', wireframe: false, floor: true, dark: false };
+const DEFAULT_LOOK: Look = { colouring: 'texture', shading: 'smooth', wireframe: false, floor: true, dark: false };
 
 /**
  * Layers of the scene. Light and floor are on layer 0, as everything that says nothing else; then come onion skins or a
@@ -25,6 +26,7 @@ export class Contents {
   private extras: Shape[] = [];
   private ghost: GhostView | null = null;
   private colours: string[] = [];
+  private extraColours: string[] = [];
   private current = DEFAULT_LOOK;
   private patchColours: Float32Array | null = null;
   private hideShapes = false;
@@ -32,7 +34,10 @@ export class Contents {
   private easedSince: number | null = null;
 
   /** `onTextures`: they are decoded later than the shapes are shown. */
-  constructor(private readonly onTextures: () => void) {}
+  constructor(
+    private readonly studio: Studio,
+    private readonly onTextures: () => void,
+  ) {}
 
   get look(): Look {
     return this.current;
@@ -40,6 +45,11 @@ export class Contents {
 
   get views(): number {
     return this.shapes.length;
+  }
+
+  /** Whether a film strip is shown instead of the moving shapes. */
+  get isStrip(): boolean {
+    return this.hideShapes;
   }
 
   get easing(): boolean {
@@ -95,8 +105,10 @@ export class Contents {
       const shape = this.extras[index];
       if (!shape) return;
       shape.setFrame(extra.positions, extra.normals);
-      shape.setColour(extra.colour);
       shape.setOpacity(extra.opacity);
+      shape.setLook(this.lookOf(extra.opacity));
+      shape.setColour(extra.colour);
+      this.extraColours[index] = extra.colour;
       shape.object.position.x = extra.offset;
     });
     this.hideShapes = instead;
@@ -133,7 +145,7 @@ export class Contents {
     const shape = this.shapes[0];
     if (!ghost || !this.ghost?.fits(ghost)) {
       this.ghost?.dispose();
-      this.ghost = ghost && new GhostView(ghost, FIRST_SHAPE);
+      this.ghost = ghost && new GhostView(ghost, this.studio, FIRST_SHAPE);
       if (this.ghost) this.object.add(this.ghost.object);
     }
     if (ghost && shape) this.ghost?.setFrame(ghost, shape.positions, this.current.dark);
@@ -142,7 +154,7 @@ export class Contents {
   setLook(look: Look): void {
     this.current = look;
     for (const shape of this.shapes) shape.setLook(look);
-    for (const shape of this.extras) shape.setLook({ ...look, colouring: 'phase', wireframe: false });
+    for (const shape of this.extras) shape.setLook(this.lookOf(shape.opacity));
     this.applyColours();
   }
 
@@ -184,7 +196,7 @@ export class Contents {
   /** A further shape for a picture of its own, to be disposed of; null for a frame of another import. */
   shapeOf(positions: Float32Array, normals: Float32Array, colour: string): Shape | null {
     if (!this.topology || !this.fits(positions)) return null;
-    const shape = new Shape(this.topology);
+    const shape = new Shape(this.topology, this.studio);
     shape.setFrame(positions, normals);
     shape.setLook({ ...this.current, wireframe: false });
     shape.setColour(colour);
@@ -205,8 +217,15 @@ export class Contents {
     return positions.length === 3 * (this.topology?.vertices ?? -1);
   }
 
+  /** A skin, which is drawn through, says by its colour when it is. */
+  private lookOf(opacity: number): Look {
+    const { colouring } = this.current;
+    const coloured = opacity < 1 || colouring === 'patches';
+    return { ...this.current, colouring: coloured ? 'phase' : colouring, wireframe: false };
+  }
+
   private addShape(layer: number): Shape {
-    const shape = new Shape(this.topology!, layer);
+    const shape = new Shape(this.topology!, this.studio, layer);
     shape.setLook(this.current);
     this.object.add(shape.object);
     return shape;
@@ -214,6 +233,7 @@ export class Contents {
 
   private applyColours(): void {
     this.shapes.forEach((shape, index) => shape.setColour(this.colours[index] ?? '#888888'));
+    this.extras.forEach((shape, index) => shape.setColour(this.extraColours[index] ?? '#888888'));
   }
 
   private async loadTextures(topology: Topology): Promise<void> {

@@ -1,5 +1,6 @@
 /** One frame going over into another on the graphics card: positions and normals blended in the vertex shader. */
 import type { Material } from 'three';
+import { extend } from './studio.ts';
 
 const ATTRIBUTES = 'uniform float easing;\nattribute vec3 fromPosition;\nattribute vec3 fromNormal;\n';
 
@@ -13,7 +14,7 @@ export class Easing {
 
   /** Lets a material draw the blend; call before it is first drawn. */
   install(material: Material): void {
-    material.onBeforeCompile = (shader) => {
+    extend(material, 'easing', (shader) => {
       shader.uniforms['easing'] = this.uniform;
       shader.vertexShader =
         ATTRIBUTES +
@@ -26,6 +27,6 @@ export class Easing {
             '#include <begin_vertex>',
             '#include <begin_vertex>\ntransformed = mix(fromPosition, transformed, easing);',
           );
-    };
+    });
   }
 }

@@ -15,6 +15,9 @@ import {
   PointsMaterial,
 } from 'three';
 import type { Material, Object3D } from 'three';
+import { CASTER_LAYERS } from './contact-shadow.ts';
+import { Rim } from './studio.ts';
+import type { Studio } from './studio.ts';
 import type { GhostPicture } from './types.ts';
 
 /** More lines than this can no longer be told apart. */
@@ -48,7 +51,8 @@ export class GhostView {
   private readonly lines = new Group();
 
   /** For one mesh; `fits` tells whether another picture is of the same one. */
-  constructor({ faces, positions, vertexOf }: GhostPicture, layer: number) {
+  constructor({ faces, positions, vertexOf }: GhostPicture, studio: Studio, layer: number) {
+    studio.install(this.clay, new Rim());
     this.faces = faces;
     this.links = spread(positions, Math.min(LINKS, vertexOf.length));
     this.positions = dynamic(positions.length / 3);
@@ -57,7 +61,6 @@ export class GhostView {
     bringForward(this.wire);
     this.overlay = new LineSegments(this.geometry(edges), this.wire);
     const solid = new Mesh(this.geometry(new BufferAttribute(faces, 1)), this.clay);
-    solid.castShadow = true;
     this.beside.add(solid, new LineSegments(this.geometry(edges), this.wire));
     const ends = new BufferGeometry().setAttribute('position', this.linkEnds);
     this.lines.add(new LineSegments(ends, this.link), new Points(ends, this.dot));
@@ -66,6 +69,7 @@ export class GhostView {
       part.frustumCulled = false;
       part.layers.set(layer);
     });
+    solid.layers.enable(layer + CASTER_LAYERS);
   }
 
   fits({ faces }: GhostPicture): boolean {

@@ -10,6 +10,8 @@ import {
   MeshStandardMaterial,
 } from 'three';
 import type { Easing } from './easing.ts';
+import { Rim } from './studio.ts';
+import type { Studio } from './studio.ts';
 
 /**
  * As --mark of the page; it stands out from blue, green, yellow and grey, on light and dark ground, and from the first
@@ -37,9 +39,10 @@ export class Mark {
   });
 
   /** index: 3 drawn vertices a face. */
-  constructor(index: Uint32Array, shape: BufferGeometry, easing: Easing, layer: number) {
+  constructor(index: Uint32Array, shape: BufferGeometry, easing: Easing, studio: Studio, layer: number) {
     this.geometry.setIndex(new BufferAttribute(index, 1));
     this.follow(shape);
+    studio.install(this.seen, new Rim());
     for (const material of [this.seen, this.hidden]) {
       easing.install(material);
       const mesh = new Mesh(this.geometry, material);

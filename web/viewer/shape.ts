@@ -11,9 +11,17 @@ import {
 } from 'three';
 import type { Material as ThreeMaterial, Texture } from 'three';
 import type { KeysInfo, Material, Scene } from '../engine/api/types.ts';
+import { CASTER_LAYERS } from './contact-shadow.ts';
 import { Easing } from './easing.ts';
 import { Mark } from './mark.ts';
+import { Rim } from './studio.ts';
+import type { Studio } from './studio.ts';
 import type { Look } from './types.ts';
+
+/** What has no material of its own. */
+const CLAY = '#c9b5a4';
+/** How much of the outline has the colour of the moment. */
+const RIM = 0.85;
 
 /** What the shapes of one import share: everything but where their vertices are. */
 export interface Topology {
@@ -42,12 +50,15 @@ export class Shape {
   readonly object = new Group();
   private readonly geometry = new BufferGeometry();
   private readonly easing = new Easing();
+  private readonly rim = new Rim();
+  private clay = false;
+  private rimmed = false;
   private position: BufferAttribute;
   private normal: BufferAttribute;
   /** What is eased from; made when it is first needed. */
   private before: { position: BufferAttribute; normal: BufferAttribute } | null = null;
   private readonly plain = new MeshStandardMaterial({
-    roughness: 0.62,
+    roughness: 0.6,
     metalness: 0,
     side: DoubleSide,
     polygonOffset: true,
@@ -67,6 +78,7 @@ export class Shape {
   /** Drawn by cameras that see the layer. */
   constructor(
     private readonly topology: Topology,
+    private readonly studio: Studio,
     private readonly layer = 0,
   ) {
     const drawn = topology.vertices + (topology.scene.seams?.copyOf.length ?? 0);
@@ -80,12 +92,13 @@ export class Shape {
       this.geometry.addGroup(group.start * 3, group.count * 3, index);
     this.mesh = new Mesh(this.geometry, this.plain);
     this.wire = new Mesh(this.geometry, this.lines);
-    this.mesh.castShadow = true;
     for (const material of [this.plain, this.lines]) this.easing.install(material);
+    studio.install(this.plain, this.rim);
     for (const mesh of [this.mesh, this.wire]) {
       mesh.frustumCulled = false;
       mesh.layers.set(layer);
     }
+    this.mesh.layers.enable(layer + CASTER_LAYERS);
     this.object.add(this.mesh, this.wire);
   }
 
@@ -135,12 +148,15 @@ export class Shape {
   /** Marks faces, 3 drawn vertices each, over every colouring; null takes the mark away. */
   setMark(index: Uint32Array | null): void {
     this.mark?.dispose();
-    this.mark = index && new Mark(index, this.geometry, this.easing, this.layer);
+    this.mark = index && new Mark(index, this.geometry, this.easing, this.studio, this.layer);
     if (this.mark) this.object.add(this.mark.object);
   }
 
   setLook(look: Look): void {
-    const textured = look.colouring === 'texture' && !this.heatColours;
+    const own = look.colouring === 'texture' && !this.heatColours;
+    const textured = own && (this.topology.scene.materials.length > 0 || this.topology.tint !== null);
+    this.clay = own && !textured;
+    this.rimmed = own;
     const colours = textured
       ? this.topology.tint
       : (this.heatColours ?? (look.colouring === 'patches' ? this.patchColours : null));
@@ -152,9 +168,10 @@ export class Shape {
     this.lines.color.set(look.dark ? 0xffffff : 0x10151b);
   }
 
-  /** Where vertices have no colours of their own. */
+  /** Of the moment: of the outline, or of all of it. */
   setColour(colour: string): void {
-    this.plain.color.set(this.plain.vertexColors ? '#ffffff' : colour);
+    this.plain.color.set(this.plain.vertexColors ? '#ffffff' : this.clay ? CLAY : colour);
+    this.rim.set(colour, this.rimmed ? RIM : 0);
   }
 
   /** Drawn through, without writing over what lies behind. */
@@ -162,7 +179,12 @@ export class Shape {
     this.plain.transparent = opacity < 1;
     this.plain.opacity = opacity;
     this.plain.depthWrite = opacity >= 1;
-    this.mesh.castShadow = opacity >= 1;
+    if (opacity < 1) this.mesh.layers.disable(this.layer + CASTER_LAYERS);
+    else this.mesh.layers.enable(this.layer + CASTER_LAYERS);
+  }
+
+  get opacity(): number {
+    return this.plain.opacity;
   }
 
   dispose(): void {
@@ -211,7 +233,10 @@ export class Shape {
       this.textured = this.topology.scene.groups.map((group) =>
         texturedMaterial(this.topology.scene.materials[group.material], this.topology.textures[group.material]),
       );
-      for (const material of this.textured) this.easing.install(material);
+      for (const material of this.textured) {
+        this.easing.install(material);
+        this.studio.install(material, this.rim);
+      }
     }
     for (const material of this.textured) this.setShading(material, look.shading, this.topology.tint !== null);
     return this.textured;
@@ -237,9 +262,9 @@ function texturedMaterial(material: Material | undefined, map: Texture | null | 
   result.opacity = alpha;
   result.transparent = material.alphaMode === 'BLEND';
   result.alphaTest = material.alphaMode === 'MASK' ? material.alphaCutoff : 0;
-  // Without an environment map a metal would be black.
-  result.metalness = Math.min(material.metallic, 0.2);
-  result.roughness = Math.max(material.roughness, 0.4);
+  result.metalness = material.metallic;
+  // Smoother ones would mirror a studio that is not there.
+  result.roughness = Math.max(material.roughness, 0.3);
   result.map = map ?? null;
   return result;
 }

@@ -1,18 +1,7 @@
-/**
- * Light and ground: a soft three-point light without image files, a floor that only shows shadow, a grid that fades.
- */
-import {
-  Color,
-  DirectionalLight,
-  Group,
-  HemisphereLight,
-  Mesh,
-  PlaneGeometry,
-  ShaderMaterial,
-  ShadowMaterial,
-  Vector3,
-} from 'three';
-import type { PerspectiveCamera } from 'three';
+/** The floor: a grid that fades, the shadow that the shape casts on it, and a ring in the colour of the moment. */
+import { Color, Group, Mesh, PlaneGeometry, SRGBColorSpace, ShaderMaterial, Vector3 } from 'three';
+import type { Scene, WebGLRenderer } from 'three';
+import { ContactShadow, REACH } from './contact-shadow.ts';
 
 /** What the stage is made for: the box around all keys. */
 export interface Bounds {
@@ -20,82 +9,77 @@ export interface Bounds {
   max: [number, number, number];
 }
 
+/** Side of the floor in radii of the shape. */
+const SIDE = 10;
+/** The ring round what stands on the floor, in its radii. */
+const RING = 0.94;
+
 export class Stage {
   readonly object = new Group();
-  private readonly sky = new HemisphereLight(0xffffff, 0xb9b4ac, 1.15);
-  private readonly key = new DirectionalLight(0xfff6ea, 1.9);
-  private readonly fill = new DirectionalLight(0xdfe9ff, 0.55);
-  private readonly rim = new DirectionalLight(0xffffff, 0.9);
-  private readonly shadow = new ShadowMaterial({ opacity: 0.2, depthWrite: false });
-  private readonly grid = gridMaterial();
-  private readonly floor = new Group();
+  private readonly shadow = new ContactShadow();
+  private readonly material = floorMaterial();
+  private readonly floor: Mesh;
 
   constructor() {
-    this.key.castShadow = true;
-    this.key.shadow.mapSize.set(1024, 1024);
-    this.key.shadow.radius = 6;
     const plane = new PlaneGeometry(1, 1);
     plane.rotateX(-Math.PI / 2);
-    const ground = new Mesh(plane, this.shadow);
-    ground.receiveShadow = true;
-    const lines = new Mesh(plane, this.grid);
-    lines.renderOrder = -2;
-    ground.renderOrder = -1;
-    this.floor.add(lines, ground);
-    this.object.add(
-      this.sky,
-      this.key,
-      this.key.target,
-      this.fill,
-      this.fill.target,
-      this.rim,
-      this.rim.target,
-      this.floor,
-    );
+    this.floor = new Mesh(plane, this.material);
+    this.floor.renderOrder = -1;
+    this.object.add(this.floor);
+    this.set('shadow', this.shadow.texture);
   }
 
-  /** Puts lights and floor around the shape; everything scales with it. */
+  /** Puts the floor under the shape; everything scales with it. */
   setBounds({ min, max }: Bounds): void {
     const size = new Vector3(...max).sub(new Vector3(...min));
     const centre = new Vector3(...min).addScaledVector(size, 0.5);
     const radius = Math.max(size.length() / 2, 1e-6);
-    this.key.position.copy(centre).add(new Vector3(0.55, 1.25, 0.8).multiplyScalar(2.4 * radius));
-    this.key.target.position.copy(centre);
-    const camera = this.key.shadow.camera;
-    camera.left = camera.bottom = -1.9 * radius;
-    camera.right = camera.top = 1.9 * radius;
-    camera.near = 0.2 * radius;
-    camera.far = 9 * radius;
-    camera.updateProjectionMatrix();
-    this.key.shadow.normalBias = 0.01 * radius;
-    this.floor.position.set(centre.x, min[1] - 0.002 * radius, centre.z);
-    this.floor.scale.setScalar(10 * radius);
-    this.grid.uniforms['cell']!.value = gridCell(radius) / (10 * radius);
+    const level = min[1] - 0.002 * radius;
+    this.shadow.setBounds(centre, level, radius);
+    this.floor.position.set(centre.x, level, centre.z);
+    this.floor.scale.setScalar(SIDE * radius);
+    this.floor.updateMatrixWorld();
+    this.set('cell', gridCell(radius) / (SIDE * radius));
+    this.set('ring', (RING * Math.hypot(size.x, size.z)) / 2 / (SIDE * radius));
   }
 
-  /** Fill and rim follow the eye, so that no side of the shape is ever dark. */
-  follow(camera: PerspectiveCamera, target: Vector3): void {
-    const toEye = camera.position.clone().sub(target);
-    const side = new Vector3().crossVectors(camera.up, toEye);
-    this.fill.position.copy(target).add(toEye).addScaledVector(side, -0.9);
-    this.fill.target.position.copy(target);
-    this.rim.position
-      .copy(target)
-      .addScaledVector(toEye, -0.8)
-      .addScaledVector(camera.up, toEye.length() * 0.9)
-      .addScaledVector(side, 0.4);
-    this.rim.target.position.copy(target);
+  /** The colour of the moment; null where several are in the picture. */
+  setPhase(colour: string | null): void {
+    if (colour !== null) this.set('ringColour', raw(colour));
+    this.set('ringStrength', colour === null ? 0 : 1);
+  }
+
+  /** Another graphics context. */
+  restore(): void {
+    this.shadow.forget();
+  }
+
+  /** Before each drawing; see ContactShadow.render. */
+  prepare(renderer: WebGLRenderer, scene: Scene, layers: number, version: number): void {
+    if (this.floor.visible) this.shadow.render(renderer, scene, layers, version);
   }
 
   setLook(floor: boolean, dark: boolean): void {
     this.floor.visible = floor;
-    // Only the floor shows shadow.
-    this.key.castShadow = floor;
-    this.shadow.opacity = dark ? 0.42 : 0.17;
-    (this.grid.uniforms['colour']!.value as Color).set(dark ? 0xffffff : 0x27313c);
-    this.grid.uniforms['strength']!.value = dark ? 0.09 : 0.1;
-    this.sky.intensity = dark ? 0.95 : 1.15;
+    this.set('darkness', dark ? 0.62 : 0.4);
+    this.set('gridColour', raw(dark ? '#ffffff' : '#0a0f16'));
+    this.set('gridStrength', dark ? 0.09 : 0.1);
   }
+
+  dispose(): void {
+    this.shadow.dispose();
+    this.material.dispose();
+  }
+
+  private set(name: string, value: unknown): void {
+    this.material.uniforms[name]!.value = value;
+  }
+}
+
+/** As it stands in a style sheet: the floor is mixed from such colours and drawn as it is. */
+function raw(colour: string): Vector3 {
+  const { r, g, b } = new Color(colour).getRGB({ r: 0, g: 0, b: 0 }, SRGBColorSpace);
+  return new Vector3(r, g, b);
 }
 
 /** 1, 2 or 5 times a power of ten, about a quarter of the shape. */
@@ -106,11 +90,22 @@ function gridCell(radius: number): number {
   return power * (digit < 2 ? 1 : digit < 5 ? 2 : 5);
 }
 
-function gridMaterial(): ShaderMaterial {
+/** All that is on the floor in one pass over it. */
+function floorMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
     depthWrite: false,
-    uniforms: { cell: { value: 0.1 }, colour: { value: new Color(0) }, strength: { value: 0.12 } },
+    premultipliedAlpha: true,
+    uniforms: {
+      cell: { value: 0.1 },
+      gridColour: { value: new Vector3() },
+      gridStrength: { value: 0.1 },
+      shadow: { value: null },
+      darkness: { value: 0.4 },
+      ring: { value: 0.1 },
+      ringColour: { value: new Vector3() },
+      ringStrength: { value: 0 },
+    },
     vertexShader: `
       varying vec2 place;
       void main() {
@@ -119,18 +114,39 @@ function gridMaterial(): ShaderMaterial {
       }`,
     fragmentShader: `
       uniform float cell;
-      uniform float strength;
-      uniform vec3 colour;
+      uniform float gridStrength;
+      uniform vec3 gridColour;
+      uniform sampler2D shadow;
+      uniform float darkness;
+      uniform float ring;
+      uniform vec3 ringColour;
+      uniform float ringStrength;
       varying vec2 place;
+
+      vec4 over(vec4 below, vec3 colour, float alpha) {
+        return vec4(colour * alpha, alpha) + (1.0 - alpha) * below;
+      }
+
       void main() {
+        float away = length(place);
         vec2 at = place / cell;
         vec2 width = fwidth(at);
         vec2 distance = abs(fract(at - 0.5) - 0.5) / max(width, vec2(1e-6));
         float line = 1.0 - min(min(distance.x, distance.y), 1.0);
         // Far lines are closer than a pixel: fade before they turn into a moire pattern.
         float dense = 1.0 - smoothstep(0.15, 0.6, max(width.x, width.y));
-        float fade = 1.0 - smoothstep(0.05, 0.48, length(place));
-        gl_FragColor = vec4(colour, line * dense * fade * strength);
+        float fade = 1.0 - smoothstep(0.05, 0.48, away);
+        vec4 colour = over(vec4(0.0), gridColour, line * dense * fade * gridStrength);
+
+        float pixel = fwidth(away);
+        float band = 0.0009 + pixel;
+        float solid = 1.0 - smoothstep(band - pixel, band, abs(away - ring));
+        float glow = away < ring ? 0.07 * exp((away - ring) * 40.0) : 0.0;
+        colour = over(colour, ringColour, max(0.9 * solid, glow) * ringStrength);
+
+        vec2 under = place * ${(SIDE / (2 * REACH)).toFixed(4)} + 0.5;
+        float inside = step(max(abs(under.x - 0.5), abs(under.y - 0.5)), 0.5);
+        gl_FragColor = over(colour, vec3(0.0), darkness * inside * texture2D(shadow, under).r);
       }`,
   });
 }

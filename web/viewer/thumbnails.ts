@@ -4,33 +4,35 @@ import type { WebGLRenderer } from 'three';
 import { FIELD_OF_VIEW, NO_INSETS, directionOf, fittedPose, setLens } from './fit.ts';
 import type { Extent } from './fit.ts';
 import type { Shape } from './shape.ts';
-import { Stage } from './stage.ts';
-import type { Bounds } from './stage.ts';
+import type { Studio } from './studio.ts';
 
 const SAMPLES = 4;
 
 export class Thumbnails {
   private readonly scene = new Scene();
-  private readonly stage = new Stage();
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW);
   private extent: Extent | null = null;
 
-  constructor(private readonly renderer: WebGLRenderer) {
-    this.scene.add(this.stage.object);
-  }
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly studio: Studio,
+  ) {}
 
   /** All pictures are taken from where a new import is seen. */
-  setExtent(bounds: Bounds, extent: Extent): void {
-    this.stage.setBounds(bounds);
+  setExtent(extent: Extent): void {
     this.extent = extent;
   }
 
   /** A data URL; width and height in CSS pixels. */
-  draw(shape: Shape, width: number, height: number, dark: boolean): string {
-    if (!this.extent) return '';
+  draw(shape: Shape, width: number, height: number): string {
+    return this.canvas(shape, width, height)?.toDataURL('image/png') ?? '';
+  }
+
+  /** The same as a canvas, or null where the browser gives none. */
+  canvas(shape: Shape, width: number, height: number): HTMLCanvasElement | null {
+    if (!this.extent) return null;
     const ratio = this.renderer.getPixelRatio();
     const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-    this.stage.setLook(false, dark);
     this.placeCamera(this.extent, w / h);
     this.scene.add(shape.object);
     const target = new WebGLRenderTarget(w, h, { colorSpace: SRGBColorSpace, samples: SAMPLES });
@@ -39,7 +41,7 @@ export class Thumbnails {
     this.renderer.readRenderTargetPixels(target, 0, 0, w, h, pixels);
     target.dispose();
     shape.object.removeFromParent();
-    return pngOf(pixels, w, h);
+    return canvasOf(pixels, w, h);
   }
 
   private placeCamera(extent: Extent, aspect: number): void {
@@ -48,7 +50,7 @@ export class Thumbnails {
     this.camera.position.set(...pose.position);
     this.camera.lookAt(target);
     setLens(this.camera, target, extent.radius, aspect, NO_INSETS);
-    this.stage.follow(this.camera, target);
+    this.studio.follow(this.camera);
   }
 
   /** On transparent ground, whatever is behind the shape on the canvas. */
@@ -68,18 +70,18 @@ export class Thumbnails {
 /**
  * Rows from the bottom up, sRGB, in linear light multiplied by alpha, as blending and the mean of samples leave them.
  */
-function pngOf(pixels: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): string {
+function canvasOf(pixels: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): HTMLCanvasElement | null {
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext('2d');
-  if (!context) return '';
+  if (!context) return null;
   const image = context.createImageData(width, height);
   for (let row = 0; row < height; row += 1)
     image.data.set(pixels.subarray(4 * width * row, 4 * width * (row + 1)), 4 * width * (height - 1 - row));
   divideByAlpha(image.data);
   context.putImageData(image, 0, 0);
-  return canvas.toDataURL('image/png');
+  return canvas;
 }
 
 function divideByAlpha(pixels: Uint8ClampedArray): void {

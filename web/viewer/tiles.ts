@@ -1,5 +1,14 @@
-/** How the canvas is shared by one to four views. */
+/** How the canvas is shared by one to four views: beside each other, or two on either side of a divider. */
 import type { Rect } from './types.ts';
+
+/** Two views over each other, of which either side of a divider shows one: the first is on the right. */
+export function sides(share: number, width: number, height: number): Rect[] {
+  const at = share * width;
+  return [
+    { x: at, y: 0, width: width - at, height },
+    { x: 0, y: 0, width: at, height },
+  ];
+}
 
 /** Equal parts, laid out so that each is as near to a square as it gets. */
 export function tiles(count: number, width: number, height: number): Rect[] {

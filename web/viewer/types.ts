@@ -1,6 +1,7 @@
 /** What the viewer is given and gives back: plain data, so that nobody else needs three.js. */
 export interface Look {
-  colouring: 'phase' | 'texture' | 'patches';
+  /** `texture`: the file's own materials, or clay where it has none. */
+  colouring: 'texture' | 'phase' | 'patches';
   shading: 'smooth' | 'flat';
   wireframe: boolean;
   floor: boolean;

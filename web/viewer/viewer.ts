@@ -1,5 +1,5 @@
 /** The picture: what it shows in one to four views with one camera, drawn only when something changed. */
-import { NoToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
+import { NoToneMapping, Scene, Vector3, WebGLRenderer } from 'three';
 import type { Layers } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../model/camera.ts';
@@ -7,10 +7,12 @@ import { CameraRig } from './camera.ts';
 import { Contents } from './contents.ts';
 import { NO_INSETS } from './fit.ts';
 import type { Insets } from './fit.ts';
+import { Pictures } from './pictures.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
+import { Studio } from './studio.ts';
 import { Thumbnails } from './thumbnails.ts';
-import { tiles } from './tiles.ts';
+import { sides, tiles } from './tiles.ts';
 import type { Extra, GhostPicture, Look, PixelSize, Rect } from './types.ts';
 
 export interface ViewerEvents {
@@ -33,12 +35,17 @@ export class Viewer {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
+  private readonly studio = new Studio();
   private readonly stage = new Stage();
   private readonly rig: CameraRig;
-  private readonly contents = new Contents(() => this.invalidate());
+  private readonly contents = new Contents(this.studio, () => this.change());
   private readonly thumbnails: Thumbnails;
   /** Pixels of pictures that are taken instead of what fits the page. */
   private pictureSize: PixelSize | null = null;
+  private split: number | null = null;
+  private phase: string | null = null;
+  /** Another one whenever what stands on the floor has changed. */
+  private version = 0;
   private pending = 0;
   private waiting: (() => void)[] = [];
   private readonly resize: ResizeObserver;
@@ -50,11 +57,9 @@ export class Viewer {
   ) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.toneMapping = NoToneMapping;
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.setClearColor(0x000000, 0);
     this.renderer.autoClear = false;
-    this.thumbnails = new Thumbnails(this.renderer);
+    this.thumbnails = new Thumbnails(this.renderer, this.studio);
     this.canvas = this.renderer.domElement;
     this.canvas.style.objectFit = 'contain';
     host.append(this.canvas);
@@ -67,6 +72,7 @@ export class Viewer {
     this.canvas.addEventListener('webglcontextlost', () => events.onContextLost());
     this.canvas.addEventListener('webglcontextrestored', () => {
       events.onContextRestored();
+      this.stage.restore();
       // The first drawing after it has neither floor nor transparent ground; the second one is whole.
       this.draw();
       this.invalidate();
@@ -84,7 +90,7 @@ export class Viewer {
     this.contents.setImport(info);
     this.stage.setBounds(bounds);
     const extent = { points, radius: radiusOf(bounds) };
-    this.thumbnails.setExtent(bounds, extent);
+    this.thumbnails.setExtent(extent);
     this.rig.setExtent(extent);
   }
 
@@ -100,45 +106,49 @@ export class Viewer {
   /** How many shapes are shown side by side; those that exist keep their frame. */
   setViews(count: number): void {
     this.contents.setViews(count);
-    this.invalidate();
+    this.change();
   }
 
   /** `eased`: the frame before goes over into it; all views are eased together, or none. */
   setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string, eased = false): void {
     this.contents.setFrame(view, positions, normals, colour, eased);
-    this.invalidate();
+    this.phase = colour;
+    this.stage.setPhase(this.contents.isStrip ? null : colour);
+    this.change();
   }
 
   /** Onion skins or a film strip; `instead` hides the moving shapes. */
   setExtras(extras: readonly Extra[], instead = false): void {
     this.contents.setExtras(extras, instead);
-    this.invalidate();
+    this.stage.setPhase(instead ? null : this.phase);
+    this.change();
   }
 
   setPatchColours(colours: Float32Array | null): void {
     this.contents.setPatchColours(colours);
-    this.invalidate();
+    this.change();
   }
 
   setHeatColours(colours: Float32Array | null): void {
     this.contents.setHeatColours(colours);
-    this.invalidate();
+    this.change();
   }
 
   setMark(faces: readonly number[] | null): void {
     this.contents.setMark(faces);
-    this.invalidate();
+    this.change();
   }
 
   setGhost(ghost: GhostPicture | null): void {
     this.contents.setGhost(ghost);
-    this.invalidate();
+    this.change();
   }
 
   setLook(look: Look): void {
     this.contents.setLook(look);
     this.stage.setLook(look.floor, look.dark);
-    this.invalidate();
+    this.studio.setDark(look.dark);
+    this.change();
   }
 
   /**
@@ -223,16 +233,45 @@ export class Viewer {
 
   /** The parts of the page's picture that the views take, in CSS pixels. */
   rects(): Rect[] {
-    return this.tiles({ width: this.host.clientWidth, height: this.host.clientHeight });
+    return this.tiles(this.size());
   }
 
-  /** The parts of the canvas that they take, in its pixels. */
+  /** What is seen of them. */
+  seen(): Rect[] {
+    return this.sides(this.size());
+  }
+
+  /** What is seen of them on the canvas, in its pixels. */
   drawnRects(): Rect[] {
-    return this.tiles(this.canvas);
+    return this.sides(this.canvas);
   }
 
+  /** Two views on either side of a divider take the whole width each. */
   private tiles({ width, height }: PixelSize): Rect[] {
+    if (this.isSplit) return this.sides({ width, height }).map(() => ({ x: 0, y: 0, width, height }));
     return tiles(Math.max(this.contents.views, 1), Math.max(width, 1), Math.max(height, 1));
+  }
+
+  private sides(size: PixelSize): Rect[] {
+    return this.isSplit ? sides(this.split!, size.width, size.height) : this.tiles(size);
+  }
+
+  /** Where a divider stands between two views, as a share of the width; null = they stand beside each other. */
+  setSplit(share: number | null): void {
+    const before = this.isSplit;
+    this.split = share;
+    if (this.isSplit !== before) this.fit(null, false);
+    this.invalidate();
+  }
+
+  /** Whether a divider stands between the views; there must be two. */
+  get isSplit(): boolean {
+    return this.split !== null && this.contents.views === 2;
+  }
+
+  private change(): void {
+    this.version += 1;
+    this.invalidate();
   }
 
   invalidate(): void {
@@ -261,9 +300,14 @@ export class Viewer {
   thumbnail(positions: Float32Array, normals: Float32Array, width: number, height: number, colour: string): string {
     const shape = this.contents.shapeOf(positions, normals, colour);
     if (!shape) return '';
-    const picture = this.thumbnails.draw(shape, width, height, this.contents.look.dark);
+    const picture = this.thumbnails.draw(shape, width, height);
     shape.dispose();
     return picture;
+  }
+
+  /** Small pictures of a shape that is not open; to be disposed of. */
+  pictures(info: KeysInfo, bounds: Bounds, points: Float32Array): Promise<Pictures> {
+    return Pictures.of(info, { points, radius: radiusOf(bounds) }, this.renderer, this.studio);
   }
 
   dispose(): void {
@@ -271,6 +315,7 @@ export class Viewer {
     this.resize.disconnect();
     this.contents.clear();
     this.rig.dispose();
+    this.stage.dispose();
     this.renderer.dispose();
     this.canvas.remove();
   }
@@ -282,7 +327,7 @@ export class Viewer {
   /** What covers the views, as shares of their height; never so much that little is left. */
   private insets(): Insets {
     const { height } = this.rects()[0]!;
-    const { top, bottom } = this.events.covered(this.contents.views);
+    const { top, bottom } = this.events.covered(this.isSplit ? 1 : this.contents.views);
     const scale = Math.min(1, MOST_COVERED / Math.max((top + bottom) / height, 1e-6));
     return { top: (scale * top) / height, bottom: (scale * bottom) / height };
   }
@@ -311,23 +356,31 @@ export class Viewer {
     this.pending = 0;
     this.contents.ease(performance.now());
     if (this.contents.easing) this.invalidate();
-    const size = this.pictureSize ?? { width: this.host.clientWidth, height: this.host.clientHeight };
-    this.tiles(size).forEach((rect, view) => this.renderOne(rect, size.height, this.contents.layersOf(view)));
+    const size = this.pictureSize ?? this.size();
+    const seen = this.sides(size);
+    this.tiles(size).forEach((rect, view) =>
+      this.renderOne(rect, seen[view]!, size.height, this.contents.layersOf(view)),
+    );
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();
   }
 
-  private renderOne(rect: Rect, height: number, layers: Layers): void {
-    const bottom = height - rect.y - rect.height;
-    this.renderer.setViewport(rect.x, bottom, rect.width, rect.height);
-    this.renderer.setScissor(rect.x, bottom, rect.width, rect.height);
+  private size(): PixelSize {
+    return { width: Math.max(this.host.clientWidth, 1), height: Math.max(this.host.clientHeight, 1) };
+  }
+
+  private renderOne(rect: Rect, seen: Rect, height: number, layers: Layers): void {
+    const bottom = (part: Rect): number => height - part.y - part.height;
+    this.renderer.setViewport(rect.x, bottom(rect), rect.width, rect.height);
+    this.renderer.setScissor(seen.x, bottom(seen), seen.width, seen.height);
     this.renderer.setScissorTest(true);
     this.renderer.clear();
     const aspect = rect.width / rect.height;
     // A narrower view than on the page is seen from as much farther off as keeps its sides in it.
     this.rig.prepare(aspect, this.pictureSize ? Math.min(aspect / this.aspect(), 1) : 1);
-    this.stage.follow(this.rig.camera, this.rig.target);
+    this.studio.follow(this.rig.camera);
+    this.stage.prepare(this.renderer, this.scene, layers.mask, this.version);
     this.rig.camera.layers.mask = layers.mask;
     this.renderer.render(this.scene, this.rig.camera);
   }

@@ -79,7 +79,7 @@ export class SceneController {
 
   /** What is written over the views stands where they stand. */
   private place(): void {
-    const rects = this.viewer.rects();
+    const rects = this.viewer.seen();
     this.labels = this.labels.map((label, index) => ({ ...label, ...rects[index] }));
     if (this.colourBar) this.colourBar = { ...this.colourBar, ...besideOf(rects[0]!) };
   }
@@ -161,15 +161,22 @@ export class SceneController {
   }
 
   setLook(view: View, dark: boolean): void {
-    const { colouring, shading, wireframe, floor } = view;
+    const { colouring, shading, wireframe, floor, split } = view;
     this.look = { colouring, shading, wireframe, floor, dark };
     this.applyLook();
+    this.viewer.setSplit(split);
+    this.place();
   }
 
   /** For pictures of the shape alone. */
   setFloorless(floorless: boolean): void {
     this.floorless = floorless;
     this.applyLook();
+  }
+
+  /** Two motions are on either side of a divider. */
+  get isSplit(): boolean {
+    return this.viewer.isSplit;
   }
 
   private applyLook(): void {
@@ -195,24 +202,27 @@ export class SceneController {
     sequences: readonly RunningSequence[],
     original: Float32Array | undefined,
   ): TileLabel[] {
-    const rects = this.viewer.rects();
+    const rects = this.viewer.seen();
     const tiles = sequences.map((running, index) => ({
-      title: titleOf(running),
+      title: titleOf(running, this.viewer.isSplit),
       positions: frames[index]?.positions,
     }));
     if (original) tiles.push({ title: 'The animation', positions: original });
     return tiles.map(({ title, positions }, index) => {
       const { x, y, width } = rects[index] ?? { x: 0, y: 0, width: 0 };
-      return { title, detail: this.measureText(positions), x, y, width };
+      return { title, ...this.measures(positions), x, y, width };
     });
   }
 
-  private measureText(positions: Float32Array | undefined): string {
-    if (!positions || !this.base || !this.info) return '';
+  private measures(positions: Float32Array | undefined): Pick<TileLabel, 'volume' | 'detail'> {
+    if (!positions || !this.base || !this.info) return { volume: '', detail: '' };
     const { volume, area } = measure(positions, this.info.faces);
-    const percent = (value: number, base: number): string =>
-      base === 0 ? '?' : `${((100 * value) / base).toFixed(1)}\u00a0%`;
-    return `volume ${percent(volume, this.base.volume)}, area ${percent(area, this.base.area)}`;
+    const percent = (value: number, base: number, digits: number): string =>
+      base === 0 ? '?' : `${((100 * value) / base).toFixed(digits)}\u00a0%`;
+    return {
+      volume: percent(volume, this.base.volume, 0),
+      detail: `volume ${percent(volume, this.base.volume, 1)}, area ${percent(area, this.base.area, 1)}`,
+    };
   }
 
   private async showOnionSkins(
@@ -324,8 +334,10 @@ function besideOf(rect: Rect): { x: number; y: number } {
   return { x: rect.x, y: rect.y + rect.height / 2 };
 }
 
-function titleOf({ method, ghost }: RunningSequence): string {
-  return `${METHOD_WORDS[method].label}${ghost ? ', ghost mesh' : ''}`;
+/** Beside a divider, a blend is called what those know it by who have never heard of it. */
+function titleOf({ method, ghost }: RunningSequence, split: boolean): string {
+  const title = split && method === 'linear' ? 'Morph targets' : METHOD_WORDS[method].label;
+  return `${title}${ghost ? ', ghost mesh' : ''}`;
 }
 
 export function onionSkinInput(t: number, { doc }: AppState, range: Range): OnionSkinInput {

@@ -77,6 +77,9 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
     store.edit(undoName(change), (doc) => setMotion(doc, withBoundary(change, doc.motion)), merge);
   const encoding = (change: Partial<Encoding>): void => store.edit(undoName(change), (doc) => setEncoding(doc, change));
 
+  /** What was compared before there was a divider. */
+  let beside: Method[] = [];
+
   const play = (change: Partial<Play>): void => store.set({ play: { ...state().play, ...change } });
   const between = (stretch: Range | null): void => play({ between: stretch && [stretch[0], stretch[1]] });
   const window = (part: Range | null): void => view({ window: part && [part[0], part[1]] });
@@ -98,6 +101,15 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
     resetShape: (): void =>
       store.edit('shape defaults', (doc) => setEncoding(doc, initial()?.encoding ?? DEFAULT_ENCODING)),
     compare: (methods: Method[]): void => view({ compare: methods }),
+    /** Puts a divider between the motion and another one, or takes it away with what came with it. */
+    toggleSplit(): void {
+      const { compare, split } = state().view;
+      if (split !== null) return view({ split: null, compare: beside });
+      const { method } = state().doc.motion;
+      beside = compare;
+      const other = compare.find((one) => one !== method) ?? (method === 'linear' ? 'lri' : 'linear');
+      view({ split: 0.5, compare: [other] });
+    },
 
     moveKey: (from: number, to: number): void => store.edit('order of keys', (doc) => moveKey(doc, from, to)),
     removeKey: (key: number): void => store.edit('remove a key', (doc) => removeKey(doc, key)),

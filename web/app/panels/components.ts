@@ -12,6 +12,7 @@ import { createClockMenu } from '../../ui/clock-menu.ts';
 import { createColourBar } from '../../ui/colour-bar.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import { createExportDialog } from '../../ui/export-dialog.ts';
+import { createDivider } from '../../ui/divider.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
 import { createGhostPanel } from '../../ui/ghost-panel.ts';
 import { createHeader } from '../../ui/header.ts';
@@ -37,12 +38,12 @@ import type { GhostStudyPanel } from './ghost-study-panel.ts';
 import type { AnalysisPanel } from './analysis-panel.ts';
 import { warningItems } from '../drawing/marking.ts';
 import type { Marking } from '../drawing/marking.ts';
-import { hasTexture } from '../sources/open-files.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
 import { ownFiles } from '../sources/own-files.ts';
 import type { TakeFiles } from '../sources/take-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
 import type { ViewState } from './view-state.ts';
+import { reducedMotion } from './window-events.ts';
 import type { Layout } from './layout.ts';
 
 export interface ComponentsInput {
@@ -62,6 +63,8 @@ export interface ComponentsInput {
   /** An indefinite face of the shape on the screen. */
   indefiniteFace(): number;
   shortcuts: readonly ShortcutLine[];
+  /** The gallery of samples opens or closes. */
+  onGallery(open: boolean): void;
   onUndo(): void;
   onRedo(): void;
   onOwn(project: string): void;
@@ -89,6 +92,8 @@ export interface Shown {
   undo: string | null;
   redo: string | null;
   labels: readonly TileLabel[];
+  /** Two motions are on either side of a divider. */
+  split: boolean;
   outOfView: boolean;
   colourBar: ColourBarProps | null;
 }
@@ -110,6 +115,7 @@ export function createComponents(input: ComponentsInput): Components {
   const header = createHeader({
     onSample: (id) => void files.sample(id),
     onOwn: input.onOwn,
+    onGallery: input.onGallery,
     onOpen: picker.open,
     onUndo: input.onUndo,
     onRedo: input.onRedo,
@@ -180,12 +186,14 @@ export function createComponents(input: ComponentsInput): Components {
   const viewBar = createViewBar({
     onFit: commands.fit,
     onView: commands.view,
+    onSplit: commands.toggleSplit,
     onUp: (up) => void (lying && files.reorient({ ...lying, up })),
   });
   let lying: ViewState['orientation'] = null;
   const fitHint = createFitHint(() => commands.fit(null));
   const phaseLabel = createPhaseLabel(() => input.marking.around(input.indefiniteFace()));
   const tileLabels = createTileLabels();
+  const divider = createDivider((split) => commands.view({ split }));
   const colourBar = createColourBar(viridisGradient('to top'));
   const warnings = createWarnings(input.marking.warning);
   const status = createStatusLine(warnings.toggle);
@@ -205,13 +213,31 @@ export function createComponents(input: ComponentsInput): Components {
     keyStrip: keyStrip.element,
     warnings: warnings.element,
     status: status.element,
-    overlays: [tileLabels.element, colourBar.element, welcome.element, phaseLabel.element, viewBar.element],
+    overlays: [
+      tileLabels.element,
+      divider.element,
+      colourBar.element,
+      welcome.element,
+      phaseLabel.element,
+      viewBar.element,
+    ],
     messages: [errorMessage.element, progress.element, fitHint.element, ...input.offers],
     panels: [motionPanel.element, shapePanel.element, analysis.element],
     floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, input.toast],
   });
 
-  const update = ({ state, viewState, range, theme, undo, redo, labels, outOfView, colourBar: heat }: Shown): void => {
+  const update = ({
+    state,
+    viewState,
+    range,
+    theme,
+    undo,
+    redo,
+    labels,
+    split,
+    outOfView,
+    colourBar: heat,
+  }: Shown): void => {
     const { doc, play, time, view, source } = state;
     const { info } = viewState;
     const disabled = info === null;
@@ -225,6 +251,8 @@ export function createComponents(input: ComponentsInput): Components {
     });
     header.update({
       samples: viewState.samples,
+      previews: viewState.previews,
+      moving: !reducedMotion(),
       sample: source.kind === 'sample' ? source.id : null,
       theme,
       undo,
@@ -307,13 +335,18 @@ export function createComponents(input: ComponentsInput): Components {
       fewest: viewState.fewest,
       original: viewState.original,
     });
-    viewBar.update({ view, hasTexture: hasTexture(info), up: lying?.up ?? null, disabled });
+    viewBar.update({ view, up: lying?.up ?? null, disabled });
     phaseLabel.update(disabled ? null : phase, {
       share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1),
       hasPlace: viewState.indefiniteFace >= 0,
     });
     fitHint.update(!disabled && outOfView);
-    tileLabels.update(labels);
+    tileLabels.update(labels, split);
+    divider.update({
+      share: split ? view.split : null,
+      left: labels[1]?.title ?? '',
+      right: labels[0]?.title ?? '',
+    });
     colourBar.update(heat);
     status.update({
       keys: doc.keys.length,
@@ -327,8 +360,9 @@ export function createComponents(input: ComponentsInput): Components {
     warnings.update({ items: itemsOf(viewState.warnings), shown: viewState.shownWarning });
     progress.update(viewState.working);
     errorMessage.update(viewState.errorMessage);
-    const covered = heat !== null || labels.length > 0 || viewState.errorMessage !== null || viewState.working !== null;
-    welcome.update(viewState.welcome, covered);
+    const covered =
+      heat !== null || (labels.length > 0 && !split) || viewState.errorMessage !== null || viewState.working !== null;
+    welcome.update(viewState.welcome, covered, split);
     const { videoFormats } = viewState;
     exporting.update({
       ...viewState.exporting,

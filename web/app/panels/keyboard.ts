@@ -72,6 +72,7 @@ export function createShortcuts(store: Store, commands: Commands, targets: Keybo
     { keys: ['g'], shown: 'G', does: 'Floor', run: toggle('floor') },
     { keys: ['o'], shown: 'O', does: 'Onion skin', run: toggle('onion') },
     { keys: ['i'], shown: 'I', does: 'Film strip', run: toggle('film') },
+    { keys: ['s'], shown: 'S', does: 'Divider between two motions on or off', run: commands.toggleSplit },
     { keys: ['d'], shown: 'D', does: 'Light, dark or system colours', run: targets.nextTheme },
     { keys: ['e'], shown: 'E', does: 'Export', run: targets.openExport },
     { keys: ['ctrl+o'], shown: 'Ctrl+O', does: 'Open files', run: targets.openFiles },

@@ -33,6 +33,7 @@ export interface PageParts {
   takeFiles: TakeFiles;
   undo: Undo;
   theme: ThemeSwitch;
+  onGallery(open: boolean): void;
   onLink(): void;
   /** Opens files of the user by their project. */
   onOwn(project: string): void;
@@ -91,6 +92,7 @@ export function createPage(parts: PageParts): Page {
     ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),
     indefiniteFace: () => viewState.get().indefiniteFace,
     shortcuts: shortcutLines(shortcuts),
+    onGallery: parts.onGallery,
     onUndo: undo.undo,
     onRedo: undo.redo,
     onOwn: parts.onOwn,
@@ -120,6 +122,7 @@ export function createPage(parts: PageParts): Page {
       range: range(),
       theme: theme.theme(),
       labels: scene.labels,
+      split: scene.isSplit,
       outOfView: scene.outOfView,
       colourBar: scene.colourBar,
       undo: undo.undoLabel(),

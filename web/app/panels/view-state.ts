@@ -12,6 +12,8 @@ import type { Sample } from '../sources/samples.ts';
 
 export interface ViewState {
   samples: readonly Sample[];
+  /** Pictures of samples in motion, by id, as far as they are made. */
+  previews: ReadonlyMap<string, readonly HTMLCanvasElement[]>;
   info: KeysInfo | null;
   /** How the open files were read where they do not say it themselves, else null. */
   orientation: Orientation | null;
@@ -104,6 +106,7 @@ export function createViewState(onChange: () => void): ViewStateHolder {
 
 const EMPTY_VIEW_STATE: ViewState = {
   samples: [],
+  previews: new Map(),
   info: null,
   orientation: null,
   objects: [],

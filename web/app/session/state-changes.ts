@@ -17,7 +17,7 @@ export interface StateChanges {
 
 export type ShownMotions = Pick<View, 'compare' | 'ghostDifference'>;
 
-const LOOK = ['colouring', 'shading', 'wireframe', 'floor'] as const;
+const LOOK = ['colouring', 'shading', 'wireframe', 'floor', 'split'] as const;
 const DRAWING = ['onion', 'film', 'colouring', 'ghostWire', 'ghostBeside'] as const;
 
 export function changesBetween(before: AppState, after: AppState): StateChanges {

@@ -146,7 +146,7 @@ export function createOpenFiles({
       ? { ...DEFAULT_VIEW, ...left.state.view }
       : request.stays
         ? before.view
-        : openingView(before.view, info, link);
+        : openingView(before.view, link);
     onOpened({
       info,
       pool: workspace.pool!,
@@ -339,18 +339,16 @@ function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
   };
 }
 
-function ofSample(doc: Doc, { boundary }: Sample): Doc {
-  return setMotion(doc, { boundary });
+function ofSample(doc: Doc, { boundary, names }: Sample): Doc {
+  const keys = doc.keys.map((key, index) => ({ ...key, name: names?.[index] ?? key.name }));
+  return setMotion({ ...doc, keys }, { boundary });
 }
 
-/** The look stays, but for what another mesh cannot have; the camera is fitted unless a link says where it was. */
-function openingView(view: View, info: KeysInfo, link: Permalink | null): View {
-  const textured = hasTexture(info);
-  const base = link ? { ...DEFAULT_VIEW, ...link.view } : { ...view, camera: null, window: null, film: false };
-  if (!textured && base.colouring === 'texture') base.colouring = 'phase';
-  // What is painted is seen in its own colours; another choice of the visitor's stays.
-  if (isPainted(info) && !link && base.colouring === 'phase') base.colouring = 'texture';
-  return base;
+/** The look stays, but not a divider; the camera is fitted unless a link says where it was. */
+function openingView(view: View, link: Permalink | null): View {
+  if (link) return { ...DEFAULT_VIEW, ...link.view };
+  const compare = view.split === null ? view.compare : [];
+  return { ...view, compare, split: null, camera: null, window: null, film: false };
 }
 
 /** glTF says which way is up and how long a metre is; the other formats do not. */
@@ -362,13 +360,4 @@ function orientationOf(
     source.names.some((name) => !['glb', 'gltf'].includes(extensionOf(name)) && isModel(name))
     ? { up, unit }
     : null;
-}
-
-/** With an image, colours of vertices, or materials of several colours. */
-function isPainted({ scene: { images, colors, materials } }: KeysInfo): boolean {
-  return images.length > 0 || colors !== null || new Set(materials.map(({ baseColor }) => baseColor.join())).size > 1;
-}
-
-export function hasTexture(info: KeysInfo | null): boolean {
-  return info !== null && (info.scene.materials.length > 0 || info.scene.colors !== null);
 }

@@ -1,10 +1,18 @@
-/** What a visit starts with: what a link names, else what an earlier visit left, else the first sample. */
+/**
+ * What a visit starts with: what a link names, else what an earlier visit left, else the first sample; a first visit
+ * with what the page is for.
+ */
 import type { Offer } from '../../ui/messages.ts';
+import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { OpenFiles } from './open-files.ts';
 import { readPermalink } from './permalink.ts';
 import type { RememberedFiles } from './remembered-files.ts';
 import { fetchSamples } from './samples.ts';
 import type { Sample } from './samples.ts';
+
+const VISITED = 'shapespline-visited';
+/** Blended positions on the left of a divider, this method on its right. */
+const FIRST_VISIT = 'sample=column&compare=linear&split=0.5&play=1';
 
 export interface OpenFirstParts {
   files: OpenFiles;
@@ -17,10 +25,12 @@ export interface OpenFirstParts {
 }
 
 export async function openFirst({ files, remembered, onSamples, onStopped }: OpenFirstParts): Promise<void> {
-  const link = readPermalink(location.hash);
+  const named = readPermalink(location.hash);
   const [samples, kept] = await Promise.all([fetchSamples(), remembered.recall()]);
   onSamples(samples);
-  const [left] = link ? [] : kept;
+  const isFirstVisit = readSetting(VISITED) === null;
+  writeSetting(VISITED, '1');
+  const [left] = named ? [] : kept;
   if (left?.opening) {
     onStopped({
       message: `“${left.names[0] ?? 'A file'}” was not opened again: the last visit ended while it was being opened.`,
@@ -28,6 +38,7 @@ export async function openFirst({ files, remembered, onSamples, onStopped }: Ope
       onAccept: () => void remembered.reopen(left.id, files.again),
     });
   } else if (left && (await remembered.reopen(left.id, files.again).catch(() => false))) return;
+  const link = named ?? (isFirstVisit && !left ? readPermalink(FIRST_VISIT) : null);
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
   if (!first) throw new Error('This page has no samples. Open your own files.');
   await files.sample(first.id, first.id === link?.sample ? link : null);

@@ -11,6 +11,7 @@ import { MAX_FPS, MIN_FPS } from '../../model/frames.ts';
 import { forPage, isPose, pageOptions } from '../../model/page-options.ts';
 import type { ShapingNumber } from '../../model/shaping.ts';
 import { SHAPING_NUMBERS, turnsOf } from '../../model/shaping.ts';
+import { LEAST_SHARE } from '../../ui/divider.ts';
 import type { CameraPose } from '../../model/camera.ts';
 import type { AppState, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, METHODS, SPEEDS } from '../../model/state.ts';
@@ -81,6 +82,7 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   put('shading', view.shading, DEFAULT_VIEW.shading);
   for (const name of FLAGS) put(name, view[name], DEFAULT_VIEW[name]);
   put('compare', view.compare.join(','), '');
+  put('split', view.split, null);
   if (view.camera)
     params.set('camera', [...view.camera.position, ...view.camera.target].map((x) => x.toPrecision(5)).join(','));
   params.set('t', shortest(state.time));
@@ -194,6 +196,7 @@ function readView(take: Take): Partial<View> {
       boolean | undefined
     >),
     compare: take('compare', (text) => [...new Set(text.split(',').flatMap((name) => oneOf(name, METHODS) ?? []))]),
+    split: take('split', (text) => numberFrom(text, LEAST_SHARE, 1 - LEAST_SHARE)),
     camera: take('camera', readCamera),
     window,
   });

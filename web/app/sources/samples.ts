@@ -8,6 +8,10 @@ export interface Sample {
   title: string;
   description: string;
   files: string[];
+  /** Made on the spot by `web/sculpt`; else fetched. */
+  made: boolean;
+  /** Of the keys; null = as the files have them. */
+  names: string[] | null;
   /** Times of the keys; null = the file's own or evenly spaced. */
   times: number[] | null;
   boundary: Boundary;
@@ -15,13 +19,42 @@ export interface Sample {
 
 const FOLDER = 'samples/';
 
+/** Those that are made where they are shown. */
+const MADE: readonly Sample[] = [
+  {
+    id: 'column',
+    title: 'Twisted column',
+    description: 'A column twisted by 0, 180 and 350 degrees: blending positions pinches it to a thread.',
+    files: ['column.glb'],
+    made: true,
+    names: ['Straight', 'Half a turn', 'A whole turn'],
+    times: [0, 0.5, 1],
+    boundary: 'natural',
+  },
+  {
+    id: 'serpent',
+    title: 'Serpent',
+    description: '307,000 faces, every scale modelled: it winds, coils and raises its head.',
+    files: ['serpent.glb'],
+    made: true,
+    names: ['Winding', 'Winding back', 'Coiled'],
+    times: [0, 0.5, 1],
+    boundary: 'natural',
+  },
+];
+
 export async function fetchSamples(): Promise<Sample[]> {
   const response = await request(`${FOLDER}samples.json`);
   const list: unknown = await response.json();
-  return Array.isArray(list) ? list.flatMap(readSample) : [];
+  return [...(Array.isArray(list) ? list.flatMap(readSample) : []), ...MADE];
 }
 
-export async function fetchSample(sample: Sample, signal: AbortSignal): Promise<InputFile[]> {
+/** `detail`: less than 1 is enough for a small picture, where a sample is made on the spot. */
+export async function fetchSample(sample: Sample, signal: AbortSignal, detail = 1): Promise<InputFile[]> {
+  if (sample.made) {
+    const { make } = await import('../../sculpt/make.ts');
+    return Promise.all(sample.files.map(async (name) => ({ name, bytes: await make(sample.id, detail) })));
+  }
   return Promise.all(
     sample.files.map(async (name) => {
       const response = await request(FOLDER + name, signal);
@@ -50,6 +83,8 @@ function readSample(entry: unknown): Sample[] {
       title: typeof title === 'string' ? title : id,
       description: typeof description === 'string' ? description : '',
       files: names,
+      made: false,
+      names: null,
       times: Array.isArray(times) && times.every((time) => Number.isFinite(time)) ? times : null,
       boundary: BOUNDARIES.find((known) => known === boundary) ?? 'natural',
     },

@@ -1,0 +1,160 @@
+/** One shape, two motions on either side of a divider: what a first visit opens with, and a way of comparing. */
+import { AxeBuilder } from '@axe-core/playwright';
+import { colourAt, decode } from './png.ts';
+import type { Picture } from './png.ts';
+import { difference, expect, test } from './support.ts';
+import type { App } from './support.ts';
+
+const SPLIT = '#sample=twisted-bar&compare=linear&split=0.5&floor=0&t=0.25';
+
+async function pictureOf(app: App): Promise<Picture> {
+  return decode(await app.picture());
+}
+
+/** Share of pixels that differ between two pictures in a stretch of their width. */
+function changed(a: Picture, b: Picture, from: number, to: number): number {
+  expect([a.width, a.height]).toEqual([b.width, b.height]);
+  const [left, right] = [Math.ceil(from * a.width), Math.floor(to * a.width)];
+  let count = 0;
+  for (let y = 0; y < a.height; y += 1) {
+    for (let x = left; x < right; x += 1) {
+      const other = colourAt(b, x, y);
+      if (colourAt(a, x, y).some((level, channel) => Math.abs(level - other[channel]!) > 12)) count += 1;
+    }
+  }
+  return count / ((right - left) * a.height);
+}
+
+const share = async (app: App): Promise<number | null> => (await app.state()).view.split;
+const volumes = async (app: App): Promise<number[]> => {
+  const texts = await app.page.locator('.tile-label .volume b').allTextContents();
+  return texts.map(parseFloat);
+};
+
+test('each side shows its own motion, as much of it as the divider leaves', async ({ app }) => {
+  await app.open({ hash: SPLIT });
+  const both = await pictureOf(app);
+  await app.by('divider').press('Home');
+  expect(await share(app)).toBeCloseTo(0.02, 6);
+  const right = await pictureOf(app);
+  await app.by('divider').press('End');
+  expect(await share(app)).toBeCloseTo(0.98, 6);
+  const left = await pictureOf(app);
+  // Beside the grip nothing but the motion differs.
+  expect(changed(both, left, 0.03, 0.47)).toBeLessThan(1e-4);
+  expect(changed(both, right, 0.53, 0.97)).toBeLessThan(1e-4);
+  expect(changed(left, right, 0.03, 0.97)).toBeGreaterThan(0.02);
+  expect(changed(both, left, 0.53, 0.97)).toBeGreaterThan(0.02);
+  // The drawn shapes are the two motions'.
+  expect(difference(await app.positions(0), await app.positions(1))).toBeGreaterThan(0.3);
+  await app.expectNoProblems();
+});
+
+test('is dragged by pointer and touch, and told to who cannot see it', async ({ app }) => {
+  await app.open({ hash: SPLIT });
+  const divider = app.by('divider');
+  await expect(divider).toHaveAttribute('role', 'slider');
+  await expect(divider).toHaveAttribute('aria-valuenow', '50');
+  await expect(divider).toHaveAttribute('aria-valuetext', /Morph targets.*50 %.*LRI spline/);
+  const host = (await app.by('viewport').boundingBox())!;
+  const y = host.y + 0.2 * host.height;
+  const camera = (await app.state()).view.camera;
+  await app.page.mouse.move(host.x + 0.5 * host.width, y);
+  await app.page.mouse.down();
+  await app.page.mouse.move(host.x + 0.3 * host.width, y, { steps: 4 });
+  await app.page.mouse.up();
+  expect(await share(app)).toBeCloseTo(0.3, 2);
+  expect((await app.state()).view.camera).toEqual(camera);
+  await divider.press('ArrowRight');
+  expect(await share(app)).toBeCloseTo(0.32, 2);
+  await divider.press('Shift+ArrowLeft');
+  expect(await share(app)).toBeCloseTo(0.22, 2);
+  await expect(divider).toHaveAttribute('aria-valuenow', '22');
+  expect((await app.state()).time).toBe(0.25);
+  // A finger.
+  const session = await app.page.context().newCDPSession(app.page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x: number): Promise<unknown> =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y }] });
+  const at = (part: number): number => host.x + part * host.width;
+  await touch('touchStart', at(0.22));
+  await touch('touchMove', at(0.4));
+  await touch('touchMove', at(0.6));
+  await touch('touchEnd', at(0.6));
+  await expect.poll(() => share(app)).toBeCloseTo(0.6, 2);
+  await app.expectNoProblems();
+});
+
+test('says the volumes of both as the time goes', async ({ app }) => {
+  await app.open({ hash: SPLIT });
+  const [lri, linear] = (await volumes(app)) as [number, number];
+  expect(lri).toBe(100);
+  expect(linear).toBeLessThan(55);
+  await app.setTime(0.1);
+  await expect.poll(async () => (await volumes(app))[1]).toBeGreaterThan(linear + 10);
+  await app.setTime(0);
+  await expect.poll(() => volumes(app)).toEqual([100, 100]);
+});
+
+test('S puts it between any motion and a blend, and takes away what came with it', async ({ app }) => {
+  await app.open({ sample: 'cactus' });
+  await app.page.keyboard.press('s');
+  await app.settled();
+  expect((await app.state()).view).toMatchObject({ split: 0.5, compare: ['linear'] });
+  await expect(app.by('divider')).toBeVisible();
+  await app.by('compare-linear').uncheck();
+  await app.by('compare-geodesic').check();
+  await app.settled();
+  await expect(app.by('divider')).toHaveAttribute('aria-valuetext', /LRI geodesic/);
+  // Three views have no two sides.
+  await app.by('compare-linear').check();
+  await app.settled();
+  await expect(app.by('divider')).toBeHidden();
+  await app.by('compare-linear').uncheck();
+  await app.page.keyboard.press('s');
+  await app.settled();
+  expect((await app.state()).view).toMatchObject({ split: null, compare: [] });
+  await app.expectNoProblems();
+});
+
+for (const [width, height] of [
+  [360, 740],
+  [820, 1180],
+  [1280, 800],
+] as const) {
+  test(`axe finds nothing serious, and no words lie over others, at ${width} px`, async ({ app }) => {
+    await app.page.setViewportSize({ width, height });
+    await app.open({ hash: SPLIT });
+    const boxes = await Promise.all(
+      ['.welcome', '.tile-label:first-child', '.tile-label:last-child', '.view-buttons', '.phase'].map(
+        async (selector) => (await app.page.locator(selector).boundingBox())!,
+      ),
+    );
+    boxes.forEach((a, i) =>
+      boxes.slice(i + 1).forEach((b) => {
+        const overlap = a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+        expect(overlap, JSON.stringify([a, b])).toBe(false);
+      }),
+    );
+    const { violations } = await new AxeBuilder({ page: app.page }).include('.viewport').analyze();
+    expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
+  });
+}
+
+test.describe('a first visit', () => {
+  test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
+
+  test('opens with a blend collapsing beside this method, and only the first', async ({ app }) => {
+    await app.open({ first: true });
+    const { view, play } = await app.state();
+    expect(view).toMatchObject({ split: 0.5, compare: ['linear'] });
+    expect(play.playing).toBe(true);
+    await expect(app.by('divider')).toBeVisible();
+    await expect(app.by('welcome')).toContainText('keeps its volume');
+    await expect.poll(async () => (await volumes(app))[1]).toBeLessThan(70);
+    await expect.poll(async () => (await volumes(app))[0]).toBeGreaterThan(97);
+    await app.page.goto('about:blank');
+    await app.open({ first: true });
+    expect((await app.state()).view).toMatchObject({ split: null, compare: [] });
+    await app.expectNoProblems();
+  });
+});

@@ -1,0 +1,128 @@
+/** The samples: cards that move, reached by pointer and keyboard, and every one of them opens and moves. */
+import { createHash } from 'node:crypto';
+import { AxeBuilder } from '@axe-core/playwright';
+import { changedShare } from './png.ts';
+import { diagonal, difference, expect, test } from './support.ts';
+import type { App } from './support.ts';
+
+const LARGE = 'serpent';
+
+const idsOf = (app: App): Promise<string[]> =>
+  app.page.locator('.sample-card').evaluateAll((cards) => cards.map((card) => card.getAttribute('data-id')!));
+
+test('every sample opens without a complaint, and moves', { tag: '@server' }, async ({ app }) => {
+  test.slow();
+  await app.open();
+  const ids = await idsOf(app);
+  expect(ids.length).toBeGreaterThanOrEqual(6);
+  for (const id of ids.filter((one) => one !== LARGE)) {
+    await app.pick(id);
+    await app.settled();
+    await expect(app.by('error')).toBeHidden();
+    const { keys } = (await app.state()).doc;
+    expect(keys.length, id).toBeGreaterThanOrEqual(3);
+    const [first, second] = [await app.positionsAt(keys[0]!.time), await app.positionsAt(keys[1]!.time)];
+    expect(first.every(Number.isFinite)).toBe(true);
+    // Halfway it is neither of the two, nor far from both.
+    const between = await app.positionsAt((keys[0]!.time + keys[1]!.time) / 2);
+    const size = diagonal(first);
+    for (const key of [first, second]) {
+      expect(difference(between, key), id).toBeGreaterThan(0.005 * size);
+      expect(difference(between, key), id).toBeLessThan(size);
+    }
+    await expect(app.by('status-keys')).toHaveText(`${keys.length} keys`);
+    await expect(app.by('lost'), id).toBeHidden();
+  }
+  await app.expectNoProblems();
+});
+
+test('one of more than 300,000 faces is made on the spot, and nothing is fetched for it but its formula', async ({
+  app,
+}) => {
+  test.slow();
+  await app.open();
+  const before = app.requests.length;
+  await app.pick(LARGE);
+  await app.settled();
+  const faces = (await app.by('status-faces').textContent())!.replace(/\D/g, '');
+  expect(Number(faces)).toBeGreaterThan(300_000);
+  expect(app.requests.slice(before).filter((url) => url.endsWith(`${LARGE}.glb`))).toEqual([]);
+  const [a, b] = [await app.positionsAt(0), await app.positionsAt(0.25)];
+  expect(difference(a, b)).toBeGreaterThan(0.01 * diagonal(a));
+  await expect(app.by('lost')).toBeHidden();
+  await app.expectNoProblems();
+});
+
+test('the column wears its painted stripes', async ({ app }) => {
+  await app.open({ hash: '#sample=column&floor=0' });
+  const own = await app.picture();
+  await app.by('look-toggle').click();
+  await app.by('colouring-phase').check();
+  expect(changedShare(own, await app.picture())).toBeGreaterThan(0.05);
+});
+
+test('is reached by keyboard, says what is open, and closes', async ({ app }) => {
+  await app.open();
+  const [gallery, button] = [app.by('gallery'), app.by('sample')];
+  await expect(button).toHaveText('Cactus');
+  await expect(gallery).toBeHidden();
+  await button.focus();
+  await app.page.keyboard.press('Enter');
+  await expect(gallery).toBeVisible();
+  await expect(app.by('sample-card-cactus')).toBeFocused();
+  await expect(app.by('sample-card-cactus')).toHaveAttribute('aria-current', 'true');
+  await app.page.keyboard.press('Escape');
+  await expect(gallery).toBeHidden();
+  await expect(button).toBeFocused();
+  await app.page.keyboard.press('Enter');
+  await app.page.keyboard.press('Tab');
+  await expect(app.by('sample-card-dachshund')).toBeFocused();
+  await app.page.keyboard.press('Enter');
+  await expect(gallery).toBeHidden();
+  await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: 'dachshund' });
+  await expect(button).toHaveText('Dachshund');
+  await app.expectNoProblems();
+});
+
+/** What a card shows, as a number of its pixels. */
+async function shown(app: App, id: string): Promise<string> {
+  const url = await app
+    .by(`sample-card-${id}`)
+    .locator('canvas')
+    .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  return createHash('sha1').update(url).digest('hex');
+}
+
+test.describe('where motion is welcome', () => {
+  test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
+
+  test('the cards move, and the canvas keeps what it shows meanwhile', async ({ app }) => {
+    test.slow();
+    await app.open();
+    await app.by('play').click();
+    await app.by('sample').click();
+    const card = app.by('sample-card-hand');
+    await expect(card).toHaveAttribute('data-picture', /./, { timeout: 90_000 });
+    const first = await shown(app, 'hand');
+    await expect.poll(() => shown(app, 'hand')).not.toBe(first);
+    expect((await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
+    await app.page.keyboard.press('Escape');
+    await app.expectNoProblems();
+  });
+});
+
+for (const width of [360, 820]) {
+  test(`fits at ${width} px, and axe finds nothing serious`, async ({ app }) => {
+    await app.page.setViewportSize({ width, height: 740 });
+    await app.open();
+    await app.by('sample').click();
+    const box = (await app.by('gallery').boundingBox())!;
+    expect(box.x).toBeGreaterThanOrEqual(0);
+    expect(box.x + box.width).toBeLessThanOrEqual(width);
+    expect(box.y + box.height).toBeLessThanOrEqual(740);
+    await app.by('sample-card-serpent').scrollIntoViewIfNeeded();
+    await expect(app.by('sample-card-serpent')).toBeInViewport();
+    const { violations } = await new AxeBuilder({ page: app.page }).include('.app-header').analyze();
+    expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
+  });
+}

@@ -1,0 +1,110 @@
+/** How a shape looks first: its own material or clay, with the phase on the floor and along its outline. */
+import { colours, decode, matching, saturation } from './png.ts';
+import type { Colour } from './png.ts';
+import { expect, test } from './support.ts';
+import type { App } from './support.ts';
+
+/** The paper's colours, as the ring has them. */
+const PHASES = {
+  key: { t: 0, colour: [0, 114, 178] },
+  between: { t: 0.25, colour: [0, 158, 115] },
+  beyond: { t: 1.3, colour: [230, 159, 0] },
+} as const;
+
+/** Pixels of the picture within some levels of a colour. */
+async function near(app: App, colour: Colour, levels = 34): Promise<number> {
+  return matching(await app.picture(), (seen) =>
+    seen.every((level, channel) => Math.abs(level - colour[channel]!) <= levels),
+  ).count;
+}
+
+for (const scheme of ['light', 'dark'] as const) {
+  test(`the ring on the floor has the colour of the phase, and no other, in the ${scheme} theme`, async ({ app }) => {
+    await app.page.emulateMedia({ colorScheme: scheme });
+    await app.open({ sample: 'twisted-bar' });
+    for (const [name, { t, colour }] of Object.entries(PHASES)) {
+      await app.setTime(t);
+      expect(await near(app, colour), name).toBeGreaterThan(700);
+      for (const [other, { colour: wrong }] of Object.entries(PHASES))
+        if (other !== name) expect(await near(app, wrong), `${other} at ${name}`).toBeLessThan(150);
+    }
+    await app.page.keyboard.press('g');
+    await app.nextFrame();
+    expect(await near(app, PHASES.beyond.colour)).toBeLessThan(250);
+    await app.expectNoProblems();
+  });
+}
+
+/** Mean colour of the pixels where vertices of the shape are drawn. */
+async function meanOnShape(app: App): Promise<number[]> {
+  const picture = decode(await app.picture());
+  const places = await app.page.evaluate(() =>
+    Array.from(window.__shapespline!.project(window.__shapespline!.positions())),
+  );
+  const all = Array.from(colours(picture));
+  const sum = [0, 0, 0];
+  for (let i = 0; i < places.length; i += 2) {
+    const colour = all[Math.round(places[i + 1]!) * picture.width + Math.round(places[i]!)];
+    colour?.forEach((level, channel) => {
+      sum[channel]! += level;
+    });
+  }
+  return sum.map((total) => total / (places.length / 2));
+}
+
+const PLATE = ['v -1 0 -1', 'v 1 0 -1', 'v 1 0 1', 'v -1 0 1', 'f 1 3 2', 'f 1 4 3'].join('\n');
+
+test('a file without materials is clay at every phase, and coloured by phase on demand', async ({ app }) => {
+  await app.open();
+  await app.by('file-input').setInputFiles(
+    [PLATE, PLATE.replace('v 1 0 1', 'v 1 0.2 1')].map((content, index) => ({
+      name: `${index}.obj`,
+      mimeType: 'application/octet-stream',
+      buffer: Buffer.from(content),
+    })),
+  );
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  await app.page.keyboard.press('7');
+  for (const { t } of [PHASES.key, PHASES.between]) {
+    await app.setTime(t);
+    const [r, g, b] = (await meanOnShape(app)) as [number, number, number];
+    expect(r, 'warm').toBeGreaterThan(b);
+    expect(saturation([r, g, b]), 'nearly grey').toBeLessThan(60);
+  }
+  await app.by('look-toggle').click();
+  await expect(app.by('colouring-texture')).toBeChecked();
+  await app.by('colouring-phase').check();
+  await app.setTime(0.5);
+  const [r, g, b] = (await meanOnShape(app)) as [number, number, number];
+  expect(g).toBeGreaterThan(r + 25);
+  expect(g).toBeGreaterThan(b + 5);
+  await app.expectNoProblems();
+});
+
+test('the outline has the colour of the phase', async ({ app }) => {
+  await app.open({ hash: '#sample=twisted-bar&floor=0' });
+  const blue = ([r, g, b]: Colour): boolean => b > r + 40 && b > g + 20;
+  await app.setTime(0);
+  const atKey = matching(await app.picture(), blue).count;
+  await app.setTime(1.3);
+  const beyond = matching(await app.picture(), blue).count;
+  expect(atKey).toBeGreaterThan(300);
+  expect(beyond).toBeLessThan(atKey / 10);
+});
+
+test('what stands on the floor casts a shadow, and what is lifted from it a fainter one', async ({ app }) => {
+  await app.page.emulateMedia({ colorScheme: 'light' });
+  // The octopus rises from its first pose to its third, and without the rest of the floor only the shadow is grey.
+  await app.open({ sample: 'octopus' });
+  const grey = async (t: number): Promise<number> => {
+    await app.setTime(t);
+    return matching(await app.picture(), (colour) => Math.max(...colour) < 215 && saturation(colour) < 26).count;
+  };
+  const [low, high] = [await grey(0), await grey(1)];
+  expect(low).toBeGreaterThan(1500);
+  expect(high).toBeLessThan(0.7 * low);
+  await app.page.keyboard.press('g');
+  await app.nextFrame();
+  expect(await grey(0)).toBeLessThan(0.2 * low);
+});

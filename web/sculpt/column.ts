@@ -1,0 +1,52 @@
+/** A striped column, twisted from its foot to its head: what blending positions is worst at. */
+import type { Sculpture } from './glb.ts';
+import { painted } from './png.ts';
+import { placed, skin } from './skin.ts';
+import type { Place } from './skin.ts';
+
+const HEIGHT = 4.2;
+const RADIUS = 0.92;
+const CORNER = 0.3;
+const LOBES = 6;
+const LOBE_DEPTH = 0.13;
+const TURNS = [0, 180, 350];
+const CREAM = [236, 222, 197] as const;
+const BRICK = [188, 84, 62] as const;
+
+export async function column(detail: number): Promise<Sculpture> {
+  const surface = skin(Math.round(84 * detail), LOBES * Math.round(13 * detail));
+  const picture = await painted(256, 4, (u) => {
+    // The colours meet in the grooves.
+    const share = smooth(0.5 + 9 * Math.cos(LOBES * Math.PI * u));
+    return CREAM.map((level, i) => level + (BRICK[i]! - level) * share) as [number, number, number];
+  });
+  return { skin: surface, keys: TURNS.map((degrees) => placed(surface, twisted(degrees))), picture, roughness: 0.42 };
+}
+
+function twisted(degrees: number): Place {
+  return (along) => {
+    const [radius, height] = profile(along);
+    const turn = ((degrees * Math.PI) / 180) * smooth(height / HEIGHT);
+    return (angle) => {
+      const away = radius * (1 + LOBE_DEPTH * Math.cos(LOBES * angle) * Math.min(radius / RADIUS, 1));
+      return [away * Math.cos(angle + turn), height, away * Math.sin(angle + turn)];
+    };
+  };
+}
+
+/** Radius and height along the outline: a flat foot, a round corner, the side, and the same above. */
+function profile(along: number): readonly [number, number] {
+  const [flat, round] = [RADIUS - CORNER, (CORNER * Math.PI) / 2];
+  const half = flat + round + HEIGHT / 2 - CORNER;
+  const above = along > 0.5;
+  const at = (above ? 1 - along : along) * 2 * half;
+  const turn = Math.min(Math.max((at - flat) / CORNER, 0), Math.PI / 2);
+  const radius = at < flat ? at : flat + CORNER * Math.sin(turn);
+  const height = at < flat ? 0 : at < flat + round ? CORNER * (1 - Math.cos(turn)) : CORNER + at - flat - round;
+  return [radius, above ? HEIGHT - height : height];
+}
+
+function smooth(x: number): number {
+  const t = Math.min(Math.max(x, 0), 1);
+  return t * t * (3 - 2 * t);
+}

@@ -1,0 +1,153 @@
+/**
+ * The shadow where a shape meets the floor: seen from below, the nearer the darker, and blurred. It costs one small
+ * picture, drawn anew only when what stands on the floor has changed.
+ */
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  Mesh,
+  NoBlending,
+  OrthographicCamera,
+  Scene,
+  ShaderMaterial,
+  Vector2,
+  WebGLRenderTarget,
+} from 'three';
+import type { Texture, Vector3, WebGLRenderer } from 'three';
+
+/** Casters of a layer are on this many layers above it, too. */
+export const CASTER_LAYERS = 8;
+const PIXELS = 256;
+/** Half its side and its height, in radii of the shape. */
+export const REACH = 2;
+const HEIGHT = 1.5;
+
+export class ContactShadow {
+  private readonly camera = new OrthographicCamera();
+  private readonly depth = depthMaterial();
+  private readonly blur = blurMaterial();
+  private readonly targets = [0, 1].map(() => new WebGLRenderTarget(PIXELS, PIXELS));
+  private readonly screen = new Scene();
+  private shown = '';
+
+  constructor() {
+    const triangle = new BufferGeometry();
+    triangle.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+    const mesh = new Mesh(triangle, this.blur);
+    mesh.frustumCulled = false;
+    mesh.layers.enableAll();
+    this.screen.add(mesh);
+  }
+
+  get texture(): Texture {
+    return this.targets[0]!.texture;
+  }
+
+  setBounds(centre: Vector3, floor: number, radius: number): void {
+    const { camera } = this;
+    camera.left = camera.bottom = -REACH * radius;
+    camera.right = camera.top = REACH * radius;
+    camera.near = -0.02 * radius;
+    camera.far = HEIGHT * radius;
+    camera.position.set(centre.x, floor, centre.z);
+    camera.up.set(0, 0, 1);
+    camera.lookAt(centre.x, floor + 1, centre.z);
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    this.depth.uniforms['height']!.value = camera.far;
+    this.shown = '';
+  }
+
+  /** What it shows is no longer there. */
+  forget(): void {
+    this.shown = '';
+  }
+
+  /** `layers` is what the view shows; `version` another one whenever that has changed. */
+  render(renderer: WebGLRenderer, scene: Scene, layers: number, version: number): void {
+    const wanted = `${layers} ${version}`;
+    if (wanted === this.shown) return;
+    this.shown = wanted;
+    const [seen, other] = this.targets as [WebGLRenderTarget, WebGLRenderTarget];
+    const ground = renderer.getClearColor(new Color());
+    const alpha = renderer.getClearAlpha();
+    renderer.setClearColor(0x000000, 0);
+    this.camera.layers.mask = layers << CASTER_LAYERS;
+    scene.overrideMaterial = this.depth;
+    renderer.setRenderTarget(seen);
+    renderer.clear();
+    renderer.render(scene, this.camera);
+    scene.overrideMaterial = null;
+    this.blurInto(renderer, seen, other, new Vector2(1 / PIXELS, 0));
+    this.blurInto(renderer, other, seen, new Vector2(0, 1 / PIXELS));
+    renderer.setRenderTarget(null);
+    renderer.setClearColor(ground, alpha);
+  }
+
+  dispose(): void {
+    for (const target of this.targets) target.dispose();
+    for (const material of [this.depth, this.blur]) material.dispose();
+  }
+
+  private blurInto(renderer: WebGLRenderer, from: WebGLRenderTarget, to: WebGLRenderTarget, step: Vector2): void {
+    this.blur.uniforms['picture']!.value = from.texture;
+    this.blur.uniforms['step']!.value = step;
+    renderer.setRenderTarget(to);
+    renderer.render(this.screen, this.camera);
+  }
+}
+
+function depthMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
+    side: DoubleSide,
+    blending: NoBlending,
+    uniforms: { height: { value: 1 } },
+    vertexShader: `
+      uniform float height;
+      varying float above;
+      void main() {
+        vec4 place = modelViewMatrix * vec4(position, 1.0);
+        above = -place.z / height;
+        gl_Position = projectionMatrix * place;
+      }`,
+    fragmentShader: `
+      varying float above;
+      void main() {
+        float near = 1.0 - clamp(above, 0.0, 1.0);
+        gl_FragColor = vec4(near * near * near);
+      }`,
+  });
+}
+
+/** Thirteen samples along a line, as a Gaussian weighs them. */
+function blurMaterial(): ShaderMaterial {
+  const weights = Array.from({ length: 7 }, (_, i) => Math.exp(-((i / 3.2) ** 2)));
+  const sum = 2 * weights.reduce((total, weight) => total + weight, 0) - 1;
+  const taps = weights.slice(1).map((weight, i) => {
+    const away = `${(1.5 * (i + 1)).toFixed(1)} * step`;
+    return `sum += ${(weight / sum).toFixed(6)} * (texture2D(picture, at + ${away}).r + texture2D(picture, at - ${away}).r);`;
+  });
+  return new ShaderMaterial({
+    depthTest: false,
+    depthWrite: false,
+    blending: NoBlending,
+    uniforms: { picture: { value: null }, step: { value: new Vector2() } },
+    vertexShader: `
+      varying vec2 at;
+      void main() {
+        at = 0.5 * position.xy + 0.5;
+        gl_Position = vec4(position.xy, 0.0, 1.0);
+      }`,
+    fragmentShader: `
+      uniform sampler2D picture;
+      uniform vec2 step;
+      varying vec2 at;
+      void main() {
+        float sum = ${(1 / sum).toFixed(6)} * texture2D(picture, at).r;
+        ${taps.join('\n        ')}
+        gl_FragColor = vec4(sum);
+      }`,
+  });
+}

@@ -1,0 +1,159 @@
+/**
+ * The light of the studio and the finish of every surface in it. The environment is a formula and no image: a soft sky
+ * over a warm ground and three soft boxes, each a spherical Gaussian, which a rough surface sees wider and dimmer. It
+ * costs nothing before the first picture and less in each pixel than lamps, on any graphics card.
+ */
+import { Color, Vector3 } from 'three';
+import type { Material, PerspectiveCamera, WebGLProgramParametersWithUniforms } from 'three';
+
+interface Box {
+  /** Towards it: in the world, or in what the eye sees (right, up, back). */
+  from: readonly [number, number, number];
+  seenFromEye: boolean;
+  /** The larger, the smaller the box. */
+  sharpness: number;
+  colour: number;
+  light: number;
+  dark: number;
+}
+
+/** Key light from above, fill beside the eye, and a strip behind the shape; no side of it is ever dark. */
+const BOXES: readonly Box[] = [
+  { from: [0.5, 1.2, 0.7], seenFromEye: false, sharpness: 7, colour: 0xfff3e4, light: 2.5, dark: 2.4 },
+  { from: [-1, 0.25, 0.55], seenFromEye: true, sharpness: 5, colour: 0xe4edff, light: 0.8, dark: 0.62 },
+  { from: [0.45, 0.75, -0.8], seenFromEye: true, sharpness: 16, colour: 0xffffff, light: 2, dark: 2.4 },
+];
+const SKY = { colour: 0xf4f7ff, light: 0.62, dark: 0.46 };
+const GROUND = { colour: 0xcfc4b8, light: 0.3, dark: 0.17 };
+/** Of the lobe that a matt surface gathers light with. */
+const MATT = 2.1;
+
+export class Studio {
+  private readonly towards = BOXES.map(() => new Vector3());
+  private readonly uniforms = {
+    studioUp: { value: new Vector3(0, 1, 0) },
+    studioSky: { value: new Color() },
+    studioGround: { value: new Color() },
+    studioTowards: { value: this.towards },
+    studioColour: { value: BOXES.map(() => new Color()) },
+    studioSharpness: { value: BOXES.map(({ sharpness }) => sharpness) },
+  };
+
+  constructor() {
+    this.setDark(false);
+  }
+
+  setDark(dark: boolean): void {
+    const lit = (into: Color, { colour, light, dark: dim }: { colour: number; light: number; dark: number }): Color =>
+      into.set(colour).multiplyScalar(dark ? dim : light);
+    lit(this.uniforms.studioSky.value, SKY);
+    lit(this.uniforms.studioGround.value, GROUND);
+    BOXES.forEach((box, index) => {
+      lit(this.uniforms.studioColour.value[index]!, box);
+    });
+  }
+
+  /** Before each drawing: everything is told in the eye's own axes. */
+  follow(camera: PerspectiveCamera): void {
+    camera.updateMatrixWorld();
+    this.uniforms.studioUp.value.set(0, 1, 0).transformDirection(camera.matrixWorldInverse);
+    BOXES.forEach(({ from, seenFromEye }, index) => {
+      const towards = this.towards[index]!.set(...from).normalize();
+      if (!seenFromEye) towards.transformDirection(camera.matrixWorldInverse);
+    });
+  }
+
+  /** Lights a MeshStandardMaterial; `rim` is what its outline glows in. Call before it is first drawn. */
+  install(material: Material, rim: Rim): void {
+    extend(material, 'studio', (shader) => {
+      Object.assign(shader.uniforms, this.uniforms, rim.uniforms);
+      shader.fragmentShader = DECLARED + shader.fragmentShader;
+      for (const [after, code] of INSERTED)
+        shader.fragmentShader = shader.fragmentShader.replace(`#include <${after}>`, code);
+    });
+  }
+}
+
+/** The colour of an outline, which says what the moment is, and how strong it is. */
+export class Rim {
+  readonly uniforms = { rimColour: { value: new Color() }, rimStrength: { value: 0 } };
+
+  set(colour: string, strength: number): void {
+    this.uniforms.rimColour.value.set(colour);
+    this.uniforms.rimStrength.value = strength;
+  }
+}
+
+/** Changes a material's shader beside what others change in it; `name` tells programs apart. */
+export function extend(
+  material: Material,
+  name: string,
+  change: (shader: WebGLProgramParametersWithUniforms) => void,
+): void {
+  const before = material.onBeforeCompile;
+  const key = Object.hasOwn(material, 'customProgramCacheKey') ? material.customProgramCacheKey() : '';
+  material.onBeforeCompile = (shader, renderer) => {
+    before.call(material, shader, renderer);
+    change(shader);
+  };
+  material.customProgramCacheKey = () => `${key} ${name}`;
+}
+
+const DECLARED = `
+uniform vec3 studioUp;
+uniform vec3 studioSky;
+uniform vec3 studioGround;
+uniform vec3 studioTowards[${BOXES.length}];
+uniform vec3 studioColour[${BOXES.length}];
+uniform float studioSharpness[${BOXES.length}];
+uniform vec3 rimColour;
+uniform float rimStrength;
+
+/* What a lobe about a direction gathers; 'lobe' is its sharpness. */
+vec3 studioLight(vec3 direction, float lobe) {
+  vec3 light = mix(studioGround, studioSky, 0.5 + 0.5 * dot(direction, studioUp));
+  for (int i = 0; i < ${BOXES.length}; i ++) {
+    float both = studioSharpness[i] * lobe / (studioSharpness[i] + lobe);
+    light += studioColour[i] * (both / studioSharpness[i]) * exp(both * (dot(direction, studioTowards[i]) - 1.0));
+  }
+  return light;
+}
+
+/* Khronos PBR Neutral: colours stay what they are, highlights roll off as on film. */
+vec3 filmic(vec3 colour) {
+  float least = min(colour.r, min(colour.g, colour.b));
+  colour -= least < 0.08 ? least - 6.25 * least * least : 0.04;
+  float peak = max(colour.r, max(colour.g, colour.b));
+  if (peak < 0.76) return colour;
+  float rolled = 1.0 - 0.0576 / (peak - 0.52);
+  colour *= rolled / peak;
+  return mix(colour, vec3(rolled), 1.0 - 1.0 / (0.15 * (peak - rolled) + 1.0));
+}
+`;
+
+const INSERTED: readonly (readonly [string, string])[] = [
+  [
+    'normal_fragment_maps',
+    // Along the outline a normal between vertices looks away from the eye, and the pixel would be a dark speck.
+    `#include <normal_fragment_maps>
+    {
+      vec3 toEye = normalize(vViewPosition);
+      normal = normalize(normal - min(dot(normal, toEye) - 0.02, 0.0) * toEye);
+    }`,
+  ],
+  [
+    'lights_fragment_maps',
+    `#include <lights_fragment_maps>
+    iblIrradiance += PI * studioLight(geometryNormal, ${MATT.toFixed(1)});
+    radiance += studioLight(reflect(-geometryViewDir, geometryNormal), 2.0 / pow4(max(material.roughness, 0.1)));`,
+  ],
+  [
+    'opaque_fragment',
+    `outgoingLight = filmic(outgoingLight);
+    {
+      float edge = 1.0 - saturate(dot(normal, normalize(vViewPosition)));
+      outgoingLight = mix(outgoingLight, rimColour, rimStrength * edge * edge * edge);
+    }
+    #include <opaque_fragment>`,
+  ],
+];
