@@ -12,8 +12,8 @@ const EASE_MS = 150;
 const DEFAULT_LOOK: Look = { colouring: 'phase', shading: 'smooth', wireframe: false, floor: true, dark: false };
 
 /**
- * Layers of the scene. Light and floor are on layer 0, as everything that says nothing else; then come the shapes of the
- * views, at most four, then what each has of onion skins or a film strip.
+ * Layers of the scene. Light and floor are on layer 0, as everything that says nothing else; then come the shapes of
+ * the views, at most four, then what each has of onion skins or a film strip.
  */
 const FIRST_SHAPE = 2;
 const FIRST_EXTRAS = 6;
