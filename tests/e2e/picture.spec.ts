@@ -133,6 +133,22 @@ test('the film strip shows the motion in a row, and goes away again', async ({ a
   expect((await app.state()).view.film).toBe(false);
 });
 
+test('the view is after a film strip what it was before, also where onion skins follow', async ({ app }) => {
+  await app.open();
+  await app.by('view-right').click();
+  await app.settled();
+  const camera = async () => (await app.state()).view.camera!;
+  const before = await camera();
+  for (const next of ['i', 'o']) {
+    await app.page.keyboard.press('i');
+    await app.settled();
+    await expect.poll(async () => (await camera()).position).not.toEqual(before.position);
+    await app.page.keyboard.press(next);
+    await app.settled();
+    await expect.poll(camera).toEqual(before);
+  }
+});
+
 test('standard views, fit, orbit, pan and zoom move one camera', async ({ app }) => {
   await app.open();
   const poses = new Set<string>();

@@ -142,7 +142,7 @@ test('a shape is a preview while it is dragged or plays, and exact when it rests
 });
 
 /**
- * Keys at 0, 0.5 and 1. Previews are off by 0.2 % of the diagonal before the middle key, 0.05 % after it
+ * Keys at 0, 1 and 2 s. Previews are off by 0.2 % of the diagonal before the middle key, 0.05 % after it
  * (tests/engine/preview).
  */
 async function openRolledUp(app: App): Promise<void> {
@@ -160,7 +160,7 @@ async function openRolledUp(app: App): Promise<void> {
   await app.settled();
 }
 
-/** Drags to and fro between two moments and says what was on the screen meanwhile; ends at rest. */
+/** Drags to and fro between two moments, as shares of the keys' time, and says what was on the screen meanwhile; ends at rest. */
 async function drag(app: App, from: number, to: number): Promise<{ time: number; preview: boolean }[]> {
   await app.page.evaluate(() => {
     const seen: { time: number; preview: boolean }[] = [];
@@ -183,7 +183,8 @@ async function drag(app: App, from: number, to: number): Promise<{ time: number;
   const seen = await app.page.evaluate(
     () => (window as unknown as { seen: { time: number; preview: boolean }[] }).seen,
   );
-  return seen.filter(({ time }) => time > from && time < to);
+  const end = (await app.state()).doc.keys.at(-1)!.time;
+  return seen.filter(({ time }) => time / end > from && time / end < to);
 }
 
 test('a moving shape is a preview only where that was measured to be close', async ({ app }) => {
@@ -192,7 +193,7 @@ test('a moving shape is a preview only where that was measured to be close', asy
   // Measured while nothing moves, from the moment on the screen outwards: where the later stretch is known, so is the
   // earlier one.
   await expect(async () => {
-    await app.setTime(0.25);
+    await app.setTime(0.5);
     await app.page.waitForTimeout(1000);
     expect((await drag(app, 0.55, 0.95)).some(({ preview }) => preview)).toBe(true);
   }).toPass({ timeout: 60_000 });
@@ -209,7 +210,7 @@ test('a moving shape is a preview only where that was measured to be close', asy
 test('and always where the address asks for it', async ({ app }) => {
   await app.open({ search: '?moving=preview' });
   await openRolledUp(app);
-  await app.setTime(0.25);
+  await app.setTime(0.5);
   expect((await drag(app, 0.05, 0.45)).some(({ preview }) => preview)).toBe(true);
   await app.expectNoProblems();
 });

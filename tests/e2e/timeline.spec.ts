@@ -83,7 +83,7 @@ test('is worked by the keyboard', async ({ app }) => {
   expect(await press(']')).toBe((await app.state()).doc.keys[1]!.time);
   expect(await press('End')).toBe(1);
   expect(await press('End')).toBeCloseTo(1.4, 9);
-  await expect(slider).toHaveAttribute('aria-valuetext', /^1\.400, Beyond the last key/);
+  await expect(slider).toHaveAttribute('aria-valuetext', /^1\.400 s, Beyond the last key/);
   expect(await press('[')).toBe(1);
   expect(await press('Home')).toBe(0);
   expect(await press('Home')).toBeCloseTo(-0.4, 9);

@@ -460,6 +460,47 @@ test('a picture is cropped to the shape, or has the floor and the ground of the 
   expect(new Set(row).size).toBeGreaterThan(5);
 });
 
+test('a picture of a film strip has the strip of every method, the keys in it, and their names', async ({ app }) => {
+  await app.open();
+  await app.by('compare-linear').check();
+  await app.settled();
+  await app.page.keyboard.press('i');
+  await app.settled();
+  const { bytes } = await exported(app, async () => {
+    await app.by('export-kind-picture').check();
+    await app.by('export-pixels').selectOption('1080p');
+    await app.by('export-crop').uncheck();
+  });
+  const picture = decode(bytes);
+  // Columns of the left and the right half that hold something of a shape, which has colours: nine shapes beside each
+  // other, two of them keys' neighbours beyond the ends.
+  const shapesIn = (from: number, to: number): number => {
+    let count = 0;
+    let before = false;
+    for (let x = from; x < to; x += 1) {
+      let drawn = false;
+      for (let y = 200; y < 1080 && !drawn; y += 1) {
+        const [red, green, blue] = colourAt(picture, x, y);
+        drawn = alphaAt(picture, x, y) > 128 && Math.max(red, green, blue) - Math.min(red, green, blue) > 30;
+      }
+      if (drawn && !before) count += 1;
+      before = drawn;
+    }
+    return count;
+  };
+  expect(shapesIn(0, 960)).toBe(9);
+  expect(shapesIn(960, 1920)).toBe(9);
+  const names = (from: number, to: number): number => {
+    let dark = 0;
+    for (let y = 540; y < 1080; y += 1)
+      for (let x = from; x < to; x += 1)
+        if (alphaAt(picture, x, y) > 128 && Math.max(...colourAt(picture, x, y)) < 60) dark += 1;
+    return dark;
+  };
+  expect(names(0, 960)).toBeGreaterThan(100);
+  expect(names(960, 1920)).toBeGreaterThan(100);
+});
+
 test('a comparison carries the names of its methods', async ({ app }) => {
   await app.open();
   await app.setTime(0.25);

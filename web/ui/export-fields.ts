@@ -85,7 +85,7 @@ export function createTimeFields(change: Change): Fields {
   const bounce = checkbox('There and back again, in twice the time', 'export-bounce', (on) => change({ bounce: on }));
   const rangeRow = fieldRow('Range', from, unit('to'), to, unit('s'));
   const secondsRow = fieldRow('Seconds', pace, reset, seconds);
-  const framesRow = fieldRow('Frames', frames, unit('at'), rate, unit('a second'));
+  const framesRow = fieldRow('Frames', frames, unit('at'), rate, unit('fps'));
   return {
     elements: [rangeRow, secondsRow, framesRow, bounce.element],
     update({ request, video, ...playing }) {

@@ -13,20 +13,21 @@ const EASE_MS = 150;
 const DEFAULT_LOOK: Look = { colouring: 'texture', shading: 'smooth', wireframe: false, floor: true, dark: false };
 
 /**
- * Layers of the scene. Light and floor are on layer 0, as everything that says nothing else; then come onion skins or a
- * film strip, then the shape of each view.
+ * Layers of the scene. Light and floor are on layer 0, as everything that says nothing else; then come the shapes of
+ * the views, at most six, then what each has of onion skins or a film strip.
  */
-const EXTRAS = 1;
 const FIRST_SHAPE = 2;
+const FIRST_EXTRAS = 8;
 
 export class Contents {
   readonly object = new Group();
   private topology: Topology | null = null;
   private shapes: Shape[] = [];
-  private extras: Shape[] = [];
+  /** By view. */
+  private extras: Shape[][] = [];
   private ghost: GhostView | null = null;
   private colours: string[] = [];
-  private extraColours: string[] = [];
+  private extraColours: string[][] = [];
   private current = DEFAULT_LOOK;
   private patchColours: Float32Array | null = null;
   private hideShapes = false;
@@ -96,22 +97,29 @@ export class Contents {
     this.applyColours();
   }
 
-  /** Onion skins or a film strip; `instead` hides the moving shapes. */
-  setExtras(extras: readonly Extra[], instead = false): void {
-    if (!extras.every(({ positions }) => this.fits(positions))) return;
-    while (this.extras.length > extras.length) this.extras.pop()?.dispose();
-    while (this.extras.length < extras.length && this.topology) this.extras.push(this.addShape(EXTRAS));
+  /** Onion skins or a film strip of each view; `instead` hides the moving shapes. */
+  setExtras(extras: readonly (readonly Extra[])[], instead = false): void {
+    if (!extras.flat().every(({ positions }) => this.fits(positions))) return;
+    const views = Math.max(extras.length, this.extras.length);
+    for (let view = 0; view < views; view += 1) this.setExtrasOf(view, extras[view] ?? []);
+    this.hideShapes = instead;
+  }
+
+  private setExtrasOf(view: number, extras: readonly Extra[]): void {
+    const shapes = this.extras[view] ?? [];
+    this.extras[view] = shapes;
+    while (shapes.length > extras.length) shapes.pop()?.dispose();
+    while (shapes.length < extras.length && this.topology) shapes.push(this.addShape(FIRST_EXTRAS + view));
+    this.extraColours[view] = extras.map(({ colour }) => colour);
     extras.forEach((extra, index) => {
-      const shape = this.extras[index];
+      const shape = shapes[index];
       if (!shape) return;
       shape.setFrame(extra.positions, extra.normals);
       shape.setOpacity(extra.opacity);
       shape.setLook(this.lookOf(extra.opacity));
       shape.setColour(extra.colour);
-      this.extraColours[index] = extra.colour;
       shape.object.position.x = extra.offset;
     });
-    this.hideShapes = instead;
   }
 
   /** Colour of each patch on the shape: 3 x vertices, linear RGB; null takes them away. */
@@ -154,7 +162,7 @@ export class Contents {
   setLook(look: Look): void {
     this.current = look;
     for (const shape of this.shapes) shape.setLook(look);
-    for (const shape of this.extras) shape.setLook(this.lookOf(shape.opacity));
+    for (const shape of this.extras.flat()) shape.setLook(this.lookOf(shape.opacity));
     this.applyColours();
   }
 
@@ -185,11 +193,11 @@ export class Contents {
     if (share === 1) this.easedSince = null;
   }
 
-  /** What a view shows. Onion skins, film strip and ghost belong to the first view's motion. */
+  /** What a view shows. The ghost belongs to the first view's motion. */
   layersOf(view: number): Layers {
     const layers = new Layers();
-    if (view === 0) layers.enable(EXTRAS);
-    if (view > 0 || !this.hideShapes) layers.enable(FIRST_SHAPE + view);
+    layers.enable(FIRST_EXTRAS + view);
+    if (!this.hideShapes) layers.enable(FIRST_SHAPE + view);
     return layers;
   }
 
@@ -204,7 +212,7 @@ export class Contents {
   }
 
   clear(): void {
-    for (const shape of [...this.shapes, ...this.extras]) shape.dispose();
+    for (const shape of [...this.shapes, ...this.extras.flat()]) shape.dispose();
     this.shapes = [];
     this.extras = [];
     this.ghost?.dispose();
@@ -233,7 +241,9 @@ export class Contents {
 
   private applyColours(): void {
     this.shapes.forEach((shape, index) => shape.setColour(this.colours[index] ?? '#888888'));
-    this.extras.forEach((shape, index) => shape.setColour(this.extraColours[index] ?? '#888888'));
+    this.extras.forEach((shapes, view) =>
+      shapes.forEach((shape, index) => shape.setColour(this.extraColours[view]?.[index] ?? '#888888')),
+    );
   }
 
   private async loadTextures(topology: Topology): Promise<void> {

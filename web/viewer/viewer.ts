@@ -117,8 +117,8 @@ export class Viewer {
     this.change();
   }
 
-  /** Onion skins or a film strip; `instead` hides the moving shapes. */
-  setExtras(extras: readonly Extra[], instead = false): void {
+  /** Onion skins or a film strip of each view; `instead` hides the moving shapes. */
+  setExtras(extras: readonly (readonly Extra[])[], instead = false): void {
     this.contents.setExtras(extras, instead);
     this.stage.setPhase(instead ? null : this.phase);
     this.change();
@@ -204,9 +204,18 @@ export class Viewer {
 
   /** Where points (xyz interleaved) appear: x, y in CSS pixels from the canvas' top left corner. */
   project(points: Float32Array, view = 0): Float32Array {
-    const rect = this.rects()[view];
+    return this.projected(points, this.rects()[view], 1);
+  }
+
+  /** The same in the canvas' own pixels. */
+  projectDrawn(points: Float32Array, view: number): Float32Array {
+    const rect = this.drawnRects()[view];
+    return this.projected(points, rect, rect ? this.zoomOf(rect) : 1);
+  }
+
+  private projected(points: Float32Array, rect: Rect | undefined, zoom: number): Float32Array {
     if (!rect) return new Float32Array();
-    this.rig.prepare(rect.width / rect.height);
+    this.rig.prepare(rect.width / rect.height, zoom);
     const result = new Float32Array((points.length / 3) * 2);
     const point = new Vector3();
     for (let i = 0; i < points.length / 3; i += 1) {
@@ -370,15 +379,18 @@ export class Viewer {
     return { width: Math.max(this.host.clientWidth, 1), height: Math.max(this.host.clientHeight, 1) };
   }
 
+  /** A narrower view than on the page shows as much more as keeps its sides in it. */
+  private zoomOf({ width, height }: Rect): number {
+    return this.pictureSize ? Math.min(width / height / this.aspect(), 1) : 1;
+  }
+
   private renderOne(rect: Rect, seen: Rect, height: number, layers: Layers): void {
     const bottom = (part: Rect): number => height - part.y - part.height;
     this.renderer.setViewport(rect.x, bottom(rect), rect.width, rect.height);
     this.renderer.setScissor(seen.x, bottom(seen), seen.width, seen.height);
     this.renderer.setScissorTest(true);
     this.renderer.clear();
-    const aspect = rect.width / rect.height;
-    // A narrower view than on the page is seen from as much farther off as keeps its sides in it.
-    this.rig.prepare(aspect, this.pictureSize ? Math.min(aspect / this.aspect(), 1) : 1);
+    this.rig.prepare(rect.width / rect.height, this.zoomOf(rect));
     this.studio.follow(this.rig.camera);
     this.stage.prepare(this.renderer, this.scene, layers.mask, this.version);
     this.rig.camera.layers.mask = layers.mask;

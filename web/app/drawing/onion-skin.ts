@@ -1,6 +1,6 @@
 /** Further shapes in the viewport: onion skins around the time, or a film strip of evenly spaced ones. */
 import type { Frame } from '../../engine/api/types.ts';
-import { length, phaseOf } from '../../model/time-scale.ts';
+import { clamp, formatTime, length, phaseOf } from '../../model/time-scale.ts';
 import type { PhaseKind, Range } from '../../model/time-scale.ts';
 import type { Extra } from '../../viewer/types.ts';
 
@@ -16,6 +16,7 @@ const ONION_SKINS: readonly { steps: number; opacity: number }[] = [
   { steps: 1, opacity: 0.2 },
 ];
 const FILM_STEPS = 6;
+const MOST_FILM_STEPS = 16;
 const FILM_BEYOND = 1;
 
 export interface OnionSkinInput {
@@ -39,18 +40,40 @@ export function onionSkins(input: OnionSkinInput, frames: readonly Frame[]): Ext
   }));
 }
 
-/** Evenly over the keys, and a little beyond both ends. */
-export function filmTimes({ range, periodic }: OnionSkinInput): number[] {
+/** Evenly over the keys, and a little beyond both ends; the nearest to a key is at the key. */
+export function filmTimes({ keys, range, periodic }: OnionSkinInput): number[] {
   const beyond = periodic ? 0 : FILM_BEYOND;
-  return Array.from(
-    { length: FILM_STEPS + 1 + 2 * beyond },
-    (_, index) => range[0] + ((index - beyond) / FILM_STEPS) * length(range),
+  const steps = clamp(keys.length - 1, FILM_STEPS, MOST_FILM_STEPS);
+  const times = Array.from(
+    { length: steps + 1 + 2 * beyond },
+    (_, index) => range[0] + ((index - beyond) / steps) * length(range),
   );
+  for (const { time } of keys) times[Math.round(((time - range[0]) / length(range)) * steps) + beyond] = time;
+  return times;
+}
+
+/** Where the name of each shape of a strip stands, xyz interleaved: under its middle. */
+export function filmPlaces(strip: readonly Extra[]): Float32Array {
+  const lowest = Math.min(...strip.map(({ positions }) => rangeOf(positions, 1)[0]));
+  return Float32Array.from(
+    strip.flatMap(({ positions, offset }) => {
+      const middle = (axis: 0 | 2): number => rangeOf(positions, axis).reduce((sum, end) => sum + end / 2, 0);
+      return [middle(0) + offset, lowest, middle(2)];
+    }),
+  );
+}
+
+/** What each shape of a strip is called: its key, or its time. */
+export function filmNames({ keys, range }: OnionSkinInput, times: readonly number[]): string[] {
+  return times.map((t) => {
+    const key = keys.findIndex(({ time }) => time === t);
+    return key < 0 ? `${formatTime(t, range)} s` : `Key ${key + 1}`;
+  });
 }
 
 /** Side by side along x, as far apart as the widest needs. */
 export function filmStrip(input: OnionSkinInput, frames: readonly Frame[]): Extra[] {
-  const boxes = frames.map((frame) => widthOf(frame.positions));
+  const boxes = frames.map((frame) => rangeOf(frame.positions, 0));
   const spacing = 1.08 * Math.max(...boxes.map(([low, high]) => high - low), 0);
   return frames.map((frame, index) => {
     const [low, high] = boxes[index]!;
@@ -69,10 +92,11 @@ function colourAt(t: number, { keys, range, periodic }: OnionSkinInput, toleranc
   return PHASE_COLOURS[phaseOf({ t, keys, range, periodic, tolerance }).kind];
 }
 
-function widthOf(positions: Float32Array): [number, number] {
+/** The least and the largest coordinate along an axis. */
+function rangeOf(positions: Float32Array, axis: 0 | 1 | 2): [number, number] {
   let low = Infinity;
   let high = -Infinity;
-  for (let i = 0; i < positions.length; i += 3) {
+  for (let i = axis; i < positions.length; i += 3) {
     low = Math.min(low, positions[i]!);
     high = Math.max(high, positions[i]!);
   }

@@ -1,8 +1,8 @@
 /** Between the sequences and the viewer: what is drawn for a time, for a document, for a look. */
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
-import type { ViewName } from '../../model/camera.ts';
-import type { AppState, View } from '../../model/state.ts';
+import type { CameraPose, ViewName } from '../../model/camera.ts';
+import type { AppState, Doc, View } from '../../model/state.ts';
 import { isInLri } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
@@ -12,7 +12,7 @@ import type { TileLabel } from '../../ui/view-bar.ts';
 import type { Extra, Look, Rect } from '../../viewer/types.ts';
 import { Viewer } from '../../viewer/viewer.ts';
 import type { ViewerEvents } from '../../viewer/viewer.ts';
-import { PHASE_COLOURS, filmStrip, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
+import { PHASE_COLOURS, filmNames, filmPlaces, filmStrip, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
 import type { OnionSkinInput } from './onion-skin.ts';
 import { differenceOf, heatColours, roundTop } from './difference.ts';
 import type { Difference } from './difference.ts';
@@ -31,13 +31,24 @@ import type { RunningSequence } from '../session/sequence-set.ts';
 export const PLAYING_TOLERANCE = 0.006;
 /** Larger shapes are not measured on every frame. */
 const MEASURED_FACES = 60_000;
-/** Stands for onion skins where the document of a film strip would stand. */
-const ONION = 'onion';
 /** Between the shape and its ghost beside it, in widths of the shape. */
 const BESIDE = 1.12;
 /** Neither key nor between nor beyond. */
 const ORIGINAL_COLOUR = '#8f8f8f';
 const THUMBNAIL = { width: 88, height: 60 };
+
+interface Film {
+  /** What the strips were made of. */
+  of: Doc;
+  views: number;
+  /** The shapes of all strips where they stand. */
+  shapes: Float32Array[];
+  names: string[];
+  /** Where the names stand, by view. */
+  places: Float32Array[];
+  /** From where the shape was looked at before; null where nothing was shown before. */
+  before: CameraPose | null;
+}
 
 export class SceneController {
   readonly viewer: Viewer;
@@ -53,10 +64,11 @@ export class SceneController {
   private pool: PosePool | null = null;
   private base: Measure | null = null;
   private patchesOf: Sequence | null = null;
-  /** What the film strip was made of, ONION for onion skins, null for neither. */
-  private filmKey: unknown = null;
-  /** The shapes of the strip where they stand. */
-  private film: Float32Array[] | null = null;
+  private film: Film | null = null;
+  private hasOnion = false;
+  /** Something else than a film strip has been seen of the import. */
+  private ordinary = false;
+  private readonly onCamera: ViewerEvents['onCamera'];
   private ghost: { of: Sequence; mesh: Ghost | null } | null = null;
   /** Of the import's poses along x. */
   private width = 0;
@@ -68,6 +80,7 @@ export class SceneController {
   private heatColours: Float32Array | null = null;
 
   constructor(host: HTMLElement, events: ViewerEvents) {
+    this.onCamera = events.onCamera;
     this.viewer = new Viewer(host, {
       ...events,
       onResize: () => {
@@ -90,8 +103,9 @@ export class SceneController {
     this.info = info;
     this.pool = pool;
     this.patchesOf = null;
-    this.filmKey = null;
     this.film = null;
+    this.hasOnion = false;
+    this.ordinary = false;
     this.ghost = null;
     this.beside = null;
     this.clearDifference();
@@ -107,7 +121,7 @@ export class SceneController {
   /** Fits the view to the keys and to what is drawn now, which may have left them. */
   fit(view: ViewName | null, eased: boolean): void {
     if (!this.pool) return;
-    this.setExtent(this.film ?? this.withGhost(this.shown()));
+    this.setExtent(this.film?.shapes ?? this.withGhost(this.shown()));
     this.viewer.fit(view, eased);
   }
 
@@ -151,7 +165,7 @@ export class SceneController {
     this.labels = views > 1 ? this.tileLabels(frames, sequences, original?.positions) : [];
     this.showDifference(frames, sequences, state.view);
     await this.showGhost(t, sequences[0], state.view);
-    await this.showOnionSkins(input, sequences[0]?.sequence, state);
+    await this.showOnionSkins(input, sequences, state);
     await this.showPatches(sequences[0]?.sequence, state.view);
   }
 
@@ -227,34 +241,56 @@ export class SceneController {
 
   private async showOnionSkins(
     input: OnionSkinInput,
-    sequence: Sequence | undefined,
+    sequences: readonly RunningSequence[],
     { view, doc }: AppState,
   ): Promise<void> {
-    if (!sequence || (!view.onion && !view.film)) {
-      if (this.filmKey === null) return;
-      this.viewer.setExtras([]);
-      this.film = null;
-      if (this.filmKey !== ONION) this.fit('home', true);
-      this.filmKey = null;
+    if (!view.film) this.leaveFilm();
+    if (!view.onion && !view.film) {
+      if (this.hasOnion) this.viewer.setExtras([]);
+      this.hasOnion = false;
       return;
     }
     // The strip does not depend on the moment: it is made once for a document.
-    if (view.film && this.filmKey === doc) return;
-    const frames = await sequence.evaluateMany(view.film ? filmTimes(input) : onionTimes(input));
-    const skins = view.film ? filmStrip(input, frames) : onionSkins(input, frames);
+    if (view.film && this.film?.of === doc && this.film.views === sequences.length) return;
+    const times = view.film ? filmTimes(input) : onionTimes(input);
+    const frames = await Promise.all(sequences.map(({ sequence }) => sequence.evaluateMany(times)));
+    const skins = frames.map((of) => (view.film ? filmStrip(input, of) : onionSkins(input, of)));
     this.viewer.setExtras(skins, view.film);
-    if (view.film) this.fitTo(skins);
-    this.filmKey = view.film ? doc : ONION;
-    for (const frame of frames) frame.release();
+    if (view.film) this.enterFilm(doc, skins, filmNames(input, times));
+    this.hasOnion = view.onion;
+    for (const frame of frames.flat()) frame.release();
   }
 
-  private fitTo(skins: readonly Extra[]): void {
-    const placed = skins.map(({ positions, offset }) =>
-      positions.map((value, index) => (index % 3 === 0 ? value + offset : value)),
-    );
-    this.film = placed;
-    this.setExtent(placed);
+  private enterFilm(of: Doc, strips: readonly Extra[][], names: string[]): void {
+    const before = this.film ? this.film.before : this.ordinary ? this.viewer.cameraPose() : null;
+    const shapes = strips
+      .flat()
+      .map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
+    this.film = { of, views: strips.length, shapes, names, places: strips.map(filmPlaces), before };
+    this.setExtent(shapes);
     this.viewer.fit('front', true);
+  }
+
+  /** The view is what it was before the strip. */
+  private leaveFilm(): void {
+    this.ordinary = true;
+    if (!this.film) return;
+    const { before } = this.film;
+    this.film = null;
+    this.viewer.setExtras([]);
+    if (!before) return this.fit('home', true);
+    this.setExtent(this.withGhost(this.shown()));
+    this.viewer.setCameraPose(before);
+    this.onCamera(before);
+  }
+
+  /** Names of the shapes of a film strip, where a view has them on the canvas, in its pixels. */
+  filmLabels(view: number): { text: string; x: number; y: number }[] {
+    const { film } = this;
+    const places = film?.places[view];
+    if (!film || !places) return [];
+    const at = this.viewer.projectDrawn(places, view);
+    return film.names.map((text, i) => ({ text, x: at[2 * i]!, y: at[2 * i + 1]! }));
   }
 
   /** Colours the first shape where one without a ghost stands beside it. */

@@ -2,14 +2,14 @@
 import type { PictureSize } from '../../model/export-request.ts';
 import type { Rect } from '../../viewer/types.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
-import { writeTitle } from './title.ts';
+import { writeName, writeTitle } from './title.ts';
 
 export interface Sheet {
   readonly canvas: HTMLCanvasElement;
   readonly context: CanvasRenderingContext2D;
   /** Where the views stand on it. */
   rects(): Rect[];
-  /** Puts the view on it, as it is drawn now. `ground`: a colour behind it; null: nothing. */
+  /** Puts the view on it, as it is drawn now, with the names of a film strip. `ground`: behind it; null: nothing. */
   take(ground: string | null): void;
   /** Writes over each of several views what it shows. */
   takeTitles(): void;
@@ -64,7 +64,12 @@ function sheetOf(scene: SceneController, size: PictureSize): Sheet {
         context.fillStyle = ground;
         context.fillRect(0, 0, canvas.width, canvas.height);
       }
-      viewer.snapshot((view) => context.drawImage(view, ...shift()));
+      const [x, y] = shift();
+      viewer.snapshot((view) => context.drawImage(view, x, y));
+      rects().forEach((rect, view) => {
+        for (const label of scene.filmLabels(view))
+          writeName(context, label.text, { x: label.x + x, y: label.y + y }, rect);
+      });
     },
     takeTitles() {
       const places = rects();

@@ -40,6 +40,23 @@ export function writeTitle(context: CanvasRenderingContext2D, { title, detail }:
   context.restore();
 }
 
+/** Under a shape of a film strip. */
+export function writeName(
+  context: CanvasRenderingContext2D,
+  name: string,
+  { x, y }: { x: number; y: number },
+  view: Rect,
+): void {
+  const letters = Math.round(0.8 * lettersOf(view));
+  context.save();
+  context.textAlign = 'center';
+  context.textBaseline = 'top';
+  context.fillStyle = pageColour('--text');
+  context.font = `400 ${letters}px ${getComputedStyle(document.body).fontFamily}`;
+  context.fillText(name, x, y + 0.6 * letters);
+  context.restore();
+}
+
 /** A colour of the page's style sheet, as it is in the theme that is shown. */
 export function pageColour(name: string): string {
   const probe = document.createElement('span');
