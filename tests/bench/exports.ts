@@ -107,7 +107,12 @@ function cellsOf({ shape, frames, how, written, three, babylon }: Row): string[]
   const inThree =
     typeof three === 'string'
       ? [three, '', '', '']
-      : [short(three.seconds), short(three.firstFrame), megabytes(three.textureMB), megabytes(three.memoryMB)];
+      : [
+          short(three.seconds),
+          typeof three.firstFrame === 'string' ? three.firstFrame : short(three.firstFrame),
+          megabytes(three.textureMB),
+          megabytes(three.memoryMB),
+        ];
   const inBabylon = typeof babylon === 'string' ? [babylon, ''] : [short(babylon.seconds), megabytes(babylon.memoryMB)];
   return [...start, String(written.targets), megabytes(written.bytes / 1e6), ...inThree, ...inBabylon];
 }

@@ -6,6 +6,7 @@ import { ImportMeshAsync } from '@babylonjs/core/Loading/sceneLoader.js';
 import { Logger } from '@babylonjs/core/Misc/logger.js';
 import { Scene } from '@babylonjs/core/scene.js';
 import { MeshoptDecoder } from 'meshoptimizer';
+import { ownPeak } from './process-memory.ts';
 
 export interface Loaded {
   seconds: number;
@@ -28,7 +29,7 @@ const start = performance.now();
 const { meshes } = await ImportMeshAsync(bytes, scene, { pluginExtension: '.glb' });
 const loaded: Loaded = {
   seconds: (performance.now() - start) / 1000,
-  memoryMB: process.resourceUsage().maxRSS / 1024 - before / 2 ** 20,
+  memoryMB: ownPeak() - before / 2 ** 20,
   targets: Math.max(...meshes.map((mesh) => mesh.morphTargetManager?.numTargets ?? 0)),
 };
 process.stdout.write(`${JSON.stringify(loaded)}\n`);

@@ -21,7 +21,8 @@ export function sharingVertices(glb: Uint8Array, parts: number): Uint8Array {
   const view = new DataView(glb.buffer, glb.byteOffset, glb.byteLength);
   const length = view.getUint32(12, true);
   const json = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + length))) as Document;
-  const [primitive] = json.meshes[0]!.primitives;
+  const [primitive, ...others] = json.meshes[0]!.primitives;
+  if (others.length > 0) throw new Error('The GLB has several primitives.');
   const indices = json.accessors[primitive!.indices]!;
   const faces = indices.count / 3;
   const starts = Array.from({ length: parts + 1 }, (_, part) => Math.round((part * faces) / parts));

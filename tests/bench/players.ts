@@ -16,7 +16,8 @@ const WAIT_MS = 300_000;
 export interface InThree {
   /** Until the scene is there, and from there until it was drawn once. */
   seconds: number;
-  firstFrame: number;
+  /** A word where there was none. */
+  firstFrame: number | string;
   /** Of the textures that hold the morph targets. */
   textureMB: number;
   /** Of all the browser's processes, beyond what they had before; the textures of a software GPU among them. */
@@ -26,7 +27,7 @@ export interface InThree {
 /** A sentence where it did not work. */
 export type Played<T> = T | string;
 
-type InPage = Omit<InThree, 'memoryMB'> & { triangles: number; lost: boolean };
+type InPage = Omit<InThree, 'memoryMB'> & { graphicsError: string | null };
 
 const sum = (values: number[]): number => values.reduce((total, value) => total + value, 0);
 
@@ -46,7 +47,8 @@ async function loadInThree(page: Page, url: string): Promise<Played<InPage>> {
   const crashed = new Promise<string>((resolve) => page.once('crash', () => resolve('the page crashed')));
   const result = await Promise.race([loaded.catch((error: Error) => error.message.split('\n')[0]!), late, crashed]);
   if (typeof result === 'string') return result;
-  return result.lost || errors.length > 0 ? (errors[0] ?? 'the graphics were lost').slice(0, 100) : result;
+  if (result.graphicsError !== null) return { ...result, firstFrame: result.graphicsError };
+  return errors[0]?.slice(0, 100) ?? result;
 }
 
 /** `file` lies below `repository`, which is served. */

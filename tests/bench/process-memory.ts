@@ -9,6 +9,11 @@ const statusOf = (id: string): string => {
   }
 };
 
+/** The largest resident set in MB that this process ever had; NaN where no system tells. */
+export function ownPeak(): number {
+  return Number(/^VmHWM:\s+(\d+)/m.exec(statusOf('self'))?.[1] ?? Number.NaN) / 1024;
+}
+
 /** Resident sets in MB of all processes that `pid` started: what each ever had, and has; null where no system tells. */
 export function residentOf(pid: number): { peak: number; now: number }[] | null {
   if (!existsSync('/proc/self/status')) return null;
