@@ -132,9 +132,9 @@ describe('an animated GLB', () => {
     }
     const { info } = await engine.importKeyframes([{ name: 'a.glb', bytes }]);
     expect([info.times, info.speed]).toEqual([[0, 0.5, 1], 0.25]);
-    const principal = await exported(bend.sequence, { ...options, frames: null, targets: 'principal' });
-    await expectValid(principal);
-    const rig = await threePlayer(principal);
+    const [principal] = await bend.sequence.export({ ...options, frames: null, targets: 'principal' });
+    await expectValid(principal!.bytes);
+    const rig = await threePlayer(principal!.bytes);
     expect(rig.duration).toBeCloseTo(8, 5);
     expect(largestDistance(rig.positionsAt(6), (await frameAt(bend.sequence, 0.5)).positions)).toBeLessThan(
       2e-3 * size(),
