@@ -24,6 +24,8 @@ export interface ViewerEvents {
   covered(views: number): { top: number; bottom: number };
 }
 
+/** Of views that show film strips: under each other. */
+const STRIP_ASPECT = 6;
 /** Vertices that tell whether a shape is seen. */
 const SAMPLED = 300;
 /** The largest share of a view's height that is given to what lies over it. */
@@ -37,6 +39,8 @@ export class Viewer {
   private readonly rig: CameraRig;
   private readonly contents = new Contents(() => this.invalidate());
   private readonly thumbnails: Thumbnails;
+  /** How many times wider than high views side by side ought to be. */
+  private tileAspect = 1;
   /** Pixels of pictures that are taken instead of what fits the page. */
   private pictureSize: PixelSize | null = null;
   private pending = 0;
@@ -82,6 +86,7 @@ export class Viewer {
   /** A new import; nothing of it is seen until its first frame. */
   setImport(info: KeysInfo, bounds: Bounds, points: Float32Array): void {
     this.contents.setImport(info);
+    this.tileAspect = 1;
     this.stage.setBounds(bounds);
     const extent = { points, radius: radiusOf(bounds) };
     this.thumbnails.setExtent(bounds, extent);
@@ -112,6 +117,7 @@ export class Viewer {
   /** Onion skins or a film strip of each view; `instead` hides the moving shapes. */
   setExtras(extras: readonly (readonly Extra[])[], instead = false): void {
     this.contents.setExtras(extras, instead);
+    this.tileAspect = instead ? STRIP_ASPECT : 1;
     this.invalidate();
   }
 
@@ -241,7 +247,7 @@ export class Viewer {
   }
 
   private tiles({ width, height }: PixelSize): Rect[] {
-    return tiles(Math.max(this.contents.views, 1), Math.max(width, 1), Math.max(height, 1));
+    return tiles(Math.max(this.contents.views, 1), Math.max(width, 1), Math.max(height, 1), this.tileAspect);
   }
 
   invalidate(): void {
