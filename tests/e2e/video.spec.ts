@@ -472,14 +472,14 @@ test('a picture of a film strip has the strip of every method, the keys in it, a
     await app.by('export-crop').uncheck();
   });
   const picture = decode(bytes);
-  // Columns of the left and the right half that hold something of a shape, which has colours: nine shapes beside each
-  // other, two of them keys' neighbours beyond the ends.
+  // Columns of the upper and the lower half that hold something of a shape, which has colours: nine shapes beside each
+  // other, the first and the last beyond the ends.
   const shapesIn = (from: number, to: number): number => {
     let count = 0;
     let before = false;
-    for (let x = from; x < to; x += 1) {
+    for (let x = 0; x < 1920; x += 1) {
       let drawn = false;
-      for (let y = 200; y < 1080 && !drawn; y += 1) {
+      for (let y = from; y < to && !drawn; y += 1) {
         const [red, green, blue] = colourAt(picture, x, y);
         drawn = alphaAt(picture, x, y) > 128 && Math.max(red, green, blue) - Math.min(red, green, blue) > 30;
       }
@@ -488,17 +488,18 @@ test('a picture of a film strip has the strip of every method, the keys in it, a
     }
     return count;
   };
-  expect(shapesIn(0, 960)).toBe(9);
-  expect(shapesIn(960, 1920)).toBe(9);
+  expect(shapesIn(0, 540)).toBe(9);
+  expect(shapesIn(540, 1080)).toBe(9);
+  // Letters in the lower half of each.
   const names = (from: number, to: number): number => {
     let dark = 0;
-    for (let y = 540; y < 1080; y += 1)
-      for (let x = from; x < to; x += 1)
+    for (let y = from; y < to; y += 1)
+      for (let x = 0; x < 1920; x += 1)
         if (alphaAt(picture, x, y) > 128 && Math.max(...colourAt(picture, x, y)) < 60) dark += 1;
     return dark;
   };
-  expect(names(0, 960)).toBeGreaterThan(100);
-  expect(names(960, 1920)).toBeGreaterThan(100);
+  expect(names(270, 540)).toBeGreaterThan(100);
+  expect(names(810, 1080)).toBeGreaterThan(100);
 });
 
 test('a comparison carries the names of its methods', async ({ app }) => {

@@ -57,6 +57,8 @@ describe('tiles', () => {
 
   it('stand side by side where it is wide and above each other where it is tall', () => {
     expect(tiles(2, 900, 400).map((rect) => rect.y)).toEqual([0, 0]);
+    // Film strips are wide.
+    expect(tiles(2, 900, 400, 6).map((rect) => rect.x)).toEqual([0, 0]);
     expect(tiles(2, 300, 700).map((rect) => rect.x)).toEqual([0, 0]);
   });
 });

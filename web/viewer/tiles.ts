@@ -10,13 +10,13 @@ export function sides(share: number, width: number, height: number): Rect[] {
   ];
 }
 
-/** Equal parts, laid out so that each is as near to a square as it gets. */
-export function tiles(count: number, width: number, height: number): Rect[] {
+/** Equal parts, laid out so that each is as near as it gets to a shape: a square, or so many times wider than high. */
+export function tiles(count: number, width: number, height: number, aspect = 1): Rect[] {
   let columns = 1;
   let best = Infinity;
   for (let candidate = 1; candidate <= count; candidate += 1) {
     const rows = Math.ceil(count / candidate);
-    const shape = Math.abs(Math.log(width / candidate / (height / rows))) + (rows * candidate - count) * 0.5;
+    const shape = Math.abs(Math.log(width / candidate / (height / rows) / aspect)) + (rows * candidate - count) * 0.5;
     if (shape < best) {
       best = shape;
       columns = candidate;

@@ -26,6 +26,8 @@ export interface ViewerEvents {
   covered(views: number): { top: number; bottom: number };
 }
 
+/** Of views that show film strips: under each other. */
+const STRIP_ASPECT = 6;
 /** Vertices that tell whether a shape is seen. */
 const SAMPLED = 300;
 /** The largest share of a view's height that is given to what lies over it. */
@@ -40,6 +42,8 @@ export class Viewer {
   private readonly rig: CameraRig;
   private readonly contents = new Contents(this.studio, () => this.change());
   private readonly thumbnails: Thumbnails;
+  /** How many times wider than high views side by side ought to be. */
+  private tileAspect = 1;
   /** Pixels of pictures that are taken instead of what fits the page. */
   private pictureSize: PixelSize | null = null;
   private split: number | null = null;
@@ -88,6 +92,7 @@ export class Viewer {
   /** A new import; nothing of it is seen until its first frame. */
   setImport(info: KeysInfo, bounds: Bounds, points: Float32Array): void {
     this.contents.setImport(info);
+    this.tileAspect = 1;
     this.stage.setBounds(bounds);
     const extent = { points, radius: radiusOf(bounds) };
     this.thumbnails.setExtent(extent);
@@ -120,6 +125,7 @@ export class Viewer {
   /** Onion skins or a film strip of each view; `instead` hides the moving shapes. */
   setExtras(extras: readonly (readonly Extra[])[], instead = false): void {
     this.contents.setExtras(extras, instead);
+    this.tileAspect = instead ? STRIP_ASPECT : 1;
     this.stage.setPhase(instead ? null : this.phase);
     this.change();
   }
@@ -258,7 +264,7 @@ export class Viewer {
   /** Two views on either side of a divider take the whole width each. */
   private tiles({ width, height }: PixelSize): Rect[] {
     if (this.isSplit) return this.sides({ width, height }).map(() => ({ x: 0, y: 0, width, height }));
-    return tiles(Math.max(this.contents.views, 1), Math.max(width, 1), Math.max(height, 1));
+    return tiles(Math.max(this.contents.views, 1), Math.max(width, 1), Math.max(height, 1), this.tileAspect);
   }
 
   private sides(size: PixelSize): Rect[] {

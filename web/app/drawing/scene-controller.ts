@@ -166,6 +166,8 @@ export class SceneController {
     this.showDifference(frames, sequences, state.view);
     await this.showGhost(t, sequences[0], state.view);
     await this.showOnionSkins(input, sequences, state);
+    if (this.film) this.labels = this.labels.map((label) => ({ ...label, detail: '' }));
+    this.place();
     await this.showPatches(sequences[0]?.sequence, state.view);
   }
 

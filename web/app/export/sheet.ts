@@ -2,7 +2,7 @@
 import type { PictureSize } from '../../model/export-request.ts';
 import type { Rect } from '../../viewer/types.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
-import { writeName, writeTitle } from './title.ts';
+import { writeNames, writeTitle } from './title.ts';
 
 export interface Sheet {
   readonly canvas: HTMLCanvasElement;
@@ -67,8 +67,8 @@ function sheetOf(scene: SceneController, size: PictureSize): Sheet {
       const [x, y] = shift();
       viewer.snapshot((view) => context.drawImage(view, x, y));
       rects().forEach((rect, view) => {
-        for (const label of scene.filmLabels(view))
-          writeName(context, label.text, { x: label.x + x, y: label.y + y }, rect);
+        const names = scene.filmLabels(view).map((name) => ({ ...name, x: name.x + x, y: name.y + y }));
+        if (names.length > 0) writeNames(context, names, rect);
       });
     },
     takeTitles() {

@@ -40,20 +40,21 @@ export function writeTitle(context: CanvasRenderingContext2D, { title, detail }:
   context.restore();
 }
 
-/** Under a shape of a film strip. */
-export function writeName(
+/** Names of the shapes of a film strip, under each, all as large as the least room between two of them allows. */
+export function writeNames(
   context: CanvasRenderingContext2D,
-  name: string,
-  { x, y }: { x: number; y: number },
+  names: readonly { text: string; x: number; y: number }[],
   view: Rect,
 ): void {
-  const letters = Math.round(0.8 * lettersOf(view));
+  const rooms = names.slice(1).map(({ x }, i) => Math.abs(x - names[i]!.x));
+  const longest = Math.max(...names.map(({ text }) => text.length), 1);
+  const letters = Math.round(Math.min(0.8 * lettersOf(view), (1.5 * Math.min(...rooms)) / longest));
   context.save();
   context.textAlign = 'center';
   context.textBaseline = 'top';
   context.fillStyle = pageColour('--text');
   context.font = `400 ${letters}px ${getComputedStyle(document.body).fontFamily}`;
-  context.fillText(name, x, y + 0.6 * letters);
+  for (const { text, x, y } of names) context.fillText(text, x, y + 0.6 * letters);
   context.restore();
 }
 
