@@ -28,8 +28,8 @@ export async function openFirst({ files, remembered, onSamples, onStopped }: Ope
   const named = readPermalink(location.hash);
   const [samples, left] = await Promise.all([fetchSamples(), named ? null : remembered.recall()]);
   onSamples(samples);
-  const isFirstVisit = readSetting(VISITED) === null;
-  writeSetting(VISITED, '1');
+  const isFirstVisit = !named && readSetting(VISITED) === null;
+  if (!named) writeSetting(VISITED, '1');
   if (left?.opening) {
     onStopped({
       message: `“${left.remembered.files[0]?.name ?? 'A file'}” was not opened again: the last visit ended while it was being opened.`,
