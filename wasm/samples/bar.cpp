@@ -104,8 +104,10 @@ Sample makeTwistedBar() {
     const std::string name = std::to_string(int(degrees[j])) + " degrees";
     keyframes.keys.push_back({name, 0.5 * j, twisted(surface.positions, degrees[j] * M_PI / 180)});
   }
-  return {"twisted-bar", "Twisted bar",
-          "A bar twisted by 0, 180 and 350 degrees: blending positions would squeeze it thin.", BoundaryKind::Natural,
+  return {"twisted-bar",
+          "Twisted bar",
+          "A bar twisted by 0, 180 and 350 degrees: blending positions would squeeze it thin.",
+          BoundaryKind::Natural,
           std::move(keyframes),
           0xd9b36a};
 }

@@ -67,8 +67,12 @@ Sample makeCactus() {
       Pose(body),
       bent(body, 80 * degree * Vec3::UnitX(), {0.35, 0.2, 0.3}, {0.6, 0, -0.3}),
   };
-  return {"cactus", "Cactus", "A cactus bent to one side, upright, and bent towards you: the paper's first example.",
-          BoundaryKind::Natural, posedKeyframes(body, poses, 0.5, 32), 0x86a263};
+  return {"cactus",
+          "Cactus",
+          "A cactus bent to one side, upright, and bent towards you: the paper's first example.",
+          BoundaryKind::Natural,
+          posedKeyframes(body, poses, 0.5, 32),
+          0x86a263};
 }
 
 }  // namespace shapespline

@@ -166,8 +166,12 @@ Sample makeDachshund() {
   const Body body = dachshundBody();
   std::vector<Pose> poses;
   for (int j = 0; j < keyCount; ++j) poses.push_back(walkPose(body, double(j) / keyCount));
-  return {"dachshund", "Dachshund", "Eight poses of a walk; the periodic spline closes the loop.",
-          BoundaryKind::Periodic, posedKeyframes(body, poses, 1.0 / keyCount, 12), 0xa9714b};
+  return {"dachshund",
+          "Dachshund",
+          "Eight poses of a walk; the periodic spline closes the loop.",
+          BoundaryKind::Periodic,
+          posedKeyframes(body, poses, 1.0 / keyCount, 12),
+          0xa9714b};
 }
 
 }  // namespace shapespline

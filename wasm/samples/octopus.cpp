@@ -73,8 +73,12 @@ Sample makeOctopus() {
       posed(body, {0, 0, 0.3}, 0.45, [](int i) { return ArmBend{-0.3 + 0.15 * own(i), 3.5 + 0.6 * own(i), 0.15}; }),
       posed(body, {0, 0.5, 0}, 0.15, [](int i) { return ArmBend{0.2 + 0.15 * own(i), 0.5 + 0.3 * own(i), 2.1}; }),
   };
-  return {"octopus", "Octopus", "Eight arms curl and whirl through four poses; every turn adds up along the arm.",
-          BoundaryKind::Natural, posedKeyframes(body, poses, 0.5, 10), 0xc8785f};
+  return {"octopus",
+          "Octopus",
+          "Eight arms curl and whirl through four poses; every turn adds up along the arm.",
+          BoundaryKind::Natural,
+          posedKeyframes(body, poses, 0.5, 10),
+          0xc8785f};
 }
 
 }  // namespace shapespline

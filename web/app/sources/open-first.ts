@@ -28,8 +28,8 @@ export async function openFirst({ files, remembered, onSamples, onStopped }: Ope
   const named = readPermalink(location.hash);
   const [samples, kept] = await Promise.all([fetchSamples(), remembered.recall()]);
   onSamples(samples);
-  const isFirstVisit = readSetting(VISITED) === null;
-  writeSetting(VISITED, '1');
+  const isFirstVisit = !named && readSetting(VISITED) === null;
+  if (!named) writeSetting(VISITED, '1');
   const [left] = named ? [] : kept;
   if (left?.opening) {
     onStopped({
