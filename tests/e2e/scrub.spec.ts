@@ -160,7 +160,10 @@ async function openRolledUp(app: App): Promise<void> {
   await app.settled();
 }
 
-/** Drags to and fro between two moments, as shares of the keys' time, and says what was on the screen meanwhile; ends at rest. */
+/**
+ * Drags to and fro between two moments, as shares of the keys' time, and says what was on the screen meanwhile; ends at
+ * rest.
+ */
 async function drag(app: App, from: number, to: number): Promise<{ time: number; preview: boolean }[]> {
   await app.page.evaluate(() => {
     const seen: { time: number; preview: boolean }[] = [];
