@@ -19,7 +19,7 @@ import type { Texture, Vector3, WebGLRenderer } from 'three';
 
 /** Casters of a layer are on this many layers above it, too. */
 export const CASTER_LAYERS = 8;
-const PIXELS = 256;
+const PIXELS = 192;
 /** Half its side and its height, in radii of the shape. */
 export const REACH = 2;
 const HEIGHT = 1.5;
@@ -121,9 +121,9 @@ function depthMaterial(): ShaderMaterial {
   });
 }
 
-/** Thirteen samples along a line, as a Gaussian weighs them. */
+/** Nine samples along a line, as a Gaussian weighs them. */
 function blurMaterial(): ShaderMaterial {
-  const weights = Array.from({ length: 7 }, (_, i) => Math.exp(-((i / 3.2) ** 2)));
+  const weights = Array.from({ length: 5 }, (_, i) => Math.exp(-((i / 2.4) ** 2)));
   const sum = 2 * weights.reduce((total, weight) => total + weight, 0) - 1;
   const taps = weights.slice(1).map((weight, i) => {
     const away = `${(1.5 * (i + 1)).toFixed(1)} * step`;
