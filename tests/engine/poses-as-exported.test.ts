@@ -102,7 +102,7 @@ describe('on the command line', () => {
     const one = JSON.parse((await runCli(folder, 'inspect', ...names, '--object', 'Body')).stdout) as object;
     expect(one).toMatchObject({ components: 1, vertices: { raw: vertices } });
     const none = await runCli(folder, 'inspect', ...names, '--object', 'Roof');
-    expect(none.code).toBe(2);
+    expect(none.code).toBe(1);
     expect(none.stderr).toMatch(/no object "Roof"; it has "Body", "Floor"/);
   });
 
