@@ -55,7 +55,7 @@ test('is dragged by pointer and touch, and told to who cannot see it', async ({ 
   const divider = app.by('divider');
   await expect(divider).toHaveAttribute('role', 'slider');
   await expect(divider).toHaveAttribute('aria-valuenow', '50');
-  await expect(divider).toHaveAttribute('aria-valuetext', /Morph targets.*50 %.*LRI spline/);
+  await expect(divider).toHaveAttribute('aria-valuetext', /Morph targets.*50 %.*Shape spline/);
   const host = (await app.by('viewport').boundingBox())!;
   const y = host.y + 0.2 * host.height;
   const camera = (await app.state()).view.camera;

@@ -171,8 +171,8 @@ test('methods stand side by side with one camera and one clock', async ({ app })
   const [spline, linear] = [await app.positions(0), await app.positions(1)];
   expect(difference(spline, linear)).toBeGreaterThan(1e-3 * diagonal(spline));
   expect(changedShare(alone, await app.picture())).toBeGreaterThan(0.01);
-  await expect(app.by('tile-0')).toContainText('LRI spline');
-  await expect(app.by('tile-1')).toContainText('Linear blend');
+  await expect(app.by('tile-0')).toContainText('Shape spline (LRI)');
+  await expect(app.by('tile-1')).toContainText('Morph targets (linear)');
   const volume = async (tile: number): Promise<number> =>
     Number(/volume ([\d.]+)\s%/.exec(await app.by(`tile-${tile}`).innerText())![1]);
   // What the method is for: the spline keeps more of the volume than a blend of positions.

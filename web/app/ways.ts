@@ -50,7 +50,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
   const { scene, playback } = display;
   const { say, onStart, onWorking, onError } = feedback;
   const loopMotion = (): void => {
-    store.edit('boundary', (doc) => setMotion(doc, { boundary: 'periodic' }));
+    store.edit('ends', (doc) => setMotion(doc, { boundary: 'periodic' }));
     store.set({ play: { ...store.get().play, loop: 'loop' } });
   };
   const onOpened = (opened: OpenedFiles): void => {

@@ -12,34 +12,37 @@ import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 
 export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: string }> = {
   lri: {
-    label: 'LRI spline',
-    short: 'LRI spline',
-    hint: 'Cubic splines of rotations and stretches. Smooth; the volume changes little.',
+    label: 'Shape spline (LRI)',
+    short: 'Shape spline',
+    hint: 'The method of this page: cubic splines of rotations and stretches. Smooth; the volume changes little.',
   },
   geodesic: {
-    label: 'LRI geodesic',
+    label: 'Geodesic (LRI)',
     short: 'Geodesic',
     hint: 'Straight from key to key in the same space. The volume changes little; the velocity jumps at the keys.',
   },
   linear: {
-    label: 'Linear blend',
-    short: 'Linear',
-    hint: 'Blends positions, as morph targets do. Shrinks and shears where the shape turns.',
+    label: 'Morph targets (linear)',
+    short: 'Morph targets',
+    hint: 'Blends positions, as most programs do. Shrinks and shears where the shape turns.',
   },
   'cubic-vertex': {
-    label: 'Cubic blend',
-    short: 'Cubic',
+    label: 'Morph targets (cubic)',
+    short: 'Morph spline',
     hint: 'Cubic splines of positions. Smooth, but shrinks and shears where the shape turns.',
   },
 };
 
 const BOUNDARY_WORDS: Record<Boundary, { label: string; hint: string }> = {
   natural: {
-    label: 'Natural',
-    hint: 'No bending at the ends: the motion continues straight beyond the first and the last key.',
+    label: 'Free',
+    hint: 'Natural spline: no bending at the ends; the motion continues straight beyond the first and the last key.',
   },
-  hermite: { label: 'Hermite', hint: 'You set how fast the motion leaves the first key and arrives at the last.' },
-  periodic: { label: 'Periodic', hint: 'A closed loop without a seam.' },
+  hermite: {
+    label: 'Ease',
+    hint: 'Hermite spline: you set how fast the motion leaves the first key and arrives at the last.',
+  },
+  periodic: { label: 'Loop', hint: 'Periodic spline: a closed loop without a seam.' },
 };
 
 const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] = [
@@ -99,7 +102,7 @@ export function createMotionPanel(
     }),
   }));
   const boundary = segments<Boundary>(
-    'Boundary',
+    'Ends',
     'boundary',
     BOUNDARIES.map((value) => ({ value, ...BOUNDARY_WORDS[value] })),
     (value) => events.onMotion({ boundary: value }),
@@ -196,7 +199,7 @@ export function createMotionPanel(
     boundary.update(
       motion.boundary,
       ignoresHermite(motion.method)
-        ? { hermite: 'Hermite sets speeds at the ends; this method moves straight from key to key.' }
+        ? { hermite: 'Ease sets speeds at the ends; this method moves straight from key to key.' }
         : {},
     );
     setText(boundaryHint, BOUNDARY_WORDS[motion.boundary].hint);

@@ -374,7 +374,7 @@ function besideOf(rect: Rect): { x: number; y: number } {
 
 /** Beside a divider, a blend is called what those know it by who have never heard of it. */
 function titleOf({ method, ghost }: RunningSequence, split: boolean): string {
-  const title = split && method === 'linear' ? 'Morph targets' : METHOD_WORDS[method].label;
+  const title = METHOD_WORDS[method][split ? 'short' : 'label'];
   return `${title}${ghost ? ', ghost mesh' : ''}`;
 }
 

@@ -59,7 +59,7 @@ export function createShortcuts(store: Store, commands: Commands, targets: Keybo
     { keys: ['0'], shown: '0', does: 'The whole timeline', run: () => commands.window(null) },
     { keys: ['t'], shown: 'T', does: 'Frames, loop and zoom', run: targets.toggleClock },
     { keys: ['k'], shown: 'K', does: 'Add the current shape as a key', run: () => void commands.addCurrent() },
-    { keys: ['b'], shown: 'B', does: 'Next boundary', run: commands.nextBoundary },
+    { keys: ['b'], shown: 'B', does: 'Ends: free, ease or loop', run: commands.nextBoundary },
     { keys: ['m'], shown: 'M', does: 'Next method', run: commands.nextMethod },
     { keys: ['n'], shown: 'N', does: 'Ghost mesh on or off', run: commands.toggleGhost },
     { keys: ['f'], shown: 'F', does: 'Fit the shape into view', run: () => commands.fit(null) },

@@ -124,7 +124,7 @@ export const MOTION = {
     flag: 'boundary',
     help: 'no bending at the ends, given speeds at the ends, or a loop',
     page: 'boundary',
-    undo: 'boundary',
+    undo: 'ends',
   },
   /** Hermite: times the one-sided difference at the first key; 0 = ease. */
   startSpeed: {

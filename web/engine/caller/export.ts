@@ -37,8 +37,8 @@ export interface ExportSource {
 const NO_SCENE: Scene = { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] };
 
 /**
- * Shares of the bytes that compression leaves, as measured: quantised 0.75 to 0.84, the more the further the shape turns
- * (normals that turn far stay floats); with meshopt 0.28 (a smooth bar) to 0.6 (a horse).
+ * Shares of the bytes that compression leaves, as measured: quantised 0.75 to 0.84, the more the further the shape
+ * turns (normals that turn far stay floats); with meshopt 0.28 (a smooth bar) to 0.6 (a horse).
  */
 const LEFT = { none: 1, quantized: 0.8, meshopt: 0.5 };
 
