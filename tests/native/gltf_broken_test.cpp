@@ -203,7 +203,8 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
     const Files files = Files().add("bomb.glb", file.glb());
     const std::clock_t start = std::clock();
     const auto result = files.import(options);
-    CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 20);  // seconds; on WebAssembly of a busy machine
+    CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC <
+          20);  // seconds; on WebAssembly of a busy machine
     REQUIRE(!result.ok());
     CAPTURE(result.error().message);
     CHECK(std::string(errorCodeName(result.error().code)) == errorCodeName(ErrorCode::TooLarge));
