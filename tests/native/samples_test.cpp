@@ -96,7 +96,7 @@ TEST_CASE("samples: every sample is small, closed, well shaped and keeps its vol
     CHECK(read->keyframes.faces == keyframes.faces);
     REQUIRE(read->keyframes.keyCount() == keyframes.keyCount());
     for (int j = 0; j < keyframes.keyCount(); ++j) {
-      CHECK(read->keyframes.keys[j].time == keyframes.keys[j].time);
+      CHECK(read->keyframes.keys[j].time == doctest::Approx(keyframes.keys[j].time).epsilon(1e-6));
       // Base and difference are each rounded to float32: the shapes are up to 10 units long.
       CHECK(largestDistance(read->keyframes.keys[j].positions, keyframes.keys[j].positions) < 4e-6);
     }

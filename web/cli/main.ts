@@ -4,20 +4,28 @@ import { version } from '../../package.json';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseArguments, UsageError } from './arguments.ts';
 import { complete, inspect } from './commands.ts';
-import { COMPLETE, HELP, INSPECT } from './settings.ts';
+import { measure } from './measure.ts';
+import { COMPLETE, HELP, INSPECT, MEASURE } from './settings.ts';
 import { oneLine, writeTo } from './terminal.ts';
+
+const COMMANDS = new Map([
+  ['inspect', INSPECT],
+  ['complete', COMPLETE],
+  ['measure', MEASURE],
+]);
 
 async function run([command, ...words]: string[]): Promise<string> {
   if (command === '--version') return `${version}\n`;
   if (command === '--help' || command === '-h' || command === 'help') return HELP;
-  if (command !== 'inspect' && command !== 'complete') {
-    throw new UsageError(
-      command ? `unknown command ${command} (see --help)` : 'name a command: inspect or complete (see --help)',
-    );
+  const known = command === undefined ? undefined : COMMANDS.get(command);
+  if (!known) {
+    const names = [...COMMANDS.keys()].join(', ');
+    throw new UsageError(command ? `unknown command ${command} (see --help)` : `name a command: ${names} (see --help)`);
   }
-  const args = parseArguments(words, command === 'inspect' ? INSPECT : COMPLETE);
+  const args = parseArguments(words, known);
   if (args.flags.has('help')) return HELP;
   if (command === 'inspect') return inspect(args);
+  if (command === 'measure') return measure(args);
   const { summary, warnings } = await complete(args, (text) => process.stderr.write(`${oneLine(text)}\n`));
   for (const warning of warnings) process.stderr.write(`warning: ${oneLine(warning)}\n`);
   return summary;

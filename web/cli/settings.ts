@@ -2,7 +2,7 @@
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
 import { wrongWith, wrongWithList } from '../engine/api/options.ts';
 import type { KeyOption, NumberOption, Option, OptionTable } from '../engine/api/option-table.ts';
-import type { ExportOptions, ImportOptions, SequenceOptions } from '../engine/api/types.ts';
+import type { ExportOptions, ImportOptions, Method, SequenceOptions } from '../engine/api/types.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments, type Known } from './arguments.ts';
 import * as read from './values.ts';
 
@@ -73,19 +73,30 @@ const motionFlags = [...flagsOf(MOTION), ...perKey];
 const encodingFlags = flagsOf(ENCODING);
 const exportFlags = flagsOf(EXPORT);
 
-function known(flags: Flag[], own: string[]): Known {
+/** `several`: those of the command's own that may be given several times. */
+function known(flags: Flag[], own: string[], several: string[] = []): Known {
   const named = (withValue: boolean): string[] =>
     flags.filter((one) => (one.read !== null) === withValue).map(({ flag }) => flag);
   const repeated = flags.filter(({ option }) => option.kind === 'names').map(({ flag }) => flag);
   return {
     options: new Set([...named(true), ...own]),
-    repeated: new Set(repeated),
+    repeated: new Set([...repeated, ...several]),
     flags: new Set([...named(false), 'help']),
   };
 }
 
 export const INSPECT = known(importFlags, []);
 export const COMPLETE = known([...importFlags, ...motionFlags, ...encodingFlags, ...exportFlags], ['output', 'report']);
+
+/** Which moments are looked at. */
+const MOMENTS: readonly string[] = ['times', 'frames', 'fps', 'range'];
+const momentFlags = exportFlags.filter(({ name }) => MOMENTS.includes(name));
+const shownFlags = motionFlags.filter(({ name }) => name !== 'method');
+export const MEASURE = known(
+  [...importFlags, ...shownFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape'), ...momentFlags],
+  ['output', 'methods', 'against'],
+  ['against'],
+);
 
 const HELP_COLUMN = 41;
 const HELP_WIDTH = 112;
@@ -114,6 +125,7 @@ export const HELP = `shapespline: smooth motion of a shape through key poses
 
   inspect FILE...                        what the files hold, as JSON on stdout
   complete FILE... --output OUT          the completed motion
+  measure FILE... [--output T.csv]       volume, area, bending energy and shape plane over time, as a table
 
 FILE is a .glb, .gltf, .obj, .ply or .off file: several are the keys in the order given, one holds
 morph targets or an animation. A .pc2 or .mdd file given with its .obj is an animation, too, and so are
@@ -126,6 +138,8 @@ OUT ending in .glb is one file with an animation, in .obj or .ply one shape (wit
 
 Keys are counted from 1, animations from 0, and everything in a report from 0. Times are in any unit you like.
 
+${line('  --methods M,M,...', 'measure: each of these methods; default: lri')}
+${line('  --against FILE', 'measure: how far each method is off this animation of the same mesh, at the times that it has; several times for a file with its companions')}
 ${line('  --report R.json', 'options, timings, counts, warnings, volume and area')}
 ${helpOn(importFlags)}
 
@@ -170,6 +184,19 @@ export function exportOptions(args: Arguments, output: string): Partial<ExportOp
   if (frames && fps) throw new UsageError('give either --frames or --fps');
   if (output.endsWith('/') || times?.length === 1 || HOLD_ALL.includes(format!)) return options;
   throw new UsageError(`${output} holds one shape: give one --at time, or a folder (ending in /) for several`);
+}
+
+/** Of `measure`: what is compared. */
+export function measuredMethods(args: Arguments): Method[] {
+  const text = args.values.get('methods');
+  if (text === undefined) return [MOTION.method.default];
+  const methods = text.split(',').map((word) => read.oneOf(...MOTION.method.choices)(word, '--methods') as Method);
+  return [...new Set(methods)];
+}
+
+/** Of `measure`: when. */
+export function measuredTimes(args: Arguments): Partial<ExportOptions> {
+  return given(args, momentFlags);
 }
 
 /** Formats that hold all frames in one file. */

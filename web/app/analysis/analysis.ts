@@ -1,9 +1,11 @@
 /** Volume, area, bending energy and shape plane of the motions on the screen, as numbers over time. */
 import type { Method } from '../../engine/api/types.ts';
-import { isInLri, tangentKeys } from '../../model/state.ts';
+import { tangentKeys } from '../../model/state.ts';
 import type { Doc } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
+import { measureMotion } from '../../study/motion-measures.ts';
+import type { MotionMeasures } from '../../study/motion-measures.ts';
 import type { RunningSequence } from '../session/sequence-set.ts';
 import type { ShapePlaneInput } from './shape-plane.ts';
 
@@ -12,17 +14,7 @@ export interface Analysis {
   times: number[];
   keyTimes: readonly number[];
   range: Range;
-  motions: MotionAnalysis[];
-}
-
-export interface MotionAnalysis {
-  method: Method;
-  volume: number[];
-  area: number[];
-  /** LRI spline only. */
-  bending: number[] | null;
-  /** 2 numbers per time; methods of LRI space only. */
-  plane: number[] | null;
+  motions: MotionMeasures[];
 }
 
 export interface AnalysisInput extends ShapePlaneInput {
@@ -49,7 +41,7 @@ const MOST_TIMES = 97;
 export async function analyse({ sequences, keyTimes, range, ms }: AnalysisInput): Promise<Analysis> {
   const affordable = BUDGET_MS / Math.max(ms * sequences.length, 0.1);
   const times = plottedTimes(range, keyTimes, Math.round(Math.min(Math.max(affordable, LEAST_TIMES), MOST_TIMES)));
-  const motions = await Promise.all(sequences.map((running) => analyseMotion(running, times)));
+  const motions = await Promise.all(sequences.map(({ sequence, method }) => measureMotion(sequence, method, times)));
   return { times, keyTimes, range, motions };
 }
 
@@ -63,12 +55,12 @@ export async function analyseAt(
   report: (fraction: number) => void,
   signal: AbortSignal,
 ): Promise<Analysis> {
-  const motions: MotionAnalysis[] = [];
+  const motions: MotionMeasures[] = [];
   for (const [index, running] of sequences.entries()) {
-    const parts: MotionAnalysis[] = [];
+    const parts: MotionMeasures[] = [];
     for (let from = 0; from < times.length; from += AT_ONCE) {
       signal.throwIfAborted();
-      parts.push(await analyseMotion(running, times.slice(from, from + AT_ONCE)));
+      parts.push(await measureMotion(running.sequence, running.method, times.slice(from, from + AT_ONCE)));
       report((index + Math.min((from + AT_ONCE) / times.length, 1)) / sequences.length);
     }
     motions.push(joined(running.method, parts));
@@ -76,8 +68,8 @@ export async function analyseAt(
   return { times: [...times], keyTimes, range, motions };
 }
 
-function joined(method: Method, parts: readonly MotionAnalysis[]): MotionAnalysis {
-  const all = (of: (part: MotionAnalysis) => number[] | null): number[] => parts.flatMap((part) => of(part) ?? []);
+function joined(method: Method, parts: readonly MotionMeasures[]): MotionMeasures {
+  const all = (of: (part: MotionMeasures) => number[] | null): number[] => parts.flatMap((part) => of(part) ?? []);
   return {
     method,
     volume: all(({ volume }) => volume),
@@ -85,13 +77,6 @@ function joined(method: Method, parts: readonly MotionAnalysis[]): MotionAnalysi
     bending: parts[0]?.bending ? all(({ bending }) => bending) : null,
     plane: parts[0]?.plane ? all(({ plane }) => plane) : null,
   };
-}
-
-async function analyseMotion({ method, sequence }: RunningSequence, times: number[]): Promise<MotionAnalysis> {
-  const { volume, area } = await sequence.measures(times);
-  const plane = isInLri(method) ? (await sequence.shapePlane(times)).curve : null;
-  const bending = method === 'lri' ? await sequence.bendingEnergy(times) : null;
-  return { method, volume, area, bending, plane };
 }
 
 /** In percent of the value at the first key; NaN where that is 0, as the volume of a flat surface. */

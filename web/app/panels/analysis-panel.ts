@@ -6,7 +6,8 @@ import type { LineChart } from '../../plots/line-chart.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { relativeToFirstKey } from '../analysis/analysis.ts';
-import type { Analysis, MotionAnalysis } from '../analysis/analysis.ts';
+import type { MotionMeasures } from '../../study/motion-measures.ts';
+import type { Analysis } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import { createShapePlaneFigure } from './shape-plane-figure.ts';
 import type { ShapePlaneFigure } from './shape-plane-figure.ts';
@@ -57,7 +58,7 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
 
   const draw = (analysis: Analysis): void => {
     const { times, keyTimes, range, motions } = analysis;
-    const series = (pick: (motion: MotionAnalysis) => number[] | null): Series[] =>
+    const series = (pick: (motion: MotionMeasures) => number[] | null): Series[] =>
       motions.flatMap((motion) => {
         const values = pick(motion);
         return values ? [{ label: METHOD_WORDS[motion.method].label, values, style: motion.method }] : [];

@@ -1,0 +1,73 @@
+/** Volume, area, bending energy and shape plane of a motion over time, and a table of several motions. */
+import type { Sequence } from '../engine/api/api.ts';
+import type { Method } from '../engine/api/types.ts';
+
+export interface MotionMeasures {
+  method: Method;
+  /** In cubic and square units of the positions. */
+  volume: number[];
+  area: number[];
+  /** LRI spline only; per unit of time to the fourth, relative to the mean deformation energy between keys. */
+  bending: number[] | null;
+  /** 2 numbers per time, relative to the distance of the keys; methods of LRI space only. */
+  plane: number[] | null;
+}
+
+export async function measureMotion(sequence: Sequence, method: Method, times: number[]): Promise<MotionMeasures> {
+  const { volume, area } = await sequence.measures(times);
+  const inLri = method === 'lri' || method === 'geodesic';
+  const plane = inLri ? (await sequence.shapePlane(times)).curve : null;
+  const bending = method === 'lri' ? await sequence.bendingEnergy(times) : null;
+  return { method, volume, area, bending, plane };
+}
+
+/** A value for each time; NaN: none there. */
+export interface Column {
+  name: string;
+  values: readonly number[];
+}
+
+/** Digits that mean something: the engine computes in single precision. */
+const DIGITS = 7;
+/** Of times, which are told apart by more. */
+const TIME_DIGITS = 12;
+
+export const MEASURE_UNITS =
+  '# units: time s on the timeline; seconds s from the start as exported; volume m^3; area m^2; ' +
+  'bending energy 1/s^4, relative to the mean deformation energy between keys; plane relative to the distance of keys';
+
+export function columnsOf({ method, volume, area, bending, plane }: MotionMeasures): Column[] {
+  const part = (points: readonly number[], axis: 0 | 1): number[] => points.filter((_, index) => index % 2 === axis);
+  return [
+    { name: `${method} volume`, values: volume },
+    { name: `${method} area`, values: area },
+    ...(bending ? [{ name: `${method} bending energy`, values: bending }] : []),
+    ...(plane
+      ? [
+          { name: `${method} plane x`, values: part(plane, 0) },
+          { name: `${method} plane y`, values: part(plane, 1) },
+        ]
+      : []),
+  ];
+}
+
+/** The header and a row for each time. `speed`: how many times faster than on the timeline what is exported plays. */
+export function tableOf(times: readonly number[], speed: number, columns: readonly Column[]): string[] {
+  const [first = 0] = times;
+  const rows = times.map((t, index) =>
+    [
+      rounded(t, TIME_DIGITS),
+      rounded((t - first) / speed, TIME_DIGITS),
+      ...columns.map(({ values }) => cell(values[index] ?? NaN)),
+    ].join(','),
+  );
+  return [['time', 'seconds', ...columns.map(({ name }) => name)].join(','), ...rows];
+}
+
+function cell(value: number): string {
+  return Number.isNaN(value) ? '' : String(rounded(value, DIGITS));
+}
+
+function rounded(value: number, digits: number): number {
+  return Number(value.toPrecision(digits));
+}
