@@ -1,4 +1,4 @@
-/** What `measure` does: numbers about a motion by several methods, and their errors against an animation, as a table. */
+/** What `measure` does: numbers of a motion by several methods, and their errors against an animation, as a table. */
 import { version } from '../../package.json';
 import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
 import type { Method } from '../engine/api/types.ts';
