@@ -46,7 +46,10 @@ export class App {
 
   /** Loads the page and waits for the first shape; the motion stands still unless the test wants it. */
   async open({ first = false, search = '', hash = '', sample }: OpenOptions = {}): Promise<this> {
-    if (!first) await this.page.addInitScript(() => localStorage.setItem('shapespline-visited', '1'));
+    if (!first)
+      await this.page.addInitScript(() => {
+        if (location.protocol !== 'about:') localStorage.setItem('shapespline-visited', '1');
+      });
     await this.page.goto(`./${search}${sample ? `#sample=${sample}` : hash}`);
     await this.page.waitForFunction(() => window.__shapespline !== undefined);
     await this.page.evaluate(() => window.__shapespline!.ready);

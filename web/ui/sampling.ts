@@ -131,7 +131,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   function draw(): void {
     complain('');
     track.update(span(), times);
-    list.value = times.map(short).join(', ');
+    setField(list, times.map(short).join(', '));
     setField(count, String(times.length));
     count.value = String(times.length);
   }
@@ -157,7 +157,10 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
       info.animation >= 0 &&
       info.times.length <= MOST_SAMPLED &&
       info.times.every((t) => t >= span().start && t <= span().end);
-    choose(taken ? info.times : evenly(span(), SAMPLED_KEYS));
+    const next = taken ? info.times : evenly(span(), SAMPLED_KEYS);
+    // What was taken is shown already, with what is to be said of the next choice.
+    if (!sameTimes(next, times)) choose(next);
+    else track.update(span(), times);
   });
   return {
     element,
@@ -168,6 +171,10 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
       original.update(props.original);
     },
   };
+}
+
+function sameTimes(a: readonly number[], b: readonly number[]): boolean {
+  return a.length === b.length && a.every((t, index) => Math.abs(t - b[index]!) < 1e-6);
 }
 
 function foundText({ keys, percent }: { keys: number; percent: number }): string {

@@ -2,11 +2,12 @@
  * Pictures of the samples in motion, for their gallery: as long as it is open, one sample after the other is fetched,
  * fitted and drawn by the same engine and viewer that show it when it is chosen.
  */
-import type { Engine } from '../../engine/api/api.ts';
-import { isCancelled } from '../../engine/api/errors.ts';
+import type { Engine, Keys } from '../../engine/api/api.ts';
 import type { Boundary, InputFile } from '../../engine/api/types.ts';
+import type { Pictures } from '../../viewer/pictures.ts';
 import type { Viewer } from '../../viewer/viewer.ts';
 import { extentOf } from './bounds.ts';
+import { vertexNormals } from './vertex-normals.ts';
 
 interface Sample {
   id: string;
@@ -34,16 +35,31 @@ export interface SamplePreviews {
 const SIZE = { width: 152, height: 104 };
 const DETAIL = 0.3;
 /** Of a loop; there and back it is twice as many. */
-const PICTURES = 10;
+const MOMENTS = 10;
 
 export function createSamplePreviews<Known extends Sample>(parts: SamplePreviewsParts<Known>): SamplePreviews {
-  const { samples, has } = parts;
   let running: AbortController | null = null;
+  const moving = new Set<string>();
 
+  /** First a picture of each, then each in motion. */
   const work = async (signal: AbortSignal): Promise<void> => {
-    for (const sample of samples()) {
-      if (signal.aborted) return;
-      if (!has(sample.id)) await drawSample(parts, sample, signal);
+    const read: Read<Known>[] = [];
+    try {
+      for (const sample of parts.samples()) {
+        if (moving.has(sample.id)) continue;
+        signal.throwIfAborted();
+        read.push(await drawStill(parts, sample, signal));
+      }
+      for (const one of read) {
+        signal.throwIfAborted();
+        await drawMotion(parts, one, signal);
+        moving.add(one.sample.id);
+      }
+    } finally {
+      for (const { keys, pictures } of read) {
+        pictures.dispose();
+        keys.dispose();
+      }
     }
   };
 
@@ -53,10 +69,8 @@ export function createSamplePreviews<Known extends Sample>(parts: SamplePreviews
       const abort = new AbortController();
       running = abort;
       work(abort.signal)
-        .catch((error: unknown) => {
-          // A card without a picture says by its words what it is; what is wrong is said where it is opened.
-          if (!abort.signal.aborted && !isCancelled(error)) return;
-        })
+        // A card without a picture says by its words what it is; what is wrong is said where it is opened.
+        .catch(() => undefined)
         .finally(() => {
           if (running === abort) running = null;
         });
@@ -68,41 +82,57 @@ export function createSamplePreviews<Known extends Sample>(parts: SamplePreviews
   };
 }
 
-async function drawSample<Known extends Sample>(
-  { engine, viewer, fetch, isDark, onPictures }: SamplePreviewsParts<Known>,
+interface Read<Known> {
+  sample: Known;
+  keys: Keys;
+  pictures: Pictures;
+}
+
+async function drawStill<Known extends Sample>(
+  { engine, viewer, fetch, isDark, has, onPictures }: SamplePreviewsParts<Known>,
   sample: Known,
   signal: AbortSignal,
-): Promise<void> {
+): Promise<Read<Known>> {
   const files = await fetch(sample, signal, DETAIL);
   const keys = await engine.importKeyframes(files, sample.times ? { keyTimes: sample.times } : {}, { signal });
+  const poses = keys.info.times.map((_, index) => keys.positions(index));
+  const { bounds, points } = extentOf(poses);
+  const pictures = await viewer.pictures(keys.info, bounds, points);
+  const [first] = poses;
+  if (first && !has(sample.id)) {
+    const normals = new Float32Array(first.length);
+    vertexNormals(first, keys.info.faces, normals);
+    const picture = pictures.draw(first, normals, SIZE.width, SIZE.height, isDark());
+    if (picture) onPictures(sample.id, [picture]);
+  }
+  return { sample, keys, pictures };
+}
+
+async function drawMotion<Known extends Sample>(
+  { engine, isDark, onPictures }: SamplePreviewsParts<Known>,
+  { sample, keys, pictures }: Read<Known>,
+  signal: AbortSignal,
+): Promise<void> {
+  const sequence = await engine.createSequence(keys, { boundary: sample.boundary }, { signal });
   try {
-    const sequence = await engine.createSequence(keys, { boundary: sample.boundary }, { signal });
-    const poses = sequence.keyTimes.map((_, index) => keys.positions(index));
-    const { bounds, points } = extentOf(poses);
-    const pictures = await viewer.pictures(keys.info, bounds, points);
-    try {
-      const drawn: HTMLCanvasElement[] = [];
-      for (const t of momentsOf(sequence.range, sample.boundary)) {
-        if (signal.aborted) return;
-        const frame = await sequence.evaluate(t);
-        if (!frame) continue;
-        const picture = pictures.draw(frame.positions, frame.normals, SIZE.width, SIZE.height, isDark());
-        frame.release();
-        if (picture) drawn.push(picture);
-      }
-      const back = sample.boundary === 'periodic' ? [] : drawn.slice(1, -1).reverse();
-      onPictures(sample.id, [...drawn, ...back]);
-    } finally {
-      pictures.dispose();
-      sequence.dispose();
+    const drawn: HTMLCanvasElement[] = [];
+    for (const t of momentsOf(sequence.range, sample.boundary)) {
+      signal.throwIfAborted();
+      const frame = await sequence.evaluate(t);
+      if (!frame) continue;
+      const picture = pictures.draw(frame.positions, frame.normals, SIZE.width, SIZE.height, isDark());
+      frame.release();
+      if (picture) drawn.push(picture);
     }
+    const back = sample.boundary === 'periodic' ? [] : drawn.slice(1, -1).reverse();
+    onPictures(sample.id, [...drawn, ...back]);
   } finally {
-    keys.dispose();
+    sequence.dispose();
   }
 }
 
 /** Evenly, from the first key to the last, or once round. */
 function momentsOf([first, last]: readonly [number, number], boundary: Boundary): number[] {
-  const steps = boundary === 'periodic' ? PICTURES : PICTURES - 1;
-  return Array.from({ length: PICTURES }, (_, i) => first + ((last - first) * i) / steps);
+  const steps = boundary === 'periodic' ? MOMENTS : MOMENTS - 1;
+  return Array.from({ length: MOMENTS }, (_, i) => first + ((last - first) * i) / steps);
 }
