@@ -48,7 +48,7 @@ export class App {
   async open({ first = false, search = '', hash = '', sample }: OpenOptions = {}): Promise<this> {
     if (!first)
       await this.page.addInitScript(() => {
-        if (location.protocol !== 'about:') localStorage.setItem('shapespline-visited', '1');
+        if (location.protocol !== 'about:') localStorage.setItem('shapespline.visited', '1');
       });
     await this.page.goto(`./${search}${sample ? `#sample=${sample}` : hash}`);
     await this.page.waitForFunction(() => window.__shapespline !== undefined);

@@ -10,7 +10,7 @@ import type { RememberedFiles } from './remembered-files.ts';
 import { fetchSamples } from './samples.ts';
 import type { Sample } from './samples.ts';
 
-const VISITED = 'shapespline-visited';
+const VISITED = 'shapespline.visited';
 /** Blended positions on the left of a divider, this method on its right. */
 const FIRST_VISIT = 'sample=column&compare=linear&split=0.5&play=1';
 
