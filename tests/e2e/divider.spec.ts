@@ -104,7 +104,7 @@ test('S puts it between any motion and a blend, and takes away what came with it
   await app.by('compare-linear').uncheck();
   await app.by('compare-geodesic').check();
   await app.settled();
-  await expect(app.by('divider')).toHaveAttribute('aria-valuetext', /LRI geodesic/);
+  await expect(app.by('divider')).toHaveAttribute('aria-valuetext', /Geodesic/);
   // Three views have no two sides.
   await app.by('compare-linear').check();
   await app.settled();
