@@ -69,12 +69,13 @@ const projectOn = async (store: IDBObjectStore, id: string): Promise<ProjectReco
 function atomically<T>(work: (store: IDBObjectStore) => T | Promise<T>): Promise<T> {
   return shelf('readwrite', async (store) => {
     const written = promisifyRequest<void>(store.transaction as never);
+    // It may fail while the work still waits for something else, which fails then, too.
+    written.catch(() => undefined);
     try {
       const result = await work(store);
       await written;
       return result;
     } catch (error) {
-      written.catch(() => undefined);
       abort(store.transaction);
       throw error;
     }

@@ -60,8 +60,8 @@ const UNWANTED = 'shapespline.keep-no-files';
 const SAVE_DELAY_MS = 500;
 /** Another tab can hold a browser's storage for any time: the page starts without it then. */
 const RECALL_MS = 10_000;
-/** More is kept only where the user asks for it. */
-const UNASKED_BYTES = 256e6;
+/** More is kept only where the user asks for it: the page stands still while a copy is made. */
+const UNASKED_BYTES = 128e6;
 
 /** What was said of opening can be read first. */
 const TELL_DELAY_MS = 4000;
