@@ -82,11 +82,13 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     if (plan.bytes > LARGE) say(`${output} will take about ${Math.round(plan.bytes / 1e6)} MB`);
     const warnings = [...keys.info.warnings, ...sequence.warnings, ...plan.warnings];
     let [files, bytes] = [0, 0];
+    const beside: string[] = [];
     const exported = async function* () {
       const start = performance.now();
       for await (const file of sequence.exportFiles(options.export)) {
         files += 1;
         bytes += file.bytes.length;
+        if (files > 1 && !output.endsWith('/')) beside.push(file.name);
         yield file;
       }
       timings.ms.export = rounded(performance.now() - start);
@@ -121,8 +123,9 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     await writeOutputs(outputs);
     const count = plan.times.length;
     const off = plan.error === null ? '' : `, off by at most ${errorText(plan.error)} between them`;
+    const others = beside.length === 0 ? '' : `; beside it ${beside.join(', ')}`;
     return {
-      summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}${off}, ${bytes} bytes\n`,
+      summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}${off}, ${bytes} bytes${others}\n`,
       warnings: warnings.map(({ message }) => message),
     };
   });

@@ -182,6 +182,8 @@ export function exportOptions(args: Arguments, output: string): Partial<ExportOp
   const { format, times, frames, fps, range } = options;
   if (times && (frames || fps || range)) throw new UsageError('give either --at or --frames or --fps, and --range');
   if (frames && fps) throw new UsageError('give either --frames or --fps');
+  if (options.tolerance !== undefined && (times || frames) && options.targets !== 'principal')
+    throw new UsageError('give either --tolerance or the shapes to be written (--at, --frames)');
   if (output.endsWith('/') || times?.length === 1 || HOLD_ALL.includes(format!)) return options;
   throw new UsageError(`${output} holds one shape: give one --at time, or a folder (ending in /) for several`);
 }

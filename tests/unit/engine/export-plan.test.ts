@@ -1,5 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { checkBytes, choicesOf, exportWarnings, framesOf, isThinned } from '../../../web/engine/caller/export-plan.ts';
+import {
+  checkBytes,
+  choicesOf,
+  exportWarnings,
+  frameWarnings,
+  framesOf,
+  isThinned,
+} from '../../../web/engine/caller/export-plan.ts';
 import { EXPORT_DEFAULTS } from '../../../web/engine/api/types.ts';
 
 const keys = [0, 0.4, 1];
@@ -113,5 +120,24 @@ describe('the warning about the size', () => {
   it('names the targets where they are more than a texture has layers', () => {
     expect(warned(2048, 8)).toEqual([]);
     expect(warned(2049, 8).map(({ code }) => code)).toEqual(['many-targets']);
+  });
+});
+
+describe('keys between whole frames', () => {
+  const warned = (options: object, keyTimes: number[]): string[] =>
+    frameWarnings({ ...EXPORT_DEFAULTS, fps: 10, ...options }, keyTimes, [0, keyTimes.at(-1)!]).map(
+      ({ message }) => message,
+    );
+
+  it('are told of, and that the animation ends before the last one', () => {
+    expect(warned({}, [0, 0.33, 1.07])).toEqual([expect.stringMatching(/keys 2, 3 lie.*ends before the last one/)]);
+    expect(warned({}, [0, 0.33, 1])).toEqual([expect.stringMatching(/key 2 lies between whole frames\./)]);
+  });
+
+  it('are no matter where they lie on frames, of the exported animation, or no frames are asked for', () => {
+    expect(warned({}, [0, 0.3, 1])).toEqual([]);
+    expect(warned({ duration: 2 }, [0, 0.25, 0.5])).toEqual([]);
+    for (const other of [{ fps: null }, { frames: 5 }, { times: [0, 1] }, { pose: 0 }, { format: 'obj' }])
+      expect(warned(other, [0, 0.33, 1.07])).toEqual([]);
   });
 });

@@ -3,7 +3,7 @@ import { bytesText } from '../api/bytes-text.ts';
 import { EngineError, invalidOption } from '../api/errors.ts';
 import { MOST_FRAMES, USUAL_FRAMES } from '../api/option-table.ts';
 import { NO_PLACE } from '../api/types.ts';
-import { frameCount, frameTimes } from '../api/whole-frames.ts';
+import { SAME_FRAME, frameCount, frameTimes } from '../api/whole-frames.ts';
 import type { ExportOptions, Warning } from '../api/types.ts';
 
 /**
@@ -150,6 +150,32 @@ export function checkBytes({ format }: ExportOptions, bytes: number): void {
 const grouped = (count: number): string => count.toLocaleString('en');
 
 const tooLarge = (sentence: string): EngineError => new EngineError('too-large', sentence);
+
+/** What a motion in whole frames does to keys that lie between them. `range`: what is exported. */
+export function frameWarnings(
+  { format, pose, times, frames, fps, duration }: ExportOptions,
+  keyTimes: readonly number[],
+  [first, last]: readonly [number, number],
+): Warning[] {
+  if (format !== 'glb' || pose !== null || times || frames !== null || fps === null) return [];
+  const inside = keyTimes.flatMap((t, key) => (t >= first && t <= last ? [{ t, key }] : []));
+  const frameOf = (t: number): number => fps * (duration === null ? t : ((t - first) * duration) / (last - first));
+  const off = inside.filter(({ t }) => Math.abs(frameOf(t) - Math.round(frameOf(t))) > SAME_FRAME);
+  if (off.length === 0) return [];
+  const named = off.map(({ key }) => key + 1).join(', ');
+  const ends = off.some(({ key }) => key === inside.at(-1)?.key);
+  return [
+    {
+      ...NO_PLACE,
+      code: 'keys-off-frames',
+      message:
+        `At ${fps} frames a second ${off.length === 1 ? `key ${named} lies` : `keys ${named} lie`} between whole frames` +
+        `${ends ? ', and the animation ends before the last one' : ''}. Move them onto frames, or leave the rate out.`,
+      key: off[0]!.key,
+      count: off.length,
+    },
+  ];
+}
 
 /** `vertices`: of all primitives together. */
 export function exportWarnings(options: ExportOptions, targets: number, vertices: number): Warning[] {

@@ -5,7 +5,7 @@
 import type { CallOptions } from '../api/api.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
 import { thereAndBack } from './bounce.ts';
-import { checkBytes, exportWarnings } from './export-plan.ts';
+import { checkBytes, exportWarnings, frameWarnings } from './export-plan.ts';
 import { planFrames, shapeCount, type PlannedFrames } from './export-frames.ts';
 import { materialFiles, materialLibrary } from './material-library.ts';
 import { PointCache } from './point-cache.ts';
@@ -67,7 +67,10 @@ export async function planExport(
     targets: options.format === 'glb' ? shapeCount(frames) - 1 : 0,
     error: frames.error,
     bytes: size.bytes,
-    warnings: exportWarnings(options, shapeCount(frames) - 1, size.vertices),
+    warnings: [
+      ...exportWarnings(options, shapeCount(frames) - 1, size.vertices),
+      ...frameWarnings(options, source.keyTimes, options.range ?? source.range),
+    ],
   };
 }
 
