@@ -342,7 +342,7 @@ export const IMPORT = {
     value: 'T,T,...|N',
     help:
       `at these times of it, in seconds, or at N evenly spaced ones (default: ${SAMPLED_KEYS}); also of a PC2 or MDD ` +
-      'given with its OBJ, and of numbered .obj or .ply files (24 a second)',
+      'given with its OBJ, and of numbered .obj or .ply files (24 a second), of which up to 32 frames are all keys',
   },
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
   up: {
