@@ -68,7 +68,7 @@ CotangentLaplacian laplacianOf(const Keyframes& keyframes) {
   shape.faces = order.apply(shape.faces);
   for (Positions& pose : shape.poses) pose = order.apply(pose);
   const ShapeTopology parts = topologyOf(shape);
-  return cotangentLaplacian(shape.faces, parts.hasArea, parts.pieces, shape.poses[0]);
+  return cotangentLaplacian(shape.faces, parts.hasArea, parts.components, shape.poses[0]);
 }
 
 // Whose solution is known: the places of the vertices.

@@ -4,15 +4,8 @@ import { cancelled, EngineError } from '../api/errors.ts';
 import { adaptiveTimes, errorOf, type Motion } from './adaptive-times.ts';
 import { choicesOf, framesOf, isThinned, onTimeLine, type Frames } from './export-plan.ts';
 import { principalTargets, type PrincipalTargets } from './principal-targets.ts';
-import type { ExportSource } from './export.ts';
+import type { ExportSource, PlannedFrames } from './export-source.ts';
 import type { ExportOptions } from '../api/types.ts';
-
-export interface PlannedFrames extends Frames {
-  /** Instead of a target for each time. */
-  principal: PrincipalTargets | null;
-  /** The largest distance of what plays from the motion, as a share of the diagonal; null where nothing plays. */
-  error: number | null;
-}
 
 /** Morph targets of a thinned animation. */
 const MOST_TARGETS = 3999;

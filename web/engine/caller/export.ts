@@ -6,33 +6,16 @@ import type { CallOptions } from '../api/api.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
 import { thereAndBack } from './bounce.ts';
 import { checkBytes, exportWarnings, frameWarnings } from './export-plan.ts';
-import { planFrames, shapeCount, type PlannedFrames } from './export-frames.ts';
+import { planFrames, shapeCount } from './export-frames.ts';
+import type { ExportSource, PlannedFrames } from './export-source.ts';
 import { materialFiles, materialLibrary } from './material-library.ts';
 import { PointCache } from './point-cache.ts';
 import { sliderFiles } from './slider-files.ts';
 import { targetNames } from './target-names.ts';
 import { writeProject } from '../wire/project.ts';
-import type { FrameBuffers, KeyData } from '../wire/protocol.ts';
+import type { FrameBuffers } from '../wire/protocol.ts';
 import type { WorkerClient } from './worker-client.ts';
-import type { ExportedFile, ExportOptions, ExportPlan, Frame, Scene, SequenceOptions } from '../api/types.ts';
-
-export interface ExportSource {
-  keys: KeyData;
-  keyTimes: readonly number[];
-  options: SequenceOptions;
-  range: readonly [number, number];
-  /** What was planned last, and for what: planning may cost as much as exporting. */
-  planned: { latest: { for: string; frames: PlannedFrames } | null };
-  freshWorker(): WorkerClient;
-  frame(t: number): Promise<Frame>;
-  /** Of an animated GLB without its images: its bytes, and the vertices of its primitives. */
-  glbSize(
-    faces: Uint32Array,
-    vertices: number,
-    frames: number,
-    scene: Scene,
-  ): Promise<{ bytes: number; vertices: number }>;
-}
+import type { ExportedFile, ExportOptions, ExportPlan, Frame, Scene } from '../api/types.ts';
 
 const NO_SCENE: Scene = { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] };
 

@@ -1,7 +1,8 @@
 /** A sequence on the caller's side: its worker, the motion that is meant, and what it takes to build it again. */
 import type { AheadOptions, CallOptions, Sequence } from '../api/api.ts';
 import { disposed, untilAborted, type EngineError } from '../api/errors.ts';
-import { exportFiles, planExport, type ExportSource } from './export.ts';
+import { exportFiles, planExport } from './export.ts';
+import type { ExportSource } from './export-source.ts';
 import {
   checkCall,
   checkExportOptions,

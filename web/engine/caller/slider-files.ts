@@ -1,6 +1,6 @@
 /** Weights of morph targets as functions of one slider: a table, and drivers for Blender. */
 import type { ExportedFile } from '../api/types.ts';
-import type { PlannedFrames } from './export-frames.ts';
+import type { PlannedFrames } from './export-source.ts';
 
 /** A cell of a table; no spreadsheet takes a name for a formula. */
 const cell = (name: string): string => `"${name.replaceAll('"', '""').replace(/^[=+@-]/, "'$&")}"`;

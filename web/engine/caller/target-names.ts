@@ -1,5 +1,5 @@
 /** What an export calls its morph targets, so that they arrive as shape keys with names: keys, and times. */
-import type { PlannedFrames } from './export-frames.ts';
+import type { PlannedFrames } from './export-source.ts';
 
 /** Bytes that Blender keeps of a shape key's name. */
 const MOST_BYTES = 63;
