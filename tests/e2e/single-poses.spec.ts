@@ -15,6 +15,13 @@ async function pick(app: App, name: string, text: string): Promise<void> {
 const keys = async (app: App): Promise<[string, number][]> =>
   (await app.state()).doc.keys.map(({ name, time }) => [name, time]);
 
+/** A motion of the user's own. */
+async function openTwo(app: App): Promise<void> {
+  await app.by('file-input').setInputFiles([given('a.obj', QUAD(0.5)), given('b.obj', QUAD(0.2))]);
+  await expect.poll(async () => (await keys(app)).length).toBe(2);
+  await app.settled();
+}
+
 /** The browser's own drag and drop of one file onto this place. */
 async function drop(app: App, file: string, x: number, y: number): Promise<void> {
   const session = await app.page.context().newCDPSession(app.page);
@@ -58,9 +65,7 @@ test('poses are picked one by one: the first waits, the second opens the motion,
 
 test('a pose that is dropped between two keys becomes a key between them', async ({ app }, info) => {
   await app.open();
-  await app.by('file-input').setInputFiles([given('a.obj', QUAD(0.5)), given('b.obj', QUAD(0.2))]);
-  await expect.poll(async () => (await keys(app)).length).toBe(2);
-  await app.settled();
+  await openTwo(app);
   const file = info.outputPath('between.obj');
   writeFileSync(file, QUAD(0.9));
   const [first, second] = [(await app.by('key-0').boundingBox())!, (await app.by('key-1').boundingBox())!];
@@ -79,9 +84,7 @@ test('a pose that is dropped between two keys becomes a key between them', async
 
 test('a pose of another mesh asks before it takes the place of own work, which comes back by undo', async ({ app }) => {
   await app.open();
-  await app.by('file-input').setInputFiles([given('a.obj', QUAD(0.5)), given('b.obj', QUAD(0.2))]);
-  await expect.poll(async () => (await keys(app)).length).toBe(2);
-  await app.settled();
+  await openTwo(app);
   await pick(app, 'other.obj', TRIANGLE(0));
   await expect(app.by('pose-offer')).toContainText('“other.obj” is of another mesh');
   expect(await keys(app)).toHaveLength(2);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
-import { farthest } from '../../web/engine/caller/distances.ts';
+import { farthest } from '../../web/engine/api/distances.ts';
 import type { ImportOptions } from '../../web/engine/api/types.ts';
 import { dataFile, dataFiles, hasData } from './support/data.ts';
 import { frameAt, testEngine } from './support/engines.ts';

@@ -59,7 +59,6 @@ describe('the fewest keys of an animation', () => {
           onProgress: ({ fraction }) => stages.push(fraction),
         });
         const error = await errorAt(file, found.times, between);
-        console.log(`${what}: ${found.times.length} keys for ${tolerance}, found ${found.error}, between ${error}`);
         expect(found.error).toBeLessThanOrEqual(tolerance);
         expect(error).toBeLessThan(slack * tolerance);
         expect(found.times[0]).toBe(start);

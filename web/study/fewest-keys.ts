@@ -3,6 +3,7 @@
  * is farthest off, until it is nowhere farther than allowed.
  */
 import type { CallOptions, Engine } from '../engine/api/api.ts';
+import { farthest } from '../engine/api/distances.ts';
 import type { SequenceOptions } from '../engine/api/types.ts';
 import type { ReferenceMotion } from './reference-motion.ts';
 
@@ -78,7 +79,8 @@ async function worstSamples(
       while (index > chosen[stretch + 1]!) stretch += 1;
       signal?.throwIfAborted();
       const [frame] = await sequence.evaluateMany([reference.times[index]!], call);
-      const distance = largestDistance(frame!.positions, reference.keys.positions(index));
+      const wanted = reference.keys.positions(index);
+      const distance = farthest(frame!.positions, wanted, wanted, 0);
       frame!.release();
       if (!chosen.includes(index) && distance > worst[stretch]!.distance) worst[stretch] = { index, distance };
     }
@@ -86,11 +88,4 @@ async function worstSamples(
   } finally {
     sequence.dispose();
   }
-}
-
-function largestDistance(a: Float32Array, b: Float32Array): number {
-  let largest = 0;
-  for (let i = 0; i < a.length; i += 3)
-    largest = Math.max(largest, (a[i]! - b[i]!) ** 2 + (a[i + 1]! - b[i + 1]!) ** 2 + (a[i + 2]! - b[i + 2]!) ** 2);
-  return Math.sqrt(largest);
 }

@@ -1,4 +1,5 @@
 /** Whether a motion ends as it began, so that it can go on as a loop. */
+import { farthest } from '../../engine/api/distances.ts';
 import type { Doc } from '../../model/state.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 
@@ -12,11 +13,9 @@ export function isClosed({ keys }: Doc, { keys: poses }: PosePool): boolean {
   const [a, b] = [poses.positions(first.pose), poses.positions(last.pose)];
   const [from, to] = [centreOf(a), centreOf(b)];
   const reach = SAME * poses.info.report.diagonal;
-  for (let i = 0; i < a.length; i += 3) {
-    const apart = [0, 1, 2].map((axis) => b[i + axis]! - to[axis]! - a[i + axis]! + from[axis]!);
-    if (Math.hypot(...apart) > reach) return false;
-  }
-  return true;
+  const moved = [0, 1, 2].map((axis) => to[axis]! - from[axis]!);
+  for (let i = 0; i < a.length; i += 1) b[i]! -= moved[i % 3]!;
+  return farthest(a, b, b, 0) <= reach;
 }
 
 function centreOf(positions: Float32Array): number[] {

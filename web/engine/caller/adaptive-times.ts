@@ -5,7 +5,7 @@
  * evenly, and where that is much, also beside them.
  */
 import { EngineError } from '../api/errors.ts';
-import { farthest } from './distances.ts';
+import { farthest } from '../api/distances.ts';
 
 export interface Motion {
   /** 3 x vertices; the array is the receiver's. */
