@@ -13,7 +13,6 @@ import { analyseAt } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
 import type { Store } from '../session/store.ts';
-import { describeExport, runExport } from './export-job.ts';
 import type { ExportPlan } from './export-job.ts';
 import { videoFormats } from './write-video.ts';
 
@@ -44,6 +43,9 @@ export interface ExportController {
   run(request: ExportRequest): Promise<void>;
   cancel(): void;
 }
+
+/** Loaded when the dialog opens for the first time. */
+const exporting = () => import('./export-job.ts');
 
 export function createExportController(parts: ExportParts): ExportController {
   const {
@@ -80,8 +82,9 @@ export function createExportController(parts: ExportParts): ExportController {
     };
   };
 
-  const runJob = (request: ExportRequest, of: Sequence, before: AppState, signal: AbortSignal): Promise<void> => {
+  const runJob = async (request: ExportRequest, of: Sequence, before: AppState, signal: AbortSignal): Promise<void> => {
     const { doc, time, source } = before;
+    const { runExport } = await exporting();
     return runExport(request, {
       sequence: of,
       signal,
@@ -119,13 +122,11 @@ export function createExportController(parts: ExportParts): ExportController {
       if (!of) return;
       planning?.abort();
       planning = new AbortController();
-      describeExport(request, {
-        sequence: of,
-        time: store.get().time,
-        playing: playing(),
-        window: viewer.canvas,
-        signal: planning.signal,
-      }).then(tell, (error: unknown) => tell({ text: error instanceof Error ? error.message : '', warnings: [] }));
+      const { signal } = planning;
+      const asked = { sequence: of, time: store.get().time, playing: playing(), window: viewer.canvas, signal };
+      exporting()
+        .then(({ describeExport }) => describeExport(request, asked))
+        .then(tell, (error: unknown) => tell({ text: error instanceof Error ? error.message : '', warnings: [] }));
     },
     async run(request) {
       const of = sequence();

@@ -1,7 +1,6 @@
 /** A sequence on the caller's side: its worker, the motion that is meant, and what it takes to build it again. */
 import type { AheadOptions, CallOptions, Sequence } from '../api/api.ts';
 import { disposed, untilAborted, type EngineError } from '../api/errors.ts';
-import { exportFiles, planExport } from './export.ts';
 import type { ExportSource } from './export-source.ts';
 import {
   checkCall,
@@ -45,6 +44,9 @@ interface Shown {
   task: Task;
   supersede(): void;
 }
+
+/** Loaded with the first export: most visits to the page never make one. */
+const exporting = () => import('./export.ts');
 
 export class SequenceClient implements Sequence {
   private readonly parts: SequenceParts;
@@ -203,6 +205,7 @@ export class SequenceClient implements Sequence {
   async planExport(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportPlan> {
     checkCall(call);
     const checked = checkExportOptions(options);
+    const { planExport } = await exporting();
     return planExport(await this.exportSource(checked), checked, call);
   }
 
@@ -215,6 +218,7 @@ export class SequenceClient implements Sequence {
   async *exportFiles(options?: Partial<ExportOptions>, call?: CallOptions): AsyncGenerator<ExportedFile> {
     checkCall(call);
     const checked = checkExportOptions(options);
+    const { exportFiles } = await exporting();
     yield* exportFiles(await this.exportSource(checked), checked, call ?? {});
   }
 
