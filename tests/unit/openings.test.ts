@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { Openings } from '../../web/app/sources/openings.ts';
-import type { Work } from '../../web/app/sources/work.ts';
+import { Openings } from '../../web/app/kept/openings.ts';
+import type { Work } from '../../web/app/kept/work.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 
 const work = (name: string, bytes = 1): Work => ({

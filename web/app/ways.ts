@@ -19,8 +19,8 @@ import type { OpenedFiles, OpenFiles } from './sources/open-files.ts';
 import { sourceTitle } from './sources/own-files.ts';
 import { createPageLink } from './sources/page-link.ts';
 import type { PageLink } from './sources/page-link.ts';
-import { createRememberedFiles } from './sources/remembered-files.ts';
-import type { RememberedFiles } from './sources/remembered-files.ts';
+import { createRememberedFiles } from './kept/remembered-files.ts';
+import type { RememberedFiles } from './kept/remembered-files.ts';
 import { createUndo } from './sources/undo.ts';
 import type { Undo } from './sources/undo.ts';
 

@@ -7,7 +7,7 @@ import type { ErrorMessage, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../ui/orientation.ts';
 import type { Fewest } from '../sources/animation.ts';
 import type { OpenedFiles } from '../sources/open-files.ts';
-import type { ProjectOnShelf } from '../sources/project-shelf.ts';
+import type { ProjectOnShelf } from '../kept/project-shelf.ts';
 import type { Sample } from '../sources/samples.ts';
 
 export interface ViewState {

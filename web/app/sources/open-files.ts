@@ -1,31 +1,34 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
-import { IMPORT } from '../../engine/api/option-table.ts';
-import { extensionOf, isModel } from '../../engine/api/paths.ts';
 import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.ts';
-import { setMotion } from '../../model/edits.ts';
-import { keptDoc } from '../../model/kept-document.ts';
-import type { Doc, Play, Source, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, EMPTY_STATE, comfortableSpeed, offeredSpeed } from '../../model/state.ts';
-import { clampTime, length } from '../../model/time-scale.ts';
+import type { Doc, Source, View } from '../../model/state.ts';
+import { DEFAULT_VIEW, EMPTY_STATE } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Orientation } from '../../ui/orientation.ts';
-import { motionRange } from '../session/motion-range.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
-import type { Input, Opened, Workspace } from '../session/workspace.ts';
+import type { Input, Workspace } from '../session/workspace.ts';
 import { addPoses } from './add-poses.ts';
 import { readFiles } from './input-files.ts';
-import { Openings } from './openings.ts';
+import { Openings } from '../kept/openings.ts';
+import {
+  ofSample,
+  openingPlay,
+  openingTime,
+  openingView,
+  orientationOf,
+  restored,
+  withSettings,
+} from './opened-state.ts';
 import { applyPermalink, leftOut } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
-import { newProjectId } from './project-shelf.ts';
-import type { Remembered } from './project-shelf.ts';
+import { newProjectId } from '../kept/project-shelf.ts';
+import type { Remembered } from '../kept/project-shelf.ts';
 import type { Sample } from './samples.ts';
 import { fetchSample } from './samples.ts';
-import { currentWork } from './work.ts';
-import type { Work } from './work.ts';
+import { currentWork } from '../kept/work.ts';
+import type { Work } from '../kept/work.ts';
 
 /** What is open now, while the state does not say so yet. */
 export interface OpenedFiles {
@@ -161,33 +164,17 @@ export function createOpenFiles({
       store.set({ view });
       return true;
     }
-    const time = left?.state.time ?? openingTime(doc, link, request.stays ? before.time : undefined);
+    const time =
+      left?.state.time ?? openingTime(doc, workspace.range, request.stays ? before.time : (link?.time ?? null));
     const play = left
       ? { ...left.state.play, playing: false }
       : request.stays
         ? before.play
-        : openingPlay(opened, source, link);
+        : openingPlay(opened, source, link, before.play, reducedMotion());
     store.reset({ source, project, doc, view, play, time }, left && 'history' in left ? left.history : undefined);
     const unused = link && leftOut(link, doc);
     if (unused) say(unused);
     return true;
-  };
-
-  /** No further than the slider reaches. */
-  const openingTime = (doc: Doc, link: Permalink | null, before?: number): number =>
-    clampTime(before ?? link?.time ?? doc.keys[0]?.time ?? 0, motionRange(doc, workspace.range));
-
-  /** What is opened moves at once, unless the visitor wants no motion or came by a link to a moment. */
-  const openingPlay = ({ info, doc }: Opened, source: Source, link: Permalink | null): Play => {
-    const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
-    // Samples and projects of earlier versions have times of no unit.
-    const timed = source.kind === 'files' && info.project === null;
-    const own = timed ? 1 : info.speed !== null ? offeredSpeed(info.speed) : comfortableSpeed(length(range));
-    const speed = link?.speed ?? own;
-    const playing = (link?.playing ?? true) && !reducedMotion();
-    if (link) return { playing, speed, loop: link.loop ?? store.get().play.loop, between: link.between, fps: link.fps };
-    const { loop, fps } = store.get().play;
-    return { playing, speed, loop, between: null, fps };
   };
 
   const guarded = (work: () => Promise<boolean>): Promise<boolean> => {
@@ -321,43 +308,4 @@ export function createOpenFiles({
     },
   };
   return opener;
-}
-
-/** The poses that are not of the files come back first: the document's keys name them by their place. */
-function restored({ poses, state }: Remembered, pool: PosePool): Doc {
-  for (const { name, positions } of poses.slice(pool.count - pool.imported)) pool.add(name, positions);
-  return keptDoc(state.doc);
-}
-
-/** With the settings of another document, but for those that name its keys. */
-function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
-  const { referencePose, startTangentPose, endTangentPose } = fresh.encoding;
-  return {
-    ...fresh,
-    motion: { ...motion, period: fresh.motion.period },
-    encoding: { ...encoding, referencePose, startTangentPose, endTangentPose },
-  };
-}
-
-function ofSample(doc: Doc, { boundary, names }: Sample): Doc {
-  const keys = doc.keys.map((key, index) => ({ ...key, name: names?.[index] ?? key.name }));
-  return setMotion({ ...doc, keys }, { boundary });
-}
-
-/** The look stays, but not a divider; the camera is fitted unless a link says where it was. */
-function openingView(view: View, link: Permalink | null): View {
-  if (link) return { ...DEFAULT_VIEW, ...link.view };
-  const compare = view.split === null ? view.compare : [];
-  return { ...view, compare, split: null, camera: null, window: null, film: false };
-}
-
-/** glTF says which way is up and how long a metre is; the other formats do not. */
-function orientationOf(
-  source: Source,
-  { up = IMPORT.up.default, unit = IMPORT.unit.default }: ImportOptions,
-): Orientation | null {
-  return source.kind === 'files' &&
-    source.names.some((name) => !['glb', 'gltf'].includes(extensionOf(name)) && isModel(name))
-    ? { up, unit }
-    : null;
 }

@@ -6,7 +6,7 @@ import type { Offer } from '../../ui/messages.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { OpenFiles } from './open-files.ts';
 import { readPermalink } from './permalink.ts';
-import type { RememberedFiles } from './remembered-files.ts';
+import type { RememberedFiles } from '../kept/remembered-files.ts';
 import { fetchSamples } from './samples.ts';
 import type { Sample } from './samples.ts';
 

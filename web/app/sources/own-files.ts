@@ -1,9 +1,9 @@
 /** The user's own files that can be gone back to: those that are open, of this visit, and of earlier ones. */
 import { leadingName } from '../../ui/dropped-files.ts';
 import type { AppState, Source } from '../../model/state.ts';
-import type { ProjectOnShelf } from './project-shelf.ts';
+import type { ProjectOnShelf } from '../kept/project-shelf.ts';
 import type { Sample } from './samples.ts';
-import type { Work } from './work.ts';
+import type { Work } from '../kept/work.ts';
 
 export interface OwnFiles {
   /** The project. */

@@ -1,0 +1,80 @@
+/** What is shown first of what was opened: its document with what is known of it, view, time and playing. */
+import { IMPORT } from '../../engine/api/option-table.ts';
+import { extensionOf, isModel } from '../../engine/api/paths.ts';
+import type { ImportOptions } from '../../engine/api/types.ts';
+import { setMotion } from '../../model/edits.ts';
+import { keptDoc } from '../../model/kept-document.ts';
+import type { Doc, Play, Source, View } from '../../model/state.ts';
+import { DEFAULT_VIEW, comfortableSpeed, offeredSpeed } from '../../model/state.ts';
+import type { Range } from '../../model/time-scale.ts';
+import { clampTime, length } from '../../model/time-scale.ts';
+import type { Orientation } from '../../ui/orientation.ts';
+import type { Remembered } from '../kept/project-shelf.ts';
+import { motionRange } from '../session/motion-range.ts';
+import type { PosePool } from '../session/pose-pool.ts';
+import type { Opened } from '../session/workspace.ts';
+import type { Permalink } from './permalink.ts';
+import type { Sample } from './samples.ts';
+
+/** The poses that are not of the files come back first: the document's keys name them by their place. */
+export function restored({ poses, state }: Remembered, pool: PosePool): Doc {
+  for (const { name, positions } of poses.slice(pool.count - pool.imported)) pool.add(name, positions);
+  return keptDoc(state.doc);
+}
+
+/** With the settings of another document, but for those that name its keys. */
+export function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
+  const { referencePose, startTangentPose, endTangentPose } = fresh.encoding;
+  return {
+    ...fresh,
+    motion: { ...motion, period: fresh.motion.period },
+    encoding: { ...encoding, referencePose, startTangentPose, endTangentPose },
+  };
+}
+
+/** The document of a sample: its end condition and the names of its poses. */
+export function ofSample(doc: Doc, { boundary, names }: Sample): Doc {
+  const keys = doc.keys.map((key, index) => ({ ...key, name: names?.[index] ?? key.name }));
+  return setMotion({ ...doc, keys }, { boundary });
+}
+
+/** The look stays, but not a divider; the camera is fitted unless a link says where it was. */
+export function openingView(view: View, link: Permalink | null): View {
+  if (link) return { ...DEFAULT_VIEW, ...link.view };
+  const compare = view.split === null ? view.compare : [];
+  return { ...view, compare, split: null, camera: null, window: null, film: false };
+}
+
+/** glTF says which way is up and how long a metre is; the other formats do not. */
+export function orientationOf(
+  source: Source,
+  { up = IMPORT.up.default, unit = IMPORT.unit.default }: ImportOptions,
+): Orientation | null {
+  return source.kind === 'files' &&
+    source.names.some((name) => !['glb', 'gltf'].includes(extensionOf(name)) && isModel(name))
+    ? { up, unit }
+    : null;
+}
+
+/** The time that is shown first: no further than the slider reaches. */
+export function openingTime(doc: Doc, range: Range, wanted: number | null): number {
+  return clampTime(wanted ?? doc.keys[0]?.time ?? 0, motionRange(doc, range));
+}
+
+/** What is opened moves at once, unless the visitor wants no motion or came by a link to a moment. */
+export function openingPlay(
+  { info, doc }: Opened,
+  source: Source,
+  link: Permalink | null,
+  { loop, fps }: Play,
+  reducedMotion: boolean,
+): Play {
+  const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
+  // Samples and projects of earlier versions have times of no unit.
+  const timed = source.kind === 'files' && info.project === null;
+  const own = timed ? 1 : info.speed !== null ? offeredSpeed(info.speed) : comfortableSpeed(length(range));
+  const speed = link?.speed ?? own;
+  const playing = (link?.playing ?? true) && !reducedMotion;
+  if (link) return { playing, speed, loop: link.loop ?? loop, between: link.between, fps: link.fps };
+  return { playing, speed, loop, between: null, fps };
+}
