@@ -422,6 +422,8 @@ describe('wrong use', () => {
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--range=1e308:1.7e308']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundary=periodic', '--period=1e308']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--at=1e300']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.pc2', '--tolerance=1']],
+    [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x/', '--compression=meshopt']],
     [['complete', 'pose-1.glb', 'pose-2.glb', '--output', 'x.glb', '--boundary=periodic', '--period=0.5']],
   ])('is one line and exit code 2: %j', async (words) => {
     const before = await listed(folder);

@@ -88,6 +88,55 @@ void checkCorners(const Import& import, const std::vector<double>& bends) {
   }
 }
 
+// A bent sheet of quads that are cut in one of several ways, with shared vertices, or with three for each triangle.
+constexpr int kColumns = 7, kRows = 5;
+
+enum class Split { None, Quads, Triangles };
+
+Vec3 sheetPoint(int v, double bend) {
+  Vec3 p = point(v % (kColumns + 1), 0, bend);
+  return Vec3(p.x(), v / (kColumns + 1), p.z() + 0.1 * (v / (kColumns + 1)));
+}
+
+// How two triangles name the corners of a quad.
+using Cut = std::array<int, 6>;
+constexpr Cut kFirst{0, 1, 2, 0, 2, 3}, kSecond{0, 1, 3, 1, 2, 3}, kTurned{1, 2, 3, 1, 3, 0}, kEnded{3, 0, 1, 2, 3, 1};
+
+Strip sheet(double bend, const std::vector<Cut>& cuts, Split split, bool sorted) {
+  std::vector<std::array<int, 2>> corners;  // vertex, the copy
+  for (int quad = 0; quad < kColumns * kRows; ++quad) {
+    const int a = quad / kColumns * (kColumns + 1) + quad % kColumns;
+    const int around[] = {a, a + 1, a + kColumns + 2, a + kColumns + 1};
+    // Not a repeating pattern: neighbours in both directions are cut alike and otherwise.
+    const Cut& cut = cuts[(quad * quad + quad / 3) % cuts.size()];
+    for (int i = 0; i < 6; ++i)
+      corners.push_back({around[cut[i]], split == Split::None ? 0 : split == Split::Quads ? quad : 2 * quad + i / 3});
+  }
+  std::vector<std::array<int, 2>> vertices;
+  for (const auto& corner : corners)
+    if (std::find(vertices.begin(), vertices.end(), corner) == vertices.end()) vertices.push_back(corner);
+  if (sorted) std::sort(vertices.begin(), vertices.end());
+  Strip out;
+  for (const auto& [v, copy] : vertices) out.positions.push_back(sheetPoint(v, bend).cast<float>().cast<double>());
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    if (c % 3 == 0) out.faces.emplace_back();
+    out.faces.back()[c % 3] = int(std::find(vertices.begin(), vertices.end(), corners[c]) - vertices.begin());
+  }
+  return out;
+}
+
+// Every vertex of the second key is where the first key's vertex goes.
+void checkSheet(const Import& import, double from, double to) {
+  const Keyframes& k = import.keyframes;
+  for (int v = 0; v < k.vertexCount(); ++v) {
+    bool found = false;
+    for (int w = 0; w < (kColumns + 1) * (kRows + 1) && !found; ++w)
+      found = k.keys[0].positions[v] == sheetPoint(w, from).cast<float>().cast<double>() &&
+              k.keys[1].positions[v] == sheetPoint(w, to).cast<float>().cast<double>();
+    CHECK(found);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("poses that flat shading splits are one mesh, whichever of them comes first") {
@@ -116,6 +165,46 @@ TEST_CASE("quads that are cut along the other diagonal take the first key's, sha
     REQUIRE_MESSAGE(back.ok(), (back.ok() ? "" : back.error().message));
     checkCorners(*back, {0.4, 0});
   }
+}
+
+TEST_CASE("quads that are split and cut otherwise at the same time are found, whichever way is first") {
+  const std::vector<Cut> plain{kFirst};
+  const std::vector<Cut> mixes[] = {{kFirst, kSecond},
+                                    {kFirst, kTurned},
+                                    {kSecond},
+                                    {kFirst, kFirst, kEnded},
+                                    {kFirst, kSecond, kTurned, kEnded},
+                                    {kFirst, kFirst, kTurned}};
+  for (const auto& mix : mixes)
+    for (const Split one : {Split::None, Split::Quads, Split::Triangles})
+      for (const Split other : {Split::None, Split::Quads, Split::Triangles})
+        for (const bool sorted : {true, false}) {
+          CAPTURE(&mix - mixes);
+          CAPTURE(int(one));
+          CAPTURE(int(other));
+          CAPTURE(sorted);
+          const Strip a = sheet(0, plain, one, sorted), b = sheet(0.2, mix, other, sorted);
+          const auto import = joined({a, b});
+          CHECK_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+          if (import.ok()) {
+            CHECK(import->warnings.empty());
+            checkSheet(*import, 0, 0.2);
+          }
+          const auto back = joined({b, a});
+          CHECK_MESSAGE(back.ok(), (back.ok() ? "" : back.error().message));
+          if (back.ok()) checkSheet(*back, 0.2, 0);
+        }
+}
+
+TEST_CASE("triangles that fly apart are the same mesh still") {
+  Strip whole = sheet(0, {kFirst}, Split::Triangles, false), apart = whole;
+  for (std::size_t f = 0; f < apart.faces.size(); ++f)
+    for (const int v : apart.faces[f]) apart.positions[v].y() += double(f) * f;
+  const auto import = joined({whole, apart}), back = joined({apart, whole});
+  REQUIRE(import.ok());
+  REQUIRE(back.ok());
+  CHECK(import->keyframes.keys[1].positions == apart.positions);
+  CHECK(back->keyframes.keys[1].positions == whole.positions);
 }
 
 TEST_CASE("faces in another order are found") {
@@ -209,7 +298,8 @@ TEST_CASE("an OBJ whose faces count its vertices from 0 is refused") {
   const auto import = Files().add("a.obj", obj(0, 2)).add("b.obj", obj(0.4, 1)).import();
   REQUIRE(!import.ok());
   CHECK(import.error().code == ErrorCode::FaceMismatch);
-  CHECK(import.error().message.starts_with("b.obj (key 2): face 0 is (0, 2, 3), but in key 1 it is (1, 3, 4)."));
+  CHECK(import.error().message.starts_with(
+      "b.obj (key 2): face 0 is (0, 2, 3), but in key 1 it is (1, 3, 4), all counted from 0."));
   CHECK(Files().add("a.obj", obj(0, 2)).add("b.obj", obj(0.4, 2)).import().ok());
 }
 
@@ -291,6 +381,42 @@ TEST_CASE("objects of a glTF and of an OBJ can be left out") {
   };
   check(Files().add("a.glb", scene(0)).add("b.glb", scene(0.4)), {"Strip", "Floor"}, "Strip", 2 * kQuads + 2);
   check(Files().add("a.obj", bytesOf(obj)).add("b.obj", bytesOf(obj + "o Empty\n")), {"Floor", "Thing"}, "Thing", 4);
+}
+
+TEST_CASE("objects that not every file has are left out, and said") {
+  const auto scene = [](double bend, const std::vector<std::string>& names) {
+    GltfMaker maker;
+    for (const std::string& name : names) {
+      const Strip strip = name == "Strip" ? shared(bend) : sheet(0, {kFirst}, Split::None, true);
+      maker.node({{"name", name},
+                  {"mesh", maker.mesh({{"POSITION", maker.vectors(strip.positions)}}, maker.indices(strip.faces))}});
+    }
+    return maker.glb();
+  };
+  const auto poses = [&](const std::vector<std::vector<std::string>>& names) {
+    Files files;
+    for (std::size_t j = 0; j < names.size(); ++j)
+      files.add("pose" + std::string(1, char('a' + j)) + ".glb", scene(0.1 * double(j), names[j]));
+    return files.import();
+  };
+  const std::vector<std::string> one{"Strip"}, floor{"Strip", "Floor"}, lamp{"Lamp", "Strip"};
+  for (const auto& names :
+       {std::vector{floor, one, floor}, {one, floor, one}, {floor, lamp, one}, {floor, lamp, floor}}) {
+    const auto import = poses(names);
+    REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+    checkCorners(*import, {0, 0.1, 0.2});
+    CHECK(import->objects == one);
+    REQUIRE(import->warnings.size() == 1);
+    CHECK(import->warnings[0].code == "left-out-objects");
+    CHECK(import->warnings[0].message.find("\"Strip\"") != std::string::npos);
+  }
+  const auto none = poses({{"Floor", "Lamp"}, {"Strip", "Roof"}});
+  REQUIRE(!none.ok());
+  CHECK(none.error().message.find("Its objects are \"Strip\", \"Roof\"") != std::string::npos);
+  // All of them are there, in another order.
+  const auto turned = poses({{"Strip", "Floor"}, {"Floor", "Strip"}});
+  REQUIRE(!turned.ok());
+  CHECK(turned.error().message.find("Its objects are \"Floor\", \"Strip\"") != std::string::npos);
 }
 
 TEST_CASE("Blender's poses: flat shading, other diagonals, modifiers that are not applied") {

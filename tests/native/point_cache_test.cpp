@@ -193,4 +193,5 @@ TEST_CASE("files that do not say which axis is up are hinted at where they stand
       "OFF\n8 5 0\n-2 0 -2\n2 0 -2\n2 0 2\n-2 0 2\n-1 3 -1\n1 3.5 -1\n1 3 1\n-1 3.5 1\n4 3 2 1 0\n4 0 1 5 4\n"
       "4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
   CHECK(!has(codes("a.off", upright)));
+  CHECK(has(codes("a.off", "# Blender v4.5\n" + upright)));
 }

@@ -71,6 +71,7 @@ Result<FileKind> fileKind(const NamedBytes& file, const std::string& where) {
   if (const char* what = somethingElse(text, extension)) return Error{ErrorCode::NotRecognised, where + what};
   if (extension == "obj") return FileKind::Obj;
   if (extension == "mdd") return FileKind::Mdd;
+  if (extension == "off" && text.starts_with('#')) return FileKind::Off;
   if (extension == "glb" || extension == "gltf" || extension == "ply" || extension == "off" || extension == "pc2")
     return Error{ErrorCode::NotRecognised,
                  where + " is named ." + extension + " but is not such a file. Export it again."};

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "core/base/format.h"
-#include "core/mesh/mesh.h"
 #include "io/base/byte_text.h"
 #include "io/base/sample_times.h"
-#include "io/cache/point_cache.h"
 #include "io/file_kind.h"
 #include "io/frame_source.h"
 #include "io/gltf/gltf_reader.h"
-#include "io/import_hints.h"
+#include "io/import_motion.h"
+#include "io/import_poses.h"
 #include "io/join_keys.h"
 #include "io/numbered_files.h"
 #include "io/pose_reader.h"
@@ -22,21 +21,6 @@
 namespace shapespline {
 
 namespace {
-
-// How messages call a key's file.
-std::string placeName(const NamedBytes& file, int key, std::size_t keys) {
-  const std::string name(baseName(file.name));
-  return keys > 1 ? name + " (key " + std::to_string(key + 1) + ")" : name;
-}
-
-std::string keyName(const NamedBytes& file) {
-  const std::string_view name = baseName(file.name);
-  return std::string(name.substr(0, name.rfind('.')));
-}
-
-bool areAll(const std::vector<MeshFile>& meshes, FileKind kind) {
-  return std::all_of(meshes.begin(), meshes.end(), [&](const MeshFile& mesh) { return mesh.kind == kind; });
-}
 
 Result<std::vector<MeshFile>> meshFiles(std::span<const NamedBytes> files) {
   std::vector<MeshFile> meshes;
@@ -52,204 +36,6 @@ Result<std::vector<MeshFile>> meshFiles(std::span<const NamedBytes> files) {
     meshes.push_back({&file, *kind});
   }
   return meshes;
-}
-
-// The first pose brings the mesh and the scene; of the others only one is held beside the keys.
-Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where) {
-  if (out.keyframes.keyCount() > 0)
-    return KeyJoiner(out).add(pose.faces, {{std::move(name), 0, std::move(pose.positions)}}, where);
-  out.keyframes = {std::move(pose.faces), {{std::move(name), 0, std::move(pose.positions)}}, std::move(pose.normals)};
-  out.scene = std::move(pose.scene);
-  out.warnings = std::move(pose.warnings);
-  out.objects = std::move(pose.objects);
-  return {};
-}
-
-// Only a file that says nothing else is asked: its up axis was not chosen.
-void hintAtUpAxis(const PoseFile& pose, const MeshFile& mesh, const ImportOptions& options, const std::string& where,
-                  std::vector<Warning>& warnings) {
-  const bool silent = mesh.kind == FileKind::Ply || mesh.kind == FileKind::Off;
-  if (silent && !options.zUp && (pose.writtenZUp || standsOnZ(pose.positions, pose.faces)))
-    warnings.push_back(zUpWarning(where, pose.writtenZUp));
-}
-
-// Poses say nothing of time: from one to the next it takes a second.
-void setTimesInSeconds(Keyframes& keyframes) {
-  for (int j = 0; j < keyframes.keyCount(); ++j) keyframes.keys[j].time = j;
-}
-
-Error atKey(Error error, int key) {
-  error.key = key;
-  return error;
-}
-
-Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
-                           const ImportOptions& options, const StageProgress& progress) {
-  Import out;
-  PoseReader reader{files, options};
-  FileFacts facts{static_cast<int>(meshes.size()), 0, 0, areAll(meshes, FileKind::Gltf)};
-  std::vector<AnimationInfo> animations;
-  std::vector<Warning> hints;
-  for (std::size_t j = 0; j < meshes.size(); ++j) {
-    const int key = static_cast<int>(j);
-    const std::string where = placeName(*meshes[j].file, key, meshes.size());
-    const auto onPose = [&](double fraction) {
-      if (progress)
-        progress("reading the poses", (static_cast<double>(j) + fraction) / static_cast<double>(meshes.size()));
-    };
-    onPose(0);
-    auto pose = reader.read(meshes[j], where, onPose);
-    if (!pose) return atKey(pose.error(), key);
-    facts.skinned += pose->skinned;
-    facts.animated += !pose->animations.empty();
-    if (j == 0) animations = std::move(pose->animations);
-    if (j == 0) hintAtUpAxis(*pose, meshes[j], options, std::string(baseName(meshes[j].file->name)), hints);
-    if (Status added = addPose(std::move(*pose), keyName(*meshes[j].file), out, where); !added)
-      return atKey(added.error(), key);
-  }
-  std::move(hints.begin(), hints.end(), std::back_inserter(out.warnings));
-  setTimesInSeconds(out.keyframes);
-  warnOfSamePoses(facts, out);
-  // Where nothing moves, the keys can be taken from what the files hold besides.
-  const bool still = std::any_of(out.warnings.begin(), out.warnings.end(),
-                                 [](const Warning& warning) { return warning.code == "same-poses"; });
-  if (still && facts.animated == facts.files) out.animations = std::move(animations);
-  return out;
-}
-
-bool sameKeys(const Keyframes& a, const Keyframes& b) {
-  return a.faces == b.faces && std::equal(a.keys.begin(), a.keys.end(), b.keys.begin(), b.keys.end(),
-                                          [](const Key& x, const Key& y) { return x.positions == y.positions; });
-}
-
-// Several files with an animation each: the keys of one after those of the other. Exporters write a rig's whole
-// animation into every file, which counts once.
-Result<Import> importAnimations(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
-                                ImportOptions options, const StageProgress& progress) {
-  options.oneKeyWillDo = true;
-  std::optional<Import> out;
-  Keyframes first;
-  int repeated = 0;
-  for (std::size_t j = 0; j < meshes.size(); ++j) {
-    const std::string where = placeName(*meshes[j].file, static_cast<int>(j), meshes.size());
-    const auto share = [&](const char* stage, double fraction) {
-      if (progress) progress(stage, (static_cast<double>(j) + fraction) / static_cast<double>(meshes.size()));
-    };
-    auto import = readGltfKeys(*meshes[j].file, files, options, where, share);
-    if (!import) return atKey(import.error(), static_cast<int>(j));
-    if (!out) {
-      first = import->keyframes;
-      out = std::move(*import);
-      continue;
-    }
-    if (sameKeys(first, import->keyframes)) {
-      ++repeated;
-      continue;
-    }
-    if (Status added = KeyJoiner(*out).add(import->keyframes.faces, std::move(import->keyframes.keys), where); !added)
-      return atKey(added.error(), static_cast<int>(j));
-  }
-  if (repeated + 1 < static_cast<int>(meshes.size())) {
-    for (int key = 0; key < out->keyframes.keyCount(); ++key)
-      if (out->keyframes.keyCount() == static_cast<int>(meshes.size()))
-        out->keyframes.keys[key].name = keyName(*meshes[key].file);
-    setTimesInSeconds(out->keyframes);
-  }
-  if (repeated > 0)
-    out->warnings.push_back(
-        {"repeated-animation",
-         "Some files hold the same animation as " + std::string(baseName(meshes[0].file->name)) + ": it is taken once.",
-         repeated});
-  return std::move(*out);
-}
-
-// The frames of a numbered series of files, each read when it is asked for.
-Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedFiles& series,
-                            std::span<const NamedBytes> files, const ImportOptions& options,
-                            const StageProgress& progress) {
-  Import out;
-  PoseReader reader{files, options};
-  auto mesh = reader.read(meshes[0], placeName(*meshes[0].file, 0, meshes.size()));
-  if (!mesh) return atKey(mesh.error(), 0);
-  hintAtUpAxis(*mesh, meshes[0], options, std::string(baseName(meshes[0].file->name)), mesh->warnings);
-  if (Status added = addPose(std::move(*mesh), "mesh", out, ""); !added) return added.error();
-  const auto n = out.keyframes.vertexCount();
-  const auto frame = [&](std::size_t index) -> Result<Positions> {
-    const std::string where = placeName(*meshes[index].file, static_cast<int>(index), meshes.size());
-    auto pose = reader.read(meshes[index], where);
-    if (!pose) return pose.error();
-    const std::size_t count = pose->positions.size();
-    Import one;
-    one.keyframes = {out.keyframes.faces, {out.keyframes.keys[0]}, {}};
-    if (Status added = KeyJoiner(one).add(pose->faces, {{"", 0, std::move(pose->positions)}}, where); !added)
-      return added.error();
-    if (one.keyframes.vertexCount() != n)
-      return vertexCountMismatch(where, static_cast<int>(index), count, static_cast<std::size_t>(n));
-    return std::move(one.keyframes.keys[1].positions);
-  };
-  const FrameSource source{series.name, series.seconds, frame};
-  const std::string where = std::string(baseName(meshes[0].file->name));
-  if (Status sampled = sampleFrames(source, options, where, out, progress); !sampled) return sampled.error();
-  if (!options.animationAsked())
-    out.warnings.push_back(
-        {"numbered-files",
-         grouped(static_cast<std::int64_t>(meshes.size())) +
-             " numbered files are taken as frames of an animation, 24 a second: " + grouped(out.keyframes.keyCount()) +
-             " evenly spaced ones of them are the keys. Choose others on its timeline (on the "
-             "command line, with --sample).",
-         static_cast<int>(meshes.size())});
-  return out;
-}
-
-using Axes = Mat3;
-
-// In which axes the cache shows the mesh: programs write them as they are, or with y and z exchanged.
-Axes axesOf(const PointCache& cache, const Positions& mesh) {
-  const Positions frames[] = {cache.frame(0), cache.frame(cache.seconds.size() - 1)};
-  const Positions* one = &mesh;
-  const double near = 1e-3 * boundingDiagonal({&one, 1});
-  Axes zUp, exchanged, yUp;
-  zUp << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-  exchanged << 1, 0, 0, 0, 0, 1, 0, 1, 0;
-  yUp << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  for (const Axes& axes : {Axes(Axes::Identity()), zUp, exchanged, yUp})
-    for (const Positions& frame : frames)
-      if (std::equal(frame.begin(), frame.end(), mesh.begin(),
-                     [&](const Vec3& p, const Vec3& q) { return (axes * p - q).norm() <= near; }))
-        return axes;
-  return Axes::Identity();
-}
-
-// A mesh, and its vertices over time in another file.
-Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, std::span<const NamedBytes> files,
-                           const ImportOptions& options, const StageProgress& progress) {
-  const std::string where = placeName(*mesh.file, 0, 1), place = placeName(*moves.file, 0, 1);
-  PoseReader reader{files, options};
-  auto pose = reader.read(mesh, where);
-  if (!pose) return pose.error();
-  const auto cache = moves.kind == FileKind::Pc2 ? readPc2(*moves.file, place) : readMdd(*moves.file, place);
-  if (!cache) return cache.error();
-  if (cache->points != pose->positions.size())
-    return Error{ErrorCode::VertexCountMismatch,
-                 place + " moves " + grouped(static_cast<std::int64_t>(cache->points)) + " points, but " + where +
-                     " has " + grouped(static_cast<std::int64_t>(pose->positions.size())) +
-                     " vertices. Export both from the same object, with the same modifiers."};
-  Import out;
-  hintAtUpAxis(*pose, mesh, options, where, pose->warnings);
-  if (Status added = addPose(std::move(*pose), "mesh", out, where); !added) return added.error();
-  const Axes axes = axesOf(*cache, out.keyframes.keys[0].positions);
-  const bool own = axes == Axes::Identity();
-  const auto frame = [&](std::size_t index) -> Result<Positions> {
-    Positions positions = cache->frame(index);
-    // In axes of its own it is seen as the mesh lies now, else it goes with the mesh.
-    if (own) orient(positions, options.zUp, options.unit);
-    else
-      for (Vec3& p : positions) p = axes * p;
-    return positions;
-  };
-  const FrameSource source{keyName(*moves.file), cache->seconds, frame};
-  if (Status sampled = sampleFrames(source, options, place, out, progress); !sampled) return sampled.error();
-  return out;
 }
 
 // A lone OBJ, PLY or OFF cannot be enough, but what is wrong in it comes first.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/mesh/same_surface.h"
+#include "io/quad_cuts.h"
 
 namespace shapespline {
 
@@ -35,32 +36,6 @@ std::vector<int> cornersOf(const std::vector<Triangle>& faces) {
   corners.reserve(3 * faces.size());
   for (const Triangle& f : faces) corners.insert(corners.end(), f.begin(), f.end());
   return corners;
-}
-
-// How two triangles that follow each other share a side: 0-1-2 and 0-2-3 of a quad, 0-1-3 and 1-2-3 of it, or neither.
-enum class Cut { None, First, Second };
-
-Cut cutOf(const Triangle& f, const Triangle& g) {
-  if (f[0] == g[0] && f[2] == g[1]) return Cut::First;
-  if (f[1] == g[0] && f[2] == g[2]) return Cut::Second;
-  return Cut::None;
-}
-
-// Where the pose cuts a quad the other way than the mesh, its corners take the mesh's order. Both in points.
-void turnDiagonals(const std::vector<Triangle>& mesh, const std::vector<Triangle>& pose, std::vector<int>& corners) {
-  for (std::size_t f = 0; f + 1 < mesh.size(); ++f) {
-    const Cut wanted = cutOf(mesh[f], mesh[f + 1]), given = cutOf(pose[f], pose[f + 1]);
-    if (wanted == Cut::None || given == Cut::None || wanted == given) continue;
-    int* c = &corners[3 * f];
-    if (wanted == Cut::First) {
-      const int quad[] = {c[0], c[1], c[4], c[2]};
-      for (const auto& [at, of] : {std::pair{2, 2}, {3, 0}, {4, 2}, {5, 3}}) c[at] = quad[of];
-    } else {
-      const int quad[] = {c[0], c[1], c[2], c[5]};
-      for (const auto& [at, of] : {std::pair{2, 3}, {3, 1}, {4, 2}, {5, 3}}) c[at] = quad[of];
-    }
-    ++f;
-  }
 }
 
 bool allFinite(const Positions& pose) {
@@ -108,14 +83,17 @@ Welding weldPoses(std::span<const Positions* const> poses) { return weld(poses, 
 std::optional<PoseMatch> PoseMatcher::find(const std::vector<Triangle>& faces,
                                            std::span<const Positions* const> poses) const {
   if (faces.size() != faces_.size()) return {};
-  if (poses[0]->size() == positions_.size() && sameSurface(faces_, faces)) {
-    PoseMatch same;
-    same.vertexOf.resize(positions_.size());
-    std::iota(same.vertexOf.begin(), same.vertexOf.end(), 0);
-    return same;
+  const bool same = poses[0]->size() == positions_.size() && sameSurface(faces_, faces);
+  // Triangles without common vertices, numbered as they come, look alike however their quads are cut.
+  const bool cutsShow = positions_.size() <= faces_.size() + 2;
+  if (!same || !cutsShow) {
+    if (auto match = same ? std::nullopt : byCopies(faces, poses)) return match;
+    if (auto match = byCorners(faces, poses); !same || (match && match->cornerOf != cornersOf(faces))) return match;
   }
-  if (auto match = byCopies(faces, poses)) return match;
-  return byCorners(faces, poses);
+  PoseMatch match;
+  match.vertexOf.resize(positions_.size());
+  std::iota(match.vertexOf.begin(), match.vertexOf.end(), 0);
+  return match;
 }
 
 std::optional<PoseMatch> PoseMatcher::byCopies(const std::vector<Triangle>& faces,
@@ -136,8 +114,10 @@ std::optional<PoseMatch> PoseMatcher::byCorners(const std::vector<Triangle>& fac
     return {};  // said where keys are checked
   const Positions* own[] = {&positions_};
   const Welding points = weldPoses(own), theirs = weldPoses(poses);
-  PoseMatch match{{}, cornersOf(faces)};
-  turnDiagonals(weldFaces(faces_, points), weldFaces(faces, theirs), match.cornerOf);
+  const std::vector<int> vertexOf = cornersOf(faces);
+  PoseMatch match;
+  for (int corner : matchCorners(weldFaces(faces_, points), weldFaces(faces, theirs)))
+    match.cornerOf.push_back(vertexOf[corner]);
   std::vector<int> ofMesh = cornersOf(weldFaces(faces_, points)), ofPose;
   for (int v : match.cornerOf) ofPose.push_back(theirs.weldedOfRaw[v]);
   if (!belongTogether(ofMesh, points.count, ofPose, theirs.count)) return {};

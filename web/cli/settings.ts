@@ -184,6 +184,8 @@ export function exportOptions(args: Arguments, output: string): Partial<ExportOp
   if (frames && fps) throw new UsageError('give either --frames or --fps');
   if (options.tolerance !== undefined && (times || frames) && options.targets !== 'principal')
     throw new UsageError('give either --tolerance or the shapes to be written (--at, --frames)');
+  const alone = options.format !== 'glb' && GLB_ONLY.find((name) => options[name] !== undefined);
+  if (alone) throw new UsageError(`--${alone} is for an output that ends in .glb`);
   if (output.endsWith('/') || times?.length === 1 || HOLD_ALL.includes(format!)) return options;
   throw new UsageError(`${output} holds one shape: give one --at time, or a folder (ending in /) for several`);
 }
@@ -200,6 +202,9 @@ export function measuredMethods(args: Arguments): Method[] {
 export function measuredTimes(args: Arguments): Partial<ExportOptions> {
   return given(args, momentFlags);
 }
+
+/** What other formats would leave unheard. */
+const GLB_ONLY = ['tolerance', 'compression', 'targets', 'bounce'] as const;
 
 /** Formats that hold all frames in one file. */
 const HOLD_ALL: readonly string[] = ['glb', 'pc2', 'mdd'];

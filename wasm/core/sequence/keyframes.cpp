@@ -116,8 +116,8 @@ Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triang
   if (a == first.end()) return {};
   const int face = static_cast<int>(a - first.begin());
   return Error{ErrorCode::FaceMismatch,
-               name + ": face " + grouped(face) + " is " + faceText(*b) + ", but in key 1 it is " + faceText(*a) + "." +
-                   sameTrianglesHint(first, other) + kOneMesh,
+               name + ": face " + grouped(face) + " is " + faceText(*b) + ", but in key 1 it is " + faceText(*a) +
+                   ", all counted from 0." + sameTrianglesHint(first, other) + kOneMesh,
                key, -1, face};
 }
 

@@ -7,30 +7,32 @@
 
 namespace shapespline {
 
-namespace {
-
-bool holds(const std::vector<std::string>& names, const std::string& name) {
+bool holdsObject(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-}  // namespace
-
 void addObject(const std::string& name, std::vector<std::string>& names) {
-  if (names.size() < kMostObjects && !holds(names, name)) names.push_back(name);
+  if (names.size() < kMostObjects && !holdsObject(names, name)) names.push_back(name);
 }
 
 bool takesObject(const std::vector<std::string>& wanted, const std::string& name) {
-  return wanted.empty() || holds(wanted, name);
+  return wanted.empty() || holdsObject(wanted, name);
+}
+
+std::string objectList(const std::vector<std::string>& names) {
+  if (names.empty()) return "none";
+  std::string list;
+  for (std::size_t i = 0; i < names.size() && i < 20; ++i) list.append(i ? ", " : "").append(inQuotes(names[i]));
+  return names.size() > 20 ? list + ", and more" : list;
 }
 
 Status checkObjects(const std::vector<std::string>& wanted, const std::vector<std::string>& names,
                     const std::string& where) {
   for (const std::string& name : wanted) {
-    if (holds(names, name)) continue;
+    if (holdsObject(names, name)) continue;
     std::string message = where;
-    message.append(" has no object ").append(inQuotes(name)).append(names.empty() ? "; it names none." : "; it has");
-    for (std::size_t i = 0; i < names.size() && i < 20; ++i) message.append(i ? ", " : " ").append(inQuotes(names[i]));
-    if (!names.empty()) message.append(names.size() > 20 ? ", and more." : ".");
+    message.append(" has no object ").append(inQuotes(name)).append(names.empty() ? "; it names " : "; it has ");
+    message.append(objectList(names)).append(".");
     return Error{ErrorCode::UnknownObject, std::move(message)};
   }
   return {};

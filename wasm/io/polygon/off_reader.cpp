@@ -27,7 +27,9 @@ struct OffReader {
   // The next line that holds anything but a comment.
   bool nextLine(std::string_view& line) {
     while (lines.next(line)) {
-      line = line.substr(0, line.find('#'));
+      const std::size_t end = std::min(line.find('#'), line.size());
+      mesh.writtenZUp |= line.substr(end).find("Blender") != std::string_view::npos;
+      line = line.substr(0, end);
       std::string_view rest = line;
       if (!takeWord(rest).empty()) return true;
     }
@@ -45,6 +47,7 @@ struct OffReader {
     std::string_view line;
     if (!nextLine(line)) return malformed("there is no header");
     std::string_view keyword = takeWord(line);
+    if (!keyword.ends_with("OFF")) return malformed("there is no header");
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
       return Error{ErrorCode::Unsupported,
                    where + " holds points of more than three dimensions, which are not supported. Export it in 3D."};

@@ -1,0 +1,154 @@
+#include "io/import_motion.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/format.h"
+#include "core/mesh/mesh.h"
+#include "io/base/byte_text.h"
+#include "io/cache/point_cache.h"
+#include "io/frame_source.h"
+#include "io/gltf/gltf_reader.h"
+#include "io/import_poses.h"
+#include "io/join_keys.h"
+
+namespace shapespline {
+
+namespace {
+
+bool sameKeys(const Keyframes& a, const Keyframes& b) {
+  return a.faces == b.faces && std::equal(a.keys.begin(), a.keys.end(), b.keys.begin(), b.keys.end(),
+                                          [](const Key& x, const Key& y) { return x.positions == y.positions; });
+}
+
+using Axes = Mat3;
+
+// In which axes the cache shows the mesh: programs write them as they are, or with y and z exchanged.
+Axes axesOf(const PointCache& cache, const Positions& mesh) {
+  const Positions frames[] = {cache.frame(0), cache.frame(cache.seconds.size() - 1)};
+  const Positions* one = &mesh;
+  const double near = 1e-3 * boundingDiagonal({&one, 1});
+  Axes zUp, exchanged, yUp;
+  zUp << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  exchanged << 1, 0, 0, 0, 0, 1, 0, 1, 0;
+  yUp << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  for (const Axes& axes : {Axes(Axes::Identity()), zUp, exchanged, yUp})
+    for (const Positions& frame : frames)
+      if (std::equal(frame.begin(), frame.end(), mesh.begin(),
+                     [&](const Vec3& p, const Vec3& q) { return (axes * p - q).norm() <= near; }))
+        return axes;
+  return Axes::Identity();
+}
+
+}  // namespace
+
+Result<Import> importAnimations(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
+                                ImportOptions options, const StageProgress& progress) {
+  options.oneKeyWillDo = true;
+  std::optional<Import> out;
+  Keyframes first;
+  int repeated = 0;
+  for (std::size_t j = 0; j < meshes.size(); ++j) {
+    const std::string where = placeName(*meshes[j].file, static_cast<int>(j), meshes.size());
+    const auto share = [&](const char* stage, double fraction) {
+      if (progress) progress(stage, (static_cast<double>(j) + fraction) / static_cast<double>(meshes.size()));
+    };
+    auto import = readGltfKeys(*meshes[j].file, files, options, where, share);
+    if (!import) return atKey(import.error(), static_cast<int>(j));
+    if (!out) {
+      first = import->keyframes;
+      out = std::move(*import);
+      continue;
+    }
+    if (sameKeys(first, import->keyframes)) {
+      ++repeated;
+      continue;
+    }
+    if (Status added = KeyJoiner(*out).add(import->keyframes.faces, std::move(import->keyframes.keys), where); !added)
+      return atKey(added.error(), static_cast<int>(j));
+  }
+  if (repeated + 1 < static_cast<int>(meshes.size())) {
+    for (int key = 0; key < out->keyframes.keyCount(); ++key)
+      if (out->keyframes.keyCount() == static_cast<int>(meshes.size()))
+        out->keyframes.keys[key].name = keyName(*meshes[key].file);
+    setTimesInSeconds(out->keyframes);
+  }
+  if (repeated > 0)
+    out->warnings.push_back(
+        {"repeated-animation",
+         "Some files hold the same animation as " + std::string(baseName(meshes[0].file->name)) + ": it is taken once.",
+         repeated});
+  return std::move(*out);
+}
+
+Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedFiles& series,
+                            std::span<const NamedBytes> files, const ImportOptions& options,
+                            const StageProgress& progress) {
+  Import out;
+  PoseReader reader{files, options};
+  auto mesh = reader.read(meshes[0], placeName(*meshes[0].file, 0, meshes.size()));
+  if (!mesh) return atKey(mesh.error(), 0);
+  hintAtUpAxis(*mesh, meshes[0], options, std::string(baseName(meshes[0].file->name)), mesh->warnings);
+  if (Status added = addPose(std::move(*mesh), "mesh", out, ""); !added) return added.error();
+  const auto n = out.keyframes.vertexCount();
+  const auto frame = [&](std::size_t index) -> Result<Positions> {
+    const std::string where = placeName(*meshes[index].file, static_cast<int>(index), meshes.size());
+    auto pose = reader.read(meshes[index], where);
+    if (!pose) return pose.error();
+    const std::size_t count = pose->positions.size();
+    Import one;
+    one.keyframes = {out.keyframes.faces, {out.keyframes.keys[0]}, {}};
+    if (Status added = KeyJoiner(one).add(pose->faces, {{"", 0, std::move(pose->positions)}}, where); !added)
+      return added.error();
+    if (one.keyframes.vertexCount() != n)
+      return vertexCountMismatch(where, static_cast<int>(index), count, static_cast<std::size_t>(n));
+    return std::move(one.keyframes.keys[1].positions);
+  };
+  const FrameSource source{series.name, series.seconds, frame};
+  const std::string where = std::string(baseName(meshes[0].file->name));
+  if (Status sampled = sampleFrames(source, options, where, out, progress); !sampled) return sampled.error();
+  if (!options.animationAsked())
+    out.warnings.push_back(
+        {"numbered-files",
+         grouped(static_cast<std::int64_t>(meshes.size())) +
+             " numbered files are taken as frames of an animation, 24 a second: " + grouped(out.keyframes.keyCount()) +
+             " evenly spaced ones of them are the keys. Choose others on its timeline (on the "
+             "command line, with --sample).",
+         static_cast<int>(meshes.size())});
+  return out;
+}
+
+Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, std::span<const NamedBytes> files,
+                           const ImportOptions& options, const StageProgress& progress) {
+  const std::string where = placeName(*mesh.file, 0, 1), place = placeName(*moves.file, 0, 1);
+  PoseReader reader{files, options};
+  auto pose = reader.read(mesh, where);
+  if (!pose) return pose.error();
+  const auto cache = moves.kind == FileKind::Pc2 ? readPc2(*moves.file, place) : readMdd(*moves.file, place);
+  if (!cache) return cache.error();
+  if (cache->points != pose->positions.size())
+    return Error{ErrorCode::VertexCountMismatch,
+                 place + " moves " + grouped(static_cast<std::int64_t>(cache->points)) + " points, but " + where +
+                     " has " + grouped(static_cast<std::int64_t>(pose->positions.size())) +
+                     " vertices. Export both from the same object, with the same modifiers."};
+  Import out;
+  hintAtUpAxis(*pose, mesh, options, where, pose->warnings);
+  if (Status added = addPose(std::move(*pose), "mesh", out, where); !added) return added.error();
+  const Axes axes = axesOf(*cache, out.keyframes.keys[0].positions);
+  const bool own = axes == Axes::Identity();
+  const auto frame = [&](std::size_t index) -> Result<Positions> {
+    Positions positions = cache->frame(index);
+    // In axes of its own it is seen as the mesh lies now, else it goes with the mesh.
+    if (own) orient(positions, options.zUp, options.unit);
+    else
+      for (Vec3& p : positions) p = axes * p;
+    return positions;
+  };
+  const FrameSource source{keyName(*moves.file), cache->seconds, frame};
+  if (Status sampled = sampleFrames(source, options, place, out, progress); !sampled) return sampled.error();
+  return out;
+}
+
+}  // namespace shapespline

@@ -1,0 +1,147 @@
+#include "io/import_poses.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "io/base/byte_text.h"
+#include "io/base/objects.h"
+#include "io/import_hints.h"
+#include "io/join_keys.h"
+
+namespace shapespline {
+
+namespace {
+
+// Those of the first list that the second one has, too.
+std::vector<std::string> inBoth(std::vector<std::string> first, const std::vector<std::string>& second) {
+  std::erase_if(first, [&](const std::string& name) { return !holdsObject(second, name); });
+  return first;
+}
+
+Warning leftOutWarning(const std::vector<std::string>& objects, const std::vector<std::string>& taken) {
+  return {"left-out-objects",
+          "Not every file has the same objects. Taken is what all of them have: " + objectList(taken) + ".",
+          static_cast<int>(objects.size() - taken.size())};
+}
+
+// A pose that is of another mesh may only hold other objects, or in another order.
+Status hintAtObjects(Status added, const std::vector<std::string>& objects, const std::vector<std::string>& first) {
+  if (added || objects == first || objects.size() + first.size() < 3) return added;
+  Error error = added.error();
+  error.message += " Its objects are " + objectList(objects) + "; those of key 1 are " + objectList(first) +
+                   ". Leave out what is not in every file (on the command line, --object NAME takes one).";
+  return error;
+}
+
+// What all of the files have, where some have more; else nothing.
+std::vector<std::string> commonObjects(const std::vector<MeshFile>& meshes, std::size_t from, PoseReader reader,
+                                       const std::vector<std::string>& first) {
+  std::vector<std::string> common = first;
+  std::size_t most = first.size();
+  for (std::size_t j = from; j < meshes.size(); ++j) {
+    const auto pose = reader.read(meshes[j], placeName(*meshes[j].file, static_cast<int>(j), meshes.size()));
+    if (!pose) return {};
+    common = inBoth(std::move(common), pose->objects);
+    most = std::max(most, pose->objects.size());
+  }
+  return common.size() < most ? common : std::vector<std::string>();
+}
+
+// `common`: filled where files that are not of one mesh do not hold the same objects.
+Result<Import> readPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
+                         const ImportOptions& options, const StageProgress& progress,
+                         std::vector<std::string>& common) {
+  Import out;
+  PoseReader reader{files, options};
+  FileFacts facts{static_cast<int>(meshes.size()), 0, 0, areAll(meshes, FileKind::Gltf)};
+  std::vector<AnimationInfo> animations;
+  std::vector<Warning> hints;
+  for (std::size_t j = 0; j < meshes.size(); ++j) {
+    const int key = static_cast<int>(j);
+    const std::string where = placeName(*meshes[j].file, key, meshes.size());
+    const auto onPose = [&](double fraction) {
+      if (progress)
+        progress("reading the poses", (static_cast<double>(j) + fraction) / static_cast<double>(meshes.size()));
+    };
+    onPose(0);
+    auto pose = reader.read(meshes[j], where, onPose);
+    if (!pose) return atKey(pose.error(), key);
+    facts.skinned += pose->skinned;
+    facts.animated += !pose->animations.empty();
+    if (j == 0) animations = std::move(pose->animations);
+    if (j == 0) hintAtUpAxis(*pose, meshes[j], options, std::string(baseName(meshes[j].file->name)), hints);
+    if (Status added = addPose(std::move(*pose), keyName(*meshes[j].file), out, where); !added) {
+      if (options.objects.empty()) common = commonObjects(meshes, j, {files, options}, out.objects);
+      return atKey(added.error(), key);
+    }
+  }
+  std::move(hints.begin(), hints.end(), std::back_inserter(out.warnings));
+  setTimesInSeconds(out.keyframes);
+  warnOfSamePoses(facts, out);
+  // Where nothing moves, the keys can be taken from what the files hold besides.
+  const bool still = std::any_of(out.warnings.begin(), out.warnings.end(),
+                                 [](const Warning& warning) { return warning.code == "same-poses"; });
+  if (still && facts.animated == facts.files) out.animations = std::move(animations);
+  return out;
+}
+
+}  // namespace
+
+std::string placeName(const NamedBytes& file, int key, std::size_t keys) {
+  const std::string name(baseName(file.name));
+  return keys > 1 ? name + " (key " + std::to_string(key + 1) + ")" : name;
+}
+
+std::string keyName(const NamedBytes& file) {
+  const std::string_view name = baseName(file.name);
+  return std::string(name.substr(0, name.rfind('.')));
+}
+
+bool areAll(const std::vector<MeshFile>& meshes, FileKind kind) {
+  return std::all_of(meshes.begin(), meshes.end(), [&](const MeshFile& mesh) { return mesh.kind == kind; });
+}
+
+Error atKey(Error error, int key) {
+  error.key = key;
+  return error;
+}
+
+// Of the poses after the first only one is held beside the keys.
+Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where) {
+  if (out.keyframes.keyCount() > 0)
+    return hintAtObjects(KeyJoiner(out).add(pose.faces, {{std::move(name), 0, std::move(pose.positions)}}, where),
+                         pose.objects, out.objects);
+  out.keyframes = {std::move(pose.faces), {{std::move(name), 0, std::move(pose.positions)}}, std::move(pose.normals)};
+  out.scene = std::move(pose.scene);
+  out.warnings = std::move(pose.warnings);
+  out.objects = std::move(pose.objects);
+  return {};
+}
+
+void hintAtUpAxis(const PoseFile& pose, const MeshFile& mesh, const ImportOptions& options, const std::string& where,
+                  std::vector<Warning>& warnings) {
+  const bool silent = mesh.kind == FileKind::Ply || mesh.kind == FileKind::Off;
+  if (silent && !options.zUp && (pose.writtenZUp || standsOnZ(pose.positions, pose.faces)))
+    warnings.push_back(zUpWarning(where, pose.writtenZUp));
+}
+
+void setTimesInSeconds(Keyframes& keyframes) {
+  for (int j = 0; j < keyframes.keyCount(); ++j) keyframes.keys[j].time = j;
+}
+
+Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
+                           const ImportOptions& options, const StageProgress& progress) {
+  std::vector<std::string> common;
+  auto import = readPoses(meshes, files, options, progress, common);
+  if (import || common.empty()) return import;
+  ImportOptions narrowed = options;
+  narrowed.objects = std::exchange(common, {});
+  auto without = readPoses(meshes, files, narrowed, progress, common);
+  if (!without) return import;
+  without->warnings.push_back(leftOutWarning(without->objects, narrowed.objects));
+  without->objects = std::move(narrowed.objects);
+  return without;
+}
+
+}  // namespace shapespline

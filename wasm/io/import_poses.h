@@ -1,0 +1,42 @@
+// Several files, each of which is a key.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "io/base/imported.h"
+#include "io/base/named_bytes.h"
+#include "io/pose_reader.h"
+
+namespace shapespline {
+
+/// How messages call a key's file, the `key`th of `keys`.
+std::string placeName(const NamedBytes& file, int key, std::size_t keys);
+
+/// A key's name: the file's, without folders and ending.
+std::string keyName(const NamedBytes& file);
+
+bool areAll(const std::vector<MeshFile>& meshes, FileKind kind);
+
+/// The error as one of this key.
+Error atKey(Error error, int key);
+
+/// Adds a pose as a key; the first one brings the mesh and the scene. `where` is how messages call its file.
+/// Errors: as KeyJoiner::add, with the objects where the pose has others than the first one.
+Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where);
+
+/// Warns where a file that does not say which axis is up seems to have Z up, and no axis was chosen.
+void hintAtUpAxis(const PoseFile& pose, const MeshFile& mesh, const ImportOptions& options, const std::string& where,
+                  std::vector<Warning>& warnings);
+
+/// Poses say nothing of time: from one to the next it takes a second.
+void setTimesInSeconds(Keyframes& keyframes);
+
+/// Files -> keys, in their order. Files of which some hold objects that others lack (a ground plane) are poses of what
+/// all of them have, with a warning. Errors: of the readers, and of files that are not of one mesh.
+Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
+                           const ImportOptions& options, const StageProgress& progress);
+
+}  // namespace shapespline

@@ -1,0 +1,223 @@
+#include "io/quad_cuts.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace shapespline {
+
+namespace {
+
+using Quad = std::array<int, 4>;  // corners 3 f + c, around; the diagonal joins the first and the third
+
+int pointOf(const std::vector<Triangle>& faces, int corner) { return faces[corner / 3][corner % 3]; }
+
+int nextCorner(int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+
+// The quad of two triangles that have an edge in common, from a corner of f on that edge.
+std::optional<Quad> quadOf(const std::vector<Triangle>& faces, int f, int g) {
+  for (int a = 3 * f; a < 3 * f + 3; ++a)
+    for (int b = 3 * g; b < 3 * g + 3; ++b) {
+      const int c = nextCorner(a), d = nextCorner(b);
+      if (pointOf(faces, a) == pointOf(faces, d) && pointOf(faces, c) == pointOf(faces, b))
+        // f is a c e, g is b d h, with c = b and a = d: around c e a h.
+        return Quad{c, nextCorner(c), a, nextCorner(d)};
+    }
+  return {};
+}
+
+// How exporters start the triangles of a quad: 0-1-2 and 0-2-3 of it, 0-1-3 and 1-2-3, or neither.
+enum class Cut { None, First, Second };
+
+Cut cutOf(const Triangle& f, const Triangle& g) {
+  if (f[0] == g[0] && f[2] == g[1]) return Cut::First;
+  if (f[1] == g[0] && f[2] == g[2]) return Cut::Second;
+  return Cut::None;
+}
+
+// Where the pose cuts a quad the other way than the mesh, its corners take the mesh's order.
+void turnUsualCuts(const std::vector<Triangle>& mesh, const std::vector<Triangle>& pose, std::vector<int>& corners) {
+  for (std::size_t f = 0; f + 1 < mesh.size(); ++f) {
+    const Cut wanted = cutOf(mesh[f], mesh[f + 1]), given = cutOf(pose[f], pose[f + 1]);
+    if (wanted == Cut::None || given == Cut::None || wanted == given) continue;
+    int* c = &corners[3 * f];
+    if (wanted == Cut::First) {
+      const int quad[] = {c[0], c[1], c[4], c[2]};
+      for (const auto& [at, of] : {std::pair{2, 2}, {3, 0}, {4, 2}, {5, 3}}) c[at] = quad[of];
+    } else {
+      const int quad[] = {c[0], c[1], c[2], c[5]};
+      for (const auto& [at, of] : {std::pair{2, 3}, {3, 1}, {4, 2}, {5, 3}}) c[at] = quad[of];
+    }
+    ++f;
+  }
+}
+
+using Pair = std::int64_t;  // of two numbers that are not negative, the first one leading
+
+Pair pairOf(int a, int b) { return static_cast<Pair>(a) << 32 | b; }
+
+// The two lists, and which corner of the pose stands for each of the mesh's as far as that is known.
+struct Match {
+  const std::vector<Triangle>&mesh, &pose;
+  std::vector<int> corners;
+
+  int meshPoint(int corner) const { return pointOf(mesh, corner); }
+  Pair said(int corner, int stands) const { return pairOf(meshPoint(corner), pointOf(pose, stands)); }
+};
+
+// How often other faces say that a point of the mesh is one of the pose.
+class Votes {
+ public:
+  explicit Votes(const Match& match) : match_(match) {
+    for (std::size_t c = 0; c < match.corners.size(); ++c)
+      all_.push_back(match.said(static_cast<int>(c), match.corners[c]));
+    std::sort(all_.begin(), all_.end());
+  }
+
+  // Without what faces f and g say themselves.
+  int of(int corner, int stands, int f, int g) const {
+    const Pair pair = match_.said(corner, stands);
+    const auto [from, to] = std::equal_range(all_.begin(), all_.end(), pair);
+    int count = static_cast<int>(to - from);
+    for (int face : {f, g})
+      for (int c = 3 * face; c < 3 * face + 3; ++c) count -= match_.said(c, match_.corners[c]) == pair;
+    return count;
+  }
+
+ private:
+  const Match& match_;
+  std::vector<Pair> all_;
+};
+
+// Faces with a corner whose point is said to be several points of the pose, or whose point there is said to be several.
+std::vector<bool> disputedFaces(const Match& match) {
+  std::vector<Pair> all;
+  for (std::size_t c = 0; c < match.corners.size(); ++c)
+    all.push_back(match.said(static_cast<int>(c), match.corners[c]));
+  const auto several = [&all](auto swapped) {
+    std::vector<Pair> pairs(all.size());
+    std::transform(all.begin(), all.end(), pairs.begin(), swapped);
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<Pair> firsts;
+    for (std::size_t i = 1; i < pairs.size(); ++i)
+      if (pairs[i] != pairs[i - 1] && pairs[i] >> 32 == pairs[i - 1] >> 32) firsts.push_back(pairs[i] >> 32);
+    return firsts;
+  };
+  const auto first = several([](Pair p) { return p; });
+  const auto second = several([](Pair p) { return pairOf(static_cast<int>(p), static_cast<int>(p >> 32)); });
+  std::vector<bool> disputed(match.mesh.size(), false);
+  for (std::size_t c = 0; c < all.size(); ++c)
+    if (std::binary_search(first.begin(), first.end(), all[c] >> 32) ||
+        std::binary_search(second.begin(), second.end(), static_cast<Pair>(static_cast<int>(all[c]))))
+      disputed[c / 3] = true;
+  return disputed;
+}
+
+struct QuadPair {
+  int f, g;
+  Quad mesh, pose;
+};
+
+// Two disputed faces that are a quad in both lists.
+std::vector<QuadPair> quadPairs(const Match& match, const std::vector<bool>& disputed) {
+  std::vector<std::pair<Pair, int>> sides;
+  for (int c = 0; c < static_cast<int>(match.corners.size()); ++c) {
+    if (!disputed[c / 3]) continue;
+    const int a = match.meshPoint(c), b = match.meshPoint(nextCorner(c));
+    sides.push_back({pairOf(std::min(a, b), std::max(a, b)), c / 3});
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<QuadPair> out;
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const auto [f, g] = std::pair{sides[i - 1].second, sides[i].second};
+    if (sides[i].first != sides[i - 1].first || f == g) continue;
+    const auto mesh = quadOf(match.mesh, f, g), pose = quadOf(match.pose, f, g);
+    if (mesh && pose) out.push_back({f, g, *mesh, *pose});
+  }
+  return out;
+}
+
+// Corners that would stand for others than now, and how many more faces would agree.
+struct Change {
+  int gain;
+  int f, g;
+  std::array<std::pair<int, int>, 6> corners;
+};
+
+// The quad's points around, from another one.
+Change turnedQuad(const Match& match, const Votes& votes, const QuadPair& pair) {
+  const auto& [f, g, mesh, pose] = pair;
+  int now = 0, best = 0, turn = 0;
+  for (int i = 0; i < 4; ++i) now += votes.of(mesh[i], match.corners[mesh[i]], f, g);
+  for (int s = 0; s < 4; ++s) {
+    int sum = 0;
+    for (int i = 0; i < 4; ++i) sum += votes.of(mesh[i], pose[(i + s) % 4], f, g);
+    if (sum > best) best = sum, turn = s;
+  }
+  Change change{best - now, f, g, {}};
+  for (int k = 0; k < 6; ++k) {
+    const int c = 3 * (k < 3 ? f : g) + k % 3;
+    const auto at = std::find_if(mesh.begin(), mesh.end(),
+                                 [&](int corner) { return match.meshPoint(corner) == match.meshPoint(c); });
+    change.corners[k] = {c, pose[(at - mesh.begin() + turn) % 4]};
+  }
+  return change;
+}
+
+// One triangle that starts at another corner.
+Change turnedTriangle(const Match& match, const Votes& votes, int f) {
+  int now = 0, best = 0, turn = 0;
+  for (int c = 3 * f; c < 3 * f + 3; ++c) now += votes.of(c, match.corners[c], f, f);
+  for (int s = 0; s < 3; ++s) {
+    int sum = 0;
+    for (int i = 0; i < 3; ++i) sum += votes.of(3 * f + i, 3 * f + (i + s) % 3, f, f);
+    if (sum > best) best = sum, turn = s;
+  }
+  Change change{best - now, f, f, {}};
+  for (int k = 0; k < 6; ++k) change.corners[k] = {3 * f + k % 3, 3 * f + (k + turn) % 3};
+  return change;
+}
+
+// Makes those that gain, the most first, each face in one of them.
+bool make(std::vector<Change>& changes, Match& match) {
+  std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.gain > b.gain; });
+  std::vector<bool> changed(match.mesh.size(), false);
+  bool any = false;
+  for (const Change& change : changes) {
+    if (change.gain <= 0) break;
+    if (changed[change.f] || changed[change.g]) continue;
+    changed[change.f] = changed[change.g] = any = true;
+    for (const auto& [corner, stands] : change.corners) match.corners[corner] = stands;
+  }
+  return any;
+}
+
+// One round; false where no face would agree better with those around it.
+bool settle(Match& match) {
+  const std::vector<bool> disputed = disputedFaces(match);
+  const Votes votes(match);
+  std::vector<Change> changes;
+  for (const QuadPair& pair : quadPairs(match, disputed)) changes.push_back(turnedQuad(match, votes, pair));
+  if (make(changes, match)) return true;
+  changes.clear();
+  for (int f = 0; f < static_cast<int>(match.mesh.size()); ++f)
+    if (disputed[f]) changes.push_back(turnedTriangle(match, votes, f));
+  return make(changes, match);
+}
+
+constexpr int kRounds = 12;
+
+}  // namespace
+
+std::vector<int> matchCorners(const std::vector<Triangle>& mesh, const std::vector<Triangle>& pose) {
+  Match match{mesh, pose, std::vector<int>(3 * mesh.size())};
+  std::iota(match.corners.begin(), match.corners.end(), 0);
+  turnUsualCuts(mesh, pose, match.corners);
+  for (int round = 0; round < kRounds && settle(match);) ++round;
+  return std::move(match.corners);
+}
+
+}  // namespace shapespline
