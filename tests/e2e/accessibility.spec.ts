@@ -1,14 +1,6 @@
 /** For everyone and everywhere: keyboard alone, 360 px, accessibility, nothing fetched from elsewhere, offline. */
-import { AxeBuilder } from '@axe-core/playwright';
+import { expectAccessible } from './axe.ts';
 import { difference, expect, test } from './support.ts';
-import type { App } from './support.ts';
-
-async function expectAccessible(app: App, rules?: string[]): Promise<void> {
-  const builder = new AxeBuilder({ page: app.page });
-  const { violations } = await (rules ? builder.withRules(rules) : builder).analyze();
-  const grave = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-  expect(grave.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => String(target)).join(' | ')}`)).toEqual([]);
-}
 
 test('axe finds nothing serious on a wide page, with everything open', async ({ app }) => {
   await app.open();

@@ -11,6 +11,9 @@ import { originalOf } from './drawing/original.ts';
 import { createSamplePreviews } from './drawing/sample-previews.ts';
 import { createCommands } from './panels/commands.ts';
 import type { Commands } from './panels/commands.ts';
+import { createGuideDoor } from './guide/guide-door.ts';
+import { factsOf } from './guide/facts.ts';
+import type { Facts } from './guide/guide-page.ts';
 import { createFeedback } from './panels/feedback.ts';
 import type { Feedback } from './panels/feedback.ts';
 import { createLayout } from './panels/layout.ts';
@@ -36,7 +39,10 @@ export function startApp(root: HTMLElement): void {
   const notReopened = createOffer('not-reopened');
   const importOffer = createOffer('import-offer');
   const poseOffer = createOffer('pose-offer');
-  const redraw = (): void => page.redraw();
+  const redraw = (): void => {
+    page.redraw();
+    guide.follow(facts);
+  };
   const viewState = createViewState(redraw);
   const feedback = createFeedback(viewState);
   const session = createSession({
@@ -55,8 +61,37 @@ export function startApp(root: HTMLElement): void {
   const { frameLoop } = display.playback;
   const commands = commandsOf(session, display, viewState);
   const { analysis, onAnalysisError } = analysisOf(session, viewState, feedback);
-  const ways = createWays({ session, display, analysis, viewState, feedback, onOffer: importOffer.offer });
+  const ways = createWays({
+    session,
+    display,
+    analysis,
+    viewState,
+    feedback,
+    onOffer: importOffer.offer,
+    onGuide: (fragment) => void guide.open(fragment).catch(feedback.onError),
+  });
   const { files, remembered, undo, animation } = ways;
+  const visit = (fragment: string): Promise<void> =>
+    openFirst(
+      {
+        files,
+        remembered,
+        onSamples: (samples) => viewState.change({ samples, offline: !navigator.onLine }),
+        onGuide: (page) => guide.open(page),
+        onStopped: notReopened.offer,
+      },
+      fragment,
+    );
+  const guide = createGuideDoor({
+    store,
+    workspace,
+    files,
+    openFirst: () => visit(''),
+    place: layout.setGuide,
+    showPanel: layout.showPanel,
+    pin: (fragment) => ways.link.pin(fragment),
+  });
+  const facts = (): Facts | null => factsOf(viewState.get(), store.get(), scene.labels);
   const previews = createSamplePreviews({
     engine: session.engine,
     viewer: scene.viewer,
@@ -111,6 +146,7 @@ export function startApp(root: HTMLElement): void {
       animation.cancel();
       session.cancel();
     },
+    onEscape: () => void guide.close(),
   });
 
   const takeFewest = async (of: number, percent: number): Promise<void> => {
@@ -145,19 +181,18 @@ export function startApp(root: HTMLElement): void {
   }
 
   const onEdit = (): void => viewState.change({ welcome: false });
-  followState({ session, display, ways, applyLook, onEdit, onOpened: takeFiles.forget, redraw });
+  const onOpened = (): void => {
+    takeFiles.forget();
+    guide.onOpened();
+  };
+  followState({ session, display, ways, applyLook, onEdit, onOpened, redraw });
   listenToPointer((down) => {
     store.hold(down);
     if (!down) frameLoop.settle();
   });
   listenToLeaving(() => remembered.unsaved);
   listenToNetwork((offline) => viewState.change({ offline }));
-  const ready = openFirst({
-    files,
-    remembered,
-    onSamples: (samples) => viewState.change({ samples, offline: !navigator.onLine }),
-    onStopped: notReopened.offer,
-  }).then(() => frameLoop.idle());
+  const ready = visit(location.hash).then(() => frameLoop.idle());
   ready.catch(feedback.onError);
   installTestHook(testHookOf(ready, session, display, files));
   registerServiceWorker((reload) => {

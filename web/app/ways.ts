@@ -32,6 +32,8 @@ export interface WaysParts {
   feedback: Feedback;
   /** What can be done about what an import warns of; null: nothing. */
   onOffer(offer: Offer | null): void;
+  /** The address names a page of the guide. */
+  onGuide(fragment: string): void;
 }
 
 export interface Ways {
@@ -45,7 +47,7 @@ export interface Ways {
   exporting: ExportController;
 }
 
-export function createWays({ session, display, analysis, viewState, feedback, onOffer }: WaysParts): Ways {
+export function createWays({ session, display, analysis, viewState, feedback, onOffer, onGuide }: WaysParts): Ways {
   const { engine, store, workspace, sequence, range } = session;
   const { scene, playback } = display;
   const { say, onStart, onWorking, onError } = feedback;
@@ -88,6 +90,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     say,
     initial: () => viewState.get().initial,
     onLink: (to) => void files.sample(to.sample, to),
+    onGuide,
   });
   const exporting = createExportController({
     store,

@@ -73,6 +73,12 @@ export function createHelp(
       'Open two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Cubic splines run through rotations and stretches, not through positions, so that the shape bends and twists and hardly shrinks.',
     ),
     h('p', {}, 'Your files stay on your machine.'),
+    h(
+      'p',
+      {},
+      h('a', { href: '#tour=1', 'data-testid': 'help-tour', onclick: () => element.close() }, 'Take the tour'),
+      ': ten steps through the method, each a state of this page. What is open now comes back after it.',
+    ),
     h('h3', {}, 'Mouse and touch'),
     lines(GESTURES, 'gestures'),
     h('h3', {}, 'Keyboard'),

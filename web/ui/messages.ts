@@ -159,6 +159,7 @@ export function createWelcome(onPick: () => void): {
     'div',
     { class: 'welcome', 'data-testid': 'welcome', hidden: true },
     h('p', {}, claim, ' ', rest),
+    h('a', { class: 'button', href: '#tour=1', 'data-testid': 'welcome-tour' }, 'Take the tour'),
     button({
       label: 'Choose files',
       testId: 'welcome-open',

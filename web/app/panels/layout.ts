@@ -22,6 +22,10 @@ export interface Layout {
   /** The viewer puts its canvas in here; takes the keyboard. */
   viewport: HTMLElement;
   mount(root: HTMLElement, parts: LayoutParts): void;
+  /** Puts the guide's panel beside the viewport; null takes it away. */
+  setGuide(panel: HTMLElement | null): void;
+  /** Brings a panel in sight, where they stand beside the viewport. */
+  showPanel(name: PanelName): void;
   /** Pixels that bars and words take at the top and the bottom of each of so many views. */
   covered(views: number): { top: number; bottom: number };
 }
@@ -29,10 +33,13 @@ export interface Layout {
 /** Title and measures over a view; the line in words above the buttons, on a small screen. */
 const TILE_LABEL_PX = 54;
 const PHASE_PX = 34;
+/** The row of the panels' names. */
+const SIDE_NAV_PX = 41;
 /** A panel's heading this near to the top is where one is. */
 const NEAR_PX = 24;
 
-type Sheet = 'keys' | 'motion' | 'shape' | 'analysis';
+export type PanelName = 'motion' | 'shape' | 'analysis';
+type Sheet = 'keys' | PanelName;
 
 const SHEETS: readonly { name: Sheet; label: string; icon: IconName }[] = [
   { name: 'keys', label: 'Keys', icon: 'keys' },
@@ -64,11 +71,21 @@ export function createLayout(): Layout {
       bottom: buttons + (small ? PHASE_PX : 0),
     };
   };
+  let app: HTMLElement | null = null;
   return {
     viewport,
     covered,
+    setGuide(panel) {
+      app?.querySelector('.guide')?.remove();
+      if (panel) app?.querySelector('main')?.before(panel);
+      if (app) setAttribute(app, 'data-guide', panel !== null);
+    },
+    showPanel(name) {
+      const panel = app?.querySelector<HTMLElement>(`[data-testid="panel-${name}"]`);
+      panel?.closest('.side')?.scrollTo({ top: panel.offsetTop - SIDE_NAV_PX });
+    },
     mount(root, parts) {
-      const app = h(
+      app = h(
         'div',
         { class: 'app' },
         parts.header,

@@ -40,6 +40,8 @@ export interface PageParts {
   onRemember(): void;
   /** Ends the work under way. */
   onCancel(): void;
+  /** Escape was pressed, and neither work nor a message is there to end. */
+  onEscape(): void;
   onTake(animation: number, times: number[]): void;
   onFewest(animation: number, percent: number): void;
   onOriginal(shown: boolean): void;
@@ -72,7 +74,12 @@ export function createPage(parts: PageParts): Page {
     nextTheme: theme.next,
     undo: undo.undo,
     redo: undo.redo,
-    escape: () => (viewState.get().working ? onCancel() : closeError()),
+    escape() {
+      const { working, errorMessage } = viewState.get();
+      if (working) onCancel();
+      else if (errorMessage) closeError();
+      else parts.onEscape();
+    },
   });
   const components = createComponents({
     root: parts.root,

@@ -64,19 +64,21 @@ export interface OpenFilesParts {
 export interface OpenFiles {
   /** Resolve to whether what was asked for is open now. */
   sample(id: string, link?: Permalink | null): Promise<boolean>;
+  /** Opens what a link names, without a step that undo goes back over. */
+  show(link: Permalink): Promise<boolean>;
   /** Does with the files what `work` says, unless other ones are asked for before they are there. */
   run(files: PickedFile[] | Promise<PickedFile[]>, work: (files: PickedFile[]) => Promise<boolean>): Promise<boolean>;
   /** Opens them as the keys of a motion. To be run; fails where they are not. */
   open(files: readonly PickedFile[]): Promise<boolean>;
   /** Adds their poses before the key `place`, by default after the last. To be run; fails on another mesh. */
   addPoses(files: readonly PickedFile[], place?: number | null): Promise<number | null>;
-  /** Opens what an earlier visit left, or this one. */
-  again(left: Remembered | Work): Promise<boolean>;
+  /** Opens what an earlier visit left, or this one; quietly: without a step that undo goes back over. */
+  again(left: Remembered | Work, how?: { quietly: boolean }): Promise<boolean>;
   /** What was open before this, as it was left; opening is undone by it. */
   back(): Promise<boolean>;
   /** Redoes that. */
   forth(): Promise<boolean>;
-  readonly openings: Readonly<Pick<Openings, 'before' | 'after' | 'all'>>;
+  readonly openings: Readonly<Pick<Openings, 'before' | 'after' | 'all' | 'left'>>;
   /** Takes the keys anew, at these seconds of the animation's own timeline. */
   resample(animation: number, times: number[]): Promise<boolean>;
   /** Takes the keys from the animation that the files hold themselves, at the times that are taken by default. */
@@ -107,8 +109,10 @@ interface Request {
   /** The same mesh: time, view and playing go on. */
   stays?: boolean;
   /** What is left for it, and how that is found again; by default, by undoing. */
-  onLeft?(work: Work): void;
+  onLeft?: ((work: Work) => void) | undefined;
 }
+
+const forgotten = (): void => undefined;
 
 export function createOpenFiles({
   engine,
@@ -221,6 +225,35 @@ export function createOpenFiles({
   const stepTo = async (work: Work | null, onLeft: (work: Work) => void): Promise<boolean> =>
     work !== null && (await again(work, onLeft));
 
+  const openSample = (id: string, link: Permalink | null, onLeft?: (work: Work) => void): Promise<boolean> =>
+    guarded(async () => {
+      const sample = samples().find((one) => one.id === id);
+      if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
+      fetching.abort();
+      fetching = new AbortController();
+      const { signal } = fetching;
+      const input = await fetchSample(sample, signal).catch((error: unknown) => {
+        if (signal.aborted) return null;
+        throw error;
+      });
+      if (!input || signal.aborted) return false;
+      const options = sample.times ? { keyTimes: sample.times } : {};
+      const request = {
+        input,
+        options,
+        source: { kind: 'sample', id },
+        project: null,
+        adjust: (doc: Doc) => ofSample(doc, sample),
+        onLeft,
+      } as const;
+      return open({ ...request, link }).catch(async (error: unknown) => {
+        // What the engine refuses of a link must not keep the sample closed.
+        if (!link || isCancelled(error) || !(await open({ ...request, link: null }))) throw error;
+        onError(error);
+        return true;
+      });
+    });
+
   const openFiles = (files: readonly PickedFile[]): Promise<boolean> =>
     open({
       input: (report, signal) => readFiles(files, report, signal),
@@ -232,33 +265,8 @@ export function createOpenFiles({
     });
 
   const opener: OpenFiles = {
-    sample: (id, link = null) =>
-      guarded(async () => {
-        const sample = samples().find((one) => one.id === id);
-        if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
-        fetching.abort();
-        fetching = new AbortController();
-        const { signal } = fetching;
-        const input = await fetchSample(sample, signal).catch((error: unknown) => {
-          if (signal.aborted) return null;
-          throw error;
-        });
-        if (!input || signal.aborted) return false;
-        const options = sample.times ? { keyTimes: sample.times } : {};
-        const request = {
-          input,
-          options,
-          source: { kind: 'sample', id },
-          project: null,
-          adjust: (doc: Doc) => ofSample(doc, sample),
-        } as const;
-        return open({ ...request, link }).catch(async (error: unknown) => {
-          // What the engine refuses of a link must not keep the sample closed.
-          if (!link || isCancelled(error) || !(await open({ ...request, link: null }))) throw error;
-          onError(error);
-          return true;
-        });
-      }),
+    sample: (id, link = null) => openSample(id, link),
+    show: (link) => openSample(link.sample, link, forgotten),
     run: (given, work) =>
       guarded(async () => {
         fetching.abort();
@@ -277,7 +285,7 @@ export function createOpenFiles({
         onWorking(null);
       }
     },
-    again: (left) => guarded(() => again(left)),
+    again: (left, how) => guarded(() => again(left, how?.quietly ? forgotten : undefined)),
     back: () => guarded(async () => stepTo(openings.before, (work) => openings.steppedBack(work))),
     forth: () => guarded(async () => stepTo(openings.after, (work) => openings.steppedForth(work))),
     openings,

@@ -5,6 +5,7 @@
 import type { Offer } from '../../ui/messages.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { OpenFiles } from './open-files.ts';
+import { guideLink } from './page-link.ts';
 import { readPermalink } from './permalink.ts';
 import type { RememberedFiles } from '../kept/remembered-files.ts';
 import { fetchSamples } from './samples.ts';
@@ -18,16 +19,23 @@ export interface OpenFirstParts {
   files: OpenFiles;
   remembered: RememberedFiles;
   onSamples(samples: readonly Sample[]): void;
+  /** The link names a page of the guide. */
+  onGuide(fragment: string): Promise<unknown>;
   /**
    * An earlier visit ended while it opened these files: they may end this one, too, so that they are opened on demand.
    */
   onStopped(offer: Offer): void;
 }
 
-export async function openFirst({ files, remembered, onSamples, onStopped }: OpenFirstParts): Promise<void> {
-  const named = readPermalink(location.hash);
+export async function openFirst(
+  { files, remembered, onSamples, onGuide, onStopped }: OpenFirstParts,
+  fragment: string,
+): Promise<void> {
+  const named = readPermalink(fragment);
+  const page = guideLink(fragment);
   const [samples, kept] = await Promise.all([fetchSamples(), remembered.recall()]);
   onSamples(samples);
+  if (page && (await onGuide(page))) return;
   const isFirstVisit = !named && readSetting(VISITED) === null;
   if (!named) writeSetting(VISITED, '1');
   const [left] = named ? [] : kept;

@@ -11,18 +11,28 @@ export interface PageLinkParts {
   say(text: string): void;
   /** The address names another state. */
   onLink(link: Permalink): void;
+  /** The address names a page of the guide. */
+  onGuide(fragment: string): void;
 }
 
 export interface PageLink {
   /** The state has changed. */
   follow(): void;
   copy(): Promise<void>;
+  /** Keeps a fragment in the address, whatever the state becomes; null: no longer. */
+  pin(fragment: string | null): void;
+}
+
+/** The page of the guide that a fragment names, or null. */
+export function guideLink(fragment: string): string | null {
+  return /^#?(tour=\d+|figure=\w+)$/.exec(fragment)?.[1] ?? null;
 }
 
 const WRITE_DELAY_MS = 300;
 
-export function createPageLink({ store, initial, say, onLink }: PageLinkParts): PageLink {
+export function createPageLink({ store, initial, say, onLink, onGuide }: PageLinkParts): PageLink {
   let timer = 0;
+  let pinned: string | null = null;
 
   const text = (): string | null => {
     const doc = initial();
@@ -30,15 +40,17 @@ export function createPageLink({ store, initial, say, onLink }: PageLinkParts): 
   };
 
   window.addEventListener('hashchange', () => {
+    const page = guideLink(location.hash);
     const link = readPermalink(location.hash);
-    if (link) onLink(link);
+    if (page) onGuide(page);
+    else if (link) onLink(link);
   });
 
   return {
     follow() {
       window.clearTimeout(timer);
       timer = window.setTimeout(() => {
-        const link = text();
+        const link = pinned ?? text();
         history.replaceState(null, '', link ? `#${link}` : location.pathname + location.search);
       }, WRITE_DELAY_MS);
     },
@@ -53,6 +65,10 @@ export function createPageLink({ store, initial, say, onLink }: PageLinkParts): 
         history.replaceState(null, '', url);
         say('The link is in the address bar now.');
       }
+    },
+    pin(fragment) {
+      pinned = fragment;
+      this.follow();
     },
   };
 }

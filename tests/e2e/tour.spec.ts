@@ -1,0 +1,132 @@
+/** The tour: each step is a state of the app, reached by its link and by turning pages; nothing of the reader's is lost. */
+import { TOUR } from '../../web/app/guide/tour.ts';
+import { readPermalink } from '../../web/app/sources/permalink.ts';
+import { expectAccessible } from './axe.ts';
+import type { App } from './support.ts';
+import { expect, test } from './support.ts';
+
+const QUAD = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
+const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(QUAD(x)) });
+
+const title = (app: App) => app.by('guide').getByRole('heading');
+const fragment = (app: App): string => new URL(app.page.url()).hash;
+
+/** The page of the guide, with the state that its link names. */
+async function expectStep(app: App, index: number): Promise<void> {
+  const step = TOUR[index]!;
+  const link = readPermalink(step.state)!;
+  await expect(title(app)).toHaveText(step.title);
+  await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: link.sample });
+  await app.settled();
+  const { doc, view, play, time } = await app.state();
+  expect(view.compare).toEqual(link.view.compare ?? []);
+  expect(view.colouring).toBe(link.view.colouring ?? view.colouring);
+  expect(play.between).toEqual(link.between);
+  expect(time).toBe(link.time);
+  expect(doc.motion.boundary).toBe(link.motion.boundary ?? 'natural');
+  if (link.keys) expect(doc.keys.map(({ pose, time: at }) => [pose, at])).toEqual(link.keys);
+  expect(fragment(app)).toBe(`#${step.link}`);
+}
+
+test('goes from the first step to the last by turning pages, and back', async ({ app }) => {
+  test.slow();
+  await app.open();
+  await app.by('help').click();
+  await app.by('help-tour').click();
+  for (const [index] of TOUR.entries()) {
+    await expectStep(app, index);
+    if (index < TOUR.length - 1) await app.by('guide-next').click();
+  }
+  await expect(app.by('guide-next')).toBeHidden();
+  await app.page.goBack();
+  await expectStep(app, 8);
+  await app.by('guide-previous').click();
+  await expectStep(app, 7);
+  await app.expectNoProblems();
+});
+
+for (const [index, step] of TOUR.entries())
+  test(`step ${index + 1} is reached by its link: ${step.title}`, async ({ app }) => {
+    await app.open({ hash: `#${step.link}` });
+    await expectStep(app, index);
+    await app.expectNoProblems();
+  });
+
+test('its numbers are those of the engine', async ({ app }) => {
+  await app.open({ hash: '#tour=3' });
+  const { patches } = await app.stats();
+  await expect(app.by('guide-live')).toHaveText(`20,568 faces in ${patches.toLocaleString('en')} patches.`);
+  await app.by('guide-previous').click();
+  await expectStep(app, 1);
+  await app.setTime(0.25);
+  const volumes = await app.page.locator('.tile-label').allTextContents();
+  const [ours, blended] = volumes.map((text) => Math.round(Number(/volume ([\d.]+)\s%/.exec(text)![1])));
+  expect(blended).toBeLessThan(60);
+  await expect(app.by('guide-live')).toHaveText(`Volume now: ${blended} % blended, ${ours} % in shape space.`);
+});
+
+test('what was open before comes back with its edits, and undo knows nothing of the tour', async ({ app }) => {
+  await app.open();
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.by('boundary-hermite').check();
+  await app.settled();
+  const before = await app.state();
+  await app.page.evaluate(() => (location.hash = '#tour=4'));
+  await expectStep(app, 3);
+  await app.by('guide-next').click();
+  await expectStep(app, 4);
+  await app.page.keyboard.press('Escape');
+  await expect(app.by('guide')).toHaveCount(0);
+  await expect.poll(async () => (await app.state()).source).toEqual(before.source);
+  await app.settled();
+  expect((await app.state()).doc).toEqual(before.doc);
+  await app.by('undo').click();
+  await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('natural');
+  await expect(app.by('undo')).toHaveAttribute('title', /open a\.obj/);
+});
+
+test('files that are opened during the tour end it, and stay', async ({ app }) => {
+  await app.open({ hash: '#tour=1' });
+  await expectStep(app, 0);
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await expect(app.by('guide')).toHaveCount(0);
+  await app.settled();
+  expect((await app.state()).doc.keys).toHaveLength(2);
+  expect(fragment(app)).not.toContain('tour');
+});
+
+test('a visit that came by a link of the tour goes on with the first sample', async ({ app }) => {
+  await app.open({ hash: '#tour=2' });
+  await expectStep(app, 1);
+  await app.by('guide-close').click();
+  await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
+});
+
+test('a link to no step opens the page as usual', async ({ app }) => {
+  await app.open({ hash: '#tour=11' });
+  await expect(app.by('guide')).toHaveCount(0);
+  expect((await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
+  await app.expectNoProblems();
+});
+
+test('axe finds nothing in it, wide and on a phone, light and dark', async ({ app }) => {
+  await app.open({ hash: '#tour=2' });
+  for (const [width, height] of [
+    [1440, 900],
+    [1024, 768],
+    [360, 740],
+  ] as const) {
+    await app.page.setViewportSize({ width, height });
+    for (const colorScheme of ['light', 'dark'] as const) {
+      await app.page.emulateMedia({ colorScheme });
+      await expectAccessible(app);
+      const shape = (await app.by('viewport').boundingBox())!;
+      const guide = (await app.by('guide').boundingBox())!;
+      expect(shape.height).toBeGreaterThan(0.28 * height);
+      const apart = guide.x + guide.width <= shape.x + 1 || guide.y >= shape.y + shape.height - 1;
+      expect(apart, 'the guide covers nothing of the shape').toBe(true);
+    }
+  }
+});

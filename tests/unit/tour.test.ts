@@ -1,0 +1,26 @@
+import { describe, expect, it } from 'vitest';
+import { TOUR } from '../../web/app/guide/tour.ts';
+import { guideLink } from '../../web/app/sources/page-link.ts';
+import { readPermalink } from '../../web/app/sources/permalink.ts';
+
+describe('the tour', () => {
+  it('has ten steps, each a link of its own', () => {
+    expect(TOUR.map(({ link }) => guideLink(`#${link}`))).toEqual(TOUR.map(({ link }) => link));
+    expect(new Set(TOUR.map(({ link }) => link)).size).toBe(10);
+    expect(guideLink('#sample=cactus&tour=1')).toBeNull();
+  });
+
+  it.each(TOUR.map((step) => [step.title, step] as const))('%s: says it in 25 to 60 words', (_, { text, sentence }) => {
+    const words = text.split(/\s+/).length;
+    expect(words).toBeGreaterThanOrEqual(25);
+    expect(words).toBeLessThanOrEqual(60);
+    expect(sentence).toMatch(/\.$/);
+  });
+
+  it.each(TOUR.map((step) => [step.title, step] as const))('%s: its state is a link that plays', (_, { state }) => {
+    const link = readPermalink(state)!;
+    expect(link.unfit).toEqual([]);
+    expect(link.playing).toBe(true);
+    expect(link.between![0]).toBeLessThanOrEqual(link.time!);
+  });
+});

@@ -1,0 +1,18 @@
+/** The numbers that pages of the guide tell. */
+import type { AppState } from '../../model/state.ts';
+import type { TileLabel } from '../../ui/view-bar.ts';
+import type { ViewState } from '../panels/view-state.ts';
+import type { Facts } from './guide-page.ts';
+
+/** null while nothing is open or nothing is known of it. */
+export function factsOf({ info, stats, ms }: ViewState, { doc }: AppState, labels: readonly TileLabel[]): Facts | null {
+  if (!info || !stats) return null;
+  return {
+    keys: doc.keys.length,
+    faces: info.report.faces,
+    patches: stats.patches,
+    volumes: labels.map(({ volume }) => volume),
+    stats,
+    ms,
+  };
+}

@@ -1,0 +1,38 @@
+/** One page of the guide: a state of the app, and what is said of it. */
+import type { SequenceStats } from '../../engine/api/types.ts';
+import type { Formula } from '../../ui/guide-panel.ts';
+import type { PanelName } from '../panels/layout.ts';
+
+/** Numbers of what is shown, as the engine has them; null while it computes. */
+export interface Facts {
+  keys: number;
+  faces: number;
+  patches: number;
+  /** Volume in whole percent of the first key's, of this method and of the one beside it. */
+  volumes: readonly string[];
+  stats: SequenceStats;
+  /** Milliseconds of the last exact frame. */
+  ms: number | null;
+}
+
+export interface GuidePage {
+  /** The fragment of its link, without '#'. */
+  link: string;
+  title: string;
+  /** The state of the app, as a link has it. */
+  state: string;
+  /** The options or plots that it speaks of. */
+  panel?: PanelName;
+  /** What is seen: a few sentences. */
+  text: string;
+  /** What the reader does. */
+  task: string;
+  /** What is to be remembered of it. */
+  sentence: string;
+  /** Numbers from the engine, in words. */
+  live?(facts: Facts): string;
+  formula?: Formula;
+  more?: string;
+  /** A page of its own that it speaks of. */
+  beside?: { label: string; href: string };
+}

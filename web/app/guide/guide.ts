@@ -1,0 +1,102 @@
+/**
+ * The guide: pages that are states of the app, told of by their links. What was open before comes back when it is left,
+ * unless the reader has opened something else meanwhile.
+ */
+import { createGuidePanel } from '../../ui/guide-panel.ts';
+import type { Work } from '../kept/work.ts';
+import { currentWork } from '../kept/work.ts';
+import type { PanelName } from '../panels/layout.ts';
+import type { Store } from '../session/store.ts';
+import type { Workspace } from '../session/workspace.ts';
+import type { OpenFiles } from '../sources/open-files.ts';
+import { readPermalink } from '../sources/permalink.ts';
+import type { Facts, GuidePage } from './guide-page.ts';
+import { TOUR } from './tour.ts';
+
+export interface GuideParts {
+  store: Store;
+  workspace: Workspace;
+  files: OpenFiles;
+  /** Where its panel stands; null takes it away. */
+  place(panel: HTMLElement | null): void;
+  /** Brings options or plots in sight. */
+  showPanel(name: PanelName): void;
+  /** Opens what a visit starts with. */
+  openFirst(): Promise<void>;
+  /** The address keeps this fragment; null: it follows the state. */
+  pin(fragment: string | null): void;
+}
+
+export interface Guide {
+  /** Turns to the page of a link; false where there is none. */
+  open(fragment: string): Promise<boolean>;
+  /** Gives back what was open before. */
+  close(): Promise<void>;
+  /** Something was opened: where it is not of the guide, the guide is over. */
+  onOpened(): void;
+  /** What is shown has changed. */
+  setFacts(facts: Facts | null): void;
+  readonly isOpen: boolean;
+}
+
+export function createGuide({ store, workspace, files, openFirst, place, showPanel, pin }: GuideParts): Guide {
+  let page: GuidePage | null = null;
+  /** It is opening a page of its own. */
+  let turning = 0;
+  /** What was open before the first page. */
+  let before: Work | null = null;
+  const panel = createGuidePanel(() => void guide.close());
+
+  const leave = (): void => {
+    page = null;
+    before = null;
+    place(null);
+    pin(null);
+  };
+
+  const guide: Guide = {
+    async open(fragment) {
+      const wanted = TOUR.find(({ link }) => link === fragment);
+      const state = wanted && readPermalink(wanted.state);
+      if (!wanted || !state) return false;
+      if (!page) before = currentWork(store, workspace);
+      page = wanted;
+      pin(wanted.link);
+      panel.show(shown(wanted));
+      place(panel.element);
+      if (wanted.panel) showPanel(wanted.panel);
+      turning += 1;
+      await files.show(state).finally(() => (turning -= 1));
+      return true;
+    },
+    async close() {
+      const left = before;
+      if (!page) return;
+      leave();
+      await (left ? files.again(left, { quietly: true }) : openFirst());
+    },
+    onOpened() {
+      if (!page || turning > 0) return;
+      if (before) files.openings.left(before);
+      leave();
+    },
+    setFacts(facts) {
+      if (page) panel.setLive((facts && page.live?.(facts)) ?? '');
+    },
+    get isOpen() {
+      return page !== null;
+    },
+  };
+  return guide;
+}
+
+function shown(page: GuidePage): Parameters<ReturnType<typeof createGuidePanel>['show']>[0] {
+  const index = TOUR.indexOf(page);
+  const { title, text, task, sentence, formula = null, more = null, beside = null } = page;
+  return {
+    ...{ title, text, task, sentence, formula, more, beside },
+    place: `Tour, ${index + 1} of ${TOUR.length}`,
+    previous: TOUR[index - 1] ?? null,
+    next: TOUR[index + 1] ?? null,
+  };
+}

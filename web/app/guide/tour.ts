@@ -1,0 +1,118 @@
+/** The tour: ten steps from poses to the plane of shapes. */
+import type { GuidePage } from './guide-page.ts';
+
+const milliseconds = (ms: number): string => `${ms < 10 ? ms.toFixed(1) : ms.toFixed(0)} ms`;
+const grouped = (count: number): string => count.toLocaleString('en');
+
+const STEPS: readonly Omit<GuidePage, 'link'>[] = [
+  {
+    title: 'Three poses, one motion',
+    state: 'sample=cactus&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
+    text: 'Somebody made three poses of a cactus, at 0, 0.5 and 1. Everything else that you see was found: the shapes between them, and those before the first and after the last.',
+    task: 'Drag the time, also past both ends.',
+    sentence: 'Blue shapes were given, green ones are computed between them, yellow ones beyond.',
+    live: ({ keys, faces }) => `${keys} keys of ${grouped(faces)} faces.`,
+  },
+  {
+    title: 'Why not simply blend?',
+    state: 'sample=twisted-bar&compare=linear&between=0,0.5&t=0.25&loop=bounce&play=1',
+    text: 'Two poses of a bar differ by half a turn. The plainest thing is to move every vertex on a straight line from one to the other. How much of the bar is left halfway? Guess first.',
+    task: 'Drag the time to the middle, 0.25, and compare the two volumes.',
+    sentence: 'Blending positions moves every point on a straight line, so a bend loses volume.',
+    live: ({ volumes: [ours, blended] }) =>
+      ours && blended ? `Volume now: ${blended} blended, ${ours} in shape space.` : '',
+    formula: {
+      math: '<mrow><mi>p</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>=</mo><mo>(</mo><mn>1</mn><mo>−</mo><mi>t</mi><mo>)</mo><msub><mi>p</mi><mn>0</mn></msub><mo>+</mo><mi>t</mi><msub><mi>p</mi><mn>1</mn></msub></mrow>',
+      words: 'A blend of positions: so much of the one point, so much of the other.',
+    },
+    more: 'A point on the outside of a half turn goes straight through the axis, where all others meet it.',
+  },
+  {
+    title: 'What a shape is made of',
+    state: 'sample=cactus&colour=patches&between=0,1&t=0&loop=bounce&play=1',
+    text: 'The surface is cut into patches. Of each pair of neighbours only the rotation from one to the other is kept, and of each face how it turns and stretches in its patch. Nothing says where the shape stands.',
+    task: 'Turn the shape, and look at how far neighbouring colours turn against each other.',
+    sentence: 'Describe a shape by how neighbouring parts turn and stretch, and it no longer matters where it stands.',
+    live: ({ faces, patches }) => `${grouped(faces)} faces in ${grouped(patches)} patches.`,
+    formula: {
+      math: '<mrow><msub><mi>R</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><msubsup><mi>R</mi><mi>i</mi><mi>T</mi></msubsup><msub><mi>R</mi><mi>j</mi></msub></mrow>',
+      words: 'The rotation from patch i to patch j: turn the whole shape, and it stays the same.',
+    },
+  },
+  {
+    title: 'Adding up along the body',
+    state: 'sample=twisted-bar&keys=0@0,1@1&turns=0,1&between=0,1&t=0&loop=bounce&play=1',
+    text: 'Two keys: a straight bar and one with half a turn. The motion here twists by a turn and a half, 540 degrees, because a whole turn was added to the second key. No pair of neighbours turns far, but all of them together do.',
+    task: 'Open the second key under the timeline, and change its added turns.',
+    sentence: 'Small turns add up along the body; but two keys cannot say how often.',
+  },
+  {
+    title: 'The corner at a key',
+    panel: 'analysis',
+    state: 'sample=cactus&compare=geodesic&between=0,1&t=0&loop=bounce&play=1',
+    text: 'On the right the cactus goes from key to key on the shortest way, a geodesic. It is straight between two keys, and has a corner at the middle one: there it changes direction at once.',
+    task: 'Look at 0.5, and at the bending under Analysis.',
+    sentence: 'Straight from key to key is shortest, and turns sharply at each key.',
+    formula: {
+      math: '<mrow><mi>E</mi><mo>(</mo><mi>s</mi><mo>)</mo><mo>=</mo><munderover><mo>∫</mo><mn>0</mn><mn>1</mn></munderover><msup><mrow><mo>‖</mo><msup><mi>s</mi><mo>″</mo></msup><mo>(</mo><mi>t</mi><mo>)</mo><mo>‖</mo></mrow><mn>2</mn></msup><mi>d</mi><mi>t</mi></mrow>',
+      words: 'The bending energy of a motion: how much its speed changes, squared and added up over time.',
+    },
+  },
+  {
+    title: 'The bent ruler',
+    state: 'sample=cactus&between=0,1&t=0&loop=bounce&play=1',
+    text: 'Hold a thin ruler at a few nails and let it bend as it likes: it takes the shape that bends least in total. Every coordinate of the shape runs on such a curve, a cubic spline.',
+    task: 'Open the playground, and drag a value up and down.',
+    sentence: 'The smoothest curve through the keys bends least in total, and one tiny system finds it.',
+    formula: {
+      math: '<mrow><munder><mi>min</mi><mi>f</mi></munder><munderover><mo>∫</mo><mn>0</mn><mn>1</mn></munderover><msup><mrow><mo>|</mo><msup><mi>f</mi><mo>″</mo></msup><mo>(</mo><mi>t</mi><mo>)</mo><mo>|</mo></mrow><mn>2</mn></msup><mi>d</mi><mi>t</mi></mrow>',
+      words: 'Of all curves through the values, the one whose second derivative is least in total.',
+    },
+    beside: { label: 'Open the playground', href: './play.html' },
+  },
+  {
+    title: 'The ends',
+    panel: 'motion',
+    state:
+      'sample=cactus&boundary=hermite&startSpeed=2&endSpeed=2&between=-0.2,1.2&t=0&loop=bounce&colour=phase&play=1',
+    text: 'Inside, the keys say it all. At the ends somebody has to choose: “Free” lets the motion run out straight, “Ease” gives it a speed there, “Loop” joins the last key to the first.',
+    task: 'Drag a handle at an end of the timeline; then choose Free and Loop under Motion.',
+    sentence: 'What happens at the ends is a choice: free, a given speed, or a closed loop.',
+  },
+  {
+    title: 'Beyond the keys',
+    panel: 'shape',
+    state: 'sample=cactus&colour=phase&between=1,2.4&t=1&loop=bounce&play=1',
+    text: 'Past its last key the motion goes on as fast as it was. Turns may go on like that. A stretch may not: what shrinks by the same amount again and again is nothing one day, and then turns inside out.',
+    task: 'Go far out, and choose between linear and logarithmic stretch under Shape.',
+    sentence: 'Past the last key the curve goes on straight; stretch must be counted in ratios there.',
+    formula: {
+      math: '<mrow><mi>f</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>=</mo><mi>f</mi><mo>(</mo><mn>1</mn><mo>)</mo><mo>+</mo><mo>(</mo><mi>t</mi><mo>−</mo><mn>1</mn><mo>)</mo><msup><mi>f</mi><mo>′</mo></msup><mo>(</mo><mn>1</mn><mo>)</mo></mrow>',
+      words: 'After the last key: from there on straight, with the speed that it had.',
+    },
+  },
+  {
+    title: 'The plane of shapes',
+    panel: 'analysis',
+    state: 'sample=cactus&compare=geodesic&between=-0.2,1.2&t=0&loop=bounce&play=1',
+    text: 'Three shapes span a plane, as three points do. In it the spline is a curve and the geodesic a polygon. A point of the plane that lies on neither is a shape, too: so much of each key.',
+    task: 'Under Analysis, drag the point off the curve, or draw a path.',
+    sentence: 'Every mixture of the keys is a shape; a motion is a path among them.',
+    formula: {
+      math: '<mrow><mi>s</mi><mo>=</mo><munder><mo>∑</mo><mi>k</mi></munder><msub><mi>w</mi><mi>k</mi></msub><msub><mi>s</mi><mi>k</mi></msub><mo>,</mo><mspace width="0.6em"/><munder><mo>∑</mo><mi>k</mi></munder><msub><mi>w</mi><mi>k</mi></msub><mo>=</mo><mn>1</mn></mrow>',
+      words: 'A shape is so much of each key; the shares add up to one, and may be negative.',
+    },
+  },
+  {
+    title: 'Two systems, factored once',
+    state: 'sample=octopus&between=0,1.5&t=0&loop=bounce&play=1',
+    text: 'From coordinates back to a shape is two steps: the rotations of all patches, then all vertices. Each is one large linear system that never changes while the time does, so that it is prepared once.',
+    task: 'Open poses of your own, and export the motion.',
+    sentence: 'Rotations first, points second, both prepared once: that is why the slider is live.',
+    live: ({ stats, ms, faces }) =>
+      `${grouped(faces)} faces: prepared in ${milliseconds(stats.encodeMs + stats.orderMs + stats.factorMs)}` +
+      (ms === null ? '.' : `, each frame in ${milliseconds(ms)}.`),
+  },
+];
+
+export const TOUR: readonly GuidePage[] = STEPS.map((step, index) => ({ ...step, link: `tour=${index + 1}` }));

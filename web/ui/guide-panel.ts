@@ -1,0 +1,96 @@
+/** A page of the guide beside the app: what is seen, what to do, one sentence to keep, and the ways on. */
+import { button } from './controls.ts';
+import { h, setHidden, setText } from './dom.ts';
+
+/** A formula as MathML, and the same in words. */
+export interface Formula {
+  math: string;
+  words: string;
+}
+
+export interface GuidePanelProps {
+  /** Such as "Tour, 3 of 10". */
+  place: string;
+  title: string;
+  text: string;
+  task: string;
+  sentence: string;
+  formula: Formula | null;
+  more: string | null;
+  beside: { label: string; href: string } | null;
+  /** Fragments of the pages before and after. */
+  previous: { link: string; title: string } | null;
+  next: { link: string; title: string } | null;
+}
+
+export interface GuidePanel {
+  element: HTMLElement;
+  show(props: GuidePanelProps): void;
+  /** Numbers of what is shown; '' for none. */
+  setLive(text: string): void;
+}
+
+export function createGuidePanel(onClose: () => void): GuidePanel {
+  const place = h('p', { class: 'guide-place' });
+  const title = h('h2', { tabindex: -1 });
+  // Read out when the page turns; the numbers, which change all the time, are not.
+  const body = h('div', { class: 'guide-body', 'aria-live': 'polite' });
+  const live = h('p', { class: 'guide-live', 'data-testid': 'guide-live' });
+  const previous = h('a', { class: 'button', rel: 'prev', 'data-testid': 'guide-previous' });
+  const next = h('a', { class: 'button primary', rel: 'next', 'data-testid': 'guide-next' });
+  const close = button({
+    label: 'Leave: back to what was open before',
+    testId: 'guide-close',
+    icon: 'close',
+    shortcut: 'Esc',
+    onClick: onClose,
+  });
+  const element = h(
+    'section',
+    { class: 'guide', 'aria-label': 'Guide', 'data-testid': 'guide' },
+    h('header', {}, place, close),
+    h('div', { class: 'guide-scroll' }, title, body, live),
+    h('footer', {}, previous, next),
+  );
+
+  const turn = (link: HTMLAnchorElement, to: GuidePanelProps['next'], words: string): void => {
+    setHidden(link, to === null);
+    if (!to) return;
+    link.href = `#${to.link}`;
+    setText(link, words);
+    link.title = to.title;
+  };
+  return {
+    element,
+    show(props) {
+      setText(place, props.place);
+      setText(title, props.title);
+      body.replaceChildren(...bodyOf(props));
+      setText(live, '');
+      turn(previous, props.previous, 'Back');
+      turn(next, props.next, 'Next');
+      element.querySelector('.guide-scroll')!.scrollTop = 0;
+    },
+    setLive(text) {
+      setText(live, text);
+      setHidden(live, text === '');
+    },
+  };
+}
+
+function bodyOf({ text, task, sentence, formula, more, beside }: GuidePanelProps): HTMLElement[] {
+  const parts: HTMLElement[] = [h('p', {}, text), h('p', { class: 'guide-task' }, task)];
+  if (beside) parts.push(h('p', {}, h('a', { href: beside.href, 'data-testid': 'guide-beside' }, beside.label)));
+  parts.push(h('p', { class: 'guide-sentence' }, sentence));
+  if (formula) parts.push(h('figure', { class: 'formula' }, math(formula), h('figcaption', {}, formula.words)));
+  if (more) parts.push(h('details', {}, h('summary', {}, 'More'), h('p', {}, more)));
+  return parts;
+}
+
+/** MathML is read by the browser and by screen readers as it is. */
+function math({ math: text, words }: Formula): Element {
+  const source = `<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">${text}</math>`;
+  const element = document.importNode(new DOMParser().parseFromString(source, 'application/xml').documentElement, true);
+  element.setAttribute('aria-label', words);
+  return element;
+}
