@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { FIGURES } from '../../web/app/guide/figures.ts';
 import { TOUR } from '../../web/app/guide/tour.ts';
 import { guideLink } from '../../web/app/sources/page-link.ts';
 import { readPermalink } from '../../web/app/sources/permalink.ts';
@@ -17,10 +18,21 @@ describe('the tour', () => {
     expect(sentence).toMatch(/\.$/);
   });
 
-  it.each(TOUR.map((step) => [step.title, step] as const))('%s: its state is a link that plays', (_, { state }) => {
-    const link = readPermalink(state)!;
-    expect(link.unfit).toEqual([]);
-    expect(link.playing).toBe(true);
-    expect(link.between![0]).toBeLessThanOrEqual(link.time!);
+  it.each([...TOUR, ...FIGURES].map((step) => [step.title, step] as const))(
+    '%s: its state is a link that plays',
+    (_, { state }) => {
+      const link = readPermalink(state)!;
+      expect(link.unfit).toEqual([]);
+      expect(link.playing).toBe(true);
+      expect(link.between![0]).toBeLessThanOrEqual(link.time!);
+    },
+  );
+});
+
+describe('the figures of the paper', () => {
+  it('are all there, each a link of its own', () => {
+    const numbers = FIGURES.map(({ link }) => link.replace('figure=', ''));
+    expect(numbers).toEqual(['1', '2a', '2b', '3', '4', '5', '6', '7', '8', '9', '10']);
+    expect(FIGURES.map(({ link }) => guideLink(link))).toEqual(FIGURES.map(({ link }) => link));
   });
 });

@@ -4,8 +4,8 @@ namespace shapespline {
 
 const std::vector<SampleMaker>& sampleMakers() {
   static const std::vector<SampleMaker> makers{
-      {"cactus", makeCactus}, {"dachshund", makeDachshund},    {"octopus", makeOctopus},
-      {"hand", makeHand},     {"twisted-bar", makeTwistedBar},
+      {"cactus", makeCactus}, {"dachshund", makeDachshund}, {"octopus", makeOctopus},
+      {"hand", makeHand},     {"gymnast", makeGymnast},     {"twisted-bar", makeTwistedBar},
   };
   return makers;
 }

@@ -24,6 +24,7 @@ Sample makeTwistedBar();
 Sample makeDachshund();
 Sample makeOctopus();
 Sample makeHand();
+Sample makeGymnast();
 
 struct SampleMaker {
   const char* id;

@@ -18,9 +18,9 @@ export interface GuidePanelProps {
   formula: Formula | null;
   more: string | null;
   beside: { label: string; href: string } | null;
-  /** Fragments of the pages before and after. */
-  previous: { link: string; title: string } | null;
-  next: { link: string; title: string } | null;
+  /** All pages of the same kind, in their order, and which of them this is. */
+  pages: readonly { label: string; title: string; link: string }[];
+  current: number;
 }
 
 export interface GuidePanel {
@@ -38,6 +38,7 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
   const live = h('p', { class: 'guide-live', 'data-testid': 'guide-live' });
   const previous = h('a', { class: 'button', rel: 'prev', 'data-testid': 'guide-previous' });
   const next = h('a', { class: 'button primary', rel: 'next', 'data-testid': 'guide-next' });
+  const pages = h('nav', { class: 'guide-pages', 'aria-label': 'Pages' });
   const close = button({
     label: 'Leave: back to what was open before',
     testId: 'guide-close',
@@ -49,12 +50,13 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
     'section',
     { class: 'guide', 'aria-label': 'Guide', 'data-testid': 'guide' },
     h('header', {}, place, close),
+    pages,
     h('div', { class: 'guide-scroll' }, title, body, live),
     h('footer', {}, previous, next),
   );
 
-  const turn = (link: HTMLAnchorElement, to: GuidePanelProps['next'], words: string): void => {
-    setHidden(link, to === null);
+  const turn = (link: HTMLAnchorElement, to: GuidePanelProps['pages'][number] | undefined, words: string): void => {
+    setHidden(link, to === undefined);
     if (!to) return;
     link.href = `#${to.link}`;
     setText(link, words);
@@ -67,8 +69,13 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
       setText(title, props.title);
       body.replaceChildren(...bodyOf(props));
       setText(live, '');
-      turn(previous, props.previous, 'Back');
-      turn(next, props.next, 'Next');
+      pages.replaceChildren(
+        ...props.pages.map(({ label, title: name, link }, index) =>
+          h('a', { href: `#${link}`, title: name, 'aria-current': index === props.current && 'page' }, label),
+        ),
+      );
+      turn(previous, props.pages[props.current - 1], 'Back');
+      turn(next, props.pages[props.current + 1], 'Next');
       element.querySelector('.guide-scroll')!.scrollTop = 0;
     },
     setLive(text) {

@@ -90,6 +90,16 @@ export function createHelp(
       {},
       'Cubic splines in linear rotation-invariant (LRI) shape space: Q. Xia, C. Chen, J. Liu, S. Li, A. Hao and H. Qin, “Efficient 4D shape completion from sparse samples via cubic spline fitting in linear rotation-invariant space”, Computers & Graphics, 2019.',
     ),
+    h(
+      'p',
+      {},
+      h(
+        'a',
+        { href: '#figure=1', 'data-testid': 'help-figures', onclick: () => element.close() },
+        'The paper’s figures',
+      ),
+      ', one by one, as states of this page.',
+    ),
     h('div', { class: 'button-row' }, cite),
     cited,
     h(

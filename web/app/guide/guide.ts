@@ -3,6 +3,7 @@
  * unless the reader has opened something else meanwhile.
  */
 import { createGuidePanel } from '../../ui/guide-panel.ts';
+import type { GuidePanelProps } from '../../ui/guide-panel.ts';
 import type { Work } from '../kept/work.ts';
 import { currentWork } from '../kept/work.ts';
 import type { PanelName } from '../panels/layout.ts';
@@ -10,6 +11,7 @@ import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
 import { readPermalink } from '../sources/permalink.ts';
+import { FIGURES } from './figures.ts';
 import type { Facts, GuidePage } from './guide-page.ts';
 import { TOUR } from './tour.ts';
 
@@ -56,7 +58,7 @@ export function createGuide({ store, workspace, files, openFirst, place, showPan
 
   const guide: Guide = {
     async open(fragment) {
-      const wanted = TOUR.find(({ link }) => link === fragment);
+      const wanted = [...TOUR, ...FIGURES].find(({ link }) => link === fragment);
       const state = wanted && readPermalink(wanted.state);
       if (!wanted || !state) return false;
       if (!page) before = currentWork(store, workspace);
@@ -90,13 +92,19 @@ export function createGuide({ store, workspace, files, openFirst, place, showPan
   return guide;
 }
 
-function shown(page: GuidePage): Parameters<ReturnType<typeof createGuidePanel>['show']>[0] {
-  const index = TOUR.indexOf(page);
+/** What the pages of a kind are called together. */
+const KINDS = [
+  { name: 'Tour', pages: TOUR },
+  { name: 'The paper’s figures', pages: FIGURES },
+] as const;
+
+function shown(page: GuidePage): GuidePanelProps {
+  const { name, pages } = KINDS.find((kind) => kind.pages.includes(page))!;
+  const current = pages.indexOf(page);
   const { title, text, task, sentence, formula = null, more = null, beside = null } = page;
   return {
-    ...{ title, text, task, sentence, formula, more, beside },
-    place: `Tour, ${index + 1} of ${TOUR.length}`,
-    previous: TOUR[index - 1] ?? null,
-    next: TOUR[index + 1] ?? null,
+    ...{ title, text, task, sentence, formula, more, beside, current },
+    place: `${name}, ${current + 1} of ${pages.length}`,
+    pages: pages.map((one) => ({ label: one.link.split('=')[1]!, title: one.title, link: one.link })),
   };
 }

@@ -1,0 +1,123 @@
+/** The figures of the paper as states of the app: what each shows there, what is seen here, and where that differs. */
+import type { GuidePage } from './guide-page.ts';
+
+interface Figure extends Omit<GuidePage, 'link' | 'title'> {
+  number: string;
+  name: string;
+}
+
+const LIST: readonly Figure[] = [
+  {
+    number: '1',
+    name: 'Geodesics and a spline',
+    state: 'sample=cactus&compare=geodesic&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
+    text: 'The paper completes three poses of a cactus by geodesics, by a spline in shell space and by its own spline, which also goes beyond the keys.',
+    task: 'Watch the middle key: the geodesic turns sharply there, the spline does not.',
+    sentence:
+      'Here are the paper’s own spline and the geodesic, on another cactus; the spline in shell space is not here.',
+  },
+  {
+    number: '2a',
+    name: 'Curves through points',
+    state: 'sample=cactus&between=0,1&t=0&loop=bounce&play=1',
+    panel: 'analysis',
+    text: 'The paper draws three curves through nine values: the one that bends least, found by brute force, the cubic spline, and straight lines.',
+    task: 'Open the playground, switch on these three layers and drag the values.',
+    sentence:
+      'The curve of least bending and the spline lie on each other, there as here; the values are yours to choose.',
+    beside: { label: 'Open the playground', href: './play.html' },
+  },
+  {
+    number: '2b',
+    name: 'Curves through shapes',
+    state: 'sample=octopus&compare=geodesic,linear&between=0,1.5&t=0&loop=bounce&play=1',
+    panel: 'analysis',
+    text: 'The paper draws three motions through four shapes in the plane of their two leading components: global minimisation, the spline and linear interpolation in shape space.',
+    task: 'Enlarge the shape plane under Analysis, and switch on the minimisation over K samples.',
+    sentence:
+      'The minimisation falls onto the spline, there as here; blends of vertices are drawn, too, with their distance from the plane.',
+  },
+  {
+    number: '3',
+    name: 'Natural and Hermite ends',
+    state:
+      'sample=cactus&keys=0@0,2@1&boundary=hermite&startTangentPose=1&endTangentPose=1&between=-0.2,1.2&t=0&loop=bounce&play=1',
+    panel: 'motion',
+    text: 'The paper completes two poses under natural ends, and under Hermite ends whose tangents come from a further shape.',
+    task: 'Choose Free and Ease in turn, and watch the way between the two keys.',
+    sentence:
+      'With two keys the natural spline is the geodesic; a tangent towards the third pose bends it, as in the paper.',
+  },
+  {
+    number: '4',
+    name: 'Two poses only',
+    state: 'sample=cactus&keys=0@0,1@1&compare=geodesic&colour=phase&between=-0.5,1.5&t=-0.5&loop=bounce&play=1',
+    text: 'The paper compares its spline with the geodesic on two poses of an elephant, also beyond both of them.',
+    task: 'Drag the time: left and right are the same shape at every moment.',
+    sentence: 'Through two keys the spline is the geodesic; here on a cactus.',
+  },
+  {
+    number: '5',
+    name: 'Large turns',
+    state: 'sample=gymnast&between=0,1&t=0&loop=bounce&play=1',
+    text: 'The paper completes five poses of a person of which the first and the last differ by almost 180 degrees.',
+    task: 'Watch the arms: 270 degrees from the first pose to the last, and no arm takes the short way back.',
+    sentence: 'Rotations add up from key to key, so that a turn may be larger than any single rotation can say.',
+  },
+  {
+    number: '6',
+    name: 'Ghost meshes',
+    state: 'sample=cactus&ghostFaces=500&ghostWire=1&ghostBeside=1&between=0,1&t=0&loop=bounce&play=1',
+    panel: 'shape',
+    text: 'The paper shows coarse ghost meshes of its shapes, and lines from each to the vertices that it leads.',
+    task: 'Change the number of faces under Shape, Ghost mesh.',
+    sentence:
+      'Ghost and correspondence are made automatically, as in the paper; here the ghost stands beside the shape.',
+    live: ({ stats }) => `${stats.ghostFaces.toLocaleString('en')} faces lead the shape.`,
+  },
+  {
+    number: '7',
+    name: 'What a ghost costs',
+    state: 'sample=cactus&ghostFaces=500&ghostDifference=1&between=0,1&t=0.25&loop=bounce&play=1',
+    panel: 'shape',
+    text: 'The paper colours a centaur by how far it is from the motion without a ghost, for four sizes of ghost.',
+    task: 'Choose other sizes of the ghost, and watch the largest difference at the colour bar.',
+    sentence: 'The difference falls as the ghost grows, there as here; one size is shown at a time.',
+  },
+  {
+    number: '8',
+    name: 'Error and time by size',
+    state: 'sample=cactus&ghostFaces=500&between=0,1&t=0&loop=bounce&play=1',
+    panel: 'shape',
+    text: 'The paper plots the KG error of a sequence and the time of a frame against the size of the ghost.',
+    task: 'Press “Compare sizes” under Shape, Ghost mesh.',
+    sentence: 'The same two curves are measured here, in your browser.',
+  },
+  {
+    number: '9',
+    name: 'Smoothness',
+    state: 'sample=dachshund&boundary=natural&compare=geodesic,cubic&between=0,0.875&t=0&loop=bounce&play=1',
+    panel: 'analysis',
+    text: 'The paper plots the second derivative of motions through ten poses of a person: geodesics peak at every key, splines stay low.',
+    task: 'Enlarge the bending under Analysis, and look at the geodesic at the keys.',
+    sentence:
+      'The peaks stand at the keys, there as here; the third curve is a spline of vertices instead of one in shell space.',
+  },
+  {
+    number: '10',
+    name: 'Many faces',
+    state: 'sample=serpent&between=0,1&t=0&loop=bounce&play=1',
+    text: 'The paper completes an armadillo of 332,000 faces and one of 1.3 million.',
+    task: 'Drag the time, and read at the bottom right how long a frame takes.',
+    sentence:
+      'One triangular solve a frame: the serpent here has about as many faces as the paper’s smaller armadillo.',
+    live: ({ faces, ms }) =>
+      `${faces.toLocaleString('en')} faces${ms === null ? '' : `, a frame in ${ms.toFixed(0)} ms`}.`,
+  },
+];
+
+export const FIGURES: readonly GuidePage[] = LIST.map(({ number, name, ...page }) => ({
+  ...page,
+  title: `Fig. ${number}: ${name}`,
+  link: `figure=${number}`,
+}));
