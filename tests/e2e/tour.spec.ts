@@ -1,4 +1,4 @@
-/** The tour: each step is a state of the app, reached by its link and by turning pages; nothing of the reader is lost. */
+/** The tour: each step is a state of the app, reached by its link and by turning pages; nothing is lost by it. */
 import { TOUR } from '../../web/app/guide/tour.ts';
 import { readPermalink } from '../../web/app/sources/permalink.ts';
 import { expectAccessible } from './axe.ts';
