@@ -178,6 +178,11 @@ describe('a sequence', () => {
     expect(pace.distance.every((distance) => distance > 0)).toBe(true);
     expect(pace.tension).toHaveLength(3);
     expect(pace.tension.every((tension) => tension >= 0 && tension <= 1)).toBe(true);
+    const { speed, overshoot } = await bend.sequence.motionPace([0, 0.25, 0.5, 2]);
+    expect(speed).toHaveLength(4);
+    expect(speed.every((value) => value > 0)).toBe(true);
+    expect(overshoot[3]).toBe(0);
+    expect(overshoot.every((value) => value >= 0)).toBe(true);
     const patches = await bend.sequence.patches();
     const { patches: count } = await bend.sequence.stats();
     expect(patches).toHaveLength(bend.mesh.indices.length / 3);

@@ -164,6 +164,39 @@ TEST_CASE("the pace of the keys: how far they lie apart, and the tensions that l
   for (int j = 0; j < 5; ++j) CHECK(again.tension[j] == pace.tension[j]);
 }
 
+TEST_CASE("the pace of the motion: its speed and where it swings past a key") {
+  const Keyframes k = keyframes(bar(), {bend(0), bend(0.1), bend(1.1), bend(1.1), bend(0.6)});
+  Sequence s = make(k);
+  const KeyPace keys = s.keyPace();
+  const std::vector<double>& times = s.motion().keyTimes();
+  const double mean = (keys.distance[0] + keys.distance[1] + keys.distance[2] + keys.distance[3]) / 4;
+  const auto middle = [&](int j) { return (times[j] + times[j + 1]) / 2; };
+  const MotionPace pace = s.motionPace({middle(1), middle(2), -1, times[1]});
+  CHECK(pace.overshoot[0] == 0);
+  CHECK(pace.overshoot[1] > 0.01);  // equal keys, and the motion leaves them
+  CHECK(pace.overshoot[2] == 0);    // extrapolated
+  CHECK(pace.overshoot[3] < 1e-9);
+  CHECK(s.motionPace({middle(0)}).overshoot[0] > 0.01);  // swings back before the long way
+  MotionOptions straight;
+  straight.method = Method::Geodesic;
+  REQUIRE(s.update(straight, times).ok());
+  const MotionPace steps = s.motionPace({middle(0), middle(1), middle(2), middle(3)});
+  for (int j = 0; j < 4; ++j) {
+    CHECK(steps.speed[j] * (times[j + 1] - times[j]) == doctest::Approx(keys.distance[j]).epsilon(1e-6).scale(mean));
+    CHECK(steps.overshoot[j] < 1e-9);
+  }
+}
+
+TEST_CASE("the speed of the motion is the length of its step over a short time") {
+  const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
+  Sequence s = make(k);
+  const double h = 1e-4;
+  const ShapePlane plane = s.shapePlane({0.3 - h, 0.3 + h});  // three keys span a plane
+  const double step = std::hypot(plane.curve[2] - plane.curve[0], plane.curve[3] - plane.curve[1]) / (2 * h);
+  const double chord = std::hypot(plane.keys[2] - plane.keys[0], plane.keys[3] - plane.keys[1]);
+  CHECK(s.motionPace({0.3}).speed[0] / s.keyPace().distance[0] == doctest::Approx(step / chord).epsilon(1e-5));
+}
+
 TEST_CASE("the keys lie in their own principal plane, and the spline bends less than the geodesic") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
   Sequence s = make(k);

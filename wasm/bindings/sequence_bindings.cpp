@@ -94,6 +94,15 @@ EXPORT const char* shapespline_pace(int handle) {
   });
 }
 
+/// {times} -> {speed, overshoot}: feature_curve.h.
+EXPORT const char* shapespline_motion_pace(int handle, const char* request) {
+  return callResult([&]() -> Result<Json> {
+    const auto times = Json::parse(request).at("times").get<std::vector<double>>();
+    const MotionPace pace = sequenceOf(handle).motionPace(times);
+    return Json{{"speed", pace.speed}, {"overshoot", pace.overshoot}};
+  });
+}
+
 /// {times} -> {energy}.
 EXPORT const char* shapespline_bending(int handle, const char* request) {
   return callResult([&]() -> Result<Json> {

@@ -88,6 +88,34 @@ KeyPace FeatureCurve::pace() const {
   return pace;
 }
 
+MotionPace FeatureCurve::paceAt(const std::vector<double>& times) const {
+  const Eigen::MatrixXd toPoses = columnsToPoses();
+  double average = 0;
+  for (int j = 1; j < shape_.keys; ++j) average += std::sqrt(squaredDistance(j, j - 1)) / (shape_.keys - 1);
+  MotionPace pace;
+  for (double t : times) {
+    const double inside = motion_.curve().wrap(t).time;
+    pace.speed.push_back(std::sqrt(squaredLength(toPoses.transpose() * motion_.curve().weights(inside, 1))));
+    pace.overshoot.push_back(average > 0 ? overshoot(poseWeightsAt(t), inside) / average : 0);
+  }
+  return pace;
+}
+
+// Of equal keys, which have no way from one to the other, it is the distance from them.
+double FeatureCurve::overshoot(const Eigen::VectorXd& poseWeights, double t) const {
+  const std::vector<double>& times = motion_.keyTimes();
+  const int after = static_cast<int>(std::upper_bound(times.begin(), times.end(), t) - times.begin());
+  const bool closing = after == shape_.keys && motion_.curve().periodic();
+  if (after == 0 || (after == shape_.keys && !closing)) return 0;
+  const int from = after - 1, to = closing ? 0 : after;
+  const double chord = std::sqrt(squaredDistance(to, from));
+  Eigen::VectorXd way = poseWeights;
+  way[from] -= 1;
+  if (chord == 0) return std::sqrt(squaredLength(way));
+  const double along = (gram_.col(to) - gram_.col(from)).dot(way) / chord;
+  return std::max({0.0, -along, along - chord});
+}
+
 std::vector<double> FeatureCurve::bendingEnergy(const std::vector<double>& times) const {
   double average = 0;
   for (int j = 1; j < shape_.keys; ++j) average += squaredDistance(j, j - 1) / (shape_.keys - 1);

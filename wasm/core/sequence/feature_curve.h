@@ -35,6 +35,14 @@ struct KeyPace {
   std::vector<double> tension;
 };
 
+/// How the motion goes through shape space over time.
+struct MotionPace {
+  std::vector<double> speed;  ///< |x'(t)|, per unit of time; of a piecewise linear curve after a key, not before it
+  /// How far the curve is past either of the keys beside it along the way from one to the other, relative to the mean
+  /// distance of neighbouring keys; 0 between them, and beyond the first and last key.
+  std::vector<double> overshoot;
+};
+
 /// What can be said of a motion from the inner products of its coordinates alone.
 class FeatureCurve {
  public:
@@ -55,9 +63,12 @@ class FeatureCurve {
 
   KeyPace pace() const;
 
+  MotionPace paceAt(const std::vector<double>& times) const;
+
  private:
   double squaredLength(const Eigen::VectorXd& poseWeights) const;
   double squaredDistance(int key, int other) const;
+  double overshoot(const Eigen::VectorXd& poseWeights, double t) const;
   Eigen::MatrixXd columnsToPoses() const;
   Eigen::VectorXd poseWeightsAt(double t) const;
 

@@ -78,6 +78,7 @@ class Sequence {
   ShapePlane shapePlane(const std::vector<double>& times) { return featureCurve().plane(times); }
   Result<DiscretePath> discretePath(int samples) { return featureCurve().discretePath(samples); }
   KeyPace keyPace() { return featureCurve().pace(); }
+  MotionPace motionPace(const std::vector<double>& times) { return featureCurve().paceAt(times); }
   std::vector<double> bendingEnergy(const std::vector<double>& times) { return featureCurve().bendingEnergy(times); }
 
  private:

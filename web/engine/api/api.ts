@@ -15,6 +15,7 @@ import type {
   SequenceOptions,
   SequenceStats,
   KeyPace,
+  MotionPace,
   ShapePlane,
   Warning,
 } from './types.ts';
@@ -82,6 +83,8 @@ export interface Sequence {
   shapePlane(times: number[]): Promise<ShapePlane>;
   /** For spacing keys by how different they are, and for tensions without overshoot. */
   keyPace(): Promise<KeyPace>;
+  /** Speed and overshoot over time; yields to frames that are shown or fetched ahead. */
+  motionPace(times: number[]): Promise<MotionPace>;
   bendingEnergy(times: number[]): Promise<number[]>;
   /** Patch index of each face, -1 for faces without area. */
   patches(): Promise<Int32Array>;

@@ -274,7 +274,6 @@ export interface Measures {
   area: number[];
 }
 
-/** The plane of the two leading principal components (Fig. 2b): 2 numbers per point. */
 /** How far the keys lie apart in shape space, and what keeps the motion from overshooting them. */
 export interface KeyPace {
   /** Between each key and the next, without unit. */
@@ -283,6 +282,18 @@ export interface KeyPace {
   tension: number[];
 }
 
+/** How the motion goes through shape space: a number for each of the asked times. */
+export interface MotionPace {
+  /** In the unit of KeyPace.distance, per unit of time. */
+  speed: number[];
+  /**
+   * How far the motion is past either of the keys beside it along the way from one to the other, relative to the mean
+   * distance of neighbouring keys; 0 between them, and beyond the first and last key.
+   */
+  overshoot: number[];
+}
+
+/** The plane of the two leading principal components (Fig. 2b): 2 numbers per point. */
 export interface ShapePlane {
   keys: number[];
   curve: number[];

@@ -28,6 +28,7 @@ import type {
   SequenceOptions,
   SequenceStats,
   KeyPace,
+  MotionPace,
   ShapePlane,
   Warning,
 } from '../api/types.ts';
@@ -178,6 +179,11 @@ export class SequenceClient implements Sequence {
 
   async keyPace(): Promise<KeyPace> {
     return this.scheduled(urgency.shown, 'pace', () => ({ motion: this.motion }));
+  }
+
+  async motionPace(times: number[]): Promise<MotionPace> {
+    const checked = checkTimes(times);
+    return this.scheduled(urgency.batch, 'motionPace', () => ({ motion: this.motion, times: checked }));
   }
 
   async bendingEnergy(times: number[]): Promise<number[]> {

@@ -15,6 +15,7 @@ import type {
   Scene,
   SequenceStats,
   KeyPace,
+  MotionPace,
   ShapePlane,
   Warning,
 } from '../api/types.ts';
@@ -68,6 +69,7 @@ export interface Calls {
   measure: { request: { motion: MotionSpec; t: number }; result: { volume: number; area: number } };
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
   pace: { request: { motion: MotionSpec }; result: KeyPace };
+  motionPace: { request: { motion: MotionSpec; times: number[] }; result: MotionPace };
   bending: { request: { motion: MotionSpec; times: number[] }; result: number[] };
   patches: { request: object; result: Int32Array };
   components: { request: object; result: Int32Array };

@@ -125,6 +125,7 @@ export class RequestHandler {
       measure: (core, { motion, t }) => core.measure(this.follow(core, motion), t),
       plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
       pace: (core, { motion }) => core.pace(this.follow(core, motion)),
+      motionPace: (core, { motion, times }) => core.motionPace(this.follow(core, motion), times),
       bending: (core, { motion, times }) => core.bending(this.follow(core, motion), times),
       patches: (core) => core.patches(this.sequence),
       components: (core) => core.components(this.sequence),

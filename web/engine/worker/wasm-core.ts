@@ -13,6 +13,7 @@ import type {
   Scene,
   SequenceStats,
   KeyPace,
+  MotionPace,
   ShapePlane,
   TextureImage,
   Warning,
@@ -177,6 +178,10 @@ export class WasmCore {
 
   pace(handle: number): KeyPace {
     return this.result(this.module._shapespline_pace(handle));
+  }
+
+  motionPace(handle: number, times: number[]): MotionPace {
+    return this.ask({ times }, (address) => this.module._shapespline_motion_pace(handle, address));
   }
 
   bending(handle: number, times: number[]): number[] {

@@ -25,6 +25,7 @@ export interface WasmModule extends JsImports {
   _shapespline_measure(handle: number, t: number): Address;
   _shapespline_plane(handle: number, request: Address): Address;
   _shapespline_pace(handle: number): Address;
+  _shapespline_motion_pace(handle: number, request: Address): Address;
   _shapespline_bending(handle: number, request: Address): Address;
   _shapespline_patches(handle: number): Address;
   _shapespline_components(handle: number): Address;
