@@ -4,6 +4,7 @@ import { registerServiceWorker } from '../offline/register.ts';
 import { createOffer } from '../ui/messages.ts';
 import { createTheme } from '../ui/theme.ts';
 import { analysisInput } from './analysis/analysis.ts';
+import { createMotionPace } from './analysis/motion-pace.ts';
 import { AnalysisCache } from './analysis/analysis-cache.ts';
 import { createDisplay } from './display.ts';
 import type { Display } from './display.ts';
@@ -61,6 +62,7 @@ export function startApp(root: HTMLElement): void {
   const { frameLoop } = display.playback;
   const commands = commandsOf(session, display, viewState);
   const { analysis, onAnalysisError } = analysisOf(session, viewState, feedback);
+  const motionPace = createMotionPace({ sequence, onPace: (pace) => viewState.change({ pace }) });
   const ways = createWays({
     session,
     display,
@@ -101,7 +103,10 @@ export function startApp(root: HTMLElement): void {
     has: (id) => viewState.get().previews.has(id),
     onPictures: (id, pictures) => viewState.change({ previews: new Map(viewState.get().previews).set(id, pictures) }),
   });
-  const applyLook = (): void => scene.setLook(store.get().view, theme.isDark());
+  const applyLook = (): void => {
+    scene.setLook(store.get().view, theme.isDark());
+    display.timePictures.forget();
+  };
   const theme = createTheme(() => {
     applyLook();
     redraw();
@@ -133,7 +138,9 @@ export function startApp(root: HTMLElement): void {
     },
     onAnalysisError,
     onGallery: (open) => (open ? previews.start() : previews.stop()),
+    onPeek: display.timePictures.want,
     onLink: () => void ways.link.copy(),
+    link: ways.link.address,
     onOwn: (id) => void ways.openOwn(id),
     onRemember: () => void remembered.toggle().catch(feedback.onError),
     onTake: (of, times) => void besideOriginal(() => files.resample(of, times)),
@@ -177,6 +184,8 @@ export function startApp(root: HTMLElement): void {
     main.stats().then((stats) => viewState.change({ stats }), feedback.onError);
     frameLoop.follow(store.get().time);
     analysis.invalidate();
+    motionPace.refresh();
+    display.timePictures.forget();
     display.thumbnails.refresh();
   }
 

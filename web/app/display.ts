@@ -2,6 +2,8 @@
 import { createMarking } from './drawing/marking.ts';
 import type { Marking } from './drawing/marking.ts';
 import { SceneController } from './drawing/scene-controller.ts';
+import { createTimePictures } from './drawing/time-pictures.ts';
+import type { TimePictures } from './drawing/time-pictures.ts';
 import { createThumbnails } from './drawing/thumbnails.ts';
 import type { Thumbnails } from './drawing/thumbnails.ts';
 import type { Feedback } from './panels/feedback.ts';
@@ -28,6 +30,7 @@ export interface Display {
   scene: SceneController;
   playback: Playback;
   thumbnails: Thumbnails;
+  timePictures: TimePictures;
   marking: Marking;
 }
 
@@ -66,6 +69,13 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
     has: (pose) => viewState.get().thumbnails.has(pose),
     onThumbnail: (pose, url) => viewState.change({ thumbnails: new Map(viewState.get().thumbnails).set(pose, url) }),
   });
+  const timePictures = createTimePictures({
+    sequence,
+    isPlaying: () => store.get().play.playing,
+    idle: () => playback.frameLoop.idle(),
+    draw: (frame) => scene.timePicture(frame, store.get(), range()),
+    onPicture: (timePicture) => viewState.change({ timePicture }),
+  });
   const marking = createMarking({
     scene,
     sequence,
@@ -76,5 +86,5 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
     keyTimes: () => store.get().doc.keys.map(({ time }) => time),
     onWarning: (shownWarning) => viewState.change({ shownWarning }),
   });
-  return { scene, playback, thumbnails, marking };
+  return { scene, playback, thumbnails, timePictures, marking };
 }

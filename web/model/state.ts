@@ -46,6 +46,12 @@ export interface Play {
 /** `texture`: the file's own materials, or clay where it has none. */
 export type Colouring = 'texture' | 'phase' | 'patches';
 
+/** What fills the screen in a presentation: the shape alone, or beside one of the plots. */
+export const PRESENTED = ['shape', 'plane', 'volume', 'area', 'bending'] as const;
+export type Presented = (typeof PRESENTED)[number];
+/** The plots among them. */
+export type Plot = Exclude<Presented, 'shape'>;
+
 export interface View {
   colouring: Colouring;
   shading: 'smooth' | 'flat';
@@ -65,6 +71,8 @@ export interface View {
   camera: CameraPose | null;
   /** The part of the time that the slider shows; null = all that it reaches. */
   window: [number, number] | null;
+  /** null = the page with all its controls. */
+  present: Presented | null;
 }
 
 export interface AppState {
@@ -100,6 +108,7 @@ export const DEFAULT_VIEW: Readonly<View> = {
   ghostDifference: false,
   camera: null,
   window: null,
+  present: null,
 };
 
 export const EMPTY_STATE: AppState = {

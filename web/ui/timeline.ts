@@ -1,10 +1,12 @@
 /**
  * The time slider, the widest control of the page: a solid key range, hatched margins where the motion is extrapolated,
  * key ticks that the playhead snaps to and that can be dragged to other times, and two handles for what plays. It can
- * be zoomed into, about the pointer. A ruler counts seconds, or whole frames. Under it are handles for the speeds at
+ * be zoomed into, about the pointer. A curve in the track is the speed of the motion, a picture over it the moment
+ * under the mouse. A ruler counts seconds, or whole frames. Under it are handles for the speeds at
  * its ends, where the boundary has them.
  */
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
+import type { Pace } from '../model/pace.ts';
 import type { End } from '../model/speeds.ts';
 import type { Phase, Range, TimeScale } from '../model/time-scale.ts';
 import { clamp, clampKeyTime, clampTime, length, snap } from '../model/time-scale.ts';
@@ -12,9 +14,11 @@ import { loopRange, momentWords, nearestFrameTime, steppedFrameTime } from '../m
 import { fractionIn, panned, revealing, ruler, timeIn, windowOf, zoomed } from '../model/time-window.ts';
 import { createLoopHandles } from './loop-handles.ts';
 import { createOverview } from './overview.ts';
+import { createPaceLane } from './pace-lane.ts';
 import { drag, listenToGestures } from './pointer.ts';
 import type { SpeedHandlesProps } from './speed-handles.ts';
 import { createSpeedHandles } from './speed-handles.ts';
+import { createTimePeek } from './time-peek.ts';
 
 /** Pixels within which the playhead snaps to a key. */
 const SNAP_PX = 7;
@@ -39,6 +43,10 @@ export interface TimelineProps extends TimeScale {
   window: Range | null;
   /** Hermite: how fast the motion leaves the first key and arrives at the last; null = another boundary. */
   speeds: SpeedHandlesProps['speeds'];
+  /** null = not known yet. */
+  pace: Pace | null;
+  /** Of the last moment that was pointed at, as an address; null = none of this motion. */
+  picture: string | null;
 }
 
 export interface TimelineEvents {
@@ -48,6 +56,8 @@ export interface TimelineEvents {
   onBetween(between: Range | null): void;
   onWindow(window: Range | null): void;
   onSpeed(end: End, speed: number): void;
+  /** A picture of this moment is wanted; null: none any more. */
+  onPeek(t: number | null): void;
 }
 
 export interface Timeline {
@@ -70,7 +80,9 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const after = createMargin('after');
   const keyRange = h('div', { class: 'key-range' });
   const silent = [h('div', { class: 'silent' }), h('div', { class: 'silent' })] as const;
-  const track = h('div', { class: 'track', 'aria-hidden': 'true' }, before.element, keyRange, after.element, ...silent);
+  const pace = createPaceLane();
+  const track = h('div', { class: 'track', 'aria-hidden': 'true' }, before.element, keyRange, after.element);
+  track.append(pace.element, ...silent);
   const marks = h('div', { class: 'ruler', 'aria-hidden': 'true' });
   const ticks = h('div', { class: 'ticks' });
   const playhead = h('div', { class: 'playhead', 'aria-hidden': 'true' }, h('div', { class: 'knob' }));
@@ -83,7 +95,9 @@ export function createTimeline(events: TimelineEvents): Timeline {
       'aria-label': 'Time',
       'aria-orientation': 'horizontal',
       'data-testid': 'timeline',
-      title: 'Drag through the motion, also past both ends (arrow keys step; Alt: without snapping; the wheel zooms)',
+      title:
+        'Drag through the motion, also past both ends (arrow keys step; Alt: without snapping; the wheel zooms). ' +
+        'The curve is the speed of the motion; yellow below it: the motion swings past a key (overshoot)',
     },
     track,
     marks,
@@ -101,6 +115,13 @@ export function createTimeline(events: TimelineEvents): Timeline {
     speedHandles.element,
     overview.element,
   );
+  const peek = createTimePeek({
+    over: slider,
+    frame: element,
+    timeAt: (event) => (props && !props.disabled ? snapped(timeAt(event.clientX), event.altKey) : null),
+    onPeek: events.onPeek,
+  });
+  element.append(peek.element);
 
   const snapped = (t: number, free: boolean): number => {
     const { keys, fps } = props!;
@@ -278,6 +299,8 @@ export function createTimeline(events: TimelineEvents): Timeline {
       drawRuler({ part, fps, width });
       handles.update({ range, window: part, between: loopRange(between, range), fps, disabled });
       speedHandles.update({ speeds, range, window: part });
+      pace.update({ pace: next.pace, part });
+      peek.update({ pace: next.pace, range, fps, picture: next.picture });
       if (disabled) setHidden(playhead, true);
       else place(playhead, clampTime(next.time, range), part);
       setAttribute(slider, 'data-phase', phase.kind);

@@ -19,6 +19,10 @@ export interface ViewBarEvents {
   onFit(view: ViewName | null): void;
   onView(change: Partial<View>): void;
   onUp(up: 'y' | 'z'): void;
+  /** The shape alone, in large type. */
+  onPresent(): void;
+  /** The link as a QR code. */
+  onQr(): void;
 }
 
 export function createViewBar(events: ViewBarEvents): {
@@ -55,12 +59,34 @@ export function createViewBar(events: ViewBarEvents): {
   const film = checkbox('Film strip', 'film', (on) => events.onView({ film: on, onion: false }), 'I');
   const split = checkbox('Divider', 'split', (on) => events.onSplit(on), 'S');
   split.element.title = 'Two motions of one shape, on either side of a divider';
+  const present = button({
+    label: 'Presentation: the shape alone, in large type; A shows the plots',
+    testId: 'present',
+    icon: 'present',
+    text: 'Present',
+    shortcut: 'X',
+    kind: 'plain',
+    onClick: () => {
+      toggleLook();
+      events.onPresent();
+    },
+  });
+  const qr = button({
+    label: 'QR code of the link to this view',
+    testId: 'qr-open',
+    icon: 'qr',
+    text: 'QR code',
+    shortcut: 'Q',
+    kind: 'plain',
+    onClick: () => events.onQr(),
+  });
   const look = h(
     'div',
     { class: 'card popover', id: 'look', 'data-testid': 'look', hidden: true },
     colouring.element,
     shading.element,
     h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element, split.element),
+    h('div', { class: 'button-row' }, present, qr),
   );
   const toggle = button({
     label: 'Display',

@@ -29,13 +29,15 @@ import type { RunningSequence } from '../session/sequence-set.ts';
  * While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then.
  */
 export const PLAYING_TOLERANCE = 0.006;
-/** Larger shapes are not measured on every frame. */
+/** Larger shapes are not measured on every frame that plays, but every MEASURE_MS. */
 const MEASURED_FACES = 60_000;
+const MEASURE_MS = 200;
 /** Between the shape and its ghost beside it, in widths of the shape. */
 const BESIDE = 1.12;
 /** Neither key nor between nor beyond. */
 const ORIGINAL_COLOUR = '#8f8f8f';
 const THUMBNAIL = { width: 88, height: 60 };
+const TIME_PICTURE = { width: 132, height: 90 };
 
 interface Film {
   /** What the strips were made of. */
@@ -63,6 +65,8 @@ export class SceneController {
   private info: KeysInfo | null = null;
   private pool: PosePool | null = null;
   private base: Measure | null = null;
+  /** When volume and area were taken last. */
+  private measuredAt = 0;
   private patchesOf: Sequence | null = null;
   private film: Film | null = null;
   private hasOnion = false;
@@ -111,7 +115,7 @@ export class SceneController {
     this.clearDifference();
     const { bounds, points } = extentOf(pool.poses(pool.imported));
     this.width = bounds.max[0] - bounds.min[0];
-    this.base = info.report.faces <= MEASURED_FACES ? measure(pool.keys.positions(0), info.faces) : null;
+    this.base = measure(pool.keys.positions(0), info.faces);
     this.viewer.setImport(info, bounds, points);
     this.viewer.setViews(1);
     if (camera) this.viewer.setCameraPose(camera);
@@ -162,7 +166,8 @@ export class SceneController {
       if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'updated when the shape rests' };
       return this.showGhost(t, sequences[0], state.view);
     }
-    this.labels = views > 1 ? this.tileLabels(frames, sequences, original?.positions) : [];
+    const measures = this.measuresNow(state.play.playing) || this.labels.length !== views;
+    this.labels = views > 1 ? this.tileLabels(frames, sequences, original?.positions, measures) : [];
     this.showDifference(frames, sequences, state.view);
     await this.showGhost(t, sequences[0], state.view);
     await this.showOnionSkins(input, sequences, state);
@@ -207,6 +212,13 @@ export class SceneController {
     return this.viewer.thumbnail(frame.positions, frame.normals, THUMBNAIL.width, THUMBNAIL.height, PHASE_COLOURS.key);
   }
 
+  /** The shape of a moment of the timeline. */
+  timePicture(frame: Frame, state: AppState, range: Range): string {
+    const { kind } = phaseOf(onionSkinInput(frame.t, state, range));
+    const { width, height } = TIME_PICTURE;
+    return this.viewer.thumbnail(frame.positions, frame.normals, width, height, PHASE_COLOURS[kind]);
+  }
+
   /** Other tiles have another shape: the view is fitted again from where it stands. */
   private setViews(count: number): void {
     this.viewer.setViews(count);
@@ -217,6 +229,7 @@ export class SceneController {
     frames: readonly Frame[],
     sequences: readonly RunningSequence[],
     original: Float32Array | undefined,
+    measures: boolean,
   ): TileLabel[] {
     const rects = this.viewer.seen();
     const tiles = sequences.map((running, index) => ({
@@ -226,8 +239,18 @@ export class SceneController {
     if (original) tiles.push({ title: 'The animation', positions: original });
     return tiles.map(({ title, positions }, index) => {
       const { x, y, width } = rects[index] ?? { x: 0, y: 0, width: 0 };
-      return { title, ...this.measures(positions), x, y, width };
+      const { volume, detail } = measures ? this.measures(positions) : this.labels[index]!;
+      return { title, volume, detail, x, y, width };
     });
+  }
+
+  /** What rests is always measured. */
+  private measuresNow(playing: boolean): boolean {
+    const now = performance.now();
+    const large = (this.info?.report.faces ?? 0) > MEASURED_FACES;
+    if (playing && large && now - this.measuredAt < MEASURE_MS) return false;
+    this.measuredAt = now;
+    return true;
   }
 
   private measures(positions: Float32Array | undefined): Pick<TileLabel, 'volume' | 'detail'> {

@@ -3,6 +3,8 @@ import type { Method } from '../../engine/api/types.ts';
 import type { End } from '../../model/speeds.ts';
 import { createLineChart, make } from '../../plots/line-chart.ts';
 import type { LineChart } from '../../plots/line-chart.ts';
+import type { Plot } from '../../model/state.ts';
+import { button } from '../../ui/controls.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { relativeToFirstKey } from '../analysis/analysis.ts';
@@ -15,6 +17,8 @@ import type { ShapePlaneFigure } from './shape-plane-figure.ts';
 export interface AnalysisPanelEvents {
   onSeek(t: number): void;
   onSpeed(end: End, speed: number): void;
+  /** This plot is to fill the screen. */
+  onEnlarge(plot: Plot): void;
   onError(error: unknown): void;
 }
 
@@ -35,6 +39,9 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
   const volume = chart('Volume', RELATIVE, 'plot-volume', onSeek);
   const area = chart('Area', RELATIVE, 'plot-area', onSeek);
   const bending = chart('Bending energy', BENDING, 'plot-bending', onSeek);
+  const figures = { plane, volume, area, bending };
+  for (const [plot, figure] of Object.entries(figures) as [Plot, { element: HTMLElement }][])
+    figure.element.querySelector('figcaption')?.append(enlargeButton(plot, () => events.onEnlarge(plot)));
   const legend = h('div', { class: 'legend' });
   const element = h(
     'section',
@@ -95,6 +102,10 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
   }).observe(element);
 
   return { element, setCursor, setSpeeds: plane.setSpeeds };
+}
+
+function enlargeButton(plot: Plot, onClick: () => void): HTMLButtonElement {
+  return button({ label: 'Enlarge', testId: `enlarge-${plot}`, icon: 'enlarge', shortcut: 'A', onClick });
 }
 
 interface Series {

@@ -21,7 +21,7 @@ import { undoName } from '../../model/page-options.ts';
 import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
 import type { End } from '../../model/speeds.ts';
 import { SPEED_NAME } from '../../model/speeds.ts';
-import type { Doc, Encoding, LoopMode, Motion, Play, View } from '../../model/state.ts';
+import type { Doc, Encoding, LoopMode, Motion, Play, Presented, View } from '../../model/state.ts';
 import {
   BOUNDARIES,
   DEFAULT_ENCODING,
@@ -29,6 +29,7 @@ import {
   GHOST_FACES,
   METHODS,
   SPEEDS,
+  PRESENTED,
   ignoresHermite,
 } from '../../model/state.ts';
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey, timeScale } from '../../model/time-scale.ts';
@@ -38,6 +39,8 @@ import { windowOf, zoomed } from '../../model/time-window.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 
+/** From what everybody knows to what is nearest to the method. */
+const COMPARED: readonly Method[] = ['linear', 'cubic-vertex', 'geodesic', 'lri'];
 const LOOPS: readonly LoopMode[] = ['bounce', 'loop', 'once'];
 
 export type Commands = ReturnType<typeof createCommands>;
@@ -77,6 +80,8 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
     store.edit(undoName(change), (doc) => setMotion(doc, withBoundary(change, doc.motion)), merge);
   const encoding = (change: Partial<Encoding>): void => store.edit(undoName(change), (doc) => setEncoding(doc, change));
 
+  const present = (what: Presented | null): void => view({ present: what });
+
   /** What was compared before there was a divider. */
   let beside: Method[] = [];
 
@@ -109,6 +114,22 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
       beside = compare;
       const other = compare.find((one) => one !== method) ?? (method === 'linear' ? 'lri' : 'linear');
       view({ split: 0.5, compare: [other] });
+    },
+
+    /** One other method after the other behind a divider, then none. */
+    nextComparison(): void {
+      const { compare, split } = state().view;
+      const others = COMPARED.filter((method) => method !== state().doc.motion.method);
+      const next = others[others.indexOf(compare.at(-1) as Method) + 1];
+      if (next) view({ compare: [next], split: split ?? 0.5 });
+      else view({ compare: [], split: null });
+    },
+    present,
+    togglePresent: (): void => present(state().view.present === null ? 'shape' : null),
+    /** In the presentation: one plot after the other, then the shape alone. */
+    nextPlot(): void {
+      const shown = PRESENTED.indexOf(state().view.present ?? 'shape');
+      present(PRESENTED[(shown + 1) % PRESENTED.length]!);
     },
 
     moveKey: (from: number, to: number): void => store.edit('order of keys', (doc) => moveKey(doc, from, to)),

@@ -21,6 +21,7 @@ import type { ShortcutLine } from '../../ui/help.ts';
 import { createKeyStrip } from '../../ui/key-strip.ts';
 import type { KeyItem } from '../../ui/key-strip.ts';
 import { createErrorMessage, createFitHint, createProgress, createWelcome } from '../../ui/messages.ts';
+import { createLinkDialog } from '../../ui/link-dialog.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
 import { createSampling } from '../../ui/sampling.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
@@ -65,10 +66,16 @@ export interface ComponentsInput {
   shortcuts: readonly ShortcutLine[];
   /** The gallery of samples opens or closes. */
   onGallery(open: boolean): void;
+  /** The mouse points at a moment of the timeline, or at none any more. */
+  onPeek(t: number | null): void;
   onUndo(): void;
   onRedo(): void;
   onOwn(project: string): void;
   onLink(): void;
+  /** The link to what is on the screen; null where there is none. */
+  link(): string | null;
+  /** The way out of the presentation. */
+  leave: HTMLElement;
   onRemember(): void;
   onTheme(): void;
   onCancel(): void;
@@ -103,6 +110,7 @@ export interface Components {
   openFiles(): void;
   openExport(): void;
   openHelp(): void;
+  openLink(): void;
   toggleLook(): void;
   toggleClock(): void;
 }
@@ -131,6 +139,7 @@ export function createComponents(input: ComponentsInput): Components {
     onBetween: commands.between,
     onWindow: commands.window,
     onSpeed: commands.endSpeed,
+    onPeek: input.onPeek,
   });
   const clockMenu = createClockMenu({
     onFps: commands.fps,
@@ -187,6 +196,8 @@ export function createComponents(input: ComponentsInput): Components {
     onFit: commands.fit,
     onView: commands.view,
     onSplit: commands.toggleSplit,
+    onPresent: () => commands.present('shape'),
+    onQr: () => openLink(),
     onUp: (up) => void (lying && files.reorient({ ...lying, up })),
   });
   let lying: ViewState['orientation'] = null;
@@ -202,6 +213,8 @@ export function createComponents(input: ComponentsInput): Components {
   const welcome = createWelcome(picker.open);
   const exporting = createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
   const help = createHelp(input.shortcuts, input.onSingleKeys);
+  const linkDialog = createLinkDialog(input.onLink);
+  const openLink = (): void => void linkDialog.open(input.link());
   const openExport = (): void => {
     input.onExportOpen();
     exporting.open();
@@ -220,10 +233,19 @@ export function createComponents(input: ComponentsInput): Components {
       welcome.element,
       phaseLabel.element,
       viewBar.element,
+      input.leave,
     ],
     messages: [errorMessage.element, progress.element, fitHint.element, ...input.offers],
     panels: [motionPanel.element, shapePanel.element, analysis.element],
-    floating: [exporting.element, help.element, dropZone.element, picker.element, keyPicker.element, input.toast],
+    floating: [
+      exporting.element,
+      help.element,
+      linkDialog.element,
+      dropZone.element,
+      picker.element,
+      keyPicker.element,
+      input.toast,
+    ],
   });
 
   const update = ({
@@ -280,6 +302,8 @@ export function createComponents(input: ComponentsInput): Components {
       between,
       window: view.window,
       speeds,
+      pace: disabled ? null : viewState.pace,
+      picture: viewState.timePicture,
     });
     clockMenu.update({ ...scale, time, fps, between, window: view.window, disabled });
     transport.update({ play, time, range, periodic, disabled });
@@ -380,6 +404,7 @@ export function createComponents(input: ComponentsInput): Components {
     openFiles: picker.open,
     openExport,
     openHelp: help.open,
+    openLink,
     toggleLook: viewBar.toggleLook,
     toggleClock: clockMenu.toggle,
   };

@@ -14,6 +14,7 @@ export interface KeyboardTargets {
   openHelp(): void;
   toggleLook(): void;
   toggleClock(): void;
+  openLink(): void;
   nextTheme(): void;
   undo(): void;
   redo(): void;
@@ -73,12 +74,27 @@ export function createShortcuts(store: Store, commands: Commands, targets: Keybo
     { keys: ['o'], shown: 'O', does: 'Onion skin', run: toggle('onion') },
     { keys: ['i'], shown: 'I', does: 'Film strip', run: toggle('film') },
     { keys: ['s'], shown: 'S', does: 'Divider between two motions on or off', run: commands.toggleSplit },
+    { keys: ['c'], shown: 'C', does: 'Compare with the next method, then with none', run: commands.nextComparison },
+    { keys: ['x'], shown: 'X', does: 'Presentation: the shape alone, in large type', run: commands.togglePresent },
+    { keys: ['a'], shown: 'A', does: 'Presentation: the next plot, then none', run: commands.nextPlot },
+    {
+      keys: [],
+      shown: 'Page Up  Page Down',
+      does: 'Presentation: previous or next key (elsewhere ten steps in time)',
+      run: () => undefined,
+    },
+    { keys: ['q'], shown: 'Q', does: 'QR code of the link', run: targets.openLink },
     { keys: ['d'], shown: 'D', does: 'Light, dark or system colours', run: targets.nextTheme },
     { keys: ['e'], shown: 'E', does: 'Export', run: targets.openExport },
     { keys: ['ctrl+o'], shown: 'Ctrl+O', does: 'Open files', run: targets.openFiles },
     { keys: ['ctrl+z'], shown: 'Ctrl+Z', does: 'Undo', run: targets.undo },
     { keys: ['ctrl+shift+z', 'ctrl+y'], shown: 'Ctrl+Shift+Z', does: 'Redo', run: targets.redo },
-    { keys: ['escape'], shown: 'Esc', does: 'Cancel the running work or close a message', run: targets.escape },
+    {
+      keys: ['escape'],
+      shown: 'Esc',
+      does: 'Cancel the running work, close a message or leave the presentation',
+      run: targets.escape,
+    },
     { keys: ['?'], shown: '?', does: 'This help', run: targets.openHelp },
   ];
 }
@@ -98,13 +114,21 @@ export function listenToArrows({ store, commands, viewport, range, isOpen }: Arr
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || usesArrows(event.target)) return;
     if (!isOpen() || event.target === viewport || document.querySelector('dialog[open]')) return;
-    const { doc, time: now, play } = store.get();
+    const { doc, time: now, play, view } = store.get();
+    const page = view.present === null ? undefined : PAGES[event.key];
+    if (page !== undefined) {
+      event.preventDefault();
+      return commands.jumpKey(page);
+    }
     const time = keyboardStep(event, now, timeScale(range(), doc.keys.length), play.fps);
     if (time === null) return;
     event.preventDefault();
     commands.seek(clampTime(time, range()));
   });
 }
+
+/** What presenters' clickers send. */
+const PAGES: Readonly<Record<string, 1 | -1>> = { PageUp: -1, PageDown: 1 };
 
 const TURN = Math.PI / 36;
 const SHIFT = 0.06;

@@ -1,4 +1,5 @@
 /** Where everything stands on the page; on a small screen the keys and panels come up as sheets. */
+import type { Presented } from '../../model/state.ts';
 import { h, setAttribute } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
 import type { IconName } from '../../ui/icons.ts';
@@ -28,6 +29,8 @@ export interface Layout {
   showPanel(name: PanelName): void;
   /** Pixels that bars and words take at the top and the bottom of each of so many views. */
   covered(views: number): { top: number; bottom: number };
+  /** Nothing but this is on the page; null: all of it. */
+  present(what: Presented | null): void;
 }
 
 /** Title and measures over a view; the line in words above the buttons, on a small screen. */
@@ -35,6 +38,8 @@ const TILE_LABEL_PX = 54;
 const PHASE_PX = 34;
 /** The row of the panels' names. */
 const SIDE_NAV_PX = 41;
+/** How many times larger words are in a presentation. */
+const LARGE_TYPE = 2.2;
 /** A panel's heading this near to the top is where one is. */
 const NEAR_PX = 24;
 
@@ -56,6 +61,7 @@ export function createLayout(): Layout {
     'data-testid': 'viewport',
     'aria-label': 'The shape. Arrow keys turn it, plus and minus zoom, Shift with arrows moves it.',
   });
+  let app: HTMLElement | null = null;
   const covered = (views: number): { top: number; bottom: number } => {
     const host = viewport.getBoundingClientRect();
     const height = (selector: string, from: (box: DOMRect) => number): number => {
@@ -66,12 +72,12 @@ export function createLayout(): Layout {
     const buttons = height('.view-buttons', (box) => host.bottom - box.top);
     const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
     const welcome = height('.welcome', (box) => box.bottom - host.top);
+    const type = app?.dataset['present'] ? LARGE_TYPE : 1;
     return {
-      top: Math.max(status + (views > 1 ? TILE_LABEL_PX : 0), welcome),
-      bottom: buttons + (small ? PHASE_PX : 0),
+      top: Math.max(status + (views > 1 ? type * TILE_LABEL_PX : 0), welcome),
+      bottom: buttons + (small || type > 1 ? type * PHASE_PX : 0),
     };
   };
-  let app: HTMLElement | null = null;
   return {
     viewport,
     covered,
@@ -84,6 +90,7 @@ export function createLayout(): Layout {
       const panel = app?.querySelector<HTMLElement>(`[data-testid="panel-${name}"]`);
       panel?.closest('.side')?.scrollTo({ top: panel.offsetTop - SIDE_NAV_PX });
     },
+    present: (what) => app && setAttribute(app, 'data-present', what),
     mount(root, parts) {
       app = h(
         'div',

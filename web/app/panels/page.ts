@@ -15,6 +15,7 @@ import type { Feedback } from './feedback.ts';
 import { createGhostStudyPanel } from './ghost-study-panel.ts';
 import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
 import type { Layout } from './layout.ts';
+import { createPresentation } from './presentation.ts';
 import { listen, shortcutLines } from './shortcuts.ts';
 import type { ViewStateHolder } from './view-state.ts';
 
@@ -34,7 +35,10 @@ export interface PageParts {
   undo: Undo;
   theme: ThemeSwitch;
   onGallery(open: boolean): void;
+  onPeek(t: number | null): void;
   onLink(): void;
+  /** The link to what is on the screen; null where there is none. */
+  link(): string | null;
   /** Opens files of the user by their project. */
   onOwn(project: string): void;
   onRemember(): void;
@@ -63,6 +67,18 @@ export function createPage(parts: PageParts): Page {
   const { engine, store, workspace, range } = session;
   const { onError } = feedback;
   const closeError = (): void => viewState.change({ errorMessage: null });
+  const stepBack = (): void => {
+    if (viewState.get().working) onCancel();
+    else if (viewState.get().errorMessage) closeError();
+    else if (store.get().view.present) commands.present(null);
+    else parts.onEscape();
+  };
+  const presentation = createPresentation({
+    presented: () => store.get().view.present,
+    present: commands.present,
+    show: layout.present,
+    say: feedback.say,
+  });
   const shortcuts = createShortcuts(store, commands, {
     openFiles: () => components.openFiles(),
     openExport: () => {
@@ -74,12 +90,8 @@ export function createPage(parts: PageParts): Page {
     nextTheme: theme.next,
     undo: undo.undo,
     redo: undo.redo,
-    escape() {
-      const { working, errorMessage } = viewState.get();
-      if (working) onCancel();
-      else if (errorMessage) closeError();
-      else parts.onEscape();
-    },
+    openLink: () => components.openLink(),
+    escape: stepBack,
   });
   const components = createComponents({
     root: parts.root,
@@ -94,18 +106,22 @@ export function createPage(parts: PageParts): Page {
     analysis: createAnalysisPanel(parts.analysis, {
       onSeek: commands.seek,
       onSpeed: commands.endSpeed,
+      onEnlarge: (plot) => commands.present(store.get().view.present === plot ? null : plot),
       onError: parts.onAnalysisError,
     }),
     ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),
     indefiniteFace: () => viewState.get().indefiniteFace,
     shortcuts: shortcutLines(shortcuts),
     onGallery: parts.onGallery,
+    onPeek: parts.onPeek,
     onUndo: undo.undo,
     onRedo: undo.redo,
     onOwn: parts.onOwn,
     onTheme: theme.next,
     onCancel,
     onLink: parts.onLink,
+    link: parts.link,
+    leave: presentation.element,
     onRemember: parts.onRemember,
     onCloseError: closeError,
     onSingleKeys: (singleKeys) => viewState.change({ singleKeys }),
@@ -123,6 +139,7 @@ export function createPage(parts: PageParts): Page {
   let frame = 0;
   const draw = (): void => {
     frame = 0;
+    presentation.update(store.get().view.present);
     components.update({
       state: store.get(),
       viewState: viewState.get(),

@@ -1,5 +1,6 @@
 /** What the page shows besides the state: work under way, what was found, thumbnails. It is never saved. */
 import type { Frame, KeysInfo, SequenceStats, Warning } from '../../engine/api/types.ts';
+import type { Pace } from '../../model/pace.ts';
 import type { Doc } from '../../model/state.ts';
 import type { ExportRequest, VideoFormat } from '../../model/export-request.ts';
 import { DEFAULT_REQUEST } from '../../model/export-request.ts';
@@ -38,6 +39,10 @@ export interface ViewState {
   indefiniteFace: number;
   /** By pose. */
   thumbnails: ReadonlyMap<number, string>;
+  /** How the motion goes over time; null until it is known. */
+  pace: Pace | null;
+  /** Of the moment that the mouse points at on the timeline, as an address; null = none of this motion. */
+  timePicture: string | null;
   welcome: boolean;
   offline: boolean;
   /** The user's files are kept in this browser for the next visit. */
@@ -69,6 +74,8 @@ export function openedView(opened: OpenedFiles, before: ViewState): Partial<View
     objects,
     warnings: info.warnings,
     thumbnails: new Map(),
+    pace: null,
+    timePicture: null,
     fewest: null,
     original: false,
     stats: null,
@@ -122,6 +129,8 @@ const EMPTY_VIEW_STATE: ViewState = {
   indefinite: 0,
   indefiniteFace: -1,
   thumbnails: new Map(),
+  pace: null,
+  timePicture: null,
   welcome: true,
   offline: false,
   remembered: false,

@@ -21,6 +21,8 @@ export interface PageLink {
   copy(): Promise<void>;
   /** Keeps a fragment in the address, whatever the state becomes; null: no longer. */
   pin(fragment: string | null): void;
+  /** The whole address; null where the user's own files are open, or nothing. */
+  address(): string | null;
 }
 
 /** The page of the guide that a fragment names, or null. */
@@ -39,6 +41,11 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
     return doc && writePermalink(store.get(), doc);
   };
 
+  const address = (): string | null => {
+    const link = text();
+    return link && new URL(`#${link}`, location.href).href;
+  };
+
   window.addEventListener('hashchange', () => {
     const page = guideLink(location.hash);
     const link = readPermalink(location.hash);
@@ -54,10 +61,10 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
         history.replaceState(null, '', link ? `#${link}` : location.pathname + location.search);
       }, WRITE_DELAY_MS);
     },
+    address,
     async copy() {
-      const link = text();
-      if (!link) return;
-      const url = new URL(`#${link}`, location.href).href;
+      const url = address();
+      if (!url) return;
       try {
         await navigator.clipboard.writeText(url);
         say('Link copied.');

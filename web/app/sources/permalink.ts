@@ -14,7 +14,7 @@ import { SHAPING_NUMBERS, turnsOf } from '../../model/shaping.ts';
 import { LEAST_SHARE } from '../../ui/divider.ts';
 import type { CameraPose } from '../../model/camera.ts';
 import type { AppState, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, METHODS, SPEEDS } from '../../model/state.ts';
+import { DEFAULT_VIEW, METHODS, PRESENTED, SPEEDS } from '../../model/state.ts';
 
 export interface Permalink {
   sample: string;
@@ -90,6 +90,7 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   put('loop', state.play.loop, 'bounce');
   put('between', state.play.between?.map(shortest).join(',') ?? null, null);
   put('fps', state.play.fps, null);
+  put('present', view.present, null);
   put('window', view.window?.map(shortest).join(',') ?? null, null);
   return params.toString();
 }
@@ -199,6 +200,7 @@ function readView(take: Take): Partial<View> {
     split: take('split', (text) => numberFrom(text, LEAST_SHARE, 1 - LEAST_SHARE)),
     camera: take('camera', readCamera),
     window,
+    present: take('present', (text) => oneOf(text, PRESENTED)),
   });
 }
 

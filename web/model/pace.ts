@@ -1,0 +1,95 @@
+/** The pace of a motion for its timeline: at which times it is asked for, and how its curve is drawn. */
+import type { MotionPace } from '../engine/api/types.ts';
+import type { Range } from './time-scale.ts';
+import { length, timeScale } from './time-scale.ts';
+import { fractionIn } from './time-window.ts';
+
+/** The motion swings past a key where it is farther beyond it than this share of the mean distance of the keys. */
+export const SEEN_OVERSHOOT = 0.01;
+
+export interface Pace extends MotionPace {
+  times: readonly number[];
+  /** Mean of the speed from the first key to the last. */
+  mean: number;
+}
+
+/** Samples of the whole, and the least of a stretch between keys. */
+const SAMPLES = 240;
+const LEAST_SAMPLES = 6;
+/** From a key, as a share of the range: there the speed of a piecewise linear motion jumps. */
+const NEAR = 1e-7;
+
+/** Times in increasing order that tell the pace everywhere on the timeline, on both sides of every key. */
+export function paceTimes(range: Range, keyTimes: readonly number[]): number[] {
+  const [low, high] = timeScale(range, keyTimes.length).whole;
+  const gap = NEAR * length(range);
+  const ends = [...new Set([low, ...keyTimes, range[1], high])].sort((a, b) => a - b);
+  return ends.slice(1).flatMap((end, i) => {
+    const start = ends[i]!;
+    if (end - start <= 4 * gap) return [];
+    const steps = Math.max(Math.round((SAMPLES * (end - start)) / (high - low)), LEAST_SAMPLES);
+    const [from, to] = [start + gap, end - gap];
+    return Array.from({ length: steps + 1 }, (_, step) => from + ((to - from) * step) / steps);
+  });
+}
+
+export function paceOf(times: readonly number[], { speed, overshoot }: MotionPace, range: Range): Pace {
+  let area = 0;
+  let span = 0;
+  for (let i = 1; i < times.length; i += 1) {
+    if (times[i - 1]! < range[0] || times[i]! > range[1]) continue;
+    const step = times[i]! - times[i - 1]!;
+    area += (step * (speed[i]! + speed[i - 1]!)) / 2;
+    span += step;
+  }
+  return { times, speed, overshoot, mean: span > 0 ? area / span : 0 };
+}
+
+/** At a moment: how many times the mean speed, and whether the motion swings past a key there. */
+export function paceAt({ times, speed, overshoot, mean }: Pace, t: number): { speed: number; past: boolean } | null {
+  if (mean <= 0 || times.length === 0) return null;
+  const after = times.findIndex((time) => time >= t);
+  const i = after < 0 ? times.length - 1 : after;
+  return { speed: speed[i]! / mean, past: overshoot[i]! > SEEN_OVERSHOOT };
+}
+
+export interface PacePaths {
+  /** The speed over time. */
+  line: string;
+  /** What is below it: all of it, and where the motion swings past a key. */
+  area: string;
+  past: string;
+}
+
+/** Of the fastest moment, as a share of the height. */
+const TOP = 0.9;
+
+/** SVG paths of the part of the time that is shown, in a picture of this width and height. */
+export function pacePaths(pace: Pace, part: Range, width: number, height: number): PacePaths {
+  const fastest = Math.max(...pace.speed, 1e-300);
+  const points = pace.times.map((t, i) => ({
+    x: fractionIn(t, part) * width,
+    y: height * (1 - (TOP * pace.speed[i]!) / fastest),
+  }));
+  const at = ({ x, y }: { x: number; y: number }): string => `${x.toFixed(1)} ${y.toFixed(1)}`;
+  const below = (run: typeof points): string =>
+    `M${run[0]!.x.toFixed(1)} ${height}L${run.map(at).join('L')}L${run.at(-1)!.x.toFixed(1)} ${height}Z`;
+  const past = runsOf(pace.overshoot).map(([from, to]) => points.slice(from, to));
+  return {
+    line: points.length > 0 ? `M${points.map(at).join('L')}` : '',
+    area: points.length > 0 ? below(points) : '',
+    past: past.map(below).join(''),
+  };
+}
+
+/** First and one behind the last index of every run of times that swing past a key, with their neighbours. */
+function runsOf(overshoot: readonly number[]): [number, number][] {
+  const runs: [number, number][] = [];
+  overshoot.forEach((value, i) => {
+    if (value <= SEEN_OVERSHOOT) return;
+    const last = runs.at(-1);
+    if (last && last[1] >= i) last[1] = i + 1;
+    else runs.push([i, i + 1]);
+  });
+  return runs.filter(([from, to]) => to - from > 1);
+}

@@ -1,0 +1,44 @@
+/** The speed of the motion as a thin curve in the timeline's track; tinted where it swings past a key. */
+import type { Pace } from '../model/pace.ts';
+import { pacePaths } from '../model/pace.ts';
+import type { Range } from '../model/time-scale.ts';
+import { memo, setAttribute, setHidden, svg } from './dom.ts';
+
+export interface PaceLaneProps {
+  pace: Pace | null;
+  /** The stretch of time that is shown. */
+  part: Range;
+}
+
+const WIDTH = 1000;
+const HEIGHT = 100;
+
+export function createPaceLane(): { element: SVGSVGElement; update(props: PaceLaneProps): void } {
+  const area = svg('path', { class: 'pace-area' });
+  const past = svg('path', { class: 'pace-past', 'data-testid': 'pace-past' });
+  const line = svg('path', { class: 'pace-line', 'vector-effect': 'non-scaling-stroke' });
+  const element = svg(
+    'svg',
+    {
+      class: 'pace',
+      viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+      preserveAspectRatio: 'none',
+      'aria-hidden': 'true',
+      'data-testid': 'pace',
+      hidden: true,
+    },
+    area,
+    past,
+    line,
+  );
+  const update = memo(({ pace, part }: PaceLaneProps) => {
+    const known = pace !== null && pace.mean > 0;
+    setHidden(element, !known);
+    if (!known) return;
+    const paths = pacePaths(pace, part, WIDTH, HEIGHT);
+    setAttribute(area, 'd', paths.area);
+    setAttribute(past, 'd', paths.past);
+    setAttribute(line, 'd', paths.line);
+  });
+  return { element, update };
+}
