@@ -1,0 +1,95 @@
+/** What the timeline tells besides the time: speed, overshoot, and the shape at the moment under the mouse. */
+import { expect, test } from './support.ts';
+import type { App } from './support.ts';
+
+/** Heights of the curve of the speed over the whole timeline, 0 at the bottom. */
+async function heights(app: App): Promise<{ x: number; y: number }[]> {
+  const d = (await app.by('pace').locator('.pace-line').getAttribute('d')) ?? '';
+  return [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => ({ x: Number(x), y: 100 - Number(y) }));
+}
+
+/** Page place of a time on the timeline, in the middle of its track. */
+async function placeOf(app: App, t: number): Promise<{ x: number; y: number }> {
+  const { x, y, width, height } = (await app.by('timeline').locator('.track').boundingBox())!;
+  return { x: x + ((t + 0.4) / 1.8) * width, y: y + height / 2 };
+}
+
+test('the curve in the track is the speed in shape space', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&t=0.2' });
+  await expect(app.by('pace')).toBeVisible();
+  const smooth = await heights(app);
+  expect(smooth.length).toBeGreaterThan(100);
+  // Two bends of about the same size in the same time, then straight on at the same speed.
+  const [low, high] = [Math.min(...smooth.map(({ y }) => y)), Math.max(...smooth.map(({ y }) => y))];
+  expect(high).toBeCloseTo(90, 0);
+  expect(high - low).toBeGreaterThan(2);
+  // The geodesic goes from key to key at one speed, which jumps where the next way is shorter or longer.
+  await app.by('method').selectOption('geodesic');
+  await app.settled();
+  const levels = async (): Promise<number> => new Set((await heights(app)).map(({ y }) => y.toFixed(0))).size;
+  await expect.poll(levels).toBeLessThanOrEqual(3);
+  // A key that comes later leaves less time for the rest of the way.
+  const before = await heights(app);
+  await app.page.evaluate(() => {
+    location.hash = `${location.hash.replace(/&?keys=[^&]*/, '')}&keys=0@0,1@0.75,2@1`;
+  });
+  await expect.poll(async () => (await app.state()).doc.keys[1]!.time).toBe(0.75);
+  await app.settled();
+  const at = (curve: { x: number; y: number }[], t: number): number =>
+    curve.find(({ x }) => x >= (1000 * (t + 0.4)) / 1.8)!.y;
+  await expect.poll(async () => at(await heights(app), 0.9) / at(await heights(app), 0.3)).toBeGreaterThan(2);
+  expect(at(before, 0.9) / at(before, 0.3)).toBeLessThan(2);
+  await app.expectNoProblems();
+});
+
+test('where the motion swings past a key the curve is tinted, until there is no overshoot', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&keys=0@0,1@0.08,2@1&t=0.2' });
+  const past = app.by('pace-past');
+  await expect(past).toHaveAttribute('d', /M/);
+  const colour = await past.evaluate((path) => getComputedStyle(path).fill);
+  expect(colour).toBe('rgb(230, 159, 0)');
+  await app.by('tightness-auto').click();
+  await app.settled();
+  await expect(past).toHaveAttribute('d', '');
+});
+
+test('the mouse over the timeline shows the shape there, and the shape on the screen stays', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&t=0.2' });
+  const [peek, picture] = [app.by('time-peek'), app.by('time-peek').locator('img')];
+  await expect(peek).toBeHidden();
+  const before = await app.positions();
+  const [near, far] = [await placeOf(app, 0.3), await placeOf(app, 0.9)];
+  await app.page.mouse.move(near.x, near.y - 12);
+  await expect(peek).toContainText('0.30');
+  await expect(peek).toContainText('mean speed');
+  await expect(picture).toHaveAttribute('src', /^data:image\/png/);
+  const first = await picture.getAttribute('src');
+  await app.page.mouse.move(far.x, far.y - 12, { steps: 3 });
+  await expect(peek).toContainText('0.90');
+  await expect(picture).not.toHaveAttribute('src', first!);
+  expect((await app.state()).time).toBe(0.2);
+  expect(await app.positions()).toEqual(before);
+  // It is over the timeline, whole, and under the mouse's own place.
+  const [card, track] = [(await peek.boundingBox())!, (await app.by('timeline').boundingBox())!];
+  expect(card.y + card.height).toBeLessThanOrEqual(track.y);
+  expect(Math.abs(card.x + card.width / 2 - far.x)).toBeLessThan(2);
+  // While something drags it is in nobody's way.
+  await app.page.mouse.down();
+  await expect(peek).toBeHidden();
+  await app.page.mouse.move(near.x, near.y, { steps: 3 });
+  await expect(peek).toBeHidden();
+  await app.page.mouse.up();
+  await app.page.mouse.move(near.x + 9, near.y - 12);
+  await expect(peek).toBeVisible();
+  await app.page.mouse.move(near.x, 200);
+  await expect(peek).toBeHidden();
+  await app.expectNoProblems();
+});
+
+test('a finger on the timeline shows no picture over it', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&t=0.2' });
+  const { x, y } = await placeOf(app, 0.6);
+  await app.by('timeline').dispatchEvent('pointermove', { pointerType: 'touch', clientX: x, clientY: y });
+  await app.nextFrame();
+  await expect(app.by('time-peek')).toBeHidden();
+});
