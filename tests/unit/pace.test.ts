@@ -28,15 +28,16 @@ describe('the pace of a motion on the timeline', () => {
   it('says nothing of a motion that stands still', () => {
     const still = paceOf([0, 1], { speed: [0, 0], overshoot: [0, 0] }, [0, 1]);
     expect(paceAt(still, 0.5)).toBeNull();
-    expect(pacePaths(still, [0, 1], 100, 10).line).not.toContain('NaN');
+    expect(pacePaths(still, { range: [0, 1], part: [0, 1], width: 100, height: 10 }).line).not.toContain('NaN');
   });
 
   it('draws the fastest moment highest, and tints what swings past a key alone', () => {
     const pace = paceOf([0, 1, 2, 3, 4], { speed: [1, 2, 4, 2, 1], overshoot: [0, 0, 0.2, 0.1, 0] }, [0, 4]);
-    const { line, area, past } = pacePaths(pace, [0, 4], 100, 10);
+    const picture = { range: [0, 3], part: [0, 4], width: 100, height: 10 } as const;
+    const { line, area, past } = pacePaths(pace, picture);
     expect(line).toBe('M0.0 7.8L25.0 5.5L50.0 1.0L75.0 5.5L100.0 7.8');
-    expect(area).toBe('M0.0 10L0.0 7.8L25.0 5.5L50.0 1.0L75.0 5.5L100.0 7.8L100.0 10Z');
+    expect(area).toBe('M0.0 10L0.0 7.8L25.0 5.5L50.0 1.0L75.0 5.5L75.0 10Z');
     expect(past).toBe('M50.0 10L50.0 1.0L75.0 5.5L75.0 10Z');
-    expect(pacePaths(pace, [2, 4], 100, 10).line).toContain('L0.0 1.0L50.0 5.5L100.0 7.8');
+    expect(pacePaths(pace, { ...picture, part: [2, 4] }).line).toContain('L0.0 1.0L50.0 5.5L100.0 7.8');
   });
 });

@@ -40,7 +40,7 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
   const scene = new SceneController(layout.viewport, {
     onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
     onResize,
-    covered: (views) => layout.covered(views),
+    covered: layout.covered,
     onContextLost: () => say('The browser lost access to the graphics card. The picture will be restored.'),
     onContextRestored: () => void playback.frameLoop.request(store.get().time),
   });

@@ -56,7 +56,7 @@ export function paceAt({ times, speed, overshoot, mean }: Pace, t: number): { sp
 export interface PacePaths {
   /** The speed over time. */
   line: string;
-  /** What is below it: all of it, and where the motion swings past a key. */
+  /** What is below it between the first and the last key: all of it, and where the motion swings past a key. */
   area: string;
   past: string;
 }
@@ -64,8 +64,17 @@ export interface PacePaths {
 /** Of the fastest moment, as a share of the height. */
 const TOP = 0.9;
 
-/** SVG paths of the part of the time that is shown, in a picture of this width and height. */
-export function pacePaths(pace: Pace, part: Range, width: number, height: number): PacePaths {
+export interface PacePicture {
+  /** Where the keys define the motion. */
+  range: Range;
+  /** The part of the time that is shown. */
+  part: Range;
+  width: number;
+  height: number;
+}
+
+/** As SVG paths. */
+export function pacePaths(pace: Pace, { range, part, width, height }: PacePicture): PacePaths {
   const fastest = Math.max(...pace.speed, 1e-300);
   const points = pace.times.map((t, i) => ({
     x: fractionIn(t, part) * width,
@@ -74,10 +83,11 @@ export function pacePaths(pace: Pace, part: Range, width: number, height: number
   const at = ({ x, y }: { x: number; y: number }): string => `${x.toFixed(1)} ${y.toFixed(1)}`;
   const below = (run: typeof points): string =>
     `M${run[0]!.x.toFixed(1)} ${height}L${run.map(at).join('L')}L${run.at(-1)!.x.toFixed(1)} ${height}Z`;
+  const within = points.filter((_, i) => pace.times[i]! >= range[0] && pace.times[i]! <= range[1]);
   const past = runsOf(pace.overshoot).map(([from, to]) => points.slice(from, to));
   return {
     line: points.length > 0 ? `M${points.map(at).join('L')}` : '',
-    area: points.length > 0 ? below(points) : '',
+    area: within.length > 0 ? below(within) : '',
     past: past.map(below).join(''),
   };
 }

@@ -6,6 +6,8 @@ import { memo, setAttribute, setHidden, svg } from './dom.ts';
 
 export interface PaceLaneProps {
   pace: Pace | null;
+  /** Where the keys define the motion. */
+  range: Range;
   /** The stretch of time that is shown. */
   part: Range;
 }
@@ -31,11 +33,11 @@ export function createPaceLane(): { element: SVGSVGElement; update(props: PaceLa
     past,
     line,
   );
-  const update = memo(({ pace, part }: PaceLaneProps) => {
+  const update = memo(({ pace, range, part }: PaceLaneProps) => {
     const known = pace !== null && pace.mean > 0;
     setHidden(element, !known);
     if (!known) return;
-    const paths = pacePaths(pace, part, WIDTH, HEIGHT);
+    const paths = pacePaths(pace, { range, part, width: WIDTH, height: HEIGHT });
     setAttribute(area, 'd', paths.area);
     setAttribute(past, 'd', paths.past);
     setAttribute(line, 'd', paths.line);

@@ -299,7 +299,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
       drawRuler({ part, fps, width });
       handles.update({ range, window: part, between: loopRange(between, range), fps, disabled });
       speedHandles.update({ speeds, range, window: part });
-      pace.update({ pace: next.pace, part });
+      pace.update({ pace: next.pace, range, part });
       peek.update({ pace: next.pace, range, fps, picture: next.picture });
       if (disabled) setHidden(playhead, true);
       else place(playhead, clampTime(next.time, range), part);

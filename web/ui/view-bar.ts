@@ -240,7 +240,7 @@ export function createTileLabels(): {
               { class: 'tile-label', 'data-testid': `tile-${index}` },
               h('strong', {}),
               h('span', { class: 'measures' }, h('span', {}), h('span', { class: 'of' }, ' of the first key')),
-              h('span', { class: 'volume' }, h('b', {}), ' of its volume'),
+              h('span', { class: 'volume' }, h('b', {}), h('span', { class: 'whose' }, ' of its volume')),
             ),
           )) as HTMLElement;
         setStyle(tile, 'left', `${label.x}px`);

@@ -22,8 +22,8 @@ export interface ViewerEvents {
   onContextRestored(): void;
   /** The canvas has another size, and the views stand elsewhere. */
   onResize(): void;
-  /** Pixels at the top and the bottom of each of so many views that other things lie over. */
-  covered(views: number): { top: number; bottom: number };
+  /** Pixels at the top and the bottom of each of so many views that other things lie over; two are `split` as one. */
+  covered(views: number, split: boolean): { top: number; bottom: number };
 }
 
 /** Of views that show film strips: under each other. */
@@ -31,7 +31,7 @@ const STRIP_ASPECT = 6;
 /** Vertices that tell whether a shape is seen. */
 const SAMPLED = 300;
 /** The largest share of a view's height that is given to what lies over it. */
-const MOST_COVERED = 0.4;
+const MOST_COVERED = 0.5;
 
 export class Viewer {
   readonly canvas: HTMLCanvasElement;
@@ -342,7 +342,7 @@ export class Viewer {
   /** What covers the views, as shares of their height; never so much that little is left. */
   private insets(): Insets {
     const { height } = this.rects()[0]!;
-    const { top, bottom } = this.events.covered(this.isSplit ? 1 : this.contents.views);
+    const { top, bottom } = this.events.covered(this.isSplit ? 1 : this.contents.views, this.isSplit);
     const scale = Math.min(1, MOST_COVERED / Math.max((top + bottom) / height, 1e-6));
     return { top: (scale * top) / height, bottom: (scale * bottom) / height };
   }

@@ -27,8 +27,8 @@ export interface Layout {
   setGuide(panel: HTMLElement | null): void;
   /** Brings a panel in sight, where they stand beside the viewport. */
   showPanel(name: PanelName): void;
-  /** Pixels that bars and words take at the top and the bottom of each of so many views. */
-  covered(views: number): { top: number; bottom: number };
+  /** Pixels that bars and words take at the top and the bottom of each of so many views, or of two that are `split`. */
+  covered(views: number, split: boolean): { top: number; bottom: number };
   /** Nothing but this is on the page; null: all of it. */
   present(what: Presented | null): void;
 }
@@ -38,6 +38,8 @@ const TILE_LABEL_PX = 54;
 const PHASE_PX = 34;
 /** The row of the panels' names. */
 const SIDE_NAV_PX = 41;
+/** Titles and volumes beside a divider, where the shape is as wide as the view. */
+const SPLIT_LABEL_PX = { small: 64, large: 100 };
 /** How many times larger words are in a presentation. */
 const LARGE_TYPE = 2.2;
 /** A panel's heading this near to the top is where one is. */
@@ -62,7 +64,7 @@ export function createLayout(): Layout {
     'aria-label': 'The shape. Arrow keys turn it, plus and minus zoom, Shift with arrows moves it.',
   });
   let app: HTMLElement | null = null;
-  const covered = (views: number): { top: number; bottom: number } => {
+  const covered = (views: number, split: boolean): { top: number; bottom: number } => {
     const host = viewport.getBoundingClientRect();
     const height = (selector: string, from: (box: DOMRect) => number): number => {
       const box = document.querySelector(selector)?.getBoundingClientRect();
@@ -72,10 +74,14 @@ export function createLayout(): Layout {
     const buttons = height('.view-buttons', (box) => host.bottom - box.top);
     const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
     const welcome = height('.welcome', (box) => box.bottom - host.top);
+    const over = split && matchMedia('(max-width: 1023px) and (min-height: 521px)').matches;
     const type = app?.dataset['present'] ? LARGE_TYPE : 1;
     return {
       top: Math.max(status + (views > 1 ? type * TILE_LABEL_PX : 0), welcome),
-      bottom: buttons + (small || type > 1 ? type * PHASE_PX : 0),
+      bottom:
+        buttons +
+        (small || over || type > 1 ? type * PHASE_PX : 0) +
+        (over ? type * SPLIT_LABEL_PX[small ? 'small' : 'large'] : 0),
     };
   };
   return {
