@@ -103,6 +103,31 @@ TEST_CASE("samples: every sample is small, closed, well shaped and keeps its vol
   }
 }
 
+TEST_CASE("samples: a paw of the dachshund that is planted moves with the ground") {
+  // Half a stride of 0.22 either way in 0.62 of the cycle, as the generator has it.
+  constexpr double ground = 2 * 0.22 / 0.62;
+  struct Paw {
+    int landed;  // the key at which it touches down; it stands for this one and the next four
+    double along, side;
+  };
+  const Keyframes walk = makeDachshund().keyframes;
+  for (const Paw& paw : {Paw{0, -1, -1}, Paw{2, 1, -1}, Paw{4, -1, 1}, Paw{6, 1, 1}}) {
+    CAPTURE(paw.landed);
+    const Positions& middle = walk.keys[(paw.landed + 2) % 8].positions;
+    int sole = 0;
+    for (std::size_t v = 0; v < middle.size(); ++v) {
+      if (middle[v].y() > 0.035 || middle[v].x() * paw.along < 0 || middle[v].z() * paw.side < 0) continue;
+      ++sole;
+      for (int k = 0; k < 5; ++k) {
+        const Vec3 moved = walk.keys[(paw.landed + k) % 8].positions[v] + Vec3(ground * (k - 2) / 8, 0, 0);
+        // Of a body 5 long. Seen: 0.012.
+        CHECK((moved - middle[v]).norm() < 0.02);
+      }
+    }
+    CHECK(sole > 10);
+  }
+}
+
 TEST_CASE("samples: the list names each file, its times and its boundary") {
   Sample sample = makeTwistedBar();
   sample.boundary = BoundaryKind::Periodic;

@@ -14,24 +14,34 @@ enum BodyPart { torso, neck, head, jaw, tail, leftFore, rightFore, leftHind, rig
 
 constexpr int keyCount = 8;
 constexpr double tau = 2 * M_PI;
-constexpr double halfStride = 0.24, lift = 0.12, stance = 0.62;  // the share of the cycle that a paw stands
+constexpr double halfStride = 0.22, lift = 0.12, stance = 0.62;  // the share of the cycle that a paw stands
+
+// Shares of a leg's length.
+constexpr double wrist = 0.62, wristReach = 0.06;  // the paw turns over these
+constexpr double pawStart = 0.84;
+
+// A paw that stands still does so to the last vertex.
+Limb withPaw(Limb leg) {
+  leg.rigidFrom = pawStart;
+  return leg;
+}
 
 Limb foreleg(double side) {
-  return makeLimb({{{0.98, 0.88, 0.20 * side}, 0.26},
-                   {{0.90, 0.58, 0.29 * side}, 0.165},
-                   {{0.97, 0.30, 0.29 * side}, 0.125},
-                   {{1.02, 0.13, 0.29 * side}, 0.125},
-                   {{1.17, 0.08, 0.30 * side}, 0.12}},
-                  22, 0.06, 0.14);
+  return withPaw(makeLimb({{{0.98, 0.88, 0.20 * side}, 0.26},
+                           {{0.90, 0.58, 0.29 * side}, 0.165},
+                           {{0.97, 0.30, 0.29 * side}, 0.125},
+                           {{1.02, 0.13, 0.29 * side}, 0.125},
+                           {{1.17, 0.08, 0.30 * side}, 0.12}},
+                          22, 0.06, 0.14));
 }
 
 Limb hindLeg(double side) {
-  return makeLimb({{{-1.13, 0.90, 0.17 * side}, 0.31},
-                   {{-0.98, 0.58, 0.27 * side}, 0.20},
-                   {{-1.22, 0.32, 0.28 * side}, 0.115},
-                   {{-1.20, 0.13, 0.28 * side}, 0.12},
-                   {{-1.04, 0.08, 0.29 * side}, 0.12}},
-                  24, 0.06, 0.14);
+  return withPaw(makeLimb({{{-1.13, 0.90, 0.17 * side}, 0.31},
+                           {{-0.98, 0.58, 0.27 * side}, 0.20},
+                           {{-1.22, 0.32, 0.28 * side}, 0.115},
+                           {{-1.20, 0.13, 0.28 * side}, 0.12},
+                           {{-1.04, 0.08, 0.29 * side}, 0.12}},
+                          24, 0.06, 0.14));
 }
 
 Limb ear(double side) {
@@ -93,11 +103,16 @@ struct Leg {
 // The walk of most quadrupeds: hind, then fore of the same side, then the other side.
 constexpr Leg legs[] = {{leftHind, 0}, {leftFore, 0.25}, {rightHind, 0.5}, {rightFore, 0.75}};
 
-constexpr double wrist = 0.78;  // share of a leg's length above its paw
+struct Placed {
+  Vec3 place;
+  Mat3 turn;
+};
 
-Vec3 wristOf(const Body& body, const Pose& pose, BodyPart leg) {
-  const int joint = static_cast<int>(wrist * (body.limbs[leg].jointCount() - 1));
-  return jointTransforms(body, pose)[body.firstJoint(leg) + joint] * body.limbs[leg].centre[joint];
+Placed pawOf(const Body& body, const Pose& pose, BodyPart leg) {
+  const Limb& limb = body.limbs[leg];
+  const int ankle = static_cast<int>(pawStart * (limb.jointCount() - 1));
+  const Rigid placed = jointTransforms(body, pose)[body.firstJoint(leg) + limb.jointCount() - 1];
+  return {placed * limb.centre[ankle], placed.linear()};
 }
 
 struct Step {
@@ -112,33 +127,36 @@ Step stepAt(double phase) {
   return {-halfStride * std::cos(M_PI * swing), lift * up * up, -0.9 * up * up * (1 - 0.6 * swing)};
 }
 
-void setLeg(Pose& pose, const Body& body, BodyPart leg, double shoulder, double elbow, double paw) {
+// shoulder: forward and outward.
+void setLeg(Pose& pose, const Body& body, BodyPart leg, const Vec2& shoulder, double elbow, const Mat3& paw) {
   const int first = body.firstJoint(leg);
   for (int j = 0; j < body.limbs[leg].jointCount(); ++j) pose.turns[first + j].setZero();
-  bend(pose, body, leg, 0, 0.2, shoulder * Vec3::UnitZ());
-  bend(pose, body, leg, 0.3, 0.6, elbow * Vec3::UnitZ());
-  bend(pose, body, leg, wrist - 0.08, wrist + 0.08, paw * Vec3::UnitZ());
+  bend(pose, body, leg, 0, 0.2, {shoulder.y(), 0, shoulder.x()});
+  bend(pose, body, leg, 0.3, wrist - wristReach, elbow * Vec3::UnitZ());
+  // However the body turns above it, the paw does not.
+  const Eigen::AngleAxisd back(pawOf(body, pose, leg).turn.transpose() * paw);
+  bend(pose, body, leg, wrist - wristReach, wrist + wristReach, back.angle() * back.axis());
 }
 
-// Inverse kinematics: Newton's method on shoulder and elbow until the wrist is where the step wants it; the paw then
-// turns back so that it keeps its pitch.
+// Inverse kinematics: Newton's method on shoulder and elbow until the paw is where the step wants it.
 void placePaw(Pose& pose, const Body& body, BodyPart leg, const Step& step) {
-  const Vec3 target = wristOf(body, Pose(body), leg) + Vec3(step.forward, step.up, 0);
-  Vec2 angles(0, 0);
-  const auto miss = [&](const Vec2& a) -> Vec2 {
-    setLeg(pose, body, leg, a.x(), a.y(), 0);
-    return (wristOf(body, pose, leg) - target).head<2>();
+  const Vec3 target = pawOf(body, Pose(body), leg).place + Vec3(step.forward, step.up, 0);
+  const Mat3 paw = Eigen::AngleAxisd(step.pitch, Vec3::UnitZ()).toRotationMatrix();
+  Vec3 angles = Vec3::Zero();
+  const auto miss = [&](const Vec3& a) -> Vec3 {
+    setLeg(pose, body, leg, a.head<2>(), a.z(), paw);
+    return pawOf(body, pose, leg).place - target;
   };
   for (int i = 0; i < 20; ++i) {
     constexpr double h = 1e-5;
-    const Vec2 at = miss(angles);
-    Mat2 jacobian;
-    jacobian << (miss(angles + Vec2(h, 0)) - at) / h, (miss(angles + Vec2(0, h)) - at) / h;
-    Vec2 change = -jacobian.fullPivLu().solve(at);
+    const Vec3 at = miss(angles);
+    Mat3 jacobian;
+    for (int k = 0; k < 3; ++k) jacobian.col(k) = (miss(angles + h * Vec3::Unit(k)) - at) / h;
+    Vec3 change = -jacobian.fullPivLu().solve(at);
     if (change.norm() > 0.3) change *= 0.3 / change.norm();
     angles += change;
   }
-  setLeg(pose, body, leg, angles.x(), angles.y(), step.pitch - angles.sum());
+  miss(angles);
 }
 
 Pose walkPose(const Body& body, double phase) {
@@ -147,7 +165,7 @@ Pose walkPose(const Body& body, double phase) {
   const Vec3 spine(0.06 * wave(1, 0.2), 0.22 * wave(1, 0), 0.03 * wave(2, 0.3));
   bend(pose, body, torso, 0, 1, spine);
   // Half of the bend turns the chest, half the pelvis the other way.
-  pose.root = Eigen::Translation3d(0, -0.03 + 0.015 * wave(2, 0.1), 0) *
+  pose.root = Eigen::Translation3d(0, -0.07 + 0.015 * wave(2, 0.1), 0) *
               Eigen::AngleAxisd(-0.5 * spine.norm(), spine.normalized());
   bend(pose, body, neck, 0, 1, {0, -0.10 * wave(1, 0), 0.08 * wave(2, 0.35)});
   bend(pose, body, head, 0, 0.3, {0.06 * wave(1, 0.25), -0.05 * wave(1, 0.1), -0.06 * wave(2, 0.45)});
@@ -170,7 +188,7 @@ Sample makeDachshund() {
           "Dachshund",
           "Eight poses of a walk; the periodic spline closes the loop.",
           BoundaryKind::Periodic,
-          posedKeyframes(body, poses, 1.0 / keyCount, 12),
+          posedKeyframes(body, poses, 1.0 / keyCount, 16),
           0xa9714b};
 }
 

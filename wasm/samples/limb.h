@@ -44,6 +44,8 @@ struct Limb {
   double edge = 0;          ///< wanted edge length on its surface, where that gives 11 edges around it
   Ribs ribs;
   Flattening flattening;
+  /// Share of its length from which on its surface follows its last joint alone.
+  double rigidFrom = std::numeric_limits<double>::infinity();
   int parent = -1;            ///< limb that carries it; -1 for the root
   int parentJoint = 0;        ///< joint of that limb
   std::vector<Bound> bounds;  ///< of every Bound::spans spans

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "samples/implicit.h"
 
@@ -17,13 +18,19 @@ std::vector<std::vector<int>> neighbours(const Surface& surface) {
   return result;
 }
 
-std::vector<Share> nearestJoints(const Body& body, const Vec3& point) {
+struct Attachment {
+  std::vector<Share> shares;
+  bool held;  // at the rigid end of a limb
+};
+
+Attachment attachmentOf(const Body& body, const Vec3& point) {
   const BodyPoint nearest = nearestOnBody(body, point);
-  const int last = body.limbs[nearest.limb].jointCount() - 1;
+  const Limb& limb = body.limbs[nearest.limb];
+  const int first = body.firstJoint(nearest.limb), last = limb.jointCount() - 1;
+  if (nearest.on.along >= limb.rigidFrom * last) return {{{first + last, 1.0}}, true};
   const int joint = std::min(static_cast<int>(nearest.on.along), last - 1);
-  const int first = body.firstJoint(nearest.limb) + joint;
   const double t = nearest.on.along - joint;
-  return {{first, 1 - t}, {first + 1, t}};
+  return {{{first + joint, 1 - t}, {first + joint + 1, t}}, false};
 }
 
 std::vector<Share> average(const Binding& binding, int vertex, const std::vector<int>& around) {
@@ -77,11 +84,16 @@ Vec3 apply(const DualQuaternion& q, const Vec3& point) {
 Binding bindSurface(const Surface& surface, const Body& body, int rounds) {
   const auto around = neighbours(surface);
   Binding binding;
-  for (const Vec3& point : surface.positions) binding.push_back(nearestJoints(body, point));
+  std::vector<bool> held;
+  for (const Vec3& point : surface.positions) {
+    Attachment attachment = attachmentOf(body, point);
+    binding.push_back(std::move(attachment.shares));
+    held.push_back(attachment.held);
+  }
   for (int i = 0; i < rounds; ++i) {
     Binding smoothed;
     for (std::size_t v = 0; v < binding.size(); ++v) {
-      smoothed.push_back(average(binding, static_cast<int>(v), around[v]));
+      smoothed.push_back(held[v] ? binding[v] : average(binding, static_cast<int>(v), around[v]));
     }
     binding = std::move(smoothed);
   }

@@ -15,7 +15,8 @@ struct Share {
 };
 using Binding = std::vector<std::vector<Share>>;
 
-/// Binds every vertex to its nearest joints, then smooths the shares over the surface, `rounds` times.
+/// Binds every vertex to its nearest joints, then smooths the shares over the surface, `rounds` times, but for those at
+/// the rigid end of a limb.
 Binding bindSurface(const Surface& surface, const Body& body, int rounds);
 
 /// The surface in a pose, by dual-quaternion blending (Kavan et al. 2007), which keeps the volume where limbs bend.
