@@ -70,11 +70,13 @@ export function createLayout(): Layout {
       const box = document.querySelector(selector)?.getBoundingClientRect();
       return box && box.height > 0 ? Math.max(from(box), 0) : 0;
     };
+    // A phone held sideways: words and buttons stand beside the shape.
+    if (matchMedia('(max-height: 520px)').matches) return { top: 0, bottom: 0 };
     const small = matchMedia('(max-width: 767px)').matches;
     const buttons = height('.view-buttons', (box) => host.bottom - box.top);
     const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
     const welcome = height('.welcome', (box) => box.bottom - host.top);
-    const over = split && matchMedia('(max-width: 1023px) and (min-height: 521px)').matches;
+    const over = split && matchMedia('(max-width: 1023px)').matches;
     const type = app?.dataset['present'] ? LARGE_TYPE : 1;
     return {
       top: Math.max(status + (views > 1 ? type * TILE_LABEL_PX : 0), welcome),
