@@ -84,6 +84,20 @@ test('is dragged by pointer and touch, and told to who cannot see it', async ({ 
   await app.expectNoProblems();
 });
 
+test('says the volumes of a large shape, too', async ({ app }) => {
+  test.slow();
+  await app.open();
+  await app.openGenerated(70_000);
+  await app.setTime(0.25);
+  await app.page.keyboard.press('s');
+  await app.settled();
+  await expect.poll(async () => (await volumes(app)).filter(Number.isFinite)).toHaveLength(2);
+  for (const volume of await volumes(app)) {
+    expect(volume).toBeGreaterThan(20);
+    expect(volume).toBeLessThan(200);
+  }
+});
+
 test('says the volumes of both as the time goes', async ({ app }) => {
   await app.open({ hash: SPLIT });
   const [lri, linear] = (await volumes(app)) as [number, number];

@@ -12,6 +12,10 @@ const GESTURES: readonly ShortcutLine[] = [
   { keys: 'Right drag  two fingers', does: 'Move it' },
   { keys: 'Wheel  pinch', does: 'Zoom' },
   { keys: 'Drag the timeline', does: 'Go through the motion, and beyond its ends' },
+  {
+    keys: 'Point at the timeline',
+    does: 'See the shape of that moment. The curve is the speed; yellow: the motion swings past a key (overshoot)',
+  },
   { keys: 'Wheel over the timeline', does: 'Zoom in time' },
   { keys: 'Drag a diamond', does: 'Give a key another time' },
   { keys: 'Drag a card', does: 'Give a key another place in the order' },
