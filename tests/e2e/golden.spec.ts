@@ -19,6 +19,8 @@ const SHARE = 0.06;
 
 async function shrunk(app: App): Promise<Buffer> {
   await app.settled();
+  // The speed of the motion is asked for when frames leave time.
+  await expect(app.by('pace')).toBeVisible();
   // The time that a frame takes is another one every time.
   await app.page.addStyleTag({ content: '[data-testid="status-ms"], .facts { visibility: hidden }' });
   return shrink(await app.page.screenshot({ animations: 'disabled' }));
