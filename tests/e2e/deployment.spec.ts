@@ -53,7 +53,7 @@ class Host {
     const assets = path.join(this.folder, 'assets');
     const names = readdirSync(assets).map((name) => [name, name.replace(/\.(\w+)$/, `${mark}.$1`)] as const);
     for (const [from, to] of names) renameSync(path.join(assets, from), path.join(assets, to));
-    const texts = [...names.map(([, to]) => path.join('assets', to)), 'index.html'];
+    const texts = [...names.map(([, to]) => path.join('assets', to)), 'index.html', 'play.html'];
     for (const file of texts.filter((name) => /\.(js|css|html)$/.test(name))) {
       const full = path.join(this.folder, file);
       writeFileSync(

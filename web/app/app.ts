@@ -26,6 +26,8 @@ import { createSession } from './session/session.ts';
 import type { Session } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
 import { fetchSample } from './sources/samples.ts';
+import { sourceTitle } from './sources/own-files.ts';
+import { listenToPlayground } from './sources/playground.ts';
 import { openFirst } from './sources/open-first.ts';
 import type { OpenFiles } from './sources/open-files.ts';
 import { createTakeFiles } from './sources/take-files.ts';
@@ -203,6 +205,13 @@ export function startApp(root: HTMLElement): void {
   listenToNetwork((offline) => viewState.change({ offline }));
   const ready = visit(location.hash).then(() => frameLoop.idle());
   ready.catch(feedback.onError);
+  listenToPlayground({
+    store,
+    workspace,
+    sequence,
+    title: () => sourceTitle(store.get().source, viewState.get().samples),
+    onError: feedback.onError,
+  });
   installTestHook(testHookOf(ready, session, display, files));
   registerServiceWorker((reload) => {
     newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });

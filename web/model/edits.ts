@@ -1,5 +1,6 @@
 /** Edits of the document: each takes one and returns the next, or the same where nothing changes. */
 import { MOST_TIME } from '../engine/api/option-table.ts';
+import { spacedTimes } from './key-spacing.ts';
 import type { KeyTurns, Shaping, ShapingNumber } from './shaping.ts';
 import { DEFAULT_SHAPING, turnsOf, withTurns } from './shaping.ts';
 import type { Doc, Encoding, KeyRef, Motion } from './state.ts';
@@ -73,28 +74,10 @@ export function setTightness(doc: Doc, tension: number | readonly number[]): Doc
   return doc.keys.reduce((next, _, index) => setShaping(next, 'tension', index, at(index)), doc);
 }
 
-/** How intervals grow with the distance between their keys: the power of it. */
-export const SPACINGS = { even: 0, root: 0.5, difference: 1 } as const;
-export type Spacing = keyof typeof SPACINGS;
-
-/** The least share of a mean interval that two keys are apart, however equal they are. */
-const LEAST_INTERVAL = 0.1;
-
-/**
- * Times between the first and the last key's, with intervals as large as powers of the distances between the keys: 0
- * spaces them evenly, 1 by how different they are. distance: one less than keys.
- */
+/** Times between the first and the last key's, by how far the keys lie apart (`spacedTimes`). */
 export function spaceKeys(doc: Doc, distance: readonly number[], power: number): Doc {
-  const first = doc.keys[0]?.time ?? 0;
-  const total = (doc.keys.at(-1)?.time ?? first) - first;
-  const mean = distance.reduce((sum, d) => sum + d ** power, 0) / Math.max(distance.length, 1);
-  const intervals = distance.map((d) => (mean > 0 ? Math.max(d ** power, LEAST_INTERVAL * mean) : 1));
-  const all = intervals.reduce((sum, interval) => sum + interval, 0);
-  let passed = 0;
-  const times = doc.keys.map((_, index) => {
-    passed += intervals[index - 1] ?? 0;
-    return index === doc.keys.length - 1 ? first + total : first + (total * passed) / all;
-  });
+  const [first, last] = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 0];
+  const times = spacedTimes(first, last, distance, power);
   if (doc.keys.every(({ time }, index) => time === times[index])) return doc;
   return { ...doc, keys: doc.keys.map((key, index) => ({ ...key, time: times[index]! })) };
 }

@@ -25,11 +25,19 @@ export function writeServiceWorker(folder: string): void {
   const constants = {
     BUILD: sha256(JSON.stringify(digests) + source).slice(0, 16),
     FILES: Object.fromEntries(digests.filter(([file]) => !LATER.test(file))),
-    ENTRY: /<script [^>]*\bsrc="(?:\.\/)?([^"]+)"/.exec(readFileSync(path.join(folder, 'index.html'), 'utf8'))?.[1],
+    PAGES: Object.fromEntries(digests.filter(([file]) => isPage(file)).map(([file]) => [file, entryOf(folder, file)])),
     LATER: Object.fromEntries(digests.filter(([file]) => LATER.test(file))),
   };
   const head = Object.entries(constants).map(([name, value]) => `const ${name} = ${JSON.stringify(value)};\n`);
   writeFileSync(path.join(folder, 'sw.js'), head.join('') + source);
+}
+
+const isPage = (file: string): boolean => file === './' || /^\.\/[^/]+\.html$/.test(file);
+
+/** The first script of a page. */
+function entryOf(folder: string, page: string): string | undefined {
+  const html = readFileSync(path.join(folder, page === './' ? 'index.html' : page), 'utf8');
+  return /<script [^>]*\bsrc="(?:\.\/)?([^"]+)"/.exec(html)?.[1];
 }
 
 export function offline(): Plugin {

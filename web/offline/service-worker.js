@@ -1,12 +1,13 @@
 // Keeps the files of one build, and those of older builds while a page still needs them. The build puts BUILD, FILES
 // and LATER in front of this text: what is kept at once, and what is kept once it was used, as { path: digest }; and
-// ENTRY, the page's first script.
-/* global BUILD, FILES, LATER, ENTRY */
+// PAGES, the first script of each page.
+/* global BUILD, FILES, LATER, PAGES */
 // Another release of the page may stand beside this one on the same host: each keeps its own.
 const SCOPE = self.registration.scope;
 const OURS = `shapespline ${new URL(SCOPE).pathname} `;
 const CACHE = OURS + BUILD;
 const REPLY_MS = 3000;
+const ENTRIES = new Map(Object.entries(PAGES).map(([file, entry]) => [new URL(file, SCOPE).href, entry]));
 const LISTED = new Map(Object.entries({ ...FILES, ...LATER }).map(([file, digest]) => [new URL(file, SCOPE).href, digest]));
 
 // A worker of a newer build waits until no page is open or a page asks for it: what is open goes on as it was.
@@ -36,7 +37,7 @@ async function digestOf(response) {
 // add to a page itself, so that it is known by its script.
 async function isListed(href, response) {
   if (!response.ok) return false;
-  if (href === SCOPE) return (await response.clone().text()).includes(ENTRY);
+  if (ENTRIES.has(href)) return (await response.clone().text()).includes(ENTRIES.get(href));
   return LISTED.get(href) === (await digestOf(response.clone()));
 }
 

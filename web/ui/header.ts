@@ -3,8 +3,7 @@ import { button, tooltip } from './controls.ts';
 import { h, memo, setAttribute, setHidden } from './dom.ts';
 import { createGallery } from './gallery.ts';
 import type { GalleryEvents, OwnItem, SampleItem } from './gallery.ts';
-import type { IconName } from './icons.ts';
-import { setIcon } from './icons.ts';
+import { createThemeButton } from './theme-button.ts';
 import type { Theme } from './theme.ts';
 
 export interface HeaderProps {
@@ -36,12 +35,6 @@ export interface HeaderEvents extends GalleryEvents {
   onHelp(): void;
   onTheme(): void;
 }
-
-const THEMES: Record<Theme, { icon: IconName; label: string }> = {
-  system: { icon: 'system', label: 'System colours' },
-  light: { icon: 'light', label: 'Light colours' },
-  dark: { icon: 'dark', label: 'Dark colours' },
-};
 
 export function createHeader(events: HeaderEvents): { element: HTMLElement; update(props: HeaderProps): void } {
   const gallery = createGallery(events);
@@ -90,13 +83,7 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
     onClick: () => events.onRemember(),
   });
   const help = button({ label: 'Help', testId: 'help', icon: 'help', shortcut: '?', onClick: () => events.onHelp() });
-  const theme = button({
-    label: 'Colours',
-    testId: 'theme',
-    icon: 'system',
-    shortcut: 'D',
-    onClick: () => events.onTheme(),
-  });
+  const theme = createThemeButton(() => events.onTheme(), 'D');
   const element = h(
     'header',
     { class: 'app-header' },
@@ -109,7 +96,7 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
     link,
     remember,
     help,
-    theme,
+    theme.element,
   );
 
   const draw = memo((props: HeaderProps) => {
@@ -128,11 +115,7 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
         ? 'These files are remembered in this browser, on this computer only; click to forget them'
         : 'Remember these files in this browser for the next visit; they stay on this computer',
     );
-    setIcon(theme, THEMES[props.theme].icon);
-    const words = `${THEMES[props.theme].label}; click to change`;
-    setAttribute(theme, 'aria-label', words);
-    setAttribute(theme, 'title', tooltip(words, 'D'));
-    setAttribute(theme, 'data-theme-choice', props.theme);
+    theme.update(props.theme);
   });
   return { element, update: draw };
 }

@@ -104,6 +104,13 @@ export function createHelp(
       ),
       ', one by one, as states of this page.',
     ),
+    h(
+      'p',
+      {},
+      'What a cubic spline is, to drag: ',
+      h('a', { href: './play.html', target: '_blank', rel: 'noopener', 'data-testid': 'playground' }, 'The bent ruler'),
+      '. It opens in another tab and can take coordinates of the shape that is open here.',
+    ),
     h('div', { class: 'button-row' }, cite),
     cited,
     h(

@@ -1,7 +1,7 @@
 /** How the keys are joined: the method, what stands beside it, and the boundary with what it asks for. */
 import type { Boundary, Method } from '../engine/api/types.ts';
 import type { Encoding, KeyRef, Motion } from '../model/state.ts';
-import type { Spacing } from '../model/edits.ts';
+import type { Spacing } from '../model/key-spacing.ts';
 import type { End } from '../model/speeds.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP } from '../model/speeds.ts';

@@ -19,7 +19,7 @@ import type { Doc } from '../../model/state.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
 import { measuresCsv, patchesCsv } from './csv.ts';
-import { download } from './download.ts';
+import { download } from '../../ui/download.ts';
 import { takePicture } from './picture.ts';
 import { withReadme } from './readme.ts';
 import { withSheet } from './sheet.ts';

@@ -13,9 +13,9 @@ import {
   setTightness,
   setTurns,
   spaceKeys,
-  SPACINGS,
 } from '../../model/edits.ts';
-import type { Spacing } from '../../model/edits.ts';
+import { SPACINGS } from '../../model/key-spacing.ts';
+import type { Spacing } from '../../model/key-spacing.ts';
 import type { ViewName } from '../../model/camera.ts';
 import { undoName } from '../../model/page-options.ts';
 import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';

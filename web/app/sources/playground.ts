@@ -1,0 +1,84 @@
+/** Answers the playground where it is open in another tab: coordinates of the shape, and how its keys are passed. */
+import type { Sequence } from '../../engine/api/api.ts';
+import { setMotion } from '../../model/edits.ts';
+import type { KeyPassing, OpenShape, PlaygroundMessage, ShapeCoordinate } from '../../model/playground-channel.ts';
+import { playgroundChannel } from '../../model/playground-channel.ts';
+import type { Doc } from '../../model/state.ts';
+import { referenceKey } from '../../model/state.ts';
+import type { Store } from '../session/store.ts';
+import type { Workspace } from '../session/workspace.ts';
+
+export interface PlaygroundParts {
+  store: Store;
+  workspace: Workspace;
+  sequence(): Sequence | undefined;
+  /** What is open, in a few words. */
+  title(): string;
+  onError(error: unknown): void;
+}
+
+/** Of either kind. */
+const OFFERED = 12;
+
+export function listenToPlayground({ store, workspace, sequence, title, onError }: PlaygroundParts): void {
+  if (!('BroadcastChannel' in window)) return;
+  const channel = playgroundChannel();
+  const page = `${performance.timeOrigin} ${Math.random()}`;
+  const send = (message: PlaygroundMessage): void => channel.postMessage(message);
+
+  const openShape = async (): Promise<OpenShape | null> => {
+    const [main, { info, pool }] = [sequence(), workspace];
+    const { doc } = store.get();
+    if (!main || !info || !pool) return null;
+    const { keyCoordinates } = await import('../../study/key-coordinates.ts');
+    const measured = keyCoordinates(
+      {
+        faces: info.faces,
+        patches: await main.patches(),
+        poses: doc.keys.map((key) => pool.keys.positions(key.pose)),
+        reference: referenceKey(doc),
+      },
+      OFFERED,
+    );
+    const coordinates = measured.map(({ kind, patches, values }): ShapeCoordinate => {
+      const numbers = patches.map((patch) => patch + 1);
+      return kind === 'angle'
+        ? { name: `Angle between patches ${numbers.join(' and ')}`, unit: '°', values }
+        : { name: `Stretch of patch ${numbers[0]}`, unit: '×', values };
+    });
+    return { page, title: title(), coordinates, ...passingOf(doc) };
+  };
+
+  channel.addEventListener('message', ({ data }: MessageEvent<PlaygroundMessage>) => {
+    if (data.type === 'ask')
+      void openShape()
+        .then((shape) => shape && send({ type: 'open', shape }))
+        .catch(onError);
+    if (data.type === 'back' && data.page === page && data.times.length === store.get().doc.keys.length) {
+      store.edit('motion from the playground', (doc) => withPassing(doc, data));
+      send({ type: 'done', page });
+    }
+  });
+}
+
+function passingOf({ keys, motion }: Doc): KeyPassing {
+  const { boundary, startSpeed, endSpeed } = motion;
+  return {
+    times: keys.map(({ time }) => time),
+    boundary,
+    startSpeed,
+    endSpeed,
+    tension: keys.map(({ shaping }) => shaping.tension),
+    bias: keys.map(({ shaping }) => shaping.bias),
+  };
+}
+
+/** Other times, ends, tensions and biases; the shapes stay. */
+function withPassing(doc: Doc, { times, boundary, startSpeed, endSpeed, tension, bias }: KeyPassing): Doc {
+  const keys = doc.keys.map((key, i) => ({
+    ...key,
+    time: times[i]!,
+    shaping: { ...key.shaping, tension: tension[i]!, bias: bias[i]! },
+  }));
+  return setMotion({ ...doc, keys }, { boundary, startSpeed, endSpeed });
+}

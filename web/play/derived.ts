@@ -1,0 +1,83 @@
+/** What follows from the state: times, curves, weights, the system, and how much each curve bends. */
+import { SPACINGS, spacedTimes } from '../model/key-spacing.ts';
+import { totalBending, valueAt } from './splines/curve.ts';
+import type { Curve, Derivative } from './splines/curve.ts';
+import { fitCurve, weightCurves } from './splines/fit.ts';
+import type { CurveKind, FitOptions } from './splines/fit.ts';
+import { leastBending, leastSamples } from './splines/least-bending.ts';
+import type { SampledCurve } from './splines/least-bending.ts';
+import { slopeSystem } from './splines/slopes.ts';
+import type { System } from './splines/solve.ts';
+import { solveDense } from './splines/solve.ts';
+import { LAYERS } from './state.ts';
+import type { Layer, PlayState } from './state.ts';
+
+/** One curve, or in two dimensions one for each coordinate: value, then across. */
+export type Curves = readonly Curve[];
+
+export interface Derived {
+  times: number[];
+  /** First to last key. */
+  range: readonly [number, number];
+  /** Of all layers but the samples, shown or not. */
+  curves: Record<CurveKind, Curves>;
+  /** The brute force, one per coordinate; K as it could be taken. */
+  samples: SampledCurve[];
+  sampleCount: number;
+  /** Total bending of each layer between the first and the last key. */
+  bending: Record<Layer, number>;
+  /** Of the curve with the chosen ends, of the values. */
+  system: System;
+  slopes: number[];
+  weights: Curve[];
+}
+
+export function derive(state: PlayState): Derived {
+  const times = timesOf(state);
+  const options: FitOptions = { speeds: state.speeds, ends: state.ends, shaping: state.keys };
+  const coordinates = [state.keys.map(({ value }) => value)];
+  if (state.plane) coordinates.push(state.keys.map(({ across }) => across));
+  const curvesOf = (kind: CurveKind): Curves => coordinates.map((values) => fitCurve(kind, { times, values }, options));
+  const kinds = LAYERS.filter((layer) => layer !== 'samples');
+  const curves = Object.fromEntries(kinds.map((kind) => [kind, curvesOf(kind)])) as unknown as Record<
+    CurveKind,
+    Curves
+  >;
+  const sampleCount = Math.max(state.samples, leastSamples(times));
+  const samples = coordinates.map((values) => leastBending({ times, values }, sampleCount));
+  const sum = (numbers: number[]): number => numbers.reduce((total, number) => total + number, 0);
+  const intervals = times.length - 1;
+  const bendingOf = (layer: Layer): number =>
+    sum(
+      layer === 'samples'
+        ? samples.map(({ bending }) => bending)
+        : curves[layer].map((curve) => totalBending(curve, intervals)),
+    );
+  const system = slopeSystem({ times, values: coordinates[0]! }, state.ends, state.speeds);
+  return {
+    times,
+    range: [times[0]!, times.at(-1)!],
+    curves,
+    samples,
+    sampleCount,
+    bending: Object.fromEntries(LAYERS.map((layer) => [layer, bendingOf(layer)])) as Record<Layer, number>,
+    system,
+    slopes: solveDense(system),
+    weights: weightCurves(state.ends, times, options),
+  };
+}
+
+/** As they were set by hand, or from how far the keys lie apart. */
+export function timesOf({ keys, spacing, plane }: PlayState): number[] {
+  if (spacing === 'hand') return keys.map(({ time }) => time);
+  const distance = keys
+    .slice(1)
+    .map((key, i) => Math.hypot(key.value - keys[i]!.value, plane ? key.across - keys[i]!.across : 0));
+  return spacedTimes(keys[0]!.time, keys.at(-1)!.time, distance, SPACINGS[spacing]);
+}
+
+/** The curve's value at t; in two dimensions the length of a derivative there. */
+export function amount(curves: Curves, t: number, derivative: Derivative): number {
+  const numbers = curves.map((curve) => valueAt(curve, t, derivative));
+  return numbers.length > 1 && derivative > 0 ? Math.hypot(...numbers) : numbers[0]!;
+}

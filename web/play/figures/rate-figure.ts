@@ -1,0 +1,109 @@
+/** The first or second derivative of every curve that is shown: what goes on at a key, and what jumps there. */
+import { make } from '../../plots/line-chart.ts';
+import { extent, padded } from '../../plots/scale.ts';
+import type { Scale } from '../../plots/scale.ts';
+import type { Derived } from '../derived.ts';
+import { valueAt } from '../splines/curve.ts';
+import type { Layer, PlayState } from '../state.ts';
+import { marksOf, shownSpan } from './curve-figure.ts';
+import { curveLines, pieces } from './lines.ts';
+import { BOTTOM, TOP, axesOf, createPicture, timeAxes } from './plot.ts';
+import type { Axes, Box } from './plot.ts';
+import { LAYER_WORDS, number } from './words.ts';
+
+export interface RateFigure {
+  element: SVGSVGElement;
+  update(state: PlayState, derived: Derived): void;
+}
+
+const NAMES = { 1: 'Slope, the first derivative', 2: 'Bend, the second derivative' } as const;
+
+export function createRateFigure(
+  derivative: 1 | 2,
+  listen: (element: SVGSVGElement, x: () => Scale | null, box: () => Box) => void,
+): RateFigure {
+  let shown: { state: PlayState; derived: Derived } | null = null;
+  let axes: Axes | null = null;
+  const redraw = (): void => {
+    if (shown) draw(shown.state, shown.derived);
+  };
+  const picture = createPicture('rate-figure', (width) => Math.min(Math.max(width * 0.2, 110), 150), redraw);
+  picture.element.setAttribute('role', 'img');
+  listen(picture.element, () => axes?.x ?? null, picture.box);
+
+  function draw(state: PlayState, derived: Derived): void {
+    const box = picture.box();
+    if (box.width === 0) return;
+    const layers = state.layers.filter((layer) => layer !== 'samples');
+    const span = shownSpan(derived);
+    const lengthOf = (numbers: readonly number[]): number =>
+      numbers.length > 1 ? Math.hypot(...numbers) : numbers[0]!;
+    const values = layers.flatMap((layer) =>
+      pieces(derived.curves[layer], derivative, span[1]).flatMap((piece) =>
+        piece.map(([, numbers]) => lengthOf(numbers)),
+      ),
+    );
+    axes = axesOf(box, span, padded(extent([0, ...values]), 0.12, 0.5));
+    const { x, y } = axes;
+    picture.element.replaceChildren(
+      ...timeAxes(box, axes, marksOf(state, derived)),
+      ...picture.framed(
+        layers.flatMap((layer) =>
+          curveLines(layer, derived.curves[layer], derivative, span, (numbers, t) => [x(t), y(lengthOf(numbers))]),
+        ),
+      ),
+      ...(derivative === 2 && layers.includes('linear') ? spikes(derived, axes, box) : []),
+    );
+    picture.element.setAttribute('aria-label', describe(layers, derived));
+  }
+
+  function describe(layers: readonly Layer[], derived: Derived): string {
+    const said = layers.map((layer) => {
+      const jump = largestJump(derived, layer, derivative);
+      const { name } = LAYER_WORDS[layer];
+      if (derivative === 2 && layer === 'linear') return `${name}: a spike without end at every corner`;
+      return `${name}: ${jump > 1e-6 ? `jumps by up to ${number(jump)} at a key` : 'goes on at every key'}`;
+    });
+    return `${NAMES[derivative]}. ${said.join('; ')}`;
+  }
+
+  return {
+    element: picture.element,
+    update(state, derived) {
+      shown = { state, derived };
+      redraw();
+    },
+  };
+}
+
+/** What a derivative jumps by at the inner key where it jumps most; in two dimensions the length of it. */
+export function largestJump({ curves, times }: Derived, layer: Layer, derivative: 1 | 2): number {
+  if (layer === 'samples') return 0;
+  const closest = 1e-9 * (times.at(-1)! - times[0]!);
+  return Math.max(
+    0,
+    ...times
+      .slice(1, -1)
+      .map((t) =>
+        Math.hypot(
+          ...curves[layer].map(
+            (curve) => valueAt(curve, t + closest, derivative) - valueAt(curve, t - closest, derivative),
+          ),
+        ),
+      ),
+  );
+}
+
+/** A corner bends without end: an arrow out of the picture, up or down as the slope jumps. */
+function spikes({ curves, times }: Derived, { x, y }: Axes, { height }: Box): SVGElement[] {
+  const [curve] = curves.linear;
+  return times.slice(1, -1).flatMap((t, i) => {
+    const turn = valueAt(curve!, t, 1) - valueAt(curve!, times[i]!, 1);
+    if (Math.abs(turn) < 1e-9) return [];
+    const up = curves.linear.length > 1 || turn > 0;
+    const tip = up ? TOP + 1 : height - BOTTOM - 1;
+    const back = up ? 7 : -7;
+    const d = `M${x(t).toFixed(1)} ${y(0).toFixed(1)}V${tip}m-4 ${back}l4 ${-back}l4 ${back}`;
+    return [make('path', { class: 'curve linear spike', d })];
+  });
+}

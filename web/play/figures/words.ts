@@ -1,0 +1,22 @@
+/** The curves by name, and what each one is. */
+import type { Ends } from '../splines/slopes.ts';
+import type { Layer } from '../state.ts';
+
+export const LAYER_WORDS: Record<Layer, { name: string; what: string }> = {
+  linear: { name: 'Straight lines', what: 'Linear: the shortest way, with a corner at every key' },
+  natural: { name: 'Natural cubic', what: 'Free ends. Blender calls this smoothing “Continuous Acceleration”' },
+  samples: { name: 'Brute force', what: 'Least bending of K samples, with the keys held' },
+  'catmull-rom': { name: 'Catmull-Rom', what: 'Each key asks its two neighbours only. Blender: smoothing “None”' },
+  hermite: { name: 'Given speeds', what: 'Hermite ends: drag the handles; 0 eases in and out' },
+  periodic: { name: 'Loop', what: 'Periodic: after the last key comes the first again' },
+  shaped: { name: 'Tension and bias', what: 'Of each key, after Kochanek and Bartels' },
+};
+
+export const ENDS_WORDS: Record<Ends, string> = { natural: 'Free', hermite: 'Given speeds', periodic: 'Loop' };
+
+/** Four digits at most, with a minus sign that reads as one. */
+export function number(value: number): string {
+  if (value === Infinity) return '∞';
+  const text = Math.abs(value) < 5e-4 ? '0' : String(Number(value.toPrecision(3)));
+  return text.replace('-', '−');
+}

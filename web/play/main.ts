@@ -1,0 +1,28 @@
+/** The playground's entrance. */
+import { registerServiceWorker } from '../offline/register.ts';
+import { createThemeButton } from '../ui/theme-button.ts';
+import { createOffer } from '../ui/messages.ts';
+import { createTheme } from '../ui/theme.ts';
+import { createPlayPage } from './page.ts';
+import { createReal } from './real.ts';
+
+const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+const newVersion = createOffer('new-version');
+const theme = createTheme(() => themeButton.update(theme.theme()));
+const themeButton = createThemeButton(() => theme.next());
+const real = createReal({
+  get: () => page.get(),
+  change: (state) => page.change(state, 'natural'),
+});
+const page = createPlayPage({
+  notices: [newVersion.element],
+  real,
+  theme: themeButton.element,
+  playing: !reducedMotion,
+  onError: (error) => newVersion.offer({ message: error instanceof Error ? error.message : String(error) }),
+});
+themeButton.update(theme.theme());
+document.getElementById('play')?.replaceChildren(page.element);
+registerServiceWorker((reload) => {
+  newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
+});

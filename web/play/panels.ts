@@ -1,0 +1,148 @@
+/** The controls beside the figures: what is drawn in which way, and the numbers of the curves that have some. */
+import { button, segments, select, slider } from '../ui/controls.ts';
+import { h, setHidden, setText } from '../ui/dom.ts';
+import type { Spacing } from '../model/key-spacing.ts';
+import { ENDS_WORDS } from './figures/words.ts';
+import type { Ends } from './splines/slopes.ts';
+import type { PlayState } from './state.ts';
+import { MAX_KEYS, MAX_SAMPLES, MIN_KEYS, MIN_SAMPLES, MOST_SPEED } from './state.ts';
+
+export interface PanelEvents {
+  onPlane(plane: boolean): void;
+  onAdd(): void;
+  onRemove(): void;
+  onSpacing(spacing: Spacing | 'hand'): void;
+  onEnds(ends: Ends): void;
+  onSamples(samples: number): void;
+  onShaping(change: { tension?: number; bias?: number }): void;
+  onSpeed(end: 0 | 1, speed: number): void;
+}
+
+export interface Panel {
+  element: HTMLElement;
+  update(state: PlayState): void;
+}
+
+/** Above the curve: dimensions, keys, times. */
+export function createTools(events: PanelEvents): Panel {
+  const dimensions = segments(
+    'Dimensions',
+    'dimensions',
+    [
+      { value: 'line', label: 'One', hint: 'A value over time' },
+      { value: 'plane', label: 'Two', hint: 'Two coordinates, drawn against each other' },
+    ],
+    (value) => events.onPlane(value === 'plane'),
+  );
+  const spacing = select<Spacing | 'hand'>(
+    'Times of the keys',
+    'spacing',
+    [
+      { value: 'hand', label: 'by hand' },
+      { value: 'even', label: 'even' },
+      { value: 'root', label: 'by square root of distance' },
+      { value: 'difference', label: 'by distance' },
+    ],
+    events.onSpacing,
+  );
+  const add = button({
+    label: 'Add a key',
+    testId: 'add-key',
+    icon: 'plus',
+    kind: 'plain',
+    text: 'Add',
+    onClick: events.onAdd,
+  });
+  const remove = button({
+    label: 'Delete the selected key',
+    testId: 'remove-key',
+    icon: 'trash',
+    kind: 'plain',
+    text: 'Delete',
+    shortcut: 'Delete',
+    onClick: events.onRemove,
+  });
+  return {
+    element: h(
+      'div',
+      { class: 'tools' },
+      dimensions.element,
+      spacing.element,
+      h('div', { class: 'tool-buttons', role: 'group', 'aria-label': 'Keys' }, add, remove),
+    ),
+    update(state) {
+      dimensions.update(state.plane ? 'plane' : 'line');
+      spacing.update(state.spacing);
+      add.disabled = state.keys.length >= MAX_KEYS;
+      remove.disabled = state.keys.length <= MIN_KEYS;
+    },
+  };
+}
+
+/** Below the list of curves: what those that are shown can be given. */
+export function createCurveControls(events: PanelEvents): Panel {
+  const samples = slider({
+    label: 'Samples of the brute force, K',
+    testId: 'samples',
+    min: MIN_SAMPLES,
+    max: MAX_SAMPLES,
+    step: 1,
+    fallback: 20,
+    format: String,
+    onInput: (value) => events.onSamples(Math.round(value)),
+  });
+  const speed = (end: 0 | 1, label: string, testId: string) =>
+    slider({
+      label,
+      testId,
+      min: 0,
+      max: MOST_SPEED,
+      step: 0.05,
+      fallback: 1,
+      hint: 'In units of the straight way to the next key: 0 eases, 1 is as fast as that',
+      onInput: (value) => events.onSpeed(end, value),
+    });
+  const speeds = [speed(0, 'Speed at the first key', 'start-speed'), speed(1, 'Speed at the last key', 'end-speed')];
+  const shaping = (name: 'tension' | 'bias', label: string, hint: string) =>
+    slider({
+      label,
+      testId: name,
+      min: -1,
+      max: 1,
+      step: 0.05,
+      fallback: 0,
+      hint,
+      onInput: (value) => events.onShaping({ [name]: value }),
+    });
+  const tension = shaping('tension', 'Tension', '1 stops at the key, below 0 it passes faster');
+  const bias = shaping('bias', 'Bias', 'Below 0 the slope leans towards the next key, above 0 it carries on');
+  const selected = h('p', { class: 'selected-key', 'data-testid': 'selected-key' });
+  const shaped = h('div', { class: 'control-group' }, selected, tension.element, bias.element);
+  const ends = h('div', { class: 'control-group' }, ...speeds.map(({ element }) => element));
+  return {
+    element: h('div', { class: 'curve-controls' }, samples.element, ends, shaped),
+    update(state) {
+      const shows = (...layers: PlayState['layers']): boolean => layers.some((layer) => state.layers.includes(layer));
+      const key = state.keys[state.selected]!;
+      setHidden(samples.element, !shows('samples'));
+      setHidden(ends, !(shows('hermite') || (shows('shaped') && state.ends === 'hermite')));
+      setHidden(shaped, !shows('shaped'));
+      samples.update(state.samples);
+      speeds.forEach((control, end) => control.update(state.speeds[end]!));
+      setText(selected, `Tension and bias at key ${state.selected + 1}; select another by its dot`);
+      tension.update(key.tension);
+      bias.update(key.bias);
+    },
+  };
+}
+
+/** Above the system and the weights: which ends both have. */
+export function createEndsChoice(events: PanelEvents): Panel {
+  const { element, update } = segments<Ends>(
+    'Ends',
+    'ends',
+    (Object.keys(ENDS_WORDS) as Ends[]).map((value) => ({ value, label: ENDS_WORDS[value] })),
+    events.onEnds,
+  );
+  return { element, update: (state) => update(state.ends) };
+}

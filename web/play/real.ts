@@ -1,0 +1,145 @@
+/** Takes a coordinate of a shape that is open in the app, in another tab, and gives times and ends back to it. */
+import { button, select } from '../ui/controls.ts';
+import { h, setHidden, setText } from '../ui/dom.ts';
+import type { OpenShape, PlaygroundMessage } from '../model/playground-channel.ts';
+import { playgroundChannel } from '../model/playground-channel.ts';
+import { timesOf } from './derived.ts';
+import { LAYERS, MAX_KEYS } from './state.ts';
+import type { PlayState } from './state.ts';
+
+export interface RealParts {
+  get(): PlayState;
+  /** Another state: a coordinate was taken. */
+  change(state: PlayState): void;
+}
+
+export interface Real {
+  element: HTMLElement;
+  update(state: PlayState): void;
+}
+
+export function createReal({ get, change }: RealParts): Real {
+  const channel = 'BroadcastChannel' in window ? playgroundChannel() : null;
+  const shapes = new Map<string, OpenShape>();
+  let chosen = '';
+  const send = (message: PlaygroundMessage): void => channel?.postMessage(message);
+  const ask = (): void => {
+    shapes.clear();
+    send({ type: 'ask' });
+  };
+
+  const none = h(
+    'p',
+    { class: 'hint', 'data-testid': 'no-shape' },
+    'No shape is open in another tab of this browser. ',
+    h('a', { href: './', target: '_blank', rel: 'noopener' }, 'Open one'),
+    ', come back, and its angles and stretches can be taken as the values here.',
+  );
+  const coordinate = select<string>('Coordinate', 'real-coordinate', [], (value) => {
+    chosen = value;
+    draw();
+  });
+  const take = button({
+    label: 'Take it as the values',
+    testId: 'take-real',
+    kind: 'plain',
+    text: 'Take it',
+    onClick() {
+      const found = choiceOf(chosen);
+      if (found) change(takenState(get(), found.shape, found.index));
+    },
+  });
+  const back = button({
+    label: 'Give the times, ends, tensions and biases back to the shape',
+    testId: 'give-back',
+    kind: 'plain',
+    text: 'Give times and ends back',
+    onClick: () => send(backMessage(get())),
+  });
+  const said = h('p', { class: 'hint', role: 'status', 'data-testid': 'real-said' });
+  const some = h(
+    'div',
+    { class: 'real-some' },
+    coordinate.element,
+    h('div', { class: 'button-row' }, take, back),
+    said,
+  );
+
+  const choiceOf = (value: string): { shape: OpenShape; index: number } | null => {
+    const [page, index] = value.split('|');
+    const shape = shapes.get(page ?? '');
+    return shape ? { shape, index: Number(index) } : null;
+  };
+  const draw = (): void => {
+    const choices = [...shapes.values()].flatMap((shape) =>
+      shape.coordinates.map(({ name }, index) => ({
+        value: `${shape.page}|${index}`,
+        label: `${shape.title}: ${name}`,
+      })),
+    );
+    if (!choices.some(({ value }) => value === chosen)) chosen = choices[0]?.value ?? '';
+    setHidden(none, choices.length > 0);
+    setHidden(some, choices.length === 0);
+    coordinate.update(chosen, choices);
+    const { taken, keys } = get();
+    const of = taken && shapes.get(taken.from);
+    back.disabled = !of || of.times.length !== keys.length;
+  };
+
+  channel?.addEventListener('message', ({ data }: MessageEvent<PlaygroundMessage>) => {
+    if (data.type === 'open') {
+      shapes.set(data.shape.page, data.shape);
+      draw();
+    }
+    if (data.type === 'done')
+      setText(said, 'The shape in the other tab moves like this now; Undo there takes it back.');
+  });
+  document.addEventListener('visibilitychange', () => document.hidden || ask());
+  window.addEventListener('pageshow', ask);
+  return {
+    element: h('section', { class: 'real', 'data-testid': 'real' }, h('h2', {}, 'Take a real one'), none, some),
+    update: draw,
+  };
+}
+
+/** The coordinate's values at the shape's own times, passed as the shape passes them. */
+function takenState(state: PlayState, shape: OpenShape, index: number): PlayState {
+  const { name, unit, values } = shape.coordinates[index]!;
+  const count = Math.min(values.length, MAX_KEYS);
+  const { boundary, startSpeed, endSpeed, tension, bias } = shape;
+  const keys = values.slice(0, count).map((value, i) => ({
+    time: shape.times[i]!,
+    value,
+    // Of a second coordinate, where there is one.
+    across: shape.coordinates[(index + 1) % shape.coordinates.length]!.values[i]!,
+    tension: tension[i]!,
+    bias: bias[i]!,
+  }));
+  const shaped = keys.some((key) => key.tension !== 0 || key.bias !== 0);
+  const main = shaped ? 'shaped' : boundary;
+  return {
+    ...state,
+    keys,
+    layers: LAYERS.filter((layer) => layer === main || (layer === 'linear' && state.layers.includes(layer))),
+    ends: boundary,
+    speeds: [startSpeed, endSpeed],
+    selected: Math.min(state.selected, count - 1),
+    time: (keys[0]!.time + keys.at(-1)!.time) / 2,
+    plane: false,
+    spacing: 'hand',
+    taken: { from: shape.page, shape: shape.title, name, unit, keys: values.length },
+  };
+}
+
+function backMessage(state: PlayState): PlaygroundMessage {
+  return {
+    type: 'back',
+    page: state.taken?.from ?? '',
+    times: timesOf(state),
+    boundary: state.ends,
+    startSpeed: state.speeds[0],
+    endSpeed: state.speeds[1],
+    tension: state.keys.map(({ tension }) => tension),
+    bias: state.keys.map(({ bias }) => bias),
+  };
+}

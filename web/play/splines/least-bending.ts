@@ -1,0 +1,53 @@
+/**
+ * Least bending by brute force: K samples that minimise the sum of their squared second differences with the keys held
+ * (paper Eq. 1-2, Fig. 2a). What a cubic spline finds from J equations, from K + J.
+ */
+import { solveDense } from './solve.ts';
+import type { Data } from './slopes.ts';
+
+export interface SampledCurve {
+  times: number[];
+  values: number[];
+  /** Sum of the squared second differences over the cubed step: an integral of the squared second derivative. */
+  bending: number;
+}
+
+/** So many that every interval between keys has a sample: fewer could not meet all keys. */
+export function leastSamples(times: readonly number[]): number {
+  const span = times.at(-1)! - times[0]!;
+  const shortest = Math.min(...times.slice(1).map((t, i) => t - times[i]!));
+  return Math.max(4, Math.ceil((span / shortest) * (1 - 1e-9)) + 1);
+}
+
+/** K evenly spaced samples, at least leastSamples; a key between two of them is held by the line through both. */
+export function leastBending({ times, values }: Data, samples: number): SampledCurve {
+  const [start, keys] = [times[0]!, times.length];
+  const step = (times.at(-1)! - start) / (samples - 1);
+  const size = samples + keys;
+  const matrix = Array.from({ length: size }, () => new Array<number>(size).fill(0));
+  const difference = [1, -2, 1];
+  for (let i = 1; i < samples - 1; i += 1)
+    for (let a = 0; a < 3; a += 1)
+      for (let b = 0; b < 3; b += 1) matrix[i - 1 + a]![i - 1 + b]! += difference[a]! * difference[b]!;
+  times.forEach((t, j) => {
+    const place = (t - start) / step;
+    const before = Math.min(Math.max(Math.floor(place), 0), samples - 2);
+    const share = place - before;
+    for (const [sample, factor] of [
+      [before, 1 - share],
+      [before + 1, share],
+    ] as const) {
+      matrix[samples + j]![sample] = factor;
+      matrix[sample]![samples + j] = factor;
+    }
+  });
+  // The gradient of the sum is a combination of what holds the keys (Lagrange).
+  const rhs = [...new Array<number>(samples).fill(0), ...values];
+  const path = solveDense({ matrix, rhs }).slice(0, samples);
+  const bends = path.slice(2).map((value, i) => value - 2 * path[i + 1]! + path[i]!);
+  return {
+    times: path.map((_, i) => start + i * step),
+    values: path,
+    bending: bends.reduce((sum, bend) => sum + bend * bend, 0) / step ** 3,
+  };
+}

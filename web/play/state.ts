@@ -1,0 +1,125 @@
+/** What the playground shows, as plain data, and pure edits of it. */
+import { clamp } from '../model/time-scale.ts';
+import type { Spacing } from '../model/key-spacing.ts';
+import type { Ends } from './splines/slopes.ts';
+
+export interface PlayKey {
+  time: number;
+  value: number;
+  /** The second coordinate, which is drawn to the right in two dimensions. */
+  across: number;
+  /** 0 leaves the slope as it is, 1 stops there. */
+  tension: number;
+  /** From -1 to 1: below 0 the slope leans towards the next key, above 0 it carries on. */
+  bias: number;
+}
+
+export const LAYERS = ['linear', 'natural', 'samples', 'catmull-rom', 'hermite', 'periodic', 'shaped'] as const;
+export type Layer = (typeof LAYERS)[number];
+
+/** A coordinate of a shape that is open in the app. */
+export interface Taken {
+  /** Of the page that it was taken from. */
+  from: string;
+  shape: string;
+  name: string;
+  unit: string;
+  /** Of its keys as they were then: the times and ends can go back to the shape that still has as many. */
+  keys: number;
+}
+
+export interface PlayState {
+  keys: PlayKey[];
+  layers: Layer[];
+  /** Of the system, of the weights, and of the curve with tensions and biases. */
+  ends: Ends;
+  speeds: [number, number];
+  /** K of the brute force. */
+  samples: number;
+  selected: number;
+  time: number;
+  /** In two dimensions. */
+  plane: boolean;
+  spacing: Spacing | 'hand';
+  taken: Taken | null;
+}
+
+export const MIN_KEYS = 2;
+export const MAX_KEYS = 12;
+export const MIN_SAMPLES = 5;
+export const MAX_SAMPLES = 60;
+export const MOST_SPEED = 4;
+/** Two keys are at least this share of the whole time apart. */
+const LEAST_GAP = 0.02;
+
+const plain = (time: number, value: number, across: number): PlayKey => ({ time, value, across, tension: 0, bias: 0 });
+
+export const INITIAL: Readonly<PlayState> = {
+  keys: [plain(0, 0.2, 0), plain(0.25, 0.75, 0.15), plain(0.5, 0.35, 0.3), plain(0.75, 0.9, 1.4), plain(1, 0.5, 1.6)],
+  layers: ['natural'],
+  ends: 'natural',
+  speeds: [1, 1],
+  samples: 20,
+  selected: 2,
+  time: 0.4,
+  plane: false,
+  spacing: 'hand',
+  taken: null,
+};
+
+export function withKey(state: PlayState, index: number, change: Partial<PlayKey>): PlayState {
+  return { ...state, keys: state.keys.map((key, at) => (at === index ? { ...key, ...change } : key)) };
+}
+
+/** Gives a key another value; and another time, which stays between those of its neighbours. */
+export function moveKey(state: PlayState, index: number, to: { time?: number; value: number }): PlayState {
+  const { keys } = state;
+  const key = keys[index];
+  if (!key) return state;
+  const { time } = to;
+  if (time === undefined || state.spacing !== 'hand') return withKey(state, index, { value: to.value });
+  const gap = LEAST_GAP * (keys.at(-1)!.time - keys[0]!.time);
+  const [before, after] = [keys[index - 1], keys[index + 1]];
+  // The time as a whole keeps its length: the ends stay.
+  const fixed = !before || !after;
+  return withKey(state, index, {
+    value: to.value,
+    time: fixed ? key.time : clamp(time, before.time + gap, after.time - gap),
+  });
+}
+
+/** Puts a key into the largest interval, or between the selected key and the next; its value is what `at` says there. */
+export function addKey(state: PlayState, at: (time: number) => { value: number; across: number }): PlayState {
+  const { keys, selected } = state;
+  if (keys.length >= MAX_KEYS) return state;
+  const index = Math.min(selected, keys.length - 2);
+  const time = (keys[index]!.time + keys[index + 1]!.time) / 2;
+  const added = { time, ...at(time), tension: 0, bias: 0 };
+  return {
+    ...state,
+    keys: [...keys.slice(0, index + 1), added, ...keys.slice(index + 1)],
+    selected: index + 1,
+    taken: null,
+  };
+}
+
+export function removeKey(state: PlayState, index: number): PlayState {
+  if (state.keys.length <= MIN_KEYS || !state.keys[index]) return state;
+  const keys = state.keys.filter((_, at) => at !== index);
+  return { ...state, keys, selected: clamp(index, 0, keys.length - 1), taken: null };
+}
+
+export function showLayer(state: PlayState, layer: Layer, on: boolean): PlayState {
+  const others = state.layers.filter((one) => one !== layer);
+  return { ...state, layers: LAYERS.filter((one) => others.includes(one) || (on && one === layer)) };
+}
+
+/** The curve with these ends is shown with them. */
+export function setEnds(state: PlayState, ends: Ends): PlayState {
+  return showLayer({ ...state, ends }, ends, true);
+}
+
+/** Tension or bias of the selected key; the curve that has them is shown with it. */
+export function setShaping(state: PlayState, change: Partial<Pick<PlayKey, 'tension' | 'bias'>>): PlayState {
+  return showLayer(withKey(state, state.selected, change), 'shaped', true);
+}

@@ -1,0 +1,68 @@
+/** A plot as a file: an SVG that needs no style sheet, the same as a PNG, and numbers as CSV. */
+
+/** What the style sheet says of a plot's parts. */
+const STYLED = [
+  ...['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity', 'stroke-linejoin'],
+  ...['opacity', 'paint-order', 'font-family', 'font-size', 'font-weight', 'text-anchor'],
+] as const;
+
+/** The picture as it is on the page, on the page's ground, each part with its own colours. */
+export function svgOf(element: SVGSVGElement): string {
+  const copy = element.cloneNode(true) as SVGSVGElement;
+  const { width, height } = element.viewBox.baseVal;
+  const from = [element, ...element.querySelectorAll('*')];
+  const to = [copy, ...copy.querySelectorAll('*')];
+  const hidden: Element[] = [];
+  from.forEach((part, index) => {
+    const style = getComputedStyle(part);
+    const target = to[index]!;
+    if (style.display === 'none') hidden.push(target);
+    for (const name of STYLED) target.setAttribute(name, style.getPropertyValue(name));
+    for (const { name } of [...target.attributes])
+      if (/^(class|tabindex|role|data-.*|aria-.*)$/.test(name)) target.removeAttribute(name);
+  });
+  for (const part of hidden) part.remove();
+  const ground = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
+  for (const [name, value] of Object.entries({ width, height, fill: groundOf(element) }))
+    ground.setAttribute(name, String(value));
+  copy.prepend(ground);
+  for (const [name, value] of Object.entries({ width, height })) copy.setAttribute(name, String(value));
+  return new XMLSerializer().serializeToString(copy);
+}
+
+/** Errors: where the browser cannot draw the picture. */
+export async function pngOf(element: SVGSVGElement, scale = 3): Promise<Blob> {
+  const { width, height } = element.viewBox.baseVal;
+  const url = URL.createObjectURL(new Blob([svgOf(element)], { type: 'image/svg+xml' }));
+  try {
+    const image = new Image(width * scale, height * scale);
+    image.src = url;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [width * scale, height * scale];
+    canvas.getContext('2d')!.drawImage(image, 0, 0, canvas.width, canvas.height);
+    return await new Promise((resolve, reject) => {
+      canvas.toBlob(
+        (blob) => (blob ? resolve(blob) : reject(new Error('The picture could not be made.'))),
+        'image/png',
+      );
+    });
+  } finally {
+    URL.revokeObjectURL(url);
+  }
+}
+
+/** Rows of numbers under their names; what is not finite is left empty. */
+export function csvOf(names: readonly string[], rows: readonly (readonly number[])[]): string {
+  const cell = (value: number): string => (Number.isFinite(value) ? String(Number(value.toPrecision(9))) : '');
+  return [names.join(','), ...rows.map((row) => row.map(cell).join(',')), ''].join('\n');
+}
+
+/** The first ground behind the element that can be seen. */
+function groundOf(element: Element): string {
+  for (let at: Element | null = element; at; at = at.parentElement) {
+    const { backgroundColor } = getComputedStyle(at);
+    if (!/^(transparent|rgba\(0, 0, 0, 0\))$/.test(backgroundColor)) return backgroundColor;
+  }
+  return '#ffffff';
+}
