@@ -59,13 +59,15 @@ function keyNotice({ selected }: PlayState, { curves, times, weights }: Derived,
   return `Notice that ${key} is felt everywhere, and hardly beyond its neighbours: at most ${number(100 * reach(weights[selected]!, times, selected))} % of its movement arrive there, turned round.`;
 }
 
+const SAMPLED = 40;
+
 /** The most that a key weighs beyond its neighbours, over the intervals that it does not end. */
 function reach(weight: Curve, times: readonly number[], key: number): number {
   let most = 0;
   times.slice(1).forEach((to, i) => {
     if (i + 1 >= key && i <= key) return;
-    for (let step = 1; step < 8; step += 1)
-      most = Math.max(most, Math.abs(valueAt(weight, times[i]! + ((to - times[i]!) * step) / 8)));
+    for (let step = 1; step < SAMPLED; step += 1)
+      most = Math.max(most, Math.abs(valueAt(weight, times[i]! + ((to - times[i]!) * step) / SAMPLED)));
   });
   return most;
 }

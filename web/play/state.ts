@@ -88,7 +88,7 @@ export function moveKey(state: PlayState, index: number, to: { time?: number; va
   });
 }
 
-/** Puts a key into the largest interval, or between the selected key and the next; its value is what `at` says there. */
+/** Puts a key halfway between the selected one and the next, or the one before at the end; `at` says its value. */
 export function addKey(state: PlayState, at: (time: number) => { value: number; across: number }): PlayState {
   const { keys, selected } = state;
   if (keys.length >= MAX_KEYS) return state;

@@ -1,7 +1,7 @@
 /**
- * Single coordinates of a shape at its keys, for explaining what the splines run through: how patches turn against their
- * neighbours (the log(G_i^-1 G_j) of the paper's Eq. 5, about its main axis) and how they stretch. What the method
- * itself computes with stays in the core; these are measured anew on the keys' vertices.
+ * Single coordinates of a shape at its keys, for explaining what the splines run through: how patches turn against
+ * their neighbours (the log(G_i^-1 G_j) of the paper's Eq. 5, about its main axis) and how they stretch. What the
+ * method itself computes with stays in the core; these are measured anew on the keys' vertices.
  */
 import { leadingEigenvector } from './symmetric-eigen.ts';
 

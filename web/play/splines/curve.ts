@@ -11,7 +11,7 @@ export interface Curve {
 
 export type Derivative = 0 | 1 | 2;
 
-/** The value at t or a derivative there. At a knot that of the interval after it. Beyond the ends it goes on straight. */
+/** The value at t or a derivative there: at a knot that of the interval after it. Beyond the ends it is straight. */
 export function valueAt(curve: Curve, t: number, derivative: Derivative = 0): number {
   const { times, closed } = curve;
   const last = times.length - 1;
