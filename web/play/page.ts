@@ -211,25 +211,12 @@ export function createPlayPage(parts: PageParts): PlayPage {
     system.update(derived, lit);
     keysTable.update(state, derived.times);
     for (const panel of [tools, controls, ends, parts.real]) panel.update(state);
-    const per = unit ? `${unit} ` : '';
-    figures.curve.update(
-      state.taken
-        ? `${state.taken.name}${unit ? `, ${unit}` : ''}`
-        : state.plane
-          ? 'value over across'
-          : 'value over time t',
-      curveNotice(state, derived, touched),
-    );
-    figures.slope.update(
-      state.plane ? 'speed: length of the first derivative' : `${per}first derivative`,
-      rateNotice(state, derived, 1),
-    );
-    figures.bend.update(
-      state.plane ? 'length of the second derivative' : `${per}second derivative`,
-      rateNotice(state, derived, 2),
-    );
+    const units = unitsOf(state, unit);
+    figures.curve.update(units.curve, curveNotice(state, derived, touched));
+    figures.slope.update(units.slope, rateNotice(state, derived, 1));
+    figures.bend.update(units.bend, rateNotice(state, derived, 2));
     figures.weights.update(`w₁ to w${subscript(state.keys.length)} over time`, weightsNotice(state, derived));
-    figures.bending.update('', bendingNotice(state, derived));
+    figures.bending.update(units.bending, bendingNotice(state, derived));
     figures.system.update(
       `${state.keys.length} × ${state.keys.length}, for the slopes m`,
       systemNotice(state, derived, lit),
@@ -327,6 +314,23 @@ function listenToTime(
   element.addEventListener('pointermove', (event) => {
     if (element.hasPointerCapture(event.pointerId)) pick(event);
   });
+}
+
+/** What each figure counts. Of a coordinate that was taken times are in seconds; the page's own numbers have no unit. */
+function unitsOf({ plane, taken }: PlayState, unit: string): Record<'curve' | 'slope' | 'bend' | 'bending', string> {
+  if (taken)
+    return {
+      curve: `${taken.name}, in ${unit} over seconds`,
+      slope: `first derivative, ${unit}/s`,
+      bend: `second derivative, ${unit}/s²`,
+      bending: `total bending in (${unit})²/s³`,
+    };
+  return {
+    curve: plane ? 'value over across' : 'value over time t',
+    slope: plane ? 'speed: the length of the first derivative' : 'first derivative',
+    bend: plane ? 'length of the second derivative' : 'second derivative',
+    bending: 'total bending: the integral of the squared bend',
+  };
 }
 
 /** For who hears the page: what is so now. */

@@ -59,7 +59,7 @@ export function createReal({ get, change }: RealParts): Real {
   const said = h('p', { class: 'hint', role: 'status', 'data-testid': 'real-said' });
   const some = h(
     'div',
-    { class: 'real-some' },
+    { class: 'real-some', hidden: true },
     coordinate.element,
     h('div', { class: 'button-row' }, take, back),
     said,

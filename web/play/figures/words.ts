@@ -4,9 +4,12 @@ import type { Layer } from '../state.ts';
 
 export const LAYER_WORDS: Record<Layer, { name: string; what: string }> = {
   linear: { name: 'Straight lines', what: 'Linear: the shortest way, with a corner at every key' },
-  natural: { name: 'Natural cubic', what: 'Free ends. Blender calls this smoothing “Continuous Acceleration”' },
+  natural: { name: 'Natural cubic', what: 'Free ends; in Blender the smoothing “Continuous Acceleration”' },
   samples: { name: 'Brute force', what: 'Least bending of K samples, with the keys held' },
-  'catmull-rom': { name: 'Catmull-Rom', what: 'Each key asks its two neighbours only. Blender: smoothing “None”' },
+  'catmull-rom': {
+    name: 'Catmull-Rom',
+    what: 'Each key asks its two neighbours only, as with Blender’s smoothing “None”',
+  },
   hermite: { name: 'Given speeds', what: 'Hermite ends: drag the handles; 0 eases in and out' },
   periodic: { name: 'Loop', what: 'Periodic: after the last key comes the first again' },
   shaped: { name: 'Tension and bias', what: 'Of each key, after Kochanek and Bartels' },
