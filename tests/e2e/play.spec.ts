@@ -311,6 +311,11 @@ test('takes an angle of the shape that is open in another tab, and gives times a
   await app.settled();
   await app.page.keyboard.press('Control+z');
   expect((await app.state()).doc).toEqual(doc);
+
+  // A link can ask for what changes most in the shape that is open.
+  const taking = await new Playground(await context.newPage()).open('#take');
+  await expect(taking.by('figure-curve')).toContainText('Angle between patches');
+  await expect.poll(() => taking.value(1)).toBeCloseTo(values[1]!, 3);
   await app.expectNoProblems();
   expect(play.problems).toEqual([]);
 });

@@ -4,6 +4,7 @@ import { h, setAttribute, setHidden, setText } from '../ui/dom.ts';
 import { setIcon } from '../ui/icons.ts';
 import { clamp } from '../model/time-scale.ts';
 import type { Scale } from '../plots/scale.ts';
+import { sentence, subscript, unitsOf } from './captions.ts';
 import { createDemonstration, SCENES } from './demonstration.ts';
 import { derive } from './derived.ts';
 import type { Derived } from './derived.ts';
@@ -12,12 +13,11 @@ import { createFigure } from './figures/figure.ts';
 import type { Figure } from './figures/figure.ts';
 import { createKeysTable } from './figures/keys-table.ts';
 import { createLayerList } from './figures/layer-list.ts';
-import { timeAt } from './figures/plot.ts';
+import { listenToTime } from './figures/plot.ts';
 import type { Box } from './figures/plot.ts';
 import { createRateFigure } from './figures/rate-figure.ts';
 import { createSystemTable } from './figures/system-table.ts';
 import { createWeightsFigure } from './figures/weights-figure.ts';
-import { LAYER_WORDS, number } from './figures/words.ts';
 import { readLink, writeLink } from './link.ts';
 import { bendingNotice, curveNotice, rateNotice, systemNotice, weightsNotice } from './notices.ts';
 import type { Touched } from './notices.ts';
@@ -293,58 +293,4 @@ export function createPlayPage(parts: PageParts): PlayPage {
     get: () => state,
     change,
   };
-}
-
-/** The time under the pointer, while it is pressed. */
-function listenToTime(
-  element: SVGSVGElement,
-  x: () => Scale | null,
-  box: () => Box,
-  onTime: (time: number) => void,
-): void {
-  const pick = (event: PointerEvent): void => {
-    const scale = x();
-    if (scale) onTime(timeAt(element, box(), scale, event.clientX));
-  };
-  element.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0) return;
-    element.setPointerCapture(event.pointerId);
-    pick(event);
-  });
-  element.addEventListener('pointermove', (event) => {
-    if (element.hasPointerCapture(event.pointerId)) pick(event);
-  });
-}
-
-/** What each figure counts. Of a coordinate that was taken times are in seconds; the page's own numbers have no unit. */
-function unitsOf({ plane, taken }: PlayState, unit: string): Record<'curve' | 'slope' | 'bend' | 'bending', string> {
-  if (taken)
-    return {
-      curve: `${taken.name}, in ${unit} over seconds`,
-      slope: `first derivative, ${unit}/s`,
-      bend: `second derivative, ${unit}/s²`,
-      bending: `total bending in (${unit})²/s³`,
-    };
-  return {
-    curve: plane ? 'value over across' : 'value over time t',
-    slope: plane ? 'speed: the length of the first derivative' : 'first derivative',
-    bend: plane ? 'length of the second derivative' : 'second derivative',
-    bending: 'total bending: the integral of the squared bend',
-  };
-}
-
-/** For who hears the page: what is so now. */
-function sentence({ keys, selected, plane, time }: PlayState, { times, bending }: Derived, touched: Touched): string {
-  const key = keys[selected]!;
-  const where = plane ? `${number(key.across)} across` : `time ${number(times[selected]!)}`;
-  const what = touched in LAYER_WORDS ? `${LAYER_WORDS[touched as keyof typeof LAYER_WORDS].name}. ` : '';
-  const at =
-    touched === 'time'
-      ? `Time ${number(time)}. `
-      : `Key ${selected + 1} of ${keys.length}: value ${number(key.value)}, ${where}. `;
-  return `${what}${at}The natural spline bends ${number(bending.natural)} in total.`;
-}
-
-function subscript(count: number): string {
-  return String(count).replace(/\d/g, (digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]!);
 }

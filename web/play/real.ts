@@ -18,10 +18,14 @@ export interface Real {
   update(state: PlayState): void;
 }
 
+const TAKE = '#take';
+
 export function createReal({ get, change }: RealParts): Real {
   const channel = 'BroadcastChannel' in window ? playgroundChannel() : null;
   const shapes = new Map<string, OpenShape>();
   let chosen = '';
+  /** A link that asks for the first coordinate that is offered. */
+  let asked = location.hash === TAKE;
   const send = (message: PlaygroundMessage): void => channel?.postMessage(message);
   const ask = (): void => {
     shapes.clear();
@@ -90,6 +94,8 @@ export function createReal({ get, change }: RealParts): Real {
     if (data.type === 'open') {
       shapes.set(data.shape.page, data.shape);
       draw();
+      if (asked && data.shape.coordinates.length > 0) change(takenState(get(), data.shape, 0));
+      asked = false;
     }
     if (data.type === 'done')
       setText(said, 'The shape in the other tab moves like this now; Undo there takes it back.');

@@ -87,7 +87,14 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
 
 function bodyOf({ text, task, sentence, formula, more, beside }: GuidePanelProps): HTMLElement[] {
   const parts: HTMLElement[] = [h('p', {}, text), h('p', { class: 'guide-task' }, task)];
-  if (beside) parts.push(h('p', {}, h('a', { href: beside.href, 'data-testid': 'guide-beside' }, beside.label)));
+  if (beside)
+    parts.push(
+      h(
+        'p',
+        {},
+        h('a', { href: beside.href, target: '_blank', rel: 'noopener', 'data-testid': 'guide-beside' }, beside.label),
+      ),
+    );
   parts.push(h('p', { class: 'guide-sentence' }, sentence));
   if (formula) parts.push(h('figure', { class: 'formula' }, math(formula), h('figcaption', {}, formula.words)));
   if (more) parts.push(h('details', {}, h('summary', {}, 'More'), h('p', {}, more)));

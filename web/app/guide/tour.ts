@@ -68,7 +68,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
       math: '<mrow><munder><mi>min</mi><mi>f</mi></munder><munderover><mo>∫</mo><mn>0</mn><mn>1</mn></munderover><msup><mrow><mo>|</mo><msup><mi>f</mi><mo>″</mo></msup><mo>(</mo><mi>t</mi><mo>)</mo><mo>|</mo></mrow><mn>2</mn></msup><mi>d</mi><mi>t</mi></mrow>',
       words: 'Of all curves through the values, the one whose second derivative is least in total.',
     },
-    beside: { label: 'Open the playground', href: './play.html' },
+    beside: { label: 'Open the playground', href: './play.html#take' },
   },
   {
     title: 'The ends',

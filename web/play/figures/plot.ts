@@ -105,9 +105,30 @@ export function gridLines(width: number, y: Scale, count: number): SVGElement[] 
 }
 
 /** The time under a pointer. */
-export function timeAt(element: SVGSVGElement, { width }: Box, x: Scale, clientX: number): number {
+function timeAt(element: SVGSVGElement, { width }: Box, x: Scale, clientX: number): number {
   const { left, width: drawn } = element.getBoundingClientRect();
   const place = ((clientX - left) / drawn) * width;
   const [low, high] = x.domain;
   return low + ((place - LEFT) / (width - LEFT - RIGHT)) * (high - low);
+}
+
+/** The time under the pointer, while it is pressed. */
+export function listenToTime(
+  element: SVGSVGElement,
+  x: () => Scale | null,
+  box: () => Box,
+  onTime: (time: number) => void,
+): void {
+  const pick = (event: PointerEvent): void => {
+    const scale = x();
+    if (scale) onTime(timeAt(element, box(), scale, event.clientX));
+  };
+  element.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    element.setPointerCapture(event.pointerId);
+    pick(event);
+  });
+  element.addEventListener('pointermove', (event) => {
+    if (element.hasPointerCapture(event.pointerId)) pick(event);
+  });
 }
