@@ -4,7 +4,7 @@ import { LAYER_WORDS, number } from './figures/words.ts';
 import type { Touched } from './notices.ts';
 import type { PlayState } from './state.ts';
 
-/** What each figure counts. Of a coordinate that was taken times are in seconds; the page's own numbers have no unit. */
+/** What each figure counts: of a coordinate that was taken by the second; the page's own numbers have no unit. */
 export function unitsOf(
   { plane, taken }: PlayState,
   unit: string,
