@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -55,9 +54,8 @@ void turnUsualCuts(const std::vector<Triangle>& mesh, const std::vector<Triangle
   }
 }
 
-using Pair = std::int64_t;  // of two numbers that are not negative, the first one leading
-
-Pair pairOf(int a, int b) { return static_cast<Pair>(a) << 32 | b; }
+// Three numbers, in lists that are sorted by them. Triangles are, too: their sorting serves both.
+using Entry = std::array<int, 3>;
 
 // The two lists, and which corner of the pose stands for each of the mesh's as far as that is known.
 struct Match {
@@ -65,54 +63,57 @@ struct Match {
   std::vector<int> corners;
 
   int meshPoint(int corner) const { return pointOf(mesh, corner); }
-  Pair said(int corner, int stands) const { return pairOf(meshPoint(corner), pointOf(pose, stands)); }
+  int posePoint(int corner) const { return pointOf(pose, corners[corner]); }
+  int cornerCount() const { return static_cast<int>(corners.size()); }
 };
+
+template <class EntryOf>
+std::vector<Entry> sortedEntries(int count, EntryOf entryOf) {
+  std::vector<Entry> entries(count);
+  for (int i = 0; i < count; ++i) entries[i] = entryOf(i);
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
 
 // How often other faces say that a point of the mesh is one of the pose.
 class Votes {
  public:
-  explicit Votes(const Match& match) : match_(match) {
-    for (std::size_t c = 0; c < match.corners.size(); ++c)
-      all_.push_back(match.said(static_cast<int>(c), match.corners[c]));
-    std::sort(all_.begin(), all_.end());
-  }
+  explicit Votes(const Match& match)
+      : match_(match), all_(sortedEntries(match.cornerCount(), [&](int c) {
+          return Entry{match.meshPoint(c), match.posePoint(c), c};
+        })) {}
 
   // Without what faces f and g say themselves.
   int of(int corner, int stands, int f, int g) const {
-    const Pair pair = match_.said(corner, stands);
-    const auto [from, to] = std::equal_range(all_.begin(), all_.end(), pair);
-    int count = static_cast<int>(to - from);
-    for (int face : {f, g})
-      for (int c = 3 * face; c < 3 * face + 3; ++c) count -= match_.said(c, match_.corners[c]) == pair;
+    const int p = match_.meshPoint(corner), q = pointOf(match_.pose, stands);
+    int count = 0;
+    for (auto it = std::lower_bound(all_.begin(), all_.end(), Entry{p, q, 0});
+         it != all_.end() && (*it)[0] == p && (*it)[1] == q; ++it)
+      count += (*it)[2] / 3 != f && (*it)[2] / 3 != g;
     return count;
   }
 
  private:
   const Match& match_;
-  std::vector<Pair> all_;
+  std::vector<Entry> all_;
 };
+
+// Marks the faces of all corners whose first number comes with several second ones.
+void markSeveral(const std::vector<Entry>& entries, std::vector<bool>& disputed) {
+  for (std::size_t from = 0, to = 0; from < entries.size(); from = to) {
+    bool several = false;
+    for (to = from; to < entries.size() && entries[to][0] == entries[from][0]; ++to)
+      several |= entries[to][1] != entries[from][1];
+    for (std::size_t i = from; i < to && several; ++i) disputed[entries[i][2] / 3] = true;
+  }
+}
 
 // Faces with a corner whose point is said to be several points of the pose, or whose point there is said to be several.
 std::vector<bool> disputedFaces(const Match& match) {
-  std::vector<Pair> all;
-  for (std::size_t c = 0; c < match.corners.size(); ++c)
-    all.push_back(match.said(static_cast<int>(c), match.corners[c]));
-  const auto several = [&all](auto swapped) {
-    std::vector<Pair> pairs(all.size());
-    std::transform(all.begin(), all.end(), pairs.begin(), swapped);
-    std::sort(pairs.begin(), pairs.end());
-    std::vector<Pair> firsts;
-    for (std::size_t i = 1; i < pairs.size(); ++i)
-      if (pairs[i] != pairs[i - 1] && pairs[i] >> 32 == pairs[i - 1] >> 32) firsts.push_back(pairs[i] >> 32);
-    return firsts;
-  };
-  const auto first = several([](Pair p) { return p; });
-  const auto second = several([](Pair p) { return pairOf(static_cast<int>(p), static_cast<int>(p >> 32)); });
   std::vector<bool> disputed(match.mesh.size(), false);
-  for (std::size_t c = 0; c < all.size(); ++c)
-    if (std::binary_search(first.begin(), first.end(), all[c] >> 32) ||
-        std::binary_search(second.begin(), second.end(), static_cast<Pair>(static_cast<int>(all[c]))))
-      disputed[c / 3] = true;
+  const int n = match.cornerCount();
+  markSeveral(sortedEntries(n, [&](int c) { return Entry{match.meshPoint(c), match.posePoint(c), c}; }), disputed);
+  markSeveral(sortedEntries(n, [&](int c) { return Entry{match.posePoint(c), match.meshPoint(c), c}; }), disputed);
   return disputed;
 }
 
@@ -123,17 +124,15 @@ struct QuadPair {
 
 // Two disputed faces that are a quad in both lists.
 std::vector<QuadPair> quadPairs(const Match& match, const std::vector<bool>& disputed) {
-  std::vector<std::pair<Pair, int>> sides;
-  for (int c = 0; c < static_cast<int>(match.corners.size()); ++c) {
-    if (!disputed[c / 3]) continue;
+  const std::vector<Entry> sides = sortedEntries(match.cornerCount(), [&](int c) {
     const int a = match.meshPoint(c), b = match.meshPoint(nextCorner(c));
-    sides.push_back({pairOf(std::min(a, b), std::max(a, b)), c / 3});
-  }
-  std::sort(sides.begin(), sides.end());
+    return Entry{std::min(a, b), std::max(a, b), c / 3};
+  });
   std::vector<QuadPair> out;
   for (std::size_t i = 1; i < sides.size(); ++i) {
-    const auto [f, g] = std::pair{sides[i - 1].second, sides[i].second};
-    if (sides[i].first != sides[i - 1].first || f == g) continue;
+    const int f = sides[i - 1][2], g = sides[i][2];
+    const bool common = sides[i][0] == sides[i - 1][0] && sides[i][1] == sides[i - 1][1];
+    if (!common || f == g || !disputed[f] || !disputed[g]) continue;
     const auto mesh = quadOf(match.mesh, f, g), pose = quadOf(match.pose, f, g);
     if (mesh && pose) out.push_back({f, g, *mesh, *pose});
   }
@@ -182,11 +181,13 @@ Change turnedTriangle(const Match& match, const Votes& votes, int f) {
 }
 
 // Makes those that gain, the most first, each face in one of them.
-bool make(std::vector<Change>& changes, Match& match) {
-  std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.gain > b.gain; });
+bool make(const std::vector<Change>& changes, Match& match) {
+  const std::vector<Entry> order =
+      sortedEntries(static_cast<int>(changes.size()), [&](int i) { return Entry{-changes[i].gain, i, 0}; });
   std::vector<bool> changed(match.mesh.size(), false);
   bool any = false;
-  for (const Change& change : changes) {
+  for (const Entry& entry : order) {
+    const Change& change = changes[entry[1]];
     if (change.gain <= 0) break;
     if (changed[change.f] || changed[change.g]) continue;
     changed[change.f] = changed[change.g] = any = true;
@@ -216,7 +217,12 @@ std::vector<int> matchCorners(const std::vector<Triangle>& mesh, const std::vect
   Match match{mesh, pose, std::vector<int>(3 * mesh.size())};
   std::iota(match.corners.begin(), match.corners.end(), 0);
   turnUsualCuts(mesh, pose, match.corners);
+  const std::vector<int> usual = match.corners;
   for (int round = 0; round < kRounds && settle(match);) ++round;
+  // What was turned without making all agree was no other cut but another mesh.
+  const std::vector<bool> disputed = disputedFaces(match);
+  for (std::size_t c = 0; c < usual.size(); ++c)
+    if (disputed[c / 3] && match.corners[c] != usual[c]) return usual;
   return std::move(match.corners);
 }
 
