@@ -16,6 +16,15 @@ Json state(const Sequence& sequence) {
 
 Sequence& sequenceOf(int handle) { return handleTable().get<SequenceObject>(handle).sequence; }
 
+Json described(const Frame& frame) {
+  return {{"positions", range(frame.positions.data(), frame.positions.size())},
+          {"normals", range(frame.normals.data(), frame.normals.size())},
+          {"indefiniteFaces", frame.indefiniteFaces},
+          {"indefiniteFace", frame.indefiniteFace}};
+}
+
+std::vector<double> timesIn(const char* request) { return Json::parse(request).at("times").get<std::vector<double>>(); }
+
 }  // namespace
 
 /// {faces, normals, keys: [{name, time, positions}], encoding, motion} -> {handle, range, warnings}.
@@ -51,10 +60,17 @@ EXPORT const char* shapespline_evaluate(int handle, double t, int preview) {
     auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
     const Status status = preview ? sequence.preview(t, frame) : sequence.evaluate(t, frame);
     if (!status) return status.error();
-    return Json{{"positions", range(frame.positions.data(), frame.positions.size())},
-                {"normals", range(frame.normals.data(), frame.normals.size())},
-                {"indefiniteFaces", frame.indefiniteFaces},
-                {"indefiniteFace", frame.indefiniteFace}};
+    return described(frame);
+  });
+}
+
+/// {weights: one per key, sum 1} -> the same of the shape that they blend.
+EXPORT const char* shapespline_blend(int handle, const char* request) {
+  return callResult([&]() -> Result<Json> {
+    auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
+    const Status status = sequence.evaluateBlend(Json::parse(request).at("weights").get<std::vector<double>>(), frame);
+    if (!status) return status.error();
+    return described(frame);
   });
 }
 
@@ -78,11 +94,37 @@ EXPORT const char* shapespline_measure(int handle, double t) {
   });
 }
 
-/// {times} -> {keys, curve, explained}.
+/// {times} -> {keys, curve, distance, weights, explained}: feature_curve.h.
 EXPORT const char* shapespline_plane(int handle, const char* request) {
   return callResult([&]() -> Result<Json> {
-    const ShapePlane plane = sequenceOf(handle).shapePlane(Json::parse(request).at("times").get<std::vector<double>>());
-    return Json{{"keys", plane.keys}, {"curve", plane.curve}, {"explained", plane.explained}};
+    const ShapePlane plane = sequenceOf(handle).shapePlane(timesIn(request));
+    return Json{{"keys", plane.keys},
+                {"curve", plane.curve},
+                {"distance", plane.distance},
+                {"weights", plane.weights},
+                {"explained", plane.explained}};
+  });
+}
+
+/// {times, weights, plane, energy, curveEnergy} of so many samples: feature_curve.h.
+EXPORT const char* shapespline_discrete_path(int handle, int samples) {
+  return callResult([&]() -> Result<Json> {
+    const auto path = sequenceOf(handle).discretePath(samples);
+    if (!path) return path.error();
+    return Json{{"times", path->times},
+                {"weights", path->weights},
+                {"plane", path->plane},
+                {"energy", path->energy},
+                {"curveEnergy", path->curveEnergy}};
+  });
+}
+
+/// {times} -> {patch, numbers, keys} of a face: feature_curve.h.
+EXPORT const char* shapespline_face_curve(int handle, int face, const char* request) {
+  return callResult([&]() -> Result<Json> {
+    const auto curve = sequenceOf(handle).faceCurve(face, timesIn(request));
+    if (!curve) return curve.error();
+    return Json{{"patch", curve->patch}, {"numbers", curve->numbers}, {"keys", curve->keys}};
   });
 }
 
@@ -105,10 +147,8 @@ EXPORT const char* shapespline_motion_pace(int handle, const char* request) {
 
 /// {times} -> {energy}.
 EXPORT const char* shapespline_bending(int handle, const char* request) {
-  return callResult([&]() -> Result<Json> {
-    const auto times = Json::parse(request).at("times").get<std::vector<double>>();
-    return Json{{"energy", sequenceOf(handle).bendingEnergy(times)}};
-  });
+  return callResult(
+      [&]() -> Result<Json> { return Json{{"energy", sequenceOf(handle).bendingEnergy(timesIn(request))}}; });
 }
 
 /// {patches}: an int32 per face, belonging to the handle.

@@ -121,7 +121,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     };
     if (report) outputs.push({ path: report, files: reported() });
     await writeOutputs(outputs);
-    const count = plan.times.length;
+    const count = options.export.blend ? 1 : plan.times.length;
     const off = plan.error === null ? '' : `, off by at most ${errorText(plan.error)} between them`;
     const others = beside.length === 0 ? '' : `; beside it ${beside.join(', ')}`;
     return {

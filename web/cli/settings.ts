@@ -24,6 +24,7 @@ const readKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Read | null
   shape: (file) => file,
   turns: read.turns,
   numbers: read.numbers,
+  weights: read.numbers,
   range: read.range,
   animation: read.animation,
   sample: (text, option) => (/^\d+$/.test(text) ? read.wholeFrom(2)(text, option) : read.times(text, option)),
@@ -180,6 +181,7 @@ export function exportOptions(args: Arguments, output: string): Partial<ExportOp
     ...given(args, exportFlags),
   };
   const { format, times, frames, fps, range } = options;
+  if (options.blend) return oneBlend(args, output, options);
   if (times && (frames || fps || range)) throw new UsageError('give either --at or --frames or --fps, and --range');
   if (frames && fps) throw new UsageError('give either --frames or --fps');
   if (options.tolerance !== undefined && (times || frames) && options.targets !== 'principal')
@@ -189,6 +191,29 @@ export function exportOptions(args: Arguments, output: string): Partial<ExportOp
   if (output.endsWith('/') || times?.length === 1 || HOLD_ALL.includes(format!)) return options;
   throw new UsageError(`${output} holds one shape: give one --at time, or a folder (ending in /) for several`);
 }
+
+/** A blend has no time. */
+function oneBlend(args: Arguments, output: string, options: Partial<ExportOptions>): Partial<ExportOptions> {
+  const other = exportFlags.find(
+    ({ name, flag }) => OF_A_MOTION.includes(name) && (args.values.has(flag) || args.flags.has(flag)),
+  );
+  if (other) throw new UsageError(`--blend gives one shape, so that --${other.flag} has no meaning`);
+  if (!['glb', 'obj', 'ply'].includes(options.format!))
+    throw new UsageError(`--blend gives one shape: ${output} must end in .glb, .obj or .ply, or in / for a folder`);
+  return options;
+}
+
+/** Options of an export that say which times it has, and how it plays. */
+const OF_A_MOTION: readonly string[] = [
+  'times',
+  'frames',
+  'fps',
+  'tolerance',
+  'targets',
+  'range',
+  'duration',
+  'bounce',
+];
 
 /** Of `measure`: what is compared. */
 export function measuredMethods(args: Arguments): Method[] {

@@ -1,6 +1,7 @@
 #include "core/sequence/encoded_shape.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -9,7 +10,6 @@
 #include "core/base/stopwatch.h"
 #include "core/mesh/canonical_order.h"
 #include "core/rotation/rigid_fit.h"
-#include "core/sequence/gram_matrix.h"
 #include "core/sequence/mirrored_keys.h"
 
 namespace shapespline {
@@ -77,6 +77,7 @@ Result<EncodedShape> EncodedShape::build(Keyframes keyframes, const EncodingOpti
   if (Status status = validate(keyframes); !status) return status.error();
   if (Status status = checkEncoding(options, keyframes); !status) return status.error();
   EncodedShape encoded;
+  encoded.stretch_ = options.stretch;
   Stopwatch watch;
   const Positions normals = std::move(keyframes.normals);
   encoded.weldKeys(std::move(keyframes), options, welding);
@@ -274,10 +275,32 @@ PatchTurns EncodedShape::turnsOfPatches(std::vector<AddedTurns> turns) const {
 }
 
 Eigen::MatrixXd EncodedShape::gramMatrix() const {
-  if (ghost_)
-    return shapespline::gramMatrix(ghost_->patches().coordinates(), ghost_->coordinates(), ghost_->shape(), diagonal_);
+  if (ghost_) return shapespline::gramMatrix(poseCoordinates(), ghost_->shape(), diagonal_);
+  return shapespline::gramMatrix(poseCoordinates(), *shape_, diagonal_);
+}
+
+PoseCoordinates EncodedShape::poseCoordinates() const {
+  if (ghost_) return coordinatesOf(ghost_->patches().coordinates(), ghost_->coordinates());
+  return withReconstructor([&](const auto& r) { return coordinatesOf(patches_->coordinates(), r.coordinates()); });
+}
+
+ShapeProducts EncodedShape::vertexBlendProducts(const Eigen::VectorXd& weights) const {
+  const WeldedShape& shape = ghost_ ? ghost_->shape() : *shape_;
+  const PoseCoordinates poses = poseCoordinates();
+  const ShapeCoordinates blend = encodeVertexBlend(poses, shape, stretch_, weights);
+  const Eigen::MatrixXd gram = shapespline::gramMatrix(poses, shape, diagonal_, &blend);
+  return {gram.col(shape.columns()).head(shape.columns()), gram(shape.columns(), shape.columns())};
+}
+
+Eigen::MatrixXd EncodedShape::faceColumns(int inputFace) const {
+  const auto found = std::find(input_.inputFaceOf.begin(), input_.inputFaceOf.end(), inputFace);
+  assert(found != input_.inputFaceOf.end() && patchOfInputFace_[inputFace] >= 0);
+  const int face = static_cast<int>(found - input_.inputFaceOf.begin());
   return withReconstructor([&](const auto& r) {
-    return shapespline::gramMatrix(patches_->coordinates(), r.coordinates(), *shape_, diagonal_);
+    Eigen::MatrixXd numbers(numbersPerFace, shape_->columns());
+    for (int c = 0; c < shape_->columns(); ++c)
+      for (int k = 0; k < numbersPerFace; ++k) numbers(k, c) = static_cast<double>(r.coordinates().face.at(face, c, k));
+    return numbers;
   });
 }
 

@@ -13,6 +13,7 @@
 #include "core/mesh/vertex_normals.h"
 #include "core/patches/patch_motion.h"
 #include "core/reconstruct/reconstruct.h"
+#include "core/sequence/gram_matrix.h"
 #include "core/sequence/input_mesh.h"
 #include "core/sequence/keyframes.h"
 #include "core/sequence/options.h"
@@ -82,6 +83,13 @@ class EncodedShape {
 
   /// Inner products of the columns in the metric of the coordinates (gram_matrix.h).
   Eigen::MatrixXd gramMatrix() const;
+  /// The same of a blend of vertices with the columns (vertex_blend.h). weights: one per column, sum 1.
+  ShapeProducts vertexBlendProducts(const Eigen::VectorXd& weights) const;
+  /// Inner products of the columns' vertices: of the ghost's, with one.
+  Eigen::MatrixXd vertexGram() const { return vertexGramMatrix(ghost_ ? ghost_->shape() : *shape_); }
+
+  /// The coordinates of a face of the input, numbersPerFace rows: a column per pose. Face must have a patch.
+  Eigen::MatrixXd faceColumns(int inputFace) const;
 
   /// What the keys say, whatever the motion.
   const std::vector<Warning>& warnings() const { return warnings_; }
@@ -98,6 +106,8 @@ class EncodedShape {
   Status makeReconstructor(const ShapeTopology& topology, const EncodingOptions& options,
                            const StageProgress& progress);
   void prepareNormals(const Positions& normals, const FractionReport& onProgress);
+  /// That the metric is made of: the ghost's, with one.
+  PoseCoordinates poseCoordinates() const;
   void describeGhost();
   void numberComponents();
   void collectWarnings(int wantedGhostFaces);
@@ -112,6 +122,7 @@ class EncodedShape {
   std::vector<int> patchOfFace_, patchOfInputFace_, componentOfInputFace_;
   std::vector<int> firstFaceOf_;  // of each component, in the welded mesh
   double diagonal_ = 0;
+  Stretch stretch_ = Stretch::Linear;
   std::vector<Warning> warnings_;
   BuildStats stats_;
 };

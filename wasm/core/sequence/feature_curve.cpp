@@ -32,8 +32,36 @@ ShapePlane FeatureCurve::plane(const std::vector<double>& times) const {
   result.explained = plane.explained();
   const auto append = [](std::vector<double>& list, const Vec2& p) { list.insert(list.end(), {p.x(), p.y()}); };
   for (int j = 0; j < shape_.keys; ++j) append(result.keys, plane.project(Eigen::VectorXd::Unit(shape_.columns(), j)));
-  for (double t : times) append(result.curve, plane.project(poseWeightsAt(t)));
+  const double step = meanStep();
+  for (double t : times) {
+    const Eigen::VectorXd weights = poseWeightsAt(t);
+    const ShapeProducts at =
+        motion_.blendsVertices() ? encoded_.vertexBlendProducts(weights) : plane.productsOf(weights);
+    append(result.curve, plane.project(at));
+    result.distance.push_back(step > 0 ? plane.distance(at) / step : 0);
+    result.weights.insert(result.weights.end(), weights.begin(), weights.end());
+  }
   return result;
+}
+
+double FeatureCurve::meanStep() const {
+  double sum = 0;
+  for (int j = 1; j < shape_.keys; ++j) sum += std::sqrt(squaredDistance(j, j - 1));
+  return sum / (shape_.keys - 1);
+}
+
+FaceCurve FeatureCurve::face(int inputFace, const std::vector<double>& times) const {
+  FaceCurve curve;
+  curve.patch = encoded_.patchOfInputFace()[inputFace];
+  if (curve.patch < 0) return curve;
+  const Eigen::MatrixXd numbers = encoded_.faceColumns(inputFace);
+  for (double t : times) {
+    const Eigen::VectorXd at = numbers * poseWeightsAt(t);
+    curve.numbers.insert(curve.numbers.end(), at.begin(), at.end());
+  }
+  for (int j = 0; j < shape_.keys; ++j)
+    curve.keys.insert(curve.keys.end(), numbers.col(j).begin(), numbers.col(j).end());
+  return curve;
 }
 
 Result<DiscretePath> FeatureCurve::discretePath(int samples) const {
@@ -41,13 +69,13 @@ Result<DiscretePath> FeatureCurve::discretePath(int samples) const {
       DiscreteSpline::fit(motion_.keyTimes(), motion_.options().boundary, motion_.curve(), samples);
   if (!spline) return spline.error();
   const PrincipalPlane plane(gram_, shape_.keys);
-  const Eigen::MatrixXd toPoses = columnsToPoses(), columnGram = toPoses * gram_ * toPoses.transpose();
+  const Eigen::MatrixXd toPoses = columnsToPoses(), columnGram = product(product(toPoses, gram_), toPoses.transpose());
   Eigen::MatrixXd curve(samples, toPoses.rows());
   DiscretePath path;
   path.times = spline->times();
   for (int i = 0; i < samples; ++i) {
     curve.row(i) = motion_.curve().weights(path.times[i]).transpose();
-    const Eigen::VectorXd weights = (spline->weights().row(i) * toPoses).transpose();
+    const Eigen::VectorXd weights = toPoses.transpose() * spline->weights().row(i).transpose();
     path.weights.insert(path.weights.end(), weights.begin(), weights.end());
     const Vec2 p = plane.project(weights);
     path.plane.insert(path.plane.end(), {p.x(), p.y()});
@@ -117,13 +145,20 @@ double FeatureCurve::overshoot(const Eigen::VectorXd& poseWeights, double t) con
 }
 
 std::vector<double> FeatureCurve::bendingEnergy(const std::vector<double>& times) const {
+  const Eigen::MatrixXd vertexGram = motion_.blendsVertices() ? encoded_.vertexGram() : Eigen::MatrixXd();
+  const Eigen::MatrixXd& gram = motion_.blendsVertices() ? vertexGram : gram_;
+  const auto squared = [&](const Eigen::VectorXd& weights) { return std::max(0.0, weights.dot(gram * weights)); };
   double average = 0;
-  for (int j = 1; j < shape_.keys; ++j) average += squaredDistance(j, j - 1) / (shape_.keys - 1);
+  for (int j = 1; j < shape_.keys; ++j) {
+    const Eigen::VectorXd step =
+        Eigen::VectorXd::Unit(shape_.columns(), j) - Eigen::VectorXd::Unit(shape_.columns(), j - 1);
+    average += squared(step) / (shape_.keys - 1);
+  }
   const double h = (motion_.curve().end() - motion_.curve().start()) / 100;
   std::vector<double> result;
   for (double t : times) {
     const Eigen::VectorXd second = (poseWeightsAt(t - h) - 2 * poseWeightsAt(t) + poseWeightsAt(t + h)) / (h * h);
-    result.push_back(average > 0 ? squaredLength(second) / average : 0);
+    result.push_back(average > 0 ? squared(second) / average : 0);
   }
   return result;
 }

@@ -13,7 +13,19 @@ namespace shapespline {
 struct ShapePlane {
   std::vector<double> keys;   ///< 2J
   std::vector<double> curve;  ///< 2 values for each of the asked times
-  double explained = 0;       ///< share of the keys' variance that the plane holds, in [0, 1]
+  /// For each of them: how far the shape is from the plane, in the metric, as a share of the mean distance of keys that
+  /// follow each other; 0 where all keys are equal.
+  std::vector<double> distance;
+  std::vector<double> weights;  ///< a row for each of them: a weight for each key, then for each tangent shape
+  double explained = 0;         ///< share of the keys' variance that the plane holds, in [0, 1]
+};
+
+/// One face over time.
+struct FaceCurve {
+  int patch = -1;  ///< that it belongs to; -1 where it has no area, and nothing else is known then
+  /// 6 values for each of the asked times, then for each key: the rotation vector against the patch (radians) and S_f
+  /// or log S_f as xx, xy, yy in the face's tangent frame (face_coordinates.h).
+  std::vector<double> numbers, keys;
 };
 
 /// Samples of the feature curve that minimise the bending energy with the keys held (paper Eq. 1-2, Fig. 2;
@@ -48,8 +60,9 @@ class FeatureCurve {
  public:
   /// gram: EncodedShape::gramMatrix(). All must outlive the curve.
   FeatureCurve(const EncodedShape& encoded, const Motion& motion, const Eigen::MatrixXd& gram)
-      : shape_(encoded.shape()), motion_(motion), gram_(gram) {}
+      : encoded_(encoded), shape_(encoded.shape()), motion_(motion), gram_(gram) {}
 
+  /// Blends of vertices are encoded for it, which costs about as much as a frame each.
   ShapePlane plane(const std::vector<double>& times) const;
 
   /// The minimisation that the splines solve in closed form, done by K samples. With tensions, biases or a linear
@@ -58,20 +71,26 @@ class FeatureCurve {
 
   /// Bending energy density |x''(t)|^2 of the feature curve at each time (Eq. 6, Fig. 9), by second differences over a
   /// hundredth of the range and normalised by the average deformation energy |x_j - x_(j-1)|^2 between keys. Corners of
-  /// a piecewise linear curve show as peaks.
+  /// a piecewise linear curve show as peaks. Of a blend of vertices the curve of its vertices, likewise: each method by
+  /// the representation that it is made in, as the paper compares them.
   std::vector<double> bendingEnergy(const std::vector<double>& times) const;
 
   KeyPace pace() const;
 
   MotionPace paceAt(const std::vector<double>& times) const;
+  /// The coordinates of a face of the input as the motion's curve has them; of a blend of vertices those that the
+  /// coordinates' own curve would have.
+  FaceCurve face(int inputFace, const std::vector<double>& times) const;
 
  private:
   double squaredLength(const Eigen::VectorXd& poseWeights) const;
   double squaredDistance(int key, int other) const;
   double overshoot(const Eigen::VectorXd& poseWeights, double t) const;
+  double meanStep() const;
   Eigen::MatrixXd columnsToPoses() const;
   Eigen::VectorXd poseWeightsAt(double t) const;
 
+  const EncodedShape& encoded_;
   const WeldedShape& shape_;
   const Motion& motion_;
   const Eigen::MatrixXd& gram_;

@@ -5,51 +5,75 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "core/lri/face_frame.h"
-#include "core/rotation/rotation.h"
-
 namespace shapespline {
 
-template <class Real>
-Eigen::MatrixXd gramMatrix(const PatchCoordinates& k, const LriCoordinates<Real>& x, const WeldedShape& shape,
-                           double diagonal) {
-  const int columns = shape.columns();
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns, columns);
-  Eigen::MatrixXd entry(columns, numbersPerFace);
+namespace {
+
+// Adds `weight` times the inner products of some numbers of all shapes; numbers: shapes x count, row by row. Plain
+// loops: they are short, and Eigen's products are large.
+void addProducts(Eigen::MatrixXd& gram, double weight, const std::vector<double>& numbers) {
+  const auto shapes = static_cast<std::size_t>(gram.rows()), count = numbers.size() / shapes;
+  for (std::size_t a = 0; a < shapes; ++a)
+    for (std::size_t b = 0; b < shapes; ++b) {
+      double sum = 0;
+      for (std::size_t k = 0; k < count; ++k) sum += numbers[a * count + k] * numbers[b * count + k];
+      gram(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) += weight * sum;
+    }
+}
+
+void putRow(std::vector<double>& numbers, int shape, const Vec3& v) {
+  for (int k = 0; k < 3; ++k) numbers[3 * static_cast<std::size_t>(shape) + k] = v[k];
+}
+
+}  // namespace
+
+Eigen::MatrixXd gramMatrix(const PoseCoordinates& poses, const WeldedShape& shape, double diagonal,
+                           const ShapeCoordinates* other) {
+  const PatchCoordinates& k = poses.patches;
+  const int columns = shape.columns(), count = columns + (other ? 1 : 0);
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
+  std::vector<double> entry(static_cast<std::size_t>(count) * numbersPerFace),
+      three(static_cast<std::size_t>(count) * 3);
   double totalArea = 0;
   for (double a : k.graph.area()) totalArea += a;
-  const Positions& reference = shape.poses[shape.reference];
   for (int f = 0; f < shape.faceCount(); ++f) {
     if (k.patches.ofFace[f] < 0) continue;
-    const Triangle& t = shape.faces[f];
-    const double area = faceFrame(reference[t[0]], reference[t[1]], reference[t[2]]).area;
-    for (int c = 0; c < columns; ++c)
-      for (int k = 0; k < numbersPerFace; ++k) entry(c, k) = static_cast<double>(x.face.at(f, c, k));
-    entry.col(4) *= std::sqrt(2.0);  // xy stands twice in |S|_F^2
-    gram.noalias() += (area / totalArea) * entry * entry.transpose();
+    for (int c = 0; c < count; ++c)
+      for (int n = 0; n < numbersPerFace; ++n) {
+        const double value = c < columns ? poses.number(f, c, n) : other->face[f][n];
+        entry[static_cast<std::size_t>(c) * numbersPerFace + n] = n == 4 ? std::sqrt(2.0) * value : value;  // xy twice
+      }
+    addProducts(gram, referenceFrame(shape, f).area / totalArea, entry);
   }
   double shared = 0;
   for (const PatchPair& p : k.patches.pairs) shared += p.sharedEdges;
-  for (std::size_t p = 0; p < k.patches.pairs.size(); ++p)
-    for (int a = 0; a < columns; ++a)
-      for (int b = 0; b < columns; ++b)
-        gram(a, b) += k.patches.pairs[p].sharedEdges / shared * k.pair[a][p].dot(k.pair[b][p]);
-  for (int a = 0; a < columns; ++a)
-    for (int b = 0; b < columns; ++b)
-      gram(a, b) +=
-          (x.meanPosition[a] - x.meanPosition[0]).dot(x.meanPosition[b] - x.meanPosition[0]) / (diagonal * diagonal);
+  for (std::size_t p = 0; p < k.patches.pairs.size(); ++p) {
+    for (int c = 0; c < count; ++c) putRow(three, c, c < columns ? k.pair[c][p] : other->pair[p]);
+    addProducts(gram, k.patches.pairs[p].sharedEdges / shared, three);
+  }
+  for (int c = 0; c < count; ++c)
+    putRow(three, c, (c < columns ? poses.meanPosition[c] : other->meanPosition) - poses.meanPosition[0]);
+  addProducts(gram, 1 / (diagonal * diagonal), three);
   return gram;
 }
 
-template Eigen::MatrixXd gramMatrix(const PatchCoordinates&, const LriCoordinates<float>&, const WeldedShape&, double);
-template Eigen::MatrixXd gramMatrix(const PatchCoordinates&, const LriCoordinates<double>&, const WeldedShape&, double);
+Eigen::MatrixXd vertexGramMatrix(const WeldedShape& shape) {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(shape.columns(), shape.columns());
+  std::vector<double> three(static_cast<std::size_t>(shape.columns()) * 3);
+  for (int v = 0; v < shape.vertexCount(); ++v) {
+    for (int c = 0; c < shape.columns(); ++c) putRow(three, c, shape.poses[c][v]);
+    addProducts(gram, 1.0 / shape.vertexCount(), three);
+  }
+  return gram;
+}
 
 PrincipalPlane::PrincipalPlane(const Eigen::MatrixXd& gram, int keys) : gram_(gram) {
   const auto columns = gram.cols();
   mean_ = Eigen::VectorXd::Zero(columns);
   mean_.head(keys).setConstant(1.0 / keys);
   const Eigen::MatrixXd centre = Eigen::MatrixXd::Identity(columns, columns).leftCols(keys).colwise() - mean_;
-  const Eigen::MatrixXd centred = centre.transpose() * gram * centre;
+  Eigen::MatrixXd centred(keys, keys);
+  for (int j = 0; j < keys; ++j) centred.col(j).noalias() = centre.transpose() * (gram * centre.col(j));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(centred);
   direction_ = Eigen::MatrixXd::Zero(columns, 2);
   double total = 0;
@@ -64,8 +88,18 @@ PrincipalPlane::PrincipalPlane(const Eigen::MatrixXd& gram, int keys) : gram_(gr
   }
 }
 
-Vec2 PrincipalPlane::project(const Eigen::VectorXd& weights) const {
-  return direction_.transpose() * (gram_ * (weights - mean_));
+ShapeProducts PrincipalPlane::productsOf(const Eigen::VectorXd& weights) const {
+  const Eigen::VectorXd products = gram_ * weights;
+  return {products, weights.dot(products)};
+}
+
+Vec2 PrincipalPlane::project(const ShapeProducts& shape) const {
+  return direction_.transpose() * (shape.columns - gram_ * mean_);
+}
+
+double PrincipalPlane::distance(const ShapeProducts& shape) const {
+  const double fromMean = shape.squared - 2 * mean_.dot(shape.columns) + mean_.dot(gram_ * mean_);
+  return std::sqrt(std::max(0.0, fromMean - project(shape).squaredNorm()));
 }
 
 }  // namespace shapespline

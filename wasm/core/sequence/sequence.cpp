@@ -107,6 +107,12 @@ Status Sequence::patchRotations(double t, std::vector<Quaternion>& rotations) {
   return {};
 }
 
+Result<FaceCurve> Sequence::faceCurve(int inputFace, const std::vector<double>& times) {
+  if (inputFace < 0 || inputFace >= static_cast<int>(faces().size()))
+    return Error{ErrorCode::InvalidOption, "There is no face " + grouped(inputFace) + "."};
+  return featureCurve().face(inputFace, times);
+}
+
 FeatureCurve Sequence::featureCurve() {
   if (gram_.size() == 0) gram_ = encoded_.gramMatrix();
   return {encoded_, motion_, gram_};

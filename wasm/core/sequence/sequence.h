@@ -77,6 +77,8 @@ class Sequence {
   /// feature_curve.h
   ShapePlane shapePlane(const std::vector<double>& times) { return featureCurve().plane(times); }
   Result<DiscretePath> discretePath(int samples) { return featureCurve().discretePath(samples); }
+  /// inputFace: in [0, faces().size()). Error: InvalidOption.
+  Result<FaceCurve> faceCurve(int inputFace, const std::vector<double>& times);
   KeyPace keyPace() { return featureCurve().pace(); }
   MotionPace motionPace(const std::vector<double>& times) { return featureCurve().paceAt(times); }
   std::vector<double> bendingEnergy(const std::vector<double>& times) { return featureCurve().bendingEnergy(times); }

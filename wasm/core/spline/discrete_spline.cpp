@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/LU>
+#include <utility>
 
 #include "core/base/format.h"
 
@@ -80,7 +79,42 @@ Affine atKeys(const Grid& grid, const std::vector<double>& keyTimes, Index colum
   return keys;
 }
 
+// Solves a x = b for all columns of b, in place: Gaussian elimination with partial pivoting. (Eigen's is ten times as
+// long, and K is small.)
+void eliminate(MatrixXd& a, MatrixXd& b) {
+  const Index n = a.rows();
+  // column -= factor * the part of `by` below row k
+  const auto reduce = [n](double* column, const double* by, double factor, Index k) {
+    for (Index i = k + 1; i < n; ++i) column[i] -= factor * by[i];
+  };
+  for (Index k = 0; k < n; ++k) {
+    Index pivot = k;
+    for (Index i = k + 1; i < n; ++i)
+      if (std::abs(a(i, k)) > std::abs(a(pivot, k))) pivot = i;
+    for (Index j = k; j < n; ++j) std::swap(a(k, j), a(pivot, j));
+    for (Index j = 0; j < b.cols(); ++j) std::swap(b(k, j), b(pivot, j));
+    for (Index i = k + 1; i < n; ++i) a(i, k) /= a(k, k);
+    for (Index j = k + 1; j < n; ++j)
+      if (a(k, j) != 0) reduce(&a(0, j), &a(0, k), a(k, j), k);
+    for (Index j = 0; j < b.cols(); ++j) reduce(&b(0, j), &a(0, k), b(k, j), k);
+  }
+  for (Index j = 0; j < b.cols(); ++j)
+    for (Index k = n - 1; k >= 0; --k) {
+      b(k, j) /= a(k, k);
+      for (Index i = 0; i < k; ++i) b(i, j) -= a(i, k) * b(k, j);
+    }
+}
+
 }  // namespace
+
+MatrixXd product(const MatrixXd& a, const MatrixXd& b) {
+  MatrixXd result = MatrixXd::Zero(a.rows(), b.cols());
+  for (Index j = 0; j < b.cols(); ++j)
+    for (Index k = 0; k < a.cols(); ++k)
+      if (const double factor = b(k, j); factor != 0)
+        for (Index i = 0; i < a.rows(); ++i) result(i, j) += a(i, k) * factor;
+  return result;
+}
 
 Result<DiscreteSpline> DiscreteSpline::fit(const std::vector<double>& keyTimes, BoundaryKind boundary,
                                            const Curve& curve, int samples) {
@@ -108,14 +142,16 @@ Result<DiscreteSpline> DiscreteSpline::fit(const std::vector<double>& keyTimes, 
 
   // Least |D x + b|^2 with C x = y: the sum's gradient D^T (D x + b) is a sum of the keys' rows.
   MatrixXd matrix = MatrixXd::Zero(samples + count, samples + count), rhs(samples + count, columns);
-  matrix.topLeftCorner(samples, samples).noalias() = bend.samples.transpose() * bend.samples;
+  const MatrixXd adjoint = bend.samples.transpose();
+  matrix.topLeftCorner(samples, samples) = product(adjoint, bend.samples);
   matrix.topRightCorner(samples, count) = keys.samples.transpose();
   matrix.bottomLeftCorner(count, samples) = keys.samples;
-  rhs.topRows(samples).noalias() = -bend.samples.transpose() * bend.columns;
+  rhs.topRows(samples) = -product(adjoint, bend.columns);
   rhs.bottomRows(count) = MatrixXd::Identity(count, columns) - keys.columns;
 
   DiscreteSpline spline;
-  spline.weights_ = matrix.partialPivLu().solve(rhs).topRows(samples);
+  eliminate(matrix, rhs);
+  spline.weights_ = rhs.topRows(samples);
   const double scale = std::pow(grid.step, -1.5);
   spline.differences_ = scale * bend.samples;
   spline.assigned_ = scale * bend.columns;
@@ -127,9 +163,9 @@ Result<DiscreteSpline> DiscreteSpline::fit(const std::vector<double>& keyTimes, 
 
 double DiscreteSpline::energy(const MatrixXd& path, const MatrixXd& gram) const {
   const MatrixXd bent = bend(path);
-  return (bent * gram).cwiseProduct(bent).sum();
+  return product(bent, gram).cwiseProduct(bent).sum();
 }
 
-MatrixXd DiscreteSpline::gradient(const MatrixXd& path) const { return differences_.transpose() * bend(path); }
+MatrixXd DiscreteSpline::gradient(const MatrixXd& path) const { return product(differences_.transpose(), bend(path)); }
 
 }  // namespace shapespline

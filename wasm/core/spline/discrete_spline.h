@@ -12,6 +12,9 @@
 
 namespace shapespline {
 
+/// a b, without the code that makes large products fast.
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
 /// K evenly spaced samples x_i of a curve's range, h apart: of a periodic curve those of one period, which its first
 /// sample follows again. Each is a row of weights over the curve's columns, so that a path is a K x Columns::count()
 /// matrix.
@@ -46,7 +49,7 @@ class DiscreteSpline {
   const Eigen::MatrixXd& holds() const { return holds_; }
 
  private:
-  Eigen::MatrixXd bend(const Eigen::MatrixXd& path) const { return differences_ * path + assigned_; }
+  Eigen::MatrixXd bend(const Eigen::MatrixXd& path) const { return product(differences_, path) + assigned_; }
 
   std::vector<double> times_;
   Eigen::MatrixXd differences_;  // second differences over h^(3/2): one row each, of the samples

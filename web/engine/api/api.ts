@@ -1,8 +1,10 @@
 /** The engine as its users see it. Made by browser.ts (workers) and node.ts (worker threads). */
 import type {
+  DiscretePath,
   ExportedFile,
   ExportOptions,
   ExportPlan,
+  FaceCurve,
   Frame,
   Ghost,
   ImportOptions,
@@ -72,6 +74,11 @@ export interface Sequence {
   preview(t: number): Promise<Frame | null>;
   /** What the preview at t is off; costs one exact frame and one preview, and yields to evaluate. */
   previewError(t: number): Promise<PreviewError>;
+  /**
+   * The shape at an affine combination of the keys, which need not lie on the curve: one weight per key, sum 1 within
+   * 1e-6. Its `t` is NaN. Takes its place among evaluate's requests: latest wins.
+   */
+  evaluateBlend(weights: readonly number[]): Promise<Frame | null>;
   /** A frame for later: it yields to evaluate and is never overtaken. FramePlayer uses it. */
   evaluateAhead(t: number, options?: AheadOptions): Promise<Frame>;
   /** Every one of them, in order; used by exports and measures. */
@@ -81,6 +88,10 @@ export interface Sequence {
   stats(): Promise<SequenceStats>;
   measures(times: number[], call?: CallOptions): Promise<Measures>;
   shapePlane(times: number[]): Promise<ShapePlane>;
+  /** The minimisation that the spline solves in closed form, done by so many samples (at most 1,000). */
+  discretePath(samples: number): Promise<DiscretePath>;
+  /** A face's coordinates at these times. */
+  faceCurve(face: number, times: number[]): Promise<FaceCurve>;
   /** For spacing keys by how different they are, and for tensions without overshoot. */
   keyPace(): Promise<KeyPace>;
   /** Speed and overshoot over time; yields to frames that are shown or fetched ahead. */

@@ -34,6 +34,8 @@ interface Values {
   shape: Float32Array;
   turns: AddedTurns[];
   numbers: number[];
+  /** One per key, sum 1. */
+  weights: number[];
   /** First and last of a stretch of numbers. */
   range: [number, number];
   /** Name or index of an animation. */
@@ -479,6 +481,14 @@ export const EXPORT = {
     default: false,
     flag: 'bounce',
     help: 'GLB: there and back again, in twice the time, so that it plays in a loop without a jump',
+  },
+  /** One pose only: the shape that the keys blend to, which need not lie on the curve. */
+  blend: {
+    kind: 'weights',
+    default: null,
+    flag: 'blend',
+    value: 'W,W,...',
+    help: 'instead of the motion, the one shape that the keys blend to in shape space: a weight per key, sum 1',
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
   pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'one pose only, at this time' },

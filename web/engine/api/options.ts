@@ -58,6 +58,10 @@ const sample: Check = (v) => {
 
 /** Of a file's name. */
 const LONGEST_NAME = 120;
+/** As in wasm/core/spline/discrete_spline. */
+const MOST_SAMPLES = 1000;
+/** How far the sum of weights may be from 1. */
+const SUM_TOLERANCE = 1e-6;
 
 const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
   flag: (v) => (typeof v === 'boolean' ? null : 'must be true or false'),
@@ -65,6 +69,11 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
   shape: (v) => (v instanceof Float32Array ? null : 'must be a Float32Array of positions'),
   turns,
   numbers: times,
+  weights: (v) => {
+    if (!Array.isArray(v) || v.length === 0 || !v.every(isNumber)) return 'must be numbers, one per key';
+    const sum = v.reduce((all: number, one: number) => all + one, 0);
+    return Math.abs(sum - 1) <= SUM_TOLERANCE ? null : `must sum to 1, not ${Number(sum.toPrecision(6))}`;
+  },
   range: (v) =>
     Array.isArray(v) && v.length === 2 && v.every(isTime) && v[0] < v[1]
       ? null
@@ -213,6 +222,29 @@ export function checkCall(call: object | undefined): void {
 export function checkTime(t: unknown): number {
   if (!isTime(t)) throw invalidOption(`A time must be a number ${BETWEEN_TIMES}.`);
   return t;
+}
+
+/** Of a blend of so many keys. */
+export function checkWeights(given: unknown, keys: number): number[] {
+  const wrong = ofKind.weights(given);
+  if (wrong) throw invalidOption(`The weights of a blend ${wrong}.`);
+  const weights = given as number[];
+  if (weights.length !== keys)
+    throw invalidOption(`There are ${weights.length} weights for ${keys} keys. Give one per key.`);
+  return [...weights];
+}
+
+/** Of a discrete path: the core knows how few there may be. */
+export function checkSamples(given: unknown): number {
+  if (!Number.isSafeInteger(given) || (given as number) < 0 || (given as number) > MOST_SAMPLES)
+    throw invalidOption(`The number of samples must be a whole number of at most ${grouped(MOST_SAMPLES)}.`);
+  return given as number;
+}
+
+export function checkFace(given: unknown, faces: number): number {
+  if (!Number.isSafeInteger(given) || (given as number) < 0 || (given as number) >= faces)
+    throw invalidOption(`A face must be a whole number below ${grouped(faces)}.`);
+  return given as number;
 }
 
 export function checkTimes(given: unknown): number[] {

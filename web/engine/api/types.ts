@@ -297,8 +297,36 @@ export interface MotionPace {
 export interface ShapePlane {
   keys: number[];
   curve: number[];
+  /** Of each point of the curve from the plane, as a share of the mean distance from one key to the next. */
+  distance: number[];
+  /** Of each point of the curve: a weight per key, then per tangent shape; they sum to 1. */
+  weights: number[];
   /** Share of the keys' variance that the plane holds, in [0, 1]. */
   explained: number;
+}
+
+/** Samples that minimise the bending energy with the keys held (Fig. 2), evenly spaced in time. */
+export interface DiscretePath {
+  times: number[];
+  /** Of each sample: as ShapePlane.weights. */
+  weights: number[];
+  /** 2 numbers per sample, in the shape plane. */
+  plane: number[];
+  /** Of the samples, and of the motion's own shapes at the same times. */
+  energy: number;
+  curveEnergy: number;
+}
+
+/**
+ * The coordinates of one face over time, 6 numbers at each: the rotation vector against its patch, in radians (3), and
+ * the stretch, or its logarithm, as xx, xy, yy in the face's plane.
+ */
+export interface FaceCurve {
+  /** That the face belongs to; -1 without area, and the lists are empty then. */
+  patch: number;
+  numbers: number[];
+  /** The same at the keys. */
+  keys: number[];
 }
 
 export type ExportOptions = ValuesOf<typeof EXPORT>;
@@ -306,7 +334,7 @@ export const EXPORT_DEFAULTS: Readonly<ExportOptions> = defaultsOf(EXPORT);
 
 /** What an export will be, before it is made. */
 export interface ExportPlan {
-  /** Times of its frames, in the sequence's own unit, increasing for a GLB. */
+  /** Times of its frames, in the sequence's own unit, increasing for a GLB; none of a blend, which has no time. */
   times: number[];
   /** Morph targets of a GLB; 0 elsewhere. */
   targets: number;

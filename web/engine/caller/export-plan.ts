@@ -41,7 +41,7 @@ export function framesOf(
   keyTimes: readonly number[],
   range: readonly [number, number],
 ): Frames {
-  if (options.pose !== null) return { times: [options.pose], seconds: [0], stills: [] };
+  if (options.pose !== null || options.blend) return { times: [options.pose ?? range[0]], seconds: [0], stills: [] };
   const asked = askedTimes(options, options.range ?? range);
   if (options.format !== 'glb' || asked.length === 1)
     return { times: asked, seconds: placesOf(asked, options), stills: [] };
@@ -75,9 +75,9 @@ function wholeFrames([first, last]: readonly [number, number], fps: number, dura
 }
 
 /** Whether a GLB leaves out what the tolerance allows: of principal targets, times of their weights. */
-export function isThinned({ format, pose, times, frames, tolerance, targets }: ExportOptions): boolean {
+export function isThinned({ format, pose, blend, times, frames, tolerance, targets }: ExportOptions): boolean {
   const wanted = tolerance > 0 || targets === 'principal';
-  return format === 'glb' && pose === null && wanted && !times && frames === null;
+  return format === 'glb' && pose === null && !blend && wanted && !times && frames === null;
 }
 
 /** What a thinned GLB may take its times from: times that it has to hold, and others. */

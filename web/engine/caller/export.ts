@@ -46,7 +46,7 @@ export async function planExport(
   const size = await estimate(source, options, shapeCount(frames));
   checkBytes(options, size.bytes);
   return {
-    times: frames.times,
+    times: options.blend ? [] : frames.times,
     targets: options.format === 'glb' ? shapeCount(frames) - 1 : 0,
     error: frames.error,
     bytes: size.bytes,

@@ -5,21 +5,26 @@ import type { ExportSource } from './export-source.ts';
 import {
   checkCall,
   checkExportOptions,
+  checkFace,
+  checkSamples,
   checkTime,
   checkTimes,
   checkUpdate,
+  checkWeights,
   encodingOf,
   motionOf,
 } from '../api/options.ts';
 import { FramePool } from './frame-pool.ts';
-import type { CallName, KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
+import type { CallName, FrameBuffers, KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
 import type { WorkerClient, WorkerCall } from './worker-client.ts';
 import { Scheduler, urgency, type Task, type Urgency } from './scheduler.ts';
 import type {
+  DiscretePath,
   EncodingOptions,
   ExportedFile,
   ExportOptions,
   ExportPlan,
+  FaceCurve,
   Frame,
   Ghost,
   Measures,
@@ -106,13 +111,18 @@ export class SequenceClient implements Sequence {
   private async shownFrame(t: number, preview: boolean): Promise<Frame | null> {
     this.checkAlive();
     checkTime(t);
+    return this.latest(() => this.frame(t, this.motion, preview));
+  }
+
+  /** null where a newer one overtakes it. */
+  private async latest(make: () => Promise<Frame>): Promise<Frame | null> {
     this.supersede();
     return new Promise<Frame | null>((resolve, reject) => {
       const task: Task = {
         urgency: urgency.shown,
         start: () => {
           this.shown = null;
-          return this.frame(t, this.motion, preview).then(resolve, (error: EngineError) =>
+          return make().then(resolve, (error: EngineError) =>
             error.code === 'disposed' ? resolve(null) : reject(error),
           );
         },
@@ -120,6 +130,12 @@ export class SequenceClient implements Sequence {
       this.shown = { task, supersede: () => resolve(null) };
       this.scheduler.add(task);
     });
+  }
+
+  async evaluateBlend(weights: readonly number[]): Promise<Frame | null> {
+    this.checkAlive();
+    const checked = checkWeights(weights, this.motion.keyTimes.length);
+    return this.latest(() => this.blendFrame(checked, this.motion));
   }
 
   async evaluateAhead(t: number, { preview = false, signal }: AheadOptions = {}): Promise<Frame> {
@@ -175,6 +191,16 @@ export class SequenceClient implements Sequence {
   async shapePlane(times: number[]): Promise<ShapePlane> {
     const checked = checkTimes(times);
     return this.scheduled(urgency.shown, 'plane', () => ({ motion: this.motion, times: checked }));
+  }
+
+  async discretePath(samples: number): Promise<DiscretePath> {
+    const checked = checkSamples(samples);
+    return this.scheduled(urgency.shown, 'discretePath', () => ({ motion: this.motion, samples: checked }));
+  }
+
+  async faceCurve(face: number, times: number[]): Promise<FaceCurve> {
+    const checked = { face: checkFace(face, this.parts.keys.info.report.faces), times: checkTimes(times) };
+    return this.scheduled(urgency.shown, 'faceCurve', () => ({ motion: this.motion, ...checked }));
   }
 
   async keyPace(): Promise<KeyPace> {
@@ -253,10 +279,19 @@ export class SequenceClient implements Sequence {
   }
 
   private async frame(t: number, motion: MotionSpec, preview = false): Promise<Frame> {
+    const { buffers, transfer } = this.spare();
+    return this.pool.frame(t, await this.ask('evaluate', { motion, t, buffers, preview }, { transfer }));
+  }
+
+  private async blendFrame(weights: number[], motion: MotionSpec): Promise<Frame> {
+    const { buffers, transfer } = this.spare();
+    return this.pool.frame(NaN, await this.ask('blend', { motion, weights, buffers }, { transfer }));
+  }
+
+  private spare(): { buffers: FrameBuffers | null; transfer: ArrayBuffer[] } {
     const buffers = this.pool.take();
     const transfer = buffers ? [buffers.positions.buffer, buffers.normals.buffer] : [];
-    const data = await this.ask('evaluate', { motion, t, buffers, preview }, { transfer: transfer as ArrayBuffer[] });
-    return this.pool.frame(t, data);
+    return { buffers, transfer: transfer as ArrayBuffer[] };
   }
 
   /**
@@ -300,7 +335,8 @@ export class SequenceClient implements Sequence {
     }
   }
 
-  private async exportSource({ inPlace }: ExportOptions): Promise<ExportSource> {
+  private async exportSource({ inPlace, blend }: ExportOptions): Promise<ExportSource> {
+    const weights = blend && checkWeights(blend, this.motion.keyTimes.length);
     const settled = await this.settledMotion();
     const motion =
       inPlace && !settled.options.inPlace
@@ -313,7 +349,7 @@ export class SequenceClient implements Sequence {
       options: { ...this.encoding, ...motion.options },
       range: this.range,
       freshWorker: this.parts.freshWorker,
-      frame: (t) => this.batch(() => this.frame(t, motion)),
+      frame: (t) => this.batch(() => (weights ? this.blendFrame(weights, motion) : this.frame(t, motion))),
       glbSize: (faces, vertices, frames, scene) =>
         this.scheduled(urgency.shown, 'glbSize', () => ({ faces, vertices, frames, scene })),
     };

@@ -4,8 +4,10 @@
  */
 import type { ErrorData } from '../api/errors.ts';
 import type {
+  DiscretePath,
   EncodingOptions,
   ExportOptions,
+  FaceCurve,
   Ghost,
   ImportOptions,
   InputFile,
@@ -65,9 +67,13 @@ export interface Calls {
     request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null; preview: boolean };
     result: FrameData;
   };
+  /** The shape at an affine combination of the keys. */
+  blend: { request: { motion: MotionSpec; weights: number[]; buffers: FrameBuffers | null }; result: FrameData };
   previewError: { request: { motion: MotionSpec; t: number }; result: PreviewError };
   measure: { request: { motion: MotionSpec; t: number }; result: { volume: number; area: number } };
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
+  discretePath: { request: { motion: MotionSpec; samples: number }; result: DiscretePath };
+  faceCurve: { request: { motion: MotionSpec; face: number; times: number[] }; result: FaceCurve };
   pace: { request: { motion: MotionSpec }; result: KeyPace };
   motionPace: { request: { motion: MotionSpec; times: number[] }; result: MotionPace };
   bending: { request: { motion: MotionSpec; times: number[] }; result: number[] };

@@ -115,15 +115,17 @@ export class RequestHandler {
         return { range, warnings };
       },
       update: (core, { motion }) => this.refit(core, motion),
-      evaluate: (core, { motion, t, buffers, preview }) => {
-        const start = performance.now();
-        this.follow(core, motion);
-        const frame = this.frame(core, t, buffers, preview);
-        return { ...frame, ms: performance.now() - start };
-      },
+      evaluate: (core, { motion, t, buffers, preview }) =>
+        this.timed(core, motion, preview ? 'preview' : 'exact', () =>
+          core.evaluate(this.sequence, t, buffers, preview),
+        ),
+      blend: (core, { motion, weights, buffers }) =>
+        this.timed(core, motion, 'exact', () => core.blend(this.sequence, weights, buffers)),
       previewError: (core, { motion, t }) => core.previewError(this.follow(core, motion), t),
       measure: (core, { motion, t }) => core.measure(this.follow(core, motion), t),
       plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
+      discretePath: (core, { motion, samples }) => core.discretePath(this.follow(core, motion), samples),
+      faceCurve: (core, { motion, face, times }) => core.faceCurve(this.follow(core, motion), face, times),
       pace: (core, { motion }) => core.pace(this.follow(core, motion)),
       motionPace: (core, { motion, times }) => core.motionPace(this.follow(core, motion), times),
       bending: (core, { motion, times }) => core.bending(this.follow(core, motion), times),
@@ -151,14 +153,22 @@ export class RequestHandler {
     return this.choices?.exact.chosen ?? 1;
   }
 
-  private frame(core: WasmCore, t: number, buffers: FrameBuffers | null, preview: boolean): Omit<FrameData, 'ms'> {
-    const choice = this.choices?.[preview ? 'preview' : 'exact'];
+  /** A frame of the motion that is meant, made by as many threads as are best for its kind. */
+  private timed(
+    core: WasmCore,
+    motion: MotionSpec,
+    kind: 'exact' | 'preview',
+    make: () => Omit<FrameData, 'ms' | 'threads'>,
+  ): FrameData {
+    const begun = performance.now();
+    this.follow(core, motion);
+    const choice = this.choices?.[kind];
     if (choice) core.setThreads(this.sequence, choice.threads);
     const start = performance.now();
     try {
-      const frame = core.evaluate(this.sequence, t, buffers, preview);
+      const frame = make();
       choice?.took(performance.now() - start);
-      return { ...frame, threads: this.threads };
+      return { ...frame, threads: this.threads, ms: performance.now() - begun };
     } catch (reason) {
       // It takes this worker with it: nobody could say what it still writes.
       throw core.secondThreadLost ? crashed('its second thread broke down in the middle of a frame') : reason;

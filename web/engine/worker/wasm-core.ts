@@ -5,6 +5,8 @@ import type { SecondThreadStart } from './second-thread.ts';
 import { HeapScope, readFloats, readJson, readText, sharedFloats, writeFloats, type Range } from './heap.ts';
 import type { FrameBuffers, FrameData, KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
 import type {
+  DiscretePath,
+  FaceCurve,
   Ghost,
   ImportOptions,
   InputFile,
@@ -40,6 +42,13 @@ export type ImportedInfo = Omit<KeysInfo, 'project' | 'scene'> & {
 export interface SequenceState {
   range: [number, number];
   warnings: Warning[];
+}
+
+interface FrameResult {
+  positions: Range;
+  normals: Range;
+  indefiniteFaces: number;
+  indefiniteFace?: number;
 }
 
 export type OnProgress = (stage: string, fraction: number) => void;
@@ -149,19 +158,14 @@ export class WasmCore {
     buffers: FrameBuffers | null,
     preview = false,
   ): Omit<FrameData, 'ms' | 'threads'> {
-    interface FrameResult {
-      positions: Range;
-      normals: Range;
-      indefiniteFaces: number;
-      indefiniteFace?: number;
-    }
-    const frame = this.rawResult<FrameResult>(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0));
-    return {
-      positions: readFloats(this.module, frame.positions, buffers?.positions),
-      normals: readFloats(this.module, frame.normals, buffers?.normals),
-      indefiniteFaces: frame.indefiniteFaces,
-      indefiniteFace: frame.indefiniteFace,
-    };
+    return this.frame(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0), buffers);
+  }
+
+  /** The shape that the keys blend to in these weights; `buffers` as above. */
+  blend(handle: number, weights: number[], buffers: FrameBuffers | null): Omit<FrameData, 'ms' | 'threads'> {
+    return this.lend((scope) =>
+      this.frame(this.module._shapespline_blend(handle, scope.putJson({ weights })), buffers),
+    );
   }
 
   previewError(handle: number, t: number): PreviewError {
@@ -174,6 +178,14 @@ export class WasmCore {
 
   plane(handle: number, times: number[]): ShapePlane {
     return this.ask({ times }, (address) => this.module._shapespline_plane(handle, address));
+  }
+
+  discretePath(handle: number, samples: number): DiscretePath {
+    return this.result(this.module._shapespline_discrete_path(handle, samples));
+  }
+
+  faceCurve(handle: number, face: number, times: number[]): FaceCurve {
+    return this.ask({ times }, (address) => this.module._shapespline_face_curve(handle, face, address));
   }
 
   pace(handle: number): KeyPace {
@@ -248,6 +260,16 @@ export class WasmCore {
 
   release(handle: number): void {
     this.module._shapespline_release(handle);
+  }
+
+  private frame(result: Address, buffers: FrameBuffers | null): Omit<FrameData, 'ms' | 'threads'> {
+    const frame = this.rawResult<FrameResult>(result);
+    return {
+      positions: readFloats(this.module, frame.positions, buffers?.positions),
+      normals: readFloats(this.module, frame.normals, buffers?.normals),
+      indefiniteFaces: frame.indefiniteFaces,
+      indefiniteFace: frame.indefiniteFace,
+    };
   }
 
   private hear(onProgress: OnProgress): void {

@@ -21,9 +21,12 @@ export interface WasmModule extends JsImports {
   _shapespline_sequence(request: Address): Address;
   _shapespline_update(handle: number, request: Address): Address;
   _shapespline_evaluate(handle: number, t: number, preview: number): Address;
+  _shapespline_blend(handle: number, request: Address): Address;
   _shapespline_preview_error(handle: number, t: number): Address;
   _shapespline_measure(handle: number, t: number): Address;
   _shapespline_plane(handle: number, request: Address): Address;
+  _shapespline_discrete_path(handle: number, samples: number): Address;
+  _shapespline_face_curve(handle: number, face: number, request: Address): Address;
   _shapespline_pace(handle: number): Address;
   _shapespline_motion_pace(handle: number, request: Address): Address;
   _shapespline_bending(handle: number, request: Address): Address;

@@ -1,0 +1,140 @@
+/** Shapes that are given by weights of the keys, and what is known of where they lie in shape space. */
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Sequence } from '../../web/engine/api/api.ts';
+import { folderOf, listed, runCli } from './support/cli.ts';
+import { bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
+import { poseFiles } from './support/glb.ts';
+import { diagonal, largestDistance } from './support/shapes.ts';
+
+const engine = testEngine();
+let bend: Bend & { sequence: Sequence };
+let size: number;
+
+beforeAll(async () => {
+  bend = await bendSequence(engine);
+  size = diagonal(bend.poses[0]!);
+});
+
+const blended = async (weights: number[]): Promise<Float32Array> => {
+  const frame = await bend.sequence.evaluateBlend(weights);
+  return frame!.positions;
+};
+
+describe('a blend of keys', () => {
+  it('is a key where that has all the weight, and the motion at the weights of its curve', async () => {
+    for (const key of [0, 1, 2]) {
+      const weights = [0, 0, 0];
+      weights[key] = 1;
+      expect(largestDistance(await blended(weights), bend.poses[key]!)).toBeLessThan(1e-5 * size);
+    }
+    const times = [-0.2, 0.3, 0.8, 1.1];
+    const { weights } = await bend.sequence.shapePlane(times);
+    for (const [index, t] of times.entries()) {
+      const shape = await blended(weights.slice(3 * index, 3 * index + 3));
+      if (t < 0 || t > 1) continue; // beyond the keys the motion holds its stretch back
+      expect(largestDistance(shape, (await frameAt(bend.sequence, t)).positions)).toBeLessThan(1e-5 * size);
+    }
+  });
+
+  it('is another shape off the curve, whatever was shown before', async () => {
+    const weights = [0.8, -0.6, 0.8];
+    const shape = await blended(weights);
+    for (const t of [0, 0.25, 0.5, 0.75, 1]) {
+      expect(largestDistance(shape, (await frameAt(bend.sequence, t)).positions)).toBeGreaterThan(0.01 * size);
+    }
+    expect(await blended(weights)).toEqual(shape);
+  });
+
+  it('that a newer request overtakes is null', async () => {
+    const asked = [0, 0.1, 0.2, 0.3].map((w) => bend.sequence.evaluateBlend([1 - w, w, 0]));
+    const frames = await Promise.all(asked);
+    expect(frames.map((frame) => frame !== null)).toEqual([true, false, false, true]);
+    frames.forEach((frame) => frame?.release());
+  });
+
+  it('needs one weight per key, and a sum of 1', async () => {
+    const sentence = async (weights: number[]): Promise<string> => {
+      const { code, message } = await failureOf(bend.sequence.evaluateBlend(weights));
+      expect(code).toBe('invalid-option');
+      return message;
+    };
+    expect(await sentence([0.5, 0.5])).toBe('There are 2 weights for 3 keys. Give one per key.');
+    expect(await sentence([0.5, 0.5, 0.5])).toBe('The weights of a blend must sum to 1, not 1.5.');
+    expect(await sentence([NaN, 1, 0])).toBe('The weights of a blend must be numbers, one per key.');
+    await bend.sequence.evaluateBlend([1 / 3, 1 / 3, 1 / 3 + 9e-7]);
+  });
+});
+
+describe('the discretised minimisation', () => {
+  it('falls onto the spline, the closer the more samples it has', async () => {
+    const off = async (samples: number): Promise<number> => {
+      const { times, plane, energy, curveEnergy } = await bend.sequence.discretePath(samples);
+      expect(times).toHaveLength(samples);
+      expect(curveEnergy).toBeGreaterThanOrEqual(energy);
+      const { curve } = await bend.sequence.shapePlane(times);
+      return Math.max(...curve.map((value, index) => Math.abs(value - plane[index]!)));
+    };
+    const [coarse, fine] = [await off(21), await off(81)];
+    expect(fine).toBeLessThan(coarse / 14); // second order: 16
+  });
+
+  it('refuses counts that cannot work', async () => {
+    for (const samples of [2, 1001, 1.5]) {
+      expect((await failureOf(bend.sequence.discretePath(samples))).code).toBe('invalid-option');
+    }
+  });
+});
+
+describe('one face', () => {
+  it('has its coordinates over time, and at the keys', async () => {
+    const { patch, numbers, keys } = await bend.sequence.faceCurve(7, [0, 0.5, 1]);
+    expect(patch).toBe((await bend.sequence.patches())[7]);
+    expect(keys).toHaveLength(18);
+    numbers.forEach((value, index) => expect(value).toBeCloseTo(keys[index]!, 6));
+    expect((await failureOf(bend.sequence.faceCurve(1e6, [0]))).code).toBe('invalid-option');
+  });
+});
+
+describe('complete --blend', () => {
+  it('writes the shape that the engine blends', async () => {
+    const files = poseFiles(bend.mesh, bend.poses);
+    const folder = await folderOf(files);
+    const names = files.map(({ name }) => name);
+    const run = (...words: string[]) => runCli(folder, 'complete', ...names, ...words);
+    const weights = [0.7, -0.5, 0.8];
+    const { code, stdout, stderr } = await run(
+      '--blend',
+      weights.join(','),
+      '--output',
+      'blend.obj',
+      '--report',
+      'r.json',
+    );
+    expect([code, stderr]).toEqual([0, '']);
+    expect(stdout).toMatch(/^blend\.obj: 1 shape, \d+ bytes\n$/);
+    const lines = (await readFile(path.join(folder, 'blend.obj'), 'utf8')).split('\n');
+    const positions = lines.filter((line) => line.startsWith('v ')).flatMap((line) => line.split(' ').slice(1, 4));
+    expect(largestDistance(Float32Array.from(positions.map(Number)), await blended(weights))).toBeLessThan(1e-5 * size);
+    const report = JSON.parse(await readFile(path.join(folder, 'r.json'), 'utf8')) as Record<string, object>;
+    expect(report['frames']).toEqual([]);
+    expect(report['options']).toMatchObject({ export: { blend: weights } });
+
+    expect((await run('--blend=-0.5,1,0.5', '--output', 'blend.glb')).code).toBe(0);
+    for (const [words, sentence] of [
+      [['--blend', '1,0', '--output', 'bad.obj'], 'There are 2 weights for 3 keys. Give one per key.'],
+      [['--blend', '1,1,0', '--output', 'bad.obj'], '--blend: must sum to 1, not 2'],
+      [['--blend', '1,0,0', '--output', 'bad.pc2'], '--blend gives one shape: bad.pc2 must end in .glb, .obj or .ply'],
+      [
+        ['--blend', '1,0,0', '--at', '1', '--output', 'bad.obj'],
+        '--blend gives one shape, so that --at has no meaning',
+      ],
+    ] as const) {
+      const wrong = await run(...words);
+      expect(wrong.code, words.join(' ')).toBe(2);
+      expect(wrong.stderr).toContain(sentence);
+    }
+    expect((await listed(folder)).filter((name) => name.startsWith('bad'))).toEqual([]);
+  });
+});

@@ -1,0 +1,97 @@
+// Where motions lie in shape space: blends of vertices among them, the bending of every method, one face over time.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "sequences.h"
+#include "shapes.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+Sequence moved(Method method, const EncodingOptions& encoding = doublePrecision()) {
+  MotionOptions motion;
+  motion.method = method;
+  return sequenceOf(keyframes(box(1, 1, 6, 2, 2, 12), {bend(0), bend(1), twist(1)}), encoding, motion);
+}
+
+double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+
+}  // namespace
+
+TEST_CASE("shape plane: a blend of vertices meets the keys and leaves their plane between them") {
+  for (const int ghostFaces : {0, 60}) {
+    CAPTURE(ghostFaces);
+    EncodingOptions encoding = doublePrecision();
+    encoding.ghostFaces = ghostFaces;
+    Sequence ours = moved(Method::Lri, encoding), blend = moved(Method::Linear, encoding);
+    const std::vector<double> keys = ours.motion().keyTimes();
+    const ShapePlane atKeys = blend.shapePlane(keys);
+    for (std::size_t i = 0; i < atKeys.keys.size(); ++i)
+      CHECK(atKeys.curve[i] == doctest::Approx(atKeys.keys[i]).epsilon(1e-9));
+    CHECK(largest(atKeys.distance) < 1e-6);
+    const std::vector<double> between = {0.25 * keys[1], 0.5 * keys[1], keys[1] + 0.5 * (keys[2] - keys[1])};
+    // three keys span a plane: what is made of their coordinates lies in it
+    CHECK(largest(ours.shapePlane(between).distance) < 1e-6);
+    for (const double distance : blend.shapePlane(between).distance) CHECK(distance > 0.05);
+  }
+}
+
+TEST_CASE("shape plane: the weights are those of the motion") {
+  Sequence s = moved(Method::Lri);
+  const std::vector<double> times = {-0.5, 0, 0.3, 2};
+  const ShapePlane plane = s.shapePlane(times);
+  REQUIRE(plane.weights.size() == 3 * times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double* w = &plane.weights[3 * i];
+    CHECK(w[0] + w[1] + w[2] == doctest::Approx(1));
+    // the plane's coordinates are affine in the weights
+    for (const int axis : {0, 1})
+      CHECK(w[0] * plane.keys[axis] + w[1] * plane.keys[2 + axis] + w[2] * plane.keys[4 + axis] ==
+            doctest::Approx(plane.curve[2 * i + axis]));
+    if (times[i] < 0 || times[i] > s.range().second) continue;  // beyond the keys stretch eases off
+    Frame curve, blend;
+    REQUIRE(s.evaluate(times[i], curve).ok());
+    REQUIRE(s.evaluateBlend({w[0], w[1], w[2]}, blend).ok());
+    for (std::size_t k = 0; k < curve.positions.size(); ++k)
+      REQUIRE(std::abs(curve.positions[k] - blend.positions[k]) < 1e-5);
+  }
+}
+
+TEST_CASE("bending: what is linear between keys turns at them alone, in shape space as in that of vertices") {
+  for (const Method method : {Method::Geodesic, Method::Linear}) {
+    CAPTURE(static_cast<int>(method));
+    Sequence s = moved(method);
+    const std::vector<double> keys = s.motion().keyTimes();
+    const double h = (keys[2] - keys[0]) / 100, a = keys[1] - keys[0], b = keys[2] - keys[1];
+    const std::vector<double> energy = s.bendingEnergy({keys[0] + 0.5 * a, keys[1], keys[1] + 0.5 * b});
+    CHECK(energy[0] < 1e-12 * energy[1]);
+    CHECK(energy[2] < 1e-12 * energy[1]);
+    // |(x2 - x1) / b - (x1 - x0) / a|^2 / h^2 is between what the two steps allow
+    CHECK(energy[1] < 2 * (1 / a + 1 / b) * (1 / a + 1 / b) / (h * h));
+    CHECK(energy[1] > 0.01 / (h * h));
+  }
+  Sequence cubic = moved(Method::CubicVertex), linear = moved(Method::Linear);
+  const double key = cubic.motion().keyTimes()[1];
+  CHECK(cubic.bendingEnergy({key})[0] < 0.01 * linear.bendingEnergy({key})[0]);
+}
+
+TEST_CASE("a face over time passes through its coordinates at the keys") {
+  Sequence s = moved(Method::Lri);
+  const std::vector<double> keys = s.motion().keyTimes();
+  for (const int face : {0, 50}) {
+    const auto curve = s.faceCurve(face, keys);
+    REQUIRE(curve.ok());
+    CHECK(curve->patch == s.patchOfFace()[face]);
+    REQUIRE(curve->keys.size() == 18);
+    REQUIRE(curve->numbers.size() == 18);
+    for (int i = 0; i < 18; ++i) CHECK(curve->numbers[i] == doctest::Approx(curve->keys[i]));
+    // in the reference nothing is stretched
+    CHECK(curve->keys[3] == doctest::Approx(1));
+    CHECK(curve->keys[4] == doctest::Approx(0));
+  }
+  CHECK(s.faceCurve(-1, keys).error().code == ErrorCode::InvalidOption);
+  CHECK(s.faceCurve(static_cast<int>(s.faces().size()), keys).error().code == ErrorCode::InvalidOption);
+}

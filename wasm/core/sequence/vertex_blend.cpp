@@ -1,0 +1,55 @@
+#include "core/sequence/vertex_blend.h"
+
+#include "core/rotation/rotation.h"
+
+namespace shapespline {
+
+namespace {
+
+Positions blendVertices(const WeldedShape& shape, const Eigen::VectorXd& weights) {
+  Positions blended(shape.vertexCount(), Vec3::Zero());
+  for (int c = 0; c < shape.columns(); ++c)
+    for (std::size_t v = 0; v < blended.size(); ++v) blended[v] += weights[c] * shape.poses[c][v];
+  return blended;
+}
+
+}  // namespace
+
+ShapeCoordinates encodeVertexBlend(const PoseCoordinates& poses, const WeldedShape& shape, Stretch stretch,
+                                   const Eigen::VectorXd& weights) {
+  const Positions pose = blendVertices(shape, weights);
+  const Patches& patches = poses.patches.patches;
+  ShapeCoordinates out{{}, {}, Vec3::Zero()};
+  out.face.resize(shape.faceCount());
+  std::vector<FaceDeformation> deformed(shape.faceCount());
+  std::vector<RotationMean> mean(patches.count);
+  for (int f = 0; f < shape.faceCount(); ++f) {
+    if (patches.ofFace[f] < 0) continue;
+    const Triangle& t = shape.faces[f];
+    const FaceFrame frame = referenceFrame(shape, f);
+    deformed[f] = deformation(frame, pose[t[0]], pose[t[1]], pose[t[2]]);
+    mean[patches.ofFace[f]].add(Quaternion(deformed[f].rotation), frame.area);
+  }
+  std::vector<Quaternion> rotation;
+  for (const RotationMean& m : mean) rotation.push_back(m.mean());
+  for (int f = 0; f < shape.faceCount(); ++f) {
+    if (patches.ofFace[f] < 0) continue;
+    Vec3 near = Vec3::Zero();
+    for (int c = 0; c < shape.columns(); ++c)
+      for (int k = 0; k < 3; ++k) near[k] += weights[c] * poses.number(f, c, k);
+    const Quaternion turn = rotation[patches.ofFace[f]].conjugate() * Quaternion(deformed[f].rotation);
+    const Vec3 r = nearestRepresentative(logRotation(turn), near);
+    const Mat2 s = stretch == Stretch::Log ? logSymmetric(deformed[f].stretch) : deformed[f].stretch;
+    out.face[f] = {r.x(), r.y(), r.z(), s(0, 0), (s(0, 1) + s(1, 0)) / 2, s(1, 1)};
+  }
+  for (const PatchPair& p : patches.pairs) {
+    Vec3 near = Vec3::Zero();
+    for (int c = 0; c < shape.columns(); ++c) near += weights[c] * poses.patches.pair[c][out.pair.size()];
+    const Quaternion turn = rotation[p.first].conjugate() * rotation[p.second];
+    out.pair.push_back(nearestRepresentative(logRotation(turn), near));
+  }
+  for (int c = 0; c < shape.columns(); ++c) out.meanPosition += weights[c] * poses.meanPosition[c];
+  return out;
+}
+
+}  // namespace shapespline
