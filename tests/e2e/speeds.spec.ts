@@ -129,7 +129,7 @@ test('a handle in the shape plane bends the curve along its tangent', async ({ a
       ];
       return [x2 - x1, y2 - y1] as const;
     });
-  const scale = (await app.by('plot-plane').locator('svg').boundingBox())!.width / 272;
+  const scale = (await app.by('plot-plane').locator('svg.plot').boundingBox())!.width / 272;
   await pull(app, grip, stem[0] * scale, stem[1] * scale);
   await app.page.mouse.up();
   await app.settled();

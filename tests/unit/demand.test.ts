@@ -18,9 +18,15 @@ const running = (): RunningSequence => ({ method: 'lri', sequence }) as unknown 
 /** Previews are drawn for everything that moves. */
 function setUp() {
   let sequences: readonly RunningSequence[] = [running()];
-  const demand = new Demand(() => sequences, new PreviewPolicy('preview'));
+  const off: { blend: readonly number[] | null } = { blend: null };
+  const demand = new Demand(
+    () => sequences,
+    new PreviewPolicy('preview'),
+    () => off.blend,
+  );
   const frames = (t: number, preview: boolean): FrameSet => ({
     t,
+    blend: null,
     frames: [],
     sequences,
     preview,
@@ -43,6 +49,7 @@ function setUp() {
   };
   return {
     demand,
+    off,
     frames,
     serve,
     words,
@@ -125,5 +132,17 @@ describe('the demand for times', () => {
     expect(demand.isCurrent(set)).toBe(true);
     exchange();
     expect(demand.isCurrent(set)).toBe(false);
+  });
+
+  it('is for a blend as long as there is one: exact at once, as blends have no previews', () => {
+    const { demand, off, serve, words } = setUp();
+    off.blend = [0.5, 0.5];
+    demand.follow(0.4);
+    expect([words(), demand.wanted.blend]).toEqual(['exact 0.4', off.blend]);
+    serve();
+    expect(words()).toBe('nothing');
+    off.blend = null;
+    demand.follow(0.4);
+    expect([words(), demand.wanted.blend]).toEqual(['preview 0.4', null]);
   });
 });

@@ -20,7 +20,7 @@ import type { Feedback } from './panels/feedback.ts';
 import { createLayout } from './panels/layout.ts';
 import { createPage } from './panels/page.ts';
 import { createViewState } from './panels/view-state.ts';
-import type { ViewStateHolder } from './panels/view-state.ts';
+import type { Blend, ViewStateHolder } from './panels/view-state.ts';
 import { listenToLeaving, listenToNetwork, listenToPointer, reducedMotion } from './panels/window-events.ts';
 import { createSession } from './session/session.ts';
 import type { Session } from './session/session.ts';
@@ -139,6 +139,7 @@ export function startApp(root: HTMLElement): void {
       undo,
     },
     onAnalysisError,
+    onBlend: showBlend,
     onGallery: (open) => (open ? previews.start() : previews.stop()),
     onPeek: display.timePictures.want,
     onLink: () => void ways.link.copy(),
@@ -158,6 +159,13 @@ export function startApp(root: HTMLElement): void {
     onEscape: () => void guide.close(),
   });
 
+  /** A function declaration: parts that are made before it are given it. */
+  function showBlend(blend: Blend | null): void {
+    if (blend === viewState.get().blend) return;
+    if (blend && store.get().play.playing) store.set({ play: { ...store.get().play, playing: false } });
+    viewState.change({ blend });
+    frameLoop.follow(store.get().time);
+  }
   const takeFewest = async (of: number, percent: number): Promise<void> => {
     viewState.change({ fewest: null });
     const fewest = await animation.takeFewest(of, percent);
@@ -196,7 +204,10 @@ export function startApp(root: HTMLElement): void {
     takeFiles.forget();
     guide.onOpened();
   };
-  followState({ session, display, ways, applyLook, onEdit, onOpened, redraw });
+  const onMoved = (): void => {
+    if (viewState.get().blend) viewState.change({ blend: null });
+  };
+  followState({ session, display, ways, applyLook, onEdit, onMoved, onOpened, redraw });
   listenToPointer((down) => {
     store.hold(down);
     if (!down) frameLoop.settle();
@@ -212,7 +223,7 @@ export function startApp(root: HTMLElement): void {
     title: () => sourceTitle(store.get().source, viewState.get().samples),
     onError: feedback.onError,
   });
-  installTestHook(testHookOf(ready, session, display, files));
+  installTestHook(testHookOf(ready, session, display, files, onMoved));
   registerServiceWorker((reload) => {
     newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
   });
@@ -270,18 +281,21 @@ interface Followers {
   applyLook(): void;
   /** What is open has been edited. */
   onEdit(): void;
+  /** The motion or its time is another one, or it plays. */
+  onMoved(): void;
   /** Something else is open. */
   onOpened(): void;
   redraw(): void;
 }
 
 /** The one subscriber of the state: what changed decides who hears of it. */
-function followState({ session, display, ways, applyLook, onEdit, onOpened, redraw }: Followers): void {
+function followState({ session, display, ways, applyLook, onEdit, onMoved, onOpened, redraw }: Followers): void {
   const { store } = session;
   let before = store.get();
   store.subscribe((state) => {
     const changed = changesBetween(before, state);
     before = state;
+    if (changed.time || changed.started || changed.motions || changed.opened) onMoved();
     if (changed.motions) session.serve();
     if (changed.look) applyLook();
     display.playback.follow(state, changed);
@@ -298,6 +312,7 @@ function testHookOf(
   { store, workspace, sequence, range }: Session,
   { scene, playback: { frameLoop } }: Display,
   files: OpenFiles,
+  showMotion: () => void,
 ): TestHook {
   return createTestHook({
     ready,
@@ -308,6 +323,7 @@ function testHookOf(
     difference: () => scene.difference?.percent ?? null,
     async seekExactly(t) {
       const time = clampTime(t, range());
+      showMotion();
       store.set({ time, play: { ...store.get().play, playing: false } });
       await frameLoop.request(time);
     },

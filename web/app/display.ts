@@ -53,6 +53,7 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
     range,
     moving: readMoving(location.search),
     sequences: () => workspace.sequences,
+    blend: () => viewState.get().blend?.weights ?? null,
     screen: {
       show,
       drawn: () => scene.viewer.drawn(),

@@ -102,7 +102,11 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onStart,
     onError,
     onWorking,
-    drawExactly: (t) => playback.frameLoop.request(t),
+    drawExactly(t) {
+      // What is exported is the motion.
+      if (viewState.get().blend) viewState.change({ blend: null });
+      return playback.frameLoop.request(t);
+    },
     idle: () => playback.frameLoop.idle(),
     onVideoFormats: (videoFormats) => viewState.change({ videoFormats }),
     onPlan: (planned) => viewState.change({ exporting: planned }),

@@ -79,13 +79,16 @@ export function clampKeyTime(times: readonly number[], index: number, wanted: nu
   return clamp(wanted, low === undefined ? -Infinity : low + gap, high === undefined ? Infinity : high - gap);
 }
 
-export type PhaseKind = 'key' | 'between' | 'beyond';
+/** `off`: not on the curve at all. */
+export type PhaseKind = 'key' | 'between' | 'beyond' | 'off';
 
 /** How the moment relates to the keys; `kind` chooses the colour, `text` says the same in words. */
 export interface Phase {
   kind: PhaseKind;
   text: string;
 }
+
+export const OFF_CURVE: Phase = { kind: 'off', text: 'Off the curve: a mixture of the keys' };
 
 export interface PhaseInput {
   t: number;

@@ -2,6 +2,8 @@
 import { createEndHandle } from './end-handle.ts';
 import type { End, EndHandleEvents } from './end-handle.ts';
 import { make, text } from './line-chart.ts';
+import { createPlanePoint } from './plane-point.ts';
+import type { PlanePointEvents } from './plane-point.ts';
 import { extent, path } from './scale.ts';
 
 export interface PlaneCurve {
@@ -9,6 +11,12 @@ export interface PlaneCurve {
   /** 2 numbers for each time. */
   points: readonly number[];
   style: string;
+}
+
+/** A curve of points that have times of their own, or none. */
+export interface PlaneOverlay extends PlaneCurve {
+  /** Its points are marked. */
+  marked: boolean;
 }
 
 export interface ShapePlaneData {
@@ -24,6 +32,13 @@ export interface ShapePlaneData {
 
 type Vector = readonly [number, number];
 
+export interface ShapePlaneEvents extends EndHandleEvents, Pick<PlanePointEvents, 'pointLabel' | 'onPointKey'> {
+  /** The point was dragged there, in the plane's own coordinates; onto a key where it came near to one. */
+  onPoint(point: Vector): void;
+  /** A path was drawn: 2 numbers for each of its points. */
+  onPath(points: readonly Vector[]): void;
+}
+
 const WIDTH = 272;
 const HEIGHT = 190;
 const PAD = 16;
@@ -32,13 +47,24 @@ export interface ShapePlanePlot {
   element: SVGSVGElement;
   draw(data: ShapePlaneData): void;
   setCursor(t: number): void;
+  /** Of the motion at t; [0, 0] before anything is drawn. */
+  curvePoint(t: number): Vector;
+  /** Where the shape lies that is shown instead of the motion's; null: on the curve. */
+  setPoint(point: Vector | null): void;
+  setOverlays(overlays: readonly PlaneOverlay[]): void;
+  /** The path that was drawn, or null. */
+  setPath(points: readonly Vector[] | null): void;
+  setDrawing(on: boolean): void;
   /** How long the handles are, before the curve is worked out anew. */
   setSpeeds(speeds: Readonly<Record<End, number>> | null): void;
 }
 
 type Place = (x: number, y: number) => [number, number];
 
-export function createShapePlane(events: EndHandleEvents): ShapePlanePlot {
+/** A point this near to a key, in the picture's pixels, is the key. */
+const SNAP = 7;
+
+export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
   const element = make('svg', {
     viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
     class: 'plot shape-plane',
@@ -46,17 +72,47 @@ export function createShapePlane(events: EndHandleEvents): ShapePlanePlot {
     'aria-label': 'Being computed',
   });
   const content = make('g', {});
-  const cursor = make('circle', { class: 'now', r: 4.5 });
+  const keys = make('g', {});
+  const under = make('g', {});
+  const over = make('g', {});
+  const drawn = make('path', { class: 'drawn' });
   const handles = { start: createEndHandle('start', element, events), end: createEndHandle('end', element, events) };
-  element.append(content, cursor, handles.start.element, handles.end.element);
-  let current: { data: ShapePlaneData; place: Place } | null = null;
+  let current: Current | null = null;
+  let overlays: readonly PlaneOverlay[] = [];
+  let line: readonly Vector[] = [];
+  let off: Vector | null = null;
+  let time = 0;
+  const point = createPlanePoint(element, WIDTH, {
+    ...events,
+    onDrag: (at) => current && events.onPoint(snapped(current, at)),
+    onStroke: (places) => current && events.onPath(places.map(current.back)),
+  });
+  element.append(under, content, over, keys, drawn, point.element, handles.start.element, handles.end.element);
+
+  const drawOver = (): void => {
+    if (!current) return;
+    const { place } = current;
+    // What falls onto the motion's curve shows by its marks alone.
+    under.replaceChildren(...overlays.map((overlay) => overlayLine(overlay, place)));
+    over.replaceChildren(...overlays.flatMap((overlay) => (overlay.marked ? overlayMarks(overlay, place) : [])));
+    drawn.setAttribute('d', path(line.map(([x, y]) => place(x, y))));
+  };
+  const placePoint = (): void => {
+    if (!current) return;
+    const [start, end] = current.data.range;
+    const [x, y] = off ?? at(current.data, time);
+    point.place(current.place(x, y), off ? 'off' : time < start || time > end ? 'beyond' : 'between');
+  };
 
   return {
     element,
     draw(data) {
-      const place = placing(data);
-      current = { data, place };
+      const [place, back] = placing(data);
+      current = { data, place, back };
       content.replaceChildren(...parts(data, place));
+      keys.replaceChildren(...keyMarks(data, place));
+      drawOver();
+      placePoint();
       element.setAttribute(
         'aria-label',
         `The motion through ${data.keys.length / 2} keys as a curve in the plane of their two leading principal components`,
@@ -67,19 +123,58 @@ export function createShapePlane(events: EndHandleEvents): ShapePlanePlot {
       for (const end of ['start', 'end'] as const) handles[end].setSpeed(speeds?.[end] ?? null);
     },
     setCursor(t) {
-      if (!current) return;
-      const [x, y] = at(current.data, t);
-      const [left, top] = current.place(x, y);
-      cursor.setAttribute('cx', left.toFixed(2));
-      cursor.setAttribute('cy', top.toFixed(2));
-      const [start, end] = current.data.range;
-      cursor.setAttribute('data-phase', t < start || t > end ? 'beyond' : 'between');
+      time = t;
+      placePoint();
     },
+    curvePoint: (t) => (current ? at(current.data, t) : [0, 0]),
+    setPoint(next) {
+      off = next;
+      placePoint();
+    },
+    setOverlays(next) {
+      overlays = next;
+      drawOver();
+    },
+    setPath(points) {
+      line = points ?? [];
+      drawOver();
+    },
+    setDrawing: point.setDrawing,
   };
 }
 
+interface Current {
+  data: ShapePlaneData;
+  place: Place;
+  /** From the picture to the plane. */
+  back: (place: Vector) => Vector;
+}
+
+function snapped({ data: { keys }, place, back }: Current, at: Vector): Vector {
+  for (let index = 0; index < keys.length; index += 2) {
+    const key: Vector = [keys[index]!, keys[index + 1]!];
+    const [x, y] = place(...key);
+    if (Math.hypot(x - at[0], y - at[1]) < SNAP) return key;
+  }
+  return back(at);
+}
+
+function placesOf({ points }: PlaneOverlay, place: Place): [number, number][] {
+  return Array.from({ length: points.length / 2 }, (_, i) => place(points[2 * i]!, points[2 * i + 1]!));
+}
+
+function overlayLine(overlay: PlaneOverlay, place: Place): SVGElement {
+  return make('path', { class: `curve ${overlay.style}`, d: path(placesOf(overlay, place)) });
+}
+
+function overlayMarks(overlay: PlaneOverlay, place: Place): SVGElement[] {
+  return placesOf(overlay, place).map(([cx, cy]) =>
+    make('circle', { class: `sample ${overlay.style}`, cx, cy, r: 1.8 }),
+  );
+}
+
 /** One scale for both axes: distances in the plane mean the same in every direction. */
-function placing({ keys, curves, times, range }: ShapePlaneData): Place {
+function placing({ keys, curves, times, range }: ShapePlaneData): [Place, Current['back']] {
   const points = [...keys];
   const first = curves[0]?.points ?? [];
   // The margins are shown as far as they fit; the keys and the curve between them decide the scale.
@@ -94,7 +189,10 @@ function placing({ keys, curves, times, range }: ShapePlaneData): Place {
     (HEIGHT - 2 * PAD) / Math.max((top - bottom) * (1 + 2 * margin), 1e-12),
   );
   const [x, y] = [(left + right) / 2, (bottom + top) / 2];
-  return (px, py) => [WIDTH / 2 + (px - x) * scale, HEIGHT / 2 - (py - y) * scale];
+  return [
+    (px, py) => [WIDTH / 2 + (px - x) * scale, HEIGHT / 2 - (py - y) * scale],
+    ([left, up]) => [x + (left - WIDTH / 2) / scale, y - (up - HEIGHT / 2) / scale],
+  ];
 }
 
 /** An end of the curve and the way a handle of speed 1 goes from there, in the picture's own pixels. */
@@ -110,7 +208,7 @@ function onPicture(
   return { from, unit: [to[0] - from[0], to[1] - from[1]], width: WIDTH, height: HEIGHT };
 }
 
-function parts({ times, keys, curves, range }: ShapePlaneData, place: Place): SVGElement[] {
+function parts({ times, curves, range }: ShapePlaneData, place: Place): SVGElement[] {
   const line = (curve: PlaneCurve, style: string, from: number, to: number): SVGElement =>
     make('path', {
       class: `curve ${style}`,
@@ -121,7 +219,7 @@ function parts({ times, keys, curves, range }: ShapePlaneData, place: Place): SV
       ),
     });
   const [main, ...others] = curves;
-  const shown = [
+  return [
     ...others.map((curve) => line(curve, curve.style, range[0], range[1])),
     ...(main
       ? [
@@ -131,14 +229,13 @@ function parts({ times, keys, curves, range }: ShapePlaneData, place: Place): SV
         ]
       : []),
   ];
-  for (let index = 0; index < keys.length / 2; index += 1) {
+}
+
+function keyMarks({ keys }: ShapePlaneData, place: Place): SVGElement[] {
+  return Array.from({ length: keys.length / 2 }, (_, index) => {
     const [x, y] = place(keys[2 * index] ?? 0, keys[2 * index + 1] ?? 0);
-    shown.push(
-      make('circle', { class: 'key', cx: x, cy: y, r: 4 }),
-      text('key-number', x + 8, y - 6, String(index + 1)),
-    );
-  }
-  return shown;
+    return [make('circle', { class: 'key', cx: x, cy: y, r: 4 }), text('key-number', x + 8, y - 6, String(index + 1))];
+  }).flat();
 }
 
 /** The point of the first curve at t, between the computed ones in a straight line. */

@@ -4,6 +4,7 @@ import type { End } from '../../model/speeds.ts';
 import { isInLri } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
+import type { PlaneShapes } from './plane-weights.ts';
 import type { RunningSequence } from '../session/sequence-set.ts';
 
 export interface ShapePlaneInput {
@@ -38,6 +39,14 @@ export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapeP
   );
   const [main] = planes;
   return { times, range, planes, tangents: main && towards ? tangentsOf(main.plane.keys, towards) : null };
+}
+
+/** The shapes whose weights are known: those of the motion, unless tangent shapes have a part in them, and the keys. */
+export function knownShapes({ keys, curve, weights }: ShapePlane): PlaneShapes {
+  const count = keys.length / 2;
+  const own = weights.length === (curve.length / 2) * count;
+  const units = Array.from({ length: count * count }, (_, i) => Number(i % (count + 1) === 0));
+  return { keys, points: [...keys, ...(own ? curve : [])], weights: [...units, ...(own ? weights : [])] };
 }
 
 /** The handle of a cubic with slope m over a time h ends at its second Bézier point: h m / 3 from the first. */

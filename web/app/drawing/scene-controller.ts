@@ -6,7 +6,7 @@ import type { AppState, Doc, View } from '../../model/state.ts';
 import { isInLri } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
-import { phaseOf } from '../../model/time-scale.ts';
+import { OFF_CURVE, phaseOf } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { TileLabel } from '../../ui/view-bar.ts';
 import type { Extra, Look, Rect } from '../../viewer/types.ts';
@@ -148,13 +148,17 @@ export class SceneController {
    * ones.
    */
   async show(
-    { t, frames, sequences, preview }: FrameSet,
+    { t, blend, frames, sequences, preview }: FrameSet,
     state: AppState,
     range: Range,
     eased: boolean,
   ): Promise<void> {
     const input = onionSkinInput(t, state, range);
-    const phase = phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
+    const phase = blend
+      ? OFF_CURVE
+      : phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
+    // The ghost is only known where it was computed: at a time.
+    const led = blend ? undefined : sequences[0];
     const views = sequences.length + (this.original ? 1 : 0);
     if (this.viewer.views !== views) this.setViews(views);
     frames.forEach((frame, view) =>
@@ -164,12 +168,12 @@ export class SceneController {
     if (original) this.viewer.setFrame(sequences.length, original.positions, original.normals, ORIGINAL_COLOUR, eased);
     if (preview) {
       if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'updated when the shape rests' };
-      return this.showGhost(t, sequences[0], state.view);
+      return this.showGhost(t, led, state.view);
     }
     const measures = this.measuresNow(state.play.playing) || this.labels.length !== views;
     this.labels = views > 1 ? this.tileLabels(frames, sequences, original?.positions, measures) : [];
     this.showDifference(frames, sequences, state.view);
-    await this.showGhost(t, sequences[0], state.view);
+    await this.showGhost(t, led, state.view);
     await this.showOnionSkins(input, sequences, state);
     if (this.film) this.labels = this.labels.map((label) => ({ ...label, detail: '' }));
     this.place();

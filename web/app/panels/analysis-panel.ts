@@ -12,6 +12,7 @@ import type { MotionMeasures } from '../../study/motion-measures.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import { createShapePlaneFigure } from './shape-plane-figure.ts';
+import type { Blend } from './view-state.ts';
 import type { ShapePlaneFigure } from './shape-plane-figure.ts';
 
 export interface AnalysisPanelEvents {
@@ -19,6 +20,7 @@ export interface AnalysisPanelEvents {
   onSpeed(end: End, speed: number): void;
   /** This plot is to fill the screen. */
   onEnlarge(plot: Plot): void;
+  onBlend(blend: Blend | null): void;
   onError(error: unknown): void;
 }
 
@@ -26,6 +28,7 @@ export interface AnalysisPanel {
   element: HTMLElement;
   setCursor(t: number): void;
   setSpeeds: ShapePlaneFigure['setSpeeds'];
+  setBlend: ShapePlaneFigure['setBlend'];
 }
 
 /** While edits follow each other nothing is computed. */
@@ -34,8 +37,8 @@ const RELATIVE = '% of the first key';
 const BENDING = 'relative to the mean deformation energy between keys, per time⁴';
 
 export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelEvents): AnalysisPanel {
-  const { onSeek, onSpeed, onError } = events;
-  const plane = createShapePlaneFigure(cache.input, { onSpeed, onError });
+  const { onSeek, onSpeed, onBlend, onError } = events;
+  const plane = createShapePlaneFigure(cache.input, { onSpeed, onBlend, onError });
   const volume = chart('Volume', RELATIVE, 'plot-volume', onSeek);
   const area = chart('Area', RELATIVE, 'plot-area', onSeek);
   const bending = chart('Bending energy', BENDING, 'plot-bending', onSeek);
@@ -101,7 +104,7 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
     computeSoon();
   }).observe(element);
 
-  return { element, setCursor, setSpeeds: plane.setSpeeds };
+  return { element, setCursor, setSpeeds: plane.setSpeeds, setBlend: plane.setBlend };
 }
 
 function enlargeButton(plot: Plot, onClick: () => void): HTMLButtonElement {

@@ -5,7 +5,7 @@ import type { ExportRequest } from '../../model/export-request.ts';
 import type { AppState } from '../../model/state.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../../model/state.ts';
 import { playRange } from '../../model/frames.ts';
-import { phaseOf, timeScale } from '../../model/time-scale.ts';
+import { OFF_CURVE, phaseOf, timeScale } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { viridisGradient } from '../../plots/viridis.ts';
 import { createClockMenu } from '../../ui/clock-menu.ts';
@@ -271,6 +271,7 @@ export function createComponents(input: ComponentsInput): Components {
       periodic,
       tolerance: play.playing ? PLAYING_TOLERANCE : undefined,
     });
+    const shownPhase = viewState.blend ? OFF_CURVE : phase;
     header.update({
       samples: viewState.samples,
       previews: viewState.previews,
@@ -360,7 +361,7 @@ export function createComponents(input: ComponentsInput): Components {
       original: viewState.original,
     });
     viewBar.update({ view, up: lying?.up ?? null, disabled });
-    phaseLabel.update(disabled ? null : phase, {
+    phaseLabel.update(disabled ? null : shownPhase, {
       share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1),
       hasPlace: viewState.indefiniteFace >= 0,
     });
@@ -397,6 +398,7 @@ export function createComponents(input: ComponentsInput): Components {
     });
     help.update(viewState.singleKeys);
     analysis.setCursor(time);
+    analysis.setBlend(viewState.blend, doc.keys);
     analysis.setSpeeds(speeds);
   };
   return {

@@ -92,7 +92,7 @@ export function createShortcuts(store: Store, commands: Commands, targets: Keybo
     {
       keys: ['escape'],
       shown: 'Esc',
-      does: 'Cancel the running work, close a message or leave the presentation',
+      does: 'Cancel the running work, go back to the motion, close a message or leave the presentation',
       run: targets.escape,
     },
     { keys: ['?'], shown: '?', does: 'This help', run: targets.openHelp },

@@ -17,7 +17,7 @@ import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
 import type { Layout } from './layout.ts';
 import { createPresentation } from './presentation.ts';
 import { listen, shortcutLines } from './shortcuts.ts';
-import type { ViewStateHolder } from './view-state.ts';
+import type { Blend, ViewStateHolder } from './view-state.ts';
 
 export interface PageParts {
   root: HTMLElement;
@@ -51,6 +51,8 @@ export interface PageParts {
   onOriginal(shown: boolean): void;
   onExportPlan(request?: ExportRequest): void;
   onExport(request: ExportRequest): void;
+  /** Shows a shape off the curve; null: the motion again. */
+  onBlend(blend: Blend | null): void;
   /** The analysis failed. */
   onAnalysisError(error: unknown): void;
 }
@@ -68,8 +70,10 @@ export function createPage(parts: PageParts): Page {
   const { onError } = feedback;
   const closeError = (): void => viewState.change({ errorMessage: null });
   const stepBack = (): void => {
-    if (viewState.get().working) onCancel();
-    else if (viewState.get().errorMessage) closeError();
+    const { working, blend, errorMessage } = viewState.get();
+    if (working) onCancel();
+    else if (blend) parts.onBlend(null);
+    else if (errorMessage) closeError();
     else if (store.get().view.present) commands.present(null);
     else parts.onEscape();
   };
@@ -107,6 +111,7 @@ export function createPage(parts: PageParts): Page {
       onSeek: commands.seek,
       onSpeed: commands.endSpeed,
       onEnlarge: (plot) => commands.present(store.get().view.present === plot ? null : plot),
+      onBlend: parts.onBlend,
       onError: parts.onAnalysisError,
     }),
     ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),

@@ -5,13 +5,17 @@ import { createShapePlane } from '../../plots/shape-plane.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { SPEED_WORDS, typedSpeed } from '../../ui/speed-handles.ts';
-import { computeShapePlanes } from '../analysis/shape-plane.ts';
-import type { ShapePlaneInput } from '../analysis/shape-plane.ts';
+import type { AnalysisInput } from '../analysis/analysis.ts';
+import { computeShapePlanes, knownShapes } from '../analysis/shape-plane.ts';
+import { createOffCurve } from './off-curve.ts';
+import { createPlaneCurves } from './plane-curves.ts';
+import type { Blend } from './view-state.ts';
 
 export type Speeds = Readonly<Record<End, number>>;
 
 export interface ShapePlaneFigureEvents {
   onSpeed(end: End, speed: number): void;
+  onBlend(blend: Blend | null): void;
   onError(error: unknown): void;
 }
 
@@ -20,16 +24,19 @@ export interface ShapePlaneFigure {
   /** The curve has changed. */
   refresh(): void;
   setCursor(t: number): void;
+  /** The shape that is shown instead of the motion's, or null. */
+  setBlend(blend: Blend | null, keys: readonly { name: string }[]): void;
   /** Hermite: the lengths of the handles at the ends; null = none. */
   setSpeeds(speeds: Speeds | null): void;
 }
 
+const POINT_LABEL = 'The shape that is shown. Arrow keys move it off the curve, Escape brings it back.';
 const TITLE =
   "The plane of the keys' two leading principal components; distances in it approximate those between shapes";
 
 export function createShapePlaneFigure(
-  input: () => ShapePlaneInput | null,
-  { onSpeed, onError }: ShapePlaneFigureEvents,
+  input: () => AnalysisInput | null,
+  { onSpeed, onBlend, onError }: ShapePlaneFigureEvents,
 ): ShapePlaneFigure {
   let speeds: Speeds | null = null;
   let cursor = 0;
@@ -41,7 +48,12 @@ export function createShapePlaneFigure(
     if (speeds) speeds = { ...speeds, [end]: speed };
     onSpeed(end, speed);
   };
+  const offCurve = createOffCurve(() => plot, onBlend);
   const plot = createShapePlane({
+    pointLabel: POINT_LABEL,
+    onPoint: offCurve.onPoint,
+    onPath: offCurve.onPath,
+    onPointKey: offCurve.onPointKey,
     most: MAX_SPEED,
     label: (end) => SPEED_WORDS[end].label,
     words: formatSpeed,
@@ -54,12 +66,15 @@ export function createShapePlaneFigure(
       set(end, speed);
     },
   });
+  const curves = createPlaneCurves({ onOverlays: plot.setOverlays, onError });
   const explained = h('span', { class: 'unit' });
   const element = h(
     'figure',
     { class: 'figure', 'data-testid': 'plot-plane' },
     h('figcaption', { title: TITLE }, h('strong', {}, 'Shape plane'), explained),
     plot.element,
+    offCurve.element,
+    curves.element,
   );
 
   const work = async (): Promise<void> => {
@@ -82,8 +97,10 @@ export function createShapePlaneFigure(
         style: method,
       })),
     });
+    offCurve.setShapes(knownShapes(main.plane));
     plot.setSpeeds(speeds);
     plot.setCursor(cursor);
+    await curves.show(asked);
   };
 
   const follow = async (): Promise<void> => {
@@ -104,7 +121,9 @@ export function createShapePlaneFigure(
     setCursor(t) {
       cursor = t;
       plot.setCursor(t);
+      offCurve.setCurvePoint(plot.curvePoint(t));
     },
+    setBlend: offCurve.update,
     setSpeeds(next) {
       speeds = next;
       plot.setSpeeds(next);

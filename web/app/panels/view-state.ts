@@ -11,6 +11,13 @@ import type { OpenedFiles } from '../sources/open-files.ts';
 import type { ProjectOnShelf } from '../kept/project-shelf.ts';
 import type { Sample } from '../sources/samples.ts';
 
+/** A shape off the curve: the keys blended in these weights, one per key, sum 1. */
+export interface Blend {
+  weights: readonly number[];
+  /** Where it lies in the shape plane. */
+  at: readonly [number, number];
+}
+
 export interface ViewState {
   samples: readonly Sample[];
   /** Pictures of samples in motion, by id, as far as they are made. */
@@ -54,6 +61,8 @@ export interface ViewState {
   fewest: Fewest | null;
   /** The animation is shown beside the motion. */
   original: boolean;
+  /** Shown instead of the motion, until the time moves. */
+  blend: Blend | null;
   /** What the browser can write; null until the export dialog has asked. */
   videoFormats: readonly VideoFormat[] | null;
   exporting: { request: ExportRequest; plan: { text: string; warnings: readonly string[] } | null };
@@ -78,6 +87,7 @@ export function openedView(opened: OpenedFiles, before: ViewState): Partial<View
     timePicture: null,
     fewest: null,
     original: false,
+    blend: null,
     stats: null,
     shownWarning: null,
     indefinite: 0,
@@ -138,6 +148,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   singleKeys: true,
   fewest: null,
   original: false,
+  blend: null,
   videoFormats: null,
   exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };

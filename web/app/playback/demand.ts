@@ -1,6 +1,6 @@
 /**
- * Which time is wanted, which one is shown, and at what quality. The only place that decides what is asked for next and
- * what is dropped:
+ * Which time is wanted, or which blend of the keys instead, which one is shown, and at what quality. The only place
+ * that decides what is asked for next and what is dropped:
  * - of the times that are asked for while a frame is under way only the newest stays wanted;
  * - while the time moves a preview may serve it, where the policy allows; when it rests the exact frame does;
  * - a frame of sequences that were exchanged meanwhile is not shown;
@@ -13,6 +13,8 @@ import type { PreviewPolicy } from './preview-policy.ts';
 /** A time that was asked for; a later one has a higher number. */
 export interface Wanted {
   readonly t: number;
+  /** Instead of the motion's shape at t: the one that the keys blend to in these weights. */
+  readonly blend: readonly number[] | null;
   readonly number: number;
 }
 
@@ -26,7 +28,7 @@ export type Next = { wanted: Wanted; preview: boolean } | { restsIn: number };
 const REST_MS = 80;
 
 export class Demand {
-  private newest: Wanted = { t: 0, number: 0 };
+  private newest: Wanted = { t: 0, blend: null, number: 0 };
   /** The newest that was served by a preview, and by an exact frame. */
   private previewed = 0;
   private served = 0;
@@ -37,6 +39,8 @@ export class Demand {
   constructor(
     readonly sequences: () => readonly RunningSequence[],
     readonly policy: PreviewPolicy,
+    /** The blend that is wanted from here on; null: the motion. */
+    private readonly blend: () => readonly number[] | null = () => null,
   ) {}
 
   get wanted(): Wanted {
@@ -54,7 +58,7 @@ export class Demand {
 
   /** The exact frame, at once. */
   want(t: number): void {
-    this.newest = { t, number: this.newest.number + 1 };
+    this.newest = { t, blend: this.blend(), number: this.newest.number + 1 };
     this.restsAt = -Infinity;
   }
 
@@ -75,7 +79,8 @@ export class Demand {
   next(): Next | null {
     if (!this.open) return null;
     const restsIn = this.restsAt - performance.now();
-    const preview = restsIn > 0 && this.previewsAt(this.newest.t);
+    // Blends have no previews.
+    const preview = restsIn > 0 && !this.newest.blend && this.previewsAt(this.newest.t);
     if (preview && this.previewed === this.newest.number) return { restsIn };
     return { wanted: this.newest, preview };
   }

@@ -146,7 +146,7 @@ export class FrameLoop {
 
   /** False where the sequences were exchanged meanwhile, or a newer time came before an eased frame was there. */
   private async draw(wanted: Wanted, preview: boolean): Promise<boolean> {
-    const frames = await this.ask(wanted.t, preview);
+    const frames = await this.ask(wanted, preview);
     if (!frames) return false;
     try {
       const eased = this.demand.eases(frames);
@@ -163,13 +163,14 @@ export class FrameLoop {
   }
 
   /** A sequence that was exchanged meanwhile answers no more: null, the same time is to be asked of its successor. */
-  private async ask(t: number, preview: boolean): Promise<FrameSet | null> {
+  private async ask({ t, blend }: Wanted, preview: boolean): Promise<FrameSet | null> {
     const sequences = this.demand.sequences();
     try {
-      const frames = await gather(sequences, t, preview, (sequence) =>
-        preview ? sequence.preview(t) : sequence.evaluate(t),
-      );
-      if (frames) this.demand.policy.noteCost(frames);
+      const frames = await gather(sequences, t, { preview, blend }, (sequence) => {
+        if (blend) return sequence.evaluateBlend(blend);
+        return preview ? sequence.preview(t) : sequence.evaluate(t);
+      });
+      if (frames && !blend) this.demand.policy.noteCost(frames);
       if (this.demand.isCurrent({ sequences })) return frames;
       frames?.release();
       return null;
@@ -217,7 +218,9 @@ export class FrameLoop {
     const preview = this.demand.previewsAt(t);
     // What plays never rests: where nothing is known it goes on exactly and waits a little for that to change.
     void this.survey.measure(t, () => this.lookAhead !== null && policy.doubts(sequences, t));
-    const frames = await gather(sequences, t, preview, (sequence) => sequence.evaluateAhead(t, { preview, signal }));
+    const frames = await gather(sequences, t, { preview, blend: null }, (sequence) =>
+      sequence.evaluateAhead(t, { preview, signal }),
+    );
     if (!frames) throw new Error('A frame that was fetched ahead was overtaken.');
     policy.noteCost(frames);
     return frames;

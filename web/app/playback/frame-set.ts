@@ -5,6 +5,8 @@ import type { RunningSequence } from '../session/sequence-set.ts';
 
 export interface FrameSet {
   t: number;
+  /** The weights of the keys, where these are blended shapes instead of the motions' at t. */
+  blend: readonly number[] | null;
   frames: readonly Frame[];
   sequences: readonly RunningSequence[];
   /** Not exact: made by Sequence.preview. */
@@ -18,7 +20,7 @@ export interface FrameSet {
 export async function gather(
   sequences: readonly RunningSequence[],
   t: number,
-  preview: boolean,
+  { preview, blend }: Pick<FrameSet, 'preview' | 'blend'>,
   ask: (sequence: Sequence) => Promise<Frame | null>,
 ): Promise<FrameSet | null> {
   const outcomes = await Promise.allSettled(sequences.map(({ sequence }) => ask(sequence)));
@@ -27,7 +29,7 @@ export async function gather(
   );
   const ms = frames.reduce((most, frame) => Math.max(most, frame.ms), 0);
   const release = (): void => frames.forEach((frame) => frame.release());
-  const set: FrameSet = { t, frames, sequences, preview, ms, release };
+  const set: FrameSet = { t, blend, frames, sequences, preview, ms, release };
   if (frames.length === sequences.length) return set;
   set.release();
   const failure = outcomes.find((outcome) => outcome.status === 'rejected');

@@ -17,6 +17,8 @@ export interface PlaybackParts {
   moving: Moving;
   sequences(): readonly RunningSequence[];
   range(): Range;
+  /** The blend of the keys that is shown instead of the motion, or null. */
+  blend(): readonly number[] | null;
 }
 
 export interface Playback {
@@ -25,8 +27,8 @@ export interface Playback {
   follow(state: AppState, changed: StateChanges): void;
 }
 
-export function createPlayback({ store, screen, moving, sequences, range }: PlaybackParts): Playback {
-  const frameLoop = new FrameLoop(screen, new Demand(sequences, new PreviewPolicy(moving)));
+export function createPlayback({ store, screen, moving, sequences, range, blend }: PlaybackParts): Playback {
+  const frameLoop = new FrameLoop(screen, new Demand(sequences, new PreviewPolicy(moving), blend));
   const player = new Player(
     () => {
       const { time, play, doc } = store.get();

@@ -54,9 +54,9 @@ export class PreviewSurvey {
     const sequences = now();
     for (let tries = 0; tries < TRIES && this.isIdle() && sequences === now(); tries += 1) {
       // A failure is left to whoever asks for a frame.
-      const frames = await gather(sequences, t, true, (sequence) => sequence.evaluateAhead(t, { preview: true })).catch(
-        () => null,
-      );
+      const frames = await gather(sequences, t, { preview: true, blend: null }, (sequence) =>
+        sequence.evaluateAhead(t, { preview: true }),
+      ).catch(() => null);
       if (!frames) return;
       policy.noteCost(frames);
       frames.release();

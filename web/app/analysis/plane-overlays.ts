@@ -1,0 +1,61 @@
+/**
+ * Further curves in the shape plane: the discretised minimisation that the spline solves in closed form (the paper's
+ * third curve in Fig. 2b), and blends of vertices, which leave the plane.
+ */
+import type { Sequence } from '../../engine/api/api.ts';
+import type { Method } from '../../engine/api/types.ts';
+import { isInLri } from '../../model/state.ts';
+import type { AnalysisInput } from './analysis.ts';
+
+export interface MinimisedCurve {
+  /** 2 numbers per sample. */
+  points: number[];
+  /** Bending energies: of the samples, and of the spline at the same times. */
+  energy: number;
+  splineEnergy: number;
+  /** The largest distance of a sample from the spline in the plane, as a share of the keys' extent in it. */
+  off: number;
+}
+
+export interface BlendCurve {
+  method: Method;
+  /** 2 numbers per point. */
+  points: number[];
+  /** The largest distance from the plane, as a share of the mean distance from one key to the next. */
+  off: number;
+}
+
+export async function minimisedCurve(sequence: Sequence, samples: number): Promise<MinimisedCurve> {
+  const { times, plane: points, energy, curveEnergy } = await sequence.discretePath(samples);
+  const { curve, keys } = await sequence.shapePlane(times);
+  const distances = times.map((_, i) =>
+    Math.hypot(points[2 * i]! - curve[2 * i]!, points[2 * i + 1]! - curve[2 * i + 1]!),
+  );
+  const extent = Math.hypot(
+    ...[0, 1].map((axis) => {
+      const along = keys.filter((_, index) => index % 2 === axis);
+      return Math.max(...along) - Math.min(...along);
+    }),
+  );
+  return { points, energy, splineEnergy: curveEnergy, off: extent > 0 ? Math.max(...distances) / extent : 0 };
+}
+
+/** Each point is a shape that has to be encoded, which takes so many times what a frame does. */
+const ENCODE_FRAMES = 25;
+const BUDGET_MS = 1200;
+const MOST_POINTS = 49;
+const LEAST_POINTS = 13;
+
+/** The blends of vertices among the motions, over the range of the keys. */
+export async function blendCurves({ sequences, range, ms }: AnalysisInput): Promise<BlendCurve[]> {
+  const affordable = BUDGET_MS / Math.max(ms * ENCODE_FRAMES, 0.1);
+  const count = Math.round(Math.min(Math.max(affordable, LEAST_POINTS), MOST_POINTS));
+  const times = Array.from({ length: count }, (_, i) => range[0] + ((range[1] - range[0]) * i) / (count - 1));
+  const curves: BlendCurve[] = [];
+  for (const { method, sequence } of sequences) {
+    if (isInLri(method)) continue;
+    const { curve, distance } = await sequence.shapePlane(times);
+    curves.push({ method, points: curve, off: Math.max(...distance) });
+  }
+  return curves;
+}

@@ -1,0 +1,69 @@
+/**
+ * From a point of the shape plane to the weights of the keys. The plane says two numbers about a shape, so that many
+ * mixtures lie at a point: this one is near the shapes of the motion that lie there, and the change from them has the
+ * least norm, of the weights as of the shapes.
+ */
+
+export type Point = readonly [number, number];
+
+export interface PlaneShapes {
+  /** 2 numbers per key, about their mean. */
+  keys: readonly number[];
+  /** Shapes whose weights are known: 2 numbers each, and a weight per key. */
+  points: readonly number[];
+  weights: readonly number[];
+}
+
+export interface PlaneMixture {
+  /** One per key; they sum to 1. */
+  weights: number[];
+  /** Where it lies: the point that was asked for, unless all keys lie on one line. */
+  at: Point;
+}
+
+/** Axes along which the keys vary less than this share of the other one are rounding. */
+const LEAST_VARIANCE = 1e-10;
+/** The nearer shapes count by so high a power of their distance that others are not felt beside the curve. */
+const POWER = 6;
+
+/** Keys, and every shape in `points`, give back their own weights. */
+export function mixtureAt(shapes: PlaneShapes, point: Point): PlaneMixture {
+  const count = shapes.keys.length / 2;
+  const near = nearbyWeights(shapes, point, count);
+  const reached = placeOf(shapes.keys, near);
+  const weights = [...near];
+  const variance = [0, 1].map((axis) => sumOf(count, (key) => shapes.keys[2 * key + axis]! ** 2));
+  for (const axis of [0, 1] as const) {
+    if (!(variance[axis]! > LEAST_VARIANCE * Math.max(...variance))) continue;
+    const step = (point[axis] - reached[axis]) / variance[axis]!;
+    for (let key = 0; key < count; key += 1) weights[key]! += step * shapes.keys[2 * key + axis]!;
+  }
+  return { weights, at: placeOf(shapes.keys, weights) };
+}
+
+/** Where an affine mixture of the keys lies in their plane. */
+export function placeOf(keys: readonly number[], weights: readonly number[]): Point {
+  const along = (axis: 0 | 1): number => sumOf(keys.length / 2, (key) => weights[key]! * keys[2 * key + axis]!);
+  return [along(0), along(1)];
+}
+
+/** Shepard's interpolation of the known weights: a mean by inverse distance. */
+function nearbyWeights({ points, weights }: PlaneShapes, [x, y]: Point, count: number): number[] {
+  const squared = Array.from(
+    { length: points.length / 2 },
+    (_, i) => (points[2 * i]! - x) ** 2 + (points[2 * i + 1]! - y) ** 2,
+  );
+  const least = Math.min(...squared);
+  const shares = squared.map((distance) => (least === 0 ? Number(distance === 0) : (least / distance) ** (POWER / 2)));
+  const total = shares.reduce((sum, share) => sum + share, 0);
+  return Array.from(
+    { length: count },
+    (_, key) => sumOf(shares.length, (i) => shares[i]! * weights[i * count + key]!) / total,
+  );
+}
+
+function sumOf(count: number, term: (index: number) => number): number {
+  let sum = 0;
+  for (let index = 0; index < count; index += 1) sum += term(index);
+  return sum;
+}

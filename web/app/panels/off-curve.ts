@@ -1,0 +1,154 @@
+/** Leaving the curve in the shape plane: the point that is dragged, paths that are drawn, and the weights of both. */
+import type { ShapePlanePlot } from '../../plots/shape-plane.ts';
+import { createBlendWeights } from '../../ui/blend-weights.ts';
+import { button } from '../../ui/controls.ts';
+import { h, setAttribute, setHidden, setText } from '../../ui/dom.ts';
+import { mixtureAt } from '../analysis/plane-weights.ts';
+import type { PlaneShapes, Point } from '../analysis/plane-weights.ts';
+import { createPlanePath } from './plane-path.ts';
+import type { Blend } from './view-state.ts';
+import { reducedMotion } from './window-events.ts';
+
+export interface OffCurve {
+  element: HTMLElement;
+  onPoint(point: Point): void;
+  onPath(points: readonly Point[]): void;
+  onPointKey(event: KeyboardEvent): void;
+  /** What the plane shows now; null: nothing. */
+  setShapes(shapes: PlaneShapes | null): void;
+  /** The point of the motion on the curve. */
+  setCurvePoint(at: Point): void;
+  /** What is shown instead of the motion. */
+  update(blend: Blend | null, keys: readonly { name: string }[]): void;
+}
+
+const HINT = 'Drag the point off the curve: every mixture of the keys is a shape.';
+const DRAWING_HINT = 'Draw in the plane: the shape follows your path.';
+/** A step of an arrow key, as a share of the keys' extent; with Shift, ten. */
+const STEP = 0.02;
+const ARROWS: Readonly<Record<string, Point>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+
+export function createOffCurve(
+  plot: () => Pick<ShapePlanePlot, 'setPoint' | 'setPath' | 'setDrawing'>,
+  onBlend: (blend: Blend | null) => void,
+): OffCurve {
+  let shapes: PlaneShapes | null = null;
+  let shown: Blend | null = null;
+  let onCurve: Point = [0, 0];
+  let drawing = false;
+  const show = (point: Point): void => {
+    if (!shapes) return;
+    const blend = mixtureAt(shapes, point);
+    shown = blend;
+    plot().setPoint(blend.at);
+    onBlend(blend);
+  };
+  const path = createPlanePath(show, () => drawTools());
+  const weights = createBlendWeights();
+  const hint = h('p', { class: 'plane-note' }, HINT);
+  const draw = button({
+    label: 'Draw a path in the plane and play it',
+    testId: 'plane-draw',
+    text: 'Draw a path',
+    kind: 'plain',
+    onClick: () => setDrawing(!drawing),
+  });
+  const play = button({
+    label: 'Play the path that was drawn',
+    testId: 'plane-play',
+    icon: 'play',
+    text: 'Play path',
+    kind: 'plain',
+    onClick: () => (path.playing ? path.stop() : path.play()),
+  });
+  const back = button({
+    label: 'Back to the motion',
+    testId: 'plane-back',
+    text: 'Back to the motion',
+    shortcut: 'Esc',
+    kind: 'plain',
+    onClick: () => leave(),
+  });
+  const element = h(
+    'div',
+    { class: 'group' },
+    hint,
+    h('div', { class: 'plane-tools' }, draw, play, back),
+    weights.element,
+  );
+
+  const drawTools = (): void => {
+    setAttribute(draw, 'aria-pressed', String(drawing));
+    setHidden(play, path.points === null);
+    setText(play.lastElementChild!, path.playing ? 'Stop' : 'Play path');
+    setHidden(back, shown === null);
+    setText(hint, drawing ? DRAWING_HINT : HINT);
+  };
+  const setDrawing = (on: boolean): void => {
+    drawing = on;
+    plot().setDrawing(on);
+    drawTools();
+  };
+  const leave = (): void => {
+    path.stop();
+    onBlend(null);
+  };
+  drawTools();
+
+  return {
+    element,
+    onPoint(point) {
+      path.stop();
+      show(point);
+    },
+    onPath(points) {
+      path.set(points);
+      plot().setPath(points);
+      setDrawing(false);
+      if (reducedMotion()) show(points[0]!);
+      else path.play();
+      drawTools();
+    },
+    onPointKey(event) {
+      const arrow = ARROWS[event.key];
+      if (!arrow || !shapes || event.ctrlKey || event.altKey || event.metaKey) return;
+      event.preventDefault();
+      path.stop();
+      const from = shown?.at ?? onCurve;
+      const step = STEP * (event.shiftKey ? 10 : 1) * extentOf(shapes.keys);
+      show([from[0] + arrow[0] * step, from[1] + arrow[1] * step]);
+    },
+    setShapes(next) {
+      const other = JSON.stringify(next?.keys) !== JSON.stringify(shapes?.keys);
+      shapes = next;
+      if (!other) return;
+      path.set(null);
+      plot().setPath(null);
+      drawTools();
+    },
+    setCurvePoint(at) {
+      onCurve = at;
+    },
+    update(blend, keys) {
+      if (!blend) path.stop();
+      shown = blend;
+      plot().setPoint(blend?.at ?? null);
+      weights.update({ weights: blend?.weights ?? null, keys });
+      drawTools();
+    },
+  };
+}
+
+/** The longer side of the box round the keys. */
+function extentOf(keys: readonly number[]): number {
+  const sides = [0, 1].map((axis) => {
+    const along = keys.filter((_, index) => index % 2 === axis);
+    return Math.max(...along) - Math.min(...along);
+  });
+  return Math.max(...sides);
+}

@@ -1,0 +1,128 @@
+/** Further curves of the shape plane, with what is to be said of them. */
+import { EngineError } from '../../engine/api/errors.ts';
+import { isInLri } from '../../model/state.ts';
+import type { PlaneOverlay } from '../../plots/shape-plane.ts';
+import { checkbox, numberField } from '../../ui/controls.ts';
+import { h, setHidden, setText } from '../../ui/dom.ts';
+import { METHOD_WORDS } from '../../ui/motion-panel.ts';
+import type { AnalysisInput } from '../analysis/analysis.ts';
+import { blendCurves, minimisedCurve } from '../analysis/plane-overlays.ts';
+import type { BlendCurve, MinimisedCurve } from '../analysis/plane-overlays.ts';
+
+export interface PlaneCurves {
+  element: HTMLElement;
+  /** The motions may be others. */
+  show(input: AnalysisInput): Promise<void>;
+}
+
+export interface PlaneCurvesEvents {
+  onOverlays(overlays: readonly PlaneOverlay[]): void;
+  onError(error: unknown): void;
+}
+
+const SAMPLES = 24;
+const MOST_SAMPLES = 400;
+/** Blends of vertices take their time: not while edits follow each other. */
+const REST_MS = 300;
+const percent = (share: number): string => `${Number((100 * share).toPrecision(2))}\u00a0%`;
+
+export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): PlaneCurves {
+  let input: AnalysisInput | null = null;
+  let wanted = false;
+  let samples = SAMPLES;
+  let minimised: MinimisedCurve | null = null;
+  let problem = '';
+  let blends: BlendCurve[] = [];
+  let timer = 0;
+  let asked = 0;
+  const count = numberField({
+    label: 'Samples of the minimisation',
+    testId: 'minimised-samples',
+    min: 4,
+    max: MOST_SAMPLES,
+    step: 1,
+    onInput(value) {
+      samples = Math.round(value);
+      void refresh();
+    },
+  });
+  count.value = count.defaultValue = String(SAMPLES);
+  const toggle = checkbox('Least bending over', 'minimised', (on) => {
+    wanted = on;
+    void refresh();
+  });
+  toggle.element.title =
+    'The samples that bend least with the keys held, found by minimising over all of them at once: what the spline ' +
+    'gives in closed form';
+  const row = h('div', { class: 'plane-tools' }, toggle.element, count, h('span', {}, 'samples'));
+  const note = h('p', { class: 'plane-note', 'data-testid': 'plane-notes' });
+  const element = h('div', { class: 'group' }, row, note);
+
+  const draw = (): void => {
+    const overlays: PlaneOverlay[] = blends.map(({ method, points }) => ({
+      label: METHOD_WORDS[method].label,
+      points,
+      style: method,
+      marked: false,
+    }));
+    if (minimised)
+      overlays.push({ label: 'Least bending', points: minimised.points, style: 'minimised', marked: true });
+    onOverlays(overlays);
+    const sentences = [
+      ...(problem ? [problem] : []),
+      ...(minimised ? [minimisedWords(minimised, samples)] : []),
+      ...blends.map(blendWords),
+    ];
+    setHidden(note, sentences.length === 0);
+    setText(note, sentences.join(' '));
+  };
+
+  const refresh = async (): Promise<void> => {
+    const spline = input?.sequences.find(({ method }) => method === 'lri');
+    setHidden(row, !spline);
+    const mine = ++asked;
+    problem = '';
+    const found = wanted && spline ? await minimisedCurve(spline.sequence, samples).catch(refused) : null;
+    if (mine !== asked) return;
+    minimised = found;
+    draw();
+  };
+  /** So many samples cannot work with these keys: the core says why. */
+  const refused = (error: unknown): null => {
+    if (error instanceof EngineError && error.code === 'invalid-option') problem = error.message;
+    else onError(error);
+    return null;
+  };
+  const refreshBlends = async (): Promise<void> => {
+    if (!input) return;
+    const of = input;
+    const found = await blendCurves(of);
+    if (input !== of) return;
+    blends = found;
+    draw();
+  };
+
+  return {
+    element,
+    async show(next) {
+      input = next;
+      blends = [];
+      window.clearTimeout(timer);
+      await refresh();
+      if (next.sequences.some(({ method }) => !isInLri(method)))
+        timer = window.setTimeout(() => void refreshBlends().catch(onError), REST_MS);
+    },
+  };
+}
+
+function minimisedWords({ energy, splineEnergy, off }: MinimisedCurve, samples: number): string {
+  const more = energy > 0 ? Math.abs(splineEnergy / energy - 1) : 0;
+  return (
+    `The ${samples} samples that bend least are at most ${percent(off)} of the keys\u2019 extent off the spline; ` +
+    `their bending energy is within ${percent(more)} of its own at their times.`
+  );
+}
+
+function blendWords({ method, off }: BlendCurve): string {
+  return `${METHOD_WORDS[method].label}: up to ${percent(off)} of the mean distance between keys off this plane.`;
+}
