@@ -173,6 +173,14 @@ describe('a sequence', () => {
     const energy = await bend.sequence.bendingEnergy([0, 0.25, 0.5]);
     expect(energy).toHaveLength(3);
     expect(energy.every((e) => Number.isFinite(e) && e >= 0)).toBe(true);
+    for (const method of ['geodesic', 'linear'] as const) {
+      const straight = await engine.createSequence(bend.keys, { method });
+      const [start, between, key] = await straight.bendingEnergy([0, 0.25, 0.5]);
+      expect(between!, method).toBeLessThan(1e-6 * key!);
+      expect(start!, method).toBeLessThan(1e-6 * key!);
+      expect(key!, method).toBeGreaterThan(10 * Math.max(...energy));
+      straight.dispose();
+    }
     const pace = await bend.sequence.keyPace();
     expect(pace.distance).toHaveLength(2);
     expect(pace.distance.every((distance) => distance > 0)).toBe(true);

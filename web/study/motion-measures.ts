@@ -7,8 +7,11 @@ export interface MotionMeasures {
   /** In cubic and square units of the positions. */
   volume: number[];
   area: number[];
-  /** LRI spline only; per unit of time to the fourth, relative to the mean deformation energy between keys. */
-  bending: number[] | null;
+  /**
+   * Per unit of time to the fourth, relative to the mean deformation energy between keys: of blends of vertices in the
+   * space of their vertices, as the paper compares methods (Fig. 9).
+   */
+  bending: number[];
   /** 2 numbers per time, relative to the distance of the keys; methods of LRI space only. */
   plane: number[] | null;
 }
@@ -17,7 +20,7 @@ export async function measureMotion(sequence: Sequence, method: Method, times: n
   const { volume, area } = await sequence.measures(times);
   const inLri = method === 'lri' || method === 'geodesic';
   const plane = inLri ? (await sequence.shapePlane(times)).curve : null;
-  const bending = method === 'lri' ? await sequence.bendingEnergy(times) : null;
+  const bending = await sequence.bendingEnergy(times);
   return { method, volume, area, bending, plane };
 }
 
@@ -41,7 +44,7 @@ export function columnsOf({ method, volume, area, bending, plane }: MotionMeasur
   return [
     { name: `${method} volume`, values: volume },
     { name: `${method} area`, values: area },
-    ...(bending ? [{ name: `${method} bending energy`, values: bending }] : []),
+    { name: `${method} bending energy`, values: bending },
     ...(plane
       ? [
           { name: `${method} plane x`, values: part(plane, 0) },

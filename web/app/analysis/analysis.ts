@@ -74,7 +74,7 @@ function joined(method: Method, parts: readonly MotionMeasures[]): MotionMeasure
     method,
     volume: all(({ volume }) => volume),
     area: all(({ area }) => area),
-    bending: parts[0]?.bending ? all(({ bending }) => bending) : null,
+    bending: all(({ bending }) => bending),
     plane: parts[0]?.plane ? all(({ plane }) => plane) : null,
   };
 }

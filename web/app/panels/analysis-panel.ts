@@ -68,11 +68,12 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
 
   const draw = (analysis: Analysis): void => {
     const { times, keyTimes, range, motions } = analysis;
-    const series = (pick: (motion: MotionMeasures) => number[] | null): Series[] =>
-      motions.flatMap((motion) => {
-        const values = pick(motion);
-        return values ? [{ label: METHOD_WORDS[motion.method].label, values, style: motion.method }] : [];
-      });
+    const series = (pick: (motion: MotionMeasures) => number[]): Series[] =>
+      motions.map((motion) => ({
+        label: METHOD_WORDS[motion.method].label,
+        values: pick(motion),
+        style: motion.method,
+      }));
     const common = { times, keyTimes, range };
     const relative = { ...common, include: 100, leastSpan: 4 };
     volume.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.volume, analysis)) });
