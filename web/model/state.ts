@@ -44,7 +44,9 @@ export interface Play {
 }
 
 /** `texture`: the file's own materials, or clay where it has none. */
-export type Colouring = 'texture' | 'phase' | 'patches';
+export type Colouring = 'texture' | 'phase' | 'patches' | FaceAmount;
+/** Amounts of every face against the reference pose, as a heat map. */
+export type FaceAmount = 'rotation' | 'stretch';
 
 /** What fills the screen in a presentation: the shape alone, or beside one of the plots. */
 export const PRESENTED = ['shape', 'plane', 'volume', 'area', 'bending'] as const;
@@ -119,6 +121,10 @@ export const EMPTY_STATE: AppState = {
   play: { playing: false, speed: 0.25, loop: 'bounce', between: null, fps: null },
   view: { ...DEFAULT_VIEW },
 };
+
+export function isFaceAmount(colouring: Colouring): colouring is FaceAmount {
+  return colouring === 'rotation' || colouring === 'stretch';
+}
 
 /** The methods in which the end derivatives have no meaning: the motion is straight between the keys. */
 export function ignoresHermite(method: Method): boolean {

@@ -129,9 +129,9 @@ export class Contents {
     this.setLook(this.current);
   }
 
-  /** Amounts as colours on the first view's shape: 3 x vertices, linear RGB; null takes them away. */
-  setHeatColours(colours: Float32Array | null): void {
-    const shape = this.shapes[0];
+  /** Amounts as colours on a view's shape: 3 x vertices, linear RGB; null takes them away. */
+  setHeatColours(colours: Float32Array | null, view: number): void {
+    const shape = this.shapes[view];
     if (!shape || (colours && !this.fits(colours))) return;
     shape.setHeatColours(colours);
     shape.setLook(this.current);

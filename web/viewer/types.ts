@@ -1,7 +1,8 @@
 /** What the viewer is given and gives back: plain data, so that nobody else needs three.js. */
 export interface Look {
   /** `texture`: the file's own materials, or clay where it has none. */
-  colouring: 'texture' | 'phase' | 'patches';
+  /** Amounts come as colours of their own; without them they look like `phase`. */
+  colouring: 'texture' | 'phase' | 'patches' | 'rotation' | 'stretch';
   shading: 'smooth' | 'flat';
   wireframe: boolean;
   floor: boolean;

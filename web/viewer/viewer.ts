@@ -135,8 +135,8 @@ export class Viewer {
     this.change();
   }
 
-  setHeatColours(colours: Float32Array | null): void {
-    this.contents.setHeatColours(colours);
+  setHeatColours(colours: Float32Array | null, view = 0): void {
+    this.contents.setHeatColours(colours, view);
     this.change();
   }
 

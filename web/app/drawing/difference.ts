@@ -45,7 +45,7 @@ export function roundTop(largest: number): number {
 
 /** 3 x vertices, linear RGB; `colours` are filled where they are given. */
 export function heatColours(
-  { percent }: Difference,
+  { percent }: Pick<Difference, 'percent'>,
   top: number,
   colours: Float32Array = new Float32Array(3 * percent.length),
 ): Float32Array {

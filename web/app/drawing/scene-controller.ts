@@ -9,14 +9,14 @@ import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { OFF_CURVE, phaseOf } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { TileLabel } from '../../ui/view-bar.ts';
-import type { Extra, Look, Rect } from '../../viewer/types.ts';
+import type { Extra, Look } from '../../viewer/types.ts';
 import { Viewer } from '../../viewer/viewer.ts';
 import type { ViewerEvents } from '../../viewer/viewer.ts';
 import { PHASE_COLOURS, filmNames, filmPlaces, filmStrip, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
 import type { OnionSkinInput } from './onion-skin.ts';
-import { differenceOf, heatColours, roundTop } from './difference.ts';
 import type { Difference } from './difference.ts';
 import { extentOf } from './bounds.ts';
+import { HeatMap, besideOf } from './heat-map.ts';
 import { measure } from './measures.ts';
 import type { Measure } from './measures.ts';
 import type { Original } from './original.ts';
@@ -55,9 +55,7 @@ interface Film {
 export class SceneController {
   readonly viewer: Viewer;
   labels: TileLabel[] = [];
-  colourBar: ColourBarProps | null = null;
-  /** What the colours of the first view show now. */
-  difference: Difference | null = null;
+  private readonly heatMap: HeatMap;
   /** Shown beside the motions, or null. */
   private original: Original | null = null;
   private look: Look | null = null;
@@ -78,10 +76,6 @@ export class SceneController {
   private width = 0;
   /** How far along x the ghost stands beside the shape now. */
   private beside: number | null = null;
-  /** The colour bar's range only grows as long as the same motions are shown. */
-  private heat: { of: Sequence; top: number } | null = null;
-  /** The same array for every frame. */
-  private heatColours: Float32Array | null = null;
 
   constructor(host: HTMLElement, events: ViewerEvents) {
     this.onCamera = events.onCamera;
@@ -92,13 +86,23 @@ export class SceneController {
         events.onResize();
       },
     });
+    this.heatMap = new HeatMap(this.viewer);
+  }
+
+  get colourBar(): ColourBarProps | null {
+    return this.heatMap.bar;
+  }
+
+  /** What the colours of the first view show now, where that is the difference of two motions. */
+  get difference(): Difference | null {
+    return this.heatMap.difference;
   }
 
   /** What is written over the views stands where they stand. */
   private place(): void {
     const rects = this.viewer.seen();
     this.labels = this.labels.map((label, index) => ({ ...label, ...rects[index] }));
-    if (this.colourBar) this.colourBar = { ...this.colourBar, ...besideOf(rects[0]!) };
+    if (this.heatMap.bar) this.heatMap.bar = { ...this.heatMap.bar, ...besideOf(rects[0]!) };
   }
 
   /** A new import: another mesh, another size. `camera` keeps a view that came with a link. */
@@ -112,7 +116,7 @@ export class SceneController {
     this.ordinary = false;
     this.ghost = null;
     this.beside = null;
-    this.clearDifference();
+    this.heatMap.clear();
     const { bounds, points } = extentOf(pool.poses(pool.imported));
     this.width = bounds.max[0] - bounds.min[0];
     this.base = measure(pool.keys.positions(0), info.faces);
@@ -147,12 +151,8 @@ export class SceneController {
    * Copies the frames of a time to the screen, with what belongs to it; measures and onion skins wait for the exact
    * ones.
    */
-  async show(
-    { t, blend, frames, sequences, preview }: FrameSet,
-    state: AppState,
-    range: Range,
-    eased: boolean,
-  ): Promise<void> {
+  async show(set: FrameSet, state: AppState, range: Range, eased: boolean): Promise<void> {
+    const { t, blend, frames, sequences, preview } = set;
     const input = onionSkinInput(t, state, range);
     const phase = blend
       ? OFF_CURVE
@@ -166,13 +166,10 @@ export class SceneController {
     );
     const original = this.original?.(t);
     if (original) this.viewer.setFrame(sequences.length, original.positions, original.normals, ORIGINAL_COLOUR, eased);
-    if (preview) {
-      if (this.colourBar) this.colourBar = { ...this.colourBar, now: 'updated when the shape rests' };
-      return this.showGhost(t, led, state.view);
-    }
+    if (this.info && this.pool) this.heatMap.show(set, state, this.info, this.pool);
+    if (preview) return this.showGhost(t, led, state.view);
     const measures = this.measuresNow(state.play.playing) || this.labels.length !== views;
     this.labels = views > 1 ? this.tileLabels(frames, sequences, original?.positions, measures) : [];
-    this.showDifference(frames, sequences, state.view);
     await this.showGhost(t, led, state.view);
     await this.showOnionSkins(input, sequences, state);
     if (this.film) this.labels = this.labels.map((label) => ({ ...label, detail: '' }));
@@ -322,41 +319,6 @@ export class SceneController {
     return film.names.map((text, i) => ({ text, x: at[2 * i]!, y: at[2 * i + 1]! }));
   }
 
-  /** Colours the first shape where one without a ghost stands beside it. */
-  private showDifference(frames: readonly Frame[], sequences: readonly RunningSequence[], view: View): void {
-    const [main] = sequences;
-    const other = sequences.findIndex((running) => main?.ghost && !running.ghost);
-    if (!main || other < 0 || !view.ghostDifference || view.film || !this.info) return this.clearDifference();
-    const difference = differenceOf(
-      frames[0]!.positions,
-      frames[other]!.positions,
-      this.info.report.diagonal,
-      this.difference?.percent,
-    );
-    const before = this.heat?.of === main.sequence ? this.heat.top : 0;
-    const top = Math.max(before, roundTop(difference.largest));
-    this.heat = { of: main.sequence, top };
-    this.difference = difference;
-    this.heatColours = heatColours(difference, top, this.heatColours ?? undefined);
-    this.viewer.setHeatColours(this.heatColours);
-    const text = (value: number): string => `${Number(value.toPrecision(2))} %`;
-    this.colourBar = {
-      title: 'Difference',
-      unit: '% of the diagonal',
-      symbol: '%',
-      top,
-      now: `at most ${text(difference.largest)}, mean ${text(difference.mean)}`,
-      ...besideOf(this.viewer.rects()[0]!),
-    };
-  }
-
-  private clearDifference(): void {
-    if (this.difference) this.viewer.setHeatColours(null);
-    this.difference = null;
-    this.heatColours = null;
-    this.colourBar = null;
-  }
-
   private async showGhost(
     t: number,
     running: RunningSequence | undefined,
@@ -392,11 +354,6 @@ export class SceneController {
     this.patchesOf = sequence;
     this.viewer.setPatchColours(patchColours(patches, this.info.faces, this.info.report.vertices));
   }
-}
-
-/** The place of the colour bar of a view. */
-function besideOf(rect: Rect): { x: number; y: number } {
-  return { x: rect.x, y: rect.y + rect.height / 2 };
 }
 
 /** Beside a divider, a blend is called what those know it by who have never heard of it. */

@@ -1,0 +1,161 @@
+/**
+ * How every face is turned and stretched against the reference pose, as amounts at the vertices: of whatever shape is
+ * drawn, by whichever method. D_f = R_f S_f as in the core (lri/face_frame), by the closed-form polar decomposition of
+ * a 3x2 matrix.
+ */
+
+import type { FaceAmount } from '../../model/state.ts';
+
+export interface VertexAmounts {
+  /** Of each vertex: the mean of its faces by their area in the reference pose. */
+  values: Float32Array;
+  /** Of the vertices. */
+  largest: number;
+  mean: number;
+}
+
+/** Of a face in the reference: t1, t2 and n in space, then the inverse of its edges in (t1, t2). */
+const NUMBERS = 13;
+/** Faces thinner than this, over the square of their longest edge, have no frame. */
+const DEGENERATE = 1e-12;
+/** Principal stretches below this count as this. */
+const LEAST_STRETCH = 1e-3;
+
+export class FaceHeat {
+  private readonly frames: Float64Array;
+  private readonly area: Float64Array;
+  /** Sum of the areas at each vertex. */
+  private readonly share: Float64Array;
+  private readonly sums: Float64Array;
+
+  /** `reference`: 3 x vertices; `faces`: 3 x faces. */
+  constructor(
+    reference: Float32Array,
+    private readonly faces: Uint32Array,
+  ) {
+    const count = faces.length / 3;
+    this.frames = new Float64Array(NUMBERS * count);
+    this.area = new Float64Array(count);
+    this.share = new Float64Array(reference.length / 3);
+    this.sums = new Float64Array(reference.length / 3);
+    for (let face = 0; face < count; face += 1) this.encode(reference, face);
+  }
+
+  /** `positions`: 3 x vertices; `values` are filled where they are given. */
+  amounts(
+    positions: Float32Array,
+    kind: FaceAmount,
+    values: Float32Array = new Float32Array(positions.length / 3),
+  ): VertexAmounts {
+    const { faces, area, share, sums } = this;
+    sums.fill(0);
+    for (let face = 0; face < area.length; face += 1) {
+      if (area[face] === 0) continue;
+      const amount = area[face]! * this.amountOf(positions, face, kind);
+      for (let corner = 0; corner < 3; corner += 1) sums[faces[3 * face + corner]!]! += amount;
+    }
+    let [largest, total] = [0, 0];
+    for (let v = 0; v < values.length; v += 1) {
+      const value = share[v]! > 0 ? sums[v]! / share[v]! : 0;
+      values[v] = value;
+      if (value > largest) largest = value;
+      total += value;
+    }
+    return { values, largest, mean: values.length > 0 ? total / values.length : 0 };
+  }
+
+  /**
+   * Of one face. `rotation`: the angle of R_f in degrees. `stretch`: how far the principal stretch furthest from 1 is
+   * from it, in percent, of the longer over the shorter. 0 where the face has no area in the reference.
+   */
+  amountOf(positions: Float32Array, face: number, kind: FaceAmount): number {
+    const { faces, frames } = this;
+    if (this.area[face] === 0) return 0;
+    const at = NUMBERS * face;
+    const [a, b, c] = [3 * faces[3 * face]!, 3 * faces[3 * face + 1]!, 3 * faces[3 * face + 2]!];
+    const [x, y, z] = [positions[a]!, positions[a + 1]!, positions[a + 2]!];
+    const [ux, uy, uz] = [positions[b]! - x, positions[b + 1]! - y, positions[b + 2]! - z];
+    const [vx, vy, vz] = [positions[c]! - x, positions[c + 1]! - y, positions[c + 2]! - z];
+    const [p, q, r, s] = [frames[at + 9]!, frames[at + 10]!, frames[at + 11]!, frames[at + 12]!];
+    // The columns of J = [u v] [p q; r s], which takes the reference's (t1, t2) to space.
+    const [jx, jy, jz] = [ux * p + vx * r, uy * p + vy * r, uz * p + vz * r];
+    const [kx, ky, kz] = [ux * q + vx * s, uy * q + vy * s, uz * q + vz * s];
+    const jj = jx * jx + jy * jy + jz * jz;
+    const kk = kx * kx + ky * ky + kz * kz;
+    const jk = jx * kx + jy * ky + jz * kz;
+    const determinant = Math.sqrt(Math.max(jj * kk - jk * jk, 0));
+    if (kind === 'stretch') {
+      // Singular values: their sum and difference from |J|^2 and det.
+      const sum = Math.sqrt(jj + kk + 2 * determinant);
+      const difference = Math.sqrt(Math.max(jj + kk - 2 * determinant, 0));
+      const least = Math.max((sum - difference) / 2, LEAST_STRETCH);
+      return 100 * (Math.max((sum + difference) / 2, 1 / least) - 1);
+    }
+    if (!(determinant > 0)) return 0;
+    // S = (J^T J + det I) / trace; R's columns are J S^-1, and the normals.
+    const trace = Math.sqrt(jj + kk + 2 * determinant);
+    const [sa, sb, sd] = [(jj + determinant) / trace, jk / trace, (kk + determinant) / trace];
+    const [fx, fy, fz] = [
+      (sd * jx - sb * kx) / determinant,
+      (sd * jy - sb * ky) / determinant,
+      (sd * jz - sb * kz) / determinant,
+    ];
+    const [gx, gy, gz] = [
+      (sa * kx - sb * jx) / determinant,
+      (sa * ky - sb * jy) / determinant,
+      (sa * kz - sb * jz) / determinant,
+    ];
+    const turned =
+      fx * frames[at]! +
+      fy * frames[at + 1]! +
+      fz * frames[at + 2]! +
+      gx * frames[at + 3]! +
+      gy * frames[at + 4]! +
+      gz * frames[at + 5]! +
+      (fy * gz - fz * gy) * frames[at + 6]! +
+      (fz * gx - fx * gz) * frames[at + 7]! +
+      (fx * gy - fy * gx) * frames[at + 8]!;
+    return (180 / Math.PI) * Math.acos(Math.min(Math.max((turned - 1) / 2, -1), 1));
+  }
+
+  private encode(reference: Float32Array, face: number): void {
+    const corner = (which: number): [number, number, number] => {
+      const at = 3 * this.faces[3 * face + which]!;
+      return [reference[at]!, reference[at + 1]!, reference[at + 2]!];
+    };
+    const [a, b, c] = [corner(0), corner(1), corner(2)];
+    const u = minus(b, a);
+    const v = minus(c, a);
+    const normal = cross(u, v);
+    const twice = Math.hypot(...normal);
+    const longest = Math.max(dot(u, u), dot(v, v));
+    if (!(twice > DEGENERATE * longest)) return;
+    const n = scaled(normal, 1 / twice);
+    const length = Math.hypot(...u);
+    const t1 = scaled(u, 1 / length);
+    const t2 = cross(n, t1);
+    // Edges in (t1, t2) are [length x; 0 y], with this inverse.
+    const [x, y] = [dot(v, t1), dot(v, t2)];
+    this.frames.set([...t1, ...t2, ...n, 1 / length, -x / (length * y), 0, 1 / y], NUMBERS * face);
+    this.area[face] = twice / 2;
+    for (let which = 0; which < 3; which += 1) this.share[this.faces[3 * face + which]!]! += twice / 2;
+  }
+}
+
+type Vector = readonly [number, number, number];
+
+function minus(a: Vector, b: Vector): [number, number, number] {
+  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+}
+
+function cross(a: Vector, b: Vector): [number, number, number] {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
+function dot(a: Vector, b: Vector): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+function scaled(a: Vector, factor: number): [number, number, number] {
+  return [a[0] * factor, a[1] * factor, a[2] * factor];
+}

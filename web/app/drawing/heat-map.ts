@@ -1,0 +1,133 @@
+/** Amounts as colours on the shapes that are drawn, and the bar that says what the colours mean. */
+import type { Frame, KeysInfo } from '../../engine/api/types.ts';
+import { isFaceAmount, referenceKey } from '../../model/state.ts';
+import type { AppState, Colouring, Doc, FaceAmount, View } from '../../model/state.ts';
+import type { ColourBarProps } from '../../ui/colour-bar.ts';
+import type { Rect } from '../../viewer/types.ts';
+import type { Viewer } from '../../viewer/viewer.ts';
+import type { FrameSet } from '../playback/frame-set.ts';
+import type { PosePool } from '../session/pose-pool.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
+import { differenceOf, heatColours, roundTop } from './difference.ts';
+import type { Difference } from './difference.ts';
+import { FaceHeat } from './face-heat.ts';
+
+const WORDS: Readonly<Record<FaceAmount, { title: string; unit: string; symbol: string; most: number }>> = {
+  rotation: { title: 'Rotation', unit: 'of faces, against the reference', symbol: '°', most: 180 },
+  stretch: { title: 'Stretch', unit: 'of faces, longer or shorter', symbol: '%', most: Infinity },
+};
+
+interface Heat {
+  kind: Colouring | 'difference';
+  /** The bar's range only grows as long as the same motions are shown. */
+  of: RunningSequence['sequence'];
+  top: number;
+}
+
+export class HeatMap {
+  /** On the screen now; null where nothing is coloured by amounts. */
+  bar: ColourBarProps | null = null;
+  /** What the colours of the first view show now, where that is the difference. */
+  difference: Difference | null = null;
+  private heat: Heat | null = null;
+  /** Of each view: the same arrays for every frame. */
+  private values: Float32Array[] = [];
+  private colours: Float32Array[] = [];
+  private faces: { pool: PosePool; pose: number; heat: FaceHeat } | null = null;
+
+  constructor(private readonly viewer: Viewer) {}
+
+  clear(): void {
+    this.colours.forEach((_, view) => this.viewer.setHeatColours(null, view));
+    this.heat = null;
+    this.difference = null;
+    this.bar = null;
+    this.values = [];
+    this.colours = [];
+  }
+
+  /** The next frame; of previews the difference waits for the exact one. */
+  show({ frames, sequences, preview }: FrameSet, { view, doc }: AppState, info: KeysInfo, pool: PosePool): void {
+    const other = differing(sequences, view);
+    const { colouring } = view;
+    const [main] = sequences;
+    if (!main || view.film || (other < 0 && !isFaceAmount(colouring))) return this.clear();
+    if (other >= 0) {
+      if (preview) this.wait();
+      else this.showDifference(frames[0]!, frames[other]!, main, info.report.diagonal);
+    } else if (isFaceAmount(colouring)) {
+      this.showFaces(frames, main, colouring, this.facesOf(doc, info, pool));
+    }
+  }
+
+  private wait(): void {
+    if (this.bar) this.bar = { ...this.bar, now: 'updated when the shape rests' };
+  }
+
+  /** Colours the first shape where one without a ghost stands beside it. */
+  private showDifference(frame: Frame, reference: Frame, { sequence }: RunningSequence, diagonal: number): void {
+    const difference = differenceOf(frame.positions, reference.positions, diagonal, this.difference?.percent);
+    const top = this.topOf('difference', sequence, difference.largest);
+    this.difference = difference;
+    this.draw(0, difference.percent, top);
+    this.bar = {
+      title: 'Difference',
+      unit: '% of the diagonal',
+      symbol: '%',
+      top,
+      now: nowWords(difference, '\u00a0%'),
+      ...besideOf(this.viewer.rects()[0]!),
+    };
+  }
+
+  /** Colours every shape: by whichever method it is made, it is turned and stretched. */
+  private showFaces(frames: readonly Frame[], { sequence }: RunningSequence, kind: FaceAmount, heat: FaceHeat): void {
+    this.difference = null;
+    const amounts = frames.map(({ positions }, view) => heat.amounts(positions, kind, this.values[view]));
+    const { title, unit, symbol, most } = WORDS[kind];
+    const top = Math.min(this.topOf(kind, sequence, Math.max(...amounts.map(({ largest }) => largest))), most);
+    amounts.forEach(({ values }, view) => {
+      this.values[view] = values;
+      this.draw(view, values, top);
+    });
+    const space = symbol === '%' ? '\u00a0%' : symbol;
+    this.bar = { title, unit, symbol, top, now: nowWords(amounts[0]!, space), ...besideOf(this.viewer.rects()[0]!) };
+  }
+
+  private topOf(kind: Heat['kind'], of: Heat['of'], largest: number): number {
+    const before = this.heat?.kind === kind && this.heat.of === of ? this.heat.top : 0;
+    if (this.heat && this.heat.kind !== kind) this.clear();
+    const top = Math.max(before, roundTop(largest));
+    this.heat = { kind, of, top };
+    return top;
+  }
+
+  private draw(view: number, percent: Float32Array, top: number): void {
+    const colours = heatColours({ percent }, top, this.colours[view]);
+    this.colours[view] = colours;
+    this.viewer.setHeatColours(colours, view);
+  }
+
+  private facesOf(doc: Doc, info: KeysInfo, pool: PosePool): FaceHeat {
+    const pose = doc.keys[referenceKey(doc)]!.pose;
+    if (this.faces?.pool !== pool || this.faces.pose !== pose)
+      this.faces = { pool, pose, heat: new FaceHeat(pool.keys.positions(pose), info.faces) };
+    return this.faces.heat;
+  }
+}
+
+/** Index of the motion without a ghost that the first one is compared with, or -1. */
+function differing(sequences: readonly RunningSequence[], { ghostDifference }: View): number {
+  const [main] = sequences;
+  return ghostDifference ? sequences.findIndex((running) => main?.ghost && !running.ghost) : -1;
+}
+
+function nowWords({ largest, mean }: { largest: number; mean: number }, unit: string): string {
+  const text = (value: number): string => `${Number(value.toPrecision(2))}${unit}`;
+  return `at most ${text(largest)}, mean ${text(mean)}`;
+}
+
+/** The place of the colour bar of a view. */
+export function besideOf(rect: Rect): { x: number; y: number } {
+  return { x: rect.x, y: rect.y + rect.height / 2 };
+}
