@@ -23,6 +23,8 @@ export interface LineChartData {
   leastSpan?: number;
   /** Always show this value. */
   include?: number;
+  /** Mark every series at the keys, whose times are among the chart's. */
+  dots?: boolean;
 }
 
 const WIDTH = 272;
@@ -116,7 +118,17 @@ function parts(data: LineChartData, x: Scale): SVGElement[] {
         d: path(data.times.map((t, index) => [x(t), y(series.values[index] ?? NaN)])),
       }),
     ),
+    ...(data.dots ? keyDots(data, x, y) : []),
   ];
+}
+
+function keyDots({ times, keyTimes, series }: LineChartData, x: Scale, y: Scale): SVGElement[] {
+  return keyTimes.flatMap((time) => {
+    const index = times.indexOf(time);
+    return series.map(({ values }) =>
+      make('circle', { class: 'dot', cx: x(time), cy: y(values[index] ?? NaN), r: 2.6 }),
+    );
+  });
 }
 
 function describe({ title, unit, series, times }: LineChartData): string {

@@ -153,7 +153,7 @@ export class Shape {
   }
 
   setLook(look: Look): void {
-    const own = look.colouring === 'texture' && !this.heatColours;
+    const own = look.colouring !== 'phase' && look.colouring !== 'patches' && !this.heatColours;
     const textured = own && (this.topology.scene.materials.length > 0 || this.topology.tint !== null);
     this.clay = own && !textured;
     this.rimmed = own;

@@ -1,7 +1,7 @@
 /** What the viewer is given and gives back: plain data, so that nobody else needs three.js. */
 export interface Look {
   /** `texture`: the file's own materials, or clay where it has none. */
-  /** Amounts come as colours of their own; without them they look like `phase`. */
+  /** Amounts come as colours of their own; a shape without these, such as a thumbnail, looks like `texture`. */
   colouring: 'texture' | 'phase' | 'patches' | 'rotation' | 'stretch';
   shading: 'smooth' | 'flat';
   wireframe: boolean;
@@ -33,6 +33,12 @@ export interface GhostPicture {
   overlay: boolean;
   /** How far along x it stands beside the shape, with lines between them; null = not there. */
   offset: number | null;
+}
+
+/** In the shapes' own space. */
+export interface Ray {
+  origin: readonly [number, number, number];
+  direction: readonly [number, number, number];
 }
 
 /** Part of the canvas, in CSS pixels from its top left corner. */

@@ -13,7 +13,7 @@ import type { Bounds } from './stage.ts';
 import { Studio } from './studio.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { sides, tiles } from './tiles.ts';
-import type { Extra, GhostPicture, Look, PixelSize, Rect } from './types.ts';
+import type { Extra, GhostPicture, Look, PixelSize, Ray, Rect } from './types.ts';
 
 export interface ViewerEvents {
   /** The user, or a standard view, has moved the camera. */
@@ -230,6 +230,23 @@ export class Viewer {
       result[2 * i + 1] = rect.y + ((1 - point.y) / 2) * rect.height;
     }
     return result;
+  }
+
+  /** What lies under a place, in CSS pixels from the canvas' top left corner; null outside of every view. */
+  rayAt(x: number, y: number): { view: number; ray: Ray } | null {
+    const inside = (rect: Rect): boolean =>
+      x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
+    const view = this.seen().findIndex(inside);
+    const rect = this.rects()[view];
+    if (!rect) return null;
+    this.rig.prepare(rect.width / rect.height, 1);
+    const at = (depth: number): Vector3 =>
+      new Vector3(((x - rect.x) / rect.width) * 2 - 1, 1 - ((y - rect.y) / rect.height) * 2, depth).unproject(
+        this.rig.camera,
+      );
+    const near = at(-1);
+    const direction = at(1).sub(near).normalize();
+    return { view, ray: { origin: near.toArray(), direction: direction.toArray() } };
   }
 
   /** Whether anything of the shape is in the picture; true where none is drawn. A sample of the vertices tells. */

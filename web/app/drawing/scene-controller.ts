@@ -20,6 +20,7 @@ import { HeatMap, besideOf } from './heat-map.ts';
 import { measure } from './measures.ts';
 import type { Measure } from './measures.ts';
 import type { Original } from './original.ts';
+import { pickFace } from './pick-face.ts';
 import { patchColours } from './patch-colours.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
@@ -207,6 +208,12 @@ export class SceneController {
 
   get outOfView(): boolean {
     return !this.viewer.seesShape();
+  }
+
+  /** The face under a place of the canvas, in CSS pixels; -1 where there is none. */
+  pick(x: number, y: number): number {
+    const at = this.film ? null : this.viewer.rayAt(x, y);
+    return at && this.info ? pickFace(this.viewer.positions(at.view), this.info.faces, at.ray) : -1;
   }
 
   thumbnail(frame: Frame): string {

@@ -11,6 +11,8 @@ import { relativeToFirstKey } from '../analysis/analysis.ts';
 import type { MotionMeasures } from '../../study/motion-measures.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
+import { createFacesFigure } from './faces-figure.ts';
+import type { FacesFigure, FacesFigureEvents } from './faces-figure.ts';
 import { createShapePlaneFigure } from './shape-plane-figure.ts';
 import type { Blend } from './view-state.ts';
 import type { ShapePlaneFigure } from './shape-plane-figure.ts';
@@ -21,6 +23,8 @@ export interface AnalysisPanelEvents {
   /** This plot is to fill the screen. */
   onEnlarge(plot: Plot): void;
   onBlend(blend: Blend | null): void;
+  onColouring: FacesFigureEvents['onColouring'];
+  onMark: FacesFigureEvents['onMark'];
   onError(error: unknown): void;
 }
 
@@ -29,6 +33,8 @@ export interface AnalysisPanel {
   setCursor(t: number): void;
   setSpeeds: ShapePlaneFigure['setSpeeds'];
   setBlend: ShapePlaneFigure['setBlend'];
+  setColouring: FacesFigure['setColouring'];
+  clicked: FacesFigure['clicked'];
 }
 
 /** While edits follow each other nothing is computed. */
@@ -39,6 +45,7 @@ const BENDING = 'relative to the mean deformation energy between keys, per timeâ
 export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelEvents): AnalysisPanel {
   const { onSeek, onSpeed, onBlend, onError } = events;
   const plane = createShapePlaneFigure(cache.input, { onSpeed, onBlend, onError });
+  const faces = createFacesFigure(cache.input, events);
   const volume = chart('Volume', RELATIVE, 'plot-volume', onSeek);
   const area = chart('Area', RELATIVE, 'plot-area', onSeek);
   const bending = chart('Bending energy', BENDING, 'plot-bending', onSeek);
@@ -55,6 +62,7 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
     volume.element,
     area.element,
     bending.element,
+    faces.element,
   );
   let visible = false;
   let timer = 0;
@@ -63,6 +71,7 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
   const setCursor = (t: number): void => {
     cursor = t;
     plane.setCursor(t);
+    faces.setCursor(t);
     for (const figure of [volume, area, bending]) figure.setCursor(t);
   };
 
@@ -93,6 +102,7 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
 
   cache.observe({
     onChange: () => {
+      faces.refresh();
       if (visible) plane.refresh();
     },
     onStale: computeSoon,
@@ -105,7 +115,14 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
     computeSoon();
   }).observe(element);
 
-  return { element, setCursor, setSpeeds: plane.setSpeeds, setBlend: plane.setBlend };
+  return {
+    element,
+    setCursor,
+    setSpeeds: plane.setSpeeds,
+    setBlend: plane.setBlend,
+    setColouring: faces.setColouring,
+    clicked: faces.clicked,
+  };
 }
 
 function enlargeButton(plot: Plot, onClick: () => void): HTMLButtonElement {

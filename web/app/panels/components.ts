@@ -398,6 +398,7 @@ export function createComponents(input: ComponentsInput): Components {
     });
     help.update(viewState.singleKeys);
     analysis.setCursor(time);
+    analysis.setColouring(view.colouring);
     analysis.setBlend(viewState.blend, doc.keys);
     analysis.setSpeeds(speeds);
   };

@@ -17,6 +17,7 @@ import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
 import type { Layout } from './layout.ts';
 import { createPresentation } from './presentation.ts';
 import { listen, shortcutLines } from './shortcuts.ts';
+import { listenToClicks } from './window-events.ts';
 import type { Blend, ViewStateHolder } from './view-state.ts';
 
 export interface PageParts {
@@ -97,6 +98,15 @@ export function createPage(parts: PageParts): Page {
     openLink: () => components.openLink(),
     escape: stepBack,
   });
+  const analysis = createAnalysisPanel(parts.analysis, {
+    onSeek: commands.seek,
+    onSpeed: commands.endSpeed,
+    onEnlarge: (plot) => commands.present(store.get().view.present === plot ? null : plot),
+    onBlend: parts.onBlend,
+    onColouring: (colouring) => commands.view({ colouring }),
+    onMark: (face) => (face === null ? parts.marking.component(null) : parts.marking.around(face)),
+    onError: parts.onAnalysisError,
+  });
   const components = createComponents({
     root: parts.root,
     layout,
@@ -107,13 +117,7 @@ export function createPage(parts: PageParts): Page {
     files: parts.files,
     takeFiles: parts.takeFiles,
     marking: parts.marking,
-    analysis: createAnalysisPanel(parts.analysis, {
-      onSeek: commands.seek,
-      onSpeed: commands.endSpeed,
-      onEnlarge: (plot) => commands.present(store.get().view.present === plot ? null : plot),
-      onBlend: parts.onBlend,
-      onError: parts.onAnalysisError,
-    }),
+    analysis,
     ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),
     indefiniteFace: () => viewState.get().indefiniteFace,
     shortcuts: shortcutLines(shortcuts),
@@ -140,6 +144,7 @@ export function createPage(parts: PageParts): Page {
   listen(shortcuts, () => viewState.get().singleKeys);
   listenToArrows({ store, commands, viewport: layout.viewport, range, isOpen: () => viewState.get().info !== null });
   listenToCamera(scene.viewer, layout.viewport);
+  listenToClicks(layout.viewport, (x, y) => analysis.clicked(() => scene.pick(x, y)));
 
   let frame = 0;
   const draw = (): void => {

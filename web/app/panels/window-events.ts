@@ -23,3 +23,19 @@ export function listenToNetwork(onOffline: (offline: boolean) => void): void {
 export function reducedMotion(): boolean {
   return window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 }
+
+/** Further than this, in CSS pixels, it is a drag. */
+const CLICK_PX = 4;
+
+/** Clicks that turn nothing: places from the element's top left corner, in CSS pixels. */
+export function listenToClicks(element: HTMLElement, onClick: (x: number, y: number) => void): void {
+  let down: { x: number; y: number } | null = null;
+  element.addEventListener('pointerdown', ({ button, isPrimary, clientX: x, clientY: y }) => {
+    down = button === 0 && isPrimary ? { x, y } : null;
+  });
+  element.addEventListener('pointerup', ({ clientX, clientY, isPrimary }) => {
+    if (!down || !isPrimary || Math.hypot(clientX - down.x, clientY - down.y) > CLICK_PX) return;
+    const box = element.getBoundingClientRect();
+    onClick(clientX - box.left, clientY - box.top);
+  });
+}

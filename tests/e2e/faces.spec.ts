@@ -1,0 +1,80 @@
+/** Heat maps on the surface, and the coordinates of a face that is clicked. */
+import { decode } from './png.ts';
+import { type App, expect, test } from './support.ts';
+
+/** Of the shape's middle on the screen: mean red, green and blue. */
+async function middleColour(app: App): Promise<[number, number, number]> {
+  const { data, width, height } = decode(await app.picture());
+  const sum: [number, number, number] = [0, 0, 0];
+  let count = 0;
+  for (let y = Math.round(height * 0.4); y < height * 0.6; y += 1)
+    for (let x = Math.round(width * 0.48); x < width * 0.52; x += 1, count += 1)
+      for (let c = 0; c < 3; c += 1) sum[c]! += data[4 * (y * width + x) + c]!;
+  return sum.map((value) => value / count) as [number, number, number];
+}
+
+/** The largest amount now, or the mean. */
+const now = async (app: App, which: 'at most' | 'mean' = 'at most'): Promise<number> => {
+  const text = await app.by('colour-bar-now').innerText();
+  return Number(new RegExp(`${which} ([\\d.]+)`).exec(text)![1]);
+};
+
+test('the heat map of rotation follows the time, and its colours the numbers', async ({ app }) => {
+  await app.open({ hash: '#sample=twisted-bar&colour=rotation' });
+  const bar = app.by('colour-bar');
+  await app.setTime((await app.state()).doc.keys.at(-1)!.time);
+  await app.settled();
+  await expect(bar).toContainText('Rotation');
+  expect(await now(app)).toBeGreaterThan(60);
+  const turned = await middleColour(app);
+  await app.setTime((await app.state()).doc.keys[0]!.time);
+  await app.settled();
+  expect(await now(app)).toBeLessThan(1);
+  const still = await middleColour(app);
+  // viridis: none of it is violet, more of it is green and yellow
+  expect(still[2]).toBeGreaterThan(still[1]);
+  expect(turned[1]).toBeGreaterThan(still[1] + 20);
+  await app.by('heat-none').check({ force: true });
+  await app.settled();
+  await expect(bar).toBeHidden();
+  await app.expectNoProblems();
+});
+
+test('stretch is coloured on every motion that is shown: the blend stretches, ours hardly', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&compare=linear' });
+  await app.by('heat-stretch').check({ force: true });
+  await app.setTime(0.25);
+  await app.settled();
+  await expect(app.by('colour-bar')).toContainText('Stretch');
+  expect((await app.state()).view.colouring).toBe('stretch');
+  const ours = await now(app, 'mean');
+  await app.open({ hash: '#sample=cactus&method=linear&colour=stretch' });
+  await app.setTime(0.25);
+  await app.settled();
+  expect(await now(app, 'mean')).toBeGreaterThan(1.5 * ours);
+});
+
+test('a face that is clicked shows its coordinates over time, with dots at the keys', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus' });
+  await app.by('faces').scrollIntoViewIfNeeded();
+  await app.setTime(0.25);
+  const [x, y] = await app.page.evaluate(() => {
+    const all = window.__shapespline!.positions();
+    const places = window.__shapespline!.project(all);
+    // the middle of what is seen
+    let [sx, sy] = [0, 0];
+    for (let i = 0; i < places.length; i += 2) [sx, sy] = [sx + places[i]!, sy + places[i + 1]!];
+    return [(2 * sx) / places.length, (2 * sy) / places.length] as const;
+  });
+  const box = (await app.by('viewport').boundingBox())!;
+  await app.page.mouse.click(box.x + x, box.y + y);
+  await expect(app.by('plot-face-rotation')).toBeVisible();
+  await expect(app.by('face-patch')).toHaveText(/^of patch \d+$/);
+  await expect(app.by('plot-face-rotation').locator('circle.dot')).toHaveCount(9);
+  const first = await app.by('face-number').inputValue();
+  await app.by('face-number').fill('3');
+  await app.by('face-number').press('Enter');
+  await expect(app.by('face-number')).not.toHaveValue(first);
+  await expect(app.by('plot-face-stretch').locator('path.curve')).toHaveCount(3);
+  await app.expectNoProblems();
+});

@@ -1,0 +1,168 @@
+/** Faces: heat maps on the surface, and the coordinates of one face over time. */
+import type { FaceCurve } from '../../engine/api/types.ts';
+import { isFaceAmount } from '../../model/state.ts';
+import type { Colouring, FaceAmount } from '../../model/state.ts';
+import { plottedTimes } from '../../model/time-scale.ts';
+import { createLineChart } from '../../plots/line-chart.ts';
+import type { LineChart, LineChartData } from '../../plots/line-chart.ts';
+import { numberField, segments } from '../../ui/controls.ts';
+import { h, setField, setHidden, setText } from '../../ui/dom.ts';
+import type { AnalysisInput } from '../analysis/analysis.ts';
+
+export interface FacesFigureEvents {
+  onColouring(colouring: Colouring): void;
+  onSeek(t: number): void;
+  /** Marks what moves with a face; null: nothing. */
+  onMark(face: number | null): void;
+  onError(error: unknown): void;
+}
+
+export interface FacesFigure {
+  element: HTMLElement;
+  /** The picture was clicked: while the figure is seen, the face there is shown; -1 for none. */
+  clicked(pick: () => number): void;
+  /** The motions may be others. */
+  refresh(): void;
+  setCursor(t: number): void;
+  setColouring(colouring: Colouring): void;
+}
+
+type Heat = FaceAmount | 'none';
+
+const TIMES = 97;
+const HINT = 'Click a face in the picture: its coordinates over time, as the spline has them.';
+const AXES = ['x', 'y', 'z'];
+const STRETCHES = ['along the first edge', 'shear', 'across'];
+
+export function createFacesFigure(
+  input: () => AnalysisInput | null,
+  { onColouring, onSeek, onMark, onError }: FacesFigureEvents,
+): FacesFigure {
+  const heat = segments<Heat>(
+    'Colour the surface',
+    'heat',
+    [
+      { value: 'none', label: 'Off' },
+      { value: 'rotation', label: 'Rotation', hint: 'The angle by which each face is turned against the reference' },
+      { value: 'stretch', label: 'Stretch', hint: 'How much longer or shorter each face is than in the reference' },
+    ],
+    (value) => onColouring(value === 'none' ? 'texture' : value),
+  );
+  const hint = h('p', { class: 'plane-note' }, HINT);
+  const number = numberField({
+    label: 'Face, counted from 0 as in the file',
+    testId: 'face-number',
+    min: 0,
+    step: 1,
+    onInput: (value) => show(Math.round(value)),
+  });
+  const said = h('span', { class: 'muted', 'data-testid': 'face-patch' });
+  const rotation = chart('Rotation against its patch', 'degrees, as a rotation vector', 'plot-face-rotation', onSeek);
+  const stretch = chart('Stretch', 'of the face, 1 as in the reference', 'plot-face-stretch', onSeek);
+  const charts = h('div', { class: 'group', hidden: true }, rotation.element, stretch.element);
+  const element = h(
+    'section',
+    { class: 'group', 'aria-label': 'Faces', 'data-testid': 'faces' },
+    heat.element,
+    hint,
+    h('div', { class: 'plane-tools' }, h('span', {}, 'Face'), number, said),
+    charts,
+  );
+  let face: number | null = null;
+  let cursor = 0;
+  let asked = 0;
+  let seen = false;
+  new IntersectionObserver(([entry]) => {
+    seen = entry?.isIntersecting ?? false;
+  }).observe(element);
+
+  const load = async (): Promise<void> => {
+    const of = input();
+    const [main] = of?.sequences ?? [];
+    const mine = ++asked;
+    if (face === null || !of || !main) return setHidden(charts, true);
+    const times = plottedTimes(of.range, of.keyTimes, TIMES);
+    const curve = await main.sequence.faceCurve(face, times);
+    if (mine !== asked) return;
+    setHidden(charts, curve.patch < 0);
+    setText(said, curve.patch < 0 ? 'has no area' : `of patch ${curve.patch + 1}`);
+    if (curve.patch < 0) return;
+    const common = { times, keyTimes: of.keyTimes, range: of.range, dots: true };
+    const degrees = (value: number): number => (180 / Math.PI) * value;
+    rotation.draw({ ...common, series: seriesOf(curve, 0, AXES, degrees), include: 0, leastSpan: 2 });
+    const log = main.sequence.options.stretch === 'log';
+    stretch.draw({ ...common, series: seriesOf(curve, 3, STRETCHES), include: log ? 0 : 1, leastSpan: 0.04 });
+    for (const one of [rotation, stretch]) one.setCursor(cursor);
+  };
+  const show = (next: number | null): void => {
+    face = next;
+    setField(number, next === null ? '' : String(next));
+    if (next === null) setText(said, '');
+    onMark(next);
+    load().catch((error: unknown) => {
+      face = null;
+      setText(said, '');
+      setHidden(charts, true);
+      onError(error);
+    });
+  };
+  return {
+    element,
+    clicked(pick) {
+      if (!seen) return;
+      const picked = pick();
+      if (picked >= 0 || face !== null) show(picked >= 0 ? picked : null);
+    },
+    refresh() {
+      if (face !== null) load().catch(onError);
+    },
+    setCursor(t) {
+      cursor = t;
+      for (const one of [rotation, stretch]) one.setCursor(t);
+    },
+    setColouring: (colouring) => heat.update(isFaceAmount(colouring) ? colouring : 'none'),
+  };
+}
+
+/** Three of the six numbers over time. */
+function seriesOf(
+  { numbers }: FaceCurve,
+  first: number,
+  names: readonly string[],
+  as: (value: number) => number = (value) => value,
+): LineChartData['series'] {
+  return names.map((label, k) => ({
+    label,
+    values: Array.from({ length: numbers.length / 6 }, (_, i) => as(numbers[6 * i + first + k]!)),
+    style: `axis-${k}`,
+  }));
+}
+
+function chart(
+  title: string,
+  unit: string,
+  testId: string,
+  onSeek: (t: number) => void,
+): {
+  element: HTMLElement;
+  draw(data: Omit<LineChartData, 'title' | 'unit'>): void;
+  setCursor: LineChart['setCursor'];
+} {
+  const plot = createLineChart(onSeek);
+  const legend = h('span', { class: 'legend' });
+  return {
+    element: h(
+      'figure',
+      { class: 'figure', 'data-testid': testId },
+      h('figcaption', {}, h('strong', {}, title), h('span', { class: 'unit' }, unit), legend),
+      plot.element,
+    ),
+    draw(data) {
+      plot.draw({ ...data, title, unit });
+      legend.replaceChildren(
+        ...data.series.map(({ label, style }) => h('span', {}, h('i', { class: `swatch ${style}` }), label)),
+      );
+    },
+    setCursor: plot.setCursor,
+  };
+}
