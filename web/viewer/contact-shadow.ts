@@ -18,7 +18,7 @@ import {
 import type { Texture, Vector3, WebGLRenderer } from 'three';
 
 /** Casters of a layer are on this many layers above it, too. */
-export const CASTER_LAYERS = 8;
+export const CASTER_LAYERS = 16;
 const PIXELS = 192;
 /** Half its side and its height, in radii of the shape. */
 export const REACH = 2;

@@ -16,8 +16,10 @@ const DEFAULT_LOOK: Look = { colouring: 'texture', shading: 'smooth', wireframe:
  * Layers of the scene. Light and floor are on layer 0, as everything that says nothing else; then come the shapes of
  * the views, at most six, then what each has of onion skins or a film strip.
  */
-const FIRST_SHAPE = 2;
-const FIRST_EXTRAS = 8;
+export const FIRST_SHAPE = 2;
+export const FIRST_EXTRAS = 8;
+/** Layers of shapes and of extras. */
+export const MOST_VIEWS = FIRST_EXTRAS - FIRST_SHAPE;
 
 export class Contents {
   readonly object = new Group();
