@@ -183,12 +183,14 @@ function createGlbFields(change: Change) {
   };
 }
 
-export function createExportDialog(events: ExportDialogEvents): {
+export interface ExportDialog {
   element: HTMLDialogElement;
   open(): void;
   close(): void;
   update(props: ExportDialogProps): void;
-} {
+}
+
+export function createExportDialog(events: ExportDialogEvents): ExportDialog {
   let request: ExportRequest = DEFAULT_REQUEST;
   const change: Change = (part) => {
     request = { ...request, ...part };

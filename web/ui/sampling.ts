@@ -2,12 +2,11 @@
  * Where a file holds animations: which one the keys are taken from, how many, and at which times of its own timeline.
  * What is chosen is taken at once.
  */
-import { SAMPLED_KEYS } from '../engine/api/option-table.ts';
+import { MOST_SAMPLED, SAMPLED_KEYS } from '../engine/api/option-table.ts';
 import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
 import { button, checkbox, numberField, select } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setStyle, setText } from './dom.ts';
 
-export const MOST_SAMPLED = 64;
 /** Of the error that the fewest keys are found for, in percent of the diagonal. */
 const TOLERANCE = { least: 0.1, most: 20, default: 2 };
 /** A mark that is moved by an arrow key is moved again soon. */

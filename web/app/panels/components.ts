@@ -11,7 +11,7 @@ import { viridisGradient } from '../../plots/viridis.ts';
 import { createClockMenu } from '../../ui/clock-menu.ts';
 import { createColourBar } from '../../ui/colour-bar.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
-import { createExportDialog } from '../../ui/export-dialog.ts';
+import type { ExportDialog, ExportDialogProps } from '../../ui/export-dialog.ts';
 import { createDivider } from '../../ui/divider.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
 import { createGhostPanel } from '../../ui/ghost-panel.ts';
@@ -23,7 +23,7 @@ import type { KeyItem } from '../../ui/key-strip.ts';
 import { createErrorMessage, createFitHint, createProgress, createWelcome } from '../../ui/messages.ts';
 import { createLinkDialog } from '../../ui/link-dialog.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
-import { createSampling } from '../../ui/sampling.ts';
+import type { Sampling, SamplingProps } from '../../ui/sampling.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
 import { createStatusLine } from '../../ui/status-line.ts';
 import type { Theme } from '../../ui/theme.ts';
@@ -43,6 +43,8 @@ import type { OpenFiles } from '../sources/open-files.ts';
 import { ownFiles } from '../sources/own-files.ts';
 import type { TakeFiles } from '../sources/take-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
+import { later } from './later.ts';
+import type { Later } from './later.ts';
 import type { ViewState } from './view-state.ts';
 import { reducedMotion } from './window-events.ts';
 import type { Layout } from './layout.ts';
@@ -59,7 +61,7 @@ export interface ComponentsInput {
   files: OpenFiles;
   takeFiles: TakeFiles;
   analysis: AnalysisPanel;
-  ghostStudy: GhostStudyPanel;
+  ghostStudy: Later<void, GhostStudyPanel>;
   marking: Marking;
   /** An indefinite face of the shape on the screen. */
   indefiniteFace(): number;
@@ -167,11 +169,10 @@ export function createComponents(input: ComponentsInput): Components {
     onAddCurrent: () => void commands.addCurrent(),
     onAddFile: keyPicker.open,
   });
-  const sampling = createSampling({
-    onTake: input.onTake,
-    onFewest: input.onFewest,
-    onOriginal: input.onOriginal,
-  });
+  const sampling = later<SamplingProps, Sampling>(async () => {
+    const { createSampling } = await import('../../ui/sampling.ts');
+    return createSampling({ onTake: input.onTake, onFewest: input.onFewest, onOriginal: input.onOriginal });
+  }, input.onError);
   const motionPanel = createMotionPanel(
     {
       onMotion: commands.motion,
@@ -211,13 +212,16 @@ export function createComponents(input: ComponentsInput): Components {
   const progress = createProgress(input.onCancel);
   const errorMessage = createErrorMessage(input.onCloseError);
   const welcome = createWelcome(picker.open);
-  const exporting = createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
+  const exporting = later<ExportDialogProps, ExportDialog>(async () => {
+    const { createExportDialog } = await import('../../ui/export-dialog.ts');
+    return createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
+  }, input.onError);
   const help = createHelp(input.shortcuts, input.onSingleKeys);
   const linkDialog = createLinkDialog(input.onLink);
   const openLink = (): void => void linkDialog.open(input.link());
   const openExport = (): void => {
     input.onExportOpen();
-    exporting.open();
+    void exporting.need().then((dialog) => dialog?.open());
   };
 
   layout.mount(input.root, {
@@ -353,8 +357,11 @@ export function createComponents(input: ComponentsInput): Components {
       lriMethod: isInLri(doc.motion.method),
       disabled,
     });
+    // Not before the first shape is there, which needs none of it.
+    if (viewState.stats) void ghostStudy.need();
     ghostStudy.update();
     lying = viewState.orientation;
+    if (source.kind === 'files' && info && info.animations.length > 0) void sampling.need();
     sampling.update({
       info: source.kind === 'files' ? info : null,
       fewest: viewState.fewest,

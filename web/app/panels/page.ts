@@ -12,8 +12,8 @@ import { createAnalysisPanel } from './analysis-panel.ts';
 import type { Commands } from './commands.ts';
 import { createComponents } from './components.ts';
 import type { Feedback } from './feedback.ts';
-import { createGhostStudyPanel } from './ghost-study-panel.ts';
 import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
+import { later } from './later.ts';
 import type { Layout } from './layout.ts';
 import { createPresentation } from './presentation.ts';
 import { listen, shortcutLines } from './shortcuts.ts';
@@ -118,7 +118,10 @@ export function createPage(parts: PageParts): Page {
     takeFiles: parts.takeFiles,
     marking: parts.marking,
     analysis,
-    ghostStudy: createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError }),
+    ghostStudy: later(async () => {
+      const { createGhostStudyPanel } = await import('./ghost-study-panel.ts');
+      return createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError });
+    }, onError),
     indefiniteFace: () => viewState.get().indefiniteFace,
     shortcuts: shortcutLines(shortcuts),
     onGallery: parts.onGallery,

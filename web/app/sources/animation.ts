@@ -5,7 +5,7 @@ import type { InputFile, Progress } from '../../engine/api/types.ts';
 import { fewestKeys } from '../../study/fewest-keys.ts';
 import { readReference } from '../../study/reference-motion.ts';
 import type { ReferenceMotion } from '../../study/reference-motion.ts';
-import { MOST_SAMPLED } from '../../ui/sampling.ts';
+import { MOST_SAMPLED } from '../../engine/api/option-table.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import type { OpenFiles } from './open-files.ts';

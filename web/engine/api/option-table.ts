@@ -318,6 +318,8 @@ export const ENCODING = {
 
 /** Evenly spaced keys of an animation where nobody says how many. */
 export const SAMPLED_KEYS = 8;
+/** Keys of an animation that the page takes at most: as many can be told apart on a timeline. */
+export const MOST_SAMPLED = 64;
 
 /** What to take from the files. */
 export const IMPORT = {
