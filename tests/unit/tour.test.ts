@@ -23,6 +23,7 @@ describe('the tour', () => {
     (_, { state }) => {
       const link = readPermalink(state)!;
       expect(link.unfit).toEqual([]);
+      expect(link.view.compare?.join(',') ?? null).toBe(new URLSearchParams(state).get('compare'));
       expect(link.playing).toBe(true);
       expect(link.between![0]).toBeLessThanOrEqual(link.time!);
     },

@@ -33,7 +33,7 @@ const LIST: readonly Figure[] = [
     state: 'sample=octopus&compare=geodesic,linear&between=0,1.5&t=0&loop=bounce&play=1',
     panel: 'analysis',
     text: 'The paper draws three motions through four shapes in the plane of their two leading components: global minimisation, the spline and linear interpolation in shape space.',
-    task: 'Enlarge the shape plane under Analysis, and switch on the minimisation over K samples.',
+    task: 'Enlarge the shape plane under Analysis, and tick “Minimised over 24 samples”.',
     sentence:
       'The minimisation falls onto the spline, there as here; blends of vertices are drawn, too, with their distance from the plane.',
   },
@@ -96,7 +96,7 @@ const LIST: readonly Figure[] = [
   {
     number: '9',
     name: 'Smoothness',
-    state: 'sample=dachshund&boundary=natural&compare=geodesic,cubic&between=0,0.875&t=0&loop=bounce&play=1',
+    state: 'sample=dachshund&boundary=natural&compare=geodesic,cubic-vertex&between=0,0.875&t=0&loop=bounce&play=1',
     panel: 'analysis',
     text: 'The paper plots the second derivative of motions through ten poses of a person: geodesics peak at every key, splines stay low.',
     task: 'Enlarge the bending under Analysis, and look at the geodesic at the keys.',

@@ -47,7 +47,7 @@ export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): P
     },
   });
   count.value = count.defaultValue = String(SAMPLES);
-  const toggle = checkbox('Least bending over', 'minimised', (on) => {
+  const toggle = checkbox('Minimised over', 'minimised', (on) => {
     wanted = on;
     void refresh();
   });
