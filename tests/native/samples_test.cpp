@@ -79,7 +79,7 @@ TEST_CASE("samples: every sample is small, closed, well shaped and keeps its vol
     CHECK(volume > 0);
     for (const Key& key : keyframes.keys) {
       CAPTURE(key.time);
-      // Seen: at most 2 % apart (a folding elbow of the dachshund), no angle below 13 degrees, no edge above 120.
+      // Seen: at most 2 % apart (a folding elbow of the dachshund), no angle below 12 degrees, no edge above 120.
       CHECK(enclosedVolume(key.positions, keyframes.faces) == doctest::Approx(volume).epsilon(0.03));
       CHECK(smallestAngle(keyframes.faces, key.positions) > 10);
       CHECK(sharpestEdge(keyframes.faces, key.positions) < 135);

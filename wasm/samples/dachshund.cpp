@@ -188,7 +188,7 @@ Sample makeDachshund() {
           "Dachshund",
           "Eight poses of a walk; the periodic spline closes the loop.",
           BoundaryKind::Periodic,
-          posedKeyframes(body, poses, 1.0 / keyCount, 16),
+          posedKeyframes(body, poses, 1.0 / keyCount, 24),
           0xa9714b};
 }
 

@@ -22,7 +22,7 @@ Limb gymnastsArm(double side) {
                    {{0.5 * side, 1.12, 0}, 0.085},
                    {{0.52 * side, 0.84, 0.02}, 0.07},
                    {{0.52 * side, 0.68, 0.03}, 0.085}},
-                  40, 0.042, 0.07);
+                  40, 0.036, 0.07);
 }
 
 Limb gymnastsLeg(double side) {
@@ -32,7 +32,7 @@ Limb gymnastsLeg(double side) {
                    {{0.16 * side, 0.1, -0.01}, 0.085},
                    {{0.17 * side, 0.055, 0.12}, 0.075},
                    {{0.18 * side, 0.05, 0.2}, 0.06}},
-                  36, 0.048, 0.08);
+                  36, 0.044, 0.08);
 }
 
 Body gymnastBody() {
@@ -45,7 +45,7 @@ Body gymnastBody() {
   attach(body, -1, whole);
   attach(body, gymnastTrunk,
          makeLimb({{{0, 1.6, 0}, 0.095}, {{0, 1.76, 0.01}, 0.085}, {{0, 1.92, 0.03}, 0.15}, {{0, 2.02, 0.03}, 0.15}},
-                  14, 0.042, 0.05));
+                  14, 0.038, 0.05));
   attach(body, gymnastTrunk, gymnastsArm(1));
   attach(body, gymnastTrunk, gymnastsArm(-1));
   attach(body, gymnastTrunk, gymnastsLeg(1));
@@ -68,9 +68,9 @@ Pose swung(const Body& body, int key) {
   const double share = key / (gymnastKeys - 1.0);
   Pose pose(body);
   // From behind, over the front and the top, to behind again.
-  const double swing = (40 - 270 * share) * radians;
+  const double swing = (35 - 205 * share) * radians;
   for (const int part : {gymnastArm, otherArm}) {
-    bend(pose, body, part, 0.02, 0.34, Vec3(swing, 0, 0));
+    bend(pose, body, part, 0.02, 0.4, Vec3(swing, 0, 0));
     bend(pose, body, part, 0.5, 0.68, Vec3(-(15 + 25 * std::sin(M_PI * share)) * radians, 0, 0));
   }
   const double lean = std::sin(2 * M_PI * share);
@@ -89,7 +89,7 @@ Sample makeGymnast() {
   for (int key = 0; key < gymnastKeys; ++key) poses.push_back(swung(body, key));
   return {"gymnast",
           "Gymnast",
-          "Five poses of a swing: both arms turn by 270 degrees from the first to the last.",
+          "Five poses of a swing: both arms turn by 205 degrees from the first to the last.",
           BoundaryKind::Natural,
           posedKeyframes(body, poses, 0.25, 22),
           0xb98a9a};
