@@ -171,6 +171,7 @@ test('sizes are compared when asked for, with a sentence that holds the numbers;
   expect(verdict).toContain(`${none} ms`);
   expect(verdict).toContain(`${Math.min(...best)} ms`);
   await expect(app.by('study').locator('svg.ghost-chart')).toHaveCount(2);
+  for (const plot of ['ghost-error', 'ghost-time']) await expect(app.by(`enlarge-${plot}`)).toBeVisible();
   // What was measured belongs to the motion: another one takes it away.
   await app.by('stretch-log').check();
   await app.settled();

@@ -2,7 +2,7 @@
 import type { Derived } from './derived.ts';
 import { amount } from './derived.ts';
 import { LAYER_WORDS } from './figures/words.ts';
-import type { NumbersTable } from './figures/figure.ts';
+import type { NumbersTable } from '../ui/values.ts';
 import { shownSpan } from './figures/curve-figure.ts';
 import { valueAt } from './splines/curve.ts';
 import type { Derivative } from './splines/curve.ts';

@@ -4,7 +4,6 @@ import type { End } from '../../model/speeds.ts';
 import { createLineChart, make } from '../../plots/line-chart.ts';
 import type { LineChart } from '../../plots/line-chart.ts';
 import type { Plot } from '../../model/state.ts';
-import { button } from '../../ui/controls.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { relativeToFirstKey } from '../analysis/analysis.ts';
@@ -13,19 +12,19 @@ import type { Analysis } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import { createFacesFigure } from './faces-figure.ts';
 import type { FacesFigure, FacesFigureEvents } from './faces-figure.ts';
+import { addFigureTools } from './figure-tools.ts';
+import type { FigureEvents } from './figure-tools.ts';
+import { chartNumbers } from './chart-numbers.ts';
 import { createShapePlaneFigure } from './shape-plane-figure.ts';
 import type { Blend } from './view-state.ts';
 import type { ShapePlaneFigure } from './shape-plane-figure.ts';
 
-export interface AnalysisPanelEvents {
+export interface AnalysisPanelEvents extends FigureEvents {
   onSeek(t: number): void;
   onSpeed(end: End, speed: number): void;
-  /** This plot is to fill the screen. */
-  onEnlarge(plot: Plot): void;
   onBlend(blend: Blend | null): void;
   onColouring: FacesFigureEvents['onColouring'];
   onMark: FacesFigureEvents['onMark'];
-  onError(error: unknown): void;
 }
 
 export interface AnalysisPanel {
@@ -43,15 +42,12 @@ const RELATIVE = '% of the first key';
 const BENDING = 'relative to the mean deformation energy between keys, per time⁴';
 
 export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelEvents): AnalysisPanel {
-  const { onSeek, onSpeed, onBlend, onError } = events;
-  const plane = createShapePlaneFigure(cache.input, { onSpeed, onBlend, onError });
+  const { onSpeed, onBlend, onEnlarge, onError } = events;
+  const plane = createShapePlaneFigure(cache.input, { onSpeed, onBlend, onEnlarge, onError });
   const faces = createFacesFigure(cache.input, events);
-  const volume = chart('Volume', RELATIVE, 'plot-volume', onSeek);
-  const area = chart('Area', RELATIVE, 'plot-area', onSeek);
-  const bending = chart('Bending energy', BENDING, 'plot-bending', onSeek);
-  const figures = { plane, volume, area, bending };
-  for (const [plot, figure] of Object.entries(figures) as [Plot, { element: HTMLElement }][])
-    figure.element.querySelector('figcaption')?.append(enlargeButton(plot, () => events.onEnlarge(plot)));
+  const volume = chart('Volume', RELATIVE, 'volume', events);
+  const area = chart('Area', RELATIVE, 'area', events);
+  const bending = chart('Bending energy', BENDING, 'bending', events);
   const legend = h('div', { class: 'legend' });
   const element = h(
     'section',
@@ -125,10 +121,6 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
   };
 }
 
-function enlargeButton(plot: Plot, onClick: () => void): HTMLButtonElement {
-  return button({ label: 'Enlarge', testId: `enlarge-${plot}`, icon: 'enlarge', shortcut: 'A', onClick });
-}
-
 interface Series {
   label: string;
   values: number[];
@@ -140,20 +132,24 @@ interface Figure extends Pick<LineChart, 'setCursor'> {
   draw(data: Omit<Parameters<LineChart['draw']>[0], 'title' | 'unit'>): void;
 }
 
-function chart(title: string, unit: string, testId: string, onSeek: (t: number) => void): Figure {
-  const plot = createLineChart(onSeek);
+function chart(title: string, unit: string, name: Plot, events: AnalysisPanelEvents): Figure {
+  const plot = createLineChart(events.onSeek);
+  const testId = `plot-${name}`;
   const value = h('span', { class: 'value', 'data-testid': `${testId}-value` }, '');
   let data: Parameters<Figure['draw']>[0] | null = null;
+  const element = h(
+    'figure',
+    { class: 'figure', 'data-testid': testId },
+    h('figcaption', {}, h('strong', {}, title), value, h('span', { class: 'unit' }, unit)),
+    plot.element,
+  );
+  const redrawn = addFigureTools(element, { ...events, plot: name, title, numbers: () => data && chartNumbers(data) });
   return {
-    element: h(
-      'figure',
-      { class: 'figure', 'data-testid': testId },
-      h('figcaption', {}, h('strong', {}, title), value, h('span', { class: 'unit' }, unit)),
-      plot.element,
-    ),
+    element,
     draw(next) {
       data = next;
       plot.draw({ ...next, title, unit });
+      redrawn();
     },
     setCursor(t) {
       plot.setCursor(t);

@@ -128,7 +128,7 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
     togglePresent: (): void => present(state().view.present === null ? 'shape' : null),
     /** In the presentation: one plot after the other, then the shape alone. */
     nextPlot(): void {
-      const shown = PRESENTED.indexOf(state().view.present ?? 'shape');
+      const shown = PRESENTED.findIndex((one) => one === (state().view.present ?? 'shape'));
       present(PRESENTED[(shown + 1) % PRESENTED.length]!);
     },
 

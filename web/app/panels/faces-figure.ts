@@ -1,20 +1,22 @@
 /** Faces: heat maps on the surface, and the coordinates of one face over time. */
 import type { FaceCurve } from '../../engine/api/types.ts';
 import { isFaceAmount } from '../../model/state.ts';
-import type { Colouring, FaceAmount } from '../../model/state.ts';
+import type { Colouring, FaceAmount, Plot } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import { createLineChart } from '../../plots/line-chart.ts';
 import type { LineChart, LineChartData } from '../../plots/line-chart.ts';
 import { numberField, segments } from '../../ui/controls.ts';
 import { h, setField, setHidden, setText } from '../../ui/dom.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
+import { chartNumbers } from './chart-numbers.ts';
+import { addFigureTools } from './figure-tools.ts';
+import type { FigureEvents } from './figure-tools.ts';
 
-export interface FacesFigureEvents {
+export interface FacesFigureEvents extends FigureEvents {
   onColouring(colouring: Colouring): void;
   onSeek(t: number): void;
   /** Marks what moves with a face; null: nothing. */
   onMark(face: number | null): void;
-  onError(error: unknown): void;
 }
 
 export interface FacesFigure {
@@ -34,10 +36,8 @@ const HINT = 'Click a face in the picture: its coordinates over time, as the spl
 const AXES = ['x', 'y', 'z'];
 const STRETCHES = ['along the first edge', 'shear', 'across'];
 
-export function createFacesFigure(
-  input: () => AnalysisInput | null,
-  { onColouring, onSeek, onMark, onError }: FacesFigureEvents,
-): FacesFigure {
+export function createFacesFigure(input: () => AnalysisInput | null, events: FacesFigureEvents): FacesFigure {
+  const { onColouring, onMark, onError } = events;
   const heat = segments<Heat>(
     'Colour the surface',
     'heat',
@@ -57,8 +57,8 @@ export function createFacesFigure(
     onInput: (value) => show(Math.round(value)),
   });
   const said = h('span', { class: 'muted', 'data-testid': 'face-patch' });
-  const rotation = chart('Rotation against its patch', 'degrees, as a rotation vector', 'plot-face-rotation', onSeek);
-  const stretch = chart('Stretch', 'of the face, 1 as in the reference', 'plot-face-stretch', onSeek);
+  const rotation = chart('Rotation against its patch', 'degrees, as a rotation vector', 'face-rotation', events);
+  const stretch = chart('Stretch', 'of the face, 1 as in the reference', 'face-stretch', events);
   const charts = h('div', { class: 'group', hidden: true }, rotation.element, stretch.element);
   const element = h(
     'section',
@@ -141,24 +141,34 @@ function seriesOf(
 function chart(
   title: string,
   unit: string,
-  testId: string,
-  onSeek: (t: number) => void,
+  name: Plot,
+  events: FacesFigureEvents,
 ): {
   element: HTMLElement;
   draw(data: Omit<LineChartData, 'title' | 'unit'>): void;
   setCursor: LineChart['setCursor'];
 } {
-  const plot = createLineChart(onSeek);
+  const plot = createLineChart(events.onSeek);
   const legend = h('span', { class: 'legend' });
+  let drawn: Omit<LineChartData, 'title' | 'unit'> | null = null;
+  const element = h(
+    'figure',
+    { class: 'figure', 'data-testid': `plot-${name}` },
+    h('figcaption', {}, h('strong', {}, title), h('span', { class: 'unit' }, unit), legend),
+    plot.element,
+  );
+  const redrawn = addFigureTools(element, {
+    ...events,
+    plot: name,
+    title,
+    numbers: () => drawn && chartNumbers(drawn),
+  });
   return {
-    element: h(
-      'figure',
-      { class: 'figure', 'data-testid': testId },
-      h('figcaption', {}, h('strong', {}, title), h('span', { class: 'unit' }, unit), legend),
-      plot.element,
-    ),
+    element,
     draw(data) {
+      drawn = data;
       plot.draw({ ...data, title, unit });
+      redrawn();
       legend.replaceChildren(
         ...data.series.map(({ label, style }) => h('span', {}, h('i', { class: `swatch ${style}` }), label)),
       );

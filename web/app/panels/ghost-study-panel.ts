@@ -7,18 +7,21 @@ import { button } from '../../ui/controls.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { h, setHidden, setStyle, setText, svg } from '../../ui/dom.ts';
 import { optionsFor, sequencePlan } from '../session/sequence-plan.ts';
+import { addFigureTools } from './figure-tools.ts';
+import type { FigureEvents } from './figure-tools.ts';
+import type { Plot } from '../../model/state.ts';
+import type { GhostChartData } from '../../plots/ghost-chart.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 
 const FRAMES = 24;
 const NAMES: Record<Transfer, string> = { exact: 'Exact', paper: 'As published' };
 
-export interface GhostStudyParts {
+export interface GhostStudyParts extends FigureEvents {
   engine: Engine;
   store: Store;
   pool(): PosePool | null;
   range(): Range;
-  onError(error: unknown): void;
 }
 
 export interface GhostStudyPanel {
@@ -27,7 +30,14 @@ export interface GhostStudyPanel {
   update(): void;
 }
 
-export function createGhostStudyPanel({ engine, store, pool, range, onError }: GhostStudyParts): GhostStudyPanel {
+export function createGhostStudyPanel({
+  engine,
+  store,
+  pool,
+  range,
+  onEnlarge,
+  onError,
+}: GhostStudyParts): GhostStudyPanel {
   const start = button({
     label: 'Compare sizes of the ghost mesh',
     testId: 'study-start',
@@ -113,13 +123,21 @@ export function createGhostStudyPanel({ engine, store, pool, range, onError }: G
         style: `transfer-${transfer}`,
         values: [...sizes.map((size) => pick(row(size, transfer))), last],
       }));
-    const figure = (title: string, unit: string, svg: SVGSVGElement): HTMLElement =>
-      h(
+    const figure = (name: Plot, data: GhostChartData): HTMLElement => {
+      const { title, unit } = data;
+      const element = h(
         'figure',
-        { class: 'figure' },
+        { class: 'figure', 'data-testid': `plot-${name}` },
         h('figcaption', {}, h('strong', {}, title), h('span', { class: 'unit' }, unit)),
-        svg,
+        drawGhostChart(data),
       );
+      const numbers = {
+        names: ['Faces, empty without a ghost mesh', ...data.series.map(({ label }) => label)],
+        rows: [...sizes, NaN].map((size, i) => [size, ...data.series.map(({ values }) => values[i]!)]),
+      };
+      addFigureTools(element, { plot: name, title, numbers: () => numbers, onEnlarge, onError });
+      return element;
+    };
     const kg = {
       title: 'Error',
       unit: 'KG error against the full solve, %',
@@ -160,8 +178,8 @@ export function createGhostStudyPanel({ engine, store, pool, range, onError }: G
       ...(sizes.length > 0
         ? [
             h('div', { class: 'legend' }, legend('exact'), legend('paper')),
-            figure(kg.title, kg.unit, drawGhostChart(kg)),
-            figure(ms.title, ms.unit, drawGhostChart(ms)),
+            figure('ghost-error', kg),
+            figure('ghost-time', ms),
             h(
               'details',
               { class: 'details' },

@@ -98,7 +98,12 @@ export function createLayout(): Layout {
       const panel = app?.querySelector<HTMLElement>(`[data-testid="panel-${name}"]`);
       panel?.closest('.side')?.scrollTo({ top: panel.offsetTop - SIDE_NAV_PX });
     },
-    present: (what) => app && setAttribute(app, 'data-present', what),
+    present(what) {
+      if (!app) return;
+      setAttribute(app, 'data-present', what);
+      for (const figure of app.querySelectorAll<HTMLElement>('.figure[data-plot]'))
+        setAttribute(figure, 'data-enlarged', figure.dataset['plot'] === what);
+    },
     mount(root, parts) {
       app = h(
         'div',

@@ -18,6 +18,7 @@ import type { Layout } from './layout.ts';
 import { createPresentation } from './presentation.ts';
 import { listen, shortcutLines } from './shortcuts.ts';
 import { listenToClicks } from './window-events.ts';
+import type { Plot } from '../../model/state.ts';
 import type { Blend, ViewStateHolder } from './view-state.ts';
 
 export interface PageParts {
@@ -98,10 +99,11 @@ export function createPage(parts: PageParts): Page {
     openLink: () => components.openLink(),
     escape: stepBack,
   });
+  const onEnlarge = (plot: Plot): void => commands.present(store.get().view.present === plot ? null : plot);
   const analysis = createAnalysisPanel(parts.analysis, {
     onSeek: commands.seek,
     onSpeed: commands.endSpeed,
-    onEnlarge: (plot) => commands.present(store.get().view.present === plot ? null : plot),
+    onEnlarge,
     onBlend: parts.onBlend,
     onColouring: (colouring) => commands.view({ colouring }),
     onMark: (face) => (face === null ? parts.marking.component(null) : parts.marking.around(face)),
@@ -120,7 +122,7 @@ export function createPage(parts: PageParts): Page {
     analysis,
     ghostStudy: later(async () => {
       const { createGhostStudyPanel } = await import('./ghost-study-panel.ts');
-      return createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onError });
+      return createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onEnlarge, onError });
     }, onError),
     indefiniteFace: () => viewState.get().indefiniteFace,
     shortcuts: shortcutLines(shortcuts),

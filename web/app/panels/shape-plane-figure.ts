@@ -7,16 +7,18 @@ import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { SPEED_WORDS, typedSpeed } from '../../ui/speed-handles.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
 import { computeShapePlanes, knownShapes } from '../analysis/shape-plane.ts';
+import type { ShapePlanes } from '../analysis/shape-plane.ts';
+import { addFigureTools } from './figure-tools.ts';
+import type { FigureEvents, FigureNumbers } from './figure-tools.ts';
 import { createOffCurve } from './off-curve.ts';
 import { createPlaneCurves } from './plane-curves.ts';
 import type { Blend } from './view-state.ts';
 
 export type Speeds = Readonly<Record<End, number>>;
 
-export interface ShapePlaneFigureEvents {
+export interface ShapePlaneFigureEvents extends FigureEvents {
   onSpeed(end: End, speed: number): void;
   onBlend(blend: Blend | null): void;
-  onError(error: unknown): void;
 }
 
 export interface ShapePlaneFigure {
@@ -36,7 +38,7 @@ const TITLE =
 
 export function createShapePlaneFigure(
   input: () => AnalysisInput | null,
-  { onSpeed, onBlend, onError }: ShapePlaneFigureEvents,
+  { onSpeed, onBlend, onEnlarge, onError }: ShapePlaneFigureEvents,
 ): ShapePlaneFigure {
   let speeds: Speeds | null = null;
   let cursor = 0;
@@ -76,11 +78,15 @@ export function createShapePlaneFigure(
     offCurve.element,
     curves.element,
   );
+  let known: FigureNumbers | null = null;
+  const title = 'Shape plane';
+  const redrawn = addFigureTools(element, { plot: 'plane', title, numbers: () => known, onEnlarge, onError });
 
   const work = async (): Promise<void> => {
     const asked = input();
     if (!asked) return;
-    const { times, range, planes, tangents } = await computeShapePlanes(asked);
+    const computed = await computeShapePlanes(asked);
+    const { times, range, planes, tangents } = computed;
     const [main] = planes;
     setHidden(element, !main);
     if (!main) return;
@@ -97,6 +103,8 @@ export function createShapePlaneFigure(
         style: method,
       })),
     });
+    known = { ...planeNumbers(computed), keep: asked.keyTimes };
+    redrawn();
     offCurve.setShapes(knownShapes(main.plane));
     plot.setSpeeds(speeds);
     plot.setCursor(cursor);
@@ -128,5 +136,12 @@ export function createShapePlaneFigure(
       speeds = next;
       plot.setSpeeds(next);
     },
+  };
+}
+
+function planeNumbers({ times, planes }: ShapePlanes): FigureNumbers {
+  return {
+    names: ['Time', ...planes.flatMap(({ method }) => [1, 2].map((n) => `${METHOD_WORDS[method].label} PC${n}`))],
+    rows: times.map((t, i) => [t, ...planes.flatMap(({ plane: { curve } }) => [curve[2 * i]!, curve[2 * i + 1]!])]),
   };
 }

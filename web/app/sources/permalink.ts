@@ -90,7 +90,7 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   put('loop', state.play.loop, 'bounce');
   put('between', state.play.between?.map(shortest).join(',') ?? null, null);
   put('fps', state.play.fps, null);
-  put('present', view.present, null);
+  put('present', PRESENTED.find((one) => one === view.present) ?? null, null);
   put('window', view.window?.map(shortest).join(',') ?? null, null);
   return params.toString();
 }

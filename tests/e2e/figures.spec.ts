@@ -1,0 +1,59 @@
+/** Every figure of the panels is enlarged, read as numbers and saved in one way. */
+import { readFileSync } from 'node:fs';
+import { type App, expect, test } from './support.ts';
+
+async function saved(app: App, testId: string): Promise<{ name: string; bytes: Buffer }> {
+  const [file] = await Promise.all([app.page.waitForEvent('download'), app.by(testId).click()]);
+  return { name: file.suggestedFilename(), bytes: readFileSync((await file.path())!) };
+}
+
+test('every figure has its values to read and is saved as SVG, PNG and CSV', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&compare=linear' });
+  await app.by('face-number').fill('3');
+  await app.by('face-number').press('Enter');
+  await expect(app.by('plot-face-rotation')).toBeVisible();
+  await app.by('plot-bending').scrollIntoViewIfNeeded();
+  await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(2);
+  for (const plot of ['plane', 'volume', 'area', 'bending', 'face-rotation', 'face-stretch']) {
+    const values = app.by(`${plot}-values`);
+    await values.locator('summary').click();
+    await expect(values.locator('tbody tr').nth(9), plot).toBeVisible();
+    const svg = await saved(app, `${plot}-svg`);
+    expect(svg.name).toBe(`shapespline-${plot}.svg`);
+    expect(svg.bytes.toString(), plot).not.toMatch(/class=|var\(/);
+    expect(svg.bytes.toString().match(/<path[^>]+stroke="rgb\(/g)?.length, plot).toBeGreaterThan(0);
+    const png = await saved(app, `${plot}-png`);
+    expect(png.bytes.readUInt32BE(16), plot).toBe(3 * 272);
+    const [head, ...rows] = (await saved(app, `${plot}-csv`)).bytes.toString().trim().split('\n');
+    expect(head!.split(',')[0]).toBe('Time');
+    expect(rows.length, plot).toBeGreaterThan(12);
+    for (const row of rows) expect(row.split(',')).toHaveLength(head!.split(',').length);
+    await values.locator('summary').click();
+  }
+  // The volume at the first key is what percent are of.
+  await app.by('volume-values').locator('summary').click();
+  const first = (await app.state()).doc.keys[0]!.time;
+  const csv = (await saved(app, 'volume-csv')).bytes.toString().trim().split('\n');
+  const row = csv.map((line) => line.split(',').map(Number)).find(([t]) => t === first)!;
+  expect(row.slice(1)).toEqual([100, 100]);
+  await app.expectNoProblems();
+});
+
+test('a chart of a face fills the screen like the others, but no link says so', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&t=0.2' });
+  await app.by('face-number').fill('3');
+  await app.by('face-number').press('Enter');
+  await app.by('plot-face-stretch').scrollIntoViewIfNeeded();
+  await app.by('enlarge-face-stretch').click();
+  await expect(app.by('timeline')).toBeHidden();
+  await expect(app.page.locator('.figure:visible')).toHaveCount(1);
+  for (const away of ['heat-none', 'face-number', 'face-stretch-values', 'plot-face-rotation'])
+    await expect(app.by(away)).toBeHidden();
+  const { width } = (await app.by('plot-face-stretch').boundingBox())!;
+  expect(width).toBeGreaterThan(0.55 * app.page.viewportSize()!.width);
+  expect(await app.page.evaluate(() => location.hash)).not.toContain('present=');
+  await app.page.keyboard.press('Escape');
+  await expect(app.by('heat-none')).toBeAttached();
+  await expect(app.by('plot-face-rotation')).toBeVisible();
+  await app.expectNoProblems();
+});

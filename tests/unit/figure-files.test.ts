@@ -1,0 +1,47 @@
+/** What is read of a figure, and what a link says of it. */
+import { expect, it } from 'vitest';
+import { chartNumbers } from '../../web/app/panels/chart-numbers.ts';
+import { briefly } from '../../web/app/panels/figure-files.ts';
+import { readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
+import { EMPTY_STATE } from '../../web/model/state.ts';
+import type { Presented } from '../../web/model/state.ts';
+
+const times = Array.from({ length: 97 }, (_, i) => i / 96);
+
+it('numbers of a chart: a row a time, a column a curve, nothing where nothing is known', () => {
+  const numbers = chartNumbers({
+    times,
+    keyTimes: [0, 0.5, 1],
+    range: [0, 1],
+    series: [
+      { label: 'a', values: times.map((t) => 2 * t), style: '' },
+      { label: 'b', values: [1], style: '' },
+    ],
+  });
+  expect(numbers.names).toEqual(['Time', 'a', 'b']);
+  expect(numbers.rows[0]).toEqual([0, 0, 1]);
+  expect(numbers.rows[48]).toEqual([0.5, 1, NaN]);
+});
+
+it('about two dozen rows are read, the keys among them', () => {
+  const keep = [times[1]!, times[95]!];
+  const read = briefly({ names: ['Time'], rows: times.map((t) => [t]), keep }).map(([t]) => t);
+  expect(read.length).toBeLessThanOrEqual(27);
+  expect(read).toEqual(expect.arrayContaining(keep));
+  expect(read).toEqual([...read].sort((a, b) => a! - b!));
+});
+
+it('a link brings back the plots that are always there, and no other', () => {
+  const linked = (present: Presented): string =>
+    writePermalink(
+      {
+        ...EMPTY_STATE,
+        source: { kind: 'sample', id: 'cactus' },
+        view: { ...EMPTY_STATE.view, present },
+      },
+      EMPTY_STATE.doc,
+    )!;
+  expect(readPermalink(linked('volume'))?.view.present).toBe('volume');
+  expect(linked('face-stretch')).not.toContain('present');
+  expect(readPermalink('sample=cactus&present=face-stretch')?.unfit).toEqual(['present']);
+});

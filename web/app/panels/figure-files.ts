@@ -1,0 +1,55 @@
+/** The values of a figure as a table, and the figure as SVG, PNG and CSV. */
+import { csvOf, pngOf, svgOf } from '../../plots/plot-files.ts';
+import { h } from '../../ui/dom.ts';
+import { saveButtons, valuesFrame, valuesTable } from '../../ui/values.ts';
+import type { FigureNumbers, FigureToolsOptions } from './figure-tools.ts';
+
+/** About so many rows are read. */
+const READ = 24;
+
+export interface FigureFiles {
+  element: HTMLElement;
+  fill(): void;
+}
+
+export function createFigureFiles(
+  picture: () => SVGSVGElement,
+  { plot, title, numbers, onError }: FigureToolsOptions,
+): FigureFiles {
+  const frame = valuesFrame(title);
+  const known = (): FigureNumbers => numbers() ?? { names: [], rows: [] };
+  const files = saveButtons(
+    plot,
+    title,
+    {
+      svg: () => new Blob([svgOf(picture())], { type: 'image/svg+xml' }),
+      png: () => pngOf(picture()),
+      csv: () => new Blob([csvOf(known().names.map(cell), known().rows)], { type: 'text/csv' }),
+    },
+    onError,
+  );
+  return {
+    element: h('div', { class: 'group' }, files, frame),
+    fill() {
+      const all = known();
+      const table = { names: [...all.names], rows: [], brief: briefly(all) };
+      frame.replaceChildren(valuesTable(title, table, word));
+    },
+  };
+}
+
+/** Evenly chosen rows, and those that are always read. */
+export function briefly({ rows, keep = [] }: FigureNumbers): number[][] {
+  const step = Math.max(Math.ceil(rows.length / READ), 1);
+  return rows.filter((row, index) => index % step === 0 || keep.includes(row[0]!)).map((row) => [...row]);
+}
+
+function word(value: number): string {
+  if (!Number.isFinite(value)) return '–';
+  return String(Number(value.toPrecision(4))).replace('-', '−');
+}
+
+/** A name with a separator in it is one cell. */
+function cell(name: string): string {
+  return name.includes(',') ? `"${name}"` : name;
+}

@@ -1,0 +1,70 @@
+/** What every figure of the page has: it is enlarged, read as numbers and saved. */
+import type { Plot } from '../../model/state.ts';
+import { button } from '../../ui/controls.ts';
+import { h, setAttribute, setText } from '../../ui/dom.ts';
+
+/** The numbers of a figure: all rows go into a file, those at the keys and some between are read. */
+export interface FigureNumbers {
+  names: readonly string[];
+  rows: readonly (readonly number[])[];
+  /** First numbers of rows that are always read. */
+  keep?: readonly number[];
+}
+
+export interface FigureEvents {
+  /** This plot is to fill the screen. */
+  onEnlarge(plot: Plot): void;
+  onError(error: unknown): void;
+}
+
+export interface FigureToolsOptions extends FigureEvents {
+  plot: Plot;
+  title: string;
+  /** null before anything is drawn. */
+  numbers(): FigureNumbers | null;
+}
+
+/**
+ * Gives a figure its button to enlarge it, and its values and files, which are loaded when they are opened. Returns
+ * what is called when its numbers are others.
+ */
+export function addFigureTools(figure: HTMLElement, options: FigureToolsOptions): () => void {
+  const { plot, title, onEnlarge, onError } = options;
+  setAttribute(figure, 'data-plot', plot);
+  const enlarge = button({
+    label: 'Enlarge',
+    testId: `enlarge-${plot}`,
+    icon: 'enlarge',
+    shortcut: 'A',
+    onClick: () => onEnlarge(plot),
+  });
+  figure.querySelector('figcaption')?.append(enlarge);
+  const content = h('div', {});
+  const said = h('span', { class: 'visually-hidden' }, ` of ${title}`);
+  const details = h(
+    'details',
+    { class: 'details values', 'data-testid': `${plot}-values` },
+    h('summary', {}, 'Values and files', said),
+    content,
+  );
+  figure.append(details);
+  let fill: (() => void) | null = null;
+  const load = async (): Promise<void> => {
+    const { createFigureFiles } = await import('./figure-files.ts');
+    const files = createFigureFiles(() => figure.querySelector<SVGSVGElement>('svg.plot')!, options);
+    fill ??= files.fill;
+    if (content.childElementCount === 0) content.append(files.element);
+    fill();
+  };
+  details.addEventListener('toggle', () => {
+    if (!details.open) return;
+    if (fill) return fill();
+    load().catch((error: unknown) => {
+      setText(content, 'The values could not be loaded.');
+      onError(error);
+    });
+  });
+  return () => {
+    if (details.open) fill?.();
+  };
+}

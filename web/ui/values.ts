@@ -1,0 +1,57 @@
+/** The numbers of a picture as a table to read, and the buttons that save the picture and all of its numbers. */
+import { h } from './dom.ts';
+import { download } from './download.ts';
+
+export interface NumbersTable {
+  names: string[];
+  /** All of them, for a file. */
+  rows: number[][];
+  /** Those that are read in the page. */
+  brief: number[][];
+}
+
+/** `word`: a number as it is read. */
+export function valuesTable(
+  title: string,
+  { names, brief }: NumbersTable,
+  word: (value: number) => string,
+): HTMLTableElement {
+  return h(
+    'table',
+    { class: 'numbers' },
+    h('caption', { class: 'visually-hidden' }, title),
+    h('thead', {}, h('tr', {}, ...names.map((name) => h('th', { scope: 'col' }, name)))),
+    h('tbody', {}, ...brief.map((row) => h('tr', {}, ...row.map((value) => h('td', {}, word(value)))))),
+  );
+}
+
+/** What the table scrolls in. */
+export function valuesFrame(title: string): HTMLElement {
+  return h('div', { class: 'values-frame', tabindex: 0, role: 'region', 'aria-label': `${title}, values` });
+}
+
+/** `makers`: by the ending of the file. `id` names test ids and files. */
+export function saveButtons(
+  id: string,
+  title: string,
+  makers: Readonly<Record<string, () => Promise<Blob> | Blob>>,
+  onError: (error: unknown) => void,
+): HTMLElement {
+  const save = (kind: string, make: () => Promise<Blob> | Blob): HTMLElement =>
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'save',
+        'data-testid': `${id}-${kind}`,
+        'aria-label': `${title} as ${kind.toUpperCase()}`,
+        onclick: () =>
+          void Promise.resolve()
+            .then(make)
+            .then((blob) => download(blob, `shapespline-${id}.${kind}`))
+            .catch(onError),
+      },
+      kind.toUpperCase(),
+    );
+  return h('div', { class: 'files' }, ...Object.entries(makers).map(([kind, make]) => save(kind, make)));
+}
