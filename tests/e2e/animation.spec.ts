@@ -213,6 +213,14 @@ test('as few keys as an error allows are found, and the animation stands beside 
   const off = difference(await app.positions(1), between) / diagonal(between);
   expect(off).toBeGreaterThan(1e-4);
   expect(off).toBeLessThan(0.03);
+  await app.by('heat-distance').check({ force: true });
+  await app.settled();
+  await expect(app.by('colour-bar')).toContainText('from the animation');
+  await app.by('faces').scrollIntoViewIfNeeded();
+  const kg = async (): Promise<number> =>
+    Number(/KG error ([\d.]+)/.exec(await app.by('distance-kg').innerText())?.[1] ?? NaN);
+  await expect.poll(kg).toBeGreaterThan(0);
+  expect(await kg()).toBeLessThan(20);
   await app.by('sample-original').uncheck();
   await expect(app.by('tile-1')).toBeHidden();
   await app.expectNoProblems();

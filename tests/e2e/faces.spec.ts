@@ -78,3 +78,38 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   await expect(app.by('plot-face-stretch').locator('path.curve')).toHaveCount(3);
   await app.expectNoProblems();
 });
+
+test('distance to the first motion is coloured and drawn over time, with the KG error', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&compare=linear&colour=distance' });
+  await app.setTime(0.25);
+  await app.settled();
+  const bar = app.by('colour-bar');
+  await expect(bar).toContainText('% of the diagonal');
+  const apart = await app.page.evaluate(() => {
+    const [a, b] = [window.__shapespline!.positions(0), window.__shapespline!.positions(1)];
+    const far = Array.from({ length: a.length / 3 }, (_, v) =>
+      Math.hypot(...[0, 1, 2].map((axis) => a[3 * v + axis]! - b[3 * v + axis]!)),
+    );
+    return far.reduce((most, one) => Math.max(most, one), 0) / (far.reduce((sum, one) => sum + one, 0) / far.length);
+  });
+  expect((await now(app)) / (await now(app, 'mean'))).toBeCloseTo(apart, 0);
+  await app.by('faces').scrollIntoViewIfNeeded();
+  await expect(app.by('distance-kg')).toHaveText(/KG error [\d.]+\s%/);
+  const kg = Number(/KG error ([\d.]+)/.exec(await app.by('distance-kg').innerText())![1]);
+  expect(kg).toBeGreaterThan(1);
+  expect(kg).toBeLessThan(50);
+  await app.by('distance-values').locator('summary').click();
+  const rows = await app.by('distance-values').locator('tbody tr').allInnerTexts();
+  const means = new Map(rows.map((row) => row.split(/\s+/).map(Number) as [number, number]));
+  // Both pass through the keys.
+  for (const { time } of (await app.state()).doc.keys) expect(means.get(time)).toBeLessThan(0.1);
+  expect(Math.max(...means.values())).toBeGreaterThan(1);
+  await app.setTime((await app.state()).doc.keys[1]!.time);
+  await app.settled();
+  expect(await now(app)).toBeLessThan(0.1);
+  await app.by('heat-none').check({ force: true });
+  await expect(app.by('plot-distance')).toBeHidden();
+  await app.settled();
+  await expect(bar).toBeHidden();
+  await app.expectNoProblems();
+});

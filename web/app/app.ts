@@ -183,6 +183,7 @@ export function startApp(root: HTMLElement): void {
     const { info } = workspace;
     scene.setOriginal(reference && info && originalOf(reference, info.faces));
     viewState.change({ original: reference !== null });
+    analysis.invalidate();
     await frameLoop.request(store.get().time);
   };
 

@@ -43,8 +43,11 @@ export interface Play {
   fps: number | null;
 }
 
-/** `texture`: the file's own materials, or clay where it has none. */
-export type Colouring = 'texture' | 'phase' | 'patches' | FaceAmount;
+/**
+ * `texture`: the file's own materials, or clay where it has none. `distance`: of every vertex of what is compared, from
+ * the first motion or the animation that the keys were taken from.
+ */
+export type Colouring = 'texture' | 'phase' | 'patches' | FaceAmount | 'distance';
 /** Amounts of every face against the reference pose, as a heat map. */
 export type FaceAmount = 'rotation' | 'stretch';
 

@@ -2,7 +2,7 @@
 export interface Look {
   /** `texture`: the file's own materials, or clay where it has none. */
   /** Amounts come as colours of their own; a shape without these, such as a thumbnail, looks like `texture`. */
-  colouring: 'texture' | 'phase' | 'patches' | 'rotation' | 'stretch';
+  colouring: 'texture' | 'phase' | 'patches' | 'rotation' | 'stretch' | 'distance';
   shading: 'smooth' | 'flat';
   wireframe: boolean;
   floor: boolean;

@@ -1,5 +1,6 @@
 /** Amounts as colours on the shapes that are drawn, and the bar that says what the colours mean. */
 import type { Frame, KeysInfo } from '../../engine/api/types.ts';
+import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { isFaceAmount, referenceKey } from '../../model/state.ts';
 import type { AppState, Colouring, Doc, FaceAmount, View } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
@@ -46,15 +47,27 @@ export class HeatMap {
     this.colours = [];
   }
 
-  /** The next frame; of previews the difference waits for the exact one. */
-  show({ frames, sequences, preview }: FrameSet, { view, doc }: AppState, info: KeysInfo, pool: PosePool): void {
+  /**
+   * The next frame; of previews the difference waits for the exact one. `original`: of the animation that the keys were
+   * taken from, where it is shown, in the last view.
+   */
+  show(
+    { frames, sequences, preview }: FrameSet,
+    { view, doc }: AppState,
+    info: KeysInfo,
+    pool: PosePool,
+    original: Float32Array | null,
+  ): void {
     const other = differing(sequences, view);
     const { colouring } = view;
     const [main] = sequences;
-    if (!main || view.film || (other < 0 && !isFaceAmount(colouring))) return this.clear();
+    if (!main || view.film || (other < 0 && !isFaceAmount(colouring) && colouring !== 'distance')) return this.clear();
     if (other >= 0) {
       if (preview) this.wait();
       else this.showDifference(frames[0]!, frames[other]!, main, info.report.diagonal);
+    } else if (colouring === 'distance') {
+      if (preview) this.wait();
+      else this.showDistances(frames, sequences, original, info.report.diagonal);
     } else if (isFaceAmount(colouring)) {
       this.showFaces(frames, main, colouring, this.facesOf(doc, info, pool));
     }
@@ -77,6 +90,38 @@ export class HeatMap {
       top,
       now: nowWords(difference, '\u00a0%'),
       ...besideOf(this.viewer.rects()[0]!),
+    };
+  }
+
+  /** Colours every shape but the one that they are compared with: the animation, or else the first motion. */
+  private showDistances(
+    frames: readonly Frame[],
+    sequences: readonly RunningSequence[],
+    original: Float32Array | null,
+    diagonal: number,
+  ): void {
+    const [main] = sequences;
+    const reference = original ?? frames[0]!.positions;
+    const first = original ? 0 : 1;
+    if (!main || frames.length <= first) return this.clear();
+    const apart = frames
+      .slice(first)
+      .map(({ positions }, i) => differenceOf(positions, reference, diagonal, this.values[first + i]));
+    const top = this.topOf('distance', main.sequence, Math.max(...apart.map(({ largest }) => largest)));
+    if (first === 1) this.viewer.setHeatColours(null, 0);
+    apart.forEach(({ percent }, i) => {
+      this.values[first + i] = percent;
+      this.draw(first + i, percent, top);
+    });
+    const word = (of: RunningSequence | undefined): string => (of ? METHOD_WORDS[of.method].label : '');
+    const from = original ? 'the animation' : word(main);
+    this.bar = {
+      title: 'Distance',
+      unit: `${word(sequences[first])} from ${from}, % of the diagonal`,
+      symbol: '%',
+      top,
+      now: nowWords(apart[0]!, '\u00a0%'),
+      ...besideOf(this.viewer.rects()[first]!),
     };
   }
 

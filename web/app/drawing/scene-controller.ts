@@ -167,7 +167,7 @@ export class SceneController {
     );
     const original = this.original?.(t);
     if (original) this.viewer.setFrame(sequences.length, original.positions, original.normals, ORIGINAL_COLOUR, eased);
-    if (this.info && this.pool) this.heatMap.show(set, state, this.info, this.pool);
+    if (this.info && this.pool) this.heatMap.show(set, state, this.info, this.pool, original?.positions ?? null);
     if (preview) return this.showGhost(t, led, state.view);
     const measures = this.measuresNow(state.play.playing) || this.labels.length !== views;
     this.labels = views > 1 ? this.tileLabels(frames, sequences, original?.positions, measures) : [];
@@ -176,6 +176,11 @@ export class SceneController {
     if (this.film) this.labels = this.labels.map((label) => ({ ...label, detail: '' }));
     this.place();
     await this.showPatches(sequences[0]?.sequence, state.view);
+  }
+
+  /** What is shown beside the motions, or null. */
+  get shownOriginal(): Original | null {
+    return this.original;
   }
 
   /** Shows the animation itself beside the motions with the next frame; null: no more. */

@@ -25,6 +25,7 @@ export interface AnalysisPanelEvents extends FigureEvents {
   onBlend(blend: Blend | null): void;
   onColouring: FacesFigureEvents['onColouring'];
   onMark: FacesFigureEvents['onMark'];
+  compared: FacesFigureEvents['compared'];
 }
 
 export interface AnalysisPanel {

@@ -8,13 +8,18 @@ import type { LineChart, LineChartData } from '../../plots/line-chart.ts';
 import { numberField, segments } from '../../ui/controls.ts';
 import { h, setField, setHidden, setText } from '../../ui/dom.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
+import type { Compared } from '../analysis/motion-distance.ts';
 import { chartNumbers } from './chart-numbers.ts';
+import type { DistanceFigure, DistanceFigureProps } from './distance-figure.ts';
 import { addFigureTools } from './figure-tools.ts';
 import type { FigureEvents } from './figure-tools.ts';
+import { later } from './later.ts';
 
 export interface FacesFigureEvents extends FigureEvents {
   onColouring(colouring: Colouring): void;
   onSeek(t: number): void;
+  /** What distances are from; null where nothing is open. */
+  compared(): Compared | null;
   /** Marks what moves with a face; null: nothing. */
   onMark(face: number | null): void;
 }
@@ -29,7 +34,7 @@ export interface FacesFigure {
   setColouring(colouring: Colouring): void;
 }
 
-type Heat = FaceAmount | 'none';
+type Heat = FaceAmount | 'distance' | 'none';
 
 const TIMES = 97;
 const HINT = 'Click a face in the picture: its coordinates over time, as the spline has them.';
@@ -38,6 +43,7 @@ const STRETCHES = ['along the first edge', 'shear', 'across'];
 
 export function createFacesFigure(input: () => AnalysisInput | null, events: FacesFigureEvents): FacesFigure {
   const { onColouring, onMark, onError } = events;
+  let cursor = 0;
   const heat = segments<Heat>(
     'Colour the surface',
     'heat',
@@ -45,9 +51,24 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
       { value: 'none', label: 'Off' },
       { value: 'rotation', label: 'Rotation', hint: 'The angle by which each face is turned against the reference' },
       { value: 'stretch', label: 'Stretch', hint: 'How much longer or shorter each face is than in the reference' },
+      {
+        value: 'distance',
+        label: 'Distance',
+        hint: 'How far what is compared is from the first motion or the animation',
+      },
     ],
     (value) => onColouring(value === 'none' ? 'texture' : value),
   );
+  const distance = later<DistanceFigureProps, DistanceFigure>(async () => {
+    const { createDistanceFigure } = await import('./distance-figure.ts');
+    return createDistanceFigure({ ...events, input });
+  }, onError);
+  let byDistance = false;
+  let version = 0;
+  const followDistance = (): void => {
+    distance.update({ shown: byDistance, cursor, version });
+    if (byDistance) void distance.need();
+  };
   const hint = h('p', { class: 'plane-note' }, HINT);
   const number = numberField({
     label: 'Face, counted from 0 as in the file',
@@ -64,12 +85,12 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
     'section',
     { class: 'group', 'aria-label': 'Faces', 'data-testid': 'faces' },
     heat.element,
+    distance.element,
     hint,
     h('div', { class: 'plane-tools' }, h('span', {}, 'Face'), number, said),
     charts,
   );
   let face: number | null = null;
-  let cursor = 0;
   let asked = 0;
   let seen = false;
   new IntersectionObserver(([entry]) => {
@@ -114,13 +135,20 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
       if (picked >= 0 || face !== null) show(picked >= 0 ? picked : null);
     },
     refresh() {
+      version += 1;
+      followDistance();
       if (face !== null) load().catch(onError);
     },
     setCursor(t) {
       cursor = t;
       for (const one of [rotation, stretch]) one.setCursor(t);
+      if (byDistance) followDistance();
     },
-    setColouring: (colouring) => heat.update(isFaceAmount(colouring) ? colouring : 'none'),
+    setColouring(colouring) {
+      byDistance = colouring === 'distance';
+      heat.update(isFaceAmount(colouring) || colouring === 'distance' ? colouring : 'none');
+      followDistance();
+    },
   };
 }
 

@@ -105,6 +105,10 @@ export function createPage(parts: PageParts): Page {
     onSpeed: commands.endSpeed,
     onEnlarge,
     onBlend: parts.onBlend,
+    compared() {
+      const diagonal = workspace.info?.report.diagonal;
+      return diagonal === undefined ? null : { original: scene.shownOriginal, diagonal };
+    },
     onColouring: (colouring) => commands.view({ colouring }),
     onMark: (face) => (face === null ? parts.marking.component(null) : parts.marking.around(face)),
     onError: parts.onAnalysisError,

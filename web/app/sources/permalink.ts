@@ -189,7 +189,14 @@ function readView(take: Take): Partial<View> {
   const window = take('window', stretch);
   return defined({
     colouring: take('colour', (text) =>
-      oneOf(text, ['phase', 'texture', 'patches', 'rotation', 'stretch'] as const satisfies readonly Colouring[]),
+      oneOf(text, [
+        'phase',
+        'texture',
+        'patches',
+        'rotation',
+        'stretch',
+        'distance',
+      ] as const satisfies readonly Colouring[]),
     ),
     shading: take('shading', (text) => oneOf(text, ['smooth', 'flat'] as const)),
     ...(Object.fromEntries(FLAGS.map((name) => [name, take(name, flag)])) as Record<

@@ -1,0 +1,59 @@
+/** How far the motions on the screen are from the first one, or from the animation that the keys were taken from. */
+import type { Method } from '../../engine/api/types.ts';
+import { plottedTimes } from '../../model/time-scale.ts';
+import { MotionError } from '../../study/motion-error.ts';
+import type { AnalysisInput } from './analysis.ts';
+
+/** What the motions are compared with, and the diagonal that distances are relative to. */
+export interface Compared {
+  /** Of the animation at a time, where it is shown. */
+  original: ((t: number) => { positions: Float32Array }) | null;
+  diagonal: number;
+}
+
+export interface MotionDistances {
+  times: number[];
+  /** null: the animation. */
+  from: Method | null;
+  /** Mean distance in percent of the diagonal at each time; the KG error of all times in percent. */
+  motions: { method: Method; mean: number[]; largest: number[]; kg: number }[];
+}
+
+const BUDGET_MS = 1200;
+const LEAST_TIMES = 13;
+const MOST_TIMES = 97;
+/** Times whose shapes are held at once. */
+const AT_ONCE = 8;
+
+/** null where there is nothing to compare. Between the keys alone: beyond them there is no animation. */
+export async function motionDistances(
+  { sequences, keyTimes, range, ms }: AnalysisInput,
+  { original, diagonal }: Compared,
+): Promise<MotionDistances | null> {
+  const others = sequences.slice(original ? 0 : 1);
+  if (others.length === 0) return null;
+  const affordable = BUDGET_MS / Math.max(ms * sequences.length, 0.1);
+  const count = Math.round(Math.min(Math.max(affordable, LEAST_TIMES), MOST_TIMES));
+  const [start, end] = [keyTimes[0]!, keyTimes.at(-1)!];
+  const times = plottedTimes(range, keyTimes, count).filter((t) => !original || (t >= start && t <= end));
+  const errors = others.map(() => new MotionError(diagonal));
+  for (let from = 0; from < times.length; from += AT_ONCE) {
+    const some = times.slice(from, from + AT_ONCE);
+    const frames = await Promise.all(sequences.map(({ sequence }) => sequence.evaluateMany(some)));
+    some.forEach((t, i) => {
+      const reference = original?.(t).positions ?? frames[0]![i]!.positions;
+      errors.forEach((error, k) => error.add(reference, frames[k + sequences.length - others.length]![i]!.positions));
+    });
+    for (const frame of frames.flat()) frame.release();
+  }
+  return {
+    times,
+    from: original ? null : sequences[0]!.method,
+    motions: others.map(({ method }, k) => ({
+      method,
+      mean: errors[k]!.over.mean,
+      largest: errors[k]!.over.largest,
+      kg: errors[k]!.percent,
+    })),
+  };
+}
