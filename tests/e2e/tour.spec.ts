@@ -94,7 +94,7 @@ test('files that are opened during the tour end it, and stay', async ({ app }) =
   await expect(app.by('guide')).toHaveCount(0);
   await app.settled();
   expect((await app.state()).doc.keys).toHaveLength(2);
-  expect(fragment(app)).not.toContain('tour');
+  await expect.poll(() => fragment(app)).not.toContain('tour');
 });
 
 test('a visit that came by a link of the tour goes on with the first sample', async ({ app }) => {
