@@ -51,6 +51,12 @@ async function kept(page: Page): Promise<Record<string, Kept>> {
 const keptTime = async (page: Page, name: string): Promise<number | undefined> =>
   (await kept(page))[name]?.project.state.time;
 
+/** Of the project that the next visit starts with. */
+async function lastKept(page: Page): Promise<string | undefined> {
+  const all = Object.entries(await kept(page)) as [string, { project: { changed?: number } }][];
+  return all.sort(([, a], [, b]) => (b.project.changed ?? 0) - (a.project.changed ?? 0))[0]?.[0];
+}
+
 /** Writes a record as some other version, or some accident, might have left it. */
 const leave = (page: Page, records: Record<string, unknown>): Promise<void> =>
   page.evaluate(
@@ -169,7 +175,7 @@ test('what was open before comes back by undo, from the list, and with the next 
   await isRemembered(app);
   await choose(app, 'twisted-bar.glb');
   expect((await app.state()).doc).toEqual(bar.doc);
-  await untilWritten(app);
+  await expect.poll(() => lastKept(app.page)).toBe('twisted-bar.glb');
   await app.page.reload();
   await app.open();
   expect(await names(app)).toEqual(['twisted-bar.glb']);
