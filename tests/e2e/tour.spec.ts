@@ -1,4 +1,6 @@
 /** The tour: each step is a state of the app, reached by its link and by turning pages; nothing is lost by it. */
+import { FIGURES } from '../../web/app/guide/figures.ts';
+import type { GuidePage } from '../../web/app/guide/guide-page.ts';
 import { TOUR } from '../../web/app/guide/tour.ts';
 import { readPermalink } from '../../web/app/sources/permalink.ts';
 import { expectAccessible } from './axe.ts';
@@ -12,8 +14,7 @@ const title = (app: App) => app.by('guide').getByRole('heading');
 const fragment = (app: App): string => new URL(app.page.url()).hash;
 
 /** The page of the guide, with the state that its link names. */
-async function expectStep(app: App, index: number): Promise<void> {
-  const step = TOUR[index]!;
+async function expectPage(app: App, step: GuidePage): Promise<void> {
   const link = readPermalink(step.state)!;
   await expect(title(app)).toHaveText(step.title);
   await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: link.sample });
@@ -27,6 +28,8 @@ async function expectStep(app: App, index: number): Promise<void> {
   if (link.keys) expect(doc.keys.map(({ pose, time: at }) => [pose, at])).toEqual(link.keys);
   expect(fragment(app)).toBe(`#${step.link}`);
 }
+
+const expectStep = (app: App, index: number): Promise<void> => expectPage(app, TOUR[index]!);
 
 test('goes from the first step to the last by turning pages, and back', async ({ app }) => {
   test.slow();
@@ -49,6 +52,16 @@ for (const [index, step] of TOUR.entries())
   test(`step ${index + 1} is reached by its link: ${step.title}`, async ({ app }) => {
     await app.open({ hash: `#${step.link}` });
     await expectStep(app, index);
+    await app.expectNoProblems();
+  });
+
+for (const figure of FIGURES)
+  test(`a figure of the paper is reached by its link: ${figure.title}`, async ({ app }) => {
+    await app.open({ hash: `#${figure.link}` });
+    await expectPage(app, figure);
+    const { doc } = await app.state();
+    const { encoding = {} } = readPermalink(figure.state)!;
+    expect(doc.encoding).toMatchObject(encoding);
     await app.expectNoProblems();
   });
 

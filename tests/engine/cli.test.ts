@@ -402,6 +402,23 @@ describe('complete with a ghost mesh', () => {
   });
 });
 
+describe('files that do not hold the same objects', () => {
+  it('are poses of what all of them have, and it says so', async () => {
+    const thing = (x: number): string => `o Thing\nv 0 0 0\nv 1 0 0\nv ${x} 1 0\nf 1 2 3\n`;
+    const floor = 'o Floor\nv 9 0 0\nv 9 0 9\nv 0 0 9\nf 4 5 6\n';
+    const place = await folderOf([
+      { name: 'a.obj', bytes: new TextEncoder().encode(thing(0) + floor) },
+      { name: 'b.obj', bytes: new TextEncoder().encode(thing(0.5)) },
+    ]);
+    const { code, stdout } = await runCli(place, 'inspect', 'a.obj', 'b.obj');
+    expect(code).toBe(0);
+    const found = JSON.parse(stdout) as { faces: number; warnings: { code: string; message: string }[] };
+    expect(found.faces).toBe(1);
+    expect(found.warnings.map(({ code: kind }) => kind)).toEqual(['left-out-objects']);
+    expect(found.warnings[0]!.message).toContain('"Thing"');
+  });
+});
+
 describe('wrong use', () => {
   it.each([
     [[]],

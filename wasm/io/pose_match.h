@@ -29,8 +29,9 @@ class PoseMatcher {
   ///      this mesh and in the pose. Pairs of triangles may be cut along the other diagonal, as Blender cuts quads.
   /// The third one may be asked of any two lists of as many faces: it holds only where corners that coincide in one of
   /// the two do so in the other, but for places where the shape touches itself in one of them, and where the pose is
-  /// not much more like the mesh with the mesh's own faces: these name wrong vertices then. Nothing where none of the
-  /// three holds. `poses` are of one file.
+  /// not much more like the mesh with the mesh's own faces: these name wrong vertices then. It comes before the first
+  /// one where vertices are not shared: numbered as they come, such faces look alike however their quads are cut.
+  /// Nothing where none of the three holds. `poses` are of one file.
   std::optional<PoseMatch> find(const std::vector<Triangle>& faces, std::span<const Positions* const> poses) const;
 
  private:
