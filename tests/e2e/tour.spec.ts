@@ -140,6 +140,8 @@ test('axe finds nothing in it, wide and on a phone, light and dark', async ({ ap
       expect(shape.height).toBeGreaterThan(0.28 * height);
       const apart = guide.x + guide.width <= shape.x + 1 || guide.y >= shape.y + shape.height - 1;
       expect(apart, 'the guide covers nothing of the shape').toBe(true);
+      const next = (await app.by('guide-next').boundingBox())!;
+      expect(next.y + next.height, 'the way on is in sight').toBeLessThanOrEqual(guide.y + guide.height);
     }
   }
 });
