@@ -99,7 +99,10 @@ test('distance to the first motion is coloured and drawn over time, with the KG 
   expect(kg).toBeGreaterThan(1);
   expect(kg).toBeLessThan(50);
   await app.by('distance-values').locator('summary').click();
-  const rows = await app.by('distance-values').locator('tbody tr').allInnerTexts();
+  const shown = app.by('distance-values').locator('tbody tr');
+  // The table is loaded when it is opened.
+  await expect(shown).not.toHaveCount(0);
+  const rows = await shown.allInnerTexts();
   const means = new Map(rows.map((row) => row.split(/\s+/).map(Number) as [number, number]));
   // Both pass through the keys.
   for (const { time } of (await app.state()).doc.keys) expect(means.get(time)).toBeLessThan(0.1);
