@@ -76,6 +76,16 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   await app.by('face-number').press('Enter');
   await expect(app.by('face-number')).not.toHaveValue(first);
   await expect(app.by('plot-face-stretch').locator('path.curve')).toHaveCount(3);
+  // Beside other ends than natural ones, the natural spline is drawn, too.
+  await app.by('boundary-hermite').check();
+  await app.by('start-speed-number').fill('0');
+  await app.by('start-speed-number').press('Enter');
+  await app.settled();
+  const curves = app.by('plot-face-rotation').locator('path.curve');
+  await expect(curves).toHaveCount(6);
+  const [natural, own] = await Promise.all([0, 3].map((index) => curves.nth(index).getAttribute('d')));
+  expect(natural).not.toBe(own);
+  await expect(app.by('plot-face-rotation')).toContainText('natural');
   await app.expectNoProblems();
 });
 

@@ -3,7 +3,6 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { changedShare, columns } from './png.ts';
 import { bytesOf, difference, expect, realFile, test } from './support.ts';
-import type { App } from './support.ts';
 
 const cactus = ['cactus/cactus-3.glb', 'cactus/cactus-1.glb', 'cactus/cactus-2.glb'].map(realFile);
 
@@ -121,15 +120,6 @@ test('files are dropped anywhere on the page, which answers while they hover', a
   await expect(app.by('status-vertices')).toHaveText('5,261 vertices');
 });
 
-/** The browser's own drag and drop, which alone can hold folders. */
-async function drop(app: App, files: string[]): Promise<void> {
-  const session = await app.page.context().newCDPSession(app.page);
-  const data = { items: [], files, dragOperationsMask: 1 };
-  for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
-    await session.send('Input.dispatchDragEvent', { type, x: 400, y: 300, data });
-  await session.detach();
-}
-
 test(
   'a folder is dropped: the poses in it and in its folders are opened, with the textures that they name',
   { tag: '@server' },
@@ -146,7 +136,7 @@ test(
     for (const rubbish of ['.DS_Store', 'notes.docx', 'scene.blend'])
       writeFileSync(path.join(folder, rubbish), 'not a model');
     await app.open();
-    await drop(app, [folder]);
+    await app.drop([folder]);
     await expect.poll(async () => (await app.state()).source.kind).toBe('files');
     await app.settled();
     const { doc, source } = await app.state();
@@ -165,17 +155,14 @@ test('a folder without a model is refused in a sentence, and files without a fol
   mkdirSync(folder, { recursive: true });
   writeFileSync(path.join(folder, 'letter.docx'), 'not a model');
   await app.open();
-  await drop(app, [folder]);
+  await app.drop([folder]);
   await expect(app.by('error-message')).toHaveText(
     'There is no model in photos. Drop a folder with glTF, OBJ, PLY or OFF files.',
   );
   expect((await app.state()).source.kind).toBe('sample');
   for (const bend of [1, 2])
     writeFileSync(path.join(folder, `${bend}.obj`), `v 0 0 0\nv 1 0 0\nv 1 ${bend} 0\nf 1 2 3\n`);
-  await drop(
-    app,
-    [1, 2].map((bend) => path.join(folder, `${bend}.obj`)),
-  );
+  await app.drop([1, 2].map((bend) => path.join(folder, `${bend}.obj`)));
   await expect.poll(async () => (await app.state()).doc.keys.map((key) => key.name)).toEqual(['1', '2']);
   await expect(app.by('error')).toBeHidden();
   await app.settled();

@@ -147,6 +147,32 @@ test('the difference to no ghost is shown as colours, with its range', async ({ 
   await app.expectNoProblems();
 });
 
+test('three sizes of the ghost stand beside the full solve, each coloured by what it differs', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&ghostFaces=300&transfer=paper&ghostSizes=1&t=0.25' });
+  const tiles = ['300', '600', '1,200'];
+  for (const [index, faces] of tiles.entries())
+    await expect(app.by(`tile-${index}`)).toContainText(`ghost mesh of ${faces} faces`);
+  await expect(app.by('tile-3')).not.toContainText('ghost mesh');
+  await expect(app.by('ghost-difference')).toBeDisabled();
+  await app.settled();
+  const mean = await app.page.evaluate(() => {
+    const hook = window.__shapespline!;
+    const full = hook.positions(3);
+    return [0, 1, 2].map((view) => {
+      const positions = hook.positions(view);
+      return positions.reduce((sum, value, i) => sum + Math.abs(value - full[i]!), 0) / positions.length;
+    });
+  });
+  expect(mean[0]).toBeGreaterThan(mean[1]!);
+  expect(mean[1]).toBeGreaterThan(mean[2]!);
+  expect((await pixels(app, 'purple')).count).toBeGreaterThan(1000);
+  await app.by('ghost-sizes').uncheck();
+  await app.settled();
+  await expect(app.by('tile-1')).toHaveCount(0);
+  await expect(app.by('colour-bar')).toBeHidden();
+  await app.expectNoProblems();
+});
+
 test('sizes are compared when asked for, with a sentence that holds the numbers; the slider stays free', async ({
   app,
 }) => {

@@ -1,4 +1,5 @@
 /** Each option shows in the numbers and on the screen; those that refit only neither encode nor factorise. */
+import { writeFileSync } from 'node:fs';
 import { changedShare } from './png.ts';
 import { diagonal, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
@@ -80,6 +81,65 @@ test('a shape can be taken as end tangent', async ({ app }) => {
   await app.by('start-tangent').selectOption({ index: 3 });
   await app.settled();
   await expectChange(before, await shownAt(app, 0.2));
+});
+
+test('a shape from a file is taken as end tangent: chosen, dropped, undone, and kept in the project', async ({
+  app,
+}, testInfo) => {
+  const bar = (bend: number): string => {
+    const rings = Array.from({ length: 9 }, (_, i) => {
+      const [x, z] = [Math.sin((bend * i) / 8) * 4, Math.cos((bend * i) / 8) * 4];
+      return [-0.3, 0.3].map((y) => `v ${bend === 0 ? i / 2 : x} ${y} ${bend === 0 ? 0 : 4 - z}`);
+    });
+    const quads = Array.from({ length: 8 }, (_, i) => `f ${2 * i + 1} ${2 * i + 3} ${2 * i + 4} ${2 * i + 2}`);
+    return [...rings.flat(), ...quads, ''].join('\n');
+  };
+  const file = (name: string, bend: number): string => {
+    const path = testInfo.outputPath(name);
+    writeFileSync(path, bar(bend));
+    return path;
+  };
+  await app.open();
+  await app.by('file-input').setInputFiles([file('a.obj', 0), file('b.obj', 0.6)]);
+  await expect.poll(async () => (await app.state()).doc.keys.map(({ name }) => name)).toEqual(['a', 'b']);
+  await app.settled();
+  await app.by('boundary-hermite').check();
+  await app.settled();
+  const before = await app.positionsAt(0.3);
+  const chosen = app.page.waitForEvent('filechooser');
+  await app.by('start-tangent').selectOption({ label: 'a shape from a file…' });
+  await (await chosen).setFiles(file('far.obj', 1.4));
+  await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
+  await app.settled();
+  const towards = await app.positionsAt(0.3);
+  expect(difference(towards, before)).toBeGreaterThan(0.005 * diagonal(before));
+  expect((await app.state()).doc.keys).toHaveLength(2);
+  // It lies in the shape plane, which two keys alone do not span.
+  await app.by('plot-plane').scrollIntoViewIfNeeded();
+  await expect(app.by('plane-start-tangent')).toBeAttached();
+  await expect(app.by('plane-end-tangent')).toHaveCount(0);
+
+  await app.by('end-tangent').scrollIntoViewIfNeeded();
+  const at = (await app.by('end-tangent').boundingBox())!;
+  await app.drop([file('back.obj', -0.9)], { x: at.x + at.width / 2, y: at.y + at.height / 2 });
+  await expect(app.by('end-tangent').locator('option:checked')).toHaveText('back');
+  await app.settled();
+  expect(difference(await app.positionsAt(0.8), towards)).toBeGreaterThan(0);
+  expect((await app.state()).doc.keys).toHaveLength(2);
+  await app.by('undo').click();
+  await expect(app.by('end-tangent')).toHaveValue('');
+  await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
+  await app.settled();
+  expect(difference(await app.positionsAt(0.3), towards)).toBeLessThan(1e-6);
+
+  // Several poses are no tangent, and another mesh is none either; nothing is lost.
+  await app.by('tangent-file-input').setInputFiles([file('c.obj', 0.2), file('d.obj', 0.4)]);
+  await expect(app.by('error-message')).toContainText('These files hold 2 poses, but a tangent is one shape.');
+  await app.by('error-close').click();
+  await app.page.reload();
+  await app.settled();
+  await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
+  expect(difference(await app.positionsAt(0.3), towards)).toBeLessThan(1e-6);
 });
 
 test('each method moves otherwise between the keys and refits only', { tag: '@server' }, async ({ app }) => {

@@ -22,15 +22,6 @@ async function openTwo(app: App): Promise<void> {
   await app.settled();
 }
 
-/** The browser's own drag and drop of one file onto this place. */
-async function drop(app: App, file: string, x: number, y: number): Promise<void> {
-  const session = await app.page.context().newCDPSession(app.page);
-  const data = { items: [], files: [file], dragOperationsMask: 1 };
-  for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
-    await session.send('Input.dispatchDragEvent', { type, x, y, data });
-  await session.detach();
-}
-
 test('poses are picked one by one: the first waits, the second opens the motion, further ones are keys', async ({
   app,
 }) => {
@@ -69,7 +60,7 @@ test('a pose that is dropped between two keys becomes a key between them', async
   const file = info.outputPath('between.obj');
   writeFileSync(file, QUAD(0.9));
   const [first, second] = [(await app.by('key-0').boundingBox())!, (await app.by('key-1').boundingBox())!];
-  await drop(app, file, (first.x + first.width + second.x) / 2, first.y + first.height / 2);
+  await app.drop([file], { x: (first.x + first.width + second.x) / 2, y: first.y + first.height / 2 });
   await expect
     .poll(() => keys(app))
     .toEqual([

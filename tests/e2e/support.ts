@@ -77,6 +77,15 @@ export class App {
     await expect.poll(async () => (await this.state()).source).toEqual({ kind: 'sample', id });
   }
 
+  /** The browser's own drag and drop, which alone can hold folders. */
+  async drop(files: string[], at = { x: 400, y: 300 }): Promise<void> {
+    const session = await this.page.context().newCDPSession(this.page);
+    const data = { items: [], files, dragOperationsMask: 1 };
+    for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
+      await session.send('Input.dispatchDragEvent', { type, ...at, data });
+    await session.detach();
+  }
+
   by(testId: string): Locator {
     return this.page.getByTestId(testId);
   }

@@ -60,6 +60,40 @@ TEST_CASE("shape plane: the weights are those of the motion") {
   }
 }
 
+TEST_CASE("shape plane: the shapes that stand for end tangents are where the motion leaves and arrives") {
+  const auto bar = box(1, 1, 6, 2, 2, 12);
+  MotionOptions motion;
+  motion.boundary = BoundaryKind::Hermite;
+  motion.endSpeed = 0.5;
+  EncodingOptions encoding = doublePrecision();
+  encoding.startTangent = mapped(bar.positions, twist(0.7));
+  encoding.endTangent = mapped(bar.positions, bend(0.4));
+  Sequence s = sequenceOf(keyframes(bar, {bend(0), bend(1), twist(1)}), encoding, motion);
+  const std::vector<double> keys = s.motion().keyTimes();
+  const double h = 1e-5;
+  const ShapePlane plane = s.shapePlane({keys.front(), keys.front() + h, keys.back() - h, keys.back()});
+  REQUIRE(plane.tangents.size() == 4);
+  for (const int axis : {0, 1}) {
+    CAPTURE(axis);
+    const auto curve = [&](int point) { return plane.curve[2 * point + axis]; };
+    const double start = (plane.tangents[axis] - plane.keys[axis]) / (keys[1] - keys[0]);
+    const double end = 0.5 * (plane.keys[4 + axis] - plane.tangents[2 + axis]) / (keys[2] - keys[1]);
+    CHECK((curve(1) - curve(0)) / h == doctest::Approx(start).epsilon(1e-3));
+    CHECK((curve(3) - curve(2)) / h == doctest::Approx(end).epsilon(1e-3));
+  }
+  CHECK(moved(Method::Lri).shapePlane({0}).tangents.empty());
+
+  // two keys lie on a line: a tangent shape beside it spans the plane
+  encoding.startTangent.reset();
+  Sequence two = sequenceOf(keyframes(bar, {bend(0), twist(1)}), encoding, motion);
+  const ShapePlane spanned = two.shapePlane({two.motion().keyTimes().front(), two.motion().keyTimes().back()});
+  CHECK(std::abs(spanned.keys[1]) < 1e-9);
+  CHECK(std::abs(spanned.keys[3]) < 1e-9);
+  REQUIRE(spanned.tangents.size() == 2);
+  CHECK(spanned.tangents[1] > 0.1 * (spanned.keys[2] - spanned.keys[0]));
+  CHECK(spanned.explained == doctest::Approx(1));
+}
+
 TEST_CASE("bending: what is linear between keys turns at them alone, in shape space as in that of vertices") {
   for (const Method method : {Method::Geodesic, Method::Linear}) {
     CAPTURE(static_cast<int>(method));
@@ -92,6 +126,22 @@ TEST_CASE("a face over time passes through its coordinates at the keys") {
     CHECK(curve->keys[3] == doctest::Approx(1));
     CHECK(curve->keys[4] == doctest::Approx(0));
   }
+  // the natural motion is itself; another boundary leaves it, except at the keys
+  const std::vector<double> times = {keys[0], keys[0] + 0.3 * (keys[1] - keys[0]), keys[1], keys[2]};
+  const auto own = s.faceCurve(50, times);
+  CHECK(own->natural == own->numbers);
+  MotionOptions eased;
+  eased.boundary = BoundaryKind::Hermite;
+  eased.startSpeed = 0;
+  Sequence e = sequenceOf(keyframes(box(1, 1, 6, 2, 2, 12), {bend(0), bend(1), twist(1)}), doublePrecision(), eased);
+  const auto other = e.faceCurve(50, times);
+  double off = 0;
+  for (std::size_t i = 0; i < own->natural.size(); ++i) {
+    CHECK(other->natural[i] == doctest::Approx(own->natural[i]));
+    if (i / 6 != 1) CHECK(other->numbers[i] == doctest::Approx(own->numbers[i]));
+    off = std::max(off, std::abs(other->numbers[i] - own->numbers[i]));
+  }
+  CHECK(off > 1e-3);
   CHECK(s.faceCurve(-1, keys).error().code == ErrorCode::InvalidOption);
   CHECK(s.faceCurve(static_cast<int>(s.faces().size()), keys).error().code == ErrorCode::InvalidOption);
 }

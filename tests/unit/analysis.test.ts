@@ -9,14 +9,19 @@ import { docOfKeys, keyRef } from './documents.ts';
 const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 
 /** A sequence of constant measures that counts how often it is asked. */
-function running(method: Method, asked: string[], ghost = false): RunningSequence {
+function running(method: Method, asked: string[], ghost = 0): RunningSequence {
   const sequence = {
     measures: async (times: number[]) => {
       asked.push(method);
       return { volume: times.map(() => 2), area: times.map(() => 3) };
     },
     bendingEnergy: async (times: number[]) => times.map(() => 4),
-    shapePlane: async (times: number[]) => ({ keys: [0, 0, 6, 3], curve: times.flatMap((t) => [t, 0]), explained: 1 }),
+    shapePlane: async (times: number[]) => ({
+      keys: [0, 0, 6, 3],
+      tangents: [3, 9],
+      curve: times.flatMap((t) => [t, 0]),
+      explained: 1,
+    }),
   };
   return { method, ghost, sequence } as unknown as RunningSequence;
 }
@@ -75,7 +80,7 @@ describe('the analysis', () => {
   });
 
   it('leaves out the motion without a ghost mesh beside one with it', () => {
-    const both = [running('lri', [], true), running('lri', []), running('geodesic', [], true)];
+    const both = [running('lri', [], 500), running('lri', []), running('geodesic', [], 500)];
     expect(analysisInput(both, doc, [0, 1], 1).sequences).toEqual([both[0], both[2]]);
   });
 
@@ -87,12 +92,20 @@ describe('the analysis', () => {
 });
 
 describe('shape planes', () => {
-  it('are those of LRI space, with handles a third of the way to the keys that tell the direction', async () => {
+  it('are those of LRI space, with handles a third of the way to what tells the direction', async () => {
     const sequences = [running('lri', []), running('linear', [])];
-    const input = { sequences, keyTimes: [0, 1], range: [0, 1] as const, towards: { start: 1, end: null } };
+    const input = {
+      sequences,
+      keyTimes: [0, 1],
+      range: [0, 1] as const,
+      towards: { start: 'neighbour', end: 'shape' },
+    } as const;
     const { planes, tangents } = await computeShapePlanes(input);
     expect(planes.map(({ method }) => method)).toEqual(['lri']);
-    expect(tangents).toEqual({ start: [2, 1], end: null });
+    expect(tangents).toEqual({
+      start: { handle: [2, 1], shape: null },
+      end: { handle: [-1, 2], shape: [3, 9] },
+    });
     expect((await computeShapePlanes({ ...input, towards: null })).tangents).toBeNull();
   });
 });

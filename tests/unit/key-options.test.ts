@@ -31,7 +31,7 @@ describe.each(SHAPING_NUMBERS)('%s of a key', (name) => {
   });
 
   it('is in the project', () => {
-    const { times, names, motion } = sequencePlan(doc, []);
+    const { times, names, motion } = sequencePlan(doc);
     expect(motion[name]).toEqual(list);
     const mesh = { vertices: 3, faces: 1, error: null };
     const project = readOptions(writeProject({ times, names, frames: [0, 1, 2] }, checkSequenceOptions(motion), mesh));

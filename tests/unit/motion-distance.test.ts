@@ -15,7 +15,7 @@ function running(method: Method, off: number): AnalysisInput['sequences'][number
       };
       return { positions: triangle(off * t), release };
     });
-  return { method, ghost: false, sequence: { evaluateMany } } as unknown as AnalysisInput['sequences'][number];
+  return { method, ghost: 0, sequence: { evaluateMany } } as unknown as AnalysisInput['sequences'][number];
 }
 
 const triangle = (z: number): Float32Array => Float32Array.of(0, 0, z, 0.6, 0, z, 0, 0.8, z);

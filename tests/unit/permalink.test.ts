@@ -35,6 +35,7 @@ const state: AppState = {
     floor: false,
     ghostWire: true,
     ghostDifference: true,
+    ghostSizes: true,
     compare: ['linear', 'cubic-vertex'],
     split: 0.25,
     camera: { position: [1, 2, 3], target: [0, 0.5, 0] },

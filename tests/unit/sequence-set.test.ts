@@ -6,6 +6,7 @@ import type { Engine, Keys, Sequence } from '../../web/engine/api/api.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
 import type { Method, MotionOptions } from '../../web/engine/api/types.ts';
 import { retimeKey, setEncoding, setMotion } from '../../web/model/edits.ts';
+import { DEFAULT_VIEW } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
 const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
@@ -62,14 +63,16 @@ function setUp() {
   return { ...fake, set, ready, refused, tick, build };
 }
 
+const differing = { ...DEFAULT_VIEW, ghostDifference: true };
+
 describe('sequence sets', () => {
   it('build once and refit for other times and boundaries', async () => {
     const { set, log, build, ready } = setUp();
-    set.want(sequencePlan(doc, []));
+    set.want(sequencePlan(doc));
     await build();
-    set.want(sequencePlan(setMotion(doc, { boundary: 'periodic' }), []));
+    set.want(sequencePlan(setMotion(doc, { boundary: 'periodic' })));
     await set.idle();
-    set.want(sequencePlan(retimeKey(doc, 1, 3), []));
+    set.want(sequencePlan(retimeKey(doc, 1, 3)));
     await set.idle();
     expect(log).toEqual(['build lri linear', 'update lri periodic 0,1', 'update lri natural 0,3']);
     expect(ready).toHaveLength(3);
@@ -77,10 +80,10 @@ describe('sequence sets', () => {
 
   it('build again for another encoding and dispose of the old sequence only then', async () => {
     const { set, log, build, alive, tick } = setUp();
-    set.want(sequencePlan(doc, []));
+    set.want(sequencePlan(doc));
     await build();
     const before = set.all;
-    set.want(sequencePlan(setEncoding(doc, { stretch: 'log' }), []));
+    set.want(sequencePlan(setEncoding(doc, { stretch: 'log' })));
     await tick();
     expect(set.all).toBe(before);
     expect(alive()).toBe(1);
@@ -93,16 +96,16 @@ describe('sequence sets', () => {
 
   it('add a sequence for a compared method and keep the first', async () => {
     const { set, log, build, alive } = setUp();
-    set.want(sequencePlan(doc, []));
+    set.want(sequencePlan(doc));
     await build();
     const first = set.all[0];
-    set.want(sequencePlan(doc, ['linear']));
+    set.want(sequencePlan(doc, { ...DEFAULT_VIEW, compare: ['linear'] }));
     await build();
     await set.idle();
     expect(set.all[0]).toBe(first);
     expect(set.all.map(({ method }) => method)).toEqual(['lri', 'linear']);
     expect(log.filter((line) => line.startsWith('build'))).toEqual(['build lri linear', 'build linear linear']);
-    set.want(sequencePlan(doc, []));
+    set.want(sequencePlan(doc));
     await set.idle();
     expect(alive()).toBe(1);
   });
@@ -110,44 +113,60 @@ describe('sequence sets', () => {
   it('put the motion without a ghost mesh beside the first, and keep what serves on', async () => {
     const { set, log, build, alive } = setUp();
     const led = setEncoding(doc, { ghostFaces: 2000 });
-    set.want(sequencePlan(doc, []));
+    set.want(sequencePlan(doc));
     await build();
     const [full] = set.all;
-    set.want(sequencePlan(led, [], true));
+    set.want(sequencePlan(led, differing));
     await build();
     await set.idle();
     expect(set.all.map(({ method, ghost }) => [method, ghost])).toEqual([
-      ['lri', true],
-      ['lri', false],
+      ['lri', 2000],
+      ['lri', 0],
     ]);
     expect(set.all[1]!.sequence).toBe(full!.sequence);
-    set.want(sequencePlan(setEncoding(led, { transfer: 'paper' }), ['geodesic'], true));
+    set.want(sequencePlan(setEncoding(led, { transfer: 'paper' }), { ...differing, compare: ['geodesic'] }));
     await build();
     await build();
     await set.idle();
     expect(set.all.map(({ method, ghost }) => [method, ghost])).toEqual([
-      ['lri', true],
-      ['lri', false],
-      ['geodesic', true],
+      ['lri', 2000],
+      ['lri', 0],
+      ['geodesic', 2000],
     ]);
     expect(set.all[1]!.sequence).toBe(full!.sequence);
-    set.want(sequencePlan(doc, [], true));
+    set.want(sequencePlan(doc, differing));
     await set.idle();
     expect(set.all.map(({ sequence }) => sequence)).toEqual([full!.sequence]);
     expect(alive()).toBe(1);
     expect(log.filter((line) => line.startsWith('build'))).toHaveLength(4);
   });
 
+  it('put ghost meshes of other sizes beside the first, and the full solve last', () => {
+    const led = setEncoding(doc, { ghostFaces: 300 });
+    const { variants } = sequencePlan(led, { ...DEFAULT_VIEW, ghostSizes: true, compare: ['linear'] });
+    expect(variants.map(({ method, ghost }) => [method, ghost])).toEqual([
+      ['lri', 300],
+      ['lri', 600],
+      ['lri', 1200],
+      ['lri', 0],
+      ['linear', 300],
+    ]);
+    expect(sequencePlan(doc, { ...DEFAULT_VIEW, ghostSizes: true }).variants).toHaveLength(1);
+  });
+
   it('have no use for a difference where positions are blended', () => {
     const led = setEncoding(setMotion(doc, { method: 'linear' }), { ghostFaces: 2000 });
-    expect(sequencePlan(led, ['lri'], true).variants.map(({ method }) => method)).toEqual(['linear', 'lri']);
+    expect(sequencePlan(led, { ...differing, compare: ['lri'] }).variants.map(({ method }) => method)).toEqual([
+      'linear',
+      'lri',
+    ]);
   });
 
   it('give up a build that is no longer wanted', async () => {
     const { set, log, build, refused, builds, tick, alive } = setUp();
-    set.want(sequencePlan(doc, []));
+    set.want(sequencePlan(doc));
     await tick();
-    set.want(sequencePlan(setEncoding(doc, { stretch: 'log' }), []));
+    set.want(sequencePlan(setEncoding(doc, { stretch: 'log' })));
     await tick();
     expect(builds).toHaveLength(2);
     builds.shift();
@@ -160,8 +179,8 @@ describe('sequence sets', () => {
 
   it('fit key times that moved during a build in afterwards', async () => {
     const { set, log, build } = setUp();
-    set.want(sequencePlan(doc, []));
-    set.want(sequencePlan(retimeKey(doc, 1, 2), []));
+    set.want(sequencePlan(doc));
+    set.want(sequencePlan(retimeKey(doc, 1, 2)));
     await build();
     await set.idle();
     expect(log[0]).toBe('build lri linear');
@@ -170,17 +189,17 @@ describe('sequence sets', () => {
 
   it('serve on what they served when a build is cancelled or refused', async () => {
     const { set, build, refused, builds, tick } = setUp();
-    set.want(sequencePlan(doc, []));
+    set.want(sequencePlan(doc));
     await build();
     const before = set.all;
     const plan = set.plan;
-    set.want(sequencePlan(setEncoding(doc, { patches: 9 }), []));
+    set.want(sequencePlan(setEncoding(doc, { patches: 9 })));
     await tick();
     set.cancel();
     await set.idle();
     expect(set.all).toBe(before);
     expect(refused).toEqual([]);
-    set.want(sequencePlan(setEncoding(doc, { patches: 10 }), []));
+    set.want(sequencePlan(setEncoding(doc, { patches: 10 })));
     await tick();
     builds.at(-1)!.reject(new EngineError('out-of-memory', 'Too large.'));
     await set.idle();
@@ -191,19 +210,19 @@ describe('sequence sets', () => {
 
   it('report a refused refit and can be asked for something else afterwards', async () => {
     const { set, build, refused } = setUp();
-    set.want(sequencePlan(doc, []));
+    set.want(sequencePlan(doc));
     await build();
-    set.want(sequencePlan(retimeKey(doc, 1, 99), []));
+    set.want(sequencePlan(retimeKey(doc, 1, 99)));
     await set.idle();
     expect(refused).toEqual(['Refused.']);
-    set.want(sequencePlan(retimeKey(doc, 1, 5), []));
+    set.want(sequencePlan(retimeKey(doc, 1, 5)));
     await set.idle();
     expect(set.plan?.times).toEqual([0, 5]);
   });
 
   it('leave nothing behind', async () => {
     const { set, build, alive } = setUp();
-    set.want(sequencePlan(doc, ['linear']));
+    set.want(sequencePlan(doc, { ...DEFAULT_VIEW, compare: ['linear'] }));
     await build();
     await build();
     await set.idle();

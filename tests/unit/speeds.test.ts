@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { formatSpeed, offeredSpeed, steppedSpeed } from '../../web/model/speeds.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION, tangentKeys } from '../../web/model/state.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, endTangents } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
 import { keyRef } from './documents.ts';
 
@@ -24,20 +24,20 @@ describe('Hermite speeds', () => {
   });
 });
 
-describe('the key that tells the direction at an end', () => {
+describe('what an end leads towards', () => {
   const doc = (change: Partial<Doc['encoding']>): Doc => ({
     keys: [4, 2, 7].map((pose, index) => keyRef(pose, '', index)),
     motion: { ...DEFAULT_MOTION, boundary: 'hermite' },
     encoding: { ...DEFAULT_ENCODING, ...change },
   });
 
-  it('is the neighbour, or the one whose shape is taken as end tangent', () => {
-    expect(tangentKeys(doc({}))).toEqual({ start: 1, end: 1 });
-    expect(tangentKeys(doc({ startTangentPose: 7, endTangentPose: 4 }))).toEqual({ start: 2, end: 0 });
+  it('is the neighbour, or the shape that is taken as end tangent, a key or not', () => {
+    expect(endTangents(doc({}))).toEqual({ start: 'neighbour', end: 'neighbour' });
+    expect(endTangents(doc({ startTangentPose: 7 }))).toEqual({ start: 'shape', end: 'neighbour' });
+    expect(endTangents(doc({ endTangentPose: 0 }))).toEqual({ start: 'neighbour', end: 'shape' });
   });
 
-  it('is none where that shape is no longer a key, or the boundary has no tangents', () => {
-    expect(tangentKeys(doc({ startTangentPose: 3 }))).toEqual({ start: null, end: 1 });
-    expect(tangentKeys({ ...doc({}), motion: { ...DEFAULT_MOTION } })).toBeNull();
+  it('is nothing where the boundary has no tangents', () => {
+    expect(endTangents({ ...doc({}), motion: { ...DEFAULT_MOTION } })).toBeNull();
   });
 });

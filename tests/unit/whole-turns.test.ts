@@ -23,16 +23,16 @@ const parts: AddedTurns[] = [
 it('a project gives the whole shape and its parts the turns that it was saved with', () => {
   const doc = opened([whole, ...parts]);
   expect(turnsIn(doc)).toEqual([[], [{ turns: -2 }, { component: 3, turns: 1 }], [{ component: 0, turns: 2 }]]);
-  expect(sequencePlan(doc, []).motion.turns).toEqual([whole, ...parts]);
+  expect(sequencePlan(doc).motion.turns).toEqual([whole, ...parts]);
 });
 
 it('one of before parts could turn opens as it was', () => {
   const doc = opened([whole]);
   expect(turnsIn(doc)).toEqual([[], [{ turns: -2 }], []]);
-  expect(sequencePlan(doc, []).motion.turns).toEqual([whole]);
-  expect(sequencePlan(opened(), []).motion.turns).toEqual([]);
+  expect(sequencePlan(doc).motion.turns).toEqual([whole]);
+  expect(sequencePlan(opened()).motion.turns).toEqual([]);
 });
 
 it('nothing leads to the first key', () => {
-  expect(sequencePlan(setTurns(opened(), 0, { component: 1, turns: 1 }), []).motion.turns).toEqual([]);
+  expect(sequencePlan(setTurns(opened(), 0, { component: 1, turns: 1 })).motion.turns).toEqual([]);
 });

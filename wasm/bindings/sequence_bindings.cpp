@@ -94,11 +94,12 @@ EXPORT const char* shapespline_measure(int handle, double t) {
   });
 }
 
-/// {times} -> {keys, curve, distance, weights, explained}: feature_curve.h.
+/// {times} -> {keys, tangents, curve, distance, weights, explained}: feature_curve.h.
 EXPORT const char* shapespline_plane(int handle, const char* request) {
   return callResult([&]() -> Result<Json> {
     const ShapePlane plane = sequenceOf(handle).shapePlane(timesIn(request));
     return Json{{"keys", plane.keys},
+                {"tangents", plane.tangents},
                 {"curve", plane.curve},
                 {"distance", plane.distance},
                 {"weights", plane.weights},
@@ -119,12 +120,13 @@ EXPORT const char* shapespline_discrete_path(int handle, int samples) {
   });
 }
 
-/// {times} -> {patch, numbers, keys} of a face: feature_curve.h.
+/// {times} -> {patch, numbers, keys, natural} of a face: feature_curve.h.
 EXPORT const char* shapespline_face_curve(int handle, int face, const char* request) {
   return callResult([&]() -> Result<Json> {
     const auto curve = sequenceOf(handle).faceCurve(face, timesIn(request));
     if (!curve) return curve.error();
-    return Json{{"patch", curve->patch}, {"numbers", curve->numbers}, {"keys", curve->keys}};
+    return Json{
+        {"patch", curve->patch}, {"numbers", curve->numbers}, {"keys", curve->keys}, {"natural", curve->natural}};
   });
 }
 

@@ -8,6 +8,7 @@ import { clamp } from './time-scale.ts';
 export type End = 'start' | 'end';
 
 export const SPEED_NAME = { start: 'startSpeed', end: 'endSpeed' } as const;
+export const TANGENT_NAME = { start: 'startTangentPose', end: 'endTangentPose' } as const;
 export const DEFAULT_SPEED = DEFAULT_MOTION.startSpeed;
 export const MAX_SPEED = 4;
 export const SPEED_STEP = 0.05;

@@ -74,6 +74,8 @@ export interface View {
   ghostWire: boolean;
   ghostBeside: boolean;
   ghostDifference: boolean;
+  /** The same for ghost meshes of twice and four times as many faces, beside each other. */
+  ghostSizes: boolean;
   /** null = fitted to the shape. */
   camera: CameraPose | null;
   /** The part of the time that the slider shows; null = all that it reaches. */
@@ -113,6 +115,7 @@ export const DEFAULT_VIEW: Readonly<View> = {
   ghostWire: false,
   ghostBeside: false,
   ghostDifference: false,
+  ghostSizes: false,
   camera: null,
   window: null,
   present: null,
@@ -147,18 +150,14 @@ export function referenceKey(doc: Doc): number {
   return Math.max(index, 0);
 }
 
-/**
- * Hermite: the key that tells the direction at either end, the neighbour or the one that is taken as end tangent; null
- * where that pose is no longer a key. null with another boundary.
- */
-export function tangentKeys({ keys, motion, encoding }: Doc): { start: number | null; end: number | null } | null {
+/** What an end of a Hermite motion leads towards: its neighbour, or a shape of its own. */
+export type Towards = 'neighbour' | 'shape';
+
+/** null with a boundary that has no tangents. */
+export function endTangents({ motion, encoding }: Doc): { start: Towards; end: Towards } | null {
+  const towards = (pose: number | null): Towards => (pose === null ? 'neighbour' : 'shape');
   if (motion.boundary !== 'hermite') return null;
-  const of = (pose: number | null, neighbour: number): number | null => {
-    if (pose === null) return neighbour;
-    const index = keys.findIndex((key) => key.pose === pose);
-    return index < 0 ? null : index;
-  };
-  return { start: of(encoding.startTangentPose, 1), end: of(encoding.endTangentPose, keys.length - 2) };
+  return { start: towards(encoding.startTangentPose), end: towards(encoding.endTangentPose) };
 }
 
 /** Speed at which the range plays in about four seconds, among the offered ones. */

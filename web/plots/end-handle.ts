@@ -5,6 +5,7 @@
 import { make, text } from './line-chart.ts';
 
 export type End = 'start' | 'end';
+export const ENDS: readonly End[] = ['start', 'end'];
 type Vector = readonly [number, number];
 
 export interface EndHandleEvents {

@@ -1,5 +1,5 @@
 /** The motion as a curve in the plane of the two leading principal components of the keys (the paper's Fig. 2b, 3). */
-import { createEndHandle } from './end-handle.ts';
+import { ENDS, createEndHandle } from './end-handle.ts';
 import type { End, EndHandleEvents } from './end-handle.ts';
 import { make, text } from './line-chart.ts';
 import { createPlanePoint } from './plane-point.ts';
@@ -26,8 +26,15 @@ export interface ShapePlaneData {
   /** The first is the motion that is shown; its parts outside the range are drawn as extrapolated. */
   curves: readonly PlaneCurve[];
   range: readonly [number, number];
-  /** Where the handles at the ends of the curve point, for speed 1; null = there are none. */
-  tangents: Readonly<Record<End, Vector | null>> | null;
+  /** null = there are no handles at the ends of the curve. */
+  tangents: Readonly<Record<End, PlaneTangent>> | null;
+}
+
+export interface PlaneTangent {
+  /** From the end, for speed 1. */
+  handle: Vector;
+  /** The shape that the tangent comes from, where it is none of the neighbours. */
+  shape: Vector | null;
 }
 
 type Vector = readonly [number, number];
@@ -110,17 +117,17 @@ export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
       const [place, back] = placing(data);
       current = { data, place, back };
       content.replaceChildren(...parts(data, place));
-      keys.replaceChildren(...keyMarks(data, place));
+      keys.replaceChildren(...tangentMarks(data, place), ...keyMarks(data, place));
       drawOver();
       placePoint();
       element.setAttribute(
         'aria-label',
         `The motion through ${data.keys.length / 2} keys as a curve in the plane of their two leading principal components`,
       );
-      for (const end of ['start', 'end'] as const) handles[end].place(onPicture(data, end, place));
+      for (const end of ENDS) handles[end].place(onPicture(data, end, place));
     },
     setSpeeds(speeds) {
-      for (const end of ['start', 'end'] as const) handles[end].setSpeed(speeds?.[end] ?? null);
+      for (const end of ENDS) handles[end].setSpeed(speeds?.[end] ?? null);
     },
     setCursor(t) {
       time = t;
@@ -174,8 +181,9 @@ function overlayMarks(overlay: PlaneOverlay, place: Place): SVGElement[] {
 }
 
 /** One scale for both axes: distances in the plane mean the same in every direction. */
-function placing({ keys, curves, times, range }: ShapePlaneData): [Place, Current['back']] {
-  const points = [...keys];
+function placing(data: ShapePlaneData): [Place, Current['back']] {
+  const { keys, curves, times, range } = data;
+  const points = [...keys, ...shapesOf(data).flat()];
   const first = curves[0]?.points ?? [];
   // The margins are shown as far as they fit; the keys and the curve between them decide the scale.
   times.forEach((t, index) => {
@@ -201,10 +209,10 @@ function onPicture(
   end: End,
   place: Place,
 ): { from: Vector; unit: Vector; width: number; height: number } | null {
-  const tangent = tangents?.[end];
-  if (!tangent) return null;
+  const handle = tangents?.[end].handle;
+  if (!handle) return null;
   const [x, y] = (end === 'start' ? keys.slice(0, 2) : keys.slice(-2)) as [number, number];
-  const [from, to] = [place(x, y), place(x + tangent[0], y + tangent[1])];
+  const [from, to] = [place(x, y), place(x + handle[0], y + handle[1])];
   return { from, unit: [to[0] - from[0], to[1] - from[1]], width: WIDTH, height: HEIGHT };
 }
 
@@ -229,6 +237,29 @@ function parts({ times, curves, range }: ShapePlaneData, place: Place): SVGEleme
         ]
       : []),
   ];
+}
+
+function shapesOf({ tangents }: ShapePlaneData): Vector[] {
+  return tangents ? [tangents.start.shape, tangents.end.shape].filter((shape) => shape !== null) : [];
+}
+
+/** A shape that gives an end tangent, and the way that it is seen from its end. */
+function tangentMarks({ keys, tangents }: ShapePlaneData, place: Place): SVGElement[] {
+  return ENDS.flatMap((end) => {
+    const shape = tangents?.[end].shape;
+    if (!shape) return [];
+    const [fromX, fromY] = end === 'start' ? keys : keys.slice(-2);
+    const [[x, y], from] = [place(...shape), place(fromX!, fromY!)];
+    const size = 4.5;
+    return [
+      make('path', { class: 'tangent-way', d: path([from, [x, y]]) }),
+      make('path', {
+        class: 'tangent-shape',
+        d: `M${x} ${y - size}L${x + size} ${y}L${x} ${y + size}L${x - size} ${y}Z`,
+        'data-testid': `plane-${end}-tangent`,
+      }),
+    ];
+  });
 }
 
 function keyMarks({ keys }: ShapePlaneData, place: Place): SVGElement[] {

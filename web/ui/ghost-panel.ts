@@ -68,11 +68,12 @@ export function createGhostPanel(
   const difference = checkbox('Difference from the full solve', 'ghost-difference', (on) =>
     events.onView({ ghostDifference: on }),
   );
+  const sizes = checkbox('Twice and four times the faces', 'ghost-sizes', (on) => events.onView({ ghostSizes: on }));
   const shown = h(
     'fieldset',
     { class: 'field' },
     h('legend', {}, 'Show'),
-    h('div', { class: 'chips' }, wire.element, beside.element, difference.element),
+    h('div', { class: 'chips' }, wire.element, beside.element, difference.element, sizes.element),
   );
   const details = h(
     'div',
@@ -111,7 +112,9 @@ export function createGhostPanel(
     placement.update(encoding.placement === 'optimal', props.disabled);
     wire.update(view.ghostWire, !props.lriMethod);
     beside.update(view.ghostBeside, !props.lriMethod);
-    difference.update(view.ghostDifference, !props.lriMethod);
+    // Other sizes are shown by what they differ from the full solve.
+    difference.update(view.ghostDifference || view.ghostSizes, !props.lriMethod || view.ghostSizes);
+    sizes.update(view.ghostSizes, !props.lriMethod);
   });
   return { element, update: draw };
 }

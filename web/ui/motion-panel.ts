@@ -3,10 +3,10 @@ import type { Boundary, Method } from '../engine/api/types.ts';
 import type { Encoding, KeyRef, Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import type { End } from '../model/speeds.ts';
+import type { DropPoint } from './file-drop.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
-import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP } from '../model/speeds.ts';
+import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TANGENT_NAME } from '../model/speeds.ts';
 import { BOUNDARIES, DEFAULT_MOTION, METHODS, ignoresHermite } from '../model/state.ts';
-import type { Choice } from './controls.ts';
 import { button, checkbox, keyLabel, numberField, segments, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 
@@ -51,11 +51,16 @@ const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] =
   { value: 'difference', text: 'By difference', hint: 'Intervals as how different the poses are: an even pace' },
 ];
 
+/** What no pose is called. */
+const FROM_FILE = 'file';
+
 export interface MotionPanelProps {
   motion: Motion;
   encoding: Encoding;
   compare: readonly Method[];
   keys: readonly KeyRef[];
+  /** Of any shape that was opened, a key or not. */
+  poseName: (pose: number) => string;
   /** Mean tension of the keys. */
   tightness: number;
   /** The default period, for the field's placeholder. */
@@ -69,6 +74,8 @@ export interface MotionPanelEvents {
   onMotion(change: Partial<Motion>): void;
   onSpeed(end: End, speed: number): void;
   onEncoding(change: Partial<Encoding>): void;
+  /** A file is to be chosen whose shape gives the end tangent. */
+  onTangentFile(end: End): void;
   onCompare(methods: Method[]): void;
   /** The same tension for every key. */
   onTightness(tension: number): void;
@@ -85,6 +92,8 @@ export function createMotionPanel(
 ): {
   element: HTMLElement;
   update(props: MotionPanelProps): void;
+  /** The end whose tangent is asked for at this place of the page, or null. */
+  endAt(at: DropPoint): End | null;
 } {
   const method = select<Method>(
     'Method',
@@ -110,13 +119,18 @@ export function createMotionPanel(
   const boundaryHint = h('p', { class: 'hint' });
   const start = speedSlider('Start speed', 'start-speed', (value) => events.onSpeed('start', value));
   const end = speedSlider('End speed', 'end-speed', (value) => events.onSpeed('end', value));
-  const startTangent = select<string>('Leaves the first key towards', 'start-tangent', [], (value) =>
-    events.onEncoding({ startTangentPose: poseOf(value) }),
+  const tangents = {
+    start: tangentSelect('Leaves the first key towards', 'start', events),
+    end: tangentSelect('Arrives at the last key from', 'end', events),
+  };
+  const hermite = h(
+    'div',
+    { class: 'group' },
+    start.element,
+    end.element,
+    tangents.start.element,
+    tangents.end.element,
   );
-  const endTangent = select<string>('Arrives at the last key from', 'end-tangent', [], (value) =>
-    events.onEncoding({ endTangentPose: poseOf(value) }),
-  );
-  const hermite = h('div', { class: 'group' }, start.element, end.element, startTangent.element, endTangent.element);
   const period = numberField({
     label: 'Period',
     testId: 'period',
@@ -207,9 +221,8 @@ export function createMotionPanel(
     setHidden(periodic, motion.boundary !== 'periodic');
     start.update(motion.startSpeed);
     end.update(motion.endSpeed);
-    const poses = poseChoices(props.keys, 'the next key');
-    startTangent.update(String(props.encoding.startTangentPose ?? ''), poses);
-    endTangent.update(String(props.encoding.endTangentPose ?? ''), poseChoices(props.keys, 'the key before'));
+    tangents.start.update(props, props.encoding.startTangentPose, 'the next key');
+    tangents.end.update(props, props.encoding.endTangentPose, 'the key before');
     tightness.update(Number(props.tightness.toFixed(3)));
     setHidden(tight, ignoresHermite(motion.method));
     setField(period, String(Number((motion.period ?? props.period).toFixed(4))));
@@ -221,7 +234,14 @@ export function createMotionPanel(
     reset.disabled = !touched;
     setAttribute(reset, 'data-idle', !touched);
   });
-  return { element, update: draw };
+  return {
+    element,
+    update: draw,
+    endAt({ x, y }) {
+      const [under] = document.elementsFromPoint(x, y).filter((one) => hermite.contains(one));
+      return (under && (['start', 'end'] as const).find((end) => tangents[end].element.contains(under))) ?? null;
+    },
+  };
 }
 
 function speedSlider(label: string, testId: string, onInput: (value: number) => void): ReturnType<typeof slider> {
@@ -238,13 +258,33 @@ function speedSlider(label: string, testId: string, onInput: (value: number) => 
   });
 }
 
-function poseOf(value: string): number | null {
-  return value === '' ? null : Number(value);
-}
-
-function poseChoices(keys: readonly KeyRef[], none: string): Choice<string>[] {
-  return [
-    { value: '', label: none },
-    ...keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) })),
-  ];
+/** A shape for the tangent at an end: the neighbour, another key, or one of a file. */
+function tangentSelect(
+  label: string,
+  end: End,
+  { onEncoding, onTangentFile }: Pick<MotionPanelEvents, 'onEncoding' | 'onTangentFile'>,
+): {
+  element: HTMLElement;
+  update(props: Pick<MotionPanelProps, 'keys' | 'poseName'>, pose: number | null, none: string): void;
+} {
+  let shown = '';
+  const field = select<string>(label, `${end}-tangent`, [], (value) => {
+    if (value !== FROM_FILE) return onEncoding({ [TANGENT_NAME[end]]: value === '' ? null : Number(value) });
+    // Until there is one, the choice is what it was.
+    field.update(shown);
+    onTangentFile(end);
+  });
+  return {
+    element: field.element,
+    update({ keys, poseName }, pose, none) {
+      shown = String(pose ?? '');
+      const other = pose !== null && keys.every((key) => key.pose !== pose);
+      field.update(shown, [
+        { value: '', label: none },
+        ...keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) })),
+        ...(other ? [{ value: shown, label: poseName(pose) }] : []),
+        { value: FROM_FILE, label: 'a shape from a file…' },
+      ]);
+    },
+  };
 }

@@ -21,8 +21,8 @@ Eigen::MatrixXd FeatureCurve::columnsToPoses() const {
   return map;
 }
 
-Eigen::VectorXd FeatureCurve::poseWeightsAt(double t) const {
-  const PoseWeights w = poseWeights(motion_.at(t), shape_.roles());
+Eigen::VectorXd FeatureCurve::poseWeightsAt(const Curve& curve, double t) const {
+  const PoseWeights w = poseWeights(curve.at(curve.wrap(t).time), shape_.roles());
   return Eigen::Map<const Eigen::VectorXd>(w.column.data(), static_cast<Eigen::Index>(w.column.size()));
 }
 
@@ -31,7 +31,8 @@ ShapePlane FeatureCurve::plane(const std::vector<double>& times) const {
   ShapePlane result;
   result.explained = plane.explained();
   const auto append = [](std::vector<double>& list, const Vec2& p) { list.insert(list.end(), {p.x(), p.y()}); };
-  for (int j = 0; j < shape_.keys; ++j) append(result.keys, plane.project(Eigen::VectorXd::Unit(shape_.columns(), j)));
+  for (int c = 0; c < shape_.columns(); ++c)
+    append(c < shape_.keys ? result.keys : result.tangents, plane.project(Eigen::VectorXd::Unit(shape_.columns(), c)));
   const double step = meanStep();
   for (double t : times) {
     const Eigen::VectorXd weights = poseWeightsAt(t);
@@ -55,12 +56,15 @@ FaceCurve FeatureCurve::face(int inputFace, const std::vector<double>& times) co
   curve.patch = encoded_.patchOfInputFace()[inputFace];
   if (curve.patch < 0) return curve;
   const Eigen::MatrixXd numbers = encoded_.faceColumns(inputFace);
+  const Curve natural = motion_.naturalCurve();
+  const auto append = [](std::vector<double>& list, const Eigen::VectorXd& six) {
+    list.insert(list.end(), six.begin(), six.end());
+  };
   for (double t : times) {
-    const Eigen::VectorXd at = numbers * poseWeightsAt(t);
-    curve.numbers.insert(curve.numbers.end(), at.begin(), at.end());
+    append(curve.numbers, numbers * poseWeightsAt(t));
+    append(curve.natural, numbers * poseWeightsAt(natural, t));
   }
-  for (int j = 0; j < shape_.keys; ++j)
-    curve.keys.insert(curve.keys.end(), numbers.col(j).begin(), numbers.col(j).end());
+  for (int j = 0; j < shape_.keys; ++j) append(curve.keys, numbers.col(j));
   return curve;
 }
 

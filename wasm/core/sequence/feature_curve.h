@@ -12,6 +12,8 @@ namespace shapespline {
 /// Where the shapes of a sequence lie in the plane of the two leading principal components (Fig. 2b).
 struct ShapePlane {
   std::vector<double> keys;   ///< 2J
+  /// 2 values for each tangent shape there is, that of the start first.
+  std::vector<double> tangents;
   std::vector<double> curve;  ///< 2 values for each of the asked times
   /// For each of them: how far the shape is from the plane, in the metric, as a share of the mean distance of keys that
   /// follow each other; 0 where all keys are equal.
@@ -26,6 +28,8 @@ struct FaceCurve {
   /// 6 values for each of the asked times, then for each key: the rotation vector against the patch (radians) and S_f
   /// or log S_f as xx, xy, yy in the face's tangent frame (face_coordinates.h).
   std::vector<double> numbers, keys;
+  /// As `numbers`, of the natural cubic spline through the same keys: what the boundary and the shaping of the keys do.
+  std::vector<double> natural;
 };
 
 /// Samples of the feature curve that minimise the bending energy with the keys held (paper Eq. 1-2, Fig. 2;
@@ -88,7 +92,8 @@ class FeatureCurve {
   double overshoot(const Eigen::VectorXd& poseWeights, double t) const;
   double meanStep() const;
   Eigen::MatrixXd columnsToPoses() const;
-  Eigen::VectorXd poseWeightsAt(double t) const;
+  Eigen::VectorXd poseWeightsAt(const Curve& curve, double t) const;
+  Eigen::VectorXd poseWeightsAt(double t) const { return poseWeightsAt(motion_.curve(), t); }
 
   const EncodedShape& encoded_;
   const WeldedShape& shape_;

@@ -86,6 +86,18 @@ PrincipalPlane::PrincipalPlane(const Eigen::MatrixXd& gram, int keys) : gram_(gr
     direction_.col(axis) = centre * vector / std::sqrt(value);
     explained_ += value / total;
   }
+  if (direction_.col(1).isZero(0)) leanTowards(keys, 1e-14 * total);
+}
+
+void PrincipalPlane::leanTowards(Eigen::Index firstColumn, double leastSquare) {
+  for (Eigen::Index c = firstColumn; c < gram_.cols(); ++c) {
+    Eigen::VectorXd off = Eigen::VectorXd::Unit(gram_.cols(), c) - mean_;
+    off -= direction_.col(0) * direction_.col(0).dot(gram_ * off);
+    const double square = off.dot(gram_ * off);
+    if (!(square > leastSquare)) continue;
+    leastSquare = square;
+    direction_.col(1) = off / std::sqrt(square);
+  }
 }
 
 ShapeProducts PrincipalPlane::productsOf(const Eigen::VectorXd& weights) const {

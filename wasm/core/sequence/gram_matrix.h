@@ -28,7 +28,8 @@ struct ShapeProducts {
   double squared = 0;
 };
 
-/// Principal component analysis: the plane of the two leading components of the first `keys` columns.
+/// Principal component analysis: the plane of the two leading components of the first `keys` columns. Keys on one line
+/// leave the second axis to the column behind them that is farthest from it (Fig. 3: two keys and their tangents).
 class PrincipalPlane {
  public:
   PrincipalPlane(const Eigen::MatrixXd& gram, int keys);
@@ -42,6 +43,8 @@ class PrincipalPlane {
   double explained() const { return explained_; }
 
  private:
+  void leanTowards(Eigen::Index firstColumn, double leastSquare);
+
   Eigen::MatrixXd gram_;
   Eigen::VectorXd mean_;       // weights of the keys' mean
   Eigen::MatrixXd direction_;  // columns x 2: weights of the axes, unit length in the metric

@@ -63,6 +63,12 @@ Curve Motion::unshapedCurve(const WeldedShape& shape) const {
   return std::move(*curve);
 }
 
+Curve Motion::naturalCurve() const {
+  // Times that something was fitted at are in order.
+  Result<Curve> curve = Curve::fit(times_, CurveOptions{});
+  return std::move(*curve);
+}
+
 void Motion::collectWarnings(const EncodedShape& encoded) {
   const bool closes = options_.boundary == BoundaryKind::Periodic && !curve_.closesOnLastKey();
   if (!blendsVertices()) {

@@ -24,6 +24,8 @@ class Motion {
   const Curve& curve() const { return curve_; }
   /// The curve as it would be without tensions and biases. shape: of what this motion was fitted to.
   Curve unshapedCurve(const WeldedShape& shape) const;
+  /// The natural cubic spline through the same keys at the same times.
+  Curve naturalCurve() const;
   const PatchTurns& turns() const { return turns_; }
 
   /// First and last time at which the curve is defined by keys (for periodic: one whole period).

@@ -1,6 +1,6 @@
 /** Volume, area, bending energy and shape plane of the motions on the screen, as numbers over time. */
 import type { Method } from '../../engine/api/types.ts';
-import { tangentKeys } from '../../model/state.ts';
+import { endTangents } from '../../model/state.ts';
 import type { Doc } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -30,7 +30,7 @@ export function analysisInput(running: readonly RunningSequence[], doc: Doc, ran
     range,
     ms,
     keyTimes: doc.keys.map((key) => key.time),
-    towards: tangentKeys(doc),
+    towards: endTangents(doc),
   };
 }
 

@@ -2,6 +2,7 @@
 import type { ShapePlane } from '../../engine/api/types.ts';
 import type { End } from '../../model/speeds.ts';
 import { isInLri } from '../../model/state.ts';
+import type { Towards } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { PlaneShapes } from './plane-weights.ts';
@@ -11,11 +12,17 @@ export interface ShapePlaneInput {
   sequences: readonly RunningSequence[];
   keyTimes: readonly number[];
   range: Range;
-  /** Hermite: the key that tells the direction at an end, null where none does; null = another boundary. */
-  towards: Readonly<Record<End, number | null>> | null;
+  /** Hermite: what tells the direction at an end; null = another boundary. */
+  towards: Readonly<Record<End, Towards>> | null;
 }
 
-export type Tangents = Readonly<Record<End, [number, number] | null>>;
+/** As a cubic Bézier curve has them: a third of the way at speed 1. `shape`: where a tangent shape lies. */
+export interface Tangent {
+  handle: [number, number];
+  shape: [number, number] | null;
+}
+
+export type Tangents = Readonly<Record<End, Tangent>>;
 
 export interface ShapePlanes {
   times: number[];
@@ -38,7 +45,7 @@ export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapeP
     }),
   );
   const [main] = planes;
-  return { times, range, planes, tangents: main && towards ? tangentsOf(main.plane.keys, towards) : null };
+  return { times, range, planes, tangents: main && towards ? tangentsOf(main.plane, towards) : null };
 }
 
 /** The shapes whose weights are known: those of the motion, unless tangent shapes have a part in them, and the keys. */
@@ -50,10 +57,14 @@ export function knownShapes({ keys, curve, weights }: ShapePlane): PlaneShapes {
 }
 
 /** The handle of a cubic with slope m over a time h ends at its second Bézier point: h m / 3 from the first. */
-function tangentsOf(keys: readonly number[], towards: Readonly<Record<End, number | null>>): Tangents {
-  const along = (key: number, target: number, axis: 0 | 1): number =>
-    (keys[2 * target + axis]! - keys[2 * key + axis]!) / 3;
-  const from = (key: number, target: number | null): [number, number] | null =>
-    target === null ? null : [along(key, target, 0), along(key, target, 1)];
-  return { start: from(0, towards.start), end: from(keys.length / 2 - 1, towards.end) };
+function tangentsOf({ keys, tangents }: ShapePlane, towards: Readonly<Record<End, Towards>>): Tangents {
+  const at = (list: readonly number[], index: number): [number, number] => [list[2 * index]!, list[2 * index + 1]!];
+  const last = keys.length / 2 - 1;
+  const tangent = (key: number, neighbour: number, shape: [number, number] | null): Tangent => {
+    const [from, to] = [at(keys, key), shape ?? at(keys, neighbour)];
+    return { handle: [(to[0] - from[0]) / 3, (to[1] - from[1]) / 3], shape };
+  };
+  const start = towards.start === 'shape' ? at(tangents, 0) : null;
+  const end = towards.end === 'shape' ? at(tangents, start ? 1 : 0) : null;
+  return { start: tangent(0, 1, start), end: tangent(last, last - 1, end) };
 }

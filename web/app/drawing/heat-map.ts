@@ -64,7 +64,7 @@ export class HeatMap {
     if (!main || view.film || (other < 0 && !isFaceAmount(colouring) && colouring !== 'distance')) return this.clear();
     if (other >= 0) {
       if (preview) this.wait();
-      else this.showDifference(frames[0]!, frames[other]!, main, info.report.diagonal);
+      else this.showDifferences(frames, sequences, other, info.report.diagonal);
     } else if (colouring === 'distance') {
       if (preview) this.wait();
       else this.showDistances(frames, sequences, original, info.report.diagonal);
@@ -77,20 +77,18 @@ export class HeatMap {
     if (this.bar) this.bar = { ...this.bar, now: 'updated when the shape rests' };
   }
 
-  /** Colours the first shape where one without a ghost stands beside it. */
-  private showDifference(frame: Frame, reference: Frame, { sequence }: RunningSequence, diagonal: number): void {
-    const difference = differenceOf(frame.positions, reference.positions, diagonal, this.difference?.percent);
-    const top = this.topOf('difference', sequence, difference.largest);
-    this.difference = difference;
-    this.draw(0, difference.percent, top);
-    this.bar = {
-      title: 'Difference',
-      unit: '% of the diagonal',
-      symbol: '%',
-      top,
-      now: nowWords(difference, '\u00a0%'),
-      ...besideOf(this.viewer.rects()[0]!),
-    };
+  /** Colours every shape that a ghost leads, where the same motion without one stands beside it (Fig. 7). */
+  private showDifferences(
+    frames: readonly Frame[],
+    sequences: readonly RunningSequence[],
+    full: number,
+    diagonal: number,
+  ): void {
+    const [main] = sequences;
+    const views = [...sequences.keys()].filter((i) => sequences[i]!.ghost > 0 && sequences[i]!.method === main!.method);
+    const unit = '% of the diagonal';
+    const reference = frames[full]!.positions;
+    this.difference = this.showApart(frames, views, reference, diagonal, main!, { kind: 'difference', unit });
   }
 
   /** Colours every shape but the one that they are compared with: the animation, or else the first motion. */
@@ -101,28 +99,37 @@ export class HeatMap {
     diagonal: number,
   ): void {
     const [main] = sequences;
-    const reference = original ?? frames[0]!.positions;
     const first = original ? 0 : 1;
     if (!main || frames.length <= first) return this.clear();
-    const apart = frames
-      .slice(first)
-      .map(({ positions }, i) => differenceOf(positions, reference, diagonal, this.values[first + i]));
-    const top = this.topOf('distance', main.sequence, Math.max(...apart.map(({ largest }) => largest)));
-    if (first === 1) this.viewer.setHeatColours(null, 0);
-    apart.forEach(({ percent }, i) => {
-      this.values[first + i] = percent;
-      this.draw(first + i, percent, top);
-    });
     const word = (of: RunningSequence | undefined): string => (of ? METHOD_WORDS[of.method].label : '');
     const from = original ? 'the animation' : word(main);
-    this.bar = {
-      title: 'Distance',
-      unit: `${word(sequences[first])} from ${from}, % of the diagonal`,
-      symbol: '%',
-      top,
-      now: nowWords(apart[0]!, '\u00a0%'),
-      ...besideOf(this.viewer.rects()[first]!),
-    };
+    const unit = `${word(sequences[first])} from ${from}, % of the diagonal`;
+    const views = [...frames.keys()].slice(first);
+    if (first === 1) this.viewer.setHeatColours(null, 0);
+    const reference = original ?? frames[0]!.positions;
+    this.showApart(frames, views, reference, diagonal, main, { kind: 'distance', unit });
+  }
+
+  /** Colours these views by how far each vertex is from the reference; returns the first one's distances. */
+  private showApart(
+    frames: readonly Frame[],
+    views: readonly number[],
+    reference: Float32Array,
+    diagonal: number,
+    { sequence }: RunningSequence,
+    { kind, unit }: { kind: 'difference' | 'distance'; unit: string },
+  ): Difference {
+    const apart = views.map((view) => differenceOf(frames[view]!.positions, reference, diagonal, this.values[view]));
+    const top = this.topOf(kind, sequence, Math.max(...apart.map(({ largest }) => largest)));
+    views.forEach((view, i) => {
+      const { percent } = apart[i]!;
+      this.values[view] = percent;
+      this.draw(view, percent, top);
+    });
+    const now = nowWords(apart[0]!, '\u00a0%');
+    const title = kind === 'difference' ? 'Difference' : 'Distance';
+    this.bar = { title, unit, symbol: '%', top, now, ...besideOf(this.viewer.rects()[views[0]!]!) };
+    return apart[0]!;
   }
 
   /** Colours every shape: by whichever method it is made, it is turned and stretched. */
@@ -162,9 +169,10 @@ export class HeatMap {
 }
 
 /** Index of the motion without a ghost that the first one is compared with, or -1. */
-function differing(sequences: readonly RunningSequence[], { ghostDifference }: View): number {
+function differing(sequences: readonly RunningSequence[], { ghostDifference, ghostSizes }: View): number {
   const [main] = sequences;
-  return ghostDifference ? sequences.findIndex((running) => main?.ghost && !running.ghost) : -1;
+  if (!main?.ghost || !(ghostDifference || ghostSizes)) return -1;
+  return sequences.findIndex(({ ghost, method }) => ghost === 0 && method === main.method);
 }
 
 function nowWords({ largest, mean }: { largest: number; mean: number }, unit: string): string {

@@ -78,11 +78,11 @@ const LIST: readonly Figure[] = [
   {
     number: '7',
     name: 'What a ghost costs',
-    state: 'sample=cactus&ghostFaces=500&ghostDifference=1&between=0,1&t=0.25&loop=bounce&play=1',
+    state: 'sample=cactus&ghostFaces=250&ghostSizes=1&between=0,1&t=0.25&loop=bounce&play=1',
     panel: 'shape',
     text: 'The paper colours a centaur by how far it is from the motion without a ghost, for four sizes of ghost.',
-    task: 'Choose other sizes of the ghost, and watch the largest difference at the colour bar.',
-    sentence: 'The difference falls as the ghost grows, there as here; one size is shown at a time.',
+    task: 'Drag the time, and compare the colours; then choose another size under Shape, Ghost mesh.',
+    sentence: 'The difference falls as the ghost grows, there as here: three sizes beside the motion without a ghost.',
   },
   {
     number: '8',

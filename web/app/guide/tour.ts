@@ -31,7 +31,8 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     title: 'What a shape is made of',
     state: 'sample=cactus&colour=patches&between=0,1&t=0&loop=bounce&play=1',
     text: 'The surface is cut into patches. Of each pair of neighbours only the rotation from one to the other is kept, and of each face how it turns and stretches in its patch. Nothing says where the shape stands.',
-    task: 'Turn the shape, and look at how far neighbouring colours turn against each other.',
+    panel: 'analysis',
+    task: 'Click the shape: under Analysis, Faces, see how that face turns and stretches in its patch.',
     sentence: 'Describe a shape by how neighbouring parts turn and stretch, and it no longer matters where it stands.',
     live: ({ faces, patches }) => `${grouped(faces)} faces in ${grouped(patches)} patches.`,
     formula: {

@@ -6,6 +6,7 @@ import type { AppState } from '../../model/state.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../../model/state.ts';
 import { playRange } from '../../model/frames.ts';
 import { OFF_CURVE, phaseOf, timeScale } from '../../model/time-scale.ts';
+import type { End } from '../../model/speeds.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { viridisGradient } from '../../plots/viridis.ts';
 import { createClockMenu } from '../../ui/clock-menu.ts';
@@ -63,6 +64,7 @@ export interface ComponentsInput {
   analysis: AnalysisPanel;
   ghostStudy: Later<void, GhostStudyPanel>;
   marking: Marking;
+  poseName(pose: number): string;
   /** An indefinite face of the shape on the screen. */
   indefiniteFace(): number;
   shortcuts: readonly ShortcutLine[];
@@ -121,7 +123,12 @@ export function createComponents(input: ComponentsInput): Components {
   const { commands, files, analysis, ghostStudy, layout } = input;
   const picker = createPicker('file-input', (picked) => void input.takeFiles.take(picked));
   const keyPicker = createPicker('key-file-input', (picked) => void files.addKeys(picked));
-  const dropZone = createDropZone((dropped, at) => void input.takeFiles.take(dropped, keyStrip.placeAt(at)));
+  let tangentOf: End = 'start';
+  const tangentPicker = createPicker('tangent-file-input', (picked) => void files.takeTangent(picked, tangentOf));
+  const dropZone = createDropZone((dropped, at) => {
+    const end = motionPanel.endAt(at);
+    void (end ? files.takeTangent(dropped, end) : input.takeFiles.take(dropped, keyStrip.placeAt(at)));
+  });
   const header = createHeader({
     onSample: (id) => void files.sample(id),
     onOwn: input.onOwn,
@@ -178,6 +185,10 @@ export function createComponents(input: ComponentsInput): Components {
       onMotion: commands.motion,
       onSpeed: commands.endSpeed,
       onEncoding: commands.encoding,
+      onTangentFile(end) {
+        tangentOf = end;
+        tangentPicker.open();
+      },
       onCompare: commands.compare,
       onTightness: commands.tightness,
       onAutoTightness: () => void commands.autoTightness().catch(input.onError),
@@ -248,6 +259,7 @@ export function createComponents(input: ComponentsInput): Components {
       dropZone.element,
       picker.element,
       keyPicker.element,
+      tangentPicker.element,
       input.toast,
     ],
   });
@@ -330,6 +342,7 @@ export function createComponents(input: ComponentsInput): Components {
       encoding: doc.encoding,
       compare: view.compare,
       keys: doc.keys,
+      poseName: input.poseName,
       tightness: tightness(doc),
       period: range[1] - range[0],
       disabled,

@@ -26,7 +26,7 @@ export interface FacesFigureEvents extends FigureEvents {
 
 export interface FacesFigure {
   element: HTMLElement;
-  /** The picture was clicked: while the figure is seen, the face there is shown; -1 for none. */
+  /** The picture was clicked: where the figure's panel is open, the face there is shown; -1 for none. */
   clicked(pick: () => number): void;
   /** The motions may be others. */
   refresh(): void;
@@ -92,10 +92,6 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
   );
   let face: number | null = null;
   let asked = 0;
-  let seen = false;
-  new IntersectionObserver(([entry]) => {
-    seen = entry?.isIntersecting ?? false;
-  }).observe(element);
 
   const load = async (): Promise<void> => {
     const of = input();
@@ -110,9 +106,11 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
     if (curve.patch < 0) return;
     const common = { times, keyTimes: of.keyTimes, range: of.range, dots: true };
     const degrees = (value: number): number => (180 / Math.PI) * value;
-    rotation.draw({ ...common, series: seriesOf(curve, 0, AXES, degrees), include: 0, leastSpan: 2 });
+    // Where ends or keys are shaped, the natural spline says what that does.
+    const free = curve.natural.some((value, index) => value !== curve.numbers[index]) ? curve.natural : null;
+    rotation.draw({ ...common, series: seriesOf(curve, free, 0, AXES, degrees), include: 0, leastSpan: 2 });
     const log = main.sequence.options.stretch === 'log';
-    stretch.draw({ ...common, series: seriesOf(curve, 3, STRETCHES), include: log ? 0 : 1, leastSpan: 0.04 });
+    stretch.draw({ ...common, series: seriesOf(curve, free, 3, STRETCHES), include: log ? 0 : 1, leastSpan: 0.04 });
     for (const one of [rotation, stretch]) one.setCursor(cursor);
   };
   const show = (next: number | null): void => {
@@ -130,9 +128,11 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
   return {
     element,
     clicked(pick) {
-      if (!seen) return;
+      if (!element.checkVisibility()) return;
       const picked = pick();
-      if (picked >= 0 || face !== null) show(picked >= 0 ? picked : null);
+      if (picked < 0 && face === null) return;
+      show(picked >= 0 ? picked : null);
+      if (picked >= 0) element.scrollIntoView({ block: 'nearest' });
     },
     refresh() {
       version += 1;
@@ -152,18 +152,20 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
   };
 }
 
-/** Three of the six numbers over time. */
+/** Three of the six numbers over time; those of the natural spline are drawn below them. */
 function seriesOf(
   { numbers }: FaceCurve,
+  natural: readonly number[] | null,
   first: number,
   names: readonly string[],
   as: (value: number) => number = (value) => value,
 ): LineChartData['series'] {
-  return names.map((label, k) => ({
-    label,
-    values: Array.from({ length: numbers.length / 6 }, (_, i) => as(numbers[6 * i + first + k]!)),
-    style: `axis-${k}`,
-  }));
+  const of = (list: readonly number[], k: number): number[] =>
+    Array.from({ length: list.length / 6 }, (_, i) => as(list[6 * i + first + k]!));
+  const under = natural
+    ? names.map((label, k) => ({ label: `${label} natural`, values: of(natural, k), style: `axis-${k} natural` }))
+    : [];
+  return [...under, ...names.map((label, k) => ({ label, values: of(numbers, k), style: `axis-${k}` }))];
 }
 
 function chart(
@@ -197,8 +199,10 @@ function chart(
       drawn = data;
       plot.draw({ ...data, title, unit });
       redrawn();
+      const own = data.series.filter(({ style }) => !style.includes('natural'));
       legend.replaceChildren(
-        ...data.series.map(({ label, style }) => h('span', {}, h('i', { class: `swatch ${style}` }), label)),
+        ...own.map(({ label, style }) => h('span', {}, h('i', { class: `swatch ${style}` }), label)),
+        ...(own.length < data.series.length ? [h('span', {}, h('i', { class: 'swatch natural' }), 'natural')] : []),
       );
     },
     setCursor: plot.setCursor,

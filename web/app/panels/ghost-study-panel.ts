@@ -70,7 +70,7 @@ export function createGhostStudyPanel({
   const run = async (): Promise<void> => {
     const poses = pool();
     if (!poses || abort) return;
-    const plan = sequencePlan(store.get().doc, []);
+    const plan = sequencePlan(store.get().doc);
     const [variant] = plan.variants;
     const own = new AbortController();
     abort = own;
@@ -213,7 +213,7 @@ export function createGhostStudyPanel({
       encoding: { ghostFaces, transfer, ...encoding },
       variants,
       ...rest
-    } = sequencePlan(doc, []);
+    } = sequencePlan(doc);
     return JSON.stringify([source, doc.motion.method, encoding, rest]);
   };
 

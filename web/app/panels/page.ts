@@ -128,6 +128,7 @@ export function createPage(parts: PageParts): Page {
       const { createGhostStudyPanel } = await import('./ghost-study-panel.ts');
       return createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onEnlarge, onError });
     }, onError),
+    poseName: (pose) => workspace.pool?.keys.info.names[pose] ?? '',
     indefiniteFace: () => viewState.get().indefiniteFace,
     shortcuts: shortcutLines(shortcuts),
     onGallery: parts.onGallery,

@@ -4,17 +4,23 @@ import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
 import type { EncodingOptions, Method, MotionOptions, SequenceOptions } from '../../engine/api/types.ts';
 import { listsOf } from '../../model/shaping.ts';
-import type { Doc } from '../../model/state.ts';
-import { ignoresHermite, isInLri, referenceKey } from '../../model/state.ts';
+import type { Doc, View } from '../../model/state.ts';
+import { DEFAULT_VIEW, ignoresHermite, isInLri, referenceKey } from '../../model/state.ts';
 
 type Encoding = Omit<EncodingOptions, ShapeName | 'precision'>;
 
 /** One of the motions that are shown side by side. */
 export interface Variant {
   method: Method;
-  /** Led by a ghost mesh, where the document has one. */
-  ghost: boolean;
+  /** Faces of the ghost mesh that leads it; 0 without one. */
+  ghost: number;
 }
+
+/** What of the view decides which motions run. */
+export type ShownMotions = Pick<View, 'compare' | 'ghostDifference' | 'ghostSizes'>;
+
+/** The ghost meshes that are set side by side, as multiples of the chosen one (Fig. 7). */
+const SIZES = [2, 4];
 
 /** One sequence is built per variant; they share everything else. */
 export interface SequencePlan {
@@ -28,13 +34,14 @@ export interface SequencePlan {
   variants: Variant[];
 }
 
-/** `difference` puts the motion without a ghost beside the first one, which has one. */
-export function sequencePlan(doc: Doc, compare: readonly Method[], difference = false): SequencePlan {
+/** Where a ghost leads, other sizes and the motion without one can stand beside it. */
+export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): SequencePlan {
   const { keys, motion, encoding } = doc;
   const { method, ...rest } = motion;
   const { referencePose: _, startTangentPose, endTangentPose, ...plain } = encoding;
   const hermite = motion.boundary === 'hermite';
-  const ghost = plain.ghostFaces > 0;
+  const ghost = plain.ghostFaces;
+  const sizes = ghost > 0 && isInLri(method) ? besides(ghost, shown) : [];
   return {
     order: keys.map((key) => key.pose),
     names: keys.map((key) => key.name),
@@ -45,15 +52,20 @@ export function sequencePlan(doc: Doc, compare: readonly Method[], difference = 
     motion: { ...rest, ...listsOf(keys.map((key) => key.shaping)), inPlace: false },
     variants: [
       { method, ghost },
-      ...(ghost && difference && isInLri(method) ? [{ method, ghost: false }] : []),
-      ...compare.filter((other) => other !== method).map((other) => ({ method: other, ghost })),
+      ...sizes.map((size) => ({ method, ghost: size })),
+      ...shown.compare.filter((other) => other !== method).map((other) => ({ method: other, ghost })),
     ],
   };
 }
 
+function besides(ghost: number, { ghostDifference, ghostSizes }: ShownMotions): number[] {
+  if (ghostSizes) return [...SIZES.map((times) => times * ghost), 0];
+  return ghostDifference ? [0] : [];
+}
+
 function encodingFor({ encoding }: SequencePlan, { ghost }: Variant): Encoding {
   const { ghostFaces, transfer, placement } = ENCODING_DEFAULTS;
-  return ghost ? encoding : { ...encoding, ghostFaces, transfer, placement };
+  return ghost > 0 ? { ...encoding, ghostFaces: ghost } : { ...encoding, ghostFaces, transfer, placement };
 }
 
 /** Variants with the same key are served by the same encodings and factorisations. */

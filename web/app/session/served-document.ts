@@ -1,6 +1,6 @@
 /** The document that the running sequences serve: an edit that is refused or cancelled is taken back to it. */
 import type { AppState, Doc } from '../../model/state.ts';
-import type { ShownMotions } from './state-changes.ts';
+import type { ShownMotions } from './sequence-plan.ts';
 import { showsOtherMotions } from './state-changes.ts';
 import type { Store } from './store.ts';
 
@@ -10,8 +10,8 @@ export class ServedDocument {
   constructor(private readonly store: Store) {}
 
   /** The sequences serve this state now. */
-  note({ doc, view: { compare, ghostDifference } }: AppState): void {
-    this.served = { doc, view: { compare, ghostDifference } };
+  note({ doc, view: { compare, ghostDifference, ghostSizes } }: AppState): void {
+    this.served = { doc, view: { compare, ghostDifference, ghostSizes } };
   }
 
   goBack(): void {

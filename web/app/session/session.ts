@@ -61,7 +61,7 @@ export function createSession({ onWorking, onServed, onError, onRestart }: Sessi
     range: () => motionRange(store.get().doc, workspace.range),
     serve() {
       const { doc, view } = store.get();
-      workspace.want(sequencePlan(doc, view.compare, view.ghostDifference));
+      workspace.want(sequencePlan(doc, view));
     },
     cancel() {
       workspace.cancel();

@@ -1,5 +1,6 @@
 /** What of the state has changed, as those tell it apart who follow it. */
 import type { AppState, View } from '../../model/state.ts';
+import type { ShownMotions } from './sequence-plan.ts';
 
 export interface StateChanges {
   /** Other sequences are needed, or the same ones refitted. */
@@ -15,8 +16,7 @@ export interface StateChanges {
   opened: boolean;
 }
 
-export type ShownMotions = Pick<View, 'compare' | 'ghostDifference'>;
-
+const MOTIONS = ['compare', 'ghostDifference', 'ghostSizes'] as const satisfies readonly (keyof ShownMotions)[];
 const LOOK = ['colouring', 'shading', 'wireframe', 'floor', 'split'] as const;
 const DRAWING = ['onion', 'film', 'colouring', 'ghostWire', 'ghostBeside'] as const;
 
@@ -35,5 +35,5 @@ export function changesBetween(before: AppState, after: AppState): StateChanges 
 }
 
 export function showsOtherMotions(view: ShownMotions, before: ShownMotions): boolean {
-  return view.compare !== before.compare || view.ghostDifference !== before.ghostDifference;
+  return MOTIONS.some((name) => view[name] !== before[name]);
 }

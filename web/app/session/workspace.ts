@@ -117,7 +117,7 @@ export class Workspace {
       const { info } = keys;
       const pool = new PosePool(keys);
       const doc = adjust(documentFromImport(info, pool), pool);
-      const set = await this.firstSet(pool, sequencePlan(doc, []), abort);
+      const set = await this.firstSet(pool, sequencePlan(doc), abort);
       if (this.current) leave();
       this.close();
       this.current = { info, set, pool, input, options };

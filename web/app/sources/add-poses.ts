@@ -1,8 +1,11 @@
-/** Poses of the open mesh, from files of their own, become keys. */
+/** Poses of the open mesh, from files of their own, become keys or tangents at the ends. */
 import type { Engine } from '../../engine/api/api.ts';
 import { modelName } from '../../engine/api/paths.ts';
 import { readPoses } from '../../engine/api/read-poses.ts';
-import { addKey, timesAt } from '../../model/edits.ts';
+import { addKey, setEncoding, timesAt } from '../../model/edits.ts';
+import { undoName } from '../../model/page-options.ts';
+import { TANGENT_NAME } from '../../model/speeds.ts';
+import type { End } from '../../model/speeds.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
@@ -14,23 +17,56 @@ export interface AddPosesParts {
   workspace: Workspace;
 }
 
+/** A pose of the pool and what it is called. */
+interface Pooled {
+  pose: number;
+  name: string;
+}
+
 /**
  * Adds all that the files hold before the key `place`, by default after the last one. Resolves to how many there were;
  * null where other files were opened meanwhile, or none are. Fails on another mesh.
  */
 export async function addPoses(
-  { engine, store, workspace }: AddPosesParts,
+  parts: AddPosesParts,
   files: readonly PickedFile[],
   place: number | null = null,
 ): Promise<number | null> {
-  const { pool } = workspace;
-  if (!pool) return null;
-  const poses = await readPoses(engine, await readFiles(files), pool.keys, workspace.options);
-  if (workspace.pool !== pool) return null;
-  const added = poses.map(({ name, positions }) => ({ name: modelName(name), pose: pool.add(name, positions) }));
-  store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => {
+  const added = await pooled(parts, files);
+  if (!added) return null;
+  parts.store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => {
     const times = timesAt(doc, place ?? doc.keys.length, added.length);
     return added.reduce((next, key, index) => addKey(next, { ...key, time: times[index]! }), doc);
   });
   return added.length;
+}
+
+/**
+ * The shape of a file gives the tangent at an end. Resolves to its name; null where other files were opened meanwhile,
+ * or none are. Fails on another mesh, and on several poses.
+ */
+export async function takeTangent(
+  parts: AddPosesParts,
+  files: readonly PickedFile[],
+  end: End,
+): Promise<string | null> {
+  const [shape] = (await pooled(parts, files, 1)) ?? [];
+  if (!shape) return null;
+  const change = { [TANGENT_NAME[end]]: shape.pose };
+  parts.store.edit(undoName(change), (doc) => setEncoding(doc, change));
+  return shape.name;
+}
+
+async function pooled(
+  { engine, workspace }: AddPosesParts,
+  files: readonly PickedFile[],
+  most = Infinity,
+): Promise<Pooled[] | null> {
+  const { pool } = workspace;
+  if (!pool) return null;
+  const poses = await readPoses(engine, await readFiles(files), pool.keys, workspace.options);
+  if (workspace.pool !== pool) return null;
+  if (poses.length > most)
+    throw new Error(`These files hold ${poses.length} poses, but a tangent is one shape. Choose a file with one pose.`);
+  return poses.map(({ name, positions }) => ({ name: modelName(name), pose: pool.add(modelName(name), positions) }));
 }

@@ -2,6 +2,7 @@
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.ts';
+import type { End } from '../../model/speeds.ts';
 import type { Doc, Source, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, EMPTY_STATE } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
@@ -9,7 +10,7 @@ import type { Orientation } from '../../ui/orientation.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Input, Workspace } from '../session/workspace.ts';
-import { addPoses } from './add-poses.ts';
+import { addPoses, takeTangent } from './add-poses.ts';
 import { readFiles } from './input-files.ts';
 import { Openings } from '../kept/openings.ts';
 import {
@@ -89,6 +90,8 @@ export interface OpenFiles {
   reorient(orientation: Orientation): Promise<boolean>;
   /** Adds the files' poses after the last key. */
   addKeys(files: PickedFile[]): Promise<void>;
+  /** The shape of a file gives the tangent at an end of the motion. */
+  takeTangent(files: PickedFile[] | Promise<PickedFile[]>, end: End): Promise<void>;
   readonly busy: boolean;
   /** Resolves when nothing is being opened. */
   idle(): Promise<void>;
@@ -190,6 +193,17 @@ export function createOpenFiles({
     return task.finally(() => running.delete(task));
   };
 
+  const poses = { engine, store, workspace };
+  const reading = async <T>(work: () => Promise<T>): Promise<T> => {
+    onStart();
+    onWorking({ stage: 'reading', fraction: 0 });
+    try {
+      return await work();
+    } finally {
+      onWorking(null);
+    }
+  };
+
   /** The files once more, lying as they were said to lie; what keys there are is asked anew. */
   const reread = (change: ImportOptions): Promise<boolean> => {
     const { up, unit, objects } = workspace.options;
@@ -276,15 +290,7 @@ export function createOpenFiles({
         return !signal.aborted && files.length > 0 && work(files);
       }),
     open: openFiles,
-    async addPoses(files, place) {
-      onStart();
-      onWorking({ stage: 'reading', fraction: 0 });
-      try {
-        return await addPoses({ engine, store, workspace }, files, place);
-      } finally {
-        onWorking(null);
-      }
-    },
+    addPoses: (files, place) => reading(() => addPoses(poses, files, place)),
     again: (left, how) => guarded(() => again(left, how?.quietly ? forgotten : undefined)),
     back: () => guarded(async () => stepTo(openings.before, (work) => openings.steppedBack(work))),
     forth: () => guarded(async () => stepTo(openings.after, (work) => openings.steppedForth(work))),
@@ -307,6 +313,14 @@ export function createOpenFiles({
       }),
     addKeys: async (files) => {
       await guarded(async () => (await opener.addPoses(files)) !== null);
+    },
+    takeTangent: async (files, end) => {
+      await guarded(async () => {
+        const given = await files;
+        const name = given.length > 0 ? await reading(() => takeTangent(poses, given, end)) : null;
+        if (name) say(end === 'start' ? `The motion leaves towards “${name}”.` : `The motion arrives from “${name}”.`);
+        return name !== null;
+      });
     },
     get busy() {
       return running.size > 0;

@@ -38,7 +38,16 @@ export interface Permalink {
   unfit: string[];
 }
 
-const FLAGS = ['wireframe', 'floor', 'onion', 'film', 'ghostWire', 'ghostBeside', 'ghostDifference'] as const;
+const FLAGS = [
+  'wireframe',
+  'floor',
+  'onion',
+  'film',
+  'ghostWire',
+  'ghostBeside',
+  'ghostDifference',
+  'ghostSizes',
+] as const;
 const MAX_KEYS = 256;
 const MAX_PART_TURNS = 1024;
 /** Of a camera: farther off nothing of a shape is seen. */

@@ -296,6 +296,8 @@ export interface MotionPace {
 /** The plane of the two leading principal components (Fig. 2b): 2 numbers per point. */
 export interface ShapePlane {
   keys: number[];
+  /** 2 numbers per tangent shape there is, that of the start first. */
+  tangents: number[];
   curve: number[];
   /** Of each point of the curve from the plane, as a share of the mean distance from one key to the next. */
   distance: number[];
@@ -327,6 +329,8 @@ export interface FaceCurve {
   numbers: number[];
   /** The same at the keys. */
   keys: number[];
+  /** As `numbers`, of the natural spline through the same keys. */
+  natural: number[];
 }
 
 export type ExportOptions = ValuesOf<typeof EXPORT>;
