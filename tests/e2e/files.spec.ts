@@ -243,3 +243,26 @@ test('a key with polygons is added however it would be cut by itself, and the fi
   await expect(app.by('up-axis-z')).toBeChecked();
   await app.expectNoProblems();
 });
+
+test('standing a shape up draws it where it rests, and undo lays it down again', async ({ app }) => {
+  const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
+  const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
+  await app.page.emulateMedia({ reducedMotion: 'no-preference' });
+  await app.open({ hash: '#sample=cactus&play=1' });
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.4)]);
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(2);
+  // The address names no sample any more, though the motion plays.
+  expect((await app.state()).play.playing).toBe(true);
+  await expect.poll(async () => app.page.url()).not.toContain('sample');
+  await app.setTime(0.5);
+  const height = async (): Promise<number | undefined> => (await app.positions())[7];
+  await expect.poll(height).toBeCloseTo(0, 2);
+  await app.by('stand-up').click();
+  await expect.poll(height).toBeCloseTo(1, 2);
+  await app.by('undo').click();
+  await expect.poll(height).toBeCloseTo(0, 2);
+  expect((await app.state()).doc.keys.map(({ name }) => name)).toEqual(['a', 'b']);
+  await app.by('redo').click();
+  await expect.poll(height).toBeCloseTo(1, 2);
+  await app.expectNoProblems();
+});

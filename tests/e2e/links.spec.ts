@@ -25,3 +25,9 @@ test('many frames between two keys of a link are counted, not listed', async ({ 
   await app.by('export').click();
   await expect(app.by('export-size')).toContainText('60,000,000,001');
 });
+
+test('a link to a sample that there is not says so, and shows another', async ({ app }) => {
+  await app.open({ hash: '#sample=nosuch' });
+  await expect(app.by('toast')).toContainText('There is no sample named “nosuch”.');
+  expect((await app.state()).source.kind).toBe('sample');
+});

@@ -81,6 +81,7 @@ export function startApp(root: HTMLElement): void {
         files,
         remembered,
         onSamples: (samples) => viewState.change({ samples, offline: !navigator.onLine }),
+        say: feedback.say,
         onGuide: (page) => guide.open(page),
         onStopped: notReopened.offer,
       },
@@ -302,7 +303,8 @@ function followState({ session, display, ways, applyLook, onEdit, onMoved, onOpe
     display.playback.follow(state, changed);
     if (changed.opened) onOpened();
     else if (changed.motions) onEdit();
-    if (!state.play.playing) ways.link.follow();
+    // Own files take the address of what was open before, whether they play or not.
+    if (!state.play.playing || changed.opened) ways.link.follow();
     if (!state.play.playing || changed.opened || changed.motions) ways.remembered.follow();
     redraw();
   });

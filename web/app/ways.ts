@@ -75,6 +75,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onError,
     samples: () => viewState.get().samples,
     onOpened,
+    onRead: session.serve,
     onWorking,
   });
   const animation = createAnimation({ engine, store, workspace, files, onWorking, onError });

@@ -251,7 +251,7 @@ export class Viewer {
 
   /** Whether anything of the shape is in the picture; true where none is drawn. A sample of the vertices tells. */
   seesShape(): boolean {
-    const [rect] = this.rects();
+    const [rect] = this.seen();
     const points = this.contents.sample(SAMPLED);
     if (!rect || points.length === 0) return true;
     const places = this.project(points);

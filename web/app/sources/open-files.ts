@@ -57,6 +57,8 @@ export interface OpenFilesParts {
   /** Something else is asked for: what went wrong before is of no interest. */
   onStart(): void;
   onOpened(opened: OpenedFiles): void;
+  /** The files were read anew for the same document: what is shown is to be made of them. */
+  onRead(): void;
   /** Of reading further poses; an import is told of by the workspace. */
   onWorking(working: Progress | null): void;
   onError(error: unknown): void;
@@ -126,6 +128,7 @@ export function createOpenFiles({
   say,
   onStart,
   onOpened,
+  onRead,
   onWorking,
   onError,
 }: OpenFilesParts): OpenFiles {
@@ -150,7 +153,7 @@ export function createOpenFiles({
     if (!opened) return false;
     const { info, doc } = opened;
     const goesOn = request.goesOn === true && doc === store.get().doc;
-    if (leaving && !goesOn) onLeft(leaving);
+    if (leaving) onLeft(leaving);
     const before = store.get();
     const view = left
       ? { ...DEFAULT_VIEW, ...left.state.view }
@@ -169,6 +172,7 @@ export function createOpenFiles({
     });
     if (goesOn) {
       store.set({ view });
+      onRead();
       return true;
     }
     const time =

@@ -19,6 +19,7 @@ export interface OpenFirstParts {
   files: OpenFiles;
   remembered: RememberedFiles;
   onSamples(samples: readonly Sample[]): void;
+  say(text: string): void;
   /** The link names a page of the guide. */
   onGuide(fragment: string): Promise<unknown>;
   /**
@@ -28,7 +29,7 @@ export interface OpenFirstParts {
 }
 
 export async function openFirst(
-  { files, remembered, onSamples, onGuide, onStopped }: OpenFirstParts,
+  { files, remembered, onSamples, say, onGuide, onStopped }: OpenFirstParts,
   fragment: string,
 ): Promise<void> {
   const named = readPermalink(fragment);
@@ -50,4 +51,6 @@ export async function openFirst(
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
   if (!first) throw new Error('This page has no samples. Open your own files.');
   await files.sample(first.id, first.id === link?.sample ? link : null);
+  if (named && named.sample !== first.id)
+    say(`There is no sample named “${named.sample}”. This is “${first.title}”; choose another under Samples.`);
 }
