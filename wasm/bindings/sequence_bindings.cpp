@@ -98,12 +98,8 @@ EXPORT const char* shapespline_measure(int handle, double t) {
 EXPORT const char* shapespline_plane(int handle, const char* request) {
   return callResult([&]() -> Result<Json> {
     const ShapePlane plane = sequenceOf(handle).shapePlane(timesIn(request));
-    return Json{{"keys", plane.keys},
-                {"tangents", plane.tangents},
-                {"curve", plane.curve},
-                {"distance", plane.distance},
-                {"weights", plane.weights},
-                {"explained", plane.explained}};
+    return Json{{"keys", plane.keys},         {"tangents", plane.tangents}, {"curve", plane.curve},
+                {"distance", plane.distance}, {"weights", plane.weights},   {"explained", plane.explained}};
   });
 }
 

@@ -11,7 +11,7 @@ namespace shapespline {
 
 /// Where the shapes of a sequence lie in the plane of the two leading principal components (Fig. 2b).
 struct ShapePlane {
-  std::vector<double> keys;   ///< 2J
+  std::vector<double> keys;  ///< 2J
   /// 2 values for each tangent shape there is, that of the start first.
   std::vector<double> tangents;
   std::vector<double> curve;  ///< 2 values for each of the asked times

@@ -370,7 +370,7 @@ export class SceneController {
 
 /** Beside a divider, a blend is called what those know it by who have never heard of it. */
 function titleOf({ method, ghost }: RunningSequence, split: boolean): string {
-  const title = METHOD_WORDS[method][split ? 'short' : 'label'];
+  const title = METHOD_WORDS[method][split || ghost > 0 ? 'short' : 'label'];
   return ghost > 0 ? `${title}, ghost mesh of ${ghost.toLocaleString('en')} faces` : title;
 }
 
