@@ -163,7 +163,7 @@ function seriesOf(
   const of = (list: readonly number[], k: number): number[] =>
     Array.from({ length: list.length / 6 }, (_, i) => as(list[6 * i + first + k]!));
   const under = natural
-    ? names.map((label, k) => ({ label: `${label} natural`, values: of(natural, k), style: `axis-${k} natural` }))
+    ? names.map((label, k) => ({ label: `${label} natural`, values: of(natural, k), style: `axis-${k} unshaped` }))
     : [];
   return [...under, ...names.map((label, k) => ({ label, values: of(numbers, k), style: `axis-${k}` }))];
 }
@@ -199,10 +199,10 @@ function chart(
       drawn = data;
       plot.draw({ ...data, title, unit });
       redrawn();
-      const own = data.series.filter(({ style }) => !style.includes('natural'));
+      const own = data.series.filter(({ style }) => !style.includes('unshaped'));
       legend.replaceChildren(
         ...own.map(({ label, style }) => h('span', {}, h('i', { class: `swatch ${style}` }), label)),
-        ...(own.length < data.series.length ? [h('span', {}, h('i', { class: 'swatch natural' }), 'natural')] : []),
+        ...(own.length < data.series.length ? [h('span', {}, h('i', { class: 'swatch unshaped' }), 'natural')] : []),
       );
     },
     setCursor: plot.setCursor,
