@@ -39,6 +39,8 @@ export function createKeyHandles(picture: SVGSVGElement, events: KeyHandleEvents
   const element = make('g', {});
   const handles: SVGGElement[] = [];
   let shown: Shown | null = null;
+  /** Where key presses have moved a key before it is drawn there: the next one goes on from it. */
+  let pressed: { key: number; along: number; value: number } | null = null;
 
   const where = (key: number): { along: number; value: number } => {
     const { state, times } = shown!;
@@ -55,8 +57,9 @@ export function createKeyHandles(picture: SVGSVGElement, events: KeyHandleEvents
     event.preventDefault();
     const scale = STEP * (event.shiftKey ? 10 : 1);
     const [sideways, up] = [shown.axes.x.domain, shown.axes.y.domain].map(([low, high]) => (high - low) * scale);
-    const { along, value } = where(key);
-    events.onMove(key, { along: along + by[0]! * sideways!, value: value + by[1]! * up! });
+    const { along, value } = pressed?.key === key ? pressed : where(key);
+    pressed = { key, along: along + by[0]! * sideways!, value: value + by[1]! * up! };
+    events.onMove(key, pressed);
   };
   const drag = (key: number, start: PointerEvent): void => {
     if (start.button !== 0 || !shown) return;
@@ -101,6 +104,7 @@ export function createKeyHandles(picture: SVGSVGElement, events: KeyHandleEvents
   return {
     element,
     update(state, times, points, axes, lit) {
+      pressed = null;
       shown = { state, times, axes };
       while (handles.length < points.length) element.append(handles[handles.push(create(handles.length)) - 1]!);
       while (handles.length > points.length) handles.pop()!.remove();
