@@ -50,6 +50,26 @@ test('each side shows its own motion, as much of it as the divider leaves', asyn
   await app.expectNoProblems();
 });
 
+test('a shape that its side does not show is out of view, unless the divider was drawn over it', async ({ app }) => {
+  await app.open({ hash: SPLIT });
+  const hint = app.by('fit-hint');
+  await expect(hint).toBeHidden();
+  await app.by('divider').press('End');
+  await app.settled();
+  await expect(hint).toBeHidden();
+  await app.open({ hash: SPLIT });
+  const { x, y, width, height } = (await app.by('viewport').boundingBox())!;
+  await app.page.mouse.move(x + 0.9 * width, y + 0.3 * height);
+  await app.page.mouse.down({ button: 'right' });
+  await app.page.mouse.move(x + 0.45 * width, y + 0.3 * height, { steps: 5 });
+  await app.page.mouse.up({ button: 'right' });
+  expect(await share(app)).toBeCloseTo(0.5, 6);
+  await expect(hint).toBeVisible();
+  await hint.click();
+  await expect(hint).toBeHidden();
+  await app.expectNoProblems();
+});
+
 test('is dragged by pointer and touch, and told to who cannot see it', async ({ app }) => {
   await app.open({ hash: SPLIT });
   const divider = app.by('divider');

@@ -106,6 +106,10 @@ describe('shape planes', () => {
       start: { handle: [2, 1], shape: null },
       end: { handle: [-1, 2], shape: [3, 9] },
     });
+    const both = { start: 'shape', end: 'shape' } as const;
+    const early = (await computeShapePlanes({ ...input, towards: both })).tangents!;
+    expect([early.start.shape, early.end.shape]).toEqual([[3, 9], null]);
+    expect(early.end.handle.every(Number.isFinite)).toBe(true);
     expect((await computeShapePlanes({ ...input, towards: null })).tangents).toBeNull();
   });
 });

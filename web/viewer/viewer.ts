@@ -251,9 +251,9 @@ export class Viewer {
 
   /** Whether anything of the shape is in the picture; true where none is drawn. A sample of the vertices tells. */
   seesShape(): boolean {
-    const [rect] = this.seen();
+    const rect = this.fittedRect();
     const points = this.contents.sample(SAMPLED);
-    if (!rect || points.length === 0) return true;
+    if (points.length === 0) return true;
     const places = this.project(points);
     for (let i = 0; i < places.length; i += 2) {
       const x = places[i]! - rect.x;
@@ -261,6 +261,13 @@ export class Viewer {
       if (x >= 0 && x <= rect.width && y >= 0 && y <= rect.height) return true;
     }
     return false;
+  }
+
+  /** Where the first shape is to be seen: not behind a divider, unless that hides even what is in the middle. */
+  private fittedRect(): Rect {
+    const [[whole], [side]] = [this.rects(), this.seen()] as [[Rect], [Rect]];
+    const middle = whole.x + whole.width / 2;
+    return side.x <= middle && middle <= side.x + side.width ? side : whole;
   }
 
   /** The parts of the page's picture that the views take, in CSS pixels. */

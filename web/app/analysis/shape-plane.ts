@@ -59,12 +59,14 @@ export function knownShapes({ keys, curve, weights }: ShapePlane): PlaneShapes {
 /** The handle of a cubic with slope m over a time h ends at its second Bézier point: h m / 3 from the first. */
 function tangentsOf({ keys, tangents }: ShapePlane, towards: Readonly<Record<End, Towards>>): Tangents {
   const at = (list: readonly number[], index: number): [number, number] => [list[2 * index]!, list[2 * index + 1]!];
+  // A motion that is still being built has none of them yet.
+  const shape = (index: number): [number, number] | null => (2 * index < tangents.length ? at(tangents, index) : null);
   const last = keys.length / 2 - 1;
-  const tangent = (key: number, neighbour: number, shape: [number, number] | null): Tangent => {
-    const [from, to] = [at(keys, key), shape ?? at(keys, neighbour)];
-    return { handle: [(to[0] - from[0]) / 3, (to[1] - from[1]) / 3], shape };
+  const tangent = (key: number, neighbour: number, towardsShape: [number, number] | null): Tangent => {
+    const [from, to] = [at(keys, key), towardsShape ?? at(keys, neighbour)];
+    return { handle: [(to[0] - from[0]) / 3, (to[1] - from[1]) / 3], shape: towardsShape };
   };
-  const start = towards.start === 'shape' ? at(tangents, 0) : null;
-  const end = towards.end === 'shape' ? at(tangents, start ? 1 : 0) : null;
+  const start = towards.start === 'shape' ? shape(0) : null;
+  const end = towards.end === 'shape' ? shape(start ? 1 : 0) : null;
   return { start: tangent(0, 1, start), end: tangent(last, last - 1, end) };
 }
