@@ -194,4 +194,15 @@ TEST_CASE("files that do not say which axis is up are hinted at where they stand
       "4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
   CHECK(!has(codes("a.off", upright)));
   CHECK(has(codes("a.off", "# Blender v4.5\n" + upright)));
+  // Four pointed feet under a leaning body: no flat base, but along y it would tip over.
+  const auto onFeet = [](bool zUp) {
+    const std::vector<Vec3> points = {{-1, -2, 0}, {1, -2, 0}, {1, 2, 0}, {-1, 2, 0}, {0, -3, 2}, {0, 3, 3.5}};
+    std::string text = "OFF\n6 8 0\n";
+    for (const Vec3& p : points)
+      text += std::to_string(p.x()) + ' ' + std::to_string(zUp ? p.y() : p.z()) + ' ' +
+              std::to_string(zUp ? p.z() : -p.y()) + '\n';
+    return text + "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 0 1 5\n3 1 2 5\n3 2 3 5\n3 3 0 5\n";
+  };
+  CHECK(has(codes("a.off", onFeet(true))));
+  CHECK(!has(codes("a.off", onFeet(false))));
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "core/base/format.h"
 #include "core/mesh/mesh.h"
@@ -55,6 +58,57 @@ std::array<double, 2> flatAreas(const Positions& positions, const std::vector<Tr
   return areas;
 }
 
+bool hasFlatBaseOnZ(const Positions& positions, const std::vector<Triangle>& faces) {
+  if (positions.empty()) return false;
+  double all = 0;
+  for (const Triangle& f : faces)
+    all += (positions[f[1]] - positions[f[0]]).cross(positions[f[2]] - positions[f[0]]).norm() / 2;
+  const auto alongZ = flatAreas(positions, faces, 2), alongY = flatAreas(positions, faces, 1);
+  // A flat base below, none above, and nothing like it along y.
+  return alongZ[0] > 0.002 * all && alongZ[0] > 4 * alongZ[1] && alongZ[0] > 4 * std::max(alongY[0], alongY[1]);
+}
+
+Vec3 centreOfArea(const Positions& positions, const std::vector<Triangle>& faces) {
+  Vec3 sum = Vec3::Zero();
+  double all = 0;
+  for (const Triangle& f : faces) {
+    const Vec3 &a = positions[f[0]], &b = positions[f[1]], &c = positions[f[2]];
+    const double area = (b - a).cross(c - a).norm();
+    sum += area * (a + b + c) / 3, all += area;
+  }
+  return all > 0 ? Vec3(sum / all) : positions[0];
+}
+
+// How far inside of what stands on the floor the centre lies, along `axis` as up, in widths; below 0 the shape tips
+// over.
+double footing(const Positions& positions, const Vec3& centre, int axis) {
+  constexpr int kDirections = 32;
+  constexpr double kFeet = 0.05;  // of the height
+  Vec3 least = positions[0], most = positions[0];
+  for (const Vec3& p : positions) least = least.cwiseMin(p), most = most.cwiseMax(p);
+  const Vec3 extent = most - least;
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  std::array<double, kDirections> reach;
+  reach.fill(-std::numeric_limits<double>::infinity());
+  for (const Vec3& p : positions) {
+    if (p[axis] > least[axis] + kFeet * extent[axis]) continue;
+    for (int k = 0; k < kDirections; ++k) {
+      const double angle = 2 * std::numbers::pi * k / kDirections;
+      reach[k] = std::max(reach[k], std::cos(angle) * (p[u] - centre[u]) + std::sin(angle) * (p[v] - centre[v]));
+    }
+  }
+  const double width = std::sqrt(extent[u] * extent[v]);
+  return width > 0 ? *std::min_element(reach.begin(), reach.end()) / width : 0;
+}
+
+// 1: stands along z and would tip over along y; -1: the other way round; 0: neither tells.
+int standsRather(const Positions& positions, const std::vector<Triangle>& faces) {
+  constexpr double kStable = 0.04;  // of the width
+  const Vec3 centre = centreOfArea(positions, faces);
+  const double y = footing(positions, centre, 1), z = footing(positions, centre, 2);
+  return z > kStable && y < 0 ? 1 : y > kStable && z < 0 ? -1 : 0;
+}
+
 }  // namespace
 
 void warnOfSamePoses(const FileFacts& facts, Import& import) {
@@ -72,14 +126,13 @@ void warnOfSamePoses(const FileFacts& facts, Import& import) {
   }
 }
 
-bool standsOnZ(const Positions& positions, const std::vector<Triangle>& faces) {
-  if (positions.empty()) return false;
-  double all = 0;
-  for (const Triangle& f : faces)
-    all += (positions[f[1]] - positions[f[0]]).cross(positions[f[2]] - positions[f[0]]).norm() / 2;
-  const auto alongZ = flatAreas(positions, faces, 2), alongY = flatAreas(positions, faces, 1);
-  // A flat base below, none above, and nothing like it along y.
-  return alongZ[0] > 0.002 * all && alongZ[0] > 4 * alongZ[1] && alongZ[0] > 4 * std::max(alongY[0], alongY[1]);
+bool standOnZ(const Keyframes& keyframes) {
+  if (keyframes.keys.empty()) return false;
+  if (hasFlatBaseOnZ(keyframes.keys[0].positions, keyframes.faces)) return true;
+  int votes = 0;
+  for (const Key& key : keyframes.keys)
+    if (!key.positions.empty()) votes += standsRather(key.positions, keyframes.faces);
+  return votes > 0;
 }
 
 Warning zUpWarning(const std::string& where, bool byBlender) {

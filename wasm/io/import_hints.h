@@ -18,8 +18,9 @@ struct FileFacts {
 /// Warns of neighbouring keys that are one pose: which, why that happens, and what to do.
 void warnOfSamePoses(const FileFacts& facts, Import& import);
 
-/// Whether a shape that is taken to have y up stands on a flat base or on feet along z.
-bool standsOnZ(const Positions& positions, const std::vector<Triangle>& faces);
+/// Whether poses that are taken to have y up seem to stand along z: the first one on a flat base, or more of them on
+/// feet that they would tip over from along y than the other way round.
+bool standOnZ(const Keyframes& keyframes);
 
 /// Of a PLY or OFF file that was read with y up. `byBlender`: the file says that it was written there.
 Warning zUpWarning(const std::string& where, bool byBlender);

@@ -90,8 +90,9 @@ Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedF
   PoseReader reader{files, options};
   auto mesh = reader.read(meshes[0], placeName(*meshes[0].file, 0, meshes.size()));
   if (!mesh) return atKey(mesh.error(), 0);
-  hintAtUpAxis(*mesh, meshes[0], options, std::string(baseName(meshes[0].file->name)), mesh->warnings);
+  const bool writtenZUp = mesh->writtenZUp;
   if (Status added = addPose(std::move(*mesh), "mesh", out, ""); !added) return added.error();
+  hintAtUpAxis(meshes[0].kind, writtenZUp, options, std::string(baseName(meshes[0].file->name)), out);
   const auto n = out.keyframes.vertexCount();
   const auto frame = [&](std::size_t index) -> Result<Positions> {
     const std::string where = placeName(*meshes[index].file, static_cast<int>(index), meshes.size());
@@ -134,8 +135,9 @@ Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, std::spa
                      " has " + grouped(static_cast<std::int64_t>(pose->positions.size())) +
                      " vertices. Export both from the same object, with the same modifiers."};
   Import out;
-  hintAtUpAxis(*pose, mesh, options, where, pose->warnings);
+  const bool writtenZUp = pose->writtenZUp;
   if (Status added = addPose(std::move(*pose), "mesh", out, where); !added) return added.error();
+  hintAtUpAxis(mesh.kind, writtenZUp, options, where, out);
   const Axes axes = axesOf(*cache, out.keyframes.keys[0].positions);
   const bool own = axes == Axes::Identity();
   const auto frame = [&](std::size_t index) -> Result<Positions> {

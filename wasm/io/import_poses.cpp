@@ -56,7 +56,7 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, std::span<const Na
   PoseReader reader{files, options};
   FileFacts facts{static_cast<int>(meshes.size()), 0, 0, areAll(meshes, FileKind::Gltf)};
   std::vector<AnimationInfo> animations;
-  std::vector<Warning> hints;
+  bool writtenZUp = false;
   for (std::size_t j = 0; j < meshes.size(); ++j) {
     const int key = static_cast<int>(j);
     const std::string where = placeName(*meshes[j].file, key, meshes.size());
@@ -70,13 +70,13 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, std::span<const Na
     facts.skinned += pose->skinned;
     facts.animated += !pose->animations.empty();
     if (j == 0) animations = std::move(pose->animations);
-    if (j == 0) hintAtUpAxis(*pose, meshes[j], options, std::string(baseName(meshes[j].file->name)), hints);
+    if (j == 0) writtenZUp = pose->writtenZUp;
     if (Status added = addPose(std::move(*pose), keyName(*meshes[j].file), out, where); !added) {
       if (options.objects.empty()) common = commonObjects(meshes, j, {files, options}, out.objects);
       return atKey(added.error(), key);
     }
   }
-  std::move(hints.begin(), hints.end(), std::back_inserter(out.warnings));
+  hintAtUpAxis(meshes[0].kind, writtenZUp, options, std::string(baseName(meshes[0].file->name)), out);
   setTimesInSeconds(out.keyframes);
   warnOfSamePoses(facts, out);
   // Where nothing moves, the keys can be taken from what the files hold besides.
@@ -119,11 +119,11 @@ Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string
   return {};
 }
 
-void hintAtUpAxis(const PoseFile& pose, const MeshFile& mesh, const ImportOptions& options, const std::string& where,
-                  std::vector<Warning>& warnings) {
-  const bool silent = mesh.kind == FileKind::Ply || mesh.kind == FileKind::Off;
-  if (silent && !options.zUp && (pose.writtenZUp || standsOnZ(pose.positions, pose.faces)))
-    warnings.push_back(zUpWarning(where, pose.writtenZUp));
+void hintAtUpAxis(FileKind kind, bool writtenZUp, const ImportOptions& options, const std::string& where,
+                  Import& import) {
+  const bool silent = kind == FileKind::Ply || kind == FileKind::Off;
+  if (silent && !options.zUp && (writtenZUp || standOnZ(import.keyframes)))
+    import.warnings.push_back(zUpWarning(where, writtenZUp));
 }
 
 void setTimesInSeconds(Keyframes& keyframes) {

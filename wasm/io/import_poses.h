@@ -27,9 +27,10 @@ Error atKey(Error error, int key);
 /// Errors: as KeyJoiner::add, with the objects where the pose has others than the first one.
 Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where);
 
-/// Warns where a file that does not say which axis is up seems to have Z up, and no axis was chosen.
-void hintAtUpAxis(const PoseFile& pose, const MeshFile& mesh, const ImportOptions& options, const std::string& where,
-                  std::vector<Warning>& warnings);
+/// Warns where keys of a format that does not say which axis is up seems to have Z up, and no axis was chosen.
+/// `writtenZUp`: the first file says so.
+void hintAtUpAxis(FileKind kind, bool writtenZUp, const ImportOptions& options, const std::string& where,
+                  Import& import);
 
 /// Poses say nothing of time: from one to the next it takes a second.
 void setTimesInSeconds(Keyframes& keyframes);
