@@ -31,3 +31,10 @@ test('a link to a sample that there is not says so, and shows another', async ({
   await expect(app.by('toast')).toContainText('There is no sample named “nosuch”.');
   expect((await app.state()).source.kind).toBe('sample');
 });
+
+test('a camera inside the shape is left out of a link, one beside it is kept', async ({ app }) => {
+  await app.open({ hash: '#sample=octopus&camera=0,0.9,0,0,1,0' });
+  await expect(app.by('toast')).toContainText('left out: camera.');
+  await app.open({ hash: '#sample=octopus&camera=0,0.9,9,0,1,0' });
+  expect((await app.state()).view.camera?.position).toEqual([0, 0.9, 9]);
+});

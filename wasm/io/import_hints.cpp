@@ -137,7 +137,7 @@ bool standOnZ(const Keyframes& keyframes) {
 
 Warning zUpWarning(const std::string& where, bool byBlender) {
   const std::string why = byBlender ? " was written by Blender, whose files of this kind have Z up."
-                                    : " does not say which axis is up, and seems to stand on its base along Z.";
+                                    : " does not say which axis is up, and its shapes seem to stand along Z.";
   return {"z-up",
           where + why + " If the shape lies on its back, choose Z as the up axis (on the command line, --up z).", 1};
 }

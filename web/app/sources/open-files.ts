@@ -14,6 +14,7 @@ import { addPoses, takeTangent } from './add-poses.ts';
 import { readFiles } from './input-files.ts';
 import { Openings } from '../kept/openings.ts';
 import {
+  isBuried,
   ofSample,
   openingPlay,
   openingTime,
@@ -155,14 +156,17 @@ export function createOpenFiles({
     const goesOn = request.goesOn === true && doc === store.get().doc;
     if (leaving) onLeft(leaving);
     const before = store.get();
-    const view = left
+    const wanted = left
       ? { ...DEFAULT_VIEW, ...left.state.view }
       : request.stays
         ? before.view
         : openingView(before.view, link);
+    const pool = workspace.pool!;
+    const buried = !!link && isBuried(wanted.camera, pool, info.faces);
+    const view = buried ? { ...wanted, camera: null } : wanted;
     onOpened({
       info,
-      pool: workspace.pool!,
+      pool,
       source,
       doc,
       initial,
@@ -183,7 +187,7 @@ export function createOpenFiles({
         ? before.play
         : openingPlay(opened, source, link, before.play, reducedMotion());
     store.reset({ source, project, doc, view, play, time }, left && 'history' in left ? left.history : undefined);
-    const unused = link && leftOut(link, doc);
+    const unused = link && leftOut(buried ? { ...link, unfit: [...link.unfit, 'camera'] } : link, doc);
     if (unused) say(unused);
     return true;
   };

@@ -2,6 +2,7 @@
 import { IMPORT } from '../../engine/api/option-table.ts';
 import { extensionOf, isModel } from '../../engine/api/paths.ts';
 import type { ImportOptions } from '../../engine/api/types.ts';
+import { isInside } from '../../model/camera.ts';
 import { setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
 import type { Doc, Play, Source, View } from '../../model/state.ts';
@@ -77,4 +78,11 @@ export function openingPlay(
   const playing = (link?.playing ?? true) && !reducedMotion;
   if (link) return { playing, speed, loop: link.loop ?? loop, between: link.between, fps: link.fps };
   return { playing, speed, loop, between: null, fps };
+}
+
+/** Whether a camera is inside of every pose, where nothing can be seen but the inner side of the shape. */
+export function isBuried(camera: View['camera'], pool: PosePool, faces: Uint32Array): boolean {
+  if (!camera) return false;
+  for (const positions of pool.poses()) if (!isInside(camera.position, positions, faces)) return false;
+  return true;
 }
