@@ -141,3 +141,14 @@ test('plays back and forth, in a loop, or once', async ({ app }) => {
   await expect.poll(async () => (await app.state()).play.playing).toBe(false);
   expect((await app.state()).time).toBe(1);
 });
+
+test('a press on the timeline shows no focus ring, the next key does', async ({ app }) => {
+  await app.open();
+  const slider = app.by('timeline');
+  const box = (await slider.locator('.track').boundingBox())!;
+  await app.page.mouse.click(box.x + box.width / 3, box.y + box.height / 2);
+  await expect(slider).toBeFocused();
+  await expect(slider).toHaveCSS('outline-style', 'none');
+  await app.page.keyboard.press('ArrowRight');
+  await expect(slider).toHaveCSS('outline-style', 'solid');
+});

@@ -1,7 +1,7 @@
 /** What is dragged between two motions of one shape; a slider for the keyboard and for who cannot see it. */
 import { h, setAttribute, setHidden, setStyle } from './dom.ts';
 import { icon } from './icons.ts';
-import { drag } from './pointer.ts';
+import { drag, focusPressed } from './pointer.ts';
 
 /** So much of either side always stays. */
 export const LEAST_SHARE = 0.02;
@@ -38,7 +38,7 @@ export function createDivider(onMove: (share: number) => void): {
         if (event.button !== 0 || !event.isPrimary) return;
         event.preventDefault();
         event.stopPropagation();
-        element.focus({ preventScroll: true });
+        focusPressed(element);
         const { left, width } = element.parentElement!.getBoundingClientRect();
         const grip = event.clientX - left - now * width;
         drag(element, event, { onMove: (to) => move((to.clientX - grip - left) / width) });

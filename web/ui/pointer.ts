@@ -85,3 +85,16 @@ export function listenToGestures(element: HTMLElement, { onZoom, onPan }: Gestur
   for (const end of ['pointerup', 'pointercancel'] as const)
     element.addEventListener(end, (event) => fingers.delete(event.pointerId));
 }
+
+/** Focus that follows a press: browsers take it for the keyboard's, so the ring waits for the first key. */
+export function focusPressed(element: HTMLElement): void {
+  element.classList.add('pressed');
+  element.focus({ preventScroll: true });
+  const ended = new AbortController();
+  const end = (): void => {
+    element.classList.remove('pressed');
+    ended.abort();
+  };
+  element.addEventListener('blur', end, { signal: ended.signal });
+  element.addEventListener('keydown', end, { signal: ended.signal });
+}

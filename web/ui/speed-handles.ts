@@ -8,7 +8,7 @@ import { length } from '../model/time-scale.ts';
 import type { End } from '../model/speeds.ts';
 import { DEFAULT_SPEED, MAX_SPEED, formatSpeed, offeredSpeed, steppedSpeed } from '../model/speeds.ts';
 import { fractionIn } from '../model/time-window.ts';
-import { drag } from './pointer.ts';
+import { drag, focusPressed } from './pointer.ts';
 
 /** Pixels of a handle at speed 1, where there is room. */
 const UNIT_PX = 40;
@@ -54,7 +54,7 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
   const pressed = (end: End, event: PointerEvent): void => {
     if (event.button !== 0 || !event.isPrimary) return;
     event.preventDefault();
-    (event.currentTarget as HTMLElement).focus({ preventScroll: true });
+    focusPressed(event.currentTarget as HTMLElement);
     const [from, pixels] = [speedOf(end), (end === 'start' ? 1 : -1) * unit()];
     drag(event.currentTarget as HTMLElement, event, {
       onMove: (moved) => set(end, offeredSpeed(from + (moved.clientX - event.clientX) / pixels)),

@@ -15,7 +15,7 @@ import { fractionIn, panned, revealing, ruler, timeIn, windowOf, zoomed } from '
 import { createLoopHandles } from './loop-handles.ts';
 import { createOverview } from './overview.ts';
 import { createPaceLane } from './pace-lane.ts';
-import { drag, listenToGestures } from './pointer.ts';
+import { drag, focusPressed, listenToGestures } from './pointer.ts';
 import type { SpeedHandlesProps } from './speed-handles.ts';
 import { createSpeedHandles } from './speed-handles.ts';
 import { createTimePeek } from './time-peek.ts';
@@ -152,7 +152,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
     )
       return;
     event.preventDefault();
-    slider.focus({ preventScroll: true });
+    focusPressed(slider);
     drag(slider, event, { onMove: seek });
     seek(event);
   });
@@ -169,7 +169,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const tickPressed = (index: number, event: PointerEvent): void => {
     if (!props || props.disabled || event.button !== 0 || !event.isPrimary) return;
     event.preventDefault();
-    slider.focus({ preventScroll: true });
+    focusPressed(slider);
     const startX = event.clientX;
     let moved = false;
     const { keys, fps } = props;
