@@ -244,6 +244,18 @@ test('a key with polygons is added however it would be cut by itself, and the fi
   await app.expectNoProblems();
 });
 
+test('real poses that stand along Z are offered to be stood up, and then stand', async ({ app }) => {
+  const cats = ['turns/cat/cat2.off', 'turns/cat/cat5.off', 'turns/cat/cat8.off'].map(realFile);
+  test.skip(cats.includes(null), 'the real files are not here');
+  await app.open();
+  await app.by('file-input').setInputFiles(cats as string[]);
+  const offer = app.page.getByRole('button', { name: 'Stand it up', exact: true });
+  await offer.click();
+  await expect(app.by('up-axis-z')).toBeChecked();
+  await expect(offer).toBeHidden();
+  await app.expectNoProblems();
+});
+
 test('standing a shape up draws it where it rests, and undo lays it down again', async ({ app }) => {
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
   const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });

@@ -8,6 +8,7 @@
 
 #include "core/base/format.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/triangle.h"
 
 namespace shapespline {
 
@@ -74,13 +75,12 @@ Vec3 centreOfArea(const Positions& positions, const std::vector<Triangle>& faces
   for (const Triangle& f : faces) {
     const Vec3 &a = positions[f[0]], &b = positions[f[1]], &c = positions[f[2]];
     const double area = (b - a).cross(c - a).norm();
-    sum += area * (a + b + c) / 3, all += area;
+    sum += area * centroidOf(positions, f), all += area;
   }
   return all > 0 ? Vec3(sum / all) : positions[0];
 }
 
-// How far inside of what stands on the floor the centre lies, along `axis` as up, in widths; below 0 the shape tips
-// over.
+// In widths, with `axis` up: how far the centre lies inside of what touches the floor. Below 0 the shape tips over.
 double footing(const Positions& positions, const Vec3& centre, int axis) {
   constexpr int kDirections = 32;
   constexpr double kFeet = 0.05;  // of the height

@@ -27,7 +27,7 @@ Error atKey(Error error, int key);
 /// Errors: as KeyJoiner::add, with the objects where the pose has others than the first one.
 Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where);
 
-/// Warns where keys of a format that does not say which axis is up seems to have Z up, and no axis was chosen.
+/// Warns where keys of a format that does not say which axis is up seem to have Z up, and no axis was chosen.
 /// `writtenZUp`: the first file says so.
 void hintAtUpAxis(FileKind kind, bool writtenZUp, const ImportOptions& options, const std::string& where,
                   Import& import);

@@ -88,6 +88,7 @@ export function listenToGestures(element: HTMLElement, { onZoom, onPan }: Gestur
 
 /** Focus that follows a press: browsers take it for the keyboard's, so the ring waits for the first key. */
 export function focusPressed(element: HTMLElement): void {
+  if (element.classList.contains('pressed')) return;
   element.classList.add('pressed');
   element.focus({ preventScroll: true });
   const ended = new AbortController();
