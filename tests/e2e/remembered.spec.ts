@@ -139,6 +139,19 @@ test('own files are remembered with all that was done to them, until the user sa
   await app.expectNoProblems();
 });
 
+test('changes that never pause are kept, and so is the last one before the page is left', async ({ app }) => {
+  await app.open();
+  await drop(app, BAR);
+  await isRemembered(app);
+  const began = Date.now();
+  for (let step = 1; Date.now() - began < 2500; step++) await app.setTime((step % 90) / 100);
+  expect(await keptTime(app.page, 'twisted-bar.glb')).toBeGreaterThan(0);
+  await app.by('boundary-hermite').check();
+  await app.page.reload();
+  await app.open();
+  expect((await app.state()).doc.motion.boundary).toBe('hermite');
+});
+
 test('what was open before comes back by undo, from the list, and with the next visit', async ({ app }) => {
   await app.open();
   const first = (await app.state()).source;

@@ -214,7 +214,10 @@ export function startApp(root: HTMLElement): void {
     store.hold(down);
     if (!down) frameLoop.settle();
   });
-  listenToLeaving(() => remembered.unsaved);
+  listenToLeaving(
+    () => remembered.unsaved,
+    () => remembered.flush(),
+  );
   listenToNetwork((offline) => viewState.change({ offline }));
   const ready = visit(location.hash).then(() => frameLoop.idle());
   ready.catch(feedback.onError);

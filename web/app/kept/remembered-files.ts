@@ -4,6 +4,7 @@
  */
 import type { InputFile } from '../../engine/api/types.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
+import type { AppState } from '../../model/state.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import {
@@ -32,6 +33,8 @@ export interface RememberedFiles {
   toggle(): Promise<void>;
   /** The state has changed. */
   follow(): void;
+  /** The page may be left: what waits to be written is noted where that takes no time, and then written. */
+  flush(): void;
   /** What earlier visits left, the last changed first. Nothing that goes wrong here keeps the page from starting. */
   recall(): Promise<readonly ProjectOnShelf[]>;
   /** Opens what is kept by `open`; a visit that ends meanwhile leaves a sign of it. */
@@ -45,9 +48,19 @@ interface News {
   forgotten: string;
 }
 
+/** The last state of a project, where the page was left before it was written to this version. */
+interface Note {
+  id: string;
+  version: number;
+  poses: number;
+  state: AppState;
+}
+
 /** What this visit knows of a project on the shelf. */
 interface Kept {
   version: number;
+  /** How many that are not of the files. */
+  poses: number;
   files: InputFile[];
   /** The state that is written, as text. */
   state: string;
@@ -55,8 +68,10 @@ interface Kept {
 
 /** A page that is left while it opens files has not been ended by them. */
 const LEFT = 'shapespline.left-while-opening';
+const NOTE = 'shapespline.last-state';
 /** Kept where the user wants no files to be kept. */
 const UNWANTED = 'shapespline.keep-no-files';
+/** After the first change that is not kept: further ones do not put it off. */
 const SAVE_DELAY_MS = 500;
 /** Another tab can hold a browser's storage for any time: the page starts without it then. */
 const RECALL_MS = 10_000;
@@ -85,6 +100,8 @@ export function createRememberedFiles({
   const dropped = new Set<string>();
   let shelf: readonly ProjectOnShelf[] = [];
   let timer = 0;
+  /** The project that is written when the time is up. */
+  let waiting: string | null = null;
   let saving: Promise<void> = Promise.resolve();
   let told = false;
   /** What was opened or written last: the next visit starts with it. */
@@ -92,6 +109,7 @@ export function createRememberedFiles({
 
   const own = (): string | null => store.get().project;
   const isKept = (): boolean => kept.has(own() ?? '');
+  const added = (): number => (workspace.pool ? workspace.pool.count - workspace.pool.imported : 0);
   let shown: { remembered: boolean; shelf: readonly ProjectOnShelf[] } | null = null;
   const changed = (): void => {
     const remembered = isKept();
@@ -130,7 +148,7 @@ export function createRememberedFiles({
       if (before.state === text && newest === id) return;
       const version = await updateProject(id, before.version, { options, poses, state });
       if (version !== null) {
-        kept.set(id, { version, files, state: text });
+        kept.set(id, { version, poses: poses.length, files, state: text });
         newest = id;
       } else if (!dropped.has(id)) {
         kept.delete(id);
@@ -143,7 +161,7 @@ export function createRememberedFiles({
     }
     const version = await keepProject(id, { files, options, poses, state });
     if (dropped.has(id)) return forgetProject(id);
-    kept.set(id, { version, files, state: text });
+    kept.set(id, { version, poses: poses.length, files, state: text });
     newest = id;
     await readList();
   };
@@ -170,6 +188,7 @@ export function createRememberedFiles({
   const forget = async (id: string): Promise<void> => {
     giveUp(id);
     writeSetting(UNWANTED, 'yes');
+    writeSetting(NOTE, null);
     await saving;
     await forgetProject(id);
     tabs?.postMessage({ forgotten: id } satisfies News);
@@ -183,6 +202,19 @@ export function createRememberedFiles({
     if (kept.has(id)) say('Remembered on this computer: the next visit starts with these files.');
   };
 
+  const keep = (id: string): void => {
+    timer = 0;
+    void inTurn(id, NOT_WRITTEN).then(() => {
+      if (told || !kept.has(id)) return;
+      told = true;
+      window.setTimeout(say, TELL_DELAY_MS, KEPT);
+    });
+  };
+  const stopWaiting = (): void => {
+    window.clearTimeout(timer);
+    timer = 0;
+  };
+
   return {
     async toggle() {
       const id = own();
@@ -191,15 +223,21 @@ export function createRememberedFiles({
     follow() {
       const id = own();
       changed();
-      window.clearTimeout(timer);
-      if (id === null || dropped.has(id) || !wanted()) return;
-      timer = window.setTimeout(() => {
-        void inTurn(id, NOT_WRITTEN).then(() => {
-          if (told || !kept.has(id)) return;
-          told = true;
-          window.setTimeout(say, TELL_DELAY_MS, KEPT);
-        });
-      }, SAVE_DELAY_MS);
+      if (id !== waiting) stopWaiting();
+      if (timer || id === null || dropped.has(id) || !wanted()) return;
+      waiting = id;
+      timer = window.setTimeout(keep, SAVE_DELAY_MS, id);
+    },
+    flush() {
+      if (!timer || waiting === null) return;
+      stopWaiting();
+      const state = store.get();
+      const before = kept.get(waiting);
+      if (before && state.project === waiting && before.poses === added()) {
+        const { version, poses } = before;
+        writeSetting(NOTE, JSON.stringify({ id: waiting, version, poses, state } satisfies Note));
+      }
+      keep(waiting);
     },
     async recall() {
       const setAside = await within(RECALL_MS, readList()).catch(() => 0);
@@ -219,11 +257,13 @@ export function createRememberedFiles({
       await markOpening(id, true).catch(() => undefined);
       dropped.delete(id);
       const { files } = remembered;
-      kept.set(id, { version, files, state: '' });
+      const poses = remembered.poses.length;
+      kept.set(id, { version, poses, files, state: '' });
       told = true;
-      const opened = await open({ ...remembered, state: { ...remembered.state, project: id } });
+      const last = noted(id, version, poses);
+      const opened = await open({ ...remembered, state: { ...(last ?? remembered.state), project: id } });
       if (opened) {
-        kept.set(id, { version, files, state: JSON.stringify(store.get()) });
+        kept.set(id, { version, poses, files, state: last ? '' : JSON.stringify(store.get()) });
         newest = id;
       }
       await markOpening(id, false).catch(() => undefined);
@@ -235,11 +275,21 @@ export function createRememberedFiles({
       const { source, doc } = store.get();
       const { pool } = workspace;
       const edited = store.history().past.length > 0;
-      if (source.kind === 'files') return edited && !isKept();
+      if (source.kind === 'files') return isKept() ? added() > kept.get(own()!)!.poses : edited;
       // A link holds all of a sample but the poses that were added.
       return pool !== null && doc.keys.some(({ pose }) => pose >= pool.imported);
     },
   };
+}
+
+/** What the last visit noted of a project as it was left, unless it was written after all. */
+function noted(id: string, version: number, poses: number): AppState | null {
+  try {
+    const note = JSON.parse(readSetting(NOTE) ?? 'null') as Note | null;
+    return note?.id === id && note.version === version && note.poses === poses ? note.state : null;
+  } catch {
+    return null;
+  }
 }
 
 function within<T>(ms: number, work: Promise<T>): Promise<T | null> {

@@ -8,10 +8,14 @@ export function listenToPointer(onHold: (down: boolean) => void): void {
   }
 }
 
-/** The browser asks before the page is left where that would lose something. */
-export function listenToLeaving(loses: () => boolean): void {
+/** The browser asks before the page is left where that would lose something; a phone only hides it. */
+export function listenToLeaving(loses: () => boolean, onLeaving: () => void): void {
   window.addEventListener('beforeunload', (event) => {
+    onLeaving();
     if (loses()) event.preventDefault();
+  });
+  document.addEventListener('visibilitychange', () => {
+    if (document.hidden) onLeaving();
   });
 }
 
