@@ -11,6 +11,9 @@ inline constexpr double degenerateFlatness = 1e-6;
 
 bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// Of the angle between two sides.
+inline double cotangent(const Vec3& u, const Vec3& v) { return u.dot(v) / u.cross(v).norm(); }
+
 inline Vec3 centroidOf(const Positions& p, const Triangle& f) { return (p[f[0]] + p[f[1]] + p[f[2]]) / 3; }
 
 }  // namespace shapespline

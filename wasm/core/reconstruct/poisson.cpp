@@ -8,6 +8,7 @@
 
 #include "core/base/compressed_rows.h"
 #include "core/base/sort_indices.h"
+#include "core/mesh/triangle.h"
 
 namespace shapespline {
 
@@ -66,7 +67,7 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
   sorter.allocate();
   eachSide(partOf(onProgress, 0.3, 0.6), [&](int apex, int i, int j) {
     const Vec3 u = reference[i] - reference[apex], v = reference[j] - reference[apex];
-    const double weight = u.dot(v) / u.cross(v).norm() / 2;  // half the cotangent of the angle opposite edge ij
+    const double weight = cotangent(u, v) / 2;  // of the angle opposite edge ij
     const int a = result.unknown[i], b = result.unknown[j];
     if (a >= 0) diagonal[a] += weight;
     if (b >= 0) diagonal[b] += weight;

@@ -250,6 +250,18 @@ void EncodedShape::framesAt(const CurvePoint& point, const PatchTurns& turns, Fr
   else patches_->at(point, turns, scratch.patches, frames);
 }
 
+HoldInput EncodedShape::holdInput() const {
+  return withReconstructor([&]<class Real>(const Reconstructor<Real>& r) {
+    const LriCoordinates<Real>& lri = r.coordinates();
+    const FramePoses frames = framePoses();
+    return HoldInput{{*shape_, frames.ofFace, lri.places, lri.loose},
+                     patchOfFace_,
+                     frames.rotation,
+                     lri.meanPosition,
+                     std::is_same_v<Real, float> ? Precision::Single : Precision::Double};
+  });
+}
+
 const std::vector<Vec3>& EncodedShape::meanPosition() const {
   return withReconstructor([](const auto& r) -> const std::vector<Vec3>& { return r.coordinates().meanPosition; });
 }

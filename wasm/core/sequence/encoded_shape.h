@@ -10,6 +10,7 @@
 
 #include "core/base/warning.h"
 #include "core/ghost/ghost_motion.h"
+#include "core/hold/held_motion.h"
 #include "core/mesh/vertex_normals.h"
 #include "core/patches/patch_motion.h"
 #include "core/reconstruct/reconstruct.h"
@@ -64,6 +65,9 @@ class EncodedShape {
   decltype(auto) withReconstructor(const Visit& visit) const {
     return std::visit(visit, *reconstructor_);
   }
+
+  /// What a motion that holds what rests is made of (hold/held_motion.h).
+  HoldInput holdInput() const;
 
   const std::vector<Vec3>& meanPosition() const;              ///< one per column
   const std::vector<int>& placeOf() const;                    ///< reconstruct.h

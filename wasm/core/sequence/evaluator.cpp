@@ -24,11 +24,46 @@ void blendVertices(const WeldedShape& shape, const CurvePoint& point, Positions&
     for (std::size_t v = 0; v < out.size(); ++v) out[v] += w.column[c] * shape.poses[c][v];
 }
 
+// Welded vertices as HeldMotion reads and writes them; `loop`: what they are moved by meanwhile.
+struct PlacesView {
+  std::vector<float>& places;
+  const std::vector<int>& placeOf;
+  Vec3 move, loop;
+
+  Vec3 at(std::size_t v) const {
+    const float* p = &places[4 * static_cast<std::size_t>(placeOf[v])];
+    return Vec3(p[0], p[1], p[2]) + move + loop;
+  }
+  void set(std::size_t v, const Vec3& position) {
+    float* p = &places[4 * static_cast<std::size_t>(placeOf[v])];
+    for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(position[k] - loop[k] - move[k]);
+  }
+};
+
+struct PositionsView {
+  Positions& positions;
+  Vec3 loop;
+
+  Vec3 at(std::size_t v) const { return positions[v] + loop; }
+  void set(std::size_t v, const Vec3& position) { positions[v] = position - loop; }
+};
+
 }  // namespace
+
+// frames_ are those of the shape.
+template <class Shape>
+void Evaluator::hold(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
+                     Shape shape) {
+  const Vec3 mean = shapespline::blend(encoded.meanPosition(), poseWeights(point, encoded.shape().roles()));
+  motion.held()->apply(motion.curve().wrap(t).time, frames_.rotation, mean + shape.loop, shape, heldScratch_,
+                       forkJoin_);
+}
 
 void Evaluator::frame(const EncodedShape& encoded, const Motion& motion, double t, Frame& frame) {
   const CurvePoint point = pointAt(motion, t);
-  fill(encoded, motion, point, motion.globalMotion(encoded, t, point), frame);
+  reconstruct(encoded, motion, point, frame);
+  holdPlaced(encoded, motion, t, point, placed_);
+  draw(encoded, motion.globalMotion(encoded, t, point), frame);
 }
 
 void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& blend,
@@ -37,16 +72,25 @@ void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const s
   assert(blend.size() == static_cast<std::size_t>(columns.keys));
   Weights weights = Weights::Zero(columns.count());
   weights.head(columns.keys) = Eigen::Map<const Eigen::VectorXd>(blend.data(), columns.keys);
-  fill(encoded, motion, blendedPoint(weights, columns), {}, frame);
+  reconstruct(encoded, motion, blendedPoint(weights, columns), frame);
+  draw(encoded, {}, frame);
 }
 
-void Evaluator::fill(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
-                     const RigidMotion& global, Frame& frame) {
+// Leaves the shape in `placed_`.
+void Evaluator::reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Frame& frame) {
   const Reconstruction found = place(encoded, motion, point, placed_, forkJoin_);
   stats_.facesMs = found.facesMs, stats_.solveMs = found.solveMs, stats_.placeMs = found.placeMs;
   frame.indefiniteFaces = found.indefiniteFaces;
   frame.indefiniteFace = found.indefiniteFaces > 0 ? encoded.input().inputFaceOf[found.indefiniteFace] : -1;
-  draw(encoded, global, frame);
+}
+
+void Evaluator::holdPlaced(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
+                           PlacedShape<float>& placed) {
+  if (!motion.held()) return;
+  Stopwatch watch;
+  hold(encoded, motion, t, point,
+       PlacesView{placed.places, encoded.placeOf(), placed.move, motion.loopMove(encoded, point)});
+  stats_.placeMs += watch.lap();
 }
 
 // Leaves the shape in `placed`.
@@ -89,6 +133,7 @@ void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, dou
     encoded.framesAt(point, motion.turns(), framesScratch_, frames_);
     encoded.withReconstructor([&](const auto& r) { r.reconstruct(point, frames_, scratch(r), welded_); });
   }
+  if (motion.held()) hold(encoded, motion, t, point, PositionsView{welded_, motion.loopMove(encoded, point)});
   const RigidMotion global = motion.globalMotion(encoded, t, point);
   if (moves(global))
     for (Vec3& p : welded_) p = global(p);
@@ -111,6 +156,7 @@ void Evaluator::preview(const EncodedShape& encoded, const Motion& motion, const
   frame.indefiniteFace = -1;
   stats_.framesMs = stats_.facesMs = stats_.solveMs = stats_.placeMs = 0;
   embed(encoded, motion, embedding, point, placed_);
+  holdPlaced(encoded, motion, t, point, placed_);
   draw(encoded, motion.globalMotion(encoded, t, point), frame);
 }
 
@@ -120,8 +166,10 @@ PreviewError Evaluator::previewError(const EncodedShape& encoded, const Motion& 
   PlacedShape<float> exact, about;
   const double framesMs = stats_.framesMs;  // of the last frame
   place(encoded, motion, point, exact, nullptr);
+  holdPlaced(encoded, motion, t, point, exact);
   stats_.framesMs = framesMs;
   embed(encoded, motion, embedding, point, about);
+  holdPlaced(encoded, motion, t, point, about);
   const auto at = [](const PlacedShape<float>& shape, int place) -> Vec3 {
     const float* p = &shape.places[4 * static_cast<std::size_t>(place)];
     return Vec3(p[0], p[1], p[2]) + shape.move;
@@ -162,11 +210,25 @@ void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double 
   const CurvePoint point = pointAt(motion, t);
   if (motion.blendsVertices()) blendVertices(ghost.shape(), point, welded_);
   else ghost.positions(point, motion.turns(), framesScratch_.ghost, welded_);
+  if (motion.held()) moveGhost(encoded, motion, t, point);
   stats_.ghostMs = watch.lap();
   const RigidMotion global = motion.globalMotion(encoded, t, point);
   positions.clear();
   for (const Vec3& p : welded_)
     for (const double x : global(p)) positions.push_back(static_cast<float>(x));
+}
+
+// The ghost in `welded_` goes with the vertices that it collapsed to.
+void Evaluator::moveGhost(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point) {
+  PlacedShape<float> shape;
+  place(encoded, motion, point, shape, nullptr);
+  PlacedShape<float> held = shape;
+  holdPlaced(encoded, motion, t, point, held);
+  const std::vector<int>& vertexOf = encoded.ghostMotion()->mesh().vertexOf;
+  for (std::size_t v = 0; v < welded_.size(); ++v) {
+    const std::size_t at = 4 * static_cast<std::size_t>(encoded.placeOf()[vertexOf[v]]);
+    for (int k = 0; k < 3; ++k) welded_[v][k] += held.places[at + k] - shape.places[at + k];
+  }
 }
 
 void Evaluator::patchRotations(const EncodedShape& encoded, const Motion& motion, double t,

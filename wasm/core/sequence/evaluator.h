@@ -59,10 +59,14 @@ class Evaluator {
   Reconstruction place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
                        PlacedShape<float>& placed, ForkJoin* forkJoin);
   Reconstruction placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed);
+  template <class Shape>
+  void hold(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point, Shape shape);
+  void holdPlaced(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
+                  PlacedShape<float>& placed);
+  void moveGhost(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point);
   void embed(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding,
              const CurvePoint& point, PlacedShape<float>& placed);
-  void fill(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, const RigidMotion& global,
-            Frame& frame);
+  void reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Frame& frame);
   void draw(const EncodedShape& encoded, const RigidMotion& global, Frame& frame);
   Reconstructor<float>::Scratch& scratch(const Reconstructor<float>&) { return single_; }
   Reconstructor<double>::Scratch& scratch(const Reconstructor<double>&) { return double_; }
@@ -74,6 +78,7 @@ class Evaluator {
   Reconstructor<float>::Scratch single_;
   Reconstructor<double>::Scratch double_;
   PreviewEmbedding::Scratch embeddingScratch_;
+  HeldMotion::Scratch heldScratch_;
   VertexNormals::Scratch normalsScratch_;
   PlacedShape<float> placed_;
   PlacedShape<double> placedDouble_;

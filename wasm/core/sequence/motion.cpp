@@ -42,7 +42,8 @@ CurveOptions curveOptions(const WeldedShape& shape, const MotionOptions& o) {
 
 }  // namespace
 
-Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyTimes, const MotionOptions& options) {
+Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyTimes, const MotionOptions& options,
+                           const Motion* before) {
   const WeldedShape& shape = encoded.shape();
   if (Status status = validateTimes(keyTimes, shape.keys); !status) return status.error();
   if (Status status = checkTurns(options.turns, shape.keys, encoded.componentCount()); !status) return status.error();
@@ -50,6 +51,11 @@ Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyT
   if (!curve) return curve.error();
   Motion motion(std::move(*curve), std::move(keyTimes), options);
   motion.turns_ = encoded.turnsOfPatches(options.turns);
+  if (options.hold != Hold::Off && options.method == Method::Lri && shape.keys > 2) {
+    auto held = HeldMotion::create(encoded.holdInput(), motion.curve_, options.hold, before ? before->held() : nullptr);
+    if (!held) return held.error();
+    motion.held_ = std::move(*held);
+  }
   motion.collectWarnings(encoded);
   return motion;
 }
@@ -80,21 +86,29 @@ void Motion::collectWarnings(const EncodedShape& encoded) {
   warnings_.insert(warnings_.begin(), encoded.warnings().begin(), encoded.warnings().end());
 }
 
+Vec3 Motion::loopMove(const EncodedShape& encoded, const CurvePoint& point) const {
+  Vec3 move = Vec3::Zero();
+  if (!curve_.closesOnLastKey()) return move;
+  const std::vector<Vec3>& mean = encoded.meanPosition();
+  for (const KeyWeight& k : point.unrolled)
+    if (k.period != 0) move += k.weight * (encoded.shape().closing->power(k.period)(mean[k.key]) - mean[k.key]);
+  return move;
+}
+
 // Every period of a loop that ends elsewhere is one more of the rigid motion that takes the first key to the last; so
 // are the keys of other periods that the curve feels.
 RigidMotion Motion::globalMotion(const EncodedShape& encoded, double t, const CurvePoint& point) const {
-  RigidMotion global;
-  const std::vector<Vec3>& mean = encoded.meanPosition();
   if (curve_.closesOnLastKey()) {
     const RigidMotion& closing = *encoded.shape().closing;
-    for (const KeyWeight& k : point.unrolled)
-      if (k.period != 0) global.translation += k.weight * (closing.power(k.period)(mean[k.key]) - mean[k.key]);
+    const Vec3 move = loopMove(encoded, point);
     double exponent = curve_.wrap(t).periods;
     if (options_.inPlace) exponent -= (t - curve_.start()) / (curve_.end() - curve_.start());
     const RigidMotion further = closing.power(exponent);
-    return {further.rotation, further(global.translation)};
+    return {further.rotation, further(move)};
   }
+  RigidMotion global;
   if (options_.inPlace && !curve_.periodic()) {
+    const std::vector<Vec3>& mean = encoded.meanPosition();
     const double span = times_.back() - times_.front();
     global.translation -= (t - times_.front()) / span * (mean[encoded.shape().keys - 1] - mean[0]);
   }

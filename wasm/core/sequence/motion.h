@@ -1,6 +1,7 @@
-// A motion through an encoded shape's keys: what time means. Made in microseconds.
+// A motion through an encoded shape's keys: what time means. Made in microseconds, but for what it holds.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,8 +17,10 @@ namespace shapespline {
 /// The curve through the keys at their times, what turns are added, and how the whole is moved along. Immutable.
 class Motion {
  public:
-  /// Errors: InvalidOption, NotFinite, TimesNotIncreasing, TimeCountMismatch.
-  static Result<Motion> fit(const EncodedShape& encoded, std::vector<double> keyTimes, const MotionOptions& options);
+  /// Errors: InvalidOption, NotFinite, TimesNotIncreasing, TimeCountMismatch, and those of the solver.
+  /// before: another motion of the same shape, which what is costly is taken from; or null.
+  static Result<Motion> fit(const EncodedShape& encoded, std::vector<double> keyTimes, const MotionOptions& options,
+                            const Motion* before = nullptr);
 
   const MotionOptions& options() const { return options_; }
   const std::vector<double>& keyTimes() const { return times_; }
@@ -40,6 +43,11 @@ class Motion {
   /// Whether every vertex moves on its own: the baselines.
   bool blendsVertices() const { return options_.method == Method::Linear || options_.method == Method::CubicVertex; }
 
+  /// What shapes are corrected by, or null.
+  const HeldMotion* held() const { return held_.get(); }
+  /// Where the mean of a loop's vertices is that ends elsewhere, against the mean of its keys' blend.
+  Vec3 loopMove(const EncodedShape& encoded, const CurvePoint& point) const;
+
   /// Those of the encoded shape, and what this motion's keys leave open.
   const std::vector<Warning>& warnings() const { return warnings_; }
 
@@ -52,6 +60,7 @@ class Motion {
   std::vector<double> times_;
   MotionOptions options_;
   PatchTurns turns_;
+  std::shared_ptr<const HeldMotion> held_;
   std::vector<Warning> warnings_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/base/precision.h"
 #include "core/base/types.h"
+#include "core/hold/held_motion.h"
 #include "core/lri/face_frame.h"
 #include "core/lri/lri.h"
 #include "core/spline/rotation_spline.h"
@@ -33,7 +34,8 @@ struct MotionOptions {
   /// from the key before, from 0 to -1 to that to the key after (at an end key to the only one).
   std::vector<double> bias;
   std::vector<AddedTurns> turns;
-  bool inPlace = false;  ///< take out the translation that accumulates along the sequence
+  Hold hold = Hold::Off;  ///< with Method::Lri and three keys or more
+  bool inPlace = false;   ///< take out the translation that accumulates along the sequence
 };
 
 /// Choices that change the encoding: a new sequence is built for them.

@@ -40,7 +40,7 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
 }
 
 Status Sequence::update(const MotionOptions& options, const std::vector<double>& keyTimes) {
-  auto motion = Motion::fit(encoded_, keyTimes, options);
+  auto motion = Motion::fit(encoded_, keyTimes, options, &motion_);
   if (!motion) return motion.error();
   motion_ = std::move(*motion);
   return {};

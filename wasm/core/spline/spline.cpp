@@ -288,6 +288,27 @@ CurvePoint Curve::at(double t) const {
   return point;
 }
 
+std::vector<KeySpan> Curve::spans() const {
+  std::vector<KeySpan> spans;
+  for (std::size_t i = 0; i + 1 < knots_.size(); ++i)
+    if (knots_[i].period == 0)
+      spans.push_back({knots_[i].time, knots_[i + 1].time, knots_[i].key,
+                       closesOnLastKey() && knots_[i + 1].period > 0 ? columns_.keys - 1 : knots_[i + 1].key});
+  return spans;
+}
+
+std::vector<KeyWeight> Curve::slopeAt(double t) const {
+  const Weights weights = atKnots(t, 1);
+  std::vector<KeyWeight> slope;
+  for (std::size_t i = 0; i < knots_.size() + 2; ++i) {
+    const double weight = weights[static_cast<Eigen::Index>(i)];
+    if (weight == 0) continue;
+    if (i < knots_.size()) slope.push_back({knots_[i].key, knots_[i].period, weight});
+    else slope.push_back({columns_.startTangent() + static_cast<int>(i - knots_.size()), 0, weight});
+  }
+  return slope;
+}
+
 WrappedTime Curve::wrap(double t) const {
   if (!periodic_ || (t >= start() && t <= end())) return {t, 0};
   const double period = end() - start();

@@ -72,6 +72,12 @@ struct KeyWeight {
   double weight;
 };
 
+/// What the curve runs through between two neighbouring keys.
+struct KeySpan {
+  double start, end;
+  int from, to;  ///< keys
+};
+
 /// A point of the curve, for all that is linear in the keys and for all that turns.
 struct CurvePoint {
   Weights weights;
@@ -110,6 +116,12 @@ class Curve {
   CurvePoint at(double t) const;
 
   WrappedTime wrap(double t) const;
+
+  /// From key to key, in the order of time: of an open curve all, of a periodic one those of its first period.
+  std::vector<KeySpan> spans() const;
+
+  /// The slope at time t as weights of the keys of all periods; those of end tangents are numbered as Columns has them.
+  std::vector<KeyWeight> slopeAt(double t) const;
 
   /// First and last time: the key range, for a periodic curve one whole period.
   double start() const { return start_; }

@@ -1,0 +1,242 @@
+// Motions that hold what rests: as exact, smooth and indifferent to rigid motions as the plain method, and against
+// captured motion.
+#include <doctest/doctest.h>
+
+#include <iomanip>
+#include <sstream>
+
+#include "core/mesh/measures.h"
+#include "real_data.h"
+#include "sequences.h"
+#include "shapes.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+constexpr Hold holds[] = {Hold::Contact, Hold::Anchored};
+
+MotionOptions with(Hold hold, BoundaryKind boundary = BoundaryKind::Natural) {
+  MotionOptions motion;
+  motion.hold = hold;
+  motion.boundary = boundary;
+  return motion;
+}
+
+Sequence make(const Keyframes& k, const MotionOptions& motion, EncodingOptions encoding = doublePrecision()) {
+  return sequenceOf(k, encoding, motion);
+}
+
+// A bar on its foot: the lower half rests while the upper bends, then all of it walks on.
+Keyframes standing() {
+  const auto upper = [](double angle, const Vec3& move = Vec3::Zero()) -> Map {
+    const Map b = bend(angle, 5);
+    return [=](const Vec3& p) -> Vec3 {
+      return (p.z() < 5 ? p : Vec3(b(Vec3(p.x(), p.y(), p.z() - 5)) + Vec3(0, 0, 5))) + move;
+    };
+  };
+  return keyframes(bar(), {upper(0), upper(0.6), upper(-0.3), upper(0.4), upper(0.2, {0, 2, 0})}, {0, 1, 2.5, 3, 4});
+}
+
+// How far the vertices that rest in the first two spans of standing() go meanwhile, as a share of the diagonal.
+double slide(Sequence& s, const Keyframes& k) {
+  double most = 0;
+  for (int i = 0; i <= 40; ++i) {
+    const Positions p = shapeAt(s, 2.5 * i / 40);
+    for (std::size_t v = 0; v < p.size(); ++v)
+      if (k.keys[0].positions[v].z() < 4) most = std::max(most, (p[v] - k.keys[0].positions[v]).norm());
+  }
+  return most / diagonalOf(k);
+}
+
+double secondDifference(Sequence& s, double t, double step) {
+  const Positions a = shapeAt(s, t - step), b = shapeAt(s, t), c = shapeAt(s, t + step);
+  double most = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) most = std::max(most, (a[v] - 2 * b[v] + c[v]).norm() / (step * step));
+  return most;
+}
+
+// The jump of the second derivative at t, as a share of what it is about there.
+double kink(Sequence& s, double t, double step) {
+  const auto at = [&](double time) {
+    const Positions a = shapeAt(s, time - step), b = shapeAt(s, time), c = shapeAt(s, time + step);
+    Positions d(a.size());
+    for (std::size_t v = 0; v < a.size(); ++v) d[v] = (a[v] - 2 * b[v] + c[v]) / (step * step);
+    return d;
+  };
+  const Positions before = at(t - step), after = at(t + step);
+  double jump = 0, size = 0;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    jump = std::max(jump, (after[v] - before[v]).norm());
+    size = std::max({size, after[v].norm(), before[v].norm()});
+  }
+  return jump / size;
+}
+
+}  // namespace
+
+TEST_CASE("a held motion meets its keys, and slides less where they rest") {
+  const Keyframes k = standing();
+  Sequence plain = make(k, {});
+  const double before = slide(plain, k);
+  for (const Hold hold : holds) {
+    Sequence s = make(k, with(hold));
+    for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-9 * diagonalOf(k));
+    const double after = slide(s, k);
+    MESSAGE("slides " << 100 * before << " % of the diagonal, held " << 100 * after << " %");
+    CHECK(after < 0.6 * before);
+  }
+}
+
+TEST_CASE("a held motion has a continuous second derivative at the keys and where it fades out") {
+  const Keyframes k = standing();
+  Sequence plain = make(k, {});
+  for (const Hold hold : holds) {
+    Sequence s = make(k, with(hold));
+    for (const double t : {-1.0, 0.0, 0.5, 1.0, 2.5, 3.0, 3.5, 4.0, 5.0}) {
+      CAPTURE(t);
+      // A kink stays while the step shrinks; a smooth change shrinks with it.
+      CHECK(std::min(kink(s, t, 2e-3), secondDifference(s, t, 2e-3)) < 0.1);
+    }
+  }
+}
+
+TEST_CASE("a held motion fades to the plain one an interval beyond the ends, and two keys are not held") {
+  const Keyframes k = standing();
+  Sequence plain = make(k, {});
+  for (const Hold hold : holds) {
+    Sequence s = make(k, with(hold));
+    for (const double t : {-1.0, -3.0, 5.0, 8.0}) CHECK(shapeAt(s, t) == shapeAt(plain, t));
+    const Keyframes two = keyframes(bar(), {bend(0), bend(1)});
+    Sequence held = make(two, with(hold)), other = make(two, {});
+    CHECK(shapeAt(held, 0.3) == shapeAt(other, 0.3));
+  }
+}
+
+TEST_CASE("a rigid motion stays what it is, however it is held") {
+  for (const double angle : {40.0, 100.0, 170.0}) {
+    std::vector<Map> maps;
+    for (int j = 0; j < 4; ++j) maps.push_back(turn({1, 2, 0.5}, radians(angle) * j, Vec3(j * j, 2 * j, 0)));
+    const Keyframes k = keyframes(bar(), maps);
+    Sequence plain = make(k, {});
+    for (const Hold hold : holds) {
+      Sequence s = make(k, with(hold));
+      for (const double t : {0.1, 0.45, 0.8, 1.2})
+        CHECK(largestDistance(shapeAt(s, t), shapeAt(plain, t)) < 1e-6 * diagonalOf(k));
+    }
+  }
+}
+
+TEST_CASE("a common rigid motion, another unit of length or of time change a held motion by nothing else") {
+  const Keyframes k = standing();
+  const Map moved = turn({0.3, -1, 2}, 2.2, Vec3(4, -3, 9));
+  Keyframes other = k;
+  for (Key& key : other.keys) {
+    key.time *= 60;
+    for (Vec3& p : key.positions) p = 1000 * moved(p);
+  }
+  for (const Hold hold : holds) {
+    Sequence s = make(k, with(hold)), t = make(other, with(hold));
+    for (const double time : {-0.4, 0.3, 1.7, 2.8, 3.3, 4.4}) {
+      Positions expected = shapeAt(s, time);
+      for (Vec3& p : expected) p = 1000 * moved(p);
+      CHECK(largestDistance(expected, shapeAt(t, 60 * time)) < 1e-6 * diagonalOf(other));
+    }
+  }
+}
+
+TEST_CASE("held or not, one motion leads to the other and back bit for bit") {
+  const Keyframes k = standing();
+  std::vector<double> times;
+  for (const Key& key : k.keys) times.push_back(key.time);
+  Sequence plain = make(k, {}), updated = make(k, {});
+  for (const Hold hold : holds) {
+    Sequence s = make(k, with(hold));
+    REQUIRE(updated.update(with(hold), times).ok());
+    CHECK(shapeAt(updated, 1.4) == shapeAt(s, 1.4));
+    CHECK(shapeAt(updated, 1.4) == shapeAt(updated, 1.4));
+  }
+  REQUIRE(updated.update({}, times).ok());
+  CHECK(shapeAt(updated, 1.4) == shapeAt(plain, 1.4));
+}
+
+TEST_CASE("a loop that walks on is held over its seam") {
+  Keyframes k = standing();
+  k.keys[4].positions = k.keys[0].positions;
+  for (Vec3& p : k.keys[4].positions) p += Vec3(0, 2, 0);
+  for (const Hold hold : holds) {
+    Sequence s = make(k, with(hold, BoundaryKind::Periodic));
+    for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-9 * diagonalOf(k));
+    Positions next = shapeAt(s, 0.7);
+    for (Vec3& p : next) p += Vec3(0, 2, 0);
+    CHECK(largestDistance(next, shapeAt(s, 4.7)) < 1e-9 * diagonalOf(k));
+    CHECK(kink(s, 4, 2e-3) < 0.1);
+  }
+}
+
+TEST_CASE("held motions against captured ones") {
+  const std::vector<std::string> files = {"skin/CesiumMan.glb", "skin/Fox.glb", "skin/Soldier.glb"};
+  if (!hasData(files)) return;
+  struct Run {
+    std::string file;
+    int animation, every;
+  };
+  const std::vector<Run> runs = {{files[0], 0, 4}, {files[0], 0, 8}, {files[1], 0, 4},
+                                 {files[1], 1, 4}, {files[1], 2, 4}, {files[2], 1, 4},
+                                 {files[2], 1, 8}, {files[2], 3, 4}, {files[2], 3, 8}};
+  std::ostringstream table;
+  for (const Run& run : runs) {
+    ImportOptions options;
+    options.animation = run.animation;
+    options.sampleAsked = true;
+    options.sampleCount = 2;
+    auto first = realFiles({run.file}).import(options);
+    REQUIRE(first.ok());
+    const AnimationInfo info = first->animations[run.animation];
+    const int frames =
+        std::max(run.every * 4, (static_cast<int>(24 * (info.end - info.start)) / run.every) * run.every);
+    for (int i = 0; i <= frames; ++i) options.sampleTimes.push_back(info.start + (info.end - info.start) * i / frames);
+    auto import = realFiles({run.file}).import(options);
+    REQUIRE(import.ok());
+    const Keyframes truth = import->keyframes;
+    Keyframes keys = truth;
+    keys.keys.clear();
+    for (int i = 0; i <= frames; i += run.every) keys.keys.push_back(truth.keys[i]);
+    const double diagonal = diagonalOf(truth);
+    std::vector<Positions> dense;
+    for (const Key& key : truth.keys) dense.push_back(key.positions);
+    table << '\n' << run.file << " " << info.name << " every " << run.every << ", " << keys.keys.size() << " keys:";
+    double plainSlide = 0, plainKg = 0;
+    for (int column = 0; column < 4; ++column) {
+      MotionOptions motion;
+      if (column == 0) motion.method = Method::CubicVertex;
+      if (column > 1) motion.hold = holds[column - 2];
+      EncodingOptions encoding;
+      Sequence s = sequenceOf(keys, encoding, motion);
+      std::vector<Positions> shapes, fitted;
+      for (const Key& key : truth.keys) shapes.push_back(shapeAt(s, key.time));
+      double square = 0;
+      std::size_t count = 0;
+      for (int i = 0; i < frames; i += run.every)
+        for (std::size_t v = 0; v < dense[0].size(); ++v) {
+          bool rests = true;
+          for (int j = 1; j <= run.every; ++j)
+            rests = rests && (dense[i + j][v] - dense[i][v]).norm() < 0.005 * diagonal;
+          for (int j = 1; j < run.every && rests; ++j)
+            square += (shapes[i + j][v] - dense[i + j][v]).squaredNorm(), ++count;
+        }
+      for (std::size_t i = 0; i < dense.size(); ++i) fitted.push_back(aligned(shapes[i], dense[i]));
+      const double slid = count ? 100 * std::sqrt(square / static_cast<double>(count)) / diagonal : 0;
+      const double kg = kgError(dense, shapes);
+      if (column == 1) plainSlide = slid, plainKg = kg;
+      table << std::fixed << std::setprecision(2) << "  " << kg << " / " << kgError(dense, fitted) << " / "
+            << std::setprecision(3) << slid;
+      if (column > 1) {
+        CHECK(slid <= 1.02 * plainSlide);
+        CHECK(kg <= (column == 2 ? 1.05 : 1.1) * plainKg);
+      }
+    }
+  }
+  MESSAGE("KG / aligned / sliding: vertex cubic, plain, contact, anchored" << table.str());
+}

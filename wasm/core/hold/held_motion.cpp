@@ -1,0 +1,166 @@
+#include "core/hold/held_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shapespline {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double contactWeight = 30;  // times a vertex's share in the area
+constexpr double leastAnchor = 1e-5, mostAnchor = 1e4, anchorTurn = 200 * degree;
+// What patches turn against the whole, as a share of what they turn: up to the first the motion is a rigid body's.
+constexpr double rigid = 0.2, deforming = 0.35;
+// Turns of the whole from key to key over which the placement gives way: its target is a blend of vertices.
+constexpr double turnsLittle = 30 * degree, turnsFar = 90 * degree;
+constexpr double fitTurnsLittle = 60 * degree, fitTurnsFar = 120 * degree;
+// How well the mean of rotations is defined: from 0 to 2.
+constexpr double scattered = 0.1, gathered = 0.5;
+constexpr double inertia = 1e-6;
+
+double angleOf(const Mat3& rotation) { return logRotation(rotation).norm(); }
+
+}  // namespace
+
+Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& input, const Curve& curve, Hold hold,
+                                                             const HeldMotion* before) {
+  std::shared_ptr<HeldMotion> held(new HeldMotion(input, curve, hold));
+  const bool same = before && before->hold_ == hold && before->anchor_ == held->anchor_;
+  if (same) {
+    held->system_ = before->system_;
+  } else {
+    std::vector<double> weight = held->anchor_;
+    if (hold == Hold::Contact)
+      for (const double area : held->area_) weight.push_back(contactWeight * area);
+    auto system = HoldSystem::create(input.mesh, weight, input.precision);
+    if (!system) return system.error();
+    held->system_ = std::make_shared<const HoldSystem>(std::move(*system));
+  }
+  std::vector<int> patchOf(held->area_.size(), -1);
+  int patches = 0;
+  for (std::size_t f = 0; f < input.patchOfFace.size(); ++f) {
+    if (input.patchOfFace[f] < 0) continue;
+    patches = std::max(patches, input.patchOfFace[f] + 1);
+    for (const int v : input.mesh.shape.faces[f])
+      if (patchOf[v] < 0) patchOf[v] = input.patchOfFace[f];
+  }
+  held->resting_.emplace(held->path_, *held->system_, patchOf, patches, held->area_);
+  return std::shared_ptr<const HeldMotion>(std::move(held));
+}
+
+HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve, Hold hold)
+    : hold_(hold), path_(input.mesh.shape, curve), area_(vertexAreas(input.mesh)) {
+  weighFrames(input);
+  measureTurns(input, curve);
+  if (deforms_ < 1) rigid_.emplace(input.mesh.shape, curve, turns_, input.meanPosition);
+  if (hold == Hold::Anchored) anchor_ = anchorWeights(input);
+}
+
+void HeldMotion::weighFrames(const HoldInput& input) {
+  const HoldMesh& mesh = input.mesh;
+  const Positions& p = mesh.shape.poses[mesh.shape.reference];
+  frameArea_.assign(input.rotation.front().size(), 0.0);
+  double whole = 0;
+  for (std::size_t f = 0; f < mesh.frameOf.size(); ++f) {
+    if (mesh.frameOf[f] < 0) continue;
+    const Triangle& t = mesh.shape.faces[f];
+    const double area = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
+    frameArea_[mesh.frameOf[f]] += area;
+    whole += area;
+  }
+  for (double& area : frameArea_) area /= whole;
+}
+
+Mat3 HeldMotion::frameSum(const std::vector<Quaternion>& frames) const {
+  Mat3 sum = Mat3::Zero();
+  for (std::size_t k = 0; k < frames.size(); ++k) sum += frameArea_[k] * frames[k].toRotationMatrix();
+  return sum;
+}
+
+// How far frames turn from key to key, and how much of that is the whole's.
+void HeldMotion::measureTurns(const HoldInput& input, const Curve& curve) {
+  for (const std::vector<Quaternion>& pose : input.rotation) turns_.push_back(projectToRotation(frameSum(pose)));
+  std::vector<double> own(frameArea_.size(), 0.0);
+  double turned = 0, turnedAgainst = 0;
+  const std::vector<KeySpan> spans = curve.spans();
+  for (const KeySpan& span : spans) {
+    const Mat3 whole = turns_[span.to] * turns_[span.from].transpose();
+    placed_.push_back(1 - fade(angleOf(whole), turnsLittle, turnsFar));
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const Mat3 turn = (input.rotation[span.to][k] * input.rotation[span.from][k].conjugate()).toRotationMatrix();
+      const double angle = angleOf(turn), against = angleOf(whole.transpose() * turn);
+      own[k] += angle * angle / static_cast<double>(spans.size());
+      turned += frameArea_[k] * angle * angle;
+      turnedAgainst += frameArea_[k] * against * against;
+    }
+  }
+  for (const double square : own) frameTurn_.push_back(std::sqrt(square));
+  constexpr double still = 1e-12;
+  deforms_ = fade(std::sqrt(turnedAgainst / (turned + still)), rigid, deforming);
+}
+
+// The mean over its faces, by area, of what their frames' turns say.
+std::vector<double> HeldMotion::anchorWeights(const HoldInput& input) const {
+  const HoldMesh& mesh = input.mesh;
+  const Positions& p = mesh.shape.poses[mesh.shape.reference];
+  std::vector<double> weight(area_.size(), 0.0), around(area_.size(), 0.0);
+  for (std::size_t f = 0; f < mesh.frameOf.size(); ++f) {
+    if (mesh.frameOf[f] < 0) continue;
+    const Triangle& t = mesh.shape.faces[f];
+    const double area = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
+    const double ratio = anchorTurn / std::max(frameTurn_[mesh.frameOf[f]], 1e-9);
+    for (const int v : t) weight[v] += area * std::min(ratio * ratio, mostAnchor), around[v] += area;
+  }
+  for (std::size_t v = 0; v < weight.size(); ++v)
+    weight[v] = around[v] > 0 ? std::max(weight[v] / around[v], leastAnchor) * area_[v] : 0;
+  return weight;
+}
+
+double HeldMotion::placementShare(const SpanPlace& place, const Mat3& frameSum, const Mat3& mean) const {
+  const auto in = [&](int span) { return placed_[span]; };
+  const double share = tween(in, path_.spans(), path_.loop(), place);
+  return share * place.within() * fade((mean.transpose() * frameSum).trace() - 1, scattered, gathered);
+}
+
+// A little inertia keeps a shape that is a line from spinning about itself.
+HeldMotion::Placement HeldMotion::place(const Mat3& covariance, const Vec3& shapeMean, const Vec3& targetMean,
+                                        double share) const {
+  const Mat3 fit = projectToRotation(covariance + inertia * covariance.norm() * Mat3::Identity());
+  const Vec3 turn = logRotation(fit);
+  const double taken = share * (1 - fade(turn.norm(), fitTurnsLittle, fitTurnsFar));
+  return {expRotation(taken * turn), shapeMean, taken * (targetMean - shapeMean)};
+}
+
+// target: what is left of each vertex's way.
+void HeldMotion::anchor(const SpanPlace& place, Scratch& scratch, ForkJoin* forkJoin) const {
+  scratch.vector.assign(system_->size(), 0.0);
+  for (std::size_t v = 0; v < area_.size(); ++v)
+    for (int k = 0; k < 3; ++k)
+      scratch.vector[4 * static_cast<std::size_t>(system_->slot()[v]) + k] =
+          place.within() * anchor_[v] * scratch.target[v][k];
+  system_->solve(scratch.vector, scratch.solve, forkJoin);
+}
+
+// Adds the pull of the resting patches to what is in the vector already.
+void HeldMotion::holdPatches(const Placement& placement, Scratch& scratch, ForkJoin* forkJoin) const {
+  const std::vector<int>& handleOf = resting_->handleOf();
+  const std::vector<double>& share = resting_->share();
+  const auto at = [&](std::size_t v) { return 4 * static_cast<std::size_t>(system_->slot()[v]); };
+  std::vector<Vec3>& left = scratch.targetMean;
+  for (std::size_t h = 0; h < left.size(); ++h) left[h] -= placement(scratch.shapeMean[h]);
+  const std::vector<double> anchored = std::move(scratch.vector);
+  if (!anchored.empty())
+    for (std::size_t v = 0; v < area_.size(); ++v)
+      if (handleOf[v] >= 0) left[handleOf[v]] -= share[v] * Eigen::Map<const Vec3>(&anchored[at(v)]);
+  for (std::size_t h = 0; h < left.size(); ++h) left[h] *= scratch.weight[h];
+  resting_->pull(left);
+  scratch.vector.assign(system_->size(), 0.0);
+  for (std::size_t v = 0; v < area_.size(); ++v)
+    for (int k = 0; k < 3 && handleOf[v] >= 0; ++k) scratch.vector[at(v) + k] = share[v] * left[handleOf[v]][k];
+  system_->solve(scratch.vector, scratch.solve, forkJoin);
+  for (std::size_t i = 0; i < anchored.size(); ++i) scratch.vector[i] += anchored[i];
+}
+
+}  // namespace shapespline

@@ -1,0 +1,126 @@
+// Keeps what rests between the keys where it is: the shape is placed by what its vertices do, and resting patches are
+// held. Every correction is a weight times the difference of two curves that agree at the keys, so that the keys stay
+// exact and the motion as smooth as it was.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/hold/resting_patches.h"
+
+namespace shapespline {
+
+/// What the motion is corrected by.
+enum class Hold {
+  Off,       ///< nothing: the paper's method
+  Contact,   ///< the shape is the method's, placed by its vertices; resting patches are held
+  Anchored,  ///< further, what hardly turns is drawn to its vertices' paths
+};
+
+/// Of the shape that is held. All of it must outlive what is made of it.
+struct HoldInput {
+  HoldMesh mesh;
+  const std::vector<int>& patchOfFace;                   ///< -1 without area
+  const std::vector<std::vector<Quaternion>>& rotation;  ///< rotation[column][frame]
+  const std::vector<Vec3>& meanPosition;                 ///< one per column
+  Precision precision;
+};
+
+/// Immutable.
+class HeldMotion {
+ public:
+  /// before: of the same shape, whose system is taken over where it is the same; or null. The curve must be cubic and
+  /// hold not Off. Error: that of the solver.
+  static Result<std::shared_ptr<const HeldMotion>> create(const HoldInput& input, const Curve& curve, Hold hold,
+                                                          const HeldMotion* before);
+
+  struct Scratch {
+    std::vector<Vec3> target;
+    std::vector<double> vector, weight;
+    std::vector<Vec3> shapeMean, targetMean, pulled;
+    HoldSystem::Scratch solve;
+  };
+
+  /// Corrects a shape. t: within the curve's first period, if it has one. frames: those of the shape, `mean` what the
+  /// mean of its vertices follows. shape: at(v) and set(v, position) for each welded vertex, in the world of the first
+  /// period.
+  template <class Shape>
+  void apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Shape& shape, Scratch& scratch,
+             ForkJoin* forkJoin) const;
+
+ private:
+  struct Placement {
+    Mat3 rotation;
+    Vec3 centre, move;
+    Vec3 operator()(const Vec3& p) const { return rotation * (p - centre) + centre + move; }
+  };
+
+  HeldMotion(const HoldInput& input, const Curve& curve, Hold hold);
+  void weighFrames(const HoldInput& input);
+  void measureTurns(const HoldInput& input, const Curve& curve);
+  std::vector<double> anchorWeights(const HoldInput& input) const;
+  double placementShare(const SpanPlace& place, const Mat3& frameSum, const Mat3& mean) const;
+  Mat3 frameSum(const std::vector<Quaternion>& frames) const;
+  Placement place(const Mat3& covariance, const Vec3& shapeMean, const Vec3& targetMean, double share) const;
+  void anchor(const SpanPlace& place, Scratch& scratch, ForkJoin* forkJoin) const;
+  void holdPatches(const Placement& placement, Scratch& scratch, ForkJoin* forkJoin) const;
+
+  Hold hold_;
+  VertexPath path_;
+  std::optional<VertexPath> rigid_;  // in the frame of the whole, where the motion is nearly that of a rigid body
+  double deforms_ = 1;               // 0 where it is
+  std::vector<double> area_;         // of each vertex
+  std::vector<double> frameArea_;
+  std::vector<double> placed_;     // share of each span
+  std::vector<double> anchor_;     // of each vertex; with Hold::Anchored
+  std::vector<Mat3> turns_;        // mean rotation of each column
+  std::vector<double> frameTurn_;  // rms angle of each frame from key to key
+  std::shared_ptr<const HoldSystem> system_;
+  std::optional<RestingPatches> resting_;
+};
+
+template <class Shape>
+void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Shape& shape,
+                       Scratch& scratch, ForkJoin* forkJoin) const {
+  const SpanPlace place = path_.placeOf(t);
+  if (place.beyond >= 1) return;
+  const Mat3 sum = frameSum(frames), turn = projectToRotation(sum);
+  const VertexPath::At path = path_.at(t);
+  const std::optional<VertexPath::At> rigid = rigid_ ? std::optional(rigid_->at(t)) : std::nullopt;
+  const bool holds = resting_->weightsAt(place, scratch.weight);
+  scratch.target.resize(area_.size());
+  scratch.shapeMean.assign(resting_->count(), Vec3::Zero());
+  scratch.targetMean.assign(resting_->count(), Vec3::Zero());
+  Vec3 shapeMean = Vec3::Zero(), targetMean = Vec3::Zero();
+  Mat3 covariance = Mat3::Zero();
+  for (std::size_t v = 0; v < area_.size(); ++v) {
+    const Vec3 p = shape.at(v);
+    Vec3 target = VertexPath::position(path, v);
+    if (rigid) target += (1 - deforms_) * (turn * VertexPath::position(*rigid, v) + mean - target);
+    scratch.target[v] = target;
+    shapeMean += area_[v] * p;
+    targetMean += area_[v] * target;
+    covariance += area_[v] * (target - mean) * (p - mean).transpose();
+    if (const int handle = resting_->handleOf()[v]; handle >= 0) {
+      scratch.shapeMean[handle] += resting_->share()[v] * p;
+      scratch.targetMean[handle] += resting_->share()[v] * target;
+    }
+  }
+  covariance -= (targetMean - mean) * (shapeMean - mean).transpose();
+  const Placement placement = this->place(covariance, shapeMean, targetMean, placementShare(place, sum, turn));
+  scratch.vector.clear();
+  if (hold_ == Hold::Anchored) {
+    for (std::size_t v = 0; v < area_.size(); ++v) scratch.target[v] -= placement(shape.at(v));
+    anchor(place, scratch, forkJoin);
+  }
+  if (holds) holdPatches(placement, scratch, forkJoin);
+  for (std::size_t v = 0; v < area_.size(); ++v) {
+    Vec3 p = placement(shape.at(v));
+    if (!scratch.vector.empty())
+      p += Eigen::Map<const Vec3>(&scratch.vector[4 * static_cast<std::size_t>(system_->slot()[v])]);
+    shape.set(v, p);
+  }
+}
+
+}  // namespace shapespline

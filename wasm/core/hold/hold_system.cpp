@@ -1,0 +1,94 @@
+#include "core/hold/hold_system.h"
+
+#include <algorithm>
+
+#include "core/mesh/triangle.h"
+
+namespace shapespline {
+
+namespace {
+
+// Of the median diagonal of the stiffness. A joint is stiffer than what it joins; a loose vertex pulls at nothing.
+constexpr double jointStiffness = 10, looseStiffness = 1e-3;
+
+struct Stiffness {
+  std::vector<double> diagonal;
+  std::vector<Triplet> entries;
+
+  void addSpring(int i, int j, double weight) {
+    if (i == j) return;
+    diagonal[i] += weight;
+    diagonal[j] += weight;
+    entries.push_back({std::max(i, j), std::min(i, j), -weight});
+  }
+};
+
+void addFaces(const HoldMesh& mesh, Stiffness& k) {
+  const Positions& reference = mesh.shape.poses[mesh.shape.reference];
+  for (std::size_t f = 0; f < mesh.frameOf.size(); ++f) {
+    if (mesh.frameOf[f] < 0) continue;
+    const Triangle& t = mesh.shape.faces[f];
+    for (int c = 0; c < 3; ++c) {
+      const int apex = t[c], i = t[(c + 1) % 3], j = t[(c + 2) % 3];
+      k.addSpring(i, j, cotangent(reference[i] - reference[apex], reference[j] - reference[apex]) / 2);
+    }
+  }
+}
+
+void addJoints(const HoldMesh& mesh, double weight, Stiffness& k) {
+  const std::vector<Triangle>& faces = mesh.shape.faces;
+  for (const ComponentPlace& place : mesh.places)
+    for (int c = 0; c < 3; ++c) k.addSpring(faces[place.anchorFace][c], faces[place.contactFace][c], weight);
+}
+
+void addLoose(const HoldMesh& mesh, double weight, Stiffness& k) {
+  for (const LooseVertex& loose : mesh.loose)
+    for (const int v : mesh.shape.faces[loose.anchorFace]) k.addSpring(v, loose.vertex, weight);
+}
+
+}  // namespace
+
+std::vector<double> vertexAreas(const HoldMesh& mesh) {
+  const Positions& p = mesh.shape.poses[mesh.shape.reference];
+  std::vector<double> area(p.size(), 0.0);
+  double whole = 0;
+  for (std::size_t f = 0; f < mesh.frameOf.size(); ++f) {
+    if (mesh.frameOf[f] < 0) continue;
+    const Triangle& t = mesh.shape.faces[f];
+    const double third = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm() / 6;
+    for (const int v : t) area[v] += third;
+    whole += 3 * third;
+  }
+  for (double& a : area) a /= whole;
+  return area;
+}
+
+Result<HoldSystem> HoldSystem::create(const HoldMesh& mesh, std::span<const double> weight, Precision precision) {
+  const int count = mesh.shape.vertexCount();
+  Stiffness k{std::vector<double>(count, 0.0), {}};
+  addFaces(mesh, k);
+  std::vector<double> sorted = k.diagonal;
+  std::nth_element(sorted.begin(), sorted.begin() + count / 2, sorted.end());
+  const double median = sorted[count / 2];
+  addJoints(mesh, jointStiffness * median, k);
+  addLoose(mesh, looseStiffness * median, k);
+  for (int v = 0; v < count; ++v) k.entries.push_back({v, v, k.diagonal[v] + weight[v]});
+  const SymmetricMatrix matrix = assembleSymmetric(count, k.entries);
+  HoldSystem system;
+  system.precision_ = precision == Precision::Single ? Precision::Single : Precision::Double;
+  const Positions& reference = mesh.shape.poses[mesh.shape.reference];
+  if (Status status = system.solver_.analyse(matrix, reference, system.precision_); !status) return status.error();
+  if (Status status = system.solver_.factorise(matrix); !status) return status.error();
+  const auto position = system.solver_.eliminationPosition();
+  system.slot_.assign(position.begin(), position.end());
+  return system;
+}
+
+void HoldSystem::solve(std::vector<double>& x, Scratch& scratch, ForkJoin* forkJoin) const {
+  if (precision_ == Precision::Double) return solver_.solve(x.data(), forkJoin);
+  scratch.single.assign(x.begin(), x.end());
+  solver_.solve(scratch.single.data(), forkJoin);
+  x.assign(scratch.single.begin(), scratch.single.end());
+}
+
+}  // namespace shapespline

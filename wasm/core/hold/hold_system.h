@@ -1,0 +1,49 @@
+// How a shape gives way to what holds it: its stiffness and a weight that keeps every vertex where it is, factored.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/fork_join.h"
+#include "core/base/precision.h"
+#include "core/lri/lri.h"
+#include "core/sparse/cholesky.h"
+
+namespace shapespline {
+
+/// What the system is made of. The reference pose's cotangent stiffness is the one of the second system.
+struct HoldMesh {
+  const WeldedShape& shape;
+  std::span<const int> frameOf;            ///< of each face; -1 where it has no area
+  std::span<const ComponentPlace> places;  ///< where components are joined
+  std::span<const LooseVertex> loose;
+};
+
+/// Share of each vertex in the area of the reference pose; they add up to 1.
+std::vector<double> vertexAreas(const HoldMesh& mesh);
+
+/// Displacements x with (K + diag(weight)) x = b. Immutable.
+class HoldSystem {
+ public:
+  /// weight: of each vertex, not negative. Error: that of the solver.
+  static Result<HoldSystem> create(const HoldMesh& mesh, std::span<const double> weight, Precision precision);
+
+  /// Where a vertex lies in the vectors of solve(), in xyz- triples with a pad.
+  const std::vector<int>& slot() const { return slot_; }
+  std::size_t size() const { return 4 * static_cast<std::size_t>(solver_.paddedSize()); }
+
+  struct Scratch {
+    std::vector<float> single;
+  };
+  /// In place; size() numbers.
+  void solve(std::vector<double>& x, Scratch& scratch, ForkJoin* forkJoin) const;
+
+ private:
+  HoldSystem() = default;
+
+  Cholesky solver_;
+  Precision precision_ = Precision::Single;
+  std::vector<int> slot_;
+};
+
+}  // namespace shapespline
