@@ -141,7 +141,8 @@ TEST_CASE("a common rigid motion, another unit of length or of time change a hel
     for (const double time : {-0.4, 0.3, 1.7, 2.8, 3.3, 4.4}) {
       Positions expected = shapeAt(s, time);
       for (Vec3& p : expected) p = 1000 * moved(p);
-      CHECK(largestDistance(expected, shapeAt(t, 60 * time)) < 1e-6 * diagonalOf(other));
+      // Slopes of vertices are kept in single precision.
+      CHECK(largestDistance(expected, shapeAt(t, 60 * time)) < 1e-5 * diagonalOf(other));
     }
   }
 }

@@ -40,6 +40,8 @@ std::vector<Change> changes() {
                  [](Change& c) { c.motion.boundary = BoundaryKind::Periodic, c.motion.period = 2.25; }),
           change("tension", [](Change& c) { c.motion.tension = {0, 0.5, 1, -0.5}; }),
           change("bias", [](Change& c) { c.motion.bias = {0, 0.5, -1, 1}; }),
+          change("contact", [](Change& c) { c.motion.hold = Hold::Contact; }),
+          change("anchored", [](Change& c) { c.motion.hold = Hold::Anchored; }),
           change("turns", [](Change& c) { c.motion.turns = {{2, 1}}; }),
           change("turns of a component", [](Change& c) { c.motion.turns = {{1, -1, 1}}; }),
           change("in place", [](Change& c) { c.motion.inPlace = true; }),

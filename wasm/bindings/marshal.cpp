@@ -29,6 +29,8 @@ constexpr std::pair<const char*, Method> methods[] = {{"lri", Method::Lri},
                                                       {"geodesic", Method::Geodesic},
                                                       {"linear", Method::Linear},
                                                       {"cubic-vertex", Method::CubicVertex}};
+constexpr std::pair<const char*, Hold> holds[] = {
+    {"off", Hold::Off}, {"contact", Hold::Contact}, {"anchored", Hold::Anchored}};
 constexpr std::pair<const char*, BoundaryKind> boundaries[] = {
     {"natural", BoundaryKind::Natural}, {"hermite", BoundaryKind::Hermite}, {"periodic", BoundaryKind::Periodic}};
 constexpr std::pair<const char*, Stretch> stretches[] = {{"linear", Stretch::Linear}, {"log", Stretch::Log}};
@@ -43,6 +45,7 @@ constexpr std::pair<const char*, Material::Wrap> wraps[] = {
 }  // namespace
 
 void from_json(const nlohmann::json& json, Method& value) { value = named(json, methods); }
+void from_json(const nlohmann::json& json, Hold& value) { value = named(json, holds); }
 void from_json(const nlohmann::json& json, BoundaryKind& value) { value = named(json, boundaries); }
 void from_json(const nlohmann::json& json, Stretch& value) { value = named(json, stretches); }
 void from_json(const nlohmann::json& json, Transfer& value) { value = named(json, transfers); }
@@ -120,6 +123,7 @@ Keyframes keyframesFrom(const Json& json) {
 MotionOptions motionFrom(const Json& json) {
   MotionOptions motion;
   motion.method = json.at("method");
+  motion.hold = json.at("hold");
   motion.boundary = json.at("boundary");
   motion.startSpeed = json.at("startSpeed");
   motion.endSpeed = json.at("endSpeed");

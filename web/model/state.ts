@@ -4,7 +4,7 @@
  */
 import type { CameraPose } from './camera.ts';
 import { ENCODING, MOTION } from '../engine/api/option-table.ts';
-import type { Boundary, Method } from '../engine/api/types.ts';
+import type { Boundary, Hold, Method } from '../engine/api/types.ts';
 import type { PageOptions } from './page-options.ts';
 import { pageDefaults } from './page-options.ts';
 import type { Shaping } from './shaping.ts';
@@ -95,6 +95,7 @@ export interface AppState {
 }
 
 export const METHODS: readonly Method[] = MOTION.method.choices;
+export const HOLDS: readonly Hold[] = MOTION.hold.choices;
 export const BOUNDARIES: readonly Boundary[] = MOTION.boundary.choices;
 /** Faces of a ghost mesh when it is switched on: the paper's choice. */
 export const GHOST_FACES = 2000;

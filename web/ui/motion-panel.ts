@@ -1,12 +1,12 @@
 /** How the keys are joined: the method, what stands beside it, and the boundary with what it asks for. */
-import type { Boundary, Method } from '../engine/api/types.ts';
+import type { Boundary, Hold, Method } from '../engine/api/types.ts';
 import type { Encoding, KeyRef, Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import type { End } from '../model/speeds.ts';
 import type { DropPoint } from './file-drop.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TANGENT_NAME } from '../model/speeds.ts';
-import { BOUNDARIES, DEFAULT_MOTION, METHODS, ignoresHermite } from '../model/state.ts';
+import { BOUNDARIES, DEFAULT_MOTION, HOLDS, METHODS, ignoresHermite } from '../model/state.ts';
 import { button, checkbox, keyLabel, numberField, segments, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 
@@ -43,6 +43,18 @@ const BOUNDARY_WORDS: Record<Boundary, { label: string; hint: string }> = {
     hint: 'Hermite spline: you set how fast the motion leaves the first key and arrives at the last.',
   },
   periodic: { label: 'Loop', hint: 'Periodic spline: a closed loop without a seam.' },
+};
+
+const HOLD_WORDS: Record<Hold, { label: string; hint: string }> = {
+  off: { label: 'Off', hint: 'The method as published: feet can slide between keys where they stand.' },
+  contact: {
+    label: 'Contact',
+    hint: 'What hardly moves between two keys stays where it is; the shape follows its vertices’ splines as a whole.',
+  },
+  anchored: {
+    label: 'Anchored',
+    hint: 'Further, what hardly turns follows its vertices’ splines: nearer to captured motion, but bends are bent less.',
+  },
 };
 
 const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] = [
@@ -144,6 +156,14 @@ export function createMotionPanel(
     onClick: () => events.onMotion({ period: null }),
   });
   const periodic = h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Period'), period, periodReset);
+  const hold = segments<Hold>(
+    'Hold what rests',
+    'hold',
+    HOLDS.map((value) => ({ value, ...HOLD_WORDS[value] })),
+    (value) => events.onMotion({ hold: value }),
+  );
+  const holdHint = h('p', { class: 'hint', 'data-testid': 'hold-hint' });
+  const holding = h('div', { class: 'group' }, hold.element, holdHint);
   const tightness = slider({
     label: 'Tightness',
     testId: 'tightness',
@@ -197,6 +217,7 @@ export function createMotionPanel(
     boundaryHint,
     hermite,
     periodic,
+    holding,
     tight,
     spacing,
   );
@@ -216,6 +237,9 @@ export function createMotionPanel(
         ? { hermite: 'Ease sets speeds at the ends; this method moves straight from key to key.' }
         : {},
     );
+    hold.update(motion.hold);
+    setText(holdHint, HOLD_WORDS[motion.hold].hint);
+    setHidden(holding, motion.method !== 'lri' || props.keys.length < 3);
     setText(boundaryHint, BOUNDARY_WORDS[motion.boundary].hint);
     setHidden(hermite, motion.boundary !== 'hermite');
     setHidden(periodic, motion.boundary !== 'periodic');

@@ -51,26 +51,30 @@ Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& in
 }
 
 HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve, Hold hold)
-    : hold_(hold), path_(input.mesh.shape, curve), area_(vertexAreas(input.mesh)) {
-  weighFrames(input);
-  measureTurns(input, curve);
-  if (deforms_ < 1) rigid_.emplace(input.mesh.shape, curve, turns_, input.meanPosition);
-  if (hold == Hold::Anchored) anchor_ = anchorWeights(input);
+    : hold_(hold), path_(input.mesh.shape, curve, true), area_(input.mesh.shape.poses[0].size(), 0.0) {
+  const HoldMesh& mesh = input.mesh;
+  const std::vector<double> faceArea = faceAreas(mesh);
+  frameArea_.assign(input.rotation.front().size(), 0.0);
+  for (std::size_t f = 0; f < faceArea.size(); ++f) {
+    if (mesh.frameOf[f] < 0) continue;
+    frameArea_[mesh.frameOf[f]] += faceArea[f];
+    for (const int v : mesh.shape.faces[f]) area_[v] += faceArea[f] / 3;
+  }
+  std::vector<Mat3> whole;
+  for (const std::vector<Quaternion>& pose : input.rotation) whole.push_back(projectToRotation(frameSum(pose)));
+  measureTurns(input, curve.spans(), whole);
+  if (deforms_ < 1) findBody(input, curve, whole);
+  if (hold == Hold::Anchored) anchor_ = anchorWeights(input, faceArea);
 }
 
-void HeldMotion::weighFrames(const HoldInput& input) {
-  const HoldMesh& mesh = input.mesh;
-  const Positions& p = mesh.shape.poses[mesh.shape.reference];
-  frameArea_.assign(input.rotation.front().size(), 0.0);
-  double whole = 0;
-  for (std::size_t f = 0; f < mesh.frameOf.size(); ++f) {
-    if (mesh.frameOf[f] < 0) continue;
-    const Triangle& t = mesh.shape.faces[f];
-    const double area = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
-    frameArea_[mesh.frameOf[f]] += area;
-    whole += area;
-  }
-  for (double& area : frameArea_) area /= whole;
+// Every pose seen from the frame of the whole; there no period differs from another.
+void HeldMotion::findBody(const HoldInput& input, const Curve& curve, const std::vector<Mat3>& poses) {
+  const WeldedShape& shape = input.mesh.shape;
+  body_ = shape.withMesh({}, shape.poses);
+  body_.closing.reset();
+  for (std::size_t pose = 0; pose < poses.size(); ++pose)
+    for (Vec3& p : body_.poses[pose]) p = poses[pose].transpose() * (p - input.meanPosition[pose]);
+  rigid_.emplace(body_, curve, false);
 }
 
 Mat3 HeldMotion::frameSum(const std::vector<Quaternion>& frames) const {
@@ -80,13 +84,12 @@ Mat3 HeldMotion::frameSum(const std::vector<Quaternion>& frames) const {
 }
 
 // How far frames turn from key to key, and how much of that is the whole's.
-void HeldMotion::measureTurns(const HoldInput& input, const Curve& curve) {
-  for (const std::vector<Quaternion>& pose : input.rotation) turns_.push_back(projectToRotation(frameSum(pose)));
+void HeldMotion::measureTurns(const HoldInput& input, const std::vector<KeySpan>& spans,
+                              const std::vector<Mat3>& poses) {
   std::vector<double> own(frameArea_.size(), 0.0);
   double turned = 0, turnedAgainst = 0;
-  const std::vector<KeySpan> spans = curve.spans();
   for (const KeySpan& span : spans) {
-    const Mat3 whole = turns_[span.to] * turns_[span.from].transpose();
+    const Mat3 whole = poses[span.to] * poses[span.from].transpose();
     placed_.push_back(1 - fade(angleOf(whole), turnsLittle, turnsFar));
     for (std::size_t k = 0; k < own.size(); ++k) {
       const Mat3 turn = (input.rotation[span.to][k] * input.rotation[span.from][k].conjugate()).toRotationMatrix();
@@ -102,25 +105,61 @@ void HeldMotion::measureTurns(const HoldInput& input, const Curve& curve) {
 }
 
 // The mean over its faces, by area, of what their frames' turns say.
-std::vector<double> HeldMotion::anchorWeights(const HoldInput& input) const {
+std::vector<double> HeldMotion::anchorWeights(const HoldInput& input, const std::vector<double>& faceArea) const {
+  constexpr double leastTurn = 1e-9;
   const HoldMesh& mesh = input.mesh;
-  const Positions& p = mesh.shape.poses[mesh.shape.reference];
-  std::vector<double> weight(area_.size(), 0.0), around(area_.size(), 0.0);
-  for (std::size_t f = 0; f < mesh.frameOf.size(); ++f) {
+  std::vector<double> weight(area_.size(), 0.0);
+  for (std::size_t f = 0; f < faceArea.size(); ++f) {
     if (mesh.frameOf[f] < 0) continue;
-    const Triangle& t = mesh.shape.faces[f];
-    const double area = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
-    const double ratio = anchorTurn / std::max(frameTurn_[mesh.frameOf[f]], 1e-9);
-    for (const int v : t) weight[v] += area * std::min(ratio * ratio, mostAnchor), around[v] += area;
+    const double ratio = anchorTurn / std::max(frameTurn_[mesh.frameOf[f]], leastTurn);
+    for (const int v : mesh.shape.faces[f]) weight[v] += faceArea[f] / 3 * std::min(ratio * ratio, mostAnchor);
   }
-  for (std::size_t v = 0; v < weight.size(); ++v)
-    weight[v] = around[v] > 0 ? std::max(weight[v] / around[v], leastAnchor) * area_[v] : 0;
+  for (std::size_t v = 0; v < weight.size(); ++v) weight[v] = std::max(weight[v], leastAnchor * area_[v]);
   return weight;
 }
 
+void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape,
+                       Scratch& scratch, ForkJoin* forkJoin) const {
+  const SpanPlace place = path_.placeOf(t);
+  if (place.beyond >= 1) return;
+  const Mat3 sum = frameSum(frames), turn = projectToRotation(sum);
+  const VertexPath::At path = path_.at(t);
+  const VertexPath::At rigid = rigid_ ? rigid_->at(t) : path;
+  const bool holds = resting_->weightsAt(place, scratch.weight);
+  scratch.target.resize(area_.size());
+  scratch.shapeMean.assign(resting_->count(), Vec3::Zero());
+  scratch.targetMean.assign(resting_->count(), Vec3::Zero());
+  Vec3 shapeMean = Vec3::Zero(), targetMean = Vec3::Zero();
+  Mat3 covariance = Mat3::Zero();
+  for (std::size_t v = 0; v < area_.size(); ++v) {
+    const Vec3 p = shape[v];
+    Vec3 target = path_.position(path, v);
+    if (rigid_) target += (1 - deforms_) * (turn * rigid_->position(rigid, v) + mean - target);
+    scratch.target[v] = target;
+    shapeMean += area_[v] * p;
+    targetMean += area_[v] * target;
+    covariance += area_[v] * (target - mean) * (p - mean).transpose();
+    if (const int handle = resting_->handleOf()[v]; handle >= 0) {
+      scratch.shapeMean[handle] += resting_->share()[v] * p;
+      scratch.targetMean[handle] += resting_->share()[v] * target;
+    }
+  }
+  covariance -= (targetMean - mean) * (shapeMean - mean).transpose();
+  const Placement placement = this->place(covariance, shapeMean, targetMean, placementShare(place, sum, turn));
+  scratch.vector.clear();
+  if (hold_ == Hold::Anchored) {
+    for (std::size_t v = 0; v < area_.size(); ++v) scratch.target[v] -= placement(shape[v]);
+    anchor(place, scratch, forkJoin);
+  }
+  if (holds) holdPatches(placement, scratch, forkJoin);
+  for (std::size_t v = 0; v < area_.size(); ++v) {
+    shape[v] = placement(shape[v]);
+    if (!scratch.vector.empty()) shape[v] += Eigen::Map<const Vec3>(&scratch.vector[system_->at(v)]);
+  }
+}
+
 double HeldMotion::placementShare(const SpanPlace& place, const Mat3& frameSum, const Mat3& mean) const {
-  const auto in = [&](int span) { return placed_[span]; };
-  const double share = tween(in, path_.spans(), path_.loop(), place);
+  const double share = tween(placed_.data(), path_.spans(), path_.loop(), place);
   return share * place.within() * fade((mean.transpose() * frameSum).trace() - 1, scattered, gathered);
 }
 
@@ -137,9 +176,7 @@ HeldMotion::Placement HeldMotion::place(const Mat3& covariance, const Vec3& shap
 void HeldMotion::anchor(const SpanPlace& place, Scratch& scratch, ForkJoin* forkJoin) const {
   scratch.vector.assign(system_->size(), 0.0);
   for (std::size_t v = 0; v < area_.size(); ++v)
-    for (int k = 0; k < 3; ++k)
-      scratch.vector[4 * static_cast<std::size_t>(system_->slot()[v]) + k] =
-          place.within() * anchor_[v] * scratch.target[v][k];
+    for (int k = 0; k < 3; ++k) scratch.vector[system_->at(v) + k] = place.within() * anchor_[v] * scratch.target[v][k];
   system_->solve(scratch.vector, scratch.solve, forkJoin);
 }
 
@@ -147,18 +184,18 @@ void HeldMotion::anchor(const SpanPlace& place, Scratch& scratch, ForkJoin* fork
 void HeldMotion::holdPatches(const Placement& placement, Scratch& scratch, ForkJoin* forkJoin) const {
   const std::vector<int>& handleOf = resting_->handleOf();
   const std::vector<double>& share = resting_->share();
-  const auto at = [&](std::size_t v) { return 4 * static_cast<std::size_t>(system_->slot()[v]); };
   std::vector<Vec3>& left = scratch.targetMean;
   for (std::size_t h = 0; h < left.size(); ++h) left[h] -= placement(scratch.shapeMean[h]);
   const std::vector<double> anchored = std::move(scratch.vector);
   if (!anchored.empty())
     for (std::size_t v = 0; v < area_.size(); ++v)
-      if (handleOf[v] >= 0) left[handleOf[v]] -= share[v] * Eigen::Map<const Vec3>(&anchored[at(v)]);
+      if (handleOf[v] >= 0) left[handleOf[v]] -= share[v] * Eigen::Map<const Vec3>(&anchored[system_->at(v)]);
   for (std::size_t h = 0; h < left.size(); ++h) left[h] *= scratch.weight[h];
   resting_->pull(left);
   scratch.vector.assign(system_->size(), 0.0);
   for (std::size_t v = 0; v < area_.size(); ++v)
-    for (int k = 0; k < 3 && handleOf[v] >= 0; ++k) scratch.vector[at(v) + k] = share[v] * left[handleOf[v]][k];
+    for (int k = 0; k < 3 && handleOf[v] >= 0; ++k)
+      scratch.vector[system_->at(v) + k] = share[v] * left[handleOf[v]][k];
   system_->solve(scratch.vector, scratch.solve, forkJoin);
   for (std::size_t i = 0; i < anchored.size(); ++i) scratch.vector[i] += anchored[i];
 }

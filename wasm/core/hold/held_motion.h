@@ -42,11 +42,9 @@ class HeldMotion {
     HoldSystem::Scratch solve;
   };
 
-  /// Corrects a shape. t: within the curve's first period, if it has one. frames: those of the shape, `mean` what the
-  /// mean of its vertices follows. shape: at(v) and set(v, position) for each welded vertex, in the world of the first
-  /// period.
-  template <class Shape>
-  void apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Shape& shape, Scratch& scratch,
+  /// Corrects a shape: the positions of the welded vertices, in the world of the first period. t: within that, if
+  /// there is one. frames: those of the shape, `mean` what the mean of its vertices follows.
+  void apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape, Scratch& scratch,
              ForkJoin* forkJoin) const;
 
  private:
@@ -57,9 +55,9 @@ class HeldMotion {
   };
 
   HeldMotion(const HoldInput& input, const Curve& curve, Hold hold);
-  void weighFrames(const HoldInput& input);
-  void measureTurns(const HoldInput& input, const Curve& curve);
-  std::vector<double> anchorWeights(const HoldInput& input) const;
+  void measureTurns(const HoldInput& input, const std::vector<KeySpan>& spans, const std::vector<Mat3>& poses);
+  void findBody(const HoldInput& input, const Curve& curve, const std::vector<Mat3>& poses);
+  std::vector<double> anchorWeights(const HoldInput& input, const std::vector<double>& faceArea) const;
   double placementShare(const SpanPlace& place, const Mat3& frameSum, const Mat3& mean) const;
   Mat3 frameSum(const std::vector<Quaternion>& frames) const;
   Placement place(const Mat3& covariance, const Vec3& shapeMean, const Vec3& targetMean, double share) const;
@@ -68,9 +66,11 @@ class HeldMotion {
 
   Hold hold_;
   VertexPath path_;
-  std::optional<VertexPath> rigid_;  // in the frame of the whole, where the motion is nearly that of a rigid body
-  double deforms_ = 1;               // 0 where it is
-  std::vector<double> area_;         // of each vertex
+  // In the frame of the whole, where the motion is nearly that of a rigid body.
+  WeldedShape body_;
+  std::optional<VertexPath> rigid_;
+  double deforms_ = 1;        // 0 where it is
+  std::vector<double> area_;  // of each vertex
   std::vector<double> frameArea_;
   std::vector<double> placed_;     // share of each span
   std::vector<double> anchor_;     // of each vertex; with Hold::Anchored
@@ -79,48 +79,5 @@ class HeldMotion {
   std::shared_ptr<const HoldSystem> system_;
   std::optional<RestingPatches> resting_;
 };
-
-template <class Shape>
-void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Shape& shape,
-                       Scratch& scratch, ForkJoin* forkJoin) const {
-  const SpanPlace place = path_.placeOf(t);
-  if (place.beyond >= 1) return;
-  const Mat3 sum = frameSum(frames), turn = projectToRotation(sum);
-  const VertexPath::At path = path_.at(t);
-  const std::optional<VertexPath::At> rigid = rigid_ ? std::optional(rigid_->at(t)) : std::nullopt;
-  const bool holds = resting_->weightsAt(place, scratch.weight);
-  scratch.target.resize(area_.size());
-  scratch.shapeMean.assign(resting_->count(), Vec3::Zero());
-  scratch.targetMean.assign(resting_->count(), Vec3::Zero());
-  Vec3 shapeMean = Vec3::Zero(), targetMean = Vec3::Zero();
-  Mat3 covariance = Mat3::Zero();
-  for (std::size_t v = 0; v < area_.size(); ++v) {
-    const Vec3 p = shape.at(v);
-    Vec3 target = VertexPath::position(path, v);
-    if (rigid) target += (1 - deforms_) * (turn * VertexPath::position(*rigid, v) + mean - target);
-    scratch.target[v] = target;
-    shapeMean += area_[v] * p;
-    targetMean += area_[v] * target;
-    covariance += area_[v] * (target - mean) * (p - mean).transpose();
-    if (const int handle = resting_->handleOf()[v]; handle >= 0) {
-      scratch.shapeMean[handle] += resting_->share()[v] * p;
-      scratch.targetMean[handle] += resting_->share()[v] * target;
-    }
-  }
-  covariance -= (targetMean - mean) * (shapeMean - mean).transpose();
-  const Placement placement = this->place(covariance, shapeMean, targetMean, placementShare(place, sum, turn));
-  scratch.vector.clear();
-  if (hold_ == Hold::Anchored) {
-    for (std::size_t v = 0; v < area_.size(); ++v) scratch.target[v] -= placement(shape.at(v));
-    anchor(place, scratch, forkJoin);
-  }
-  if (holds) holdPatches(placement, scratch, forkJoin);
-  for (std::size_t v = 0; v < area_.size(); ++v) {
-    Vec3 p = placement(shape.at(v));
-    if (!scratch.vector.empty())
-      p += Eigen::Map<const Vec3>(&scratch.vector[4 * static_cast<std::size_t>(system_->slot()[v])]);
-    shape.set(v, p);
-  }
-}
 
 }  // namespace shapespline

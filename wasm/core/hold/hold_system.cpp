@@ -8,7 +8,7 @@ namespace shapespline {
 
 namespace {
 
-// Of the median diagonal of the stiffness. A joint is stiffer than what it joins; a loose vertex pulls at nothing.
+// Times the stiffness of what is joined. A joint is stiffer than that; a loose vertex pulls at nothing.
 constexpr double jointStiffness = 10, looseStiffness = 1e-3;
 
 struct Stiffness {
@@ -35,29 +35,27 @@ void addFaces(const HoldMesh& mesh, Stiffness& k) {
   }
 }
 
-void addJoints(const HoldMesh& mesh, double weight, Stiffness& k) {
-  const std::vector<Triangle>& faces = mesh.shape.faces;
+void addJoints(const HoldMesh& mesh, Stiffness& k) {
+  const std::vector<double> own = k.diagonal;
   for (const ComponentPlace& place : mesh.places)
-    for (int c = 0; c < 3; ++c) k.addSpring(faces[place.anchorFace][c], faces[place.contactFace][c], weight);
-}
-
-void addLoose(const HoldMesh& mesh, double weight, Stiffness& k) {
+    for (int c = 0; c < 3; ++c) {
+      const int i = mesh.shape.faces[place.anchorFace][c], j = mesh.shape.faces[place.contactFace][c];
+      k.addSpring(i, j, jointStiffness * (own[i] + own[j]));
+    }
   for (const LooseVertex& loose : mesh.loose)
-    for (const int v : mesh.shape.faces[loose.anchorFace]) k.addSpring(v, loose.vertex, weight);
+    for (const int v : mesh.shape.faces[loose.anchorFace]) k.addSpring(v, loose.vertex, looseStiffness * own[v]);
 }
 
 }  // namespace
 
-std::vector<double> vertexAreas(const HoldMesh& mesh) {
+std::vector<double> faceAreas(const HoldMesh& mesh) {
   const Positions& p = mesh.shape.poses[mesh.shape.reference];
-  std::vector<double> area(p.size(), 0.0);
+  std::vector<double> area;
   double whole = 0;
   for (std::size_t f = 0; f < mesh.frameOf.size(); ++f) {
-    if (mesh.frameOf[f] < 0) continue;
     const Triangle& t = mesh.shape.faces[f];
-    const double third = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm() / 6;
-    for (const int v : t) area[v] += third;
-    whole += 3 * third;
+    area.push_back(mesh.frameOf[f] < 0 ? 0 : (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm());
+    whole += area.back();
   }
   for (double& a : area) a /= whole;
   return area;
@@ -67,11 +65,7 @@ Result<HoldSystem> HoldSystem::create(const HoldMesh& mesh, std::span<const doub
   const int count = mesh.shape.vertexCount();
   Stiffness k{std::vector<double>(count, 0.0), {}};
   addFaces(mesh, k);
-  std::vector<double> sorted = k.diagonal;
-  std::nth_element(sorted.begin(), sorted.begin() + count / 2, sorted.end());
-  const double median = sorted[count / 2];
-  addJoints(mesh, jointStiffness * median, k);
-  addLoose(mesh, looseStiffness * median, k);
+  addJoints(mesh, k);
   for (int v = 0; v < count; ++v) k.entries.push_back({v, v, k.diagonal[v] + weight[v]});
   const SymmetricMatrix matrix = assembleSymmetric(count, k.entries);
   HoldSystem system;

@@ -19,8 +19,8 @@ struct HoldMesh {
   std::span<const LooseVertex> loose;
 };
 
-/// Share of each vertex in the area of the reference pose; they add up to 1.
-std::vector<double> vertexAreas(const HoldMesh& mesh);
+/// Of each face in the reference pose, as a share of the whole; 0 without area.
+std::vector<double> faceAreas(const HoldMesh& mesh);
 
 /// Displacements x with (K + diag(weight)) x = b. Immutable.
 class HoldSystem {
@@ -28,8 +28,8 @@ class HoldSystem {
   /// weight: of each vertex, not negative. Error: that of the solver.
   static Result<HoldSystem> create(const HoldMesh& mesh, std::span<const double> weight, Precision precision);
 
-  /// Where a vertex lies in the vectors of solve(), in xyz- triples with a pad.
-  const std::vector<int>& slot() const { return slot_; }
+  /// Where the (x, y, z, pad) of a vertex begin in the vectors of solve().
+  std::size_t at(std::size_t v) const { return 4 * static_cast<std::size_t>(slot_[v]); }
   std::size_t size() const { return 4 * static_cast<std::size_t>(solver_.paddedSize()); }
 
   struct Scratch {

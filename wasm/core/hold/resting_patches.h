@@ -15,7 +15,7 @@ class RestingPatches {
   RestingPatches(const VertexPath& path, const HoldSystem& system, const std::vector<int>& patchOf, int patches,
                  const std::vector<double>& area);
 
-  int count() const { return static_cast<int>(rest_.size()); }
+  int count() const { return count_; }
   /// Of each vertex, or -1, and the vertex's share in the handle.
   const std::vector<int>& handleOf() const { return handleOf_; }
   const std::vector<double>& share() const { return share_; }
@@ -28,11 +28,15 @@ class RestingPatches {
   void pull(std::vector<Vec3>& left) const;
 
  private:
+  void findCompliance(const HoldSystem& system);
+
   std::vector<int> handleOf_;
   std::vector<double> share_;
-  std::vector<std::vector<double>> rest_;  // of each handle in each span
   bool loop_;
-  Eigen::MatrixXd factor_;  // Cholesky factor of (handles' compliance + a tenth of its mean diagonal)
+  int spans_;
+  std::vector<double> rest_;  // of each handle in each span
+  int count_ = 0;
+  std::vector<double> factor_;  // lower Cholesky factor of (handles' compliance + a tenth of its mean), by rows
 };
 
 }  // namespace shapespline

@@ -11,82 +11,50 @@ namespace {
 constexpr double atRest = 0.03, inMotion = 0.10;
 constexpr double leastMotion = 1e-4;  // of the diagonal
 
-// A slope as a combination of the poses: sum of turn * pose, and a move.
-struct Slope {
-  std::vector<Mat3> turn;  // of each pose
-  Vec3 move = Vec3::Zero();
-};
+RigidMotion motionOf(const WeldedShape& shape, int periods) {
+  return shape.closing && periods != 0 ? shape.closing->power(periods) : RigidMotion{};
+}
 
-Slope slopeOf(const WeldedShape& shape, const Curve& curve, double t) {
+// xyz of each vertex. Weights that no sum can show are left out.
+std::vector<float> slopesAt(const WeldedShape& shape, const Curve& curve, double t) {
+  constexpr double least = 1e-9;
   const Columns columns{shape.keys};
-  Slope slope{std::vector<Mat3>(shape.columns(), Mat3::Zero()), Vec3::Zero()};
-  for (const KeyWeight& w : curve.slopeAt(t)) {
+  Positions sum(shape.poses[0].size(), Vec3::Zero());
+  const std::vector<KeyWeight> weights = curve.slopeAt(t);
+  double largest = 0;
+  for (const KeyWeight& w : weights) largest = std::max(largest, std::abs(w.weight));
+  for (const KeyWeight& w : weights) {
+    if (std::abs(w.weight) < least * largest) continue;
     const int pose = w.key == columns.startTangent() ? shape.startTangent
                      : w.key == columns.endTangent() ? shape.endTangent
                                                      : w.key;
-    if (w.period == 0 || !curve.closesOnLastKey()) {
-      slope.turn[pose] += w.weight * Mat3::Identity();
-      continue;
-    }
-    const RigidMotion motion = shape.closing->power(w.period);
-    slope.turn[pose] += w.weight * motion.rotation.toRotationMatrix();
-    slope.move += w.weight * motion.translation;
+    const RigidMotion motion = motionOf(shape, curve.closesOnLastKey() ? w.period : 0);
+    const Mat3 turn = w.weight * motion.rotation.toRotationMatrix();
+    const Vec3 move = w.weight * motion.translation;
+    for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += turn * shape.poses[pose][v] + move;
   }
-  return slope;
-}
-
-std::vector<float> slopesOf(const WeldedShape& shape, const Slope& slope) {
-  std::vector<float> result;
-  result.reserve(3 * static_cast<std::size_t>(shape.vertexCount()));
-  for (std::size_t v = 0; v < shape.poses[0].size(); ++v) {
-    Vec3 sum = slope.move;
-    for (std::size_t pose = 0; pose < slope.turn.size(); ++pose)
-      if (!slope.turn[pose].isZero(0)) sum += slope.turn[pose] * shape.poses[pose][v];
-    for (const double x : sum) result.push_back(static_cast<float>(x));
-  }
+  std::vector<float> result(3 * sum.size());
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = static_cast<float>(sum[i / 3][i % 3]);
   return result;
-}
-
-double knotTime(const std::vector<KeySpan>& spans, std::size_t knot) {
-  return knot < spans.size() ? spans[knot].start : spans.back().end;
 }
 
 }  // namespace
 
-VertexPath::VertexPath(const WeldedShape& shape, const Curve& curve) : spans_(curve.spans()), loop_(curve.periodic()) {
+VertexPath::VertexPath(const WeldedShape& shape, const Curve& curve, bool rests)
+    : spans_(curve.spans()), loop_(curve.periodic()) {
   for (const KeySpan& span : spans_) knots_.push_back(&shape.poses[span.from]);
   knots_.push_back(&shape.poses[spans_.back().to]);
   if (curve.closesOnLastKey()) {
-    Positions closed = shape.poses[0];
-    for (Vec3& p : closed) p = (*shape.closing)(p);
-    own_.push_back(std::move(closed));
-    knots_.back() = &own_.back();
+    closed_ = shape.poses[0];
+    const RigidMotion closing = motionOf(shape, 1);
+    for (Vec3& p : closed_) p = closing(p);
+    knots_.back() = &closed_;
   }
-  for (std::size_t k = 0; k < knots_.size(); ++k)
-    slope_.push_back(slopesOf(shape, slopeOf(shape, curve, knotTime(spans_, k))));
-  findRest(boundingDiagonal(knots_));
-}
-
-VertexPath::VertexPath(const WeldedShape& shape, const Curve& curve, const std::vector<Mat3>& rotation,
-                       const std::vector<Vec3>& origin)
-    : spans_(curve.spans()), loop_(curve.periodic()) {
-  WeldedShape body = shape;
-  body.closing.reset();
-  for (int pose = 0; pose < shape.columns(); ++pose)
-    for (Vec3& p : body.poses[pose]) p = rotation[pose].transpose() * (p - origin[pose]);
-  for (std::size_t k = 0; k < spans_.size() + 1; ++k) {
-    Slope slope{std::vector<Mat3>(shape.columns(), Mat3::Zero()), Vec3::Zero()};
-    const Columns columns{shape.keys};
-    for (const KeyWeight& w : curve.slopeAt(knotTime(spans_, k)))
-      slope.turn[w.key == columns.startTangent() ? shape.startTangent
-                 : w.key == columns.endTangent() ? shape.endTangent
-                                                 : w.key] += w.weight * Mat3::Identity();
-    slope_.push_back(slopesOf(body, slope));
-  }
-  own_ = std::move(body.poses);
-  for (const KeySpan& span : spans_) knots_.push_back(&own_[span.from]);
-  knots_.push_back(&own_[curve.closesOnLastKey() ? 0 : spans_.back().to]);
-  knotRest_.resize(knots_.size());
+  for (const KeySpan& span : spans_) slope_.push_back(slopesAt(shape, curve, span.start));
+  slope_.push_back(slopesAt(shape, curve, spans_.back().end));
+  rest_.assign(spans_.size(), std::vector<float>(shape.poses[0].size()));
+  knotRest_.assign(knots_.size(), std::vector<float>(shape.poses[0].size()));
+  if (rests) findRest(boundingDiagonal(knots_));
 }
 
 void VertexPath::findRest(double diagonal) {
@@ -94,8 +62,6 @@ void VertexPath::findRest(double diagonal) {
   const std::size_t vertices = knots_[0]->size();
   const double meanTime = (spans_.back().end - spans_.front().start) / count;
   std::vector<double> moved(count);
-  rest_.assign(count, std::vector<float>(vertices));
-  knotRest_.assign(knots_.size(), std::vector<float>(vertices));
   const auto neighbour = [&](int span) { return loop_ ? (span + count) % count : span; };
   for (std::size_t v = 0; v < vertices; ++v) {
     for (int s = 0; s < count; ++s)
@@ -127,7 +93,8 @@ VertexPath::At VertexPath::at(double t) const {
   const SpanPlace place = placeOf(t);
   const int k = place.span;
   const double h = spans_[k].end - spans_[k].start, u = place.share, w = 1 - u;
-  At at{knots_[k], knots_[k + 1], &slope_[k], &slope_[k + 1], &knotRest_[k], &knotRest_[k + 1]};
+  At at;
+  at.span = static_cast<std::size_t>(k);
   at.step = u * u * (3 - 2 * u);
   at.slope0 = h * u * w * w;
   at.slope1 = -h * u * u * w;
@@ -147,6 +114,17 @@ VertexPath::At VertexPath::at(double t) const {
     else at.rest0[1] += further;
   }
   return at;
+}
+
+Vec3 VertexPath::position(const At& at, std::size_t v) const {
+  const float *a = &slope_[at.span][3 * v], *b = &slope_[at.span + 1][3 * v];
+  const double rest0 = knotRest_[at.span][v], rest1 = knotRest_[at.span + 1][v];
+  const double step = at.step - rest0 * at.rest0[0] - rest1 * at.rest1[0];
+  const double slope0 = at.slope0 - rest0 * at.rest0[1] - rest1 * at.rest1[1];
+  const double slope1 = at.slope1 - rest0 * at.rest0[2] - rest1 * at.rest1[2];
+  Vec3 p = (*knots_[at.span])[v];
+  for (int k = 0; k < 3; ++k) p[k] += step * ((*knots_[at.span + 1])[v][k] - p[k]) + slope0 * a[k] + slope1 * b[k];
+  return p;
 }
 
 }  // namespace shapespline

@@ -24,39 +24,15 @@ void blendVertices(const WeldedShape& shape, const CurvePoint& point, Positions&
     for (std::size_t v = 0; v < out.size(); ++v) out[v] += w.column[c] * shape.poses[c][v];
 }
 
-// Welded vertices as HeldMotion reads and writes them; `loop`: what they are moved by meanwhile.
-struct PlacesView {
-  std::vector<float>& places;
-  const std::vector<int>& placeOf;
-  Vec3 move, loop;
-
-  Vec3 at(std::size_t v) const {
-    const float* p = &places[4 * static_cast<std::size_t>(placeOf[v])];
-    return Vec3(p[0], p[1], p[2]) + move + loop;
-  }
-  void set(std::size_t v, const Vec3& position) {
-    float* p = &places[4 * static_cast<std::size_t>(placeOf[v])];
-    for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(position[k] - loop[k] - move[k]);
-  }
-};
-
-struct PositionsView {
-  Positions& positions;
-  Vec3 loop;
-
-  Vec3 at(std::size_t v) const { return positions[v] + loop; }
-  void set(std::size_t v, const Vec3& position) { positions[v] = position - loop; }
-};
-
 }  // namespace
 
-// frames_ are those of the shape.
-template <class Shape>
-void Evaluator::hold(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
-                     Shape shape) {
-  const Vec3 mean = shapespline::blend(encoded.meanPosition(), poseWeights(point, encoded.shape().roles()));
-  motion.held()->apply(motion.curve().wrap(t).time, frames_.rotation, mean + shape.loop, shape, heldScratch_,
-                       forkJoin_);
+// welded_: the shape at `point`, in frames_.
+void Evaluator::hold(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point) {
+  const Vec3 move = motion.loopMove(encoded, point);
+  const Vec3 mean = shapespline::blend(encoded.meanPosition(), poseWeights(point, encoded.shape().roles())) + move;
+  for (Vec3& p : welded_) p += move;
+  motion.held()->apply(motion.curve().wrap(t).time, frames_.rotation, mean, welded_, heldScratch_, forkJoin_);
+  for (Vec3& p : welded_) p -= move;
 }
 
 void Evaluator::frame(const EncodedShape& encoded, const Motion& motion, double t, Frame& frame) {
@@ -88,8 +64,16 @@ void Evaluator::holdPlaced(const EncodedShape& encoded, const Motion& motion, do
                            PlacedShape<float>& placed) {
   if (!motion.held()) return;
   Stopwatch watch;
-  hold(encoded, motion, t, point,
-       PlacesView{placed.places, encoded.placeOf(), placed.move, motion.loopMove(encoded, point)});
+  const std::vector<int>& placeOf = encoded.placeOf();
+  welded_.resize(placeOf.size());
+  for (std::size_t v = 0; v < welded_.size(); ++v) {
+    const float* p = &placed.places[4 * static_cast<std::size_t>(placeOf[v])];
+    welded_[v] = Vec3(p[0], p[1], p[2]) + placed.move;
+  }
+  hold(encoded, motion, t, point);
+  for (std::size_t v = 0; v < welded_.size(); ++v)
+    for (int k = 0; k < 3; ++k)
+      placed.places[4 * static_cast<std::size_t>(placeOf[v]) + k] = static_cast<float>(welded_[v][k] - placed.move[k]);
   stats_.placeMs += watch.lap();
 }
 
@@ -133,7 +117,7 @@ void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, dou
     encoded.framesAt(point, motion.turns(), framesScratch_, frames_);
     encoded.withReconstructor([&](const auto& r) { r.reconstruct(point, frames_, scratch(r), welded_); });
   }
-  if (motion.held()) hold(encoded, motion, t, point, PositionsView{welded_, motion.loopMove(encoded, point)});
+  if (motion.held()) hold(encoded, motion, t, point);
   const RigidMotion global = motion.globalMotion(encoded, t, point);
   if (moves(global))
     for (Vec3& p : welded_) p = global(p);
@@ -220,15 +204,17 @@ void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double 
 
 // The ghost in `welded_` goes with the vertices that it collapsed to.
 void Evaluator::moveGhost(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point) {
+  Positions ghost = std::move(welded_);
   PlacedShape<float> shape;
   place(encoded, motion, point, shape, nullptr);
   PlacedShape<float> held = shape;
   holdPlaced(encoded, motion, t, point, held);
   const std::vector<int>& vertexOf = encoded.ghostMotion()->mesh().vertexOf;
-  for (std::size_t v = 0; v < welded_.size(); ++v) {
+  for (std::size_t v = 0; v < ghost.size(); ++v) {
     const std::size_t at = 4 * static_cast<std::size_t>(encoded.placeOf()[vertexOf[v]]);
-    for (int k = 0; k < 3; ++k) welded_[v][k] += held.places[at + k] - shape.places[at + k];
+    for (int k = 0; k < 3; ++k) ghost[v][k] += held.places[at + k] - shape.places[at + k];
   }
+  welded_ = std::move(ghost);
 }
 
 void Evaluator::patchRotations(const EncodedShape& encoded, const Motion& motion, double t,

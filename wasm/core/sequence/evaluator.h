@@ -59,8 +59,7 @@ class Evaluator {
   Reconstruction place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
                        PlacedShape<float>& placed, ForkJoin* forkJoin);
   Reconstruction placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed);
-  template <class Shape>
-  void hold(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point, Shape shape);
+  void hold(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point);
   void holdPlaced(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
                   PlacedShape<float>& placed);
   void moveGhost(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point);

@@ -108,7 +108,7 @@ export type ValueOf<O> =
   | (O extends { default: null } ? null : never);
 export type ValuesOf<T> = { -readonly [N in keyof T]: ValueOf<T[N]> };
 
-/** Choices that refit the spline only: changing them never encodes or factorises again. */
+/** Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold`. */
 export const MOTION = {
   method: {
     kind: 'choice',
@@ -118,6 +118,15 @@ export const MOTION = {
     help: "the paper's method (lri), or one of those that it is compared with",
     page: 'method',
     undo: 'method',
+  },
+  hold: {
+    kind: 'choice',
+    choices: ['off', 'contact', 'anchored'],
+    default: 'off',
+    flag: 'hold',
+    help: "what rests between keys: moves as the method has it (off, the paper's), stays (contact), or stays and draws what hardly turns to its vertices' splines (anchored)",
+    page: 'hold',
+    undo: 'hold',
   },
   boundary: {
     kind: 'choice',

@@ -37,6 +37,7 @@ export const SEQUENCE_DEFAULTS: Readonly<SequenceOptions> = { ...ENCODING_DEFAUL
 
 export type Method = MotionOptions['method'];
 export type Boundary = MotionOptions['boundary'];
+export type Hold = MotionOptions['hold'];
 export type Stretch = EncodingOptions['stretch'];
 /** How the shape follows a ghost mesh (paper section 4.3): through every key, or from the reference's details alone. */
 export type Transfer = EncodingOptions['transfer'];

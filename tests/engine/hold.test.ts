@@ -1,0 +1,56 @@
+/** Motions that hold what rests, through the engine and from the command line. */
+import { expect, it } from 'vitest';
+import type { Hold } from '../../web/engine/api/types.ts';
+import { dataFile, hasData } from './support/data.ts';
+import { folderOf, runCli } from './support/cli.ts';
+import { frameAt, testEngine } from './support/engines.ts';
+import { bent, bar, diagonal, largestDistance } from './support/shapes.ts';
+import { poseFiles } from './support/glb.ts';
+
+const engine = testEngine();
+const mesh = bar();
+
+it('is chosen and taken back by an update, which encodes nothing, and leaves the keys where they are', async () => {
+  const keys = await engine.importKeyframes(
+    poseFiles(
+      mesh,
+      [0, 50, 20, 70].map((degrees) => bent(mesh, degrees)),
+    ),
+  );
+  const sequence = await engine.createSequence(keys);
+  const before = await sequence.stats();
+  const at = async (t: number): Promise<Float32Array> => (await frameAt(sequence, t)).positions;
+  const [first, last] = sequence.range;
+  const t = first + 0.2 * (last - first);
+  const plain = await at(t);
+  for (const hold of ['contact', 'anchored'] as const) {
+    await sequence.update({ hold });
+    expect(largestDistance(await at(t), plain)).toBeGreaterThan(1e-4 * diagonal(plain));
+    const pose = bent(mesh, 0);
+    expect(largestDistance(await at(first), pose)).toBeLessThan(1e-5 * diagonal(pose));
+  }
+  await sequence.update({ hold: 'off' });
+  expect(await at(t)).toEqual(plain);
+  expect((await sequence.stats()).encodings).toBe(before.encodings);
+  await expect(sequence.update({ hold: 'tight' as Hold })).rejects.toMatchObject({ code: 'invalid-option' });
+  sequence.dispose();
+});
+
+it.skipIf(!hasData)('brings a captured walk nearer to the truth, from the command line', async () => {
+  const man = dataFile('skin/CesiumMan.glb');
+  const folder = await folderOf([{ ...man, name: 'man.glb' }]);
+  const errors: number[] = [];
+  for (const hold of ['off', 'contact', 'anchored']) {
+    const { code, stdout, stderr } = await runCli(
+      folder,
+      ...['measure', 'man.glb', '--animation', '0', '--sample', '7', '--hold', hold, '--against', 'man.glb'],
+    );
+    expect([code, stderr]).toEqual([0, '']);
+    errors.push(Number(/# lri: KG error ([\d.]+) %/.exec(stdout)?.[1]));
+  }
+  const [off, contact, anchored] = errors as [number, number, number];
+  expect(anchored).toBeLessThan(0.98 * off);
+  // Two feet that hardly ever stand: nothing is gained by holding them, nor lost.
+  expect(contact).toBeLessThan(1.03 * off);
+  expect(contact).not.toBe(off);
+});
