@@ -62,6 +62,17 @@ test('a foot that rests stays where it stands', async ({ app }, testInfo) => {
     for (const [index, key] of keys.entries())
       expect(difference(await app.positionsAt(index + 1), key)).toBeLessThan(1e-5 * diagonal(key));
   }
+  await app.setTime(1.5);
+  // Plots are computed where they are seen.
+  const value = async (): Promise<number> => {
+    await app.by('plot-bending').scrollIntoViewIfNeeded();
+    await expect(app.by('plot-sliding')).toBeVisible();
+    return Number.parseFloat((await app.by('plot-sliding-value').textContent())!);
+  };
+  await expect.poll(value).toBeLessThan(0.6 * 100 * plain);
+  await app.by('hold-off').check();
+  await expect.poll(value).toBeGreaterThan(0.05);
+  await app.by('undo').click();
   await expect(app.by('hold-hint')).toContainText('bends are bent less');
   await app.by('undo').click();
   await expect(app.by('hold-contact')).toBeChecked();

@@ -23,9 +23,14 @@ it('is chosen and taken back by an update, which encodes nothing, and leaves the
   const [first, last] = sequence.range;
   const t = first + 0.2 * (last - first);
   const plain = await at(t);
+  // The bar stands on its end.
+  const sliding = async (): Promise<number[]> => (await sequence.measures([t, last + 1])).sliding;
+  const [slides, beyond] = await sliding();
+  expect(beyond).toBeNaN();
   for (const hold of ['contact', 'anchored'] as const) {
     await sequence.update({ hold });
     expect(largestDistance(await at(t), plain)).toBeGreaterThan(1e-4 * diagonal(plain));
+    expect((await sliding())[0]).toBeLessThan(0.6 * slides!);
     const pose = bent(mesh, 0);
     expect(largestDistance(await at(first), pose)).toBeLessThan(1e-5 * diagonal(pose));
   }

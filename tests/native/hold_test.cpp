@@ -84,6 +84,10 @@ TEST_CASE("a held motion meets its keys, and slides less where they rest") {
     Sequence s = make(k, with(hold));
     for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-9 * diagonalOf(k));
     const double after = slide(s, k);
+    CHECK(s.sliding(1.6, shapeAt(s, 1.6)) < 0.6 * plain.sliding(1.6, shapeAt(plain, 1.6)));
+    CHECK(s.sliding(1, k.keys[1].positions) < 1e-12);
+    CHECK(std::isnan(s.sliding(3.5, shapeAt(s, 3.5))));  // all of it walks
+    CHECK(std::isnan(s.sliding(4.5, shapeAt(s, 4.5))));
     MESSAGE("slides " << 100 * before << " % of the diagonal, held " << 100 * after << " %");
     CHECK(after < 0.6 * before);
   }

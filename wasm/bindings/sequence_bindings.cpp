@@ -83,14 +83,16 @@ EXPORT const char* shapespline_preview_error(int handle, double t) {
   });
 }
 
-/// {volume, area} of the shape at t, in double precision, on the input's own faces.
+/// {volume, area, sliding} of the shape at t, in double precision, on the input's own faces.
 EXPORT const char* shapespline_measure(int handle, double t) {
   return callResult([&]() -> Result<Json> {
     Sequence& sequence = sequenceOf(handle);
     Positions positions;
     if (const Status status = sequence.evaluate(t, positions); !status) return status.error();
     const auto& faces = sequence.faces();
-    return Json{{"volume", enclosedVolume(positions, faces)}, {"area", surfaceArea(positions, faces)}};
+    return Json{{"volume", enclosedVolume(positions, faces)},
+                {"area", surfaceArea(positions, faces)},
+                {"sliding", sequence.sliding(t, positions)}};
   });
 }
 

@@ -54,7 +54,14 @@ export type FaceAmount = 'rotation' | 'stretch';
 /** What fills the screen in a presentation: the shape alone, or beside one of the plots that are always there. */
 export const PRESENTED = ['shape', 'plane', 'volume', 'area', 'bending'] as const;
 /** Plots of what was clicked or worked out: enlarged by hand, but not by a link, which does not bring them back. */
-export const PASSING_PLOTS = ['face-rotation', 'face-stretch', 'ghost-error', 'ghost-time', 'distance'] as const;
+export const PASSING_PLOTS = [
+  'face-rotation',
+  'face-stretch',
+  'ghost-error',
+  'ghost-time',
+  'distance',
+  'sliding',
+] as const;
 export type Presented = (typeof PRESENTED)[number] | (typeof PASSING_PLOTS)[number];
 /** The plots among them. */
 export type Plot = Exclude<Presented, 'shape'>;

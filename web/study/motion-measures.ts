@@ -12,16 +12,18 @@ export interface MotionMeasures {
    * space of their vertices, as the paper compares methods (Fig. 9).
    */
   bending: number[];
+  /** Of what rests, % of the diagonal; NaN where nothing does. */
+  sliding: number[];
   /** 2 numbers per time, relative to the distance of the keys; methods of LRI space only. */
   plane: number[] | null;
 }
 
 export async function measureMotion(sequence: Sequence, method: Method, times: number[]): Promise<MotionMeasures> {
-  const { volume, area } = await sequence.measures(times);
+  const { volume, area, sliding } = await sequence.measures(times);
   const inLri = method === 'lri' || method === 'geodesic';
   const plane = inLri ? (await sequence.shapePlane(times)).curve : null;
   const bending = await sequence.bendingEnergy(times);
-  return { method, volume, area, bending, plane };
+  return { method, volume, area, bending, sliding, plane };
 }
 
 /** A value for each time; NaN: none there. */
@@ -37,14 +39,16 @@ const TIME_DIGITS = 12;
 
 export const MEASURE_UNITS =
   '# units: time s on the timeline; seconds s from the start as exported; volume m^3; area m^2; ' +
-  'bending energy 1/s^4, relative to the mean deformation energy between keys; plane relative to the distance of keys';
+  'bending energy 1/s^4, relative to the mean deformation energy between keys; ' +
+  'sliding: distance of what rests between keys from its place, % of the diagonal; plane relative to the distance of keys';
 
-export function columnsOf({ method, volume, area, bending, plane }: MotionMeasures): Column[] {
+export function columnsOf({ method, volume, area, bending, sliding, plane }: MotionMeasures): Column[] {
   const part = (points: readonly number[], axis: 0 | 1): number[] => points.filter((_, index) => index % 2 === axis);
   return [
     { name: `${method} volume`, values: volume },
     { name: `${method} area`, values: area },
     { name: `${method} bending energy`, values: bending },
+    { name: `${method} sliding`, values: sliding },
     ...(plane
       ? [
           { name: `${method} plane x`, values: part(plane, 0) },

@@ -44,7 +44,7 @@ const WORDS: Record<string, string> = {
   'pose-ply': 'The current shape, binary.',
   png: 'A picture of the current view.',
   turntable: 'A video of the current shape, turning once.',
-  measures: 'A table of volume, area, bending energy and position in the shape plane, a row for each frame.',
+  measures: 'A table of volume, area, bending energy, sliding and position in the shape plane, a row for each frame.',
   patches: 'A table of the patch that each face belongs to.',
 };
 

@@ -51,14 +51,13 @@ Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& in
 }
 
 HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve, Hold hold)
-    : hold_(hold), path_(input.mesh.shape, curve, true), area_(input.mesh.shape.poses[0].size(), 0.0) {
+    : hold_(hold), path_(input.mesh.shape, curve, true), area_(vertexAreas(input.mesh)) {
   const HoldMesh& mesh = input.mesh;
   const std::vector<double> faceArea = faceAreas(mesh);
   frameArea_.assign(input.rotation.front().size(), 0.0);
   for (std::size_t f = 0; f < faceArea.size(); ++f) {
     if (mesh.frameOf[f] < 0) continue;
     frameArea_[mesh.frameOf[f]] += faceArea[f];
-    for (const int v : mesh.shape.faces[f]) area_[v] += faceArea[f] / 3;
   }
   std::vector<Mat3> whole;
   for (const std::vector<Quaternion>& pose : input.rotation) whole.push_back(projectToRotation(frameSum(pose)));
@@ -132,7 +131,7 @@ void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Ve
   Vec3 shapeMean = Vec3::Zero(), targetMean = Vec3::Zero();
   Mat3 covariance = Mat3::Zero();
   for (std::size_t v = 0; v < area_.size(); ++v) {
-    const Vec3 p = shape[v];
+    const Vec3& p = shape[v];
     Vec3 target = path_.position(path, v);
     if (rigid_) target += (1 - deforms_) * (turn * rigid_->position(rigid, v) + mean - target);
     scratch.target[v] = target;

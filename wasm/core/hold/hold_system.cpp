@@ -61,6 +61,14 @@ std::vector<double> faceAreas(const HoldMesh& mesh) {
   return area;
 }
 
+std::vector<double> vertexAreas(const HoldMesh& mesh) {
+  const std::vector<double> face = faceAreas(mesh);
+  std::vector<double> area(mesh.shape.poses[0].size(), 0.0);
+  for (std::size_t f = 0; f < face.size(); ++f)
+    for (const int v : mesh.shape.faces[f]) area[v] += face[f] / 3;
+  return area;
+}
+
 Result<HoldSystem> HoldSystem::create(const HoldMesh& mesh, std::span<const double> weight, Precision precision) {
   const int count = mesh.shape.vertexCount();
   Stiffness k{std::vector<double>(count, 0.0), {}};

@@ -22,6 +22,9 @@ struct HoldMesh {
 /// Of each face in the reference pose, as a share of the whole; 0 without area.
 std::vector<double> faceAreas(const HoldMesh& mesh);
 
+/// Likewise of each vertex, which has a third of its faces'.
+std::vector<double> vertexAreas(const HoldMesh& mesh);
+
 /// Displacements x with (K + diag(weight)) x = b. Immutable.
 class HoldSystem {
  public:

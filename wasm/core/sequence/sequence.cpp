@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/format.h"
 #include "core/sequence/build_progress.h"
@@ -43,6 +44,7 @@ Status Sequence::update(const MotionOptions& options, const std::vector<double>&
   auto motion = Motion::fit(encoded_, keyTimes, options, &motion_);
   if (!motion) return motion.error();
   motion_ = std::move(*motion);
+  sliding_.reset();
   return {};
 }
 
@@ -56,6 +58,13 @@ Status Sequence::evaluate(double t, Positions& positions) {
   if (Status status = checkTime(t); !status) return status;
   evaluator_.positions(encoded_, motion_, t, positions);
   return {};
+}
+
+double Sequence::sliding(double t, const Positions& shape) {
+  const auto [first, last] = range();
+  if (!(t >= first && t <= last) || motion_.options().inPlace) return std::numeric_limits<double>::quiet_NaN();
+  if (!sliding_) sliding_ = std::make_unique<const Sliding>(encoded_.holdInput().mesh, motion_.naturalCurve());
+  return sliding_->at(t, shape, encoded_.input().welding.weldedOfRaw);
 }
 
 Status Sequence::preparePreview() {

@@ -1,10 +1,12 @@
 // The facade: keyframes and options in, the shape at any time out.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/hold/sliding.h"
 #include "core/sequence/encoded_shape.h"
 #include "core/sequence/evaluator.h"
 #include "core/sequence/feature_curve.h"
@@ -35,6 +37,10 @@ class Sequence {
   /// The same as n positions without rounding them to float: for measures and tests. As exact as the encoding's
   /// precision.
   Status evaluate(double t, Positions& positions);
+
+  /// How far what rests between its keys is from its place in `shape`, which is evaluate(t) (hold/sliding.h); NaN where
+  /// nothing rests, and where the shape moves on with a loop or is kept in place.
+  double sliding(double t, const Positions& shape);
 
   /// An approximate shape at time t, in about half the time from 332,000 faces on, for while a slider moves. Meets
   /// every key; how far it is off between and beyond them depends on the motion: ask previewError. Measured on real
@@ -94,6 +100,7 @@ class Sequence {
   // Made when they are first asked for.
   std::optional<PreviewEmbedding> preview_;
   Eigen::MatrixXd gram_;
+  std::unique_ptr<const Sliding> sliding_;  // of the motion's key times
 };
 
 }  // namespace shapespline

@@ -75,6 +75,7 @@ function joined(method: Method, parts: readonly MotionMeasures[]): MotionMeasure
     volume: all(({ volume }) => volume),
     area: all(({ area }) => area),
     bending: all(({ bending }) => bending),
+    sliding: all(({ sliding }) => sliding),
     plane: parts[0]?.plane ? all(({ plane }) => plane) : null,
   };
 }

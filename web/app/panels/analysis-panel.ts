@@ -1,4 +1,4 @@
-/** The Analysis panel: shape plane, volume, area and bending energy of the shown motions, computed when idle. */
+/** The Analysis panel: shape plane, volume, area, bending energy and sliding of the shown motions, computed when idle. */
 import type { Method } from '../../engine/api/types.ts';
 import type { End } from '../../model/speeds.ts';
 import { createLineChart, make } from '../../plots/line-chart.ts';
@@ -42,6 +42,8 @@ const DELAY_MS = 200;
 const RELATIVE = '% of the first key';
 const BENDING = 'relative to the mean deformation energy between keys, per time⁴';
 
+const SLIDING = 'distance of what rests between keys from its place, % of the diagonal';
+
 export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelEvents): AnalysisPanel {
   const { onSpeed, onBlend, onEnlarge, onError } = events;
   const plane = createShapePlaneFigure(cache.input, { onSpeed, onBlend, onEnlarge, onError });
@@ -49,6 +51,8 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
   const volume = chart('Volume', RELATIVE, 'volume', events);
   const area = chart('Area', RELATIVE, 'area', events);
   const bending = chart('Bending energy', BENDING, 'bending', events);
+  const sliding = chart('Sliding of what rests', SLIDING, 'sliding', events);
+  setHidden(sliding.element, true);
   const legend = h('div', { class: 'legend' });
   const element = h(
     'section',
@@ -59,6 +63,7 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
     volume.element,
     area.element,
     bending.element,
+    sliding.element,
     faces.element,
   );
   let visible = false;
@@ -69,7 +74,7 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
     cursor = t;
     plane.setCursor(t);
     faces.setCursor(t);
-    for (const figure of [volume, area, bending]) figure.setCursor(t);
+    for (const figure of [volume, area, bending, sliding]) figure.setCursor(t);
   };
 
   const draw = (analysis: Analysis): void => {
@@ -85,6 +90,12 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
     volume.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.volume, analysis)) });
     area.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.area, analysis)) });
     bending.draw({ ...common, series: series((motion) => motion.bending), include: 0 });
+    // Where nothing rests in any interval there is nothing to plot.
+    setHidden(
+      sliding.element,
+      motions.every((motion) => motion.sliding.every(Number.isNaN)),
+    );
+    sliding.draw({ ...common, series: series((motion) => motion.sliding), include: 0 });
     drawLegend(
       legend,
       motions.map(({ method }) => method),

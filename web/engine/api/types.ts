@@ -273,6 +273,18 @@ export interface Measures {
   times: number[];
   volume: number[];
   area: number[];
+  /**
+   * How far what rests between two keys is from its place: root of the mean square, in % of the largest diagonal of a
+   * key. NaN where nothing rests, and beyond the keys.
+   */
+  sliding: number[];
+}
+
+/** The same at one time, as the core gives them; sliding: a share. */
+export interface MeasuresAt {
+  volume: number;
+  area: number;
+  sliding: number | null;
 }
 
 /** How far the keys lie apart in shape space, and what keeps the motion from overshooting them. */

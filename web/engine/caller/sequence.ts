@@ -178,12 +178,13 @@ export class SequenceClient implements Sequence {
 
   async measures(times: number[], call?: CallOptions): Promise<Measures> {
     checkCall(call);
-    const measures: Measures = { times: checkTimes(times), volume: [], area: [] };
+    const measures: Measures = { times: checkTimes(times), volume: [], area: [], sliding: [] };
     const motion = await this.settledMotion();
     await this.each(times, call, async (t) => {
-      const { volume, area } = await this.batch(() => this.ask('measure', { motion, t }));
+      const { volume, area, sliding } = await this.batch(() => this.ask('measure', { motion, t }));
       measures.volume.push(volume);
       measures.area.push(area);
+      measures.sliding.push(sliding === null ? NaN : 100 * sliding);
     });
     return measures;
   }

@@ -20,6 +20,7 @@ import type {
   MotionPace,
   ShapePlane,
   Warning,
+  MeasuresAt,
 } from '../api/types.ts';
 
 /** An import: what callers see of it, and its poses, which all sequences share. Never changed once made. */
@@ -70,7 +71,7 @@ export interface Calls {
   /** The shape at an affine combination of the keys. */
   blend: { request: { motion: MotionSpec; weights: number[]; buffers: FrameBuffers | null }; result: FrameData };
   previewError: { request: { motion: MotionSpec; t: number }; result: PreviewError };
-  measure: { request: { motion: MotionSpec; t: number }; result: { volume: number; area: number } };
+  measure: { request: { motion: MotionSpec; t: number }; result: MeasuresAt };
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
   discretePath: { request: { motion: MotionSpec; samples: number }; result: DiscretePath };
   faceCurve: { request: { motion: MotionSpec; face: number; times: number[] }; result: FaceCurve };

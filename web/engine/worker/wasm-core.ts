@@ -19,6 +19,7 @@ import type {
   ShapePlane,
   TextureImage,
   Warning,
+  MeasuresAt,
 } from '../api/types.ts';
 import type { Address, CreateWasmModule, WasmModule } from './wasm-module.ts';
 
@@ -172,7 +173,7 @@ export class WasmCore {
     return this.result(this.module._shapespline_preview_error(handle, t));
   }
 
-  measure(handle: number, t: number): { volume: number; area: number } {
+  measure(handle: number, t: number): MeasuresAt {
     return this.result(this.module._shapespline_measure(handle, t));
   }
 

@@ -1,0 +1,44 @@
+#include "core/hold/sliding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/mesh/mesh.h"
+
+namespace shapespline {
+
+namespace {
+
+// Less of the whole area is a few vertices that happen to turn around.
+constexpr double leastResting = 1e-3;
+
+}  // namespace
+
+Sliding::Sliding(const HoldMesh& mesh, const Curve& keys)
+    : path_(mesh.shape, keys, true), area_(vertexAreas(mesh)), diagonal_(0) {
+  for (int key = 0; key < mesh.shape.keys; ++key) {
+    const Positions* pose = &mesh.shape.poses[key];
+    diagonal_ = std::max(diagonal_, boundingDiagonal({&pose, 1}));
+  }
+}
+
+double Sliding::at(double t, const Positions& shape, const std::vector<int>& weldedOf) const {
+  const SpanPlace place = path_.placeOf(t);
+  const VertexPath::At at = path_.at(t);
+  double square = 0, resting = 0;
+  std::vector<char> seen(area_.size(), 0);
+  for (std::size_t raw = 0; raw < shape.size() && place.beyond == 0; ++raw) {
+    const auto v = static_cast<std::size_t>(weldedOf[raw]);
+    if (seen[v]) continue;
+    seen[v] = 1;
+    const double weight = area_[v] * static_cast<double>(path_.rest(place.span, v));
+    if (weight == 0) continue;
+    resting += weight;
+    square += weight * (shape[raw] - path_.position(at, v)).squaredNorm();
+  }
+  if (resting < leastResting) return std::numeric_limits<double>::quiet_NaN();
+  return std::sqrt(square / resting) / diagonal_;
+}
+
+}  // namespace shapespline
