@@ -1,4 +1,4 @@
-/** The Analysis panel: shape plane, volume, area, bending energy and sliding of the shown motions, computed when idle. */
+/** The Analysis panel: shape plane and measures of the shown motions over time, computed when idle. */
 import type { Method } from '../../engine/api/types.ts';
 import type { End } from '../../model/speeds.ts';
 import { createLineChart, make } from '../../plots/line-chart.ts';
