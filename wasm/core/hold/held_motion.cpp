@@ -117,86 +117,59 @@ std::vector<double> HeldMotion::anchorWeights(const HoldInput& input, const std:
   return weight;
 }
 
-void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape,
-                       Scratch& scratch, ForkJoin* forkJoin) const {
-  const SpanPlace place = path_.placeOf(t);
-  if (place.beyond >= 1) return;
-  const Mat3 sum = frameSum(frames), turn = projectToRotation(sum);
-  const VertexPath::At path = path_.at(t);
-  const VertexPath::At rigid = rigid_ ? rigid_->at(t) : path;
-  const bool holds = resting_->weightsAt(place, scratch.weight);
-  scratch.target.resize(area_.size());
-  scratch.shapeMean.assign(resting_->count(), Vec3::Zero());
-  scratch.targetMean.assign(resting_->count(), Vec3::Zero());
-  Vec3 shapeMean = Vec3::Zero(), targetMean = Vec3::Zero();
-  Mat3 covariance = Mat3::Zero();
-  for (std::size_t v = 0; v < area_.size(); ++v) {
-    const Vec3& p = shape[v];
-    Vec3 target = path_.position(path, v);
-    if (rigid_) target += (1 - deforms_) * (turn * rigid_->position(rigid, v) + mean - target);
-    scratch.target[v] = target;
-    shapeMean += area_[v] * p;
-    targetMean += area_[v] * target;
-    covariance += area_[v] * (target - mean) * (p - mean).transpose();
-    if (const int handle = resting_->handleOf()[v]; handle >= 0) {
-      scratch.shapeMean[handle] += resting_->share()[v] * p;
-      scratch.targetMean[handle] += resting_->share()[v] * target;
-    }
-  }
-  covariance -= (targetMean - mean) * (shapeMean - mean).transpose();
-  const Placement placement = this->place(covariance, shapeMean, targetMean, placementShare(place, sum, turn));
-  scratch.vector.clear();
-  if (hold_ == Hold::Anchored) {
-    for (std::size_t v = 0; v < area_.size(); ++v) scratch.target[v] -= placement(shape[v]);
-    anchor(place, scratch, forkJoin);
-  }
-  if (holds) holdPatches(placement, scratch, forkJoin);
-  for (std::size_t v = 0; v < area_.size(); ++v) {
-    shape[v] = placement(shape[v]);
-    if (!scratch.vector.empty()) shape[v] += Eigen::Map<const Vec3>(&scratch.vector[system_->at(v)]);
-  }
-}
-
 double HeldMotion::placementShare(const SpanPlace& place, const Mat3& frameSum, const Mat3& mean) const {
   const double share = tween(placed_.data(), path_.spans(), path_.loop(), place);
   return share * place.within() * fade((mean.transpose() * frameSum).trace() - 1, scattered, gathered);
 }
 
-// A little inertia keeps a shape that is a line from spinning about itself.
-HeldMotion::Placement HeldMotion::place(const Mat3& covariance, const Vec3& shapeMean, const Vec3& targetMean,
-                                        double share) const {
-  const Mat3 fit = projectToRotation(covariance + inertia * covariance.norm() * Mat3::Identity());
-  const Vec3 turn = logRotation(fit);
-  const double taken = share * (1 - fade(turn.norm(), fitTurnsLittle, fitTurnsFar));
-  return {expRotation(taken * turn), shapeMean, taken * (targetMean - shapeMean)};
+// A little inertia keeps a shape that is a line from spinning about itself. The shape turns about its centroid.
+HeldMotion::Placement HeldMotion::place(const FitSums& sums, double share) const {
+  const Mat3 fit = projectToRotation(sums.covariance + inertia * sums.covariance.norm() * Mat3::Identity());
+  const Vec3 angle = logRotation(fit);
+  const double taken = share * (1 - fade(angle.norm(), fitTurnsLittle, fitTurnsFar));
+  const Mat3 turn = expRotation(taken * angle);
+  return {turn, sums.from + taken * (sums.to - sums.from) - turn * sums.from};
 }
 
-// target: what is left of each vertex's way.
-void HeldMotion::anchor(const SpanPlace& place, Scratch& scratch, ForkJoin* forkJoin) const {
+void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape,
+                       Scratch& scratch, ForkJoin* forkJoin) const {
+  const SpanPlace place = path_.placeOf(t);
+  if (place.beyond >= 1) return;
+  const Mat3 sum = frameSum(frames), turn = projectToRotation(sum);
+  path_.positionsAt(t, scratch.target);
+  if (rigid_) {
+    rigid_->positionsAt(t, scratch.body);
+    blendWithBody(deforms_, turn, mean, scratch.body, scratch.target);
+  }
+  const Placement placed = this->place(fitSums(area_, mean, shape, scratch.target), placementShare(place, sum, turn));
+  moveRigidly(placed.turn, placed.move, shape);
+  if (hold_ == Hold::Anchored) anchor(place.within(), shape, scratch, forkJoin);
+  if (resting_->weightsAt(place, scratch.weight)) holdPatches(shape, scratch, forkJoin);
+}
+
+void HeldMotion::anchor(double share, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {
   scratch.vector.assign(system_->size(), 0.0);
-  for (std::size_t v = 0; v < area_.size(); ++v)
-    for (int k = 0; k < 3; ++k) scratch.vector[system_->at(v) + k] = place.within() * anchor_[v] * scratch.target[v][k];
+  scatterWay(shape, scratch.target, anchor_, share, system_->slot(), scratch.vector);
   system_->solve(scratch.vector, scratch.solve, forkJoin);
+  addGathered(scratch.vector, system_->slot(), shape);
 }
 
-// Adds the pull of the resting patches to what is in the vector already.
-void HeldMotion::holdPatches(const Placement& placement, Scratch& scratch, ForkJoin* forkJoin) const {
+void HeldMotion::holdPatches(Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {
   const std::vector<int>& handleOf = resting_->handleOf();
   const std::vector<double>& share = resting_->share();
-  std::vector<Vec3>& left = scratch.targetMean;
-  for (std::size_t h = 0; h < left.size(); ++h) left[h] -= placement(scratch.shapeMean[h]);
-  const std::vector<double> anchored = std::move(scratch.vector);
-  if (!anchored.empty())
-    for (std::size_t v = 0; v < area_.size(); ++v)
-      if (handleOf[v] >= 0) left[handleOf[v]] -= share[v] * Eigen::Map<const Vec3>(&anchored[system_->at(v)]);
-  for (std::size_t h = 0; h < left.size(); ++h) left[h] *= scratch.weight[h];
-  resting_->pull(left);
+  std::vector<Vec3>& pull = scratch.pull;
+  pull.assign(resting_->count(), Vec3::Zero());
+  addMeans(handleOf, share, shape, pull);
+  for (Vec3& p : pull) p = -p;
+  addMeans(handleOf, share, scratch.target, pull);
+  for (std::size_t h = 0; h < pull.size(); ++h) pull[h] *= scratch.weight[h];
+  resting_->pull(pull);
   scratch.vector.assign(system_->size(), 0.0);
-  for (std::size_t v = 0; v < area_.size(); ++v)
+  for (std::size_t v = 0; v < shape.size(); ++v)
     for (int k = 0; k < 3 && handleOf[v] >= 0; ++k)
-      scratch.vector[system_->at(v) + k] = share[v] * left[handleOf[v]][k];
+      scratch.vector[system_->at(v) + k] = share[v] * pull[handleOf[v]][k];
   system_->solve(scratch.vector, scratch.solve, forkJoin);
-  for (std::size_t i = 0; i < anchored.size(); ++i) scratch.vector[i] += anchored[i];
+  addGathered(scratch.vector, system_->slot(), shape);
 }
 
 }  // namespace shapespline

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/hold/hold_passes.h"
 #include "core/hold/resting_patches.h"
 
 namespace shapespline {
@@ -36,9 +37,9 @@ class HeldMotion {
                                                           const HeldMotion* before);
 
   struct Scratch {
-    std::vector<Vec3> target;
+    Positions target, body;
     std::vector<double> vector, weight;
-    std::vector<Vec3> shapeMean, targetMean, pulled;
+    std::vector<Vec3> pull;
     HoldSystem::Scratch solve;
   };
 
@@ -49,9 +50,8 @@ class HeldMotion {
 
  private:
   struct Placement {
-    Mat3 rotation;
-    Vec3 centre, move;
-    Vec3 operator()(const Vec3& p) const { return rotation * (p - centre) + centre + move; }
+    Mat3 turn;
+    Vec3 move;
   };
 
   HeldMotion(const HoldInput& input, const Curve& curve, Hold hold);
@@ -60,9 +60,9 @@ class HeldMotion {
   std::vector<double> anchorWeights(const HoldInput& input, const std::vector<double>& faceArea) const;
   double placementShare(const SpanPlace& place, const Mat3& frameSum, const Mat3& mean) const;
   Mat3 frameSum(const std::vector<Quaternion>& frames) const;
-  Placement place(const Mat3& covariance, const Vec3& shapeMean, const Vec3& targetMean, double share) const;
-  void anchor(const SpanPlace& place, Scratch& scratch, ForkJoin* forkJoin) const;
-  void holdPatches(const Placement& placement, Scratch& scratch, ForkJoin* forkJoin) const;
+  Placement place(const FitSums& sums, double share) const;
+  void anchor(double share, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
+  void holdPatches(Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
 
   Hold hold_;
   VertexPath path_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/hold/hold_passes.h"
 #include "core/mesh/triangle.h"
 
 namespace shapespline {
@@ -88,9 +89,9 @@ Result<HoldSystem> HoldSystem::create(const HoldMesh& mesh, std::span<const doub
 
 void HoldSystem::solve(std::vector<double>& x, Scratch& scratch, ForkJoin* forkJoin) const {
   if (precision_ == Precision::Double) return solver_.solve(x.data(), forkJoin);
-  scratch.single.assign(x.begin(), x.end());
+  toSingle(x, scratch.single);
   solver_.solve(scratch.single.data(), forkJoin);
-  x.assign(scratch.single.begin(), scratch.single.end());
+  toDouble(scratch.single, x);
 }
 
 }  // namespace shapespline

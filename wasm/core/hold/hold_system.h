@@ -38,6 +38,8 @@ class HoldSystem {
   struct Scratch {
     std::vector<float> single;
   };
+  const std::vector<int>& slot() const { return slot_; }
+
   /// In place; size() numbers.
   void solve(std::vector<double>& x, Scratch& scratch, ForkJoin* forkJoin) const;
 

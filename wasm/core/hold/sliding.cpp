@@ -25,7 +25,8 @@ Sliding::Sliding(const HoldMesh& mesh, const Curve& keys)
 
 double Sliding::at(double t, const Positions& shape, const std::vector<int>& weldedOf) const {
   const SpanPlace place = path_.placeOf(t);
-  const VertexPath::At at = path_.at(t);
+  Positions rests;
+  path_.positionsAt(t, rests);
   double square = 0, resting = 0;
   std::vector<char> seen(area_.size(), 0);
   for (std::size_t raw = 0; raw < shape.size() && place.beyond == 0; ++raw) {
@@ -35,7 +36,7 @@ double Sliding::at(double t, const Positions& shape, const std::vector<int>& wel
     const double weight = area_[v] * static_cast<double>(path_.rest(place.span, v));
     if (weight == 0) continue;
     resting += weight;
-    square += weight * (shape[raw] - path_.position(at, v)).squaredNorm();
+    square += weight * (shape[raw] - rests[v]).squaredNorm();
   }
   if (resting < leastResting) return std::numeric_limits<double>::quiet_NaN();
   return std::sqrt(square / resting) / diagonal_;

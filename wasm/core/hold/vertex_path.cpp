@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/hold/hold_passes.h"
+
 namespace shapespline {
 
 namespace {
@@ -89,12 +91,11 @@ SpanPlace VertexPath::placeOf(double t) const {
   return place;
 }
 
-VertexPath::At VertexPath::at(double t) const {
+void VertexPath::positionsAt(double t, Positions& positions) const {
   const SpanPlace place = placeOf(t);
   const int k = place.span;
   const double h = spans_[k].end - spans_[k].start, u = place.share, w = 1 - u;
-  At at;
-  at.span = static_cast<std::size_t>(k);
+  PathWeights at;
   at.step = u * u * (3 - 2 * u);
   at.slope0 = h * u * w * w;
   at.slope1 = -h * u * u * w;
@@ -113,18 +114,9 @@ VertexPath::At VertexPath::at(double t) const {
     if (u > 0) at.rest1[2] += further;
     else at.rest0[1] += further;
   }
-  return at;
-}
-
-Vec3 VertexPath::position(const At& at, std::size_t v) const {
-  const float *a = &slope_[at.span][3 * v], *b = &slope_[at.span + 1][3 * v];
-  const double rest0 = knotRest_[at.span][v], rest1 = knotRest_[at.span + 1][v];
-  const double step = at.step - rest0 * at.rest0[0] - rest1 * at.rest1[0];
-  const double slope0 = at.slope0 - rest0 * at.rest0[1] - rest1 * at.rest1[1];
-  const double slope1 = at.slope1 - rest0 * at.rest0[2] - rest1 * at.rest1[2];
-  Vec3 p = (*knots_[at.span])[v];
-  for (int k = 0; k < 3; ++k) p[k] += step * ((*knots_[at.span + 1])[v][k] - p[k]) + slope0 * a[k] + slope1 * b[k];
-  return p;
+  const std::size_t from = k, to = from + 1;
+  pathPositions({*knots_[from], slope_[from], knotRest_[from]}, {*knots_[to], slope_[to], knotRest_[to]}, at,
+                positions);
 }
 
 }  // namespace shapespline

@@ -27,17 +27,9 @@ class VertexPath {
   /// neither size nor unit of time matter.
   float rest(int span, std::size_t v) const { return rest_[span][v]; }
 
-  /// What all vertices share at one time.
-  struct At {
-    std::size_t span = 0;
-    // Of the step and the slopes at both ends; of the parts of them that rest takes away at either end.
-    double step = 0, slope0 = 0, slope1 = 0, rest0[3] = {}, rest1[3] = {};
-  };
-  At at(double t) const;
-
-  /// The quintic that has the spline's position at both keys, and there its velocity and acceleration scaled down by
-  /// the rest around the key. Without rest the cubic.
-  Vec3 position(const At& at, std::size_t v) const;
+  /// All vertices at time t: the quintic that has the spline's position at both keys, and there its velocity and
+  /// acceleration scaled down by the rest around the key. Without rest the cubic.
+  void positionsAt(double t, Positions& positions) const;
 
  private:
   void findRest(double diagonal);

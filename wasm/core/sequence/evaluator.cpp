@@ -30,9 +30,10 @@ void blendVertices(const WeldedShape& shape, const CurvePoint& point, Positions&
 void Evaluator::hold(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point) {
   const Vec3 move = motion.loopMove(encoded, point);
   const Vec3 mean = shapespline::blend(encoded.meanPosition(), poseWeights(point, encoded.shape().roles())) + move;
-  for (Vec3& p : welded_) p += move;
+  const bool moved = move != Vec3::Zero();
+  if (moved) moveRigidly(Mat3::Identity(), move, welded_);
   motion.held()->apply(motion.curve().wrap(t).time, frames_.rotation, mean, welded_, heldScratch_, forkJoin_);
-  for (Vec3& p : welded_) p -= move;
+  if (moved) moveRigidly(Mat3::Identity(), -move, welded_);
 }
 
 void Evaluator::frame(const EncodedShape& encoded, const Motion& motion, double t, Frame& frame) {
@@ -64,16 +65,9 @@ void Evaluator::holdPlaced(const EncodedShape& encoded, const Motion& motion, do
                            PlacedShape<float>& placed) {
   if (!motion.held()) return;
   Stopwatch watch;
-  const std::vector<int>& placeOf = encoded.placeOf();
-  welded_.resize(placeOf.size());
-  for (std::size_t v = 0; v < welded_.size(); ++v) {
-    const float* p = &placed.places[4 * static_cast<std::size_t>(placeOf[v])];
-    welded_[v] = Vec3(p[0], p[1], p[2]) + placed.move;
-  }
+  readPlaces(placed.places, encoded.placeOf(), placed.move, welded_);
   hold(encoded, motion, t, point);
-  for (std::size_t v = 0; v < welded_.size(); ++v)
-    for (int k = 0; k < 3; ++k)
-      placed.places[4 * static_cast<std::size_t>(placeOf[v]) + k] = static_cast<float>(welded_[v][k] - placed.move[k]);
+  writePlaces(welded_, encoded.placeOf(), placed.move, placed.places);
   stats_.placeMs += watch.lap();
 }
 
