@@ -3,8 +3,9 @@ import defaultWasmUrl from '../../build/wasm/shapespline.wasm?url';
 import { lockReleased } from './wire/worker-lock.ts';
 import type { Engine } from './api/api.ts';
 import { EngineClient, onlyOnce } from './caller/engine.ts';
-import { engineError, messageOf, type EngineError } from './api/errors.ts';
+import { engineError } from './api/errors.ts';
 import type { FromWorker, Locked } from './wire/protocol.ts';
+import { compileFrom, notLoaded } from './caller/wasm-file.ts';
 import { endedWorker, type Spawn } from './caller/worker-client.ts';
 
 export interface EngineUrls {
@@ -59,8 +60,9 @@ let workers = 0;
 function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | undefined): Spawn {
   return (events) => {
     const name = `shapespline worker ${++workers} ${performance.timeOrigin} ${Math.random()}`;
-    const worker = workerUrl
-      ? new Worker(sameOrigin(new URL(workerUrl, document.baseURI)), { type: 'module', name })
+    const given = workerUrl && sameOrigin(new URL(workerUrl, document.baseURI));
+    const worker = given
+      ? new Worker(given, { type: 'module', name })
       : new Worker(new URL('./worker/engine.worker.ts', import.meta.url), { type: 'module', name });
     let replied = false;
     let wanted = true;
@@ -70,6 +72,7 @@ function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | u
       if (unexpected) onLost?.();
     };
     worker.onmessage = ({ data }: MessageEvent<FromWorker | Locked>) => {
+      if (!replied && typeof given === 'string') URL.revokeObjectURL(given);
       replied = true;
       if (data.type === 'locked') void lockReleased(name).then(() => lost('the browser has ended it'));
       else events.message(data);
@@ -77,6 +80,7 @@ function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | u
     worker.onmessageerror = () => events.failure(endedWorker('a message could not be received'));
     worker.onerror = (event) => {
       event.preventDefault();
+      if (!replied && typeof given === 'string') URL.revokeObjectURL(given);
       if (replied || event.message) lost(event.message);
       else events.failure(notLoaded("the worker's script", 'it did not start'));
     };
@@ -102,22 +106,7 @@ async function compile(url: URL): Promise<WebAssembly.Module> {
         'Any current version of Firefox, Chrome, Edge or Safari can.',
     );
   }
-  try {
-    const response = await fetch(url);
-    if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
-    // Streaming needs the server to name the type; without it the bytes are compiled as a whole.
-    const typed = response.headers.get('Content-Type')?.startsWith('application/wasm');
-    return await (typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer()));
-  } catch (error) {
-    throw notLoaded(url.href, messageOf(error));
-  }
-}
-
-function notLoaded(what: string, reason: string): EngineError {
-  return engineError(
-    'not-loaded',
-    `The computation could not be loaded (${what}: ${reason}). Check the connection and reload the page.`,
-  );
+  return compileFrom(url);
 }
 
 /** Validates the smallest module that uses a vector instruction: a function that returns i8x16.splat(0). */

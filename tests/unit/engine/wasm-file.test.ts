@@ -1,0 +1,33 @@
+/** What a page says where the computation is not at its address. */
+import { expect, it } from 'vitest';
+import { compileFrom } from '../../../web/engine/caller/wasm-file.ts';
+
+const url = new URL('https://example.org/app/shapespline.wasm');
+const EMPTY_MODULE = new Uint8Array([0x00, 0x61, 0x73, 0x6d, 1, 0, 0, 0]);
+
+const answer =
+  (body: BodyInit | null, type?: string, status = 200) =>
+  (): Promise<Response> =>
+    Promise.resolve(new Response(body, { status, headers: type === undefined ? {} : { 'Content-Type': type } }));
+
+it.each(['application/wasm', 'application/octet-stream', undefined])('compiles what is served as %s', async (type) => {
+  expect(await compileFrom(url, answer(EMPTY_MODULE, type))).toBeInstanceOf(WebAssembly.Module);
+});
+
+it.each(['text/html', 'application/wasm'])('says that a web page came instead, served as %s', async (type) => {
+  const failure = compileFrom(url, answer('<!doctype html><title>Home</title>', type));
+  await expect(failure).rejects.toMatchObject({ code: 'not-loaded' });
+  await expect(failure).rejects.toThrow(
+    `${url.href} answered with “<!doctype html><title>Ho…” (${type}) instead of WebAssembly. ` +
+      'Put the .wasm file at that address, or name the address where it is.',
+  );
+});
+
+it('says what else is wrong: nothing, a status, no connection, a damaged file', async () => {
+  await expect(compileFrom(url, answer(null, 'text/plain'))).rejects.toThrow('answered with nothing instead');
+  await expect(compileFrom(url, answer('', undefined, 404))).rejects.toThrow(`(${url.href}: 404`);
+  const offline = compileFrom(url, () => Promise.reject(new TypeError('Failed to fetch')));
+  await expect(offline).rejects.toThrow('Failed to fetch). Check the connection and reload the page.');
+  const damaged = compileFrom(url, answer(new Uint8Array([...EMPTY_MODULE, 99]), 'application/wasm'));
+  await expect(damaged).rejects.toMatchObject({ code: 'not-loaded' });
+});

@@ -1,0 +1,52 @@
+/** WebAssembly from an address that may answer with anything. */
+import { engineError, messageOf, type EngineError } from '../api/errors.ts';
+
+const MAGIC = [0x00, 0x61, 0x73, 0x6d];
+/** Of an answer that is no WebAssembly, in bytes. */
+const SHOWN = 24;
+
+/** Compiles while it loads where the server names the type. Error: not-loaded, with what came instead. */
+export async function compileFrom(
+  url: URL,
+  load: (url: URL) => Promise<Response> = fetch,
+): Promise<WebAssembly.Module> {
+  const response = await load(url).catch((error: unknown) => {
+    throw notLoaded(url.href, messageOf(error));
+  });
+  if (!response.ok) throw notLoaded(url.href, `${response.status} ${response.statusText}`.trim());
+  const type = response.headers.get('Content-Type') ?? 'of no type';
+  try {
+    if (!type.startsWith('application/wasm'))
+      return await WebAssembly.compile(checked(url, type, await response.arrayBuffer()));
+    const copy = response.clone();
+    return await WebAssembly.compileStreaming(response).catch(async (error: unknown) => {
+      checked(url, type, await copy.arrayBuffer());
+      throw error;
+    });
+  } catch (error) {
+    throw (error as Partial<EngineError>).code === 'not-loaded' ? error : notLoaded(url.href, messageOf(error));
+  }
+}
+
+/** A host that knows no such file may answer with a web page, as if all were well. */
+function checked(url: URL, type: string, bytes: ArrayBuffer): ArrayBuffer {
+  const begin = new Uint8Array(bytes, 0, Math.min(SHOWN, bytes.byteLength));
+  if (MAGIC.every((byte, index) => begin[index] === byte)) return bytes;
+  const text = new TextDecoder()
+    .decode(begin)
+    .replace(/[^\x20-\x7e]+/g, ' ')
+    .trim();
+  const what = begin.length === 0 ? 'nothing' : `“${text}…” (${type})`;
+  throw engineError(
+    'not-loaded',
+    `The computation could not be loaded: ${url.href} answered with ${what} instead of WebAssembly. ` +
+      'Put the .wasm file at that address, or name the address where it is.',
+  );
+}
+
+export function notLoaded(what: string, reason: string): EngineError {
+  return engineError(
+    'not-loaded',
+    `The computation could not be loaded (${what}: ${reason}). Check the connection and reload the page.`,
+  );
+}
