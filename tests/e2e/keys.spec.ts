@@ -114,6 +114,8 @@ test('keys are spaced by how different they are, and overshoot is taken away', a
   await expect.poll(times).not.toEqual(before);
   await app.by('space-even').click();
   await expect.poll(times).toEqual(before);
+  await app.by('tightness-auto').click();
+  await expect(app.by('toast')).toContainText('No key is overshot');
   // Nearly equal times in a row ask for more than the spline can do without overshoot.
   await app.by('key-1-edit').click();
   await app.by('key-time').fill(String(before[0]! + 0.02 * (before.at(-1)! - before[0]!)));

@@ -382,7 +382,8 @@ test('a long video is stopped and leaves everything as it was', async ({ app }) 
   await app.open();
   await stated(app, () => chooseVideo(app, 'mp4', { 'export-duration': '300' }));
   await app.by('export-go').click();
-  await expect(app.by('stage')).toHaveText(/^Frame [\d,]+ of 9,000$/);
+  await expect(app.by('stage')).toHaveText(/^Frame [\d,]+ of 9,000/);
+  await expect(app.by('stage')).toHaveText(/, about \d+\s(s|min) left$/);
   await app.by('cancel').click();
   await expect(app.by('progress')).toBeHidden();
   await app.settled();

@@ -62,7 +62,7 @@ export function startApp(root: HTMLElement): void {
   const display = createDisplay({ session, layout, viewState, feedback, seek, onResize: redraw });
   const { scene, marking } = display;
   const { frameLoop } = display.playback;
-  const commands = commandsOf(session, display, viewState);
+  const commands = commandsOf(session, display, viewState, feedback.say);
   const { analysis, onAnalysisError } = analysisOf(session, viewState, feedback);
   const motionPace = createMotionPace({ sequence, onPace: (pace) => viewState.change({ pace }) });
   const ways = createWays({
@@ -240,6 +240,7 @@ function commandsOf(
   { store, workspace, sequence, range }: Session,
   display: Display,
   viewState: ViewStateHolder,
+  say: (text: string) => void,
 ): Commands {
   const { scene, playback } = display;
   return createCommands({
@@ -254,6 +255,7 @@ function commandsOf(
     },
     fit: (view) => scene.fit(view, !reducedMotion()),
     onUse: () => viewState.change({ welcome: false }),
+    say,
   });
 }
 

@@ -9,6 +9,16 @@ export interface Working {
   fraction: number;
 }
 
+/** What the engine calls its stages, in words of what they are for. */
+const STAGE_WORDS: Readonly<Record<string, string>> = {
+  reading: 'Reading',
+  welding: 'Joining seams',
+  simplifying: 'Making the ghost mesh',
+  encoding: 'Comparing the poses',
+  ordering: 'Preparing the motion',
+  factorising: 'Preparing the motion',
+};
+
 /** The stage, a bar, and a way out; the shape behind it can still be played. */
 export function createProgress(onCancel: () => void): { element: HTMLElement; update(working: Working | null): void } {
   const stage = h('span', { class: 'stage', 'data-testid': 'stage' });
@@ -37,7 +47,7 @@ export function createProgress(onCancel: () => void): { element: HTMLElement; up
     update(working) {
       setHidden(element, working === null);
       if (!working) return;
-      setText(stage, working.stage);
+      setText(stage, STAGE_WORDS[working.stage] ?? working.stage);
       setAttribute(meter, 'aria-valuenow', Math.round(working.fraction * 100));
       setStyle(bar, 'width', `${(working.fraction * 100).toFixed(1)}%`);
     },

@@ -101,6 +101,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   const found = h('p', { class: 'hint', role: 'status', 'data-testid': 'sample-found', hidden: true });
   const original = checkbox('Show the animation beside it', 'sample-original', onOriginal);
   const title = h('strong', {}, '');
+  const countLabel = h('span', { class: 'label' });
   const row = (label: string, ...controls: HTMLElement[]): HTMLElement =>
     h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...controls);
   const element = h(
@@ -108,7 +109,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     { class: 'group animation-source', hidden: true, 'data-testid': 'sampling', 'aria-label': 'Animation' },
     title,
     animation.element,
-    row('Evenly spaced keys', count),
+    h('div', { class: 'field row' }, countLabel, count),
     row('Fewest within', tolerance, h('span', { class: 'muted' }, '%'), fewest),
     found,
     original.element,
@@ -131,6 +132,8 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     complain('');
     track.update(span(), times);
     setField(list, times.map(short).join(', '));
+    // What was found where the motion needs it, or chosen by hand, is not even.
+    setText(countLabel, sameTimes(times, evenly(span(), times.length)) ? 'Evenly spaced keys' : 'Keys');
     setField(count, String(times.length));
     count.value = String(times.length);
   }

@@ -129,6 +129,9 @@ function pictureText(request: ExportRequest, window: PictureSize): string {
   return request.crop ? `A picture, cropped from ${size}` : `A picture of ${size}`;
 }
 
+/** The first frames are slower than the others. */
+const LEFT_AFTER_MS = 3000;
+
 const grouped = (count: number): string => count.toLocaleString('en');
 const pixels = ({ width, height }: PictureSize): string => `${width}\u00a0×\u00a0${height}\u00a0pixels`;
 
@@ -200,6 +203,7 @@ async function video(request: ExportRequest, job: ExportJob): Promise<void> {
   const show = (share: number): Promise<void> =>
     isTurn(request) ? job.turn(share) : job.show(start + share * (end - start));
   const ground = pageColour('--stage-centre');
+  const began = performance.now();
   const blob = await withSheet(job.scene, sizeOf(request, format), true, (sheet) =>
     writeVideo({
       format,
@@ -212,11 +216,23 @@ async function video(request: ExportRequest, job: ExportJob): Promise<void> {
         sheet.takeTitles();
       },
       onFrame: (done) =>
-        job.onProgress({ stage: `Frame ${grouped(done)} of ${grouped(frames)}`, fraction: done / frames }),
+        job.onProgress({
+          stage: `Frame ${grouped(done)} of ${grouped(frames)}${leftText(performance.now() - began, done / frames)}`,
+          fraction: done / frames,
+        }),
       signal: job.signal,
     }),
   );
   download(blob, `${job.name}.${format}`);
+}
+
+/** How long it still takes at the mean pace so far, once that can be told; nothing where it is soon over. */
+export function leftText(milliseconds: number, fraction: number): string {
+  const left = (milliseconds / fraction - milliseconds) / 1000;
+  if (milliseconds < LEFT_AFTER_MS || left < 10) return '';
+  return left < 90
+    ? `, about ${Math.ceil(left / 10) * 10}\u00a0s left`
+    : `, about ${Math.round(left / 60)}\u00a0min left`;
 }
 
 async function table(request: ExportRequest, job: ExportJob): Promise<void> {

@@ -58,9 +58,10 @@ export interface CommandParts {
   fit(view: ViewName | null): void;
   /** The visitor has found out how to move through time. */
   onUse(): void;
+  say(text: string): void;
 }
 
-export function createCommands({ store, pool, range, initial, keyPace, exactShape, fit, onUse }: CommandParts) {
+export function createCommands({ store, pool, range, initial, keyPace, exactShape, fit, onUse, say }: CommandParts) {
   const state = store.get;
   const times = (): number[] => state().doc.keys.map((key) => key.time);
 
@@ -146,6 +147,8 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
       const pace = await paceOfKeys();
       if (pace) {
         const tension = pace.tension.map((value) => Math.ceil(value * 1000) / 1000);
+        if (state().doc.keys.every(({ shaping }, key) => shaping.tension === tension[key]))
+          return say('No key is overshot: there is nothing to change.');
         store.edit(`${PER_KEY.tension.undo} without overshoot`, (doc) => setTightness(doc, tension));
       }
     },
