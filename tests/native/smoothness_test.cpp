@@ -85,6 +85,19 @@ void checkBoundaries(const std::string& what, const Keyframes& k, const Encoding
   }
 }
 
+// What holds corrects shapes and not patches: it must not jump by itself either.
+void checkHeld(const std::string& name, const Keyframes& k) {
+  Sequence sequence = sequenceOf(k, doublePrecision());
+  std::vector<double> times;
+  for (const Key& key : k.keys) times.push_back(key.time);
+  for (const auto& [hold, words] : {std::pair(Hold::Contact, ", contact"), std::pair(Hold::Anchored, ", anchored")}) {
+    MotionOptions motion;
+    motion.hold = hold;
+    REQUIRE(sequence.update(motion, times).ok());
+    checkSweep(name + words, sequence);
+  }
+}
+
 EncodingOptions withGhost(int faces) {
   EncodingOptions options = doublePrecision();
   options.ghostFaces = faces;
@@ -105,6 +118,7 @@ void checkKeyframes(const std::string& name, const Keyframes& k) {
     if (k.faceCount() < 2 * ghost || (!full && (large || ghost == 1000))) continue;
     checkBoundaries(name + ", " + std::to_string(ghost) + " ghost faces", k, withGhost(ghost), full ? 5 : 1);
   }
+  if (k.keyCount() > 2) checkHeld(name, k);
   if (full || small) checkBoundaries(name + ", log stretch", k, withLogStretch(), full ? 5 : 1);
 }
 
