@@ -161,6 +161,18 @@ TEST_CASE("held or not, one motion leads to the other and back bit for bit") {
     REQUIRE(updated.update(with(hold), times).ok());
     CHECK(shapeAt(updated, 1.4) == shapeAt(s, 1.4));
     CHECK(shapeAt(updated, 1.4) == shapeAt(updated, 1.4));
+    // Handles are taken over where the keys' times stay, and made anew where they do not.
+    MotionOptions tense = with(hold);
+    tense.tension = {0, 0.5, 0, 0.3, 0};
+    std::vector<double> later = times;
+    later[2] = 1.8;
+    Keyframes moved = k;
+    moved.keys[2].time = later[2];
+    REQUIRE(updated.update(tense, times).ok());
+    Sequence fresh = make(k, tense), freshLater = make(moved, tense);
+    CHECK(shapeAt(updated, 1.4) == shapeAt(fresh, 1.4));
+    REQUIRE(updated.update(tense, later).ok());
+    CHECK(shapeAt(updated, 1.4) == shapeAt(freshLater, 1.4));
   }
   REQUIRE(updated.update({}, times).ok());
   CHECK(shapeAt(updated, 1.4) == shapeAt(plain, 1.4));

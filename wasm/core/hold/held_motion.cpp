@@ -38,7 +38,14 @@ Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& in
     if (!system) return system.error();
     held->system_ = std::make_shared<const HoldSystem>(std::move(*system));
   }
-  std::vector<int> patchOf(held->area_.size(), -1);
+  // What rests is told by the keys and their times alone.
+  if (same && before->path_.hasSpansOf(held->path_)) held->resting_ = before->resting_;
+  else held->findResting(input);
+  return std::shared_ptr<const HeldMotion>(std::move(held));
+}
+
+void HeldMotion::findResting(const HoldInput& input) {
+  std::vector<int> patchOf(area_.size(), -1);
   int patches = 0;
   for (std::size_t f = 0; f < input.patchOfFace.size(); ++f) {
     if (input.patchOfFace[f] < 0) continue;
@@ -46,8 +53,7 @@ Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& in
     for (const int v : input.mesh.shape.faces[f])
       if (patchOf[v] < 0) patchOf[v] = input.patchOfFace[f];
   }
-  held->resting_.emplace(held->path_, *held->system_, patchOf, patches, held->area_);
-  return std::shared_ptr<const HeldMotion>(std::move(held));
+  resting_ = std::make_shared<const RestingPatches>(path_, *system_, patchOf, patches, area_);
 }
 
 HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve, Hold hold)

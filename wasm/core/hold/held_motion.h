@@ -31,8 +31,8 @@ struct HoldInput {
 /// Immutable.
 class HeldMotion {
  public:
-  /// before: of the same shape, whose system is taken over where it is the same; or null. The curve must be cubic and
-  /// hold not Off. Error: that of the solver.
+  /// before: of the same shape, whose system and handles are taken over where they are the same; or null. The curve
+  /// must be cubic and hold not Off. Error: that of the solver.
   static Result<std::shared_ptr<const HeldMotion>> create(const HoldInput& input, const Curve& curve, Hold hold,
                                                           const HeldMotion* before);
 
@@ -55,6 +55,7 @@ class HeldMotion {
   };
 
   HeldMotion(const HoldInput& input, const Curve& curve, Hold hold);
+  void findResting(const HoldInput& input);
   void measureTurns(const HoldInput& input, const std::vector<KeySpan>& spans, const std::vector<Mat3>& poses);
   void findBody(const HoldInput& input, const Curve& curve, const std::vector<Mat3>& poses);
   std::vector<double> anchorWeights(const HoldInput& input, const std::vector<double>& faceArea) const;
@@ -77,7 +78,7 @@ class HeldMotion {
   std::vector<Mat3> turns_;        // mean rotation of each column
   std::vector<double> frameTurn_;  // rms angle of each frame from key to key
   std::shared_ptr<const HoldSystem> system_;
-  std::optional<RestingPatches> resting_;
+  std::shared_ptr<const RestingPatches> resting_;
 };
 
 }  // namespace shapespline

@@ -79,6 +79,14 @@ void VertexPath::findRest(double diagonal) {
   }
 }
 
+bool VertexPath::hasSpansOf(const VertexPath& other) const {
+  const auto same = [](const KeySpan& a, const KeySpan& b) {
+    return a.start == b.start && a.end == b.end && a.from == b.from && a.to == b.to;
+  };
+  return loop_ == other.loop_ &&
+         std::equal(spans_.begin(), spans_.end(), other.spans_.begin(), other.spans_.end(), same);
+}
+
 SpanPlace VertexPath::placeOf(double t) const {
   const auto after = std::upper_bound(spans_.begin(), spans_.end(), t,
                                       [](double time, const KeySpan& span) { return time < span.start; });

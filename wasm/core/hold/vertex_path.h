@@ -22,6 +22,8 @@ class VertexPath {
   int spans() const { return static_cast<int>(spans_.size()); }
   bool loop() const { return loop_; }
   SpanPlace placeOf(double t) const;
+  /// Whether it runs through the same keys at the same times: of the same shape, the same vertices rest then.
+  bool hasSpansOf(const VertexPath& other) const;
 
   /// How little a vertex moves in a span beside the spans before and after it, in [0, 1]. Speeds are compared, so that
   /// neither size nor unit of time matter.
