@@ -109,6 +109,13 @@ export function createRememberedFiles({
 
   const own = (): string | null => store.get().project;
   const isKept = (): boolean => kept.has(own() ?? '');
+  /** The state in the note, until it is written. */
+  let lastNoted: string | null = null;
+  const wrote = (text: string): void => {
+    if (text !== lastNoted) return;
+    lastNoted = null;
+    writeSetting(NOTE, null);
+  };
   const added = (): number => (workspace.pool ? workspace.pool.count - workspace.pool.imported : 0);
   let shown: { remembered: boolean; shelf: readonly ProjectOnShelf[] } | null = null;
   const changed = (): void => {
@@ -150,6 +157,7 @@ export function createRememberedFiles({
       if (version !== null) {
         kept.set(id, { version, poses: poses.length, files, state: text });
         newest = id;
+        wrote(text);
       } else if (!dropped.has(id)) {
         kept.delete(id);
         const other = newProjectId();
@@ -236,6 +244,7 @@ export function createRememberedFiles({
       if (before && state.project === waiting && before.poses === added()) {
         const { version, poses } = before;
         writeSetting(NOTE, JSON.stringify({ id: waiting, version, poses, state } satisfies Note));
+        lastNoted = JSON.stringify(state);
       }
       keep(waiting);
     },
@@ -286,7 +295,9 @@ export function createRememberedFiles({
 function noted(id: string, version: number, poses: number): AppState | null {
   try {
     const note = JSON.parse(readSetting(NOTE) ?? 'null') as Note | null;
-    return note?.id === id && note.version === version && note.poses === poses ? note.state : null;
+    // A write that was under way then may have ended since.
+    const isLater = note !== null && version - note.version >= 0 && version - note.version <= 1;
+    return note?.id === id && isLater && note.poses === poses ? note.state : null;
   } catch {
     return null;
   }
