@@ -1,5 +1,6 @@
 /** "Hold what rests": feet that stand between two keys stay, and the choice is undone, linked and exported. */
 import { writeFileSync } from 'node:fs';
+import { exported } from './exporting.ts';
 import { diagonal, difference, expect, test, type App } from './support.ts';
 
 /** A wall on its foot: below height 2 it rests, above it bends to either side. As OBJ. */
@@ -81,9 +82,18 @@ test('a foot that rests stays where it stands', async ({ app }, testInfo) => {
   await app.open();
   await expect(app.by('hold-contact')).toBeChecked();
   expect(difference(await app.positionsAt(1.5), held)).toBeLessThan(1e-6);
+
+  // The exported project is the same motion where it is opened again.
+  const { download } = await exported(app, () => app.by('export-targets-every').check());
+  const saved = testInfo.outputPath('held.glb');
+  await download.saveAs(saved);
   await app.by('hold-off').check();
   await app.settled();
   expect(await app.positionsAt(1.5)).toEqual(before);
+  await app.by('file-input').setInputFiles(saved);
+  await expect(app.by('hold-contact')).toBeChecked();
+  await app.settled();
+  expect(difference(await app.positionsAt(1.5), held)).toBeLessThan(1e-4 * diagonal(held));
 });
 
 test('a link holds, and other methods and two keys have nothing to hold', async ({ app }) => {
@@ -94,5 +104,13 @@ test('a link holds, and other methods and two keys have nothing to hold', async 
   await app.settled();
   expect(difference(await app.positionsAt(0.3), held)).toBeGreaterThan(0);
   await app.by('method').selectOption('linear');
+  await expect(app.by('hold-contact')).toBeHidden();
+  await app.by('method').selectOption('lri');
+  await expect(app.by('hold-contact')).toBeVisible();
+  for (let keys = 4; keys >= 2; keys--) {
+    await app.by('key-0-go').focus();
+    await app.page.keyboard.press('Delete');
+    await expect.poll(async () => (await app.state()).doc.keys.length).toBe(keys);
+  }
   await expect(app.by('hold-contact')).toBeHidden();
 });

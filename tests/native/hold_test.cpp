@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "core/base/centroid.h"
 #include "core/mesh/measures.h"
 #include "real_data.h"
 #include "sequences.h"
@@ -29,14 +30,14 @@ Sequence make(const Keyframes& k, const MotionOptions& motion, EncodingOptions e
 }
 
 // A bar on its foot: the lower half rests while the upper bends, then all of it walks on.
-Keyframes standing() {
+Keyframes standing(const Shape& shape = bar()) {
   const auto upper = [](double angle, const Vec3& move = Vec3::Zero()) -> Map {
     const Map b = bend(angle, 5);
     return [=](const Vec3& p) -> Vec3 {
       return (p.z() < 5 ? p : Vec3(b(Vec3(p.x(), p.y(), p.z() - 5)) + Vec3(0, 0, 5))) + move;
     };
   };
-  return keyframes(bar(), {upper(0), upper(0.6), upper(-0.3), upper(0.4), upper(0.2, {0, 2, 0})}, {0, 1, 2.5, 3, 4});
+  return keyframes(shape, {upper(0), upper(0.6), upper(-0.3), upper(0.4), upper(0.2, {0, 2, 0})}, {0, 1, 2.5, 3, 4});
 }
 
 // How far the vertices that rest in the first two spans of standing() go meanwhile, as a share of the diagonal.
@@ -95,7 +96,6 @@ TEST_CASE("a held motion meets its keys, and slides less where they rest") {
 
 TEST_CASE("a held motion has a continuous second derivative at the keys and where it fades out") {
   const Keyframes k = standing();
-  Sequence plain = make(k, {});
   for (const Hold hold : holds) {
     Sequence s = make(k, with(hold));
     for (const double t : {-1.0, 0.0, 0.5, 1.0, 2.5, 3.0, 3.5, 4.0, 5.0}) {
@@ -176,6 +176,52 @@ TEST_CASE("held or not, one motion leads to the other and back bit for bit") {
   }
   REQUIRE(updated.update({}, times).ok());
   CHECK(shapeAt(updated, 1.4) == shapeAt(plain, 1.4));
+}
+
+TEST_CASE("parts of one body move as one where they are held") {
+  const Shape body = bar();
+  const Keyframes k = standing(joined(body, sphere({0.85, 0, 7}, 0.3)));
+  const auto first = static_cast<std::ptrdiff_t>(body.positions.size());
+  const auto apart = [&](const Positions& p) -> Vec3 {
+    Positions part(p.begin() + first, p.end()), near;
+    for (std::size_t v = 0; v < body.positions.size(); ++v)
+      if (std::abs(body.positions[v].z() - 7) < 0.3 && body.positions[v].x() > 0.4) near.push_back(p[v]);
+    return centroidOf(part) - centroidOf(near);
+  };
+  Sequence plain = make(k, {});
+  REQUIRE(plain.stats().components == 2);
+  for (const Hold hold : holds) {
+    Sequence s = make(k, with(hold));
+    double moved = 0;
+    for (const double t : {0.4, 1.6, 2.2, 2.8}) {
+      const Positions a = shapeAt(plain, t), b = shapeAt(s, t);
+      moved = std::max(moved, largestDistance(a, b));
+      CHECK(std::abs(apart(a).norm() - apart(b).norm()) < 2e-3 * diagonalOf(k));
+    }
+    CHECK(moved > 2e-3 * diagonalOf(k));
+  }
+}
+
+TEST_CASE("a ghost goes with the shape that is held") {
+  const Keyframes k = standing();
+  EncodingOptions encoding = doublePrecision();
+  encoding.ghostFaces = 300;
+  Sequence plain = make(k, {}, encoding);
+  for (const Hold hold : holds) {
+    Sequence s = make(k, with(hold), encoding);
+    for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-9 * diagonalOf(k));
+    std::vector<float> before, after;
+    REQUIRE(plain.evaluateGhost(1.6, before).ok());
+    REQUIRE(s.evaluateGhost(1.6, after).ok());
+    const Positions a = toPositions(before), b = toPositions(after), p = shapeAt(plain, 1.6), q = shapeAt(s, 1.6);
+    double moved = 0;
+    for (std::size_t v = 0; v < a.size(); ++v) {
+      const int raw = s.ghost().vertexOf[v];
+      moved = std::max(moved, (b[v] - a[v]).norm());
+      CHECK((b[v] - a[v] - (q[raw] - p[raw])).norm() < 1e-6 * diagonalOf(k));
+    }
+    CHECK(moved > 1e-3 * diagonalOf(k));
+  }
 }
 
 TEST_CASE("a loop that walks on is held over its seam") {

@@ -191,17 +191,31 @@ export function createWelcome(onPick: () => void): {
   };
 }
 
+/** Milliseconds that a message stays, and that one has been there before the next takes its place. */
+const [SHOWN_MS, READING_MS] = [4000, 2000];
+
 /** Short news that goes away by itself, read out by screen readers. */
 export function createToast(): { element: HTMLElement; say(text: string): void } {
   const element = h('div', { class: 'toast', role: 'status', 'aria-live': 'polite', 'data-testid': 'toast' });
+  const waiting: string[] = [];
   let timer = 0;
+  let readBy = 0;
+  const next = (): void => {
+    const text = waiting.shift();
+    if (text === undefined) return setAttribute(element, 'data-shown', false);
+    element.textContent = text;
+    setAttribute(element, 'data-shown', true);
+    readBy = performance.now() + READING_MS;
+    timer = window.setTimeout(next, waiting.length > 0 ? READING_MS : SHOWN_MS);
+  };
   return {
     element,
     say(text) {
+      waiting.push(text);
       window.clearTimeout(timer);
-      element.textContent = text;
-      setAttribute(element, 'data-shown', true);
-      timer = window.setTimeout(() => setAttribute(element, 'data-shown', false), 4000);
+      const left = readBy - performance.now();
+      if (left > 0) timer = window.setTimeout(next, left);
+      else next();
     },
   };
 }

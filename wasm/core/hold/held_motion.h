@@ -75,7 +75,6 @@ class HeldMotion {
   std::vector<double> frameArea_;
   std::vector<double> placed_;     // share of each span
   std::vector<double> anchor_;     // of each vertex; with Hold::Anchored
-  std::vector<Mat3> turns_;        // mean rotation of each column
   std::vector<double> frameTurn_;  // rms angle of each frame from key to key
   std::shared_ptr<const HoldSystem> system_;
   std::shared_ptr<const RestingPatches> resting_;

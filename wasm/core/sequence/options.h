@@ -22,7 +22,7 @@ enum class Method {
   CubicVertex,  ///< cubic splines of the vertex positions
 };
 
-/// Choices that refit the spline only: changing them never encodes or factorises again.
+/// Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold`.
 struct MotionOptions {
   Method method = Method::Lri;
   BoundaryKind boundary = BoundaryKind::Natural;

@@ -52,7 +52,7 @@ class Sequence {
   Result<PreviewError> previewError(double t);
 
   /// The shape at an affine combination of the keys: one weight per key, sum 1. evaluate(t) is this at the curve's
-  /// weights.
+  /// weights, but for what the motion holds.
   Status evaluateBlend(const std::vector<double>& weights, Frame& frame);
 
   /// The ghost that belongs to the shape at time t: xyz of each ghost vertex. Error: InvalidOption without a ghost.

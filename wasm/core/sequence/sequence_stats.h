@@ -4,6 +4,7 @@
 namespace shapespline {
 
 /// Of the encoded shape: neither encodings nor factorisations move while t, the motion options or the key times change.
+/// What a motion factorises to hold what rests is not counted.
 struct BuildStats {
   int encodings = 0;
   int factorisations = 0;

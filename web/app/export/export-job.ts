@@ -26,6 +26,7 @@ import { withSheet } from './sheet.ts';
 import { pageColour } from './title.ts';
 import { videoFormats, writeVideo } from './write-video.ts';
 import { zip } from './zip.ts';
+import { timeLeft } from './time-left.ts';
 
 export interface ExportJob {
   sequence: Sequence;
@@ -129,9 +130,6 @@ function pictureText(request: ExportRequest, window: PictureSize): string {
   return request.crop ? `A picture, cropped from ${size}` : `A picture of ${size}`;
 }
 
-/** The first frames are slower than the others. */
-const LEFT_AFTER_MS = 3000;
-
 const grouped = (count: number): string => count.toLocaleString('en');
 const pixels = ({ width, height }: PictureSize): string => `${width}\u00a0×\u00a0${height}\u00a0pixels`;
 
@@ -217,22 +215,13 @@ async function video(request: ExportRequest, job: ExportJob): Promise<void> {
       },
       onFrame: (done) =>
         job.onProgress({
-          stage: `Frame ${grouped(done)} of ${grouped(frames)}${leftText(performance.now() - began, done / frames)}`,
+          stage: `Frame ${grouped(done)} of ${grouped(frames)}${timeLeft(performance.now() - began, done / frames)}`,
           fraction: done / frames,
         }),
       signal: job.signal,
     }),
   );
   download(blob, `${job.name}.${format}`);
-}
-
-/** How long it still takes at the mean pace so far, once that can be told; nothing where it is soon over. */
-export function leftText(milliseconds: number, fraction: number): string {
-  const left = (milliseconds / fraction - milliseconds) / 1000;
-  if (milliseconds < LEFT_AFTER_MS || left < 10) return '';
-  return left < 90
-    ? `, about ${Math.ceil(left / 10) * 10}\u00a0s left`
-    : `, about ${Math.round(left / 60)}\u00a0min left`;
 }
 
 async function table(request: ExportRequest, job: ExportJob): Promise<void> {

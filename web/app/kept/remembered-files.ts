@@ -109,12 +109,12 @@ export function createRememberedFiles({
 
   const own = (): string | null => store.get().project;
   const isKept = (): boolean => kept.has(own() ?? '');
-  /** The state in the note, until it is written. */
+  /** The state that this visit has noted, until it is written. */
   let lastNoted: string | null = null;
-  const wrote = (text: string): void => {
-    if (text !== lastNoted) return;
+  const wrote = (id: string, text: string): void => {
+    if (lastNoted !== null && text !== lastNoted) return;
     lastNoted = null;
-    writeSetting(NOTE, null);
+    if (readNote()?.id === id) writeSetting(NOTE, null);
   };
   const added = (): number => (workspace.pool ? workspace.pool.count - workspace.pool.imported : 0);
   let shown: { remembered: boolean; shelf: readonly ProjectOnShelf[] } | null = null;
@@ -157,7 +157,7 @@ export function createRememberedFiles({
       if (version !== null) {
         kept.set(id, { version, poses: poses.length, files, state: text });
         newest = id;
-        wrote(text);
+        wrote(id, text);
       } else if (!dropped.has(id)) {
         kept.delete(id);
         const other = newProjectId();
@@ -291,16 +291,20 @@ export function createRememberedFiles({
   };
 }
 
-/** What the last visit noted of a project as it was left, unless it was written after all. */
-function noted(id: string, version: number, poses: number): AppState | null {
+function readNote(): Note | null {
   try {
-    const note = JSON.parse(readSetting(NOTE) ?? 'null') as Note | null;
-    // A write that was under way then may have ended since.
-    const isLater = note !== null && version - note.version >= 0 && version - note.version <= 1;
-    return note?.id === id && isLater && note.poses === poses ? note.state : null;
+    return JSON.parse(readSetting(NOTE) ?? 'null') as Note | null;
   } catch {
     return null;
   }
+}
+
+/** What the last visit noted of a project as it was left, unless it was written after all. */
+function noted(id: string, version: number, poses: number): AppState | null {
+  const note = readNote();
+  if (note?.id !== id || note.poses !== poses) return null;
+  // A write that was under way then may have ended since.
+  return version === note.version || version === note.version + 1 ? note.state : null;
 }
 
 function within<T>(ms: number, work: Promise<T>): Promise<T | null> {

@@ -83,7 +83,7 @@ export interface Sequence {
   evaluateAhead(t: number, options?: AheadOptions): Promise<Frame>;
   /** Every one of them, in order; used by exports and measures. */
   evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]>;
-  /** Refits without encoding or factorising. */
+  /** Refits without encoding, and without factorising anything but what `hold` needs when it is chosen. */
   update(change: Partial<MotionOptions> & { keyTimes?: number[] }): Promise<void>;
   stats(): Promise<SequenceStats>;
   measures(times: number[], call?: CallOptions): Promise<Measures>;

@@ -1,0 +1,15 @@
+/** How long an export still takes, in words. */
+
+/** The first frames are slower than the others. */
+const TOLD_AFTER_MS = 3000;
+/** What is soon over is not told, in seconds. */
+const WORTH_TELLING = 10;
+
+/** At the mean pace so far, to follow other words; empty before it can be told. fraction: of the work, above 0. */
+export function timeLeft(milliseconds: number, fraction: number): string {
+  const left = (milliseconds / fraction - milliseconds) / 1000;
+  if (milliseconds < TOLD_AFTER_MS || left < WORTH_TELLING) return '';
+  return left < 90
+    ? `, about ${Math.ceil(left / 10) * 10}\u00a0s left`
+    : `, about ${Math.round(left / 60)}\u00a0min left`;
+}
