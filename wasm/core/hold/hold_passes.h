@@ -1,4 +1,4 @@
-// What a held frame does with every vertex: plain loops over arrays. One of the kernels that are compiled for speed.
+// What a held frame does with every vertex: plain loops over arrays.
 #pragma once
 
 #include <vector>
