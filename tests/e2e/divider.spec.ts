@@ -192,3 +192,16 @@ test.describe('a first visit', () => {
     await app.expectNoProblems();
   });
 });
+
+test.describe('a first visit with reduced motion', () => {
+  test.use({ ownProfile: true });
+
+  test('stands still where the blend has collapsed', async ({ app }) => {
+    await app.open({ first: true });
+    expect((await app.state()).play.playing).toBe(false);
+    const [method, blend] = await volumes(app);
+    expect(blend).toBeLessThan(60);
+    expect(method).toBeGreaterThan(97);
+    await app.expectNoProblems();
+  });
+});

@@ -12,8 +12,8 @@ import { fetchSamples } from './samples.ts';
 import type { Sample } from './samples.ts';
 
 const VISITED = 'shapespline.visited';
-/** Blended positions on the left of a divider, this method on its right. */
-const FIRST_VISIT = 'sample=column&compare=linear&split=0.5&play=1';
+/** Blended positions on the left of a divider, this method on its right; at a time that tells even if nothing moves. */
+const FIRST_VISIT = 'sample=column&compare=linear&split=0.5&t=0.25&play=1';
 
 export interface OpenFirstParts {
   files: OpenFiles;
