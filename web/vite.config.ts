@@ -6,6 +6,7 @@ import { offline } from './offline/plugin.ts';
 import { NOTICES, notices, packageOf } from '../wasm/toolchain/notices.mjs';
 import { guards } from '../wasm/toolchain/serve.mjs';
 import { preload } from './offline/preload.ts';
+import { unusedShaders } from './viewer/unused-shaders.ts';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = fileURLToPath(new URL('..', import.meta.url));
@@ -45,7 +46,7 @@ export default defineConfig({
   cacheDir: `${repository}build/vite`,
   // Relative URLs: the built page works from any sub-path of any static host.
   base: './',
-  plugins: [preload(), collectsPackages(), carriesNotices, forReaders, offline()],
+  plugins: [preload(), unusedShaders(), collectsPackages(), carriesNotices, forReaders, offline()],
   build: {
     outDir: `${repository}dist`,
     emptyOutDir: true,

@@ -69,6 +69,7 @@ test('a link opens the page in it, and its QR code says the link', async ({ app 
   await expect(app.by('qr-link')).toContainText('present=volume');
   await expect(app.by('qr-link')).toContainText('t=0.25');
   const link = await app.by('qr-link').textContent();
+  await expect(app.by('qr')).toBeVisible();
   // The code is of these words, with the quiet zone that scanners need, dark on light in either theme.
   const [, size] = /^0 0 (\d+) \d+$/.exec((await app.by('qr').getAttribute('viewBox'))!)!;
   const modules = Number(size) - 8;

@@ -9,7 +9,7 @@ import { AnalysisCache } from './analysis/analysis-cache.ts';
 import { createDisplay } from './display.ts';
 import type { Display } from './display.ts';
 import { originalOf } from './drawing/original.ts';
-import { createSamplePreviews } from './drawing/sample-previews.ts';
+import type { SamplePreviews } from './drawing/sample-previews.ts';
 import { createCommands } from './panels/commands.ts';
 import type { Commands } from './panels/commands.ts';
 import { createGuideDoor } from './guide/guide-door.ts';
@@ -27,7 +27,6 @@ import type { Session } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
 import { fetchSample } from './sources/samples.ts';
 import { sourceTitle } from './sources/own-files.ts';
-import { listenToPlayground } from './sources/playground.ts';
 import { openFirst } from './sources/open-first.ts';
 import type { OpenFiles } from './sources/open-files.ts';
 import { createTakeFiles } from './sources/take-files.ts';
@@ -97,15 +96,21 @@ export function startApp(root: HTMLElement): void {
     pin: (fragment) => ways.link.pin(fragment),
   });
   const facts = (): Facts | null => factsOf(viewState.get(), store.get(), scene.labels);
-  const previews = createSamplePreviews({
-    engine: session.engine,
-    viewer: scene.viewer,
-    samples: () => viewState.get().samples,
-    fetch: fetchSample,
-    isDark: () => theme.isDark(),
-    has: (id) => viewState.get().previews.has(id),
-    onPictures: (id, pictures) => viewState.change({ previews: new Map(viewState.get().previews).set(id, pictures) }),
-  });
+  let previews: SamplePreviews | null = null;
+  const showPreviews = async (open: boolean): Promise<void> => {
+    const { createSamplePreviews } = await import('./drawing/sample-previews.ts');
+    previews ??= createSamplePreviews({
+      engine: session.engine,
+      viewer: scene.viewer,
+      samples: () => viewState.get().samples,
+      fetch: fetchSample,
+      isDark: () => theme.isDark(),
+      has: (id) => viewState.get().previews.has(id),
+      onPictures: (id, pictures) => viewState.change({ previews: new Map(viewState.get().previews).set(id, pictures) }),
+    });
+    if (open) previews.start();
+    else previews.stop();
+  };
   const applyLook = (): void => {
     scene.setLook(store.get().view, theme.isDark());
     display.timePictures.forget();
@@ -141,7 +146,7 @@ export function startApp(root: HTMLElement): void {
     },
     onAnalysisError,
     onBlend: showBlend,
-    onGallery: (open) => (open ? previews.start() : previews.stop()),
+    onGallery: (open) => void showPreviews(open).catch(feedback.onError),
     onPeek: display.timePictures.want,
     onLink: () => void ways.link.copy(),
     link: ways.link.address,
@@ -220,14 +225,13 @@ export function startApp(root: HTMLElement): void {
   );
   listenToNetwork((offline) => viewState.change({ offline }));
   const ready = visit(location.hash).then(() => frameLoop.idle());
-  ready.catch(feedback.onError);
-  listenToPlayground({
-    store,
-    workspace,
-    sequence,
-    title: () => sourceTitle(store.get().source, viewState.get().samples),
-    onError: feedback.onError,
-  });
+  const title = (): string => sourceTitle(store.get().source, viewState.get().samples);
+  ready
+    .then(() => import('./sources/playground.ts'))
+    .then((playground) =>
+      playground.listenToPlayground({ store, workspace, sequence, title, onError: feedback.onError }),
+    )
+    .catch(feedback.onError);
   installTestHook(testHookOf(ready, session, display, files, onMoved));
   registerServiceWorker((reload) => {
     newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });

@@ -4,16 +4,16 @@ import type { Offer } from '../ui/messages.ts';
 import { plural } from '../ui/status-line.ts';
 import type { AnalysisCache } from './analysis/analysis-cache.ts';
 import type { Display } from './display.ts';
-import { createExportController } from './export/export-controller.ts';
 import type { ExportController } from './export/export-controller.ts';
+import { createExportDoor } from './export/export-door.ts';
 import type { Feedback } from './panels/feedback.ts';
 import { importOffer } from './panels/import-offer.ts';
 import { openedView } from './panels/view-state.ts';
 import type { ViewStateHolder } from './panels/view-state.ts';
 import { reducedMotion } from './panels/window-events.ts';
 import type { Session } from './session/session.ts';
-import { createAnimation } from './sources/animation.ts';
 import type { Animation } from './sources/animation.ts';
+import { createAnimationDoor } from './sources/animation-door.ts';
 import { createOpenFiles } from './sources/open-files.ts';
 import type { OpenedFiles, OpenFiles } from './sources/open-files.ts';
 import { sourceTitle } from './sources/own-files.ts';
@@ -78,7 +78,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onRead: session.serve,
     onWorking,
   });
-  const animation = createAnimation({ engine, store, workspace, files, onWorking, onError });
+  const animation = createAnimationDoor({ engine, store, workspace, files, onWorking, onError });
   const remembered = createRememberedFiles({
     store,
     workspace,
@@ -93,7 +93,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onLink: (to) => void files.sample(to.sample, to),
     onGuide,
   });
-  const exporting = createExportController({
+  const exporting = createExportDoor({
     store,
     scene,
     analysis,

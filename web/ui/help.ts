@@ -39,14 +39,13 @@ function lines(list: readonly ShortcutLine[], kind = ''): HTMLElement {
   );
 }
 
-export function createHelp(
-  shortcuts: readonly ShortcutLine[],
-  onShortcuts: (on: boolean) => void,
-): {
+export interface Help {
   element: HTMLDialogElement;
   open(): void;
   update(singleKeys: boolean): void;
-} {
+}
+
+export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on: boolean) => void): Help {
   const cite = button({
     label: 'Copy the BibTeX entry of the paper',
     testId: 'copy-bibtex',

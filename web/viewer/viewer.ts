@@ -7,7 +7,7 @@ import { CameraRig } from './camera.ts';
 import { Contents } from './contents.ts';
 import { NO_INSETS } from './fit.ts';
 import type { Insets } from './fit.ts';
-import { Pictures } from './pictures.ts';
+import type { Pictures } from './pictures.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
 import { Studio } from './studio.ts';
@@ -345,8 +345,9 @@ export class Viewer {
   }
 
   /** Small pictures of a shape that is not open; to be disposed of. */
-  pictures(info: KeysInfo, bounds: Bounds, points: Float32Array): Promise<Pictures> {
-    return Pictures.of(info, { points, radius: radiusOf(bounds) }, this.renderer, this.studio);
+  async pictures(info: KeysInfo, bounds: Bounds, points: Float32Array): Promise<Pictures> {
+    const { Pictures: Loaded } = await import('./pictures.ts');
+    return Loaded.of(info, { points, radius: radiusOf(bounds) }, this.renderer, this.studio);
   }
 
   dispose(): void {

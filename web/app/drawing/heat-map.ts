@@ -2,9 +2,8 @@
 import type { Frame, KeysInfo } from '../../engine/api/types.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { isFaceAmount, referenceKey } from '../../model/state.ts';
-import type { AppState, Colouring, Doc, FaceAmount, View } from '../../model/state.ts';
+import type { AppState, Colouring, Doc, FaceAmount } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
-import type { Rect } from '../../viewer/types.ts';
 import type { Viewer } from '../../viewer/viewer.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
@@ -12,6 +11,7 @@ import type { RunningSequence } from '../session/sequence-set.ts';
 import { differenceOf, heatColours, roundTop } from './difference.ts';
 import type { Difference } from './difference.ts';
 import { FaceHeat } from './face-heat.ts';
+import { besideOf, differing, wantsHeat } from './heat-wanted.ts';
 
 const WORDS: Readonly<Record<FaceAmount, { title: string; unit: string; symbol: string; most: number }>> = {
   rotation: { title: 'Rotation', unit: 'of faces, against the reference', symbol: '°', most: 180 },
@@ -58,10 +58,10 @@ export class HeatMap {
     pool: PosePool,
     original: Float32Array | null,
   ): void {
+    const [main] = sequences;
+    if (!main || !wantsHeat(sequences, view)) return this.clear();
     const other = differing(sequences, view);
     const { colouring } = view;
-    const [main] = sequences;
-    if (!main || view.film || (other < 0 && !isFaceAmount(colouring) && colouring !== 'distance')) return this.clear();
     if (other >= 0) {
       if (preview) this.wait();
       else this.showDifferences(frames, sequences, other, info.report.diagonal);
@@ -168,19 +168,7 @@ export class HeatMap {
   }
 }
 
-/** Index of the motion without a ghost that the first one is compared with, or -1. */
-function differing(sequences: readonly RunningSequence[], { ghostDifference, ghostSizes }: View): number {
-  const [main] = sequences;
-  if (!main?.ghost || !(ghostDifference || ghostSizes)) return -1;
-  return sequences.findIndex(({ ghost, method }) => ghost === 0 && method === main.method);
-}
-
 function nowWords({ largest, mean }: { largest: number; mean: number }, unit: string): string {
   const text = (value: number): string => `${Number(value.toPrecision(2))}${unit}`;
   return `at most ${text(largest)}, mean ${text(mean)}`;
-}
-
-/** The place of the colour bar of a view. */
-export function besideOf(rect: Rect): { x: number; y: number } {
-  return { x: rect.x, y: rect.y + rect.height / 2 };
 }

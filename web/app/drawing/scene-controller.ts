@@ -16,7 +16,8 @@ import { PHASE_COLOURS, filmNames, filmPlaces, filmStrip, filmTimes, onionSkins,
 import type { OnionSkinInput } from './onion-skin.ts';
 import type { Difference } from './difference.ts';
 import { extentOf } from './bounds.ts';
-import { HeatMap, besideOf } from './heat-map.ts';
+import type { HeatMap } from './heat-map.ts';
+import { besideOf, wantsHeat } from './heat-wanted.ts';
 import { measure } from './measures.ts';
 import type { Measure } from './measures.ts';
 import type { Original } from './original.ts';
@@ -56,7 +57,8 @@ interface Film {
 export class SceneController {
   readonly viewer: Viewer;
   labels: TileLabel[] = [];
-  private readonly heatMap: HeatMap;
+  /** Loaded when amounts are to be seen for the first time. */
+  private heatMap: HeatMap | null = null;
   /** Shown beside the motions, or null. */
   private original: Original | null = null;
   private look: Look | null = null;
@@ -87,23 +89,22 @@ export class SceneController {
         events.onResize();
       },
     });
-    this.heatMap = new HeatMap(this.viewer);
   }
 
   get colourBar(): ColourBarProps | null {
-    return this.heatMap.bar;
+    return this.heatMap?.bar ?? null;
   }
 
   /** What the colours of the first view show now, where that is the difference of two motions. */
   get difference(): Difference | null {
-    return this.heatMap.difference;
+    return this.heatMap?.difference ?? null;
   }
 
   /** What is written over the views stands where they stand. */
   private place(): void {
     const rects = this.viewer.seen();
     this.labels = this.labels.map((label, index) => ({ ...label, ...rects[index] }));
-    if (this.heatMap.bar) this.heatMap.bar = { ...this.heatMap.bar, ...besideOf(rects[0]!) };
+    if (this.heatMap?.bar) this.heatMap.bar = { ...this.heatMap.bar, ...besideOf(rects[0]!) };
   }
 
   /** A new import: another mesh, another size. `camera` keeps a view that came with a link. */
@@ -117,7 +118,7 @@ export class SceneController {
     this.ordinary = false;
     this.ghost = null;
     this.beside = null;
-    this.heatMap.clear();
+    this.heatMap?.clear();
     const { bounds, points } = extentOf(pool.poses(pool.imported));
     this.width = bounds.max[0] - bounds.min[0];
     this.base = measure(pool.keys.positions(0), info.faces);
@@ -167,7 +168,14 @@ export class SceneController {
     );
     const original = this.original?.(t);
     if (original) this.viewer.setFrame(sequences.length, original.positions, original.normals, ORIGINAL_COLOUR, eased);
-    if (this.info && this.pool) this.heatMap.show(set, state, this.info, this.pool, original?.positions ?? null);
+    if (!this.heatMap && wantsHeat(sequences, state.view)) {
+      const { info } = this;
+      const { HeatMap: Loaded } = await import('./heat-map.ts');
+      // Something else may have been opened meanwhile.
+      if (this.info !== info) return;
+      this.heatMap ??= new Loaded(this.viewer);
+    }
+    if (this.info && this.pool) this.heatMap?.show(set, state, this.info, this.pool, original?.positions ?? null);
     if (preview) return this.showGhost(t, led, state.view);
     const measures = this.measuresNow(state.play.playing) || this.labels.length !== views;
     this.labels = views > 1 ? this.tileLabels(frames, sequences, original?.positions, measures) : [];

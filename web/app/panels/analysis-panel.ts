@@ -28,12 +28,17 @@ export interface AnalysisPanelEvents extends FigureEvents {
   compared: FacesFigureEvents['compared'];
 }
 
+export interface AnalysisPanelProps {
+  time: number;
+  colouring: Parameters<FacesFigure['setColouring']>[0];
+  blend: Parameters<ShapePlaneFigure['setBlend']>[0];
+  keys: Parameters<ShapePlaneFigure['setBlend']>[1];
+  speeds: Parameters<ShapePlaneFigure['setSpeeds']>[0];
+}
+
 export interface AnalysisPanel {
   element: HTMLElement;
-  setCursor(t: number): void;
-  setSpeeds: ShapePlaneFigure['setSpeeds'];
-  setBlend: ShapePlaneFigure['setBlend'];
-  setColouring: FacesFigure['setColouring'];
+  update(props: AnalysisPanelProps): void;
   clicked: FacesFigure['clicked'];
 }
 
@@ -44,7 +49,12 @@ const BENDING = 'relative to the mean deformation energy between keys, per timeâ
 
 const SLIDING = 'distance of what rests between keys from its place, % of the diagonal';
 
-export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelEvents): AnalysisPanel {
+/** Fills its place, `element`. */
+export function createAnalysisPanel(
+  element: HTMLElement,
+  cache: AnalysisCache,
+  events: AnalysisPanelEvents,
+): AnalysisPanel {
   const { onSpeed, onBlend, onEnlarge, onError } = events;
   const plane = createShapePlaneFigure(cache.input, { onSpeed, onBlend, onEnlarge, onError });
   const faces = createFacesFigure(cache.input, events);
@@ -54,18 +64,7 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
   const sliding = chart('Sliding of what rests', SLIDING, 'sliding', events);
   setHidden(sliding.element, true);
   const legend = h('div', { class: 'legend' });
-  const element = h(
-    'section',
-    { class: 'panel', 'aria-labelledby': 'analysis-title', 'data-testid': 'panel-analysis' },
-    h('header', {}, h('h2', { id: 'analysis-title' }, 'Analysis')),
-    legend,
-    plane.element,
-    volume.element,
-    area.element,
-    bending.element,
-    sliding.element,
-    faces.element,
-  );
+  element.append(legend, plane.element, volume.element, area.element, bending.element, sliding.element, faces.element);
   let visible = false;
   let timer = 0;
   let cursor = 0;
@@ -125,10 +124,12 @@ export function createAnalysisPanel(cache: AnalysisCache, events: AnalysisPanelE
 
   return {
     element,
-    setCursor,
-    setSpeeds: plane.setSpeeds,
-    setBlend: plane.setBlend,
-    setColouring: faces.setColouring,
+    update({ time, colouring, blend, keys, speeds }) {
+      setCursor(time);
+      faces.setColouring(colouring);
+      plane.setBlend(blend, keys);
+      plane.setSpeeds(speeds);
+    },
     clicked: faces.clicked,
   };
 }

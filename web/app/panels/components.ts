@@ -17,12 +17,11 @@ import { createDivider } from '../../ui/divider.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
 import { createGhostPanel } from '../../ui/ghost-panel.ts';
 import { createHeader } from '../../ui/header.ts';
-import { createHelp } from '../../ui/help.ts';
-import type { ShortcutLine } from '../../ui/help.ts';
+import type { Help, ShortcutLine } from '../../ui/help.ts';
 import { createKeyStrip } from '../../ui/key-strip.ts';
 import type { KeyItem } from '../../ui/key-strip.ts';
 import { createErrorMessage, createFitHint, createProgress, createWelcome } from '../../ui/messages.ts';
-import { createLinkDialog } from '../../ui/link-dialog.ts';
+import type { LinkDialog } from '../../ui/link-dialog.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
 import type { Sampling, SamplingProps } from '../../ui/sampling.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
@@ -30,22 +29,21 @@ import { createStatusLine } from '../../ui/status-line.ts';
 import type { Theme } from '../../ui/theme.ts';
 import { createTimeline } from '../../ui/timeline.ts';
 import { createTransport } from '../../ui/transport.ts';
-import { createWarnings } from '../../ui/warnings.ts';
-import type { WarningItem } from '../../ui/warnings.ts';
+import type { WarningItem, WarningsList, WarningsProps } from '../../ui/warnings.ts';
 import { createPhaseLabel, createTileLabels, createViewBar } from '../../ui/view-bar.ts';
 import type { TileLabel } from '../../ui/view-bar.ts';
 import { addReason } from './commands.ts';
 import type { Commands } from './commands.ts';
 import type { GhostStudyPanel } from './ghost-study-panel.ts';
-import type { AnalysisPanel } from './analysis-panel.ts';
+import type { AnalysisPlace } from './analysis-place.ts';
 import { warningItems } from '../drawing/marking.ts';
 import type { Marking } from '../drawing/marking.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
 import { ownFiles } from '../sources/own-files.ts';
 import type { TakeFiles } from '../sources/take-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
-import { later } from './later.ts';
-import type { Later } from './later.ts';
+import { later } from '../../ui/later.ts';
+import type { Later } from '../../ui/later.ts';
 import type { ViewState } from './view-state.ts';
 import { reducedMotion } from './window-events.ts';
 import type { Layout } from './layout.ts';
@@ -61,7 +59,7 @@ export interface ComponentsInput {
   commands: Commands;
   files: OpenFiles;
   takeFiles: TakeFiles;
-  analysis: AnalysisPanel;
+  analysis: AnalysisPlace;
   ghostStudy: Later<void, GhostStudyPanel>;
   marking: Marking;
   poseName(pose: number): string;
@@ -139,7 +137,7 @@ export function createComponents(input: ComponentsInput): Components {
     onExport: () => openExport(),
     onLink: input.onLink,
     onRemember: input.onRemember,
-    onHelp: () => help.open(),
+    onHelp: () => openHelp(),
     onTheme: input.onTheme,
   });
   const timeline = createTimeline({
@@ -175,6 +173,7 @@ export function createComponents(input: ComponentsInput): Components {
     onReference: commands.reference,
     onAddCurrent: () => void commands.addCurrent(),
     onAddFile: keyPicker.open,
+    onError: input.onError,
   });
   const sampling = later<SamplingProps, Sampling>(async () => {
     const { createSampling } = await import('../../ui/sampling.ts');
@@ -218,8 +217,11 @@ export function createComponents(input: ComponentsInput): Components {
   const tileLabels = createTileLabels();
   const divider = createDivider((split) => commands.view({ split }));
   const colourBar = createColourBar(viridisGradient('to top'));
-  const warnings = createWarnings(input.marking.warning);
-  const status = createStatusLine(warnings.toggle);
+  const warnings = later<WarningsProps, WarningsList>(async () => {
+    const { createWarnings } = await import('../../ui/warnings.ts');
+    return createWarnings(input.marking.warning);
+  }, input.onError);
+  const status = createStatusLine((from) => void warnings.need().then((list) => list?.toggle(from)));
   const progress = createProgress(input.onCancel);
   const errorMessage = createErrorMessage(input.onCloseError);
   const welcome = createWelcome(picker.open);
@@ -227,9 +229,16 @@ export function createComponents(input: ComponentsInput): Components {
     const { createExportDialog } = await import('../../ui/export-dialog.ts');
     return createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
   }, input.onError);
-  const help = createHelp(input.shortcuts, input.onSingleKeys);
-  const linkDialog = createLinkDialog(input.onLink);
-  const openLink = (): void => void linkDialog.open(input.link());
+  const help = later<boolean, Help>(async () => {
+    const { createHelp } = await import('../../ui/help.ts');
+    return createHelp(input.shortcuts, input.onSingleKeys);
+  }, input.onError);
+  const openHelp = (): void => void help.need().then((dialog) => dialog?.open());
+  const linkDialog = later<void, LinkDialog>(async () => {
+    const { createLinkDialog } = await import('../../ui/link-dialog.ts');
+    return createLinkDialog(input.onLink);
+  }, input.onError);
+  const openLink = (): void => void linkDialog.need().then((dialog) => dialog?.open(input.link()));
   const openExport = (): void => {
     input.onExportOpen();
     void exporting.need().then((dialog) => dialog?.open());
@@ -370,8 +379,8 @@ export function createComponents(input: ComponentsInput): Components {
       lriMethod: isInLri(doc.motion.method),
       disabled,
     });
-    // Not before the first shape is there, which needs none of it.
-    if (viewState.stats) void ghostStudy.need();
+    // Not before the first shape is seen, which needs none of it.
+    if (viewState.ms !== null) void ghostStudy.need();
     ghostStudy.update();
     lying = viewState.orientation;
     if (source.kind === 'files' && info && info.animations.length > 0) void sampling.need();
@@ -417,16 +426,14 @@ export function createComponents(input: ComponentsInput): Components {
       videoFormats,
     });
     help.update(viewState.singleKeys);
-    analysis.setCursor(time);
-    analysis.setColouring(view.colouring);
-    analysis.setBlend(viewState.blend, doc.keys);
-    analysis.setSpeeds(speeds);
+    if (viewState.ms !== null) void analysis.need();
+    analysis.update({ time, colouring: view.colouring, blend: viewState.blend, keys: doc.keys, speeds });
   };
   return {
     update,
     openFiles: picker.open,
     openExport,
-    openHelp: help.open,
+    openHelp,
     openLink,
     toggleLook: viewBar.toggleLook,
     toggleClock: clockMenu.toggle,

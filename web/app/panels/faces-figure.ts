@@ -13,7 +13,7 @@ import { chartNumbers } from './chart-numbers.ts';
 import type { DistanceFigure, DistanceFigureProps } from './distance-figure.ts';
 import { addFigureTools } from './figure-tools.ts';
 import type { FigureEvents } from './figure-tools.ts';
-import { later } from './later.ts';
+import { later } from '../../ui/later.ts';
 
 export interface FacesFigureEvents extends FigureEvents {
   onColouring(colouring: Colouring): void;

@@ -8,12 +8,12 @@ import type { Session } from '../session/session.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
 import type { TakeFiles } from '../sources/take-files.ts';
 import type { Undo } from '../sources/undo.ts';
-import { createAnalysisPanel } from './analysis-panel.ts';
+import { createAnalysisPlace } from './analysis-place.ts';
 import type { Commands } from './commands.ts';
 import { createComponents } from './components.ts';
 import type { Feedback } from './feedback.ts';
 import { createShortcuts, listenToArrows, listenToCamera } from './keyboard.ts';
-import { later } from './later.ts';
+import { later } from '../../ui/later.ts';
 import type { Layout } from './layout.ts';
 import { createPresentation } from './presentation.ts';
 import { listen, shortcutLines } from './shortcuts.ts';
@@ -100,19 +100,23 @@ export function createPage(parts: PageParts): Page {
     escape: stepBack,
   });
   const onEnlarge = (plot: Plot): void => commands.present(store.get().view.present === plot ? null : plot);
-  const analysis = createAnalysisPanel(parts.analysis, {
-    onSeek: commands.seek,
-    onSpeed: commands.endSpeed,
-    onEnlarge,
-    onBlend: parts.onBlend,
-    compared() {
-      const diagonal = workspace.info?.report.diagonal;
-      return diagonal === undefined ? null : { original: scene.shownOriginal, diagonal };
+  const analysis = createAnalysisPlace(
+    parts.analysis,
+    {
+      onSeek: commands.seek,
+      onSpeed: commands.endSpeed,
+      onEnlarge,
+      onBlend: parts.onBlend,
+      compared() {
+        const diagonal = workspace.info?.report.diagonal;
+        return diagonal === undefined ? null : { original: scene.shownOriginal, diagonal };
+      },
+      onColouring: (colouring) => commands.view({ colouring }),
+      onMark: (face) => (face === null ? parts.marking.component(null) : parts.marking.around(face)),
+      onError: parts.onAnalysisError,
     },
-    onColouring: (colouring) => commands.view({ colouring }),
-    onMark: (face) => (face === null ? parts.marking.component(null) : parts.marking.around(face)),
-    onError: parts.onAnalysisError,
-  });
+    () => layout.present(store.get().view.present),
+  );
   const components = createComponents({
     root: parts.root,
     layout,
@@ -154,7 +158,9 @@ export function createPage(parts: PageParts): Page {
   listen(shortcuts, () => viewState.get().singleKeys);
   listenToArrows({ store, commands, viewport: layout.viewport, range, isOpen: () => viewState.get().info !== null });
   listenToCamera(scene.viewer, layout.viewport);
-  listenToClicks(layout.viewport, (x, y) => analysis.clicked(() => scene.pick(x, y)));
+  listenToClicks(layout.viewport, (x, y) => {
+    void analysis.need().then((panel) => panel?.clicked(() => scene.pick(x, y)));
+  });
 
   let frame = 0;
   const draw = (): void => {

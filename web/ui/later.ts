@@ -1,9 +1,9 @@
 /** A component that is loaded when it is needed for the first time, in the place that it then has. */
-import { h } from '../../ui/dom.ts';
+import { h } from './dom.ts';
 
 interface Component<Props> {
   element: HTMLElement;
-  update(props: Props): void;
+  update?(props: Props): void;
 }
 
 export interface Later<Props, T> {
@@ -14,19 +14,20 @@ export interface Later<Props, T> {
   need(): Promise<T | null>;
 }
 
+/** `element`: where it comes to stand; a component may fill it itself. */
 export function later<Props, T extends Component<Props>>(
   load: () => Promise<T>,
   onError: (error: unknown) => void,
+  element: HTMLElement = h('div', { class: 'later' }),
 ): Later<Props, T> {
-  const element = h('div', { class: 'later' });
   let loading: Promise<T | null> | null = null;
   let component: T | null = null;
   let last: { props: Props } | null = null;
   const make = async (): Promise<T | null> => {
     try {
       component = await load();
-      if (last) component.update(last.props);
-      element.append(component.element);
+      if (last) component.update?.(last.props);
+      if (component.element !== element) element.append(component.element);
     } catch (error) {
       loading = null;
       onError(error);
@@ -37,7 +38,7 @@ export function later<Props, T extends Component<Props>>(
     element,
     update(props) {
       last = { props };
-      component?.update(props);
+      component?.update?.(props);
     },
     need: () => (loading ??= make()),
   };

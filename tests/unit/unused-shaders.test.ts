@@ -1,0 +1,20 @@
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { expect, it } from 'vitest';
+import { withoutUnusedShaders } from '../../web/viewer/unused-shaders.ts';
+
+const three = path.join(path.dirname(createRequire(import.meta.url).resolve('three')), 'three.module.js');
+
+it('parts of shaders are left out of three by name, and only shaders', () => {
+  const code = readFileSync(three, 'utf8');
+  const left = withoutUnusedShaders(code);
+  expect(code.length - left.length).toBeGreaterThan(30_000);
+  expect(left.split('\n').length).toBe(code.split('\n').length);
+  expect(left).toContain('var transmission_pars_fragment = "";');
+  expect(left).toMatch(/^var lights_physical_pars_fragment = ".{1000}/m);
+});
+
+it('a part that three does not have any more is told of', () => {
+  expect(() => withoutUnusedShaders('var fog_vertex = "void";')).toThrow(/no shader part/);
+});

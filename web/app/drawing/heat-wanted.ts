@@ -1,0 +1,22 @@
+/** Whether amounts are to be seen as colours: what draws them is loaded then. */
+import { isFaceAmount } from '../../model/state.ts';
+import type { View } from '../../model/state.ts';
+import type { Rect } from '../../viewer/types.ts';
+import type { RunningSequence } from '../session/sequence-set.ts';
+
+export function wantsHeat(sequences: readonly RunningSequence[], view: View): boolean {
+  const { colouring, film } = view;
+  return !film && (isFaceAmount(colouring) || colouring === 'distance' || differing(sequences, view) >= 0);
+}
+
+/** Index of the motion without a ghost that the first one is compared with, or -1. */
+export function differing(sequences: readonly RunningSequence[], { ghostDifference, ghostSizes }: View): number {
+  const [main] = sequences;
+  if (!main?.ghost || !(ghostDifference || ghostSizes)) return -1;
+  return sequences.findIndex(({ ghost, method }) => ghost === 0 && method === main.method);
+}
+
+/** The place of the colour bar of a view. */
+export function besideOf(rect: Rect): { x: number; y: number } {
+  return { x: rect.x, y: rect.y + rect.height / 2 };
+}

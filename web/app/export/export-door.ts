@@ -1,0 +1,15 @@
+/** The way to exports, which are loaded when somebody asks for one. */
+import type { ExportController, ExportParts } from './export-controller.ts';
+
+export function createExportDoor(parts: ExportParts): ExportController {
+  let controller: ExportController | null = null;
+  const load = async (): Promise<ExportController> => {
+    const { createExportController } = await import('./export-controller.ts');
+    return (controller ??= createExportController(parts));
+  };
+  return {
+    plan: (request) => void load().then((loaded) => loaded.plan(request), parts.onError),
+    run: (request) => load().then((loaded) => loaded.run(request), parts.onError),
+    cancel: () => controller?.cancel(),
+  };
+}

@@ -1,0 +1,28 @@
+/** The place of the Analysis panel, which is filled once the first shape is on the screen. */
+import { h } from '../../ui/dom.ts';
+import { later } from '../../ui/later.ts';
+import type { Later } from '../../ui/later.ts';
+import type { AnalysisCache } from '../analysis/analysis-cache.ts';
+import type { AnalysisPanel, AnalysisPanelEvents, AnalysisPanelProps } from './analysis-panel.ts';
+
+export type AnalysisPlace = Later<AnalysisPanelProps, AnalysisPanel>;
+
+/** `onFilled`: there are figures now. */
+export function createAnalysisPlace(
+  cache: AnalysisCache,
+  events: AnalysisPanelEvents,
+  onFilled: () => void,
+): AnalysisPlace {
+  const place = h(
+    'section',
+    { class: 'panel', 'aria-labelledby': 'analysis-title', 'data-testid': 'panel-analysis' },
+    h('header', {}, h('h2', { id: 'analysis-title' }, 'Analysis')),
+  );
+  const fill = async (): Promise<AnalysisPanel> => {
+    const { createAnalysisPanel } = await import('./analysis-panel.ts');
+    const panel = createAnalysisPanel(place, cache, events);
+    onFilled();
+    return panel;
+  };
+  return later(fill, events.onError, place);
+}
