@@ -89,6 +89,107 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   await app.expectNoProblems();
 });
 
+test('a patch that is clicked shows how it turns against each neighbour, natural beside eased', async ({ app }) => {
+  await app.open({ hash: '#sample=twisted-bar' });
+  await app.by('faces').scrollIntoViewIfNeeded();
+  await app.by('part-patch').check({ force: true });
+  await expect(app.by('face-number')).toBeHidden();
+  const box = (await app.by('viewport').boundingBox())!;
+  const [x, y] = await app.page.evaluate(() => {
+    const places = window.__shapespline!.project(window.__shapespline!.positions());
+    let [sx, sy] = [0, 0];
+    for (let i = 0; i < places.length; i += 2) [sx, sy] = [sx + places[i]!, sy + places[i + 1]!];
+    return [(2 * sx) / places.length, (2 * sy) / places.length] as const;
+  });
+  await app.page.mouse.click(box.x + x, box.y + y);
+  await expect(app.by('plot-patch-angles')).toBeVisible();
+  await expect(app.by('face-patch')).toHaveText(/^\d+ neighbours$/);
+  const neighbours = Number((await app.by('face-patch').innerText()).split(' ')[0]);
+  await expect(app.by('plot-patch-angles').locator('path.curve')).toHaveCount(neighbours);
+  await expect(app.by('plot-patch-rotation').locator('path.curve')).toHaveCount(3);
+  // A key dot on each curve.
+  const keys = (await app.state()).doc.keys.length;
+  await expect(app.by('plot-patch-rotation').locator('circle.dot')).toHaveCount(3 * keys);
+  await expect(app.by('plot-patch-rotation').locator('rect.beyond')).toHaveCount(2);
+  // The length of the vector is the angle, and in the reference nothing is turned.
+  const rowsOf = async (plot: string): Promise<number[][]> => {
+    await app.by(`${plot}-values`).locator('summary').click();
+    const rows = app.by(`${plot}-values`).locator('tbody tr');
+    await expect(rows).not.toHaveCount(0);
+    return (await rows.allInnerTexts()).map((row) => row.split(/\s+/).map(Number));
+  };
+  const vectors = await rowsOf('patch-rotation');
+  const angles = await rowsOf('patch-angles');
+  vectors.forEach((row, i) => expect(Math.hypot(...row.slice(1))).toBeCloseTo(angles[i]!.at(-1)!, 1));
+  expect(Math.hypot(...vectors.find(([t]) => t === 0)!.slice(1))).toBeLessThan(0.01);
+  expect(Math.max(...angles.map((row) => row.at(-1)!))).toBeGreaterThan(5);
+  // Another neighbour is chosen.
+  const choice = app.by('patch-neighbour');
+  const other = (await choice.locator('option').allInnerTexts()).at(-1)!;
+  await choice.selectOption({ label: other });
+  await expect(app.by('plot-patch-rotation')).toContainText(`Turn against ${other}`);
+  // Beside other ends than natural ones, the natural spline is drawn, too.
+  await app.by('boundary-hermite').check();
+  await app.by('start-speed-number').fill('0');
+  await app.by('start-speed-number').press('Enter');
+  await app.settled();
+  await expect(app.by('plot-patch-rotation').locator('path.curve')).toHaveCount(6);
+  await expect(app.by('plot-patch-rotation')).toContainText('natural');
+  await app.expectNoProblems();
+});
+
+test('amounts colour the surface from Display, too, and the panel follows', async ({ app }) => {
+  await app.open({ hash: '#sample=twisted-bar&t=1' });
+  await app.by('look-toggle').click();
+  await app.by('colouring-rotation').check({ force: true });
+  await app.settled();
+  await expect(app.by('colour-bar')).toContainText('Rotation');
+  expect(await now(app)).toBeGreaterThan(60);
+  await app.by('faces').scrollIntoViewIfNeeded();
+  await expect(app.by('heat-rotation')).toBeChecked();
+  await app.by('heat-stretch').check({ force: true });
+  await app.by('look-toggle').click();
+  await expect(app.by('colouring-stretch')).toBeChecked();
+  await app.by('colouring-texture').check({ force: true });
+  await app.settled();
+  await expect(app.by('colour-bar')).toBeHidden();
+});
+
+for (const { width, height } of [
+  { width: 360, height: 740 },
+  { width: 1024, height: 768 },
+  { width: 1920, height: 1080 },
+])
+  test(`at ${width} px no words of the colour bar lie over names of views or buttons`, async ({ app }) => {
+    await app.page.setViewportSize({ width, height });
+    await app.open({ hash: '#figure=7' });
+    await expect(app.by('colour-bar-now')).toContainText('at most');
+    await expect(app.by('tile-0')).toContainText('Ghost of 250 faces');
+    await app.nextFrame();
+    const boxes = await app.page.evaluate(() => {
+      const words = (selector: string): DOMRect[] => {
+        const found = [...document.querySelectorAll(selector)].filter((one) => one.checkVisibility());
+        return found.map((one) => {
+          const range = document.createRange();
+          range.selectNodeContents(one);
+          return range.getBoundingClientRect();
+        });
+      };
+      const plain = (list: DOMRect[]) => list.map(({ left, right, top, bottom }) => ({ left, right, top, bottom }));
+      return {
+        bar: plain(words('.colour-bar strong, .colour-bar .muted, .ramp-ticks span')),
+        others: plain(words('.tile-label strong, .view-buttons .button, .phase')),
+      };
+    });
+    expect(boxes.bar.length).toBeGreaterThan(3);
+    for (const a of boxes.bar)
+      for (const b of boxes.others) {
+        const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+        const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+        expect(Math.min(across, down), JSON.stringify([a, b])).toBeLessThanOrEqual(1);
+      }
+  });
+
 test('distance to the first motion is coloured and drawn over time, with the KG error', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&compare=linear&colour=distance' });
   await app.setTime(0.25);

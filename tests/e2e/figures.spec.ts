@@ -7,20 +7,50 @@ async function saved(app: App, testId: string): Promise<{ name: string; bytes: B
   return { name: file.suggestedFilename(), bytes: readFileSync((await file.path())!) };
 }
 
+/** As a program that knows no style sheet and no newer colours opens it: its size, and how many colours it has. */
+async function opened(app: App, svg: string): Promise<{ width: number; height: number; colours: number }> {
+  expect(svg).not.toMatch(/class=|var\(|color\(|rgba\(|NaN/);
+  return app.page.evaluate(async (source) => {
+    const parsed = new DOMParser().parseFromString(source, 'image/svg+xml');
+    if (parsed.querySelector('parsererror')) throw new Error('not well formed');
+    const image = new Image();
+    image.src = `data:image/svg+xml,${encodeURIComponent(source)}`;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
+    const context = canvas.getContext('2d')!;
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    const colours = new Set<number>();
+    for (let i = 0; i < data.length; i += 4) colours.add((data[i]! << 16) | (data[i + 1]! << 8) | data[i + 2]!);
+    return { width: canvas.width, height: canvas.height, colours: colours.size };
+  }, svg);
+}
+
 test('every figure has its values to read and is saved as SVG, PNG and CSV', async ({ app }) => {
-  await app.open({ hash: '#sample=cactus&compare=linear' });
+  test.slow();
+  await app.open({ hash: '#sample=cactus&compare=linear&colour=distance' });
   await app.by('face-number').fill('3');
   await app.by('face-number').press('Enter');
   await expect(app.by('plot-face-rotation')).toBeVisible();
   await app.by('plot-bending').scrollIntoViewIfNeeded();
   await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(2);
-  for (const plot of ['plane', 'volume', 'area', 'bending', 'face-rotation', 'face-stretch']) {
+  const always = ['plane', 'volume', 'area', 'bending', 'distance'];
+  const patch = ['patch-angles', 'patch-rotation', 'patch-stretch'];
+  for (const plot of [...always, 'face-rotation', 'face-stretch', ...patch]) {
+    if (plot === patch[0]) {
+      await app.by('part-patch').check({ force: true });
+      await app.by('patch-number').fill('2');
+      await app.by('patch-number').press('Enter');
+      await expect(app.by('plot-patch-stretch')).toBeVisible();
+    }
     const values = app.by(`${plot}-values`);
     await values.locator('summary').click();
     await expect(values.locator('tbody tr').nth(9), plot).toBeVisible();
     const svg = await saved(app, `${plot}-svg`);
     expect(svg.name).toBe(`shapespline-${plot}.svg`);
-    expect(svg.bytes.toString(), plot).not.toMatch(/class=|var\(/);
+    const { width, height, colours } = await opened(app, svg.bytes.toString());
+    expect([width, height > 80, colours > 8], plot).toEqual([272, true, true]);
     expect(svg.bytes.toString().match(/<path[^>]+stroke="rgb\(/g)?.length, plot).toBeGreaterThan(0);
     const png = await saved(app, `${plot}-png`);
     expect(png.bytes.readUInt32BE(16), plot).toBe(3 * 272);

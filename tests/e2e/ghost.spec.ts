@@ -151,8 +151,8 @@ test('three sizes of the ghost stand beside the full solve, each coloured by wha
   await app.open({ hash: '#sample=cactus&ghostFaces=300&transfer=paper&ghostSizes=1&t=0.25' });
   const tiles = ['300', '600', '1,200'];
   for (const [index, faces] of tiles.entries())
-    await expect(app.by(`tile-${index}`)).toContainText(`ghost mesh of ${faces} faces`);
-  await expect(app.by('tile-3')).not.toContainText('ghost mesh');
+    await expect(app.by(`tile-${index}`)).toContainText(`Ghost of ${faces} faces`);
+  await expect(app.by('tile-3')).toContainText('No ghost');
   await expect(app.by('ghost-difference')).toBeDisabled();
   await app.settled();
   const mean = await app.page.evaluate(() => {

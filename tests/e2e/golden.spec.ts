@@ -6,8 +6,7 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { changedShare, colourAt, decode, encode } from './png.ts';
-import type { Colour, Picture } from './png.ts';
+import { changedShare, shrink } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
@@ -23,24 +22,7 @@ async function shrunk(app: App): Promise<Buffer> {
   await expect(app.by('pace')).toBeVisible();
   // The time that a frame takes is another one every time.
   await app.page.addStyleTag({ content: '[data-testid="status-ms"], .facts { visibility: hidden }' });
-  return shrink(await app.page.screenshot({ animations: 'disabled' }));
-}
-
-/** Each pixel is the mean of a square; at the lower and right edge of what is left of one. */
-function shrink(file: Buffer): Buffer {
-  const full = decode(file);
-  const [width, height] = [Math.ceil(full.width / SHRUNK), Math.ceil(full.height / SHRUNK)];
-  const data = Array.from({ length: width * height }, (_, i) => {
-    const square = squareOf(full, SHRUNK * (i % width), SHRUNK * Math.floor(i / width));
-    return [0, 1, 2].map((channel) => square.reduce((sum, colour) => sum + colour[channel]!, 0) / square.length);
-  });
-  return encode({ width, height, data: Uint8Array.from(data.flatMap((colour) => [...colour.map(Math.round), 255])) });
-}
-
-function squareOf(picture: Picture, left: number, top: number): Colour[] {
-  const columns = Array.from({ length: Math.min(SHRUNK, picture.width - left) }, (_, x) => left + x);
-  const rows = Array.from({ length: Math.min(SHRUNK, picture.height - top) }, (_, y) => top + y);
-  return rows.flatMap((y) => columns.map((x) => colourAt(picture, x, y)));
+  return shrink(await app.page.screenshot({ animations: 'disabled' }), SHRUNK);
 }
 
 const states: {

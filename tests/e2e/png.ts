@@ -80,3 +80,20 @@ function chunk(type: string, data = Buffer.alloc(0)): Buffer {
   sum.writeUInt32BE(crc32(body));
   return Buffer.concat([length, body, sum]);
 }
+
+/** So many times smaller: each pixel is the mean of a square; at the lower and right edge of what is left of one. */
+export function shrink(file: Buffer, times: number): Buffer {
+  const full = decode(file);
+  const [width, height] = [Math.ceil(full.width / times), Math.ceil(full.height / times)];
+  const data = Array.from({ length: width * height }, (_, i) => {
+    const square = squareOf(full, times, times * (i % width), times * Math.floor(i / width));
+    return [0, 1, 2].map((channel) => square.reduce((sum, colour) => sum + colour[channel]!, 0) / square.length);
+  });
+  return encode({ width, height, data: Uint8Array.from(data.flatMap((colour) => [...colour.map(Math.round), 255])) });
+}
+
+function squareOf(picture: Picture, side: number, left: number, top: number): Colour[] {
+  const columns = Array.from({ length: Math.min(side, picture.width - left) }, (_, x) => left + x);
+  const rows = Array.from({ length: Math.min(side, picture.height - top) }, (_, y) => top + y);
+  return rows.flatMap((y) => columns.map((x) => colourAt(picture, x, y)));
+}

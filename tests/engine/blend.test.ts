@@ -4,6 +4,7 @@ import path from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Sequence } from '../../web/engine/api/api.ts';
 import { folderOf, listed, runCli } from './support/cli.ts';
+import { dataFile, hasData } from './support/data.ts';
 import { bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
 import { poseFiles } from './support/glb.ts';
 import { diagonal, largestDistance } from './support/shapes.ts';
@@ -136,5 +137,54 @@ describe('complete --blend', () => {
       expect(wrong.stderr).toContain(sentence);
     }
     expect((await listed(folder)).filter((name) => name.startsWith('bad'))).toEqual([]);
+  });
+});
+
+/** Weights of three keys around a circle: those of key k at a third of the way each, beyond all of them at `radius` 1.6. */
+function around(share: number, radius: number): number[] {
+  return [0, 1, 2].map((k) => 1 / 3 + (2 / 3) * radius * Math.cos(2 * Math.PI * (share - k / 3)));
+}
+
+describe.skipIf(!hasData)('blends of real keys with large turns', () => {
+  const lion = (...poses: number[]): string[] => poses.map((pose) => `turns/lion/${pose}.obj`);
+  it.each([
+    ['lion 1, 2, 3', lion(1, 2, 3), 240],
+    ['lion 4, 7, 9', lion(4, 7, 9), 240],
+    ['cat', ['turns/cat/cat2.off', 'turns/cat/cat5.off', 'turns/cat/cat8.off'], 90],
+    ['low-poly cat', ['01', '13', '25'].map((pose) => `obj/lowpoly-cat/cat_0000${pose}.obj`), 600],
+  ])('%s: go around the keys without a jump, and are each key at its weights', async (_, names, steps) => {
+    const keys = await engine.importKeyframes(names.map(dataFile));
+    const sequence = await engine.createSequence(keys);
+    const across = diagonal(keys.positions(0));
+    const at = async (weights: number[]): Promise<Float32Array> => {
+      const frame = await sequence.evaluateBlend(weights);
+      const positions = Float32Array.from(frame!.positions);
+      frame!.release();
+      return positions;
+    };
+    for (const k of [0, 1, 2])
+      expect(largestDistance(await at(around(k / 3, 1)), keys.positions(k))).toBeLessThan(1e-4 * across);
+    for (const radius of [1, 0.5, 1.6]) {
+      let last = await at(around(0, radius));
+      const moved: number[] = [];
+      for (let i = 1; i <= steps; i += 1) {
+        const shape = await at(around(i / steps, radius));
+        moved.push(largestDistance(shape, last));
+        last = shape;
+      }
+      expect(Math.max(...moved)).toBeLessThan(across);
+      // What is left of the largest step when it is divided: of a motion a part, of a jump all of it.
+      const worst = moved.indexOf(Math.max(...moved));
+      const parts = 32;
+      let [most, before] = [0, await at(around(worst / steps, radius))];
+      for (let i = 1; i <= parts; i += 1) {
+        const shape = await at(around((worst + i / parts) / steps, radius));
+        most = Math.max(most, largestDistance(shape, before));
+        before = shape;
+      }
+      expect(most / moved[worst]!).toBeLessThan(4 / parts);
+    }
+    sequence.dispose();
+    keys.dispose();
   });
 });

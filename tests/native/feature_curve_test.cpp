@@ -145,3 +145,49 @@ TEST_CASE("a face over time passes through its coordinates at the keys") {
   CHECK(s.faceCurve(-1, keys).error().code == ErrorCode::InvalidOption);
   CHECK(s.faceCurve(static_cast<int>(s.faces().size()), keys).error().code == ErrorCode::InvalidOption);
 }
+
+TEST_CASE("a patch over time turns against each neighbour as the two turn at the keys") {
+  Sequence s = moved(Method::Lri);
+  const std::vector<double> keys = s.motion().keyTimes();
+  const auto turnOf = [](const PatchCurve& curve, std::size_t row, std::size_t neighbour) {
+    const double* q = &curve.numbers[row * (1 + 4 * curve.neighbours.size()) + 1 + 4 * neighbour];
+    return Quaternion(q[0], q[1], q[2], q[3]);
+  };
+  const std::vector<double> times = {keys[0], keys[1], 0.5 * (keys[1] + keys[2]), keys[2]};
+  const auto curve = s.patchCurve(0, times);
+  REQUIRE(curve.ok());
+  REQUIRE(!curve->neighbours.empty());
+  CHECK(curve->numbers.size() == times.size() * (1 + 4 * curve->neighbours.size()));
+  CHECK(curve->natural == curve->numbers);
+  // in the reference nothing turns or stretches
+  CHECK(curve->numbers[0] == doctest::Approx(1));
+  double turned = 0;
+  for (std::size_t n = 0; n < curve->neighbours.size(); ++n) {
+    CHECK(turnOf(*curve, 0, n).angularDistance(Quaternion::Identity()) < 1e-9);
+    for (const std::size_t row : {0, 1, 3}) {
+      std::vector<Quaternion> rotations;
+      REQUIRE(s.patchRotations(times[row], rotations).ok());
+      const Quaternion expected = rotations[0].conjugate() * rotations[curve->neighbours[n]];
+      CHECK(turnOf(*curve, row, n).angularDistance(expected) < 1e-6);
+      turned = std::max(turned, expected.angularDistance(Quaternion::Identity()));
+    }
+    // seen from the other patch it is the other way round
+    const auto back = s.patchCurve(curve->neighbours[n], times);
+    const auto& around = back->neighbours;
+    const auto at = std::find(around.begin(), around.end(), 0) - around.begin();
+    REQUIRE(at < static_cast<std::ptrdiff_t>(around.size()));
+    CHECK(turnOf(*back, 2, at).angularDistance(turnOf(*curve, 2, n).conjugate()) < 1e-9);
+  }
+  CHECK(turned > 0.05);
+
+  MotionOptions eased;
+  eased.boundary = BoundaryKind::Hermite;
+  eased.startSpeed = 0;
+  Sequence e = sequenceOf(keyframes(box(1, 1, 6, 2, 2, 12), {bend(0), bend(1), twist(1)}), doublePrecision(), eased);
+  const auto other = e.patchCurve(0, times);
+  CHECK(other->natural == curve->natural);
+  CHECK(other->numbers != other->natural);
+  const int count = 1 + *std::max_element(s.patchOfFace().begin(), s.patchOfFace().end());
+  CHECK(s.patchCurve(-1, keys).error().code == ErrorCode::InvalidOption);
+  CHECK(s.patchCurve(count, keys).error().code == ErrorCode::InvalidOption);
+}

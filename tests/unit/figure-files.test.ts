@@ -2,6 +2,7 @@
 import { expect, it } from 'vitest';
 import { chartNumbers } from '../../web/app/panels/chart-numbers.ts';
 import { briefly } from '../../web/app/panels/figure-files.ts';
+import { plainColour } from '../../web/plots/plot-files.ts';
 import { readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 import type { Presented } from '../../web/model/state.ts';
@@ -44,4 +45,11 @@ it('a link brings back the plots that are always there, and no other', () => {
   expect(readPermalink(linked('volume'))?.view.present).toBe('volume');
   expect(linked('face-stretch')).not.toContain('present');
   expect(readPermalink('sample=cactus&present=face-stretch')?.unfit).toEqual(['present']);
+});
+
+it('colours of a saved picture are such as any program reads', () => {
+  expect(plainColour('color(srgb 0.9 0.5 0 / 0.14)')).toEqual({ colour: 'rgb(230, 128, 0)', opacity: 0.14 });
+  expect(plainColour('rgba(0, 114, 178, 0.5)')).toEqual({ colour: 'rgb(0, 114, 178)', opacity: 0.5 });
+  expect(plainColour('rgb(0, 158, 115)')).toEqual({ colour: 'rgb(0, 158, 115)', opacity: 1 });
+  expect(plainColour('none')).toEqual({ colour: 'none', opacity: 1 });
 });

@@ -128,6 +128,15 @@ EXPORT const char* shapespline_face_curve(int handle, int face, const char* requ
   });
 }
 
+/// {times} -> {neighbours, numbers, natural} of a patch: feature_curve.h.
+EXPORT const char* shapespline_patch_curve(int handle, int patch, const char* request) {
+  return callResult([&]() -> Result<Json> {
+    const auto curve = sequenceOf(handle).patchCurve(patch, timesIn(request));
+    if (!curve) return curve.error();
+    return Json{{"neighbours", curve->neighbours}, {"numbers", curve->numbers}, {"natural", curve->natural}};
+  });
+}
+
 /// {distance, tension}: feature_curve.h.
 EXPORT const char* shapespline_pace(int handle) {
   return callResult([&]() -> Result<Json> {

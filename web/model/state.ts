@@ -57,6 +57,9 @@ export const PRESENTED = ['shape', 'plane', 'volume', 'area', 'bending'] as cons
 export const PASSING_PLOTS = [
   'face-rotation',
   'face-stretch',
+  'patch-angles',
+  'patch-rotation',
+  'patch-stretch',
   'ghost-error',
   'ghost-time',
   'distance',

@@ -18,6 +18,12 @@ export function svgOf(element: SVGSVGElement): string {
     const target = to[index]!;
     if (style.display === 'none') hidden.push(target);
     for (const name of STYLED) target.setAttribute(name, style.getPropertyValue(name));
+    for (const paint of ['fill', 'stroke']) {
+      const { colour, opacity } = plainColour(style.getPropertyValue(paint));
+      target.setAttribute(paint, colour);
+      const own = Number(style.getPropertyValue(`${paint}-opacity`));
+      target.setAttribute(`${paint}-opacity`, String(Number((own * opacity).toPrecision(3))));
+    }
     for (const { name } of [...target.attributes])
       if (/^(class|tabindex|role|data-.*|aria-.*)$/.test(name)) target.removeAttribute(name);
   });
@@ -28,6 +34,16 @@ export function svgOf(element: SVGSVGElement): string {
   copy.prepend(ground);
   for (const [name, value] of Object.entries({ width, height })) copy.setAttribute(name, String(value));
   return new XMLSerializer().serializeToString(copy);
+}
+
+/** A computed colour as any program reads it: what is mixed or transparent is written in newer ways by browsers. */
+export function plainColour(computed: string): { colour: string; opacity: number } {
+  const [kind = '', inside = ''] = /^(color\(srgb|rgba?\()(.*)\)$/.exec(computed)?.slice(1) ?? [];
+  const numbers = (inside.match(/[\d.e-]+/g) ?? []).map(Number);
+  const [r, g, b, opacity = 1] = numbers;
+  if (r === undefined || g === undefined || b === undefined) return { colour: computed, opacity: 1 };
+  const channel = (value: number): number => Math.round(kind.startsWith('color') ? 255 * value : value);
+  return { colour: `rgb(${[r, g, b].map(channel).join(', ')})`, opacity };
 }
 
 /** Errors: where the browser cannot draw the picture. */

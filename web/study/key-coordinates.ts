@@ -3,6 +3,8 @@
  * their neighbours (the log(G_i^-1 G_j) of the paper's Eq. 5, about its main axis) and how they stretch. What the
  * method itself computes with stays in the core; these are measured anew on the keys' vertices.
  */
+import { rotationVector, unwound } from './rotation-vectors.ts';
+import type { Quaternion, Vector } from './rotation-vectors.ts';
 import { leadingEigenvector } from './symmetric-eigen.ts';
 
 export interface KeyCoordinate {
@@ -23,9 +25,6 @@ export interface KeyPoses {
   /** Index of the key that is measured from. */
   reference: number;
 }
-
-type Quaternion = readonly [number, number, number, number];
-type Vector = [number, number, number];
 
 const EDGES = [
   [0, 1],
@@ -92,33 +91,6 @@ function rotationOf(m: Float64Array): Quaternion {
     ...[xy! - yx!, zx! + xz!, yz! + zy!, zz! - xx! - yy!],
   ];
   return leadingEigenvector(matrix, 4) as unknown as Quaternion;
-}
-
-/** log(G_i^-1 G_j), of at most half a turn. */
-function rotationVector([a, b, c, d]: Quaternion, [w, x, y, z]: Quaternion): Vector {
-  const real = a * w + b * x + c * y + d * z;
-  const sign = real < 0 ? -1 : 1;
-  const imaginary: Vector = [
-    sign * (a * x - b * w - c * z + d * y),
-    sign * (a * y - c * w - d * x + b * z),
-    sign * (a * z - d * w - b * y + c * x),
-  ];
-  const length = Math.hypot(...imaginary);
-  const factor = length < 1e-12 ? 2 : (2 * Math.atan2(length, Math.abs(real))) / length;
-  return imaginary.map((part) => part * factor) as Vector;
-}
-
-/** Each the same rotation, by whole turns as near as can be to the one before. */
-function unwound(vectors: readonly Vector[]): Vector[] {
-  let last: Vector = [0, 0, 0];
-  return vectors.map((vector) => {
-    const angle = Math.hypot(...vector);
-    const axis = angle < 1e-9 ? [0, 0, 0] : vector.map((part) => part / angle);
-    const along = axis.reduce((sum, part, i) => sum + part * last[i]!, 0);
-    const turns = Math.round((along - angle) / (2 * Math.PI));
-    last = axis.map((part) => part * (angle + 2 * Math.PI * turns)) as Vector;
-    return last;
-  });
 }
 
 /** The vectors' components in the direction in which they change most; the last is not below the first. */

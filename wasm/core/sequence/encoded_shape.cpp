@@ -316,4 +316,18 @@ Eigen::MatrixXd EncodedShape::faceColumns(int inputFace) const {
   });
 }
 
+Eigen::RowVectorXd EncodedShape::patchStretch(int patch) const {
+  return withReconstructor([&](const auto& r) {
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(shape_->columns());
+    const auto& numbers = r.coordinates().face;
+    double count = 0;
+    for (int f = 0; f < static_cast<int>(patchOfFace_.size()); ++f) {
+      if (patchOfFace_[f] != patch) continue;
+      for (int c = 0; c < shape_->columns(); ++c) sum[c] += (numbers.at(f, c, 3) + numbers.at(f, c, 5)) / 2;
+      count += 1;
+    }
+    return Eigen::RowVectorXd(sum / std::max(count, 1.0));
+  });
+}
+
 }  // namespace shapespline

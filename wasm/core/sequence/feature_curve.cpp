@@ -68,6 +68,31 @@ FaceCurve FeatureCurve::face(int inputFace, const std::vector<double>& times) co
   return curve;
 }
 
+PatchCurve FeatureCurve::patch(int patch, const std::vector<double>& times) const {
+  PatchCurve result;
+  const PatchCoordinates& patches = encoded_.patches().coordinates();
+  const std::vector<PatchLink>& links = patches.graph.links();
+  for (const PatchLink& link : links)
+    if (link.from == patch || link.to == patch) result.neighbours.push_back(link.from + link.to - patch);
+  const Eigen::RowVectorXd stretch = encoded_.patchStretch(patch);
+  std::vector<Quaternion> rotation;
+  const auto append = [&](std::vector<double>& rows, const Curve& curve, double t) {
+    rows.push_back(stretch.dot(poseWeightsAt(curve, t)));
+    patches.connection.at(curve.at(curve.wrap(t).time), motion_.turns().bridges, rotation);
+    for (std::size_t l = 0; l < links.size(); ++l) {
+      if (links[l].from != patch && links[l].to != patch) continue;
+      const Quaternion q = links[l].from == patch ? rotation[l] : rotation[l].conjugate();
+      rows.insert(rows.end(), {q.w(), q.x(), q.y(), q.z()});
+    }
+  };
+  const Curve natural = motion_.naturalCurve();
+  for (double t : times) {
+    append(result.numbers, motion_.curve(), t);
+    append(result.natural, natural, t);
+  }
+  return result;
+}
+
 Result<DiscretePath> FeatureCurve::discretePath(int samples) const {
   const Result<DiscreteSpline> spline =
       DiscreteSpline::fit(motion_.keyTimes(), motion_.options().boundary, motion_.curve(), samples);

@@ -32,6 +32,15 @@ struct FaceCurve {
   std::vector<double> natural;
 };
 
+/// One patch over time: how it turns against the patches beside it, and how its faces stretch.
+struct PatchCurve {
+  std::vector<int> neighbours;  ///< patches that it is linked with, those of the tree of components among them
+  /// A row for each of the asked times: the mean over its faces of tr(S_f) / 2 or tr(log S_f) / 2, then for each
+  /// neighbour j the rotation G^T G_j as w, x, y, z.
+  std::vector<double> numbers;
+  std::vector<double> natural;  ///< as `numbers`, of the natural cubic spline through the same keys
+};
+
 /// Samples of the feature curve that minimise the bending energy with the keys held (paper Eq. 1-2, Fig. 2;
 /// discrete_spline.h).
 struct DiscretePath {
@@ -85,6 +94,8 @@ class FeatureCurve {
   /// The coordinates of a face of the input as the motion's curve has them; of a blend of vertices those that the
   /// coordinates' own curve would have.
   FaceCurve face(int inputFace, const std::vector<double>& times) const;
+  /// Likewise of a patch; with a ghost of one of the ghost's.
+  PatchCurve patch(int patch, const std::vector<double>& times) const;
 
  private:
   double squaredLength(const Eigen::VectorXd& poseWeights) const;

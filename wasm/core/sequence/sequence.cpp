@@ -122,6 +122,12 @@ Result<FaceCurve> Sequence::faceCurve(int inputFace, const std::vector<double>& 
   return featureCurve().face(inputFace, times);
 }
 
+Result<PatchCurve> Sequence::patchCurve(int patch, const std::vector<double>& times) {
+  if (patch < 0 || patch >= encoded_.patches().coordinates().patches.count)
+    return Error{ErrorCode::InvalidOption, "There is no patch " + grouped(patch) + "."};
+  return featureCurve().patch(patch, times);
+}
+
 FeatureCurve Sequence::featureCurve() {
   if (gram_.size() == 0) gram_ = encoded_.gramMatrix();
   return {encoded_, motion_, gram_};

@@ -1,6 +1,6 @@
 /** Volume, area, bending energy and shape plane of the motions on the screen, as numbers over time. */
 import type { Method } from '../../engine/api/types.ts';
-import { endTangents } from '../../model/state.ts';
+import { endTangents, referenceKey } from '../../model/state.ts';
 import type { Doc } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -20,6 +20,8 @@ export interface Analysis {
 export interface AnalysisInput extends ShapePlaneInput {
   /** Milliseconds per frame: the slower, the fewer times are computed. */
   ms: number;
+  /** Index of the key in which nothing is turned or stretched. */
+  reference: number;
 }
 
 /** Motions with and without a ghost mesh are not compared: those like the first one are analysed. */
@@ -31,6 +33,7 @@ export function analysisInput(running: readonly RunningSequence[], doc: Doc, ran
     ms,
     keyTimes: doc.keys.map((key) => key.time),
     towards: endTangents(doc),
+    reference: referenceKey(doc),
   };
 }
 

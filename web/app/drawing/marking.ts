@@ -27,6 +27,8 @@ export interface Marking {
   component(component: number | null): void;
   /** Marks what moves with a face. */
   around(face: number): void;
+  /** Marks patches. */
+  patches(patches: readonly number[]): void;
   /** The motion is another one now: a place that was marked may be none any more. Components stay what they are. */
   follow(): void;
 }
@@ -76,6 +78,11 @@ export function createMarking({
       onWarning(null);
       ofComponent = false;
       mark((of) => facesOf(of, [], face));
+    },
+    patches(patches) {
+      onWarning(null);
+      ofComponent = false;
+      mark((of) => facesOf(of, patches, -1));
     },
     follow() {
       if (ofComponent) return;

@@ -253,14 +253,16 @@ export class SceneController {
     measures: boolean,
   ): TileLabel[] {
     const rects = this.viewer.seen();
+    const sizes = sequences.filter(({ ghost }) => ghost > 0).length > 1;
     const tiles = sequences.map((running, index) => ({
-      title: titleOf(running, this.viewer.isSplit),
+      title: titleOf(running, this.viewer.isSplit, sizes),
       positions: frames[index]?.positions,
     }));
     if (original) tiles.push({ title: 'The animation', positions: original });
     return tiles.map(({ title, positions }, index) => {
       const { x, y, width } = rects[index] ?? { x: 0, y: 0, width: 0 };
-      const { volume, detail } = measures ? this.measures(positions) : this.labels[index]!;
+      const known = measures ? this.measures(positions) : this.labels[index]!;
+      const { volume, detail } = sizes ? { volume: '', detail: '' } : known;
       return { title, volume, detail, x, y, width };
     });
   }
@@ -376,8 +378,12 @@ export class SceneController {
   }
 }
 
-/** Beside a divider, a blend is called what those know it by who have never heard of it. */
-function titleOf({ method, ghost }: RunningSequence, split: boolean): string {
+/**
+ * Beside a divider, a blend is called what those know it by who have never heard of it; among ghosts of several sizes
+ * (Fig. 7), where names have little room, the size is the name.
+ */
+function titleOf({ method, ghost }: RunningSequence, split: boolean, sizes: boolean): string {
+  if (sizes) return ghost > 0 ? `Ghost of ${ghost.toLocaleString('en')} faces` : 'No ghost';
   const title = METHOD_WORDS[method][split || ghost > 0 ? 'short' : 'label'];
   return ghost > 0 ? `${title}, ghost mesh of ${ghost.toLocaleString('en')} faces` : title;
 }

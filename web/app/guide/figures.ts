@@ -6,6 +6,11 @@ interface Figure extends Omit<GuidePage, 'link' | 'title'> {
   name: string;
 }
 
+/** The playground with as many values as the paper's Fig. 2a, and its three curves. */
+const NINE_POINTS = `keys=${[0.3, 0.55, 0.35, 0.8, 0.6, 0.9, 0.45, 0.5, 0.2]
+  .map((value, i) => `${i / 8},${value},0`)
+  .join('+')}&show=linear+natural+samples&samples=60&key=5`;
+
 const LIST: readonly Figure[] = [
   {
     number: '1',
@@ -22,10 +27,10 @@ const LIST: readonly Figure[] = [
     state: 'sample=cactus&between=0,1&t=0&loop=bounce&play=1',
     panel: 'analysis',
     text: 'The paper draws three curves through nine values: the one that bends least, found by brute force, the cubic spline, and straight lines.',
-    task: 'Open the playground, switch on these three layers and drag the values.',
+    task: 'Open the playground, which has nine values and these three curves, and drag a value.',
     sentence:
       'The curve of least bending and the spline lie on each other, there as here; the values are yours to choose.',
-    beside: { label: 'Open the playground', href: './play.html' },
+    beside: { label: 'Open the playground', href: `./play.html#${NINE_POINTS}` },
   },
   {
     number: '2b',
@@ -33,7 +38,9 @@ const LIST: readonly Figure[] = [
     state: 'sample=octopus&compare=geodesic,linear&between=0,1.5&t=0&loop=bounce&play=1',
     panel: 'analysis',
     text: 'The paper draws three motions through four shapes in the plane of their two leading components: global minimisation, the spline and linear interpolation in shape space.',
-    task: 'Enlarge the shape plane under Analysis, and tick “Minimised over 24 samples”.',
+    part: 'plot-plane',
+    press: 'minimised',
+    task: 'Enlarge the shape plane under Analysis, and change the number of samples of the minimisation.',
     sentence:
       'The minimisation falls onto the spline, there as here; blends of vertices are drawn, too, with their distance from the plane.',
   },
@@ -90,8 +97,10 @@ const LIST: readonly Figure[] = [
     state: 'sample=cactus&ghostFaces=500&between=0,1&t=0&loop=bounce&play=1',
     panel: 'shape',
     text: 'The paper plots the KG error of a sequence and the time of a frame against the size of the ghost.',
-    task: 'Press “Compare sizes” under Shape, Ghost mesh.',
-    sentence: 'The same two curves are measured here, in your browser.',
+    part: 'study-start',
+    press: 'study-start',
+    task: 'Wait for the two charts under Shape, Ghost mesh; “Compare sizes” measures anew.',
+    sentence: 'The same two curves are measured here, in your browser, on one shape instead of four.',
   },
   {
     number: '9',
@@ -99,6 +108,7 @@ const LIST: readonly Figure[] = [
     state: 'sample=dachshund&boundary=natural&compare=geodesic,cubic-vertex&between=0,0.875&t=0&loop=bounce&play=1',
     panel: 'analysis',
     text: 'The paper plots the second derivative of motions through ten poses of a person: geodesics peak at every key, splines stay low.',
+    part: 'plot-bending',
     task: 'Enlarge the bending under Analysis, and look at the geodesic at the keys.',
     sentence:
       'The peaks stand at the keys, there as here; the third curve is a spline of vertices instead of one in shell space.',

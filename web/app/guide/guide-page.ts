@@ -23,6 +23,10 @@ export interface GuidePage {
   state: string;
   /** The options or plots that it speaks of. */
   panel?: PanelName;
+  /** What of that panel is brought in sight, by its test id. */
+  part?: string;
+  /** A control that is pressed for the reader, by its test id; a tick is taken back with the page. */
+  press?: string;
   /** What is seen: a few sentences. */
   text: string;
   /** What the reader does. */

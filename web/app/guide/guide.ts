@@ -12,6 +12,7 @@ import type { Workspace } from '../session/workspace.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
 import { readPermalink } from '../sources/permalink.ts';
 import { FIGURES } from './figures.ts';
+import { pressed } from './pressed.ts';
 import type { Facts, GuidePage } from './guide-page.ts';
 import { TOUR } from './tour.ts';
 
@@ -22,7 +23,7 @@ export interface GuideParts {
   /** Where its panel stands; null takes it away. */
   place(panel: HTMLElement | null): void;
   /** Brings options or plots in sight. */
-  showPanel(name: PanelName): void;
+  showPanel(name: PanelName, part?: string): void;
   /** Opens what a visit starts with. */
   openFirst(): Promise<void>;
   /** The address keeps this fragment; null: it follows the state. */
@@ -41,6 +42,8 @@ export interface Guide {
   readonly isOpen: boolean;
 }
 
+const nothing = (): void => undefined;
+
 export function createGuide({ store, workspace, files, openFirst, place, showPanel, pin }: GuideParts): Guide {
   let page: GuidePage | null = null;
   /** It is opening a page of its own. */
@@ -49,7 +52,12 @@ export function createGuide({ store, workspace, files, openFirst, place, showPan
   let before: Work | null = null;
   const panel = createGuidePanel(() => void guide.close());
 
+  /** Of what the page on show has pressed. */
+  let takeBack = nothing;
+
   const leave = (): void => {
+    takeBack();
+    takeBack = nothing;
     page = null;
     before = null;
     place(null);
@@ -66,9 +74,13 @@ export function createGuide({ store, workspace, files, openFirst, place, showPan
       pin(wanted.link);
       panel.show(shown(wanted));
       place(panel.element);
-      if (wanted.panel) showPanel(wanted.panel);
+      takeBack();
+      takeBack = nothing;
       turning += 1;
       await files.show(state).finally(() => (turning -= 1));
+      if (page !== wanted) return true;
+      if (wanted.press) takeBack = pressed(wanted.press);
+      if (wanted.panel) showPanel(wanted.panel, wanted.part);
       return true;
     },
     async close() {

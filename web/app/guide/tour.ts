@@ -23,16 +23,18 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
       ours && blended ? `Volume now: ${blended} blended, ${ours} in shape space.` : '',
     formula: {
       math: '<mrow><mi>p</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>=</mo><mo>(</mo><mn>1</mn><mo>−</mo><mi>t</mi><mo>)</mo><msub><mi>p</mi><mn>0</mn></msub><mo>+</mo><mi>t</mi><msub><mi>p</mi><mn>1</mn></msub></mrow>',
-      words: 'A blend of positions: so much of the one point, so much of the other.',
+      words:
+        'So much of the one place, so much of the other. The line between two places of a circle runs inside of it: on the way every point is nearer to the axis about which it turns, and the bar is thin.',
     },
-    more: 'A point on the outside of a half turn goes straight through the axis, where all others meet it.',
+    more: 'Where the bar turns by a half, the line runs through the axis itself: there all points meet, and nothing is left.',
   },
   {
     title: 'What a shape is made of',
     state: 'sample=cactus&colour=patches&between=0,1&t=0&loop=bounce&play=1',
     text: 'The surface is cut into patches. Of each pair of neighbours only the rotation from one to the other is kept, and of each face how it turns and stretches in its patch. Nothing says where the shape stands.',
     panel: 'analysis',
-    task: 'Click the shape: under Analysis, Faces, see how that face turns and stretches in its patch.',
+    part: 'faces',
+    task: 'Click the shape: under Analysis, see how that face turns and stretches in its patch; then choose Patch.',
     sentence: 'Describe a shape by how neighbouring parts turn and stretch, and it no longer matters where it stands.',
     live: ({ faces, patches }) => `${grouped(faces)} faces in ${grouped(patches)} patches.`,
     formula: {
@@ -52,6 +54,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     panel: 'analysis',
     state: 'sample=cactus&compare=geodesic&between=0,1&t=0&loop=bounce&play=1',
     text: 'On the right the cactus goes from key to key on the shortest way, a geodesic. It is straight between two keys, and has a corner at the middle one: there it changes direction at once.',
+    part: 'plot-bending',
     task: 'Look at 0.5, and at the bending under Analysis.',
     sentence: 'Straight from key to key is shortest, and turns sharply at each key.',
     formula: {
@@ -62,7 +65,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'The bent ruler',
     state: 'sample=cactus&between=0,1&t=0&loop=bounce&play=1',
-    text: 'Hold a thin ruler at a few nails and let it bend as it likes: it takes the shape that bends least in total. Every coordinate of the shape runs on such a curve, a cubic spline.',
+    text: 'Hold a thin ruler at a few nails and let it bend as it likes: it takes the shape that bends least in total, and is straight past its last nail. That is the natural cubic spline. Every coordinate of the shape runs on one.',
     task: 'Open the playground, and drag a value up and down.',
     sentence: 'The smoothest curve through the keys bends least in total, and one tiny system finds it.',
     formula: {
@@ -76,9 +79,13 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     panel: 'motion',
     state:
       'sample=cactus&boundary=hermite&startSpeed=2&endSpeed=2&between=-0.2,1.2&t=0&loop=bounce&colour=phase&play=1',
-    text: 'Inside, the keys say it all. At the ends somebody has to choose: “Free” lets the motion run out straight, “Ease” gives it a speed there, “Loop” joins the last key to the first.',
+    text: 'Inside, the keys say it all. At the ends somebody has to choose: “Free” (natural) leaves the ends alone, as the ruler, with no bending there; “Ease” (Hermite) gives them a speed; “Loop” (periodic) joins the last key to the first.',
     task: 'Drag a handle at an end of the timeline; then choose Free and Loop under Motion.',
     sentence: 'What happens at the ends is a choice: free, a given speed, or a closed loop.',
+    formula: {
+      math: '<mrow><msup><mi>s</mi><mo>″</mo></msup><mo>(</mo><msub><mi>t</mi><mn>1</mn></msub><mo>)</mo><mo>=</mo><msup><mi>s</mi><mo>″</mo></msup><mo>(</mo><msub><mi>t</mi><mi>J</mi></msub><mo>)</mo><mo>=</mo><mn>0</mn></mrow>',
+      words: 'Natural: at the first and the last key the motion does not bend, so that it goes on straight.',
+    },
   },
   {
     title: 'Beyond the keys',

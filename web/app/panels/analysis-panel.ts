@@ -3,18 +3,18 @@ import type { Method } from '../../engine/api/types.ts';
 import type { End } from '../../model/speeds.ts';
 import { createLineChart, make } from '../../plots/line-chart.ts';
 import type { LineChart } from '../../plots/line-chart.ts';
-import type { Plot } from '../../model/state.ts';
+import type { Colouring, Plot } from '../../model/state.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../ui/motion-panel.ts';
 import { relativeToFirstKey } from '../analysis/analysis.ts';
 import type { MotionMeasures } from '../../study/motion-measures.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
-import { createFacesFigure } from './faces-figure.ts';
-import type { FacesFigure, FacesFigureEvents } from './faces-figure.ts';
+import type { FacesFigure, FacesFigureEvents, FacesFigureProps } from './faces-figure.ts';
 import { addFigureTools } from './figure-tools.ts';
 import type { FigureEvents } from './figure-tools.ts';
 import { chartNumbers } from './chart-numbers.ts';
+import { later } from '../../ui/later.ts';
 import { createShapePlaneFigure } from './shape-plane-figure.ts';
 import type { Blend } from './view-state.ts';
 import type { ShapePlaneFigure } from './shape-plane-figure.ts';
@@ -30,7 +30,7 @@ export interface AnalysisPanelEvents extends FigureEvents {
 
 export interface AnalysisPanelProps {
   time: number;
-  colouring: Parameters<FacesFigure['setColouring']>[0];
+  colouring: Colouring;
   blend: Parameters<ShapePlaneFigure['setBlend']>[0];
   keys: Parameters<ShapePlaneFigure['setBlend']>[1];
   speeds: Parameters<ShapePlaneFigure['setSpeeds']>[0];
@@ -57,7 +57,16 @@ export function createAnalysisPanel(
 ): AnalysisPanel {
   const { onSpeed, onBlend, onEnlarge, onError } = events;
   const plane = createShapePlaneFigure(cache.input, { onSpeed, onBlend, onEnlarge, onError });
-  const faces = createFacesFigure(cache.input, events);
+  const faces = later<FacesFigureProps, FacesFigure>(async () => {
+    const { createFacesFigure } = await import('./faces-figure.ts');
+    return createFacesFigure(cache.input, events);
+  }, onError);
+  void faces.need();
+  let facesProps: FacesFigureProps = { cursor: 0, colouring: 'texture', version: 0 };
+  const updateFaces = (change: Partial<FacesFigureProps>): void => {
+    facesProps = { ...facesProps, ...change };
+    faces.update(facesProps);
+  };
   const volume = chart('Volume', RELATIVE, 'volume', events);
   const area = chart('Area', RELATIVE, 'area', events);
   const bending = chart('Bending energy', BENDING, 'bending', events);
@@ -72,7 +81,7 @@ export function createAnalysisPanel(
   const setCursor = (t: number): void => {
     cursor = t;
     plane.setCursor(t);
-    faces.setCursor(t);
+    updateFaces({ cursor: t });
     for (const figure of [volume, area, bending, sliding]) figure.setCursor(t);
   };
 
@@ -109,7 +118,7 @@ export function createAnalysisPanel(
 
   cache.observe({
     onChange: () => {
-      faces.refresh();
+      updateFaces({ version: facesProps.version + 1 });
       if (visible) plane.refresh();
     },
     onStale: computeSoon,
@@ -126,11 +135,11 @@ export function createAnalysisPanel(
     element,
     update({ time, colouring, blend, keys, speeds }) {
       setCursor(time);
-      faces.setColouring(colouring);
+      updateFaces({ colouring });
       plane.setBlend(blend, keys);
       plane.setSpeeds(speeds);
     },
-    clicked: faces.clicked,
+    clicked: (pick) => void faces.need().then((figure) => figure?.clicked(pick)),
   };
 }
 

@@ -216,7 +216,7 @@ export function createComponents(input: ComponentsInput): Components {
   const phaseLabel = createPhaseLabel(() => input.marking.around(input.indefiniteFace()));
   const tileLabels = createTileLabels();
   const divider = createDivider((split) => commands.view({ split }));
-  const colourBar = createColourBar(viridisGradient('to top'));
+  const colourBar = createColourBar(viridisGradient('var(--ramp-way, to top)'));
   const warnings = later<WarningsProps, WarningsList>(async () => {
     const { createWarnings } = await import('../../ui/warnings.ts');
     return createWarnings(input.marking.warning);

@@ -25,8 +25,8 @@ export interface Layout {
   mount(root: HTMLElement, parts: LayoutParts): void;
   /** Puts the guide's panel beside the viewport; null takes it away. */
   setGuide(panel: HTMLElement | null): void;
-  /** Brings a panel in sight, where they stand beside the viewport. */
-  showPanel(name: PanelName): void;
+  /** Brings a panel in sight, or a part of it by its test id, where they stand beside the viewport. */
+  showPanel(name: PanelName, part?: string): void;
   /** Pixels that bars and words take at the top and the bottom of each of so many views, or of two that are `split`. */
   covered(views: number, split: boolean): { top: number; bottom: number };
   /** Nothing but this is on the page; null: all of it. */
@@ -94,9 +94,13 @@ export function createLayout(): Layout {
       if (panel) app?.querySelector('main')?.before(panel);
       if (app) setAttribute(app, 'data-guide', panel !== null);
     },
-    showPanel(name) {
+    showPanel(name, part) {
       const panel = app?.querySelector<HTMLElement>(`[data-testid="panel-${name}"]`);
-      panel?.closest('.side')?.scrollTo({ top: panel.offsetTop - SIDE_NAV_PX });
+      const found = (part && panel?.querySelector<HTMLElement>(`[data-testid="${part}"]`)) || panel;
+      const side = found?.closest('.side');
+      if (!found || !side) return;
+      const down = found.getBoundingClientRect().top - side.getBoundingClientRect().top;
+      side.scrollTo({ top: side.scrollTop + down - SIDE_NAV_PX });
     },
     present(what) {
       if (!app) return;

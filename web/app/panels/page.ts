@@ -112,7 +112,11 @@ export function createPage(parts: PageParts): Page {
         return diagonal === undefined ? null : { original: scene.shownOriginal, diagonal };
       },
       onColouring: (colouring) => commands.view({ colouring }),
-      onMark: (face) => (face === null ? parts.marking.component(null) : parts.marking.around(face)),
+      onMark(what) {
+        if (!what) return parts.marking.component(null);
+        if ('face' in what) return parts.marking.around(what.face);
+        parts.marking.patches(what.patches);
+      },
       onError: parts.onAnalysisError,
     },
     () => layout.present(store.get().view.present),

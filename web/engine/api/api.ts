@@ -18,6 +18,7 @@ import type {
   SequenceStats,
   KeyPace,
   MotionPace,
+  PatchCurve,
   ShapePlane,
   Warning,
 } from './types.ts';
@@ -92,6 +93,8 @@ export interface Sequence {
   discretePath(samples: number): Promise<DiscretePath>;
   /** A face's coordinates at these times. */
   faceCurve(face: number, times: number[]): Promise<FaceCurve>;
+  /** A patch's coordinates at these times; `patch` as in `patches`. */
+  patchCurve(patch: number, times: number[]): Promise<PatchCurve>;
   /** For spacing keys by how different they are, and for tensions without overshoot. */
   keyPace(): Promise<KeyPace>;
   /** Speed and overshoot over time; yields to frames that are shown or fetched ahead. */

@@ -241,9 +241,10 @@ export function checkSamples(given: unknown): number {
   return given as number;
 }
 
-export function checkFace(given: unknown, faces: number): number {
+/** Of a face, or of a patch, of which there are no more than faces. */
+export function checkFace(given: unknown, faces: number, what = 'face'): number {
   if (!Number.isSafeInteger(given) || (given as number) < 0 || (given as number) >= faces)
-    throw invalidOption(`A face must be a whole number below ${grouped(faces)}.`);
+    throw invalidOption(`A ${what} must be a whole number below ${grouped(faces)}.`);
   return given as number;
 }
 

@@ -346,6 +346,19 @@ export interface FaceCurve {
   natural: number[];
 }
 
+/**
+ * One patch over time. A row at each moment: the mean over its faces of tr(S_f) / 2, or of tr(log S_f) / 2 where stretch
+ * is logarithmic; then for each neighbour j the rotation G^T G_j as a unit quaternion w, x, y, z. In the reference pose
+ * every rotation is none.
+ */
+export interface PatchCurve {
+  /** Patches beside it, and those that components are attached by. */
+  neighbours: number[];
+  numbers: number[];
+  /** As `numbers`, of the natural spline through the same keys. */
+  natural: number[];
+}
+
 export type ExportOptions = ValuesOf<typeof EXPORT>;
 export const EXPORT_DEFAULTS: Readonly<ExportOptions> = defaultsOf(EXPORT);
 

@@ -34,6 +34,7 @@ import type {
   SequenceStats,
   KeyPace,
   MotionPace,
+  PatchCurve,
   ShapePlane,
   Warning,
 } from '../api/types.ts';
@@ -202,6 +203,11 @@ export class SequenceClient implements Sequence {
   async faceCurve(face: number, times: number[]): Promise<FaceCurve> {
     const checked = { face: checkFace(face, this.parts.keys.info.report.faces), times: checkTimes(times) };
     return this.scheduled(urgency.shown, 'faceCurve', () => ({ motion: this.motion, ...checked }));
+  }
+
+  async patchCurve(patch: number, times: number[]): Promise<PatchCurve> {
+    const checked = { patch: checkFace(patch, this.parts.keys.info.report.faces, 'patch'), times: checkTimes(times) };
+    return this.scheduled(urgency.shown, 'patchCurve', () => ({ motion: this.motion, ...checked }));
   }
 
   async keyPace(): Promise<KeyPace> {

@@ -18,6 +18,7 @@ import type {
   SequenceStats,
   KeyPace,
   MotionPace,
+  PatchCurve,
   ShapePlane,
   Warning,
   MeasuresAt,
@@ -75,6 +76,7 @@ export interface Calls {
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
   discretePath: { request: { motion: MotionSpec; samples: number }; result: DiscretePath };
   faceCurve: { request: { motion: MotionSpec; face: number; times: number[] }; result: FaceCurve };
+  patchCurve: { request: { motion: MotionSpec; patch: number; times: number[] }; result: PatchCurve };
   pace: { request: { motion: MotionSpec }; result: KeyPace };
   motionPace: { request: { motion: MotionSpec; times: number[] }; result: MotionPace };
   bending: { request: { motion: MotionSpec; times: number[] }; result: number[] };

@@ -126,6 +126,7 @@ export class RequestHandler {
       plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
       discretePath: (core, { motion, samples }) => core.discretePath(this.follow(core, motion), samples),
       faceCurve: (core, { motion, face, times }) => core.faceCurve(this.follow(core, motion), face, times),
+      patchCurve: (core, { motion, patch, times }) => core.patchCurve(this.follow(core, motion), patch, times),
       pace: (core, { motion }) => core.pace(this.follow(core, motion)),
       motionPace: (core, { motion, times }) => core.motionPace(this.follow(core, motion), times),
       bending: (core, { motion, times }) => core.bending(this.follow(core, motion), times),

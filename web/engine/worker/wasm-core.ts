@@ -16,6 +16,7 @@ import type {
   SequenceStats,
   KeyPace,
   MotionPace,
+  PatchCurve,
   ShapePlane,
   TextureImage,
   Warning,
@@ -187,6 +188,10 @@ export class WasmCore {
 
   faceCurve(handle: number, face: number, times: number[]): FaceCurve {
     return this.ask({ times }, (address) => this.module._shapespline_face_curve(handle, face, address));
+  }
+
+  patchCurve(handle: number, patch: number, times: number[]): PatchCurve {
+    return this.ask({ times }, (address) => this.module._shapespline_patch_curve(handle, patch, address));
   }
 
   pace(handle: number): KeyPace {
