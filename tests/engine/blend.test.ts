@@ -90,11 +90,36 @@ describe('the discretised minimisation', () => {
 
 describe('one face', () => {
   it('has its coordinates over time, and at the keys', async () => {
-    const { patch, numbers, keys } = await bend.sequence.faceCurve(7, [0, 0.5, 1]);
+    const { patch, numbers, natural } = await bend.sequence.faceCurve(7, [0, 0.5, 1]);
     expect(patch).toBe((await bend.sequence.patches())[7]);
-    expect(keys).toHaveLength(18);
-    numbers.forEach((value, index) => expect(value).toBeCloseTo(keys[index]!, 6));
+    expect(numbers).toHaveLength(18);
+    // In the reference pose nothing is turned or stretched.
+    [0, 0, 0, 1, 0, 1].forEach((value, index) => expect(numbers[index]).toBeCloseTo(value, 6));
+    expect(natural).toEqual(numbers);
     expect((await failureOf(bend.sequence.faceCurve(1e6, [0]))).code).toBe('invalid-option');
+  });
+});
+
+describe('one patch', () => {
+  it('turns against each neighbour as that against it, and is at rest in the reference pose', async () => {
+    const times = [0, 0.4, 1];
+    const patch = (await bend.sequence.patches())[7]!;
+    const { neighbours, numbers, natural } = await bend.sequence.patchCurve(patch, times);
+    const width = 1 + 4 * neighbours.length;
+    expect(neighbours.length).toBeGreaterThan(0);
+    expect(numbers).toHaveLength(times.length * width);
+    expect(natural).toEqual(numbers);
+    expect(numbers[0]).toBeCloseTo(1, 6);
+    for (const [k, other] of neighbours.entries()) {
+      const turn = (row: number): number[] => numbers.slice(row * width + 1 + 4 * k, row * width + 5 + 4 * k);
+      [1, 0, 0, 0].forEach((value, i) => expect(turn(0)[i]).toBeCloseTo(value, 6));
+      const back = await bend.sequence.patchCurve(other, times);
+      const from = 1 + 4 * back.neighbours.length + 1 + 4 * back.neighbours.indexOf(patch);
+      const [w, x, y, z] = back.numbers.slice(from, from + 4) as [number, number, number, number];
+      [w, -x, -y, -z].forEach((value, i) => expect(turn(1)[i]).toBeCloseTo(value, 6));
+    }
+    expect((await failureOf(bend.sequence.patchCurve(-1, [0]))).code).toBe('invalid-option');
+    expect((await failureOf(bend.sequence.patchCurve(5000, [0]))).code).toBe('invalid-option');
   });
 });
 

@@ -118,22 +118,17 @@ EXPORT const char* shapespline_discrete_path(int handle, int samples) {
   });
 }
 
-/// {times} -> {patch, numbers, keys, natural} of a face: feature_curve.h.
-EXPORT const char* shapespline_face_curve(int handle, int face, const char* request) {
+/// {times} -> {patch, neighbours, numbers, natural} of a face, or of a patch: feature_curve.h.
+EXPORT const char* shapespline_part_curve(int handle, int index, bool isPatch, const char* request) {
   return callResult([&]() -> Result<Json> {
-    const auto curve = sequenceOf(handle).faceCurve(face, timesIn(request));
+    const std::vector<double> times = timesIn(request);
+    const auto curve =
+        isPatch ? sequenceOf(handle).patchCurve(index, times) : sequenceOf(handle).faceCurve(index, times);
     if (!curve) return curve.error();
-    return Json{
-        {"patch", curve->patch}, {"numbers", curve->numbers}, {"keys", curve->keys}, {"natural", curve->natural}};
-  });
-}
-
-/// {times} -> {neighbours, numbers, natural} of a patch: feature_curve.h.
-EXPORT const char* shapespline_patch_curve(int handle, int patch, const char* request) {
-  return callResult([&]() -> Result<Json> {
-    const auto curve = sequenceOf(handle).patchCurve(patch, timesIn(request));
-    if (!curve) return curve.error();
-    return Json{{"neighbours", curve->neighbours}, {"numbers", curve->numbers}, {"natural", curve->natural}};
+    return Json{{"patch", curve->patch},
+                {"neighbours", curve->neighbours},
+                {"numbers", curve->numbers},
+                {"natural", curve->natural}};
   });
 }
 

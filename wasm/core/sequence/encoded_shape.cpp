@@ -316,18 +316,15 @@ Eigen::MatrixXd EncodedShape::faceColumns(int inputFace) const {
   });
 }
 
-Eigen::RowVectorXd EncodedShape::patchStretch(int patch) const {
-  return withReconstructor([&](const auto& r) {
-    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(shape_->columns());
-    const auto& numbers = r.coordinates().face;
-    double count = 0;
-    for (int f = 0; f < static_cast<int>(patchOfFace_.size()); ++f) {
-      if (patchOfFace_[f] != patch) continue;
-      for (int c = 0; c < shape_->columns(); ++c) sum[c] += (numbers.at(f, c, 3) + numbers.at(f, c, 5)) / 2;
-      count += 1;
-    }
-    return Eigen::RowVectorXd(sum / std::max(count, 1.0));
-  });
+Eigen::VectorXd EncodedShape::patchStretch(int patch) const {
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(shape_->columns());
+  const double count = static_cast<double>(std::count(patchOfInputFace_.begin(), patchOfInputFace_.end(), patch));
+  for (int face = 0; face < static_cast<int>(patchOfInputFace_.size()); ++face) {
+    if (patchOfInputFace_[face] != patch) continue;
+    const Eigen::MatrixXd numbers = faceColumns(face);
+    for (int c = 0; c < shape_->columns(); ++c) mean[c] += (numbers(3, c) + numbers(5, c)) / (2 * count);
+  }
+  return mean;
 }
 
 }  // namespace shapespline

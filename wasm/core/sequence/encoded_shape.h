@@ -94,8 +94,8 @@ class EncodedShape {
 
   /// The coordinates of a face of the input, numbersPerFace rows: a column per pose. Face must have a patch.
   Eigen::MatrixXd faceColumns(int inputFace) const;
-  /// Half the trace of the stretch of a patch's faces, their mean: a column per pose.
-  Eigen::RowVectorXd patchStretch(int patch) const;
+  /// Half the trace of the stretch, the mean over the faces of a patch: one per column.
+  Eigen::VectorXd patchStretch(int patch) const;
 
   /// What the keys say, whatever the motion.
   const std::vector<Warning>& warnings() const { return warnings_; }

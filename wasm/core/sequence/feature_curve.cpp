@@ -51,44 +51,43 @@ double FeatureCurve::meanStep() const {
   return sum / (shape_.keys - 1);
 }
 
-FaceCurve FeatureCurve::face(int inputFace, const std::vector<double>& times) const {
-  FaceCurve curve;
-  curve.patch = encoded_.patchOfInputFace()[inputFace];
-  if (curve.patch < 0) return curve;
-  const Eigen::MatrixXd numbers = encoded_.faceColumns(inputFace);
+PartCurve FeatureCurve::face(int inputFace, const std::vector<double>& times) const {
+  PartCurve result;
+  result.patch = encoded_.patchOfInputFace()[inputFace];
+  if (result.patch < 0) return result;
+  const Eigen::MatrixXd columns = encoded_.faceColumns(inputFace);
   const Curve natural = motion_.naturalCurve();
-  const auto append = [](std::vector<double>& list, const Eigen::VectorXd& six) {
-    list.insert(list.end(), six.begin(), six.end());
-  };
-  for (double t : times) {
-    append(curve.numbers, numbers * poseWeightsAt(t));
-    append(curve.natural, numbers * poseWeightsAt(natural, t));
+  for (const Curve* curve : {&motion_.curve(), &natural}) {
+    std::vector<double>& rows = curve == &natural ? result.natural : result.numbers;
+    for (double t : times) {
+      const Eigen::VectorXd six = columns * poseWeightsAt(*curve, t);
+      rows.insert(rows.end(), six.begin(), six.end());
+    }
   }
-  for (int j = 0; j < shape_.keys; ++j) append(curve.keys, numbers.col(j));
-  return curve;
+  return result;
 }
 
-PatchCurve FeatureCurve::patch(int patch, const std::vector<double>& times) const {
-  PatchCurve result;
+PartCurve FeatureCurve::patch(int patch, const std::vector<double>& times) const {
+  PartCurve result;
   const PatchCoordinates& patches = encoded_.patches().coordinates();
   const std::vector<PatchLink>& links = patches.graph.links();
   for (const PatchLink& link : links)
     if (link.from == patch || link.to == patch) result.neighbours.push_back(link.from + link.to - patch);
-  const Eigen::RowVectorXd stretch = encoded_.patchStretch(patch);
-  std::vector<Quaternion> rotation;
-  const auto append = [&](std::vector<double>& rows, const Curve& curve, double t) {
-    rows.push_back(stretch.dot(poseWeightsAt(curve, t)));
-    patches.connection.at(curve.at(curve.wrap(t).time), motion_.turns().bridges, rotation);
-    for (std::size_t l = 0; l < links.size(); ++l) {
-      if (links[l].from != patch && links[l].to != patch) continue;
-      const Quaternion q = links[l].from == patch ? rotation[l] : rotation[l].conjugate();
-      rows.insert(rows.end(), {q.w(), q.x(), q.y(), q.z()});
-    }
-  };
+  const Eigen::VectorXd stretch = encoded_.patchStretch(patch);
   const Curve natural = motion_.naturalCurve();
-  for (double t : times) {
-    append(result.numbers, motion_.curve(), t);
-    append(result.natural, natural, t);
+  std::vector<Quaternion> rotation;
+  for (const Curve* curve : {&motion_.curve(), &natural}) {
+    std::vector<double>& rows = curve == &natural ? result.natural : result.numbers;
+    for (double t : times) {
+      rows.push_back(stretch.dot(poseWeightsAt(*curve, t)));
+      patches.connection.at(curve->at(curve->wrap(t).time), motion_.turns().bridges, rotation);
+      for (std::size_t l = 0; l < links.size(); ++l) {
+        const int sign = links[l].from == patch ? 1 : -1;  // the other way round it is the conjugate
+        if (sign < 0 && links[l].to != patch) continue;
+        const Quaternion& q = rotation[l];
+        rows.insert(rows.end(), {q.w(), sign * q.x(), sign * q.y(), sign * q.z()});
+      }
+    }
   }
   return result;
 }

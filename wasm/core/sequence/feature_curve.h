@@ -22,23 +22,16 @@ struct ShapePlane {
   double explained = 0;         ///< share of the keys' variance that the plane holds, in [0, 1]
 };
 
-/// One face over time.
-struct FaceCurve {
-  int patch = -1;  ///< that it belongs to; -1 where it has no area, and nothing else is known then
-  /// 6 values for each of the asked times, then for each key: the rotation vector against the patch (radians) and S_f
-  /// or log S_f as xx, xy, yy in the face's tangent frame (face_coordinates.h).
-  std::vector<double> numbers, keys;
+/// A face or a patch over time: rows of numbers, one for each of the asked times.
+struct PartCurve {
+  int patch = -1;  ///< of a face: that it belongs to; -1 where it has no area, and nothing else is known then
+  std::vector<int> neighbours;  ///< of a patch: those that it is linked with, components that are attached among them
+  /// Of a face, 6: the rotation vector against its patch (radians) and S_f or log S_f as xx, xy, yy in the face's
+  /// tangent frame (face_coordinates.h). Of a patch: the mean over its faces of tr(S_f) / 2 or tr(log S_f) / 2, then
+  /// for each neighbour j the rotation G^T G_j as w, x, y, z.
+  std::vector<double> numbers;
   /// As `numbers`, of the natural cubic spline through the same keys: what the boundary and the shaping of the keys do.
   std::vector<double> natural;
-};
-
-/// One patch over time: how it turns against the patches beside it, and how its faces stretch.
-struct PatchCurve {
-  std::vector<int> neighbours;  ///< patches that it is linked with, those of the tree of components among them
-  /// A row for each of the asked times: the mean over its faces of tr(S_f) / 2 or tr(log S_f) / 2, then for each
-  /// neighbour j the rotation G^T G_j as w, x, y, z.
-  std::vector<double> numbers;
-  std::vector<double> natural;  ///< as `numbers`, of the natural cubic spline through the same keys
 };
 
 /// Samples of the feature curve that minimise the bending energy with the keys held (paper Eq. 1-2, Fig. 2;
@@ -93,9 +86,9 @@ class FeatureCurve {
   MotionPace paceAt(const std::vector<double>& times) const;
   /// The coordinates of a face of the input as the motion's curve has them; of a blend of vertices those that the
   /// coordinates' own curve would have.
-  FaceCurve face(int inputFace, const std::vector<double>& times) const;
+  PartCurve face(int inputFace, const std::vector<double>& times) const;
   /// Likewise of a patch; with a ghost of one of the ghost's.
-  PatchCurve patch(int patch, const std::vector<double>& times) const;
+  PartCurve patch(int patch, const std::vector<double>& times) const;
 
  private:
   double squaredLength(const Eigen::VectorXd& poseWeights) const;

@@ -116,13 +116,13 @@ Status Sequence::patchRotations(double t, std::vector<Quaternion>& rotations) {
   return {};
 }
 
-Result<FaceCurve> Sequence::faceCurve(int inputFace, const std::vector<double>& times) {
+Result<PartCurve> Sequence::faceCurve(int inputFace, const std::vector<double>& times) {
   if (inputFace < 0 || inputFace >= static_cast<int>(faces().size()))
     return Error{ErrorCode::InvalidOption, "There is no face " + grouped(inputFace) + "."};
   return featureCurve().face(inputFace, times);
 }
 
-Result<PatchCurve> Sequence::patchCurve(int patch, const std::vector<double>& times) {
+Result<PartCurve> Sequence::patchCurve(int patch, const std::vector<double>& times) {
   if (patch < 0 || patch >= encoded_.patches().coordinates().patches.count)
     return Error{ErrorCode::InvalidOption, "There is no patch " + grouped(patch) + "."};
   return featureCurve().patch(patch, times);

@@ -84,9 +84,9 @@ class Sequence {
   ShapePlane shapePlane(const std::vector<double>& times) { return featureCurve().plane(times); }
   Result<DiscretePath> discretePath(int samples) { return featureCurve().discretePath(samples); }
   /// inputFace: in [0, faces().size()). Error: InvalidOption.
-  Result<FaceCurve> faceCurve(int inputFace, const std::vector<double>& times);
+  Result<PartCurve> faceCurve(int inputFace, const std::vector<double>& times);
   /// patch: one of patchOfFace(). Error: InvalidOption.
-  Result<PatchCurve> patchCurve(int patch, const std::vector<double>& times);
+  Result<PartCurve> patchCurve(int patch, const std::vector<double>& times);
   KeyPace keyPace() { return featureCurve().pace(); }
   MotionPace motionPace(const std::vector<double>& times) { return featureCurve().paceAt(times); }
   std::vector<double> bendingEnergy(const std::vector<double>& times) { return featureCurve().bendingEnergy(times); }

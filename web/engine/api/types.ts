@@ -340,8 +340,6 @@ export interface FaceCurve {
   /** That the face belongs to; -1 without area, and the lists are empty then. */
   patch: number;
   numbers: number[];
-  /** The same at the keys. */
-  keys: number[];
   /** As `numbers`, of the natural spline through the same keys. */
   natural: number[];
 }

@@ -187,11 +187,11 @@ export class WasmCore {
   }
 
   faceCurve(handle: number, face: number, times: number[]): FaceCurve {
-    return this.ask({ times }, (address) => this.module._shapespline_face_curve(handle, face, address));
+    return this.ask({ times }, (address) => this.module._shapespline_part_curve(handle, face, false, address));
   }
 
   patchCurve(handle: number, patch: number, times: number[]): PatchCurve {
-    return this.ask({ times }, (address) => this.module._shapespline_patch_curve(handle, patch, address));
+    return this.ask({ times }, (address) => this.module._shapespline_part_curve(handle, patch, true, address));
   }
 
   pace(handle: number): KeyPace {

@@ -26,8 +26,7 @@ export interface WasmModule extends JsImports {
   _shapespline_measure(handle: number, t: number): Address;
   _shapespline_plane(handle: number, request: Address): Address;
   _shapespline_discrete_path(handle: number, samples: number): Address;
-  _shapespline_face_curve(handle: number, face: number, request: Address): Address;
-  _shapespline_patch_curve(handle: number, patch: number, request: Address): Address;
+  _shapespline_part_curve(handle: number, index: number, isPatch: boolean, request: Address): Address;
   _shapespline_pace(handle: number): Address;
   _shapespline_motion_pace(handle: number, request: Address): Address;
   _shapespline_bending(handle: number, request: Address): Address;
