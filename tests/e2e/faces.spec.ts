@@ -116,7 +116,7 @@ test('a patch that is clicked shows how it turns against each neighbour, natural
     await app.by(`${plot}-values`).locator('summary').click();
     const rows = app.by(`${plot}-values`).locator('tbody tr');
     await expect(rows).not.toHaveCount(0);
-    return (await rows.allInnerTexts()).map((row) => row.split(/\s+/).map(Number));
+    return (await rows.allInnerTexts()).map((row) => row.replaceAll('−', '-').split(/\s+/).map(Number));
   };
   const vectors = await rowsOf('patch-rotation');
   const angles = await rowsOf('patch-angles');

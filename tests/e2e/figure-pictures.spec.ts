@@ -1,6 +1,6 @@
 /**
- * Each figure of the paper as its preset shows it, against the picture that is kept of it in `figures/`, beside what the
- * paper shows there. Both are shrunk to an eighth before they are compared. After a wanted change:
+ * Each figure of the paper as its preset shows it, against the picture that is kept of it in `figures/`, beside what
+ * the paper shows there. Both are shrunk to an eighth before they are compared. After a wanted change:
  * `npm test -- e2e figure-pictures --update-snapshots=all`, and look at what has changed.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -32,7 +32,13 @@ const MOMENTS: Readonly<Record<string, { t: number; ready?(app: App): Promise<vo
   'figure=6': { t: 0.3 },
   'figure=7': { t: 0.25, ready: (app) => expect(app.by('colour-bar-now')).toContainText('at most') },
   'figure=8': { t: 0.3, ready: (app) => expect(app.by('plot-ghost-time')).toBeVisible({ timeout: 80_000 }) },
-  'figure=9': { t: 0.25, ready: (app) => expect(app.by('plot-bending').locator('path.curve')).toHaveCount(3) },
+  'figure=9': {
+    t: 0.25,
+    async ready(app) {
+      await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(3);
+      await app.by('plot-bending').scrollIntoViewIfNeeded();
+    },
+  },
   'figure=10': { t: 0.3 },
 };
 

@@ -165,7 +165,7 @@ describe('complete --blend', () => {
   });
 });
 
-/** Weights of three keys around a circle: those of key k at a third of the way each, beyond all of them at `radius` 1.6. */
+/** Weights of three keys around a circle: at radius 1 each key at its third of the way, farther out beyond them. */
 function around(share: number, radius: number): number[] {
   return [0, 1, 2].map((k) => 1 / 3 + (2 / 3) * radius * Math.cos(2 * Math.PI * (share - k / 3)));
 }

@@ -20,7 +20,7 @@ function running(method: Method, off: number): AnalysisInput['sequences'][number
 
 const triangle = (z: number): Float32Array => Float32Array.of(0, 0, z, 0.6, 0, z, 0, 0.8, z);
 const input = (...sequences: AnalysisInput['sequences']): AnalysisInput => ({
-  ...{ sequences, keyTimes: [0, 1], range: [0, 1], towards: null, ms: 1 },
+  ...{ sequences, keyTimes: [0, 1], range: [0, 1], towards: null, reference: 0, ms: 1 },
 });
 
 it('distances from the first motion, in percent of the diagonal, with the KG error', async () => {

@@ -42,7 +42,11 @@ export function createViewBar(events: ViewBarEvents): {
       { value: 'phase', label: 'Phase', hint: 'Colour by phase: blue at a key, green between, yellow beyond the ends' },
       { value: 'patches', label: 'Patches', hint: 'Regions that turn as a whole' },
       { value: 'rotation', label: 'Rotation', hint: 'How far each face is turned against the reference pose' },
-      { value: 'stretch', label: 'Stretch', hint: 'How much longer or shorter each face is than in the reference pose' },
+      {
+        value: 'stretch',
+        label: 'Stretch',
+        hint: 'How much longer or shorter each face is than in the reference pose',
+      },
       { value: 'distance', label: 'Distance', hint: 'From the first motion, or from the animation that is shown' },
     ],
     (value) => events.onView({ colouring: value }),

@@ -1,11 +1,11 @@
-/** A patch over time as it is drawn: how far it turns against each neighbour, about which axes, and how it stretches. */
+/** A patch over time as it is drawn: how far it turns against each neighbour, about which axes, how it stretches. */
 import type { PatchCurve } from '../../engine/api/types.ts';
 import { rotationVector, unwound } from '../../study/rotation-vectors.ts';
 import type { Quaternion, Vector } from '../../study/rotation-vectors.ts';
 
 export interface PatchNeighbour {
   patch: number;
-  /** log(G_i^T G_j) at each time, degrees, in the axes of the reference pose; a vector may be longer than half a turn. */
+  /** log(G_i^T G_j) at each time, degrees, in the axes of the reference pose; it may be longer than half a turn. */
   turn: Vector[];
 }
 
