@@ -18,6 +18,7 @@ import { nodeRunner } from './node-runner.ts';
 import { TABLE_2 } from './paper.ts';
 import type { Runner } from './runner.ts';
 import { report, type Results } from './report.ts';
+import { benchStart } from './start.ts';
 import type { Family } from './tables.ts';
 import { threadsLine } from './threads.ts';
 
@@ -141,6 +142,7 @@ const benches = {
   exports: benchExports,
   ghost: benchGhost,
   'ghost browser': benchGhostInBrowser,
+  start: benchStart,
 };
 const wanted = benchArguments(process.argv.slice(2));
 await benches[wanted.what](wanted);

@@ -46,7 +46,7 @@ async function cli(args) {
 
 async function bench(args) {
   const { browser, what } = benchArguments(args);
-  const inBrowser = browser || what === 'ghost browser' || what === 'exports';
+  const inBrowser = browser || ['ghost browser', 'exports', 'start'].includes(what);
   await prepare([...forBench, ...(inBrowser ? forBrowser : [])], [wasmModule, benchPrograms, benchBundle]);
   await runBundle(inRoot('build/node/bench.mjs'), args);
 }

@@ -44,8 +44,11 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
     onContextLost: () => say('The browser lost access to the graphics card. The picture will be restored.'),
     onContextRestored: () => void playback.frameLoop.request(store.get().time),
   });
+  let seen = false;
   const show = async (frames: FrameSet, eased: boolean): Promise<void> => {
     await scene.show(frames, store.get(), range(), eased && !reducedMotion());
+    if (!seen) void scene.viewer.drawn().then(() => performance.mark('shapespline seen'));
+    seen = true;
     viewState.change(shownView(frames.frames[0], frames.preview));
   };
   const playback = createPlayback({

@@ -1,6 +1,8 @@
 /** The page's entrance. */
 import { startApp } from './app.ts';
 
+// Marks of the start: scripts, files read, motion made, first shape on the screen (npm run bench -- start).
+performance.mark('shapespline scripts');
 const root = document.getElementById('app');
 if (root) start(root);
 

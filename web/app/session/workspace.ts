@@ -114,10 +114,12 @@ export class Workspace {
       abort.signal.throwIfAborted();
       const onProgress = ({ stage, fraction }: Progress): void => report(stage, fetched + (1 - fetched) * fraction);
       keys = await this.engine.importKeyframes(input, options, { signal: abort.signal, onProgress });
+      performance.mark('shapespline read');
       const { info } = keys;
       const pool = new PosePool(keys);
       const doc = adjust(documentFromImport(info, pool), pool);
       const set = await this.firstSet(pool, sequencePlan(doc), abort);
+      performance.mark('shapespline made');
       if (this.current) leave();
       this.close();
       this.current = { info, set, pool, input, options };

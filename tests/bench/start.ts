@@ -1,0 +1,94 @@
+/**
+ * npm run bench -- start: the built page's first visit in Chromium, from a local server. How long after the navigation
+ * the scripts run, the sample is read, its motion is made and its shape is drawn; in a browser that runs, and in one
+ * that has just been started. The page's processor time tells the work where other programs disturb.
+ */
+import { existsSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium, type Browser } from '@playwright/test';
+import type { Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
+import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
+import { serve } from '../../wasm/toolchain/serve.mjs';
+import { quantile } from './quantile.ts';
+
+const RUNS = 7;
+const MARKS = ['scripts', 'read', 'made', 'seen'] as const;
+const dist = fileURLToPath(new URL('../../dist', import.meta.url));
+
+type Times = Record<(typeof MARKS)[number] | 'cpu', number>;
+
+const start = (): Promise<Browser> =>
+  chromium.launch({
+    executablePath: findBrowser(chromium) ?? undefined,
+    args: [
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
+    ],
+  });
+
+/** Nothing of an earlier visit is kept: neither files nor settings. */
+async function visit(browser: Browser, url: string): Promise<Times> {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
+  const page = await context.newPage();
+  const session = await browser.newBrowserCDPSession();
+  const cpu = async (): Promise<number> => {
+    const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+    return processInfo.filter(({ type }) => type !== 'browser').reduce((sum, { cpuTime }) => sum + cpuTime, 0);
+  };
+  const before = await cpu();
+  await page.goto(url, { waitUntil: 'commit' });
+  await page.waitForFunction(() => performance.getEntriesByName('shapespline seen').length > 0, null, { polling: 20 });
+  const spent = (await cpu()) - before;
+  const marks = await page.evaluate(
+    (names) => names.map((name) => performance.getEntriesByName(`shapespline ${name}`)[0]!.startTime),
+    [...MARKS],
+  );
+  await session.detach();
+  await context.close();
+  return Object.fromEntries([...MARKS.map((name, i) => [name, marks[i]!]), ['cpu', 1000 * spent]]) as Times;
+}
+
+async function justStarted(url: string): Promise<Times> {
+  const browser = await start();
+  try {
+    return await visit(browser, url);
+  } finally {
+    await browser.close();
+  }
+}
+
+function line(what: string, visits: readonly Times[]): string {
+  const median = (name: keyof Times): string =>
+    Math.round(quantile(visits.map((times) => times[name]), 0.5)).toString();
+  return `| ${what} | ${[...MARKS, 'cpu' as const].map(median).join(' | ')} |`;
+}
+
+export async function benchStart(_: Wanted): Promise<void> {
+  if (!existsSync(path.join(dist, 'index.html'))) {
+    console.error('The page is not built yet: npm run build.');
+    process.exitCode = 1;
+    return;
+  }
+  const { url, server } = await serve(dist, { port: 4274 });
+  const running = await start();
+  const warm: Times[] = [];
+  const cold: Times[] = [];
+  try {
+    await visit(running, url);
+    for (let run = 0; run < RUNS; run += 1) {
+      warm.push(await visit(running, url));
+      cold.push(await justStarted(url));
+    }
+  } finally {
+    await running.close();
+    server.close();
+  }
+  console.log(`Milliseconds after the navigation, medians of ${RUNS} first visits; CPU of all processes but the browser's.`);
+  console.log('');
+  console.log('| browser | scripts | read | made | seen | CPU |');
+  console.log('|---|---|---|---|---|---|');
+  console.log(line('running', warm));
+  console.log(line('just started', cold));
+}
