@@ -61,7 +61,12 @@ async function justStarted(url: string): Promise<Times> {
 
 function line(what: string, visits: readonly Times[]): string {
   const median = (name: keyof Times): string =>
-    Math.round(quantile(visits.map((times) => times[name]), 0.5)).toString();
+    Math.round(
+      quantile(
+        visits.map((times) => times[name]),
+        0.5,
+      ),
+    ).toString();
   return `| ${what} | ${[...MARKS, 'cpu' as const].map(median).join(' | ')} |`;
 }
 
@@ -85,7 +90,9 @@ export async function benchStart(_: Wanted): Promise<void> {
     await running.close();
     server.close();
   }
-  console.log(`Milliseconds after the navigation, medians of ${RUNS} first visits; CPU of all processes but the browser's.`);
+  console.log(
+    `Milliseconds after the navigation, medians of ${RUNS} first visits; CPU of all processes but the browser's.`,
+  );
   console.log('');
   console.log('| browser | scripts | read | made | seen | CPU |');
   console.log('|---|---|---|---|---|---|');

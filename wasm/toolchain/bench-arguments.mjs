@@ -14,14 +14,13 @@ const USAGE = [
 
 /** What is measured, on which sizes (null: the usual ones), and where. */
 export function benchArguments(words) {
-  const what =
-    ['threads', 'exports', 'start'].includes(words[0])
-      ? words[0]
-      : words[0] !== 'ghost'
-        ? 'stages'
-        : words[1] === 'browser'
-          ? 'ghost browser'
-          : 'ghost';
+  const what = ['threads', 'exports', 'start'].includes(words[0])
+    ? words[0]
+    : words[0] !== 'ghost'
+      ? 'stages'
+      : words[1] === 'browser'
+        ? 'ghost browser'
+        : 'ghost';
   const {
     values: { browser = false, save = false },
     positionals: [list, ...more],

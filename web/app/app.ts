@@ -53,7 +53,11 @@ export function startApp(root: HTMLElement): void {
       feedback.say('The browser stopped the computation. Restarting it; nothing was lost.');
       void frameLoop.request(store.get().time);
     },
-    onWorking: feedback.onWorking,
+    onWorking(working) {
+      // The worker is at it: time for the floor.
+      if (working && working.fraction > 0) scene.viewer.start();
+      feedback.onWorking(working);
+    },
     onError: feedback.onError,
   });
   const { store, workspace, sequence } = session;

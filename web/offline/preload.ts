@@ -1,6 +1,6 @@
 /**
- * Tells the browser in the page's head of what its script will ask for: the wasm and the list of samples come beside
- * it.
+ * Tells the browser in the page's head of what its script will ask for: the wasm, the list of samples and what makes the
+ * first one come beside it.
  */
 import type { Plugin } from 'vite';
 
@@ -18,7 +18,12 @@ export function preload(): Plugin {
           attrs: { rel: 'preload', as: 'fetch', crossorigin: true, href: `./${href}`, type },
           injectTo: 'head' as const,
         });
-        return [link(wasm, 'application/wasm'), link('samples/samples.json', 'application/json')];
+        const make = Object.keys(bundle ?? {}).find((name) => /(^|\/)make-[^/]*\.js$/.test(name));
+        return [
+          link(wasm, 'application/wasm'),
+          link('samples/samples.json', 'application/json'),
+          ...(make ? [{ tag: 'link', attrs: { rel: 'modulepreload', crossorigin: true, href: `./${make}` } }] : []),
+        ];
       },
     },
   };

@@ -51,6 +51,7 @@ export class Viewer {
   /** Another one whenever what stands on the floor has changed. */
   private version = 0;
   private pending = 0;
+  private started = false;
   private waiting: (() => void)[] = [];
   private readonly resize: ResizeObserver;
 
@@ -89,8 +90,16 @@ export class Viewer {
     this.fitCanvas();
   }
 
+  /** Nothing is drawn before: making the floor's shaders would hold up the first shape. */
+  start(): void {
+    if (this.started) return;
+    this.started = true;
+    this.invalidate();
+  }
+
   /** A new import; nothing of it is seen until its first frame. */
   setImport(info: KeysInfo, bounds: Bounds, points: Float32Array): void {
+    this.start();
     this.contents.setImport(info);
     this.tileAspect = 1;
     this.stage.setBounds(bounds);
@@ -398,9 +407,8 @@ export class Viewer {
     if (this.contents.easing) this.invalidate();
     const size = this.pictureSize ?? this.size();
     const seen = this.sides(size);
-    this.tiles(size).forEach((rect, view) =>
-      this.renderOne(rect, seen[view]!, size.height, this.contents.layersOf(view)),
-    );
+    const tiles = this.started ? this.tiles(size) : [];
+    tiles.forEach((rect, view) => this.renderOne(rect, seen[view]!, size.height, this.contents.layersOf(view)));
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();

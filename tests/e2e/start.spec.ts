@@ -1,0 +1,26 @@
+/** The first visit: what stands in the way of the first picture. */
+import { expect, test } from './support.ts';
+
+test('nothing is drawn before the first sample is at work, and the start is marked', async ({ app }) => {
+  await app.page.addInitScript(() => {
+    const { linkProgram } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.linkProgram = function (program) {
+      performance.mark('linked');
+      linkProgram.call(this, program);
+    };
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (this: Worker, ...given: [unknown, Transferable[]]) {
+      if ((given[0] as { type?: string }).type === 'import') performance.mark('asked');
+      postMessage.apply(this, given);
+    } as typeof postMessage;
+  });
+  await app.open();
+  const at = (name: string): Promise<number[]> =>
+    app.page.evaluate((of) => performance.getEntriesByName(of).map(({ startTime }) => startTime), name);
+  const [linked, asked] = [await at('linked'), await at('asked')];
+  expect(linked.length).toBeGreaterThan(1);
+  expect(Math.min(...linked)).toBeGreaterThan(asked[0]!);
+  const marks = await Promise.all(['scripts', 'read', 'made', 'seen'].map((name) => at(`shapespline ${name}`)));
+  expect(marks.flat()).toEqual(marks.flat().sort((a, b) => a - b));
+  expect(marks.every((times) => times.length > 0)).toBe(true);
+});
