@@ -9,7 +9,7 @@ test('nothing is drawn before the first sample is at work, and the start is mark
       linkProgram.call(this, program);
     };
     const { postMessage } = Worker.prototype;
-    Worker.prototype.postMessage = function (this: Worker, ...given: [unknown, Transferable[]]) {
+    Worker.prototype.postMessage = function (this: Worker, ...given: [unknown, StructuredSerializeOptions?]) {
       if ((given[0] as { type?: string }).type === 'import') performance.mark('asked');
       postMessage.apply(this, given);
     } as typeof postMessage;

@@ -5,7 +5,8 @@ export function createExportDoor(parts: ExportParts): ExportController {
   let controller: ExportController | null = null;
   const load = async (): Promise<ExportController> => {
     const { createExportController } = await import('./export-controller.ts');
-    return (controller ??= createExportController(parts));
+    controller ??= createExportController(parts);
+    return controller;
   };
   return {
     plan: (request) => void load().then((loaded) => loaded.plan(request), parts.onError),

@@ -5,7 +5,8 @@ export function createAnimationDoor(parts: AnimationParts): Animation {
   let animation: Animation | null = null;
   const load = async (): Promise<Animation> => {
     const { createAnimation } = await import('./animation.ts');
-    return (animation ??= createAnimation(parts));
+    animation ??= createAnimation(parts);
+    return animation;
   };
   return {
     takeFewest: async (of, percent) => (await load()).takeFewest(of, percent),
