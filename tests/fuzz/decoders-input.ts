@@ -2,11 +2,12 @@
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { EngineError } from '../../web/engine/api/errors.ts';
+import { codecs } from '../../web/engine/worker/codecs.ts';
 import { decoder } from '../../web/engine/worker/decompress.ts';
 
 const require = createRequire(import.meta.url);
 const draco = readFile(require.resolve('draco3dgltf/draco_decoder_gltf.wasm'));
-const decode = decoder(() => draco);
+const decode = decoder(codecs, () => draco);
 
 /** Of the process with what garbage collection leaves: far above what comes out of a small file. */
 const MOST_MEMORY = 2e9;

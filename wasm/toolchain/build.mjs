@@ -5,6 +5,7 @@ import { emccOnPath, findEmscripten } from './emscripten.mjs';
 import { run } from './exec.mjs';
 import { step } from './log.mjs';
 import { NOTICES, notices, packageOf } from './notices.mjs';
+import { buildPackage } from './npm-package.mjs';
 import { cores } from './parallel.mjs';
 import { buildDir, inRoot } from './paths.mjs';
 import { digest, isStamped, stamp } from './stamps.mjs';
@@ -181,6 +182,26 @@ export const nodeBundle = guarded(
   () => digest(['web/engine', 'web/study', 'web/cli', 'package.json', 'package-lock.json', ...noticeInputs]),
   ['build/node/cli.mjs', 'build/node/second-thread-node.mjs', `build/node/${NOTICES}`],
   async () => writeNotices(await bundle([entry('cli', 'web/cli/main.ts'), ...engineEntries])),
+);
+
+export const npmPackage = guarded(
+  'npm-package',
+  () =>
+    digest([
+      'web',
+      'build/wasm',
+      'CHANGELOG.md',
+      'package.json',
+      'package-lock.json',
+      'wasm/toolchain/npm-package.mjs',
+      'wasm/toolchain/npm-manifest.mjs',
+      ...noticeInputs,
+    ]),
+  ['build/package/package.json'],
+  async () => {
+    step('building the npm package');
+    await buildPackage();
+  },
 );
 
 export const benchPrograms = guarded(

@@ -1,22 +1,24 @@
 // The npm scripts.
 import { pathToFileURL } from 'node:url';
 import { benchArguments } from './bench-arguments.mjs';
-import { benchBundle, benchPrograms, nodeBundle, page, wasmModule } from './build.mjs';
+import { benchBundle, benchPrograms, nodeBundle, npmPackage, page, wasmModule } from './build.mjs';
 import { run } from './exec.mjs';
 import { fuzz } from './fuzz.mjs';
 import { format, lint } from './lint.mjs';
 import { step } from './log.mjs';
+import { packageDir } from './npm-package.mjs';
 import { inRoot } from './paths.mjs';
 import { prepare } from './prepare.mjs';
 import { forBench, forBrowser, forWasm } from './requirements.mjs';
 import { serve } from './serve.mjs';
-import { checkSizes } from './sizes.mjs';
+import { checkPackageSizes, checkSizes } from './sizes.mjs';
 import { test } from './test.mjs';
 
 async function build() {
-  await prepare(forWasm, [wasmModule, page, nodeBundle]);
+  await prepare(forWasm, [wasmModule, page, nodeBundle, npmPackage]);
   step('checking the sizes');
   checkSizes(inRoot('dist'));
+  checkPackageSizes(packageDir);
 }
 
 async function start() {

@@ -8,10 +8,25 @@ import { Explained } from './log.mjs';
 /** Bytes after gzip. */
 export const LIMITS = { JavaScript: 260_000, wasm: 450_000 };
 
+/**
+ * What those who use the npm package have to fetch for each of its scripts, with what it imports at once; of the element
+ * what it adds to the engine. Bytes after gzip.
+ */
+export const PACKAGE_LIMITS = {
+  'index.js': 24_000,
+  'worker.js': 21_000,
+  'codecs.js': 105_000,
+  'element.js': 40_000,
+  'element-class.js': 40_000,
+  'cdn.js': 260_000,
+};
+const BESIDE_ENGINE = ['element.js', 'element-class.js'];
+
 // The bundler's own output: these forms and no others.
 const NOW = [/(?:from|import)\s*["']\.\/([^"']+\.js)["']/g, /new URL\(\s*["'](?:\.\/)?([^"']+\.(?:js|wasm))["']/g];
 const LATER = [/import\(\s*["']\.\/([^"']+\.js)["']\s*\)/g];
 
+const kilobytes = (bytes) => `${(bytes / 1000).toFixed(1)} KB`;
 const found = (text, patterns) => patterns.flatMap((pattern) => [...text.matchAll(pattern)].map(([, name]) => name));
 
 /** Files that a page of the build needs to start, and all others that hold code, with their sizes after gzip. */
@@ -41,10 +56,47 @@ export function sizesOf(folder, page = 'index.html') {
   return files;
 }
 
+/** A script of the package and all that it imports at once. */
+function withImports(folder, entry) {
+  const files = new Set();
+  const waiting = [entry];
+  while (waiting.length > 0) {
+    const name = waiting.pop();
+    if (files.has(name)) continue;
+    files.add(name);
+    waiting.push(...found(readFileSync(path.join(folder, name), 'utf8'), NOW.slice(0, 1)));
+  }
+  return files;
+}
+
+const gzipped = (folder, names) =>
+  [...names].reduce((sum, name) => sum + gzipSync(readFileSync(path.join(folder, name))).length, 0);
+
+/** The scripts of the package that are there, each with its size and limit. */
+export function packageSizes(folder) {
+  const engine = withImports(folder, 'index.js');
+  return Object.entries(PACKAGE_LIMITS)
+    .filter(([name]) => existsSync(path.join(folder, name)))
+    .map(([name, limit]) => {
+      const files = [...withImports(folder, name)];
+      const counted = BESIDE_ENGINE.includes(name) ? files.filter((file) => !engine.has(file)) : files;
+      return { name, limit, bytes: gzipped(folder, counted) };
+    });
+}
+
+/** Prints the sizes of the package; throws where one is over its limit. */
+export function checkPackageSizes(folder, print = (line) => process.stderr.write(`${line}\n`)) {
+  for (const { name, limit, bytes } of packageSizes(folder)) {
+    const beside = BESIDE_ENGINE.includes(name) ? ' beside engine and three.js' : '';
+    print(`package, ${name}${beside}: ${kilobytes(bytes)} compressed, of at most ${kilobytes(limit)}`);
+    if (bytes > limit)
+      throw new Explained(`${name} of the package has ${kilobytes(bytes)}; the limit is ${kilobytes(limit)}.`);
+  }
+}
+
 /** Prints the sizes; throws where one is over its limit or where nothing was found to measure. */
 export function checkSizes(folder, print = (line) => process.stderr.write(`${line}\n`)) {
   const files = sizesOf(folder);
-  const kilobytes = (bytes) => `${(bytes / 1000).toFixed(1)} KB`;
   for (const { name, bytes, when } of files) {
     const words = { start: '', later: ', only when it is needed', elsewhere: ', another page' }[when];
     print(`  ${kilobytes(bytes).padStart(10)}  ${name}${words}`);

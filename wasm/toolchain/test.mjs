@@ -3,7 +3,7 @@
 import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { installBlender } from './blender.mjs';
-import { buildNative, buildWasm, nodeBundle, page, wasmModule } from './build.mjs';
+import { buildNative, buildWasm, nodeBundle, npmPackage, page, wasmModule } from './build.mjs';
 import { nothing, reports, runReported, sentence, sum } from './counts.mjs';
 import { runDoctest } from './doctest.mjs';
 import { run, which } from './exec.mjs';
@@ -135,6 +135,12 @@ const suites = {
     requirements: forWasm,
     steps: [wasmModule, nodeBundle],
     compile: installBlender,
+  },
+  package: {
+    run: vitest('package'),
+    files: ['tests/package', '.test.ts'],
+    requirements: [...forWasm, ...forBrowser],
+    steps: [wasmModule, npmPackage],
   },
   e2e: {
     run: endToEnd,

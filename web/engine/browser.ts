@@ -1,38 +1,32 @@
 /** The engine in a browser. */
-import defaultWasmUrl from '../../build/wasm/shapespline.wasm?url';
-import { lockReleased } from './wire/worker-lock.ts';
+import { type EngineUrls, urlsFor } from './api/configure.ts';
 import type { Engine } from './api/api.ts';
-import { EngineClient, onlyOnce } from './caller/engine.ts';
 import { engineError } from './api/errors.ts';
-import type { FromWorker, Locked } from './wire/protocol.ts';
-import { compileFrom, notLoaded } from './caller/wasm-file.ts';
+import { files } from './browser-files.ts';
+import { EngineClient, onlyOnce } from './caller/engine.ts';
+import { compileFrom } from './caller/wasm-file.ts';
 import { endedWorker, type Spawn } from './caller/worker-client.ts';
-
-export interface EngineUrls {
-  /** The worker's script, a module; default: the one that was bundled with this file. May be on another origin. */
-  workerUrl?: string | URL;
-  /** shapespline.wasm; default: the one that was bundled with this file. */
-  wasmUrl?: string | URL;
-  /**
-   * shapespline_threads.wasm, for large meshes on a page that is cross-origin isolated; null: none. Default: the
-   * bundled one.
-   */
-  threadsUrl?: string | URL | null;
-  /**
-   * A worker has ended by itself. What it was asked is rejected; the next call starts another one with the same keys.
-   */
-  onLost?: () => void;
-}
+import type { FromWorker, Locked } from './wire/protocol.ts';
+import { lockReleased } from './wire/worker-lock.ts';
 
 /** Starts fetching the wasm and a first worker at once; further workers are made when they are needed. */
-export function createEngine({ workerUrl, wasmUrl, threadsUrl, onLost }: EngineUrls = {}): Engine {
-  const url = new URL(wasmUrl ?? defaultWasmUrl, document.baseURI);
+export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
+  const { wasmUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
   const possible = threadsUrl !== null && globalThis.crossOriginIsolated && navigator.hardwareConcurrency > 1;
   const compiled = onlyOnce(() => compileThreaded(threadsUrl));
-  const threaded = possible ? () => Promise.race([compiled(), late()]) : null;
-  const engine = new EngineClient({ spawn: spawnFrom(workerUrl, onLost), module: compile(url), threaded });
+  const engine = new EngineClient({
+    spawn: spawnFrom(ofPage(workerUrl), onLost),
+    module: compile(ofPage(wasmUrl) ?? files.wasm()),
+    threaded: possible ? () => Promise.race([compiled(), late()]) : null,
+    files: files.forWorker(ofPage(dracoUrl)?.href),
+  });
   engine.warm();
   return engine;
+}
+
+/** An address that was given counts from the page's. */
+function ofPage(url: string | URL | null | undefined): URL | undefined {
+  return url ? new URL(url, document.baseURI) : undefined;
 }
 
 /**
@@ -48,8 +42,7 @@ function late(): Promise<null> {
 // same.
 async function compileThreaded(given: string | URL | null | undefined): Promise<WebAssembly.Module | null> {
   try {
-    const url = given ?? (await import('../../build/wasm/shapespline_threads.wasm?url')).default;
-    return await compile(new URL(url, document.baseURI));
+    return await compile(ofPage(given) ?? (await files.threads()));
   } catch {
     return null;
   }
@@ -57,13 +50,10 @@ async function compileThreaded(given: string | URL | null | undefined): Promise<
 
 let workers = 0;
 
-function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | undefined): Spawn {
+function spawnFrom(workerUrl: URL | undefined, onLost: (() => void) | undefined): Spawn {
   return (events) => {
     const name = `shapespline worker ${++workers} ${performance.timeOrigin} ${Math.random()}`;
-    const given = workerUrl && sameOrigin(new URL(workerUrl, document.baseURI));
-    const worker = given
-      ? new Worker(given, { type: 'module', name })
-      : new Worker(new URL('./worker/engine.worker.ts', import.meta.url), { type: 'module', name });
+    const worker = files.startWorker(name, workerUrl);
     let replied = false;
     let wanted = true;
     const lost = (reason: string): void => {
@@ -72,7 +62,6 @@ function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | u
       if (unexpected) onLost?.();
     };
     worker.onmessage = ({ data }: MessageEvent<FromWorker | Locked>) => {
-      if (!replied && typeof given === 'string') URL.revokeObjectURL(given);
       replied = true;
       if (data.type === 'locked') void lockReleased(name).then(() => lost('the browser has ended it'));
       else events.message(data);
@@ -80,9 +69,8 @@ function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | u
     worker.onmessageerror = () => events.failure(endedWorker('a message could not be received'));
     worker.onerror = (event) => {
       event.preventDefault();
-      if (!replied && typeof given === 'string') URL.revokeObjectURL(given);
       if (replied || event.message) lost(event.message);
-      else events.failure(notLoaded("the worker's script", 'it did not start'));
+      else events.failure(files.notStarted(workerUrl));
     };
     const terminate = (): void => {
       wanted = false;
@@ -90,12 +78,6 @@ function spawnFrom(workerUrl: string | URL | undefined, onLost: (() => void) | u
     };
     return { post: (message, transfer) => worker.postMessage(message, transfer), terminate };
   };
-}
-
-// A worker must come from the page's own origin: a script of another one is imported by a small one of ours.
-function sameOrigin(url: URL): URL | string {
-  if (url.origin === location.origin) return url;
-  return URL.createObjectURL(new Blob([`import ${JSON.stringify(url.href)};`], { type: 'text/javascript' }));
 }
 
 async function compile(url: URL): Promise<WebAssembly.Module> {

@@ -1,8 +1,3 @@
-/** What users of the engine import in a browser; in Node it is node.ts. */
-export type { AheadOptions, CallOptions, Engine, Keys, Sequence } from './api/api.ts';
-export { createEngine, type EngineUrls } from './browser.ts';
-export { EngineError, isCancelled } from './api/errors.ts';
-export { FramePlayer, type FrameSource, type PlayerOptions } from './api/frame-player.ts';
-export { type Pose, readPose, readPoses } from './api/read-poses.ts';
-export * from './api/types.ts';
-export { keysOf } from './api/warning-keys.ts';
+/** What users of the engine import in a browser; in Node it is index-node.ts, with the same names. */
+export { createEngine } from './browser.ts';
+export * from './everywhere.ts';

@@ -1,38 +1,32 @@
 /** The engine in Node, over worker threads. */
 import { readFile } from 'node:fs/promises';
 import { availableParallelism } from 'node:os';
+import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import type { Engine } from './api/api.ts';
+import { type EngineUrls, urlsFor } from './api/configure.ts';
 import { EngineClient, onlyOnce } from './caller/engine.ts';
 import { engineError, messageOf } from './api/errors.ts';
+import { files } from './node-files.ts';
 import type { FromWorker } from './wire/protocol.ts';
 import { endedWorker, type Spawn } from './caller/worker-client.ts';
 
-export interface EngineUrls {
-  /** The bundled worker; default: build/node/node-worker.mjs of this repository. */
-  workerUrl?: URL;
-  /** Default: build/wasm/shapespline.wasm of this repository. */
-  wasmUrl?: URL;
-  /**
-   * For large meshes on a machine of more than one processor; null: none. Default: build/wasm/shapespline_threads.wasm.
-   */
-  threadsUrl?: URL | null;
+/** The process lives as long as an engine has workers: dispose of it. */
+export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
+  const { wasmUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
+  const threads = threadsUrl === null ? null : (fileUrl(threadsUrl) ?? files.threads);
+  return new EngineClient({
+    spawn: spawnFrom(fileUrl(workerUrl) ?? files.worker, onLost),
+    module: compile(fileUrl(wasmUrl) ?? files.wasm),
+    threaded: threads && availableParallelism() > 1 ? onlyOnce(() => compile(threads).catch(() => null)) : null,
+    files: files.forWorker(fileUrl(dracoUrl)?.href),
+  });
 }
 
-// The same relative paths hold from this file and from the bundle that it becomes part of (build/node).
-const WORKER_URL = new URL('../../build/node/node-worker.mjs', import.meta.url);
-const WASM_URL = new URL('../../build/wasm/shapespline.wasm', import.meta.url);
-const THREADS_URL = new URL('../../build/wasm/shapespline_threads.wasm', import.meta.url);
-
-/** The process lives as long as an engine has workers: dispose of it. */
-export function createEngine({
-  workerUrl = WORKER_URL,
-  wasmUrl = WASM_URL,
-  threadsUrl = THREADS_URL,
-}: EngineUrls = {}): Engine {
-  const threaded =
-    threadsUrl && availableParallelism() > 1 ? onlyOnce(() => compile(threadsUrl).catch(() => null)) : null;
-  return new EngineClient({ spawn: spawnFrom(workerUrl), module: compile(wasmUrl), threaded });
+/** A path counts from the folder in which the program was started. */
+function fileUrl(url: string | URL | undefined): URL | undefined {
+  if (url === undefined || url instanceof URL) return url;
+  return url.startsWith('file:') ? new URL(url) : pathToFileURL(url);
 }
 
 /** Works with an engine of its own, which ends with the work. */
@@ -45,17 +39,24 @@ export async function withEngine<T>(work: (engine: Engine) => Promise<T>, urls?:
   }
 }
 
-function spawnFrom(workerUrl: URL): Spawn {
+function spawnFrom(workerUrl: URL, onLost: (() => void) | undefined): Spawn {
   return (events) => {
     const worker = new Worker(workerUrl);
+    let wanted = true;
+    const lost = (reason: unknown): void => {
+      events.failure(endedWorker(reason));
+      if (wanted) onLost?.();
+      wanted = false;
+    };
     worker.on('message', (message: FromWorker) => events.message(message));
     worker.on('messageerror', (error) => events.failure(endedWorker(error)));
-    worker.on('error', (error) => events.failure(endedWorker(error)));
-    worker.on('exit', (code) => events.failure(endedWorker(`its thread ended with code ${code}`)));
-    return {
-      post: (message, transfer) => worker.postMessage(message, transfer as ArrayBuffer[]),
-      terminate: () => void worker.terminate(),
+    worker.on('error', lost);
+    worker.on('exit', (code) => lost(`its thread ended with code ${code}`));
+    const terminate = (): void => {
+      wanted = false;
+      void worker.terminate();
     };
+    return { post: (message, transfer) => worker.postMessage(message, transfer as ArrayBuffer[]), terminate };
   };
 }
 
@@ -65,7 +66,8 @@ async function compile(url: URL): Promise<WebAssembly.Module> {
   } catch (error) {
     throw engineError(
       'not-loaded',
-      `The computation could not be loaded from ${url.pathname} (${messageOf(error)}).`,
+      `The computation could not be loaded from ${url.pathname} (${messageOf(error)}). ` +
+        'Put the .wasm file there, or name the file: configure({ wasmUrl }).',
       error,
     );
   }

@@ -2,7 +2,8 @@
 import { afterAll, expect } from 'vitest';
 import type { Engine, Keys, Sequence } from '../../../web/engine/api/api.ts';
 import { EngineError } from '../../../web/engine/api/errors.ts';
-import { createEngine, type EngineUrls } from '../../../web/engine/node.ts';
+import type { EngineUrls } from '../../../web/engine/api/configure.ts';
+import { createEngine } from '../../../web/engine/node.ts';
 import type { Frame, SequenceOptions } from '../../../web/engine/api/types.ts';
 import { poseFiles } from './glb.ts';
 import { bar, bent, type Mesh } from './shapes.ts';

@@ -4,7 +4,7 @@ import { cancelled, disposed, invalidOption } from '../api/errors.ts';
 import { checkImportSize } from '../api/import-size.ts';
 import { KeysHandle } from './keyframes.ts';
 import { checkCall, checkImportOptions, checkSequenceOptions } from '../api/options.ts';
-import type { Program } from '../wire/protocol.ts';
+import type { Program, WorkerFiles } from '../wire/protocol.ts';
 import { WorkerClient, type Spawn } from './worker-client.ts';
 import { SequenceClient } from './sequence.ts';
 import type { ImportOptions, InputFile, SequenceOptions } from '../api/types.ts';
@@ -18,6 +18,7 @@ export interface Platform {
    * result where it cannot be had soon. Never rejects.
    */
   threaded?: (() => Promise<WebAssembly.Module | null>) | null;
+  files?: WorkerFiles;
 }
 
 /** Vertices. Below, waking a second thread costs about what it saves. */
@@ -104,7 +105,8 @@ export class EngineClient implements Engine {
 
   private async program(large: boolean): Promise<Program> {
     const threaded = large ? await this.platform.threaded?.() : null;
-    return { module: await this.platform.module, threaded: threaded ?? null };
+    const { module, files = {} } = this.platform;
+    return { module: await module, threaded: threaded ?? null, files };
   }
 
   /** Work in one worker, which ends when the work fails or the caller cancels. */

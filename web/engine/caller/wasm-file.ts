@@ -13,7 +13,7 @@ export async function compileFrom(
   const response = await load(url).catch((error: unknown) => {
     throw notLoaded(url.href, messageOf(error));
   });
-  if (!response.ok) throw notLoaded(url.href, `${response.status} ${response.statusText}`.trim());
+  if (!response.ok) throw otherwise(url, `${response.status} ${response.statusText}`.trim());
   const type = response.headers.get('Content-Type') ?? 'of no type';
   try {
     if (!type.startsWith('application/wasm'))
@@ -36,11 +36,14 @@ function checked(url: URL, type: string, bytes: ArrayBuffer): ArrayBuffer {
     .decode(begin)
     .replace(/[^\x20-\x7e]+/g, ' ')
     .trim();
-  const what = begin.length === 0 ? 'nothing' : `“${text}…” (${type})`;
-  throw engineError(
+  throw otherwise(url, begin.length === 0 ? 'nothing' : `“${text}…” (${type})`);
+}
+
+function otherwise(url: URL, what: string): EngineError {
+  return engineError(
     'not-loaded',
     `The computation could not be loaded: ${url.href} answered with ${what} instead of WebAssembly. ` +
-      'Put the .wasm file at that address, or name the address where it is.',
+      'Put the .wasm file at that address, or name the address where it is: configure({ wasmUrl }).',
   );
 }
 

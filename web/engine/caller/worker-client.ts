@@ -43,7 +43,7 @@ export class WorkerClient {
       failure: (error) => this.terminate(error),
     });
     this.started = program.then(
-      ({ module, threaded }) => this.post({ type: 'start', module, threaded }, []),
+      (given) => this.post({ type: 'start', ...given }, []),
       (error: EngineError) => this.terminate(error),
     );
   }

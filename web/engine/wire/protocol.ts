@@ -139,10 +139,19 @@ export interface Start extends Program {
   type: 'start';
 }
 
+/** Addresses of what a worker fetches when a file first needs it; where it has none, it knows its own. */
+export interface WorkerFiles {
+  /** The Draco decoder's wasm file. */
+  draco?: string | undefined;
+  /** The npm package's libraries for compressed files. */
+  codecs?: string | undefined;
+}
+
 export interface Program {
   module: WebAssembly.Module;
   /** The same for a shared memory, where a second thread may help; `module` runs if it cannot be had. */
   threaded: WebAssembly.Module | null;
+  files: WorkerFiles;
 }
 
 export type ToWorker = Start | Request;
@@ -156,4 +165,9 @@ export type FromWorker =
 /** The worker now holds the lock that bears its name: it is free again when the worker has ended, however that came. */
 export interface Locked {
   type: 'locked';
+}
+
+/** The worker's script runs: of the npm package's alone, which may have to be started in another way. */
+export interface Ready {
+  type: 'ready';
 }

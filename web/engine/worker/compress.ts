@@ -3,6 +3,7 @@
  * glTF-Transform's own functions, which are loaded when the first export asks for them.
  */
 import type { Document } from '@gltf-transform/core';
+import type { Codecs } from './codecs.ts';
 import type { Compression } from '../wire/protocol.ts';
 
 /** glTF's own attributes; numbers of vertices stay exact. */
@@ -20,17 +21,21 @@ export interface Compressed {
   weight: number;
 }
 
-export async function compress(bytes: Uint8Array, { compression, diagonal, weight }: Compressed): Promise<Uint8Array> {
+export async function compress(
+  codecs: Codecs,
+  bytes: Uint8Array,
+  { compression, diagonal, weight }: Compressed,
+): Promise<Uint8Array> {
   const [{ Logger, PropertyType, WebIO }, { ALL_EXTENSIONS }, { prune, quantize }] = await Promise.all([
-    import('@gltf-transform/core'),
-    import('@gltf-transform/extensions'),
-    import('@gltf-transform/functions'),
+    codecs.core(),
+    codecs.extensions(),
+    codecs.functions(),
   ]);
   const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
   const document = (await io.readBinary(bytes as Uint8Array<ArrayBuffer>)).setLogger(
     new Logger(Logger.Verbosity.SILENT),
   );
-  if (compression === 'meshopt') await orderForMeshopt(document, io);
+  if (compression === 'meshopt') await orderForMeshopt(codecs, document, io);
   const attach = detachLongNormals(document);
   await document.transform(
     quantize({
@@ -49,11 +54,15 @@ export async function compress(bytes: Uint8Array, { compression, diagonal, weigh
   return io.writeBinary(document);
 }
 
-async function orderForMeshopt(document: Document, io: { registerDependencies(what: object): unknown }): Promise<void> {
-  const [{ EXTMeshoptCompression }, { reorder }, { MeshoptEncoder }] = await Promise.all([
-    import('@gltf-transform/extensions'),
-    import('@gltf-transform/functions'),
-    import('meshoptimizer/encoder'),
+interface Registers {
+  registerDependencies(what: object): unknown;
+}
+
+async function orderForMeshopt(codecs: Codecs, document: Document, io: Registers): Promise<void> {
+  const [{ EXTMeshoptCompression }, { reorder }, MeshoptEncoder] = await Promise.all([
+    codecs.extensions(),
+    codecs.functions(),
+    codecs.meshoptEncoder(),
   ]);
   await MeshoptEncoder.ready;
   io.registerDependencies({ 'meshopt.encoder': MeshoptEncoder });

@@ -8,6 +8,7 @@ import { EngineError, messageOf } from '../api/errors.ts';
 import { parseGltf } from '../api/gltf-json.ts';
 import { fileName, resolveUri, resourceUris, uriError } from '../api/paths.ts';
 import { GLB_MAGIC, jsonOf } from './gltf-text.ts';
+import type { Codecs } from './codecs.ts';
 import { checkDecodedSize, checkForest, roomFor } from './decoded-size.ts';
 import type { Decode } from './import-files.ts';
 import { withMemoryLimit } from './wasm-memory.ts';
@@ -22,7 +23,7 @@ const GLB_BUFFER = '@glb.bin';
 const DRACO_ROOM = 64 * 2 ** 20;
 
 /** `dracoWasm` brings the Draco decoder's wasm file; browsers and Node find it in different places. */
-export function decoder(dracoWasm: () => Promise<Uint8Array>): Decode {
+export function decoder(codecs: Codecs, dracoWasm: () => Promise<Uint8Array>): Decode {
   return async (files, report) => {
     const texts = files.map(({ bytes }) => jsonOf(bytes));
     const compressed = texts.map((text) => COMPRESSIONS.some((name) => text?.includes(`"${name}"`)));
@@ -31,7 +32,7 @@ export function decoder(dracoWasm: () => Promise<Uint8Array>): Decode {
     for (const [index, file] of files.entries()) {
       if (!compressed[index]) continue;
       report(done / all);
-      decoded[index] = await decodeFile({ file, text: texts[index]!, files, dracoWasm });
+      decoded[index] = await decodeFile({ file, text: texts[index]!, files, codecs, dracoWasm });
       done += 1;
       report(done / all);
     }
@@ -43,6 +44,7 @@ interface Job {
   file: InputFile;
   text: string;
   files: InputFile[];
+  codecs: Codecs;
   dracoWasm: () => Promise<Uint8Array>;
 }
 
@@ -61,14 +63,14 @@ async function decodeFile(job: Job): Promise<InputFile> {
   }
 }
 
-async function uncompress({ file, text, files, dracoWasm }: Job, json: JSONDocument['json']): Promise<Uint8Array> {
+async function uncompress({ file, text, files, codecs, dracoWasm }: Job, json: JSONDocument['json']): Promise<Uint8Array> {
   const source: JSONDocument = { json, resources: {} };
   const binary = binaryOf(file.bytes);
   if (binary) source.resources[GLB_BUFFER] = binary as Uint8Array<ArrayBuffer>;
   addResources(source, file.name, files);
   const bytes = Object.values(source.resources).reduce((sum, { length }) => sum + length, file.bytes.length);
   checkDecodedSize(json, bytes, fileName(file.name));
-  const io = await reader(text, async () => withMemoryLimit(await dracoWasm(), DRACO_ROOM + roomFor(bytes)));
+  const io = await reader(codecs, text, async () => withMemoryLimit(await dracoWasm(), DRACO_ROOM + roomFor(bytes)));
   const document = await io.readJSON(source);
   for (const extension of document.getRoot().listExtensionsUsed()) {
     if (COMPRESSIONS.includes(extension.extensionName)) extension.dispose();
@@ -88,18 +90,15 @@ function binaryOf(bytes: Uint8Array): Uint8Array | null {
   return bytes.subarray(start + 8, start + 8 + length);
 }
 
-async function reader(text: string, dracoWasm: () => Promise<Uint8Array>) {
-  const [{ Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([
-    import('@gltf-transform/core'),
-    import('@gltf-transform/extensions'),
-  ]);
+async function reader(codecs: Codecs, text: string, dracoWasm: () => Promise<Uint8Array>) {
+  const [{ Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([codecs.core(), codecs.extensions()]);
   const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
   if (text.includes('"KHR_draco_mesh_compression"')) {
-    const { default: createDecoder } = await import('draco3dgltf/draco_decoder_gltf_nodejs.js');
+    const createDecoder = await codecs.draco();
     io.registerDependencies({ 'draco3d.decoder': await createDecoder({ wasmBinary: await dracoWasm() }) });
   }
   if (text.includes('"EXT_meshopt_compression"')) {
-    const { MeshoptDecoder } = await import('meshoptimizer/decoder');
+    const MeshoptDecoder = await codecs.meshoptDecoder();
     await MeshoptDecoder.ready;
     io.registerDependencies({ 'meshopt.decoder': MeshoptDecoder });
   }

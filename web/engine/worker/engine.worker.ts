@@ -1,12 +1,16 @@
 /** The browser's worker. */
 import createWasm from '../../../build/wasm/shapespline.mjs';
 import { holdLock } from '../wire/worker-lock.ts';
+import { codecs } from './codecs.ts';
 import { decoder } from './decompress.ts';
 import type { Locked, ToWorker } from '../wire/protocol.ts';
 import { RequestHandler } from './request-handler.ts';
 
+/** Where it was configured, or else as it was bundled. */
+let draco: string | undefined;
+
 async function dracoWasm(): Promise<Uint8Array> {
-  const { default: url } = await import('draco3dgltf/draco_decoder_gltf.wasm?url');
+  const url = draco ?? (await import('draco3dgltf/draco_decoder_gltf.wasm?url')).default;
   const response = await fetch(new URL(url, import.meta.url));
   if (!response.ok) throw new Error(`the decoder could not be fetched: ${response.status}`);
   return new Uint8Array(await response.arrayBuffer());
@@ -22,7 +26,11 @@ const handler = new RequestHandler({
     secondThread.onerror = (event) => event.preventDefault();
     secondThread.postMessage(start);
   },
-  decode: decoder(dracoWasm),
+  decode: decoder(codecs, dracoWasm),
+  codecs,
 });
 if (self.name) holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
-self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => handler.receive(data));
+self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
+  if (data.type === 'start') draco = data.files.draco;
+  handler.receive(data);
+});

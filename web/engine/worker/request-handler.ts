@@ -10,6 +10,7 @@ import {
   type ErrorData,
 } from '../api/errors.ts';
 import type { SecondThreadStart } from './second-thread.ts';
+import type { Codecs } from './codecs.ts';
 import { compress } from './compress.ts';
 import { importFiles, type Decode } from './import-files.ts';
 import type {
@@ -36,6 +37,8 @@ export interface HandlerHost {
   startSecondThread(start: SecondThreadStart, onReady: () => void): void;
   /** Undoes mesh compression that the core does not know, before it sees the files. */
   decode: Decode;
+  /** For exports that are compressed. */
+  codecs: Codecs;
 }
 
 type Handlers = {
@@ -144,7 +147,8 @@ export class RequestHandler {
       writeAnimation: async (core, request) => {
         const bytes = core.writeAnimation(this.frames.splice(0), request);
         const { compression, diagonal } = request;
-        return compression === 'none' ? bytes : compress(bytes, { compression, diagonal, weight: mostWeight(request) });
+        if (compression === 'none') return bytes;
+        return compress(this.host.codecs, bytes, { compression, diagonal, weight: mostWeight(request) });
       },
       writePose: (core, request) => core.writePose(request),
     };

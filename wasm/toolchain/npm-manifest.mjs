@@ -1,0 +1,53 @@
+// The package.json of the npm package. Name, version and the like are those of the repository's own.
+import { readFileSync } from 'node:fs';
+import { inRoot } from './paths.mjs';
+
+/** What is beside the scripts and has an address of its own, for `configure` and for those who copy files. */
+export const FILES = ['worker.js', 'codecs.js', 'shapespline.wasm', 'shapespline_threads.wasm', 'draco_decoder_gltf.wasm'];
+
+const typed = (name) => ({ types: `./${name}.d.ts`, default: `./${name}.js` });
+const asItIs = (names) => Object.fromEntries(names.map((name) => [`./${name}`, `./${name}`]));
+
+// A page that gives the engine a worker of its own imports worker.js for what it does.
+const ACTIVE = ['./worker.js'];
+
+/** `element`: whether the custom element is part of it. */
+export function npmManifest({ element }) {
+  const { name, version, description, license, type, engines, devDependencies } = JSON.parse(
+    readFileSync(inRoot('package.json'), 'utf8'),
+  );
+  const ofElement = {
+    './element': typed('element'),
+    './element-class': typed('element-class'),
+    './cdn': typed('cdn'),
+    './jsx': { types: './jsx.d.ts', default: './jsx.js' },
+    ...asItIs(['custom-elements.json']),
+  };
+  return {
+    name,
+    version,
+    description,
+    keywords: ['animation', 'custom-element', 'gltf', 'interpolation', 'mesh', 'morph', 'shape', 'spline', 'wasm'],
+    license,
+    type,
+    engines,
+    exports: {
+      '.': { types: './index.d.ts', node: './node/index.mjs', default: './index.js' },
+      ...(element ? ofElement : {}),
+      ...asItIs([...FILES, 'package.json']),
+    },
+    main: './index.js',
+    types: './index.d.ts',
+    bin: { [name]: 'node/cli.mjs' },
+    files: ['*.js', '*.wasm', '*.d.ts', 'node', 'custom-elements.json', 'notices.txt', 'CHANGELOG.md'],
+    sideEffects: element ? ['./element.js', './cdn.js', ...ACTIVE] : ACTIVE,
+    ...(element
+      ? {
+          customElements: 'custom-elements.json',
+          // Has no versions that promise anything: the one that the tests run with, and newer ones.
+          peerDependencies: { three: `>=${devDependencies.three.replace('^', '')}` },
+          peerDependenciesMeta: { three: { optional: true } },
+        }
+      : {}),
+  };
+}

@@ -1,0 +1,152 @@
+// build/package: the npm package, as `npm pack ./build/package` packs it. Plain JavaScript for browsers and Node, types,
+// the wasm files, notices. esbuild bundles it, which leaves `new URL('./name', import.meta.url)` as it is: that is what
+// the bundlers of others look for. A declaration bundler (rollup-plugin-dts) makes one file of types for each entry.
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { NOTICES, notices, packageOf } from './notices.mjs';
+import { npmManifest } from './npm-manifest.mjs';
+import { buildDir, inRoot } from './paths.mjs';
+
+export const packageDir = path.join(buildDir, 'package');
+const inPackage = (...parts) => path.join(packageDir, ...parts);
+const source = (name) => inRoot('web', name);
+
+/** The package has files of its own in the place of those that know where the repository's are. */
+const packaged = {
+  name: 'packaged',
+  setup: ({ onResolve }) =>
+    onResolve({ filter: /\/(browser|node)-files\.ts$/ }, ({ path: name, importer, kind }) =>
+      importer.startsWith(source('engine/')) && path.dirname(importer) === source('engine') && kind !== 'entry-point'
+        ? { path: source(`engine/packaged/${path.basename(name)}`) }
+        : undefined,
+    ),
+};
+
+/** What scripts ask of Node where they find themselves in it: nothing in a browser. */
+const nothingOfNode = {
+  name: 'nothing-of-node',
+  setup({ onResolve, onLoad }) {
+    onResolve({ filter: /^(node:.*|module|fs|path|crypto|url|util)$/ }, ({ path: name }) => ({
+      path: name,
+      namespace: 'nothing-of-node',
+    }));
+    onLoad({ filter: /.*/, namespace: 'nothing-of-node' }, () => ({ contents: 'export default {}' }));
+  },
+};
+
+const withText = (name, text) => ({
+  name: 'with-text',
+  setup: ({ onLoad }) =>
+    onLoad({ filter: new RegExp(`/${name}\\.ts$`) }, () => ({
+      contents: `export const inlinedWorker = ${JSON.stringify(text)};`,
+    })),
+});
+
+const forBrowsers = {
+  bundle: true,
+  format: 'esm',
+  platform: 'browser',
+  target: 'es2022',
+  minify: true,
+  legalComments: 'none',
+  metafile: true,
+  logLevel: 'warning',
+  plugins: [packaged, nothingOfNode],
+};
+const forNode = {
+  ...forBrowsers,
+  platform: 'node',
+  target: 'node20',
+  plugins: [packaged],
+  outExtension: { '.js': '.mjs' },
+};
+
+const elementEntries = [
+  ['element', 'embed/register.ts'],
+  ['element-class', 'embed/shape-spline.ts'],
+];
+const hasElement = () => elementEntries.every(([, file]) => existsSync(source(file)));
+const entries = (list) => list.map(([out, file]) => ({ out, in: source(file) }));
+
+async function scripts(element) {
+  const { build } = await import('esbuild');
+  const outdir = packageDir;
+  const alone = (out, file, more = {}) =>
+    build({ ...forBrowsers, outdir, entryPoints: entries([[out, file]]), ...more });
+  const made = await Promise.all([
+    build({
+      ...forBrowsers,
+      outdir,
+      entryPoints: entries([['index', 'engine/index.ts'], ...(element ? elementEntries : [])]),
+      // The engine is the same one whichever entry it is reached by: what was configured holds for all.
+      splitting: true,
+      chunkNames: 'chunk-[hash]',
+      external: ['three', 'three/*'],
+    }),
+    alone('worker', 'engine/packaged/worker.ts'),
+    // The decoder takes no other way in Node than in a browser: it is given all that it needs.
+    alone('codecs', 'engine/packaged/codecs.ts', { define: { process: 'undefined' } }),
+    build({
+      ...forNode,
+      outdir: inPackage('node'),
+      entryPoints: entries([
+        ['index', 'engine/index-node.ts'],
+        ['node-worker', 'engine/packaged/node-worker.ts'],
+        ['second-thread-node', 'engine/worker/second-thread-node.ts'],
+        ['cli', 'cli/main.ts'],
+      ]),
+    }),
+  ]);
+  if (element) {
+    const worker = withText('inlined-worker', readFileSync(inPackage('worker.js'), 'utf8'));
+    made.push(await alone('cdn', 'embed/cdn.ts', { plugins: [worker, ...forBrowsers.plugins] }));
+  }
+  return made.flatMap(({ metafile }) => Object.keys(metafile.inputs));
+}
+
+async function types(element) {
+  const [{ rollup }, { dts }] = await Promise.all([import('rollup'), import('rollup-plugin-dts')]);
+  const input = { index: source('engine/index.ts') };
+  if (element) for (const [out, file] of [...elementEntries, ['cdn', 'embed/cdn.ts']]) input[out] = source(file);
+  const bundle = await rollup({ input, external: [/^three/], plugins: [dts({ tsconfig: source('tsconfig.json') })] });
+  await bundle.write({ dir: packageDir, chunkFileNames: 'types-[hash].d.ts' });
+  await bundle.close();
+}
+
+/** What a module of the sources makes, which Node cannot import as it is. */
+async function madeBy(file, name) {
+  const { build } = await import('esbuild');
+  const outfile = path.join(buildDir, 'package-maker.mjs');
+  await build({ ...forNode, entryPoints: [source(file)], outfile, outExtension: undefined });
+  const made = (await import(`${pathToFileURL(outfile).href}?${Date.now()}`))[name]();
+  rmSync(outfile);
+  return made;
+}
+
+const write = (name, text) => writeFileSync(inPackage(name), text);
+const asJson = (value) => `${JSON.stringify(value, null, 2)}\n`;
+
+async function ofElement() {
+  write('custom-elements.json', asJson(await madeBy('embed/manifest.ts', 'customElementsManifest')));
+  cpSync(source('embed/jsx.d.ts'), inPackage('jsx.d.ts'));
+  write('jsx.js', 'export {};\n');
+}
+
+/** Makes build/package anew. */
+export async function buildPackage() {
+  const element = hasElement();
+  rmSync(packageDir, { recursive: true, force: true });
+  mkdirSync(packageDir, { recursive: true });
+  const modules = await scripts(element);
+  await types(element);
+  if (element) await ofElement();
+  for (const name of ['shapespline.wasm', 'shapespline_threads.wasm'])
+    cpSync(inRoot('build/wasm', name), inPackage(name));
+  cpSync(inRoot('node_modules/draco3dgltf/draco_decoder_gltf.wasm'), inPackage('draco_decoder_gltf.wasm'));
+  cpSync(source('package/README.md'), inPackage('README.md'));
+  for (const name of ['LICENSE', 'CHANGELOG.md']) cpSync(inRoot(name), inPackage(name));
+  const packages = modules.map((module) => packageOf(`/${module}`)).filter((name) => name !== null);
+  write(NOTICES, notices(packages));
+  write('package.json', asJson(npmManifest({ element })));
+}

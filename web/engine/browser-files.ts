@@ -1,0 +1,15 @@
+/** The engine's files as the app's bundler finds them; in the npm package `packaged/browser-files` takes its place. */
+import wasmUrl from '../../build/wasm/shapespline.wasm?url';
+import type { BrowserFiles } from './caller/browser-files.ts';
+import { notLoaded } from './caller/wasm-file.ts';
+
+export const files: BrowserFiles = {
+  wasm: () => new URL(wasmUrl, import.meta.url),
+  threads: async () => new URL((await import('../../build/wasm/shapespline_threads.wasm?url')).default, import.meta.url),
+  forWorker: (draco) => ({ draco }),
+  startWorker: (name, given) =>
+    given
+      ? new Worker(given, { type: 'module', name })
+      : new Worker(new URL('./worker/engine.worker.ts', import.meta.url), { type: 'module', name }),
+  notStarted: () => notLoaded("the worker's script", 'it did not start'),
+};

@@ -1,0 +1,17 @@
+/** What the engine in a browser asks of whatever knows where its files are. */
+import type { EngineError } from '../api/errors.ts';
+import type { WorkerFiles } from '../wire/protocol.ts';
+
+/** A worker, or what stands for one. */
+export type StartedWorker = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onmessageerror' | 'onerror'>;
+
+export interface BrowserFiles {
+  wasm(): URL;
+  threads(): Promise<URL>;
+  /** What a worker fetches by itself when it needs it; `draco` where it was configured. */
+  forWorker(draco?: string): WorkerFiles;
+  /** From `given`, else from the engine's own script. */
+  startWorker(name: string, given?: URL): StartedWorker;
+  /** What is said where it did not start. */
+  notStarted(given?: URL): EngineError;
+}

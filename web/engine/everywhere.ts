@@ -1,0 +1,8 @@
+/** What users of the engine import in a browser and in Node alike. */
+export type { AheadOptions, CallOptions, Engine, Keys, Sequence } from './api/api.ts';
+export { configure, type EngineUrls, type FileUrls } from './api/configure.ts';
+export { EngineError, isCancelled } from './api/errors.ts';
+export { FramePlayer, type FrameSource, type PlayerOptions } from './api/frame-player.ts';
+export { type Pose, readPose, readPoses } from './api/read-poses.ts';
+export * from './api/types.ts';
+export { keysOf } from './api/warning-keys.ts';

@@ -1,0 +1,23 @@
+/**
+ * The engine's files in this repository, for its own programs; in the npm package `packaged/node-files` takes its
+ * place. The same relative paths hold from this file and from the bundles that it becomes part of (build/node).
+ */
+import { createRequire } from 'node:module';
+import { pathToFileURL } from 'node:url';
+import type { WorkerFiles } from './wire/protocol.ts';
+
+export interface NodeFiles {
+  worker: URL;
+  wasm: URL;
+  threads: URL;
+  forWorker(draco?: string): WorkerFiles;
+}
+
+const require = createRequire(import.meta.url);
+
+export const files: NodeFiles = {
+  worker: new URL('../../build/node/node-worker.mjs', import.meta.url),
+  wasm: new URL('../../build/wasm/shapespline.wasm', import.meta.url),
+  threads: new URL('../../build/wasm/shapespline_threads.wasm', import.meta.url),
+  forWorker: (draco = pathToFileURL(require.resolve('draco3dgltf/draco_decoder_gltf.wasm')).href) => ({ draco }),
+};

@@ -1,0 +1,2 @@
+/** `codecs.js`: the libraries for compressed files in one file. */
+export { codecs } from '../worker/codecs.ts';

@@ -1,0 +1,11 @@
+/** The files of the npm package as Node finds them, from its folder `node`. */
+import type { NodeFiles } from '../node-files.ts';
+
+const beside = (name: string): URL => new URL(name, import.meta.url);
+
+export const files: NodeFiles = {
+  worker: beside('./node-worker.mjs'),
+  wasm: beside('../shapespline.wasm'),
+  threads: beside('../shapespline_threads.wasm'),
+  forWorker: (draco = beside('../draco_decoder_gltf.wasm').href) => ({ draco, codecs: beside('../codecs.js').href }),
+};

@@ -1,0 +1,57 @@
+/**
+ * `worker.js`: the worker, or its second thread, whichever the first message is for. One file that asks for nothing by
+ * a relative address: it works wherever it was copied to, and from a `blob:` address.
+ */
+import createWasm from '../../../build/wasm/shapespline.mjs';
+import createThreaded from '../../../build/wasm/shapespline_threads.mjs';
+import type { Locked, Ready, ToWorker, WorkerFiles } from '../wire/protocol.ts';
+import { holdLock } from '../wire/worker-lock.ts';
+import { decoder } from '../worker/decompress.ts';
+import { RequestHandler } from '../worker/request-handler.ts';
+import { help, type SecondThreadStart } from '../worker/second-thread.ts';
+import { codecsFrom } from './codecs-from.ts';
+
+function serve(): void {
+  let files: WorkerFiles = {};
+  const codecs = codecsFrom(() => files.codecs);
+  const handler = new RequestHandler({
+    post: (message, transfer) => self.postMessage(message, { transfer }),
+    create: createWasm,
+    createThreaded: async () => createThreaded,
+    startSecondThread: (start, onReady) => {
+      const secondThread = new Worker(self.location.href, { type: 'module' });
+      secondThread.onmessage = ({ data }: MessageEvent<null | Ready>) => {
+        if (data === null) onReady();
+      };
+      secondThread.onerror = (event) => event.preventDefault();
+      secondThread.postMessage(start);
+    },
+    decode: decoder(codecs, async () => fetchDraco(files.draco)),
+    codecs,
+  });
+  self.addEventListener('message', ({ data }: MessageEvent<ToWorker | SecondThreadStart>) => {
+    if ('memory' in data) return help(data, () => self.postMessage(null));
+    if (data.type === 'start') files = data.files;
+    handler.receive(data);
+  });
+  self.postMessage({ type: 'ready' } satisfies Ready);
+  if (self.name) tellOfItsEnd();
+}
+
+// Pages that may store nothing, such as those in a sandboxed frame, have no locks: there an end goes unnoticed.
+function tellOfItsEnd(): void {
+  try {
+    holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
+  } catch {
+    // as said
+  }
+}
+
+async function fetchDraco(url: string | undefined): Promise<Uint8Array> {
+  const response = url === undefined ? null : await fetch(url);
+  if (!response?.ok) throw new Error(`the decoder could not be fetched from ${url}: ${response?.status ?? 'unknown'}`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+// Elsewhere than in a worker, as where a server imports every entry of a package, it does nothing.
+if (typeof self !== 'undefined' && 'postMessage' in self) serve();

@@ -1,0 +1,22 @@
+/**
+ * The libraries that read and write compressed glTF, each loaded when a file first needs it. This is how the app and
+ * the repository's own programs find them; the npm package has them in a file of its own (`packaged/codecs`).
+ */
+
+export interface Codecs {
+  core(): Promise<typeof import('@gltf-transform/core')>;
+  extensions(): Promise<typeof import('@gltf-transform/extensions')>;
+  functions(): Promise<typeof import('@gltf-transform/functions')>;
+  draco(): Promise<(settings: { wasmBinary: Uint8Array }) => Promise<object>>;
+  meshoptDecoder(): Promise<typeof import('meshoptimizer/decoder').MeshoptDecoder>;
+  meshoptEncoder(): Promise<typeof import('meshoptimizer/encoder').MeshoptEncoder>;
+}
+
+export const codecs: Codecs = {
+  core: () => import('@gltf-transform/core'),
+  extensions: () => import('@gltf-transform/extensions'),
+  functions: () => import('@gltf-transform/functions'),
+  draco: async () => (await import('draco3dgltf/draco_decoder_gltf_nodejs.js')).default,
+  meshoptDecoder: async () => (await import('meshoptimizer/decoder')).MeshoptDecoder,
+  meshoptEncoder: async () => (await import('meshoptimizer/encoder')).MeshoptEncoder,
+};
