@@ -3,11 +3,11 @@ import { defineConfig } from 'vitest/config';
 
 const repository = fileURLToPath(new URL('..', import.meta.url));
 
-// Three projects: `unit` needs no wasm, `engine` runs the built module in Node, `tools` hands what it makes to the
-// programs that people use.
-const project = (name: string, testTimeout: number) => ({
+// `unit` needs no wasm, `engine` runs the built module in Node, `tools` hands what it makes to the programs that people
+// use, `package` is a page author with the tarball.
+const project = (name: string, testTimeout: number, more: { globalSetup?: string } = {}) => ({
   extends: true as const,
-  test: { name, include: [`tests/${name}/**/*.test.ts`], testTimeout },
+  test: { name, include: [`tests/${name}/**/*.test.ts`], testTimeout, ...more },
 });
 
 export default defineConfig({
@@ -17,6 +17,11 @@ export default defineConfig({
     environment: 'node',
     pool: 'forks',
     poolOptions: { forks: { maxForks: 2, minForks: 1 } },
-    projects: [project('unit', 10_000), project('engine', 120_000), project('tools', 300_000)],
+    projects: [
+      project('unit', 10_000),
+      project('engine', 120_000),
+      project('tools', 300_000),
+      project('package', 120_000, { globalSetup: 'tests/package/support/setup.ts' }),
+    ],
   },
 });

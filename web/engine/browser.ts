@@ -13,12 +13,13 @@ import { lockReleased } from './wire/worker-lock.ts';
 export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   const { wasmUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
   const possible = threadsUrl !== null && globalThis.crossOriginIsolated && navigator.hardwareConcurrency > 1;
+  const worker = ofPage(workerUrl);
   const compiled = onlyOnce(() => compileThreaded(threadsUrl));
   const engine = new EngineClient({
-    spawn: spawnFrom(ofPage(workerUrl), onLost),
+    spawn: spawnFrom(worker, onLost),
     module: compile(ofPage(wasmUrl) ?? files.wasm()),
     threaded: possible ? () => Promise.race([compiled(), late()]) : null,
-    files: files.forWorker(ofPage(dracoUrl)?.href),
+    files: files.forWorker({ draco: ofPage(dracoUrl)?.href, worker }),
   });
   engine.warm();
   return engine;

@@ -39,9 +39,12 @@ export async function withEngine<T>(work: (engine: Engine) => Promise<T>, urls?:
   }
 }
 
+// A program that was given as text says so to its worker threads as well, which refuse it.
+const execArgv = process.execArgv.filter((word) => !word.startsWith('--input-type'));
+
 function spawnFrom(workerUrl: URL, onLost: (() => void) | undefined): Spawn {
   return (events) => {
-    const worker = new Worker(workerUrl);
+    const worker = new Worker(workerUrl, { execArgv });
     let wanted = true;
     const lost = (reason: unknown): void => {
       events.failure(endedWorker(reason));

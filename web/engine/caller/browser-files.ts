@@ -8,8 +8,8 @@ export type StartedWorker = Pick<Worker, 'postMessage' | 'terminate' | 'onmessag
 export interface BrowserFiles {
   wasm(): URL;
   threads(): Promise<URL>;
-  /** What a worker fetches by itself when it needs it; `draco` where it was configured. */
-  forWorker(draco?: string): WorkerFiles;
+  /** What a worker fetches by itself when it needs it, of files that were configured and those that were not. */
+  forWorker(given: { draco?: string | undefined; worker?: URL | undefined }): WorkerFiles;
   /** From `given`, else from the engine's own script. */
   startWorker(name: string, given?: URL): StartedWorker;
   /** What is said where it did not start. */

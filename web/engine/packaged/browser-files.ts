@@ -33,7 +33,11 @@ function known(address: () => URL): string | undefined {
 export const files: BrowserFiles = {
   wasm: () => required(beside.wasm, 'wasmUrl'),
   threads: async () => beside.threads(),
-  forWorker: (draco = known(beside.draco)) => ({ draco, codecs: known(beside.codecs) }),
+  forWorker: ({ draco = known(beside.draco), worker }) => ({
+    draco,
+    // Where the script knows no address, it lies beside the worker's that was named.
+    codecs: known(beside.codecs) ?? known(() => new URL('./codecs.js', worker)),
+  }),
   startWorker: (name, given) => {
     const ways = given || !inlinedWorker ? waysFrom(given ?? required(beside.worker, 'workerUrl')) : inlinedWays();
     return new PatientWorker(ways.map((address) => () => start(address(), name)));

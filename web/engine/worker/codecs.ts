@@ -7,16 +7,16 @@ export interface Codecs {
   core(): Promise<typeof import('@gltf-transform/core')>;
   extensions(): Promise<typeof import('@gltf-transform/extensions')>;
   functions(): Promise<typeof import('@gltf-transform/functions')>;
-  draco(): Promise<(settings: { wasmBinary: Uint8Array }) => Promise<object>>;
-  meshoptDecoder(): Promise<typeof import('meshoptimizer/decoder').MeshoptDecoder>;
-  meshoptEncoder(): Promise<typeof import('meshoptimizer/encoder').MeshoptEncoder>;
+  draco(): Promise<typeof import('draco3dgltf/draco_decoder_gltf_nodejs.js')>;
+  meshoptDecoder(): Promise<typeof import('meshoptimizer/decoder')>;
+  meshoptEncoder(): Promise<typeof import('meshoptimizer/encoder')>;
 }
 
 export const codecs: Codecs = {
   core: () => import('@gltf-transform/core'),
   extensions: () => import('@gltf-transform/extensions'),
   functions: () => import('@gltf-transform/functions'),
-  draco: async () => (await import('draco3dgltf/draco_decoder_gltf_nodejs.js')).default,
-  meshoptDecoder: async () => (await import('meshoptimizer/decoder')).MeshoptDecoder,
-  meshoptEncoder: async () => (await import('meshoptimizer/encoder')).MeshoptEncoder,
+  draco: () => import('draco3dgltf/draco_decoder_gltf_nodejs.js'),
+  meshoptDecoder: () => import('meshoptimizer/decoder'),
+  meshoptEncoder: () => import('meshoptimizer/encoder'),
 };

@@ -59,7 +59,7 @@ interface Registers {
 }
 
 async function orderForMeshopt(codecs: Codecs, document: Document, io: Registers): Promise<void> {
-  const [{ EXTMeshoptCompression }, { reorder }, MeshoptEncoder] = await Promise.all([
+  const [{ EXTMeshoptCompression }, { reorder }, { MeshoptEncoder }] = await Promise.all([
     codecs.extensions(),
     codecs.functions(),
     codecs.meshoptEncoder(),

@@ -94,11 +94,11 @@ async function reader(codecs: Codecs, text: string, dracoWasm: () => Promise<Uin
   const [{ Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([codecs.core(), codecs.extensions()]);
   const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
   if (text.includes('"KHR_draco_mesh_compression"')) {
-    const createDecoder = await codecs.draco();
+    const { default: createDecoder } = await codecs.draco();
     io.registerDependencies({ 'draco3d.decoder': await createDecoder({ wasmBinary: await dracoWasm() }) });
   }
   if (text.includes('"EXT_meshopt_compression"')) {
-    const MeshoptDecoder = await codecs.meshoptDecoder();
+    const { MeshoptDecoder } = await codecs.meshoptDecoder();
     await MeshoptDecoder.ready;
     io.registerDependencies({ 'meshopt.decoder': MeshoptDecoder });
   }

@@ -6,11 +6,8 @@ import { decoder } from './decompress.ts';
 import type { Locked, ToWorker } from '../wire/protocol.ts';
 import { RequestHandler } from './request-handler.ts';
 
-/** Where it was configured, or else as it was bundled. */
-let draco: string | undefined;
-
 async function dracoWasm(): Promise<Uint8Array> {
-  const url = draco ?? (await import('draco3dgltf/draco_decoder_gltf.wasm?url')).default;
+  const { default: url } = await import('draco3dgltf/draco_decoder_gltf.wasm?url');
   const response = await fetch(new URL(url, import.meta.url));
   if (!response.ok) throw new Error(`the decoder could not be fetched: ${response.status}`);
   return new Uint8Array(await response.arrayBuffer());
@@ -30,7 +27,4 @@ const handler = new RequestHandler({
   codecs,
 });
 if (self.name) holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
-self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
-  if (data.type === 'start') draco = data.files.draco;
-  handler.receive(data);
-});
+self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => handler.receive(data));

@@ -1,0 +1,169 @@
+/** The package in Node, and what is in it. */
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { expect, inject, it } from 'vitest';
+import { newProject, packageIn } from './support/project.ts';
+import { sumInNode } from './support/expected.ts';
+
+const project = inject('installed');
+const node = (folder: string, ...args: string[]): string =>
+  execFileSync(process.execPath, args, { cwd: folder, encoding: 'utf8' });
+const manifest = JSON.parse(readFileSync(path.join(packageIn(project), 'package.json'), 'utf8'));
+const hasElement = './element' in manifest.exports;
+
+it('the tarball holds these files and no others', () => {
+  const chunks = /^(chunk-\w+\.js|types-[\w-]+\.d\.ts)$/;
+  const ofElement = [
+    'cdn.d.ts',
+    'cdn.js',
+    'custom-elements.json',
+    'element-class.d.ts',
+    'element-class.js',
+    'element.d.ts',
+    'element.js',
+    'jsx.d.ts',
+    'jsx.js',
+  ];
+  expect(
+    inject('packed')
+      .filter((file) => !chunks.test(file))
+      .sort(),
+  ).toEqual(
+    [
+      'CHANGELOG.md',
+      'LICENSE',
+      'README.md',
+      'codecs.js',
+      'draco_decoder_gltf.wasm',
+      'index.d.ts',
+      'index.js',
+      'node/cli.mjs',
+      'node/index.mjs',
+      'node/node-worker.mjs',
+      'node/second-thread-node.mjs',
+      'notices.txt',
+      'package.json',
+      'shapespline.wasm',
+      'shapespline_threads.wasm',
+      'worker.js',
+      ...(hasElement ? ofElement : []),
+    ].sort(),
+  );
+});
+
+it('the manifest asks for nothing to be installed or run, and names files that are there', () => {
+  expect(manifest).toMatchObject({ name: 'shapespline', type: 'module', engines: { node: '>=20' } });
+  for (const name of ['private', 'scripts', 'dependencies', 'devDependencies', 'overrides'])
+    expect(manifest).not.toHaveProperty(name);
+  const named = (part: unknown): string[] =>
+    typeof part === 'string' ? [part] : Object.values(part as object).flatMap(named);
+  for (const file of [...named(manifest.exports), ...manifest.sideEffects, ...named(manifest.bin), manifest.types])
+    expect(inject('packed')).toContain(path.posix.normalize(file));
+});
+
+it('every entry can be imported in Node, where there is no page', () => {
+  const entries = Object.keys(manifest.exports)
+    .filter((name) => !/\.(wasm|json)$/.test(name))
+    .map((name) => path.posix.join('shapespline', name));
+  expect(entries).toContain('shapespline/worker.js');
+  // What a bundler for browsers takes, too.
+  const all = [...entries, path.join(packageIn(project), 'index.js')];
+  const importing = all.map((name) => `await import(${JSON.stringify(name)});`).join('\n');
+  expect(node(project, '--input-type=module', '-e', `${importing}\nconsole.log('all')`)).toBe('all\n');
+});
+
+it('the engine runs in Node without a bundler, reads and writes compressed files', async () => {
+  const folder = await newProject();
+  expect((await sumInNode(folder)).vertices).toBeGreaterThan(100);
+  const written = node(
+    folder,
+    '--input-type=module',
+    '-e',
+    `import { createEngine } from 'shapespline';
+     import { readFile } from 'node:fs/promises';
+     const engine = createEngine();
+     const read = async (name) => ({ name, bytes: await readFile('public/' + name) });
+     const keys = await engine.importKeyframes([await read('pose-0.glb'), await read('pose-1.glb')]);
+     const sequence = await engine.createSequence(keys);
+     const [file] = await sequence.export({ compression: 'meshopt' });
+     const again = await engine.importKeyframes([file]);
+     console.log(again.info.times.join());
+     engine.dispose();`,
+  );
+  expect(written).toBe('0,1\n');
+});
+
+it('has the same names in Node and in a browser', async () => {
+  const names = (file: string): string =>
+    node(project, '--input-type=module', '-e', `console.log(Object.keys(await import('${file}')).join())`);
+  expect(names('shapespline')).toBe(names(path.join(packageIn(project), 'index.js')));
+});
+
+it('configure refuses what it does not know, and comes before the first engine', () => {
+  const said = node(
+    project,
+    '--input-type=module',
+    '-e',
+    `import { configure, createEngine } from 'shapespline';
+     const tried = (urls) => { try { configure(urls); } catch (error) { console.log(error.code, error.message); } };
+     tried({ wasm: 'x' });
+     tried({ wasmUrl: 3 });
+     tried({ threadsUrl: null });
+     createEngine().dispose();
+     tried({ threadsUrl: null });
+     tried({ wasmUrl: '/elsewhere.wasm' });`,
+  );
+  expect(said.trim().split('\n')).toEqual([
+    'invalid-option configure knows no wasm. It takes wasmUrl, workerUrl, threadsUrl, dracoUrl.',
+    'invalid-option wasmUrl must be an address: a string or a URL.',
+    expect.stringMatching(/^invalid-option configure comes too late: call it before the first engine is made/),
+  ]);
+});
+
+it('the command line is there as a program', async () => {
+  const folder = await newProject();
+  const program = path.join(project, 'node_modules', '.bin', 'shapespline');
+  const run = (...args: string[]): string => execFileSync(program, args, { cwd: folder, encoding: 'utf8' });
+  expect(run('--version')).toBe(`${manifest.version}\n`);
+  run('complete', 'public/pose-0.glb', 'public/pose-1.glb', '--output', 'motion.glb');
+  expect(JSON.parse(run('inspect', 'motion.glb')).keys).toHaveLength(2);
+});
+
+it('the types are those of the engine, for bundlers and for Node', async () => {
+  const folder = await newProject({
+    'use.ts': `
+      import { configure, createEngine, EngineError, type Frame } from 'shapespline';
+      configure({ wasmUrl: new URL('file:///x.wasm'), threadsUrl: null });
+      const engine = createEngine({ onLost: () => undefined });
+      const keys = await engine.importKeyframes([{ name: 'a.glb', bytes: new Uint8Array() }]);
+      const sequence = await engine.createSequence(keys, { boundary: 'hermite', startSpeed: 0 });
+      const frame: Frame | null = await sequence.evaluate(0.5);
+      const positions: Float32Array | undefined = frame?.positions;
+      // @ts-expect-error
+      await engine.createSequence(keys, { boundary: 'no such' });
+      console.log(positions, EngineError);
+    `,
+  });
+  const tsc = path.resolve('node_modules/typescript/bin/tsc');
+  for (const [module, resolution] of [
+    ['esnext', 'bundler'],
+    ['nodenext', 'nodenext'],
+  ] as const) {
+    const config = {
+      compilerOptions: {
+        strict: true,
+        noEmit: true,
+        exactOptionalPropertyTypes: true,
+        target: 'es2022',
+        lib: ['es2022', 'dom'],
+        types: [],
+        module,
+        moduleResolution: resolution,
+      },
+      include: ['use.ts'],
+    };
+    writeFileSync(path.join(folder, 'tsconfig.json'), JSON.stringify(config));
+    expect(node(folder, tsc, '-p', '.')).toBe('');
+  }
+});

@@ -1,0 +1,111 @@
+/** Hosts of pages, and Chromium, whose requests to any other host are noted and refused. */
+import { readFileSync } from 'node:fs';
+import { createServer, type Server } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import path from 'node:path';
+import { type Browser, chromium } from '@playwright/test';
+import { afterAll, beforeAll, expect } from 'vitest';
+import { findBrowser } from '../../../wasm/toolchain/chromium.mjs';
+import type { Outcome } from './project.ts';
+
+const TYPES: Record<string, string> = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.json': 'application/json',
+  '.wasm': 'application/wasm',
+  '.glb': 'model/gltf-binary',
+};
+
+const servers: Server[] = [];
+
+async function listen(server: Server, name: string): Promise<string> {
+  servers.push(server);
+  await new Promise<void>((ready) => server.listen(0, name, ready));
+  return `http://${name}:${(server.address() as AddressInfo).port}/`;
+}
+
+/**
+ * Serves the first of the folders that has a file. `headers` go with every answer; where `spare` is set, it is the
+ * answer for what is not there, as on hosts of pages with one entrance.
+ */
+export function host(
+  folders: string[],
+  { name = 'localhost', headers = {}, spare }: { name?: string; headers?: Record<string, string>; spare?: string } = {},
+): Promise<string> {
+  const server = createServer((request, response) => {
+    const wanted = new URL(request.url ?? '/', 'http://localhost').pathname.slice(1) || 'index.html';
+    for (const folder of folders) {
+      try {
+        const content = readFileSync(path.join(folder, wanted));
+        const type = TYPES[path.extname(wanted)] ?? 'text/plain';
+        return void response.writeHead(200, { 'content-type': type, ...headers }).end(content);
+      } catch {
+        // in the next one
+      }
+    }
+    if (spare) response.writeHead(200, { 'content-type': 'text/html', ...headers }).end(spare);
+    else response.writeHead(404, { 'content-type': 'text/plain', ...headers }).end('not found');
+  });
+  return listen(server, name);
+}
+
+let browser: Browser;
+/** Addresses on other hosts that something has asked for. */
+const elsewhere: string[] = [];
+
+beforeAll(async () => {
+  const refusing = createServer((request, response) => {
+    elsewhere.push(request.url ?? '');
+    response.writeHead(502).end();
+  });
+  refusing.on('connect', (request, socket) => {
+    elsewhere.push(request.url ?? '');
+    socket.end('HTTP/1.1 502 no\r\n\r\n');
+  });
+  const proxy = await listen(refusing, '127.0.0.1');
+  browser = await chromium.launch({
+    executablePath: findBrowser(chromium) ?? undefined,
+    args: [
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+      '--no-first-run',
+      `--proxy-server=${new URL(proxy).host}`,
+      ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
+    ],
+  });
+});
+
+afterAll(async () => {
+  await browser?.close();
+  for (const server of servers.splice(0)) {
+    server.closeAllConnections();
+    server.close();
+  }
+});
+
+/** What was asked of other hosts since the last time. */
+export const askedElsewhere = (): string[] => elsewhere.splice(0);
+
+/** What the page says in the end. Nothing may have been asked of another host. */
+export async function outcomeOf(url: string): Promise<Outcome> {
+  askedElsewhere();
+  const context = await browser.newContext();
+  try {
+    const page = await context.newPage();
+    const errors: string[] = [];
+    page.on('pageerror', (error) => void errors.push(String(error)));
+    await page.goto(url);
+    const said = page.waitForFunction(() => (window as { outcome?: unknown }).outcome, undefined, { timeout: 60_000 });
+    const outcome = await said.then(
+      (handle) => handle.jsonValue() as Promise<Outcome>,
+      () => ({ error: `nothing was said; ${errors.join('; ')}` }),
+    );
+    expect(askedElsewhere()).toEqual([]);
+    return outcome;
+  } finally {
+    await context.close();
+  }
+}

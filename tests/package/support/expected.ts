@@ -1,0 +1,20 @@
+/** What Node computes of a project's poses, with the package that is installed in it. */
+import { execFileSync } from 'node:child_process';
+import type { Outcome } from './project.ts';
+
+const PROGRAM = `
+  import { createEngine } from 'shapespline';
+  import { readFile } from 'node:fs/promises';
+  const read = async (name) => ({ name, bytes: await readFile('public/' + name) });
+  const engine = createEngine();
+  const keys = await engine.importKeyframes([await read('pose-0.glb'), await read('pose-1.glb')]);
+  const sequence = await engine.createSequence(keys);
+  const { positions } = await sequence.evaluate(0.5);
+  console.log(JSON.stringify({ vertices: positions.length / 3, sum: positions.reduce((s, x) => s + Math.abs(x), 0) }));
+  engine.dispose();
+`;
+
+export async function sumInNode(folder: string): Promise<Required<Omit<Outcome, 'error'>>> {
+  const said = execFileSync(process.execPath, ['--input-type=module', '-e', PROGRAM], { cwd: folder, encoding: 'utf8' });
+  return JSON.parse(said);
+}
