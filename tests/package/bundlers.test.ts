@@ -88,8 +88,9 @@ it('esbuild builds it for a classic script, with the files named', async () => {
     'index.html': '<!doctype html><script src="main.js"></script>',
   });
   const output = path.join(folder, 'dist');
-  const options = { absWorkingDir: folder, entryPoints: ['main.js'], bundle: true, outdir: output } as const;
-  await esbuild.build({ ...options, format: 'iife', logLevel: 'silent' });
+  const format = 'iife';
+  const entryPoints = ['main.js'];
+  await esbuild.build({ absWorkingDir: folder, entryPoints, bundle: true, outdir: output, format, logLevel: 'silent' });
   for (const name of copied) cpSync(path.join(packageIn(folder), name), path.join(output, 'lib', name));
   await expectRunsAt(await host([output, folder, path.join(folder, 'public')]));
 });
