@@ -82,7 +82,8 @@ it('esbuild builds it, with the files beside', async () => {
 });
 
 it('esbuild builds it for a classic script, with the files named', async () => {
-  const first = "configure({ wasmUrl: 'lib/shapespline.wasm', workerUrl: 'lib/worker.js', dracoUrl: 'lib/draco_decoder_gltf.wasm' });";
+  const first =
+    "configure({ wasmUrl: 'lib/shapespline.wasm', workerUrl: 'lib/worker.js', dracoUrl: 'lib/draco_decoder_gltf.wasm' });";
   const folder = await newProject({
     'main.js': `void (async () => { const { configure, createEngine } = await import('shapespline'); ${script().split('\n').slice(2).join('\n').replace(/^/, first)} })();`,
     'index.html': '<!doctype html><script src="main.js"></script>',

@@ -67,7 +67,9 @@ it('runs under a policy that refuses blob:, with the worker on the own host', as
 
 it('says what to do where the policy lets no worker start', async () => {
   const { error } = await outcomeOf(await acrossHosts({ policy: `${STRICT}worker-src 'self'` }));
-  expect(error).toMatch(/^EngineError: The worker did not start from http:.*worker\.js, .*configure\(\{ workerUrl \}\)/);
+  expect(error).toMatch(
+    /^EngineError: The worker did not start from http:.*worker\.js, .*configure\(\{ workerUrl \}\)/,
+  );
 });
 
 it('says what to do where a web page comes instead of WebAssembly', async () => {
@@ -80,7 +82,7 @@ it('says what to do where a web page comes instead of WebAssembly', async () => 
   expect(error).toMatch(/Put the \.wasm file at that address, or name the address where it is: configure/);
 });
 
-it('two threads are at work where the host isolates the page, from a blob: worker, too', async () => {
+it('large shapes have the module for two threads where the host isolates the page, from another host, too', async () => {
   const isolated = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
   const library = await host([packageIn(project)], { name: '127.0.0.1', headers: CORS });
   const folder = await newProject({
@@ -98,7 +100,6 @@ it('two threads are at work where the host isolates the page, from a blob: worke
       try {
         const engine = createEngine();
         const sequence = await engine.createSequence(await engine.importKeyframes([file(1), file(9)]));
-        // The first frames are made in turn with one thread and with two; what is chosen depends on the machine.
         const started = performance.getEntriesByType('resource').some(({ name }) => name.endsWith('threads.wasm'));
         const frame = await sequence.evaluate(0.5);
         window.outcome = { isolated: crossOriginIsolated, started, vertices: frame.positions.length / 3 };
@@ -113,7 +114,9 @@ it('two threads are at work where the host isolates the page, from a blob: worke
 });
 
 it('a request to another host would be noticed', async () => {
-  const folder = await newProject({ 'main.js': "await fetch('http://elsewhere.test/x').catch(() => 0); window.outcome = 1" });
+  const folder = await newProject({
+    'main.js': "await fetch('http://elsewhere.test/x').catch(() => 0); window.outcome = 1",
+  });
   await expect(outcomeOf(await host([folder]))).rejects.toThrow('elsewhere.test');
   expect(askedElsewhere()).toEqual([]);
 });

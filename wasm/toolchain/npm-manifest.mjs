@@ -3,7 +3,13 @@ import { readFileSync } from 'node:fs';
 import { inRoot } from './paths.mjs';
 
 /** What is beside the scripts and has an address of its own, for `configure` and for those who copy files. */
-export const FILES = ['worker.js', 'codecs.js', 'shapespline.wasm', 'shapespline_threads.wasm', 'draco_decoder_gltf.wasm'];
+export const FILES = [
+  'worker.js',
+  'codecs.js',
+  'shapespline.wasm',
+  'shapespline_threads.wasm',
+  'draco_decoder_gltf.wasm',
+];
 
 const typed = (name) => ({ types: `./${name}.d.ts`, default: `./${name}.js` });
 const asItIs = (names) => Object.fromEntries(names.map((name) => [`./${name}`, `./${name}`]));

@@ -6,5 +6,8 @@ export interface CodeFile {
   when: 'start' | 'later' | 'elsewhere';
 }
 export const LIMITS: Readonly<Record<'JavaScript' | 'wasm', number>>;
+export const PACKAGE_LIMITS: Readonly<Record<string, number>>;
 export function sizesOf(folder: string, page?: string): CodeFile[];
 export function checkSizes(folder: string, print?: (line: string) => void): void;
+export function packageSizes(folder: string): { name: string; limit: number; bytes: number }[];
+export function checkPackageSizes(folder: string, print?: (line: string) => void): void;

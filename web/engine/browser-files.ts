@@ -5,7 +5,8 @@ import { notLoaded } from './caller/wasm-file.ts';
 
 export const files: BrowserFiles = {
   wasm: () => new URL(wasmUrl, import.meta.url),
-  threads: async () => new URL((await import('../../build/wasm/shapespline_threads.wasm?url')).default, import.meta.url),
+  threads: async () =>
+    new URL((await import('../../build/wasm/shapespline_threads.wasm?url')).default, import.meta.url),
   // It knows its own.
   forWorker: () => ({}),
   startWorker: (name) => new Worker(new URL('./worker/engine.worker.ts', import.meta.url), { type: 'module', name }),

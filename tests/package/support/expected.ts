@@ -15,6 +15,9 @@ const PROGRAM = `
 `;
 
 export async function sumInNode(folder: string): Promise<Required<Omit<Outcome, 'error'>>> {
-  const said = execFileSync(process.execPath, ['--input-type=module', '-e', PROGRAM], { cwd: folder, encoding: 'utf8' });
+  const said = execFileSync(process.execPath, ['--input-type=module', '-e', PROGRAM], {
+    cwd: folder,
+    encoding: 'utf8',
+  });
   return JSON.parse(said);
 }

@@ -28,7 +28,16 @@ export default function setup({ provide }: TestProject): () => void {
   const installed = path.join(folder, 'project');
   mkdirSync(installed);
   writeFileSync(path.join(installed, 'package.json'), '{ "name": "project", "private": true, "type": "module" }\n');
-  npm('install', '--prefix', installed, `./${packed.filename}`, '--offline', '--no-audit', '--no-fund', '--loglevel=error');
+  npm(
+    'install',
+    '--prefix',
+    installed,
+    `./${packed.filename}`,
+    '--offline',
+    '--no-audit',
+    '--no-fund',
+    '--loglevel=error',
+  );
   provide('installed', installed);
   provide(
     'packed',

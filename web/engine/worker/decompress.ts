@@ -63,7 +63,10 @@ async function decodeFile(job: Job): Promise<InputFile> {
   }
 }
 
-async function uncompress({ file, text, files, codecs, dracoWasm }: Job, json: JSONDocument['json']): Promise<Uint8Array> {
+async function uncompress(
+  { file, text, files, codecs, dracoWasm }: Job,
+  json: JSONDocument['json'],
+): Promise<Uint8Array> {
   const source: JSONDocument = { json, resources: {} };
   const binary = binaryOf(file.bytes);
   if (binary) source.resources[GLB_BUFFER] = binary as Uint8Array<ArrayBuffer>;

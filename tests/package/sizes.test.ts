@@ -1,0 +1,24 @@
+/** Each script of the package has its limit, which a build checks. */
+import { randomBytes } from 'node:crypto';
+import { appendFileSync, cpSync } from 'node:fs';
+import path from 'node:path';
+import { expect, inject, it } from 'vitest';
+import { PACKAGE_LIMITS, checkPackageSizes, packageSizes } from '../../wasm/toolchain/sizes.mjs';
+import { newProject, packageIn } from './support/project.ts';
+
+const quiet = (): void => undefined;
+
+it('every script stays within its limit, with all that it imports at once', () => {
+  const sizes = packageSizes(packageIn(inject('installed')));
+  const scripts = inject('packed').filter((file) => /^(?!chunk-|jsx)[\w-]+\.js$/.test(file));
+  expect(sizes.map(({ name }) => name).sort()).toEqual(scripts.sort());
+  for (const { bytes, limit } of sizes) expect(bytes).toBeLessThanOrEqual(limit);
+});
+
+it('fails where a chunk that a script imports makes it too large', async () => {
+  const folder = packageIn(await newProject());
+  cpSync(path.join(folder, 'codecs.js'), path.join(folder, 'chunk-LARGE.js'));
+  appendFileSync(path.join(folder, 'chunk-LARGE.js'), `// ${randomBytes(PACKAGE_LIMITS['index.js']!).toString('hex')}`);
+  appendFileSync(path.join(folder, 'index.js'), '\nimport"./chunk-LARGE.js";');
+  expect(() => checkPackageSizes(folder, quiet)).toThrow(/^index\.js of the package has/);
+});
