@@ -19,13 +19,13 @@ it.each(['text/html', 'application/wasm'])('says that a web page came instead, s
   await expect(failure).rejects.toMatchObject({ code: 'not-loaded' });
   await expect(failure).rejects.toThrow(
     `${url.href} answered with “<!doctype html><title>Ho…” (${type}) instead of WebAssembly. ` +
-      'Put the .wasm file at that address, or name the address where it is.',
+      'Put the .wasm file at that address, or name the address where it is: configure({ wasmUrl }).',
   );
 });
 
 it('says what else is wrong: nothing, a status, no connection, a damaged file', async () => {
   await expect(compileFrom(url, answer(null, 'text/plain'))).rejects.toThrow('answered with nothing instead');
-  await expect(compileFrom(url, answer('', undefined, 404))).rejects.toThrow(`(${url.href}: 404`);
+  await expect(compileFrom(url, answer('', undefined, 404))).rejects.toThrow(`${url.href} answered with 404 instead`);
   const offline = compileFrom(url, () => Promise.reject(new TypeError('Failed to fetch')));
   await expect(offline).rejects.toThrow('Failed to fetch). Check the connection and reload the page.');
   const damaged = compileFrom(url, answer(new Uint8Array([...EMPTY_MODULE, 99]), 'application/wasm'));
