@@ -1,14 +1,16 @@
 /** The package in Node, and what is in it. */
-import { execFileSync } from 'node:child_process';
+import { execFile } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { promisify } from 'node:util';
 import { expect, inject, it } from 'vitest';
 import { newProject, packageIn } from './support/project.ts';
 import { sumInNode } from './support/expected.ts';
 
 const project = inject('installed');
-const node = (folder: string, ...args: string[]): string =>
-  execFileSync(process.execPath, args, { cwd: folder, encoding: 'utf8' });
+const start = promisify(execFile);
+const node = async (folder: string, ...args: string[]): Promise<string> =>
+  (await start(process.execPath, args, { cwd: folder })).stdout;
 const manifest = JSON.parse(readFileSync(path.join(packageIn(project), 'package.json'), 'utf8'));
 const hasElement = './element' in manifest.exports;
 
@@ -62,7 +64,7 @@ it('the manifest asks for nothing to be installed or run, and names files that a
     expect(inject('packed')).toContain(path.posix.normalize(file));
 });
 
-it('every entry can be imported in Node, where there is no page', () => {
+it('every entry can be imported in Node, where there is no page', async () => {
   const entries = Object.keys(manifest.exports)
     .filter((name) => !/\.(wasm|json)$/.test(name))
     .map((name) => path.posix.join('shapespline', name));
@@ -70,13 +72,13 @@ it('every entry can be imported in Node, where there is no page', () => {
   // What a bundler for browsers takes, too.
   const all = [...entries, path.join(packageIn(project), 'index.js')];
   const importing = all.map((name) => `await import(${JSON.stringify(name)});`).join('\n');
-  expect(node(project, '--input-type=module', '-e', `${importing}\nconsole.log('all')`)).toBe('all\n');
+  expect(await node(project, '--input-type=module', '-e', `${importing}\nconsole.log('all')`)).toBe('all\n');
 });
 
 it('the engine runs in Node without a bundler, reads and writes compressed files', async () => {
   const folder = await newProject();
   expect((await sumInNode(folder)).vertices).toBeGreaterThan(100);
-  const written = node(
+  const written = await node(
     folder,
     '--input-type=module',
     '-e',
@@ -95,13 +97,13 @@ it('the engine runs in Node without a bundler, reads and writes compressed files
 });
 
 it('has the same names in Node and in a browser', async () => {
-  const names = (file: string): string =>
+  const names = (file: string): Promise<string> =>
     node(project, '--input-type=module', '-e', `console.log(Object.keys(await import('${file}')).join())`);
-  expect(names('shapespline')).toBe(names(path.join(packageIn(project), 'index.js')));
+  expect(await names('shapespline')).toBe(await names(path.join(packageIn(project), 'index.js')));
 });
 
-it('configure refuses what it does not know, and comes before the first engine', () => {
-  const said = node(
+it('configure refuses what it does not know, and comes before the first engine', async () => {
+  const said = await node(
     project,
     '--input-type=module',
     '-e',
@@ -124,10 +126,10 @@ it('configure refuses what it does not know, and comes before the first engine',
 it('the command line is there as a program', async () => {
   const folder = await newProject();
   const program = path.join(project, 'node_modules', '.bin', 'shapespline');
-  const run = (...args: string[]): string => execFileSync(program, args, { cwd: folder, encoding: 'utf8' });
-  expect(run('--version')).toBe(`${manifest.version}\n`);
-  run('complete', 'public/pose-0.glb', 'public/pose-1.glb', '--output', 'motion.glb');
-  expect(JSON.parse(run('inspect', 'motion.glb')).keys).toHaveLength(2);
+  const run = async (...args: string[]): Promise<string> => (await start(program, args, { cwd: folder })).stdout;
+  expect(await run('--version')).toBe(`${manifest.version}\n`);
+  await run('complete', 'public/pose-0.glb', 'public/pose-1.glb', '--output', 'motion.glb');
+  expect(JSON.parse(await run('inspect', 'motion.glb')).keys).toHaveLength(2);
 });
 
 it('the types are those of the engine, for bundlers and for Node', async () => {
@@ -164,6 +166,6 @@ it('the types are those of the engine, for bundlers and for Node', async () => {
       include: ['use.ts'],
     };
     writeFileSync(path.join(folder, 'tsconfig.json'), JSON.stringify(config));
-    expect(node(folder, tsc, '-p', '.')).toBe('');
+    expect(await node(folder, tsc, '-p', '.')).toBe('');
   }
 });

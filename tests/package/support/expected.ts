@@ -1,5 +1,6 @@
 /** What Node computes of a project's poses, with the package that is installed in it. */
-import { execFileSync } from 'node:child_process';
+import { execFile } from 'node:child_process';
+import { promisify } from 'node:util';
 import type { Outcome } from './project.ts';
 
 const PROGRAM = `
@@ -15,9 +16,6 @@ const PROGRAM = `
 `;
 
 export async function sumInNode(folder: string): Promise<Required<Omit<Outcome, 'error'>>> {
-  const said = execFileSync(process.execPath, ['--input-type=module', '-e', PROGRAM], {
-    cwd: folder,
-    encoding: 'utf8',
-  });
-  return JSON.parse(said);
+  const run = promisify(execFile);
+  return JSON.parse((await run(process.execPath, ['--input-type=module', '-e', PROGRAM], { cwd: folder })).stdout);
 }
