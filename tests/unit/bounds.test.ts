@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { extentOf } from '../../web/app/drawing/bounds.ts';
+import { extentOf } from '../../web/viewer/bounds.ts';
 import { measure } from '../../web/app/drawing/measures.ts';
-import { patchColours } from '../../web/app/drawing/patch-colours.ts';
+import { patchColours } from '../../web/viewer/patch-colours.ts';
 import { tiles } from '../../web/viewer/tiles.ts';
 
 /** A tetrahedron on the unit axes. */

@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { Demand } from '../../web/app/playback/demand.ts';
-import type { Wanted } from '../../web/app/playback/demand.ts';
-import type { FrameSet } from '../../web/app/playback/frame-set.ts';
-import { PreviewPolicy } from '../../web/app/playback/preview-policy.ts';
+import { Demand } from '../../web/playback/demand.ts';
+import type { Wanted } from '../../web/playback/demand.ts';
+import type { FrameSet } from '../../web/playback/frame-set.ts';
+import { PreviewPolicy } from '../../web/playback/preview-policy.ts';
 import type { RunningSequence } from '../../web/app/session/sequence-set.ts';
 
 beforeEach(() => {

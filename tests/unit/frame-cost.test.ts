@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { FrameCost } from '../../web/app/playback/frame-cost.ts';
+import { FrameCost } from '../../web/playback/frame-cost.ts';
 
 function costOf(exact: number[], previews: number[] = []): FrameCost {
   const cost = new FrameCost();

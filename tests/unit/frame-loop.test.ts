@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { RunningSequence } from '../../web/app/session/sequence-set.ts';
-import { Demand } from '../../web/app/playback/demand.ts';
-import { PreviewPolicy, readMoving, type Moving } from '../../web/app/playback/preview-policy.ts';
-import { FrameLoop } from '../../web/app/playback/frame-loop.ts';
+import { Demand } from '../../web/playback/demand.ts';
+import { PreviewPolicy, readMoving, type Moving } from '../../web/playback/preview-policy.ts';
+import { FrameLoop } from '../../web/playback/frame-loop.ts';
 import type { AheadOptions } from '../../web/engine/api/api.ts';
 import type { Frame, Method, PreviewError } from '../../web/engine/api/types.ts';
 

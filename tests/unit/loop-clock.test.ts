@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { tick } from '../../web/app/playback/loop-clock.ts';
-import type { ClockInput } from '../../web/app/playback/loop-clock.ts';
+import { tick } from '../../web/playback/loop-clock.ts';
+import type { ClockInput } from '../../web/playback/loop-clock.ts';
 
 const base: ClockInput = { time: 0, direction: 1, step: 0.1, range: [0, 1], loop: 'bounce', periodic: false };
 

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { Player } from '../../web/app/playback/player.ts';
-import type { PlayerView } from '../../web/app/playback/player.ts';
+import { Player } from '../../web/playback/player.ts';
+import type { PlayerView } from '../../web/playback/player.ts';
 
 /** A screen that refreshes when told to. */
 let now = 0;

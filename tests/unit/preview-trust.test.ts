@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { PreviewTrust } from '../../web/app/playback/preview-trust.ts';
-import type { TimeLine } from '../../web/app/playback/preview-trust.ts';
+import { PreviewTrust } from '../../web/playback/preview-trust.ts';
+import type { TimeLine } from '../../web/playback/preview-trust.ts';
 import type { PreviewError } from '../../web/engine/api/types.ts';
 
 const line: TimeLine = { keyTimes: [0, 0.4, 1], range: [0, 1], periodic: false };

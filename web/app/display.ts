@@ -11,10 +11,10 @@ import type { Layout } from './panels/layout.ts';
 import { shownView } from './panels/view-state.ts';
 import type { ViewStateHolder } from './panels/view-state.ts';
 import { reducedMotion } from './panels/window-events.ts';
-import type { FrameSet } from './playback/frame-set.ts';
+import type { FrameSet } from '../playback/frame-set.ts';
 import { createPlayback } from './playback/playback.ts';
 import type { Playback } from './playback/playback.ts';
-import { readMoving } from './playback/preview-policy.ts';
+import { readMoving } from '../playback/preview-policy.ts';
 import type { Session } from './session/session.ts';
 
 export interface DisplayParts {

@@ -82,6 +82,14 @@ export function clampKeyTime(times: readonly number[], index: number, wanted: nu
 /** `off`: not on the curve at all. */
 export type PhaseKind = 'key' | 'between' | 'beyond' | 'off';
 
+/** The paper's colours, one for each phase; the same stand in the style sheet. */
+export const PHASE_COLOURS: Record<PhaseKind, string> = {
+  key: '#0072b2',
+  between: '#009e73',
+  beyond: '#e69f00',
+  off: '#8f8f8f',
+};
+
 /** How the moment relates to the keys; `kind` chooses the colour, `text` says the same in words. */
 export interface Phase {
   kind: PhaseKind;

@@ -4,34 +4,12 @@ import type { Encoding, KeyRef, Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import type { End } from '../model/speeds.ts';
 import type { DropPoint } from './file-drop.ts';
+import { METHOD_WORDS } from '../model/method-words.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TANGENT_NAME } from '../model/speeds.ts';
 import { BOUNDARIES, DEFAULT_MOTION, HOLDS, METHODS, ignoresHermite } from '../model/state.ts';
 import { button, checkbox, keyLabel, numberField, segments, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
-
-export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: string }> = {
-  lri: {
-    label: 'Shape spline (LRI)',
-    short: 'Shape spline',
-    hint: 'The method of this page: cubic splines of rotations and stretches. Smooth; the volume changes little.',
-  },
-  geodesic: {
-    label: 'Geodesic (LRI)',
-    short: 'Geodesic',
-    hint: 'Straight from key to key in the same space. The volume changes little; the velocity jumps at the keys.',
-  },
-  linear: {
-    label: 'Morph targets (linear)',
-    short: 'Morph targets',
-    hint: 'Blends positions, as most programs do. Shrinks and shears where the shape turns.',
-  },
-  'cubic-vertex': {
-    label: 'Morph targets (cubic)',
-    short: 'Morph spline',
-    hint: 'Cubic splines of positions. Smooth, but shrinks and shears where the shape turns.',
-  },
-};
 
 const BOUNDARY_WORDS: Record<Boundary, { label: string; hint: string }> = {
   natural: {

@@ -1,13 +1,12 @@
 /** Amounts as colours on the shapes that are drawn, and the bar that says what the colours mean. */
 import type { Frame, KeysInfo } from '../../engine/api/types.ts';
-import { METHOD_WORDS } from '../../ui/motion-panel.ts';
+import { METHOD_WORDS } from '../../model/method-words.ts';
 import { isFaceAmount, referenceKey } from '../../model/state.ts';
 import type { AppState, Colouring, Doc, FaceAmount } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import type { Viewer } from '../../viewer/viewer.ts';
-import type { FrameSet } from '../playback/frame-set.ts';
+import type { FrameSet, RunningMotion } from '../../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
-import type { RunningSequence } from '../session/sequence-set.ts';
 import { differenceOf, heatColours, roundTop } from './difference.ts';
 import type { Difference } from './difference.ts';
 import { FaceHeat } from './face-heat.ts';
@@ -21,7 +20,7 @@ const WORDS: Readonly<Record<FaceAmount, { title: string; unit: string; symbol: 
 interface Heat {
   kind: Colouring | 'difference';
   /** The bar's range only grows as long as the same motions are shown. */
-  of: RunningSequence['sequence'];
+  of: RunningMotion['sequence'];
   top: number;
 }
 
@@ -80,7 +79,7 @@ export class HeatMap {
   /** Colours every shape that a ghost leads, where the same motion without one stands beside it (Fig. 7). */
   private showDifferences(
     frames: readonly Frame[],
-    sequences: readonly RunningSequence[],
+    sequences: readonly RunningMotion[],
     full: number,
     diagonal: number,
   ): void {
@@ -94,14 +93,14 @@ export class HeatMap {
   /** Colours every shape but the one that they are compared with: the animation, or else the first motion. */
   private showDistances(
     frames: readonly Frame[],
-    sequences: readonly RunningSequence[],
+    sequences: readonly RunningMotion[],
     original: Float32Array | null,
     diagonal: number,
   ): void {
     const [main] = sequences;
     const first = original ? 0 : 1;
     if (!main || frames.length <= first) return this.clear();
-    const word = (of: RunningSequence | undefined): string => (of ? METHOD_WORDS[of.method].label : '');
+    const word = (of: RunningMotion | undefined): string => (of ? METHOD_WORDS[of.method].label : '');
     const from = original ? 'the animation' : word(main);
     const unit = `${word(sequences[first])} from ${from}, % of the diagonal`;
     const views = [...frames.keys()].slice(first);
@@ -116,7 +115,7 @@ export class HeatMap {
     views: readonly number[],
     reference: Float32Array,
     diagonal: number,
-    { sequence }: RunningSequence,
+    { sequence }: RunningMotion,
     { kind, unit }: { kind: 'difference' | 'distance'; unit: string },
   ): Difference {
     const apart = views.map((view) => differenceOf(frames[view]!.positions, reference, diagonal, this.values[view]));
@@ -133,7 +132,7 @@ export class HeatMap {
   }
 
   /** Colours every shape: by whichever method it is made, it is turned and stretched. */
-  private showFaces(frames: readonly Frame[], { sequence }: RunningSequence, kind: FaceAmount, heat: FaceHeat): void {
+  private showFaces(frames: readonly Frame[], { sequence }: RunningMotion, kind: FaceAmount, heat: FaceHeat): void {
     this.difference = null;
     const amounts = frames.map(({ positions }, view) => heat.amounts(positions, kind, this.values[view]));
     const { title, unit, symbol, most } = WORDS[kind];

@@ -1,16 +1,8 @@
 /** Further shapes in the viewport: onion skins around the time, or a film strip of evenly spaced ones. */
 import type { Frame } from '../../engine/api/types.ts';
-import { clamp, formatTime, length, phaseOf } from '../../model/time-scale.ts';
-import type { PhaseKind, Range } from '../../model/time-scale.ts';
+import { PHASE_COLOURS, clamp, formatTime, length, phaseOf } from '../../model/time-scale.ts';
+import type { Range } from '../../model/time-scale.ts';
 import type { Extra } from '../../viewer/types.ts';
-
-/** The paper's colours, one for each phase; the same stand in the style sheet. */
-export const PHASE_COLOURS: Record<PhaseKind, string> = {
-  key: '#0072b2',
-  between: '#009e73',
-  beyond: '#e69f00',
-  off: '#8f8f8f',
-};
 
 const ONION_STEP = 0.09;
 /** Nearer skins are more solid. */

@@ -6,7 +6,7 @@ import type { Engine, Keys } from '../../engine/api/api.ts';
 import type { Boundary, InputFile } from '../../engine/api/types.ts';
 import type { Pictures } from '../../viewer/pictures.ts';
 import type { Viewer } from '../../viewer/viewer.ts';
-import { extentOf } from './bounds.ts';
+import { extentOf } from '../../viewer/bounds.ts';
 import { vertexNormals } from './vertex-normals.ts';
 
 interface Sample {

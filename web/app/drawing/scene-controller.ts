@@ -5,27 +5,26 @@ import type { CameraPose, ViewName } from '../../model/camera.ts';
 import type { AppState, Doc, View } from '../../model/state.ts';
 import { isInLri } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
-import { METHOD_WORDS } from '../../ui/motion-panel.ts';
-import { OFF_CURVE, phaseOf } from '../../model/time-scale.ts';
+import { METHOD_WORDS } from '../../model/method-words.ts';
+import { OFF_CURVE, PHASE_COLOURS, phaseOf } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { TileLabel } from '../../ui/view-bar.ts';
 import type { Extra, Look } from '../../viewer/types.ts';
 import { Viewer } from '../../viewer/viewer.ts';
 import type { ViewerEvents } from '../../viewer/viewer.ts';
-import { PHASE_COLOURS, filmNames, filmPlaces, filmStrip, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
+import { filmNames, filmPlaces, filmStrip, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
 import type { OnionSkinInput } from './onion-skin.ts';
 import type { Difference } from './difference.ts';
-import { extentOf } from './bounds.ts';
+import { extentOf } from '../../viewer/bounds.ts';
 import type { HeatMap } from './heat-map.ts';
 import { besideOf, wantsHeat } from './heat-wanted.ts';
 import { measure } from './measures.ts';
 import type { Measure } from './measures.ts';
 import type { Original } from './original.ts';
 import { pickFace } from './pick-face.ts';
-import { patchColours } from './patch-colours.ts';
-import type { FrameSet } from '../playback/frame-set.ts';
+import { patchColours } from '../../viewer/patch-colours.ts';
+import type { FrameSet, RunningMotion } from '../../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
-import type { RunningSequence } from '../session/sequence-set.ts';
 
 /**
  * While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then.
@@ -248,7 +247,7 @@ export class SceneController {
 
   private tileLabels(
     frames: readonly Frame[],
-    sequences: readonly RunningSequence[],
+    sequences: readonly RunningMotion[],
     original: Float32Array | undefined,
     measures: boolean,
   ): TileLabel[] {
@@ -289,7 +288,7 @@ export class SceneController {
 
   private async showOnionSkins(
     input: OnionSkinInput,
-    sequences: readonly RunningSequence[],
+    sequences: readonly RunningMotion[],
     { view, doc }: AppState,
   ): Promise<void> {
     if (!view.film) this.leaveFilm();
@@ -343,7 +342,7 @@ export class SceneController {
 
   private async showGhost(
     t: number,
-    running: RunningSequence | undefined,
+    running: RunningMotion | undefined,
     { ghostWire, ghostBeside, film }: View,
   ): Promise<void> {
     const wanted = (ghostWire || ghostBeside) && !film && running?.ghost && isInLri(running.method);
@@ -382,7 +381,7 @@ export class SceneController {
  * Beside a divider, a blend is called what those know it by who have never heard of it; among ghosts of several sizes
  * (Fig. 7), where names have little room, the size is the name.
  */
-function titleOf({ method, ghost }: RunningSequence, split: boolean, sizes: boolean): string {
+function titleOf({ method, ghost }: RunningMotion, split: boolean, sizes: boolean): string {
   if (sizes) return ghost > 0 ? `Ghost of ${ghost.toLocaleString('en')} faces` : 'No ghost';
   const title = METHOD_WORDS[method][split || ghost > 0 ? 'short' : 'label'];
   return ghost > 0 ? `${title}, ghost mesh of ${ghost.toLocaleString('en')} faces` : title;

@@ -5,7 +5,7 @@ import { createLineChart, make } from '../../plots/line-chart.ts';
 import type { LineChart } from '../../plots/line-chart.ts';
 import type { Colouring, Plot } from '../../model/state.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
-import { METHOD_WORDS } from '../../ui/motion-panel.ts';
+import { METHOD_WORDS } from '../../model/method-words.ts';
 import { relativeToFirstKey } from '../analysis/analysis.ts';
 import type { MotionMeasures } from '../../study/motion-measures.ts';
 import type { Analysis } from '../analysis/analysis.ts';

@@ -2,7 +2,7 @@
 import { createLineChart } from '../../plots/line-chart.ts';
 import type { LineChartData } from '../../plots/line-chart.ts';
 import { h, setHidden, setText, svg } from '../../ui/dom.ts';
-import { METHOD_WORDS } from '../../ui/motion-panel.ts';
+import { METHOD_WORDS } from '../../model/method-words.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
 import { motionDistances } from '../analysis/motion-distance.ts';
 import type { Compared, MotionDistances } from '../analysis/motion-distance.ts';

@@ -4,7 +4,7 @@ import { isInLri } from '../../model/state.ts';
 import type { PlaneOverlay } from '../../plots/shape-plane.ts';
 import { checkbox, numberField } from '../../ui/controls.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
-import { METHOD_WORDS } from '../../ui/motion-panel.ts';
+import { METHOD_WORDS } from '../../model/method-words.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
 import { blendCurves, minimisedCurve } from '../analysis/plane-overlays.ts';
 import type { BlendCurve, MinimisedCurve } from '../analysis/plane-overlays.ts';

@@ -3,7 +3,7 @@ import { DEFAULT_SPEED, MAX_SPEED, formatSpeed, offeredSpeed } from '../../model
 import type { End } from '../../model/speeds.ts';
 import { createShapePlane } from '../../plots/shape-plane.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
-import { METHOD_WORDS } from '../../ui/motion-panel.ts';
+import { METHOD_WORDS } from '../../model/method-words.ts';
 import { SPEED_WORDS, typedSpeed } from '../../ui/speed-handles.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
 import { computeShapePlanes, knownShapes } from '../analysis/shape-plane.ts';

@@ -4,12 +4,12 @@ import type { Range } from '../../model/time-scale.ts';
 import type { RunningSequence } from '../session/sequence-set.ts';
 import type { StateChanges } from '../session/state-changes.ts';
 import type { Store } from '../session/store.ts';
-import { Demand } from './demand.ts';
-import { FrameLoop } from './frame-loop.ts';
-import type { Screen } from './frame-loop.ts';
-import { Player } from './player.ts';
-import { PreviewPolicy } from './preview-policy.ts';
-import type { Moving } from './preview-policy.ts';
+import { Demand } from '../../playback/demand.ts';
+import { FrameLoop } from '../../playback/frame-loop.ts';
+import type { Screen } from '../../playback/frame-loop.ts';
+import { Player } from '../../playback/player.ts';
+import { PreviewPolicy } from '../../playback/preview-policy.ts';
+import type { Moving } from '../../playback/preview-policy.ts';
 
 export interface PlaybackParts {
   store: Store;

@@ -3,18 +3,12 @@ import { ENCODING_DEFAULTS } from '../../engine/api/types.ts';
 import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
 import type { EncodingOptions, Method, MotionOptions, SequenceOptions } from '../../engine/api/types.ts';
+import type { Variant } from '../../playback/frame-set.ts';
 import { listsOf } from '../../model/shaping.ts';
 import type { Doc, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, ignoresHermite, isInLri, referenceKey } from '../../model/state.ts';
 
 type Encoding = Omit<EncodingOptions, ShapeName | 'precision'>;
-
-/** One of the motions that are shown side by side. */
-export interface Variant {
-  method: Method;
-  /** Faces of the ghost mesh that leads it; 0 without one. */
-  ghost: number;
-}
 
 /** What of the view decides which motions run. */
 export type ShownMotions = Pick<View, 'compare' | 'ghostDifference' | 'ghostSizes'>;

@@ -1,14 +1,14 @@
 /** The running sequences: one per motion that is shown. Follows the wanted plan, the newest one wins. */
-import type { Engine, Keys, Sequence } from '../../engine/api/api.ts';
+import type { Engine, Keys } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { Progress } from '../../engine/api/types.ts';
-import type { SequencePlan, Variant } from './sequence-plan.ts';
+import type { RunningMotion, Variant } from '../../playback/frame-set.ts';
+import type { SequencePlan } from './sequence-plan.ts';
 import { motionFor, optionsFor, variantKey } from './sequence-plan.ts';
 
-export interface RunningSequence extends Variant {
+export interface RunningSequence extends RunningMotion {
   /** What the sequence was built for (variantKey). */
   key: string;
-  sequence: Sequence;
   /** The keys that the sequence was made of. */
   keys: Keys;
 }

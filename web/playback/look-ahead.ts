@@ -1,6 +1,6 @@
 /** Frames computed ahead of the clock while the motion plays; what was computed for another motion is given back. */
-import { FramePlayer } from '../../engine/api/frame-player.ts';
-import type { FrameSource } from '../../engine/api/frame-player.ts';
+import { FramePlayer } from '../engine/api/frame-player.ts';
+import type { FrameSource } from '../engine/api/frame-player.ts';
 import type { FrameSet } from './frame-set.ts';
 
 /** The time that plays, in ticks: about one per screen refresh. */

@@ -1,9 +1,9 @@
 /**
  * Plays: once per screen refresh it moves the time on by what has passed; whole frames are held until the next begins.
  */
-import { heldTime, loopRange, playRange } from '../../model/frames.ts';
-import type { Play } from '../../model/state.ts';
-import type { Range } from '../../model/time-scale.ts';
+import { heldTime, loopRange, playRange } from '../model/frames.ts';
+import type { Play } from '../model/state.ts';
+import type { Range } from '../model/time-scale.ts';
 import { tick } from './loop-clock.ts';
 import type { Clock } from './look-ahead.ts';
 

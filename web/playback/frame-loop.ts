@@ -2,7 +2,7 @@
  * Asks for frames and puts them on the screen: one time after another, all views together, as the demand says.
  * What plays is computed ahead.
  */
-import type { AheadOptions } from '../../engine/api/api.ts';
+import type { AheadOptions } from '../engine/api/api.ts';
 import type { Demand, Shown, Wanted } from './demand.ts';
 import { gather } from './frame-set.ts';
 import type { FrameSet } from './frame-set.ts';

@@ -1,7 +1,7 @@
 /** Moves the time while the motion plays: one pure step, called once per drawn frame. */
-import type { LoopMode } from '../../model/state.ts';
-import type { Range } from '../../model/time-scale.ts';
-import { length, wrap } from '../../model/time-scale.ts';
+import type { LoopMode } from '../model/state.ts';
+import type { Range } from '../model/time-scale.ts';
+import { length, wrap } from '../model/time-scale.ts';
 
 export interface Tick {
   time: number;

@@ -3,9 +3,9 @@
  * stretch reaches from key to key, or lies beyond the keys; nothing is known of it before all its moments were
  * measured.
  */
-import type { PreviewError } from '../../engine/api/types.ts';
-import { timeScale, wrap } from '../../model/time-scale.ts';
-import type { Range } from '../../model/time-scale.ts';
+import type { PreviewError } from '../engine/api/types.ts';
+import { timeScale, wrap } from '../model/time-scale.ts';
+import type { Range } from '../model/time-scale.ts';
 
 /** What the motion is measured over. */
 export interface TimeLine {

@@ -1,14 +1,25 @@
 /** The frames of one time, one per running sequence: shown together or not at all. */
-import type { Sequence } from '../../engine/api/api.ts';
-import type { Frame } from '../../engine/api/types.ts';
-import type { RunningSequence } from '../session/sequence-set.ts';
+import type { Sequence } from '../engine/api/api.ts';
+import type { Frame, Method } from '../engine/api/types.ts';
+
+/** One of the motions that are shown side by side. */
+export interface Variant {
+  method: Method;
+  /** Faces of the ghost mesh that leads it; 0 without one. */
+  ghost: number;
+}
+
+/** With the sequence that makes its frames. */
+export interface RunningMotion extends Variant {
+  readonly sequence: Sequence;
+}
 
 export interface FrameSet {
   t: number;
   /** The weights of the keys, where these are blended shapes instead of the motions' at t. */
   blend: readonly number[] | null;
   frames: readonly Frame[];
-  sequences: readonly RunningSequence[];
+  sequences: readonly RunningMotion[];
   /** Not exact: made by Sequence.preview. */
   preview: boolean;
   /** Milliseconds of the slowest. */
@@ -18,7 +29,7 @@ export interface FrameSet {
 
 /** Null where a sequence was overtaken by another request; throws what a sequence throws, when all have answered. */
 export async function gather(
-  sequences: readonly RunningSequence[],
+  sequences: readonly RunningMotion[],
   t: number,
   { preview, blend }: Pick<FrameSet, 'preview' | 'blend'>,
   ask: (sequence: Sequence) => Promise<Frame | null>,

@@ -2,11 +2,10 @@
  * Whether previews are drawn while shapes move. Measured, not guessed from their size: only where exact frames are too
  * slow for a smooth motion, previews are much faster, and close at that time. The page's address may ask for either.
  */
-import type { PreviewError } from '../../engine/api/types.ts';
-import { isInLri } from '../../model/state.ts';
-import type { RunningSequence } from '../session/sequence-set.ts';
+import type { PreviewError } from '../engine/api/types.ts';
+import { isInLri } from '../model/state.ts';
 import { FrameCost } from './frame-cost.ts';
-import type { FrameSet } from './frame-set.ts';
+import type { FrameSet, RunningMotion } from './frame-set.ts';
 import { PreviewTrust } from './preview-trust.ts';
 import type { Sample, TimeLine } from './preview-trust.ts';
 
@@ -30,7 +29,7 @@ const SLOW_MS = 30;
 const WORTH = 0.7;
 
 export class PreviewPolicy {
-  private sequences: readonly RunningSequence[] = [];
+  private sequences: readonly RunningMotion[] = [];
   private cost = new FrameCost();
   private trust: PreviewTrust | null = null;
 
@@ -42,37 +41,37 @@ export class PreviewPolicy {
   }
 
   /** Whether a preview is drawn at t while the shape moves. */
-  allows(sequences: readonly RunningSequence[], t: number): boolean {
+  allows(sequences: readonly RunningMotion[], t: number): boolean {
     this.follow(sequences);
     return this.worthwhile && (this.moving === 'preview' || this.trust?.closeAt(t) === true);
   }
 
   /** What a frame that plays at t costs, in milliseconds; 0 where that is not known yet. */
-  typicalMs(sequences: readonly RunningSequence[], t: number): number {
+  typicalMs(sequences: readonly RunningMotion[], t: number): number {
     return this.cost.typical(this.allows(sequences, t));
   }
 
   /** Previews are wanted, or exact frames seem slow, and no preview was made yet. */
-  untried(sequences: readonly RunningSequence[]): boolean {
+  untried(sequences: readonly RunningMotion[]): boolean {
     this.follow(sequences);
     if (this.cost.hasPreviews) return false;
     return this.moving === 'measured' ? this.slow : this.moving !== 'exact' && this.possible;
   }
 
   /** A preview would be drawn at t if it was known to be close. */
-  doubts(sequences: readonly RunningSequence[], t: number): boolean {
+  doubts(sequences: readonly RunningMotion[], t: number): boolean {
     this.follow(sequences);
     return this.measures && this.trust?.closeAt(t) === undefined;
   }
 
   /** Where to measure the error of previews next, nearest to t first; null where that is known, or does not matter. */
-  unmeasured(sequences: readonly RunningSequence[], t: number): Sample | null {
+  unmeasured(sequences: readonly RunningMotion[], t: number): Sample | null {
     this.follow(sequences);
     return this.measures ? (this.trust?.next(t) ?? null) : null;
   }
 
   /** The errors of the sequences' previews. Not noted where the motion is another one now. */
-  noteErrors(sequences: readonly RunningSequence[], sample: Sample, errors: readonly PreviewError[]): void {
+  noteErrors(sequences: readonly RunningMotion[], sample: Sample, errors: readonly PreviewError[]): void {
     if (sequences !== this.sequences) return;
     const most = (of: (error: PreviewError) => number): number => Math.max(0, ...errors.map(of));
     this.trust?.note(sample, { mean: most(({ mean }) => mean), largest: most(({ largest }) => largest) });
@@ -97,7 +96,7 @@ export class PreviewPolicy {
   }
 
   /** Other sequences have other costs; the same ones keep theirs when they are refitted, but the motion is another. */
-  private follow(sequences: readonly RunningSequence[]): void {
+  private follow(sequences: readonly RunningMotion[]): void {
     if (sequences === this.sequences) return;
     const same =
       sequences.length === this.sequences.length &&
@@ -109,6 +108,6 @@ export class PreviewPolicy {
   }
 }
 
-function lineOf({ sequence: { keyTimes, range, options } }: RunningSequence): TimeLine {
+function lineOf({ sequence: { keyTimes, range, options } }: RunningMotion): TimeLine {
   return { keyTimes, range, periodic: options.boundary === 'periodic' };
 }

@@ -6,8 +6,7 @@
  * - a frame of sequences that were exchanged meanwhile is not shown;
  * - an exact frame that would be eased in after its own preview is not shown any more when another time is wanted.
  */
-import type { RunningSequence } from '../session/sequence-set.ts';
-import type { FrameSet } from './frame-set.ts';
+import type { FrameSet, RunningMotion } from './frame-set.ts';
 import type { PreviewPolicy } from './preview-policy.ts';
 
 /** A time that was asked for; a later one has a higher number. */
@@ -37,7 +36,7 @@ export class Demand {
   private screen: Shown = { t: NaN, sequences: [], preview: false };
 
   constructor(
-    readonly sequences: () => readonly RunningSequence[],
+    readonly sequences: () => readonly RunningMotion[],
     readonly policy: PreviewPolicy,
     /** The blend that is wanted from here on; null: the motion. */
     private readonly blend: () => readonly number[] | null = () => null,

@@ -1,5 +1,5 @@
 /** What the view needs to know of the poses: their box, and a sample of points to fit. */
-import type { Bounds } from '../../viewer/stage.ts';
+import type { Bounds } from './stage.ts';
 
 /** Enough to fit a view tightly, few enough to go through at once. */
 const POINTS_PER_POSE = 1500;

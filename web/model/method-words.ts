@@ -1,0 +1,25 @@
+/** What the methods are called. */
+import type { Method } from '../engine/api/types.ts';
+
+export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: string }> = {
+  lri: {
+    label: 'Shape spline (LRI)',
+    short: 'Shape spline',
+    hint: 'The method of this page: cubic splines of rotations and stretches. Smooth; the volume changes little.',
+  },
+  geodesic: {
+    label: 'Geodesic (LRI)',
+    short: 'Geodesic',
+    hint: 'Straight from key to key in the same space. The volume changes little; the velocity jumps at the keys.',
+  },
+  linear: {
+    label: 'Morph targets (linear)',
+    short: 'Morph targets',
+    hint: 'Blends positions, as most programs do. Shrinks and shears where the shape turns.',
+  },
+  'cubic-vertex': {
+    label: 'Morph targets (cubic)',
+    short: 'Morph spline',
+    hint: 'Cubic splines of positions. Smooth, but shrinks and shears where the shape turns.',
+  },
+};
