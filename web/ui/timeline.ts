@@ -10,7 +10,7 @@ import type { Pace } from '../model/pace.ts';
 import type { End } from '../model/speeds.ts';
 import type { Phase, Range, TimeScale } from '../model/time-scale.ts';
 import { clamp, clampKeyTime, clampTime, length, snap } from '../model/time-scale.ts';
-import { loopRange, momentWords, nearestFrameTime, steppedFrameTime } from '../model/frames.ts';
+import { loopRange, momentWords, nearestFrameTime } from '../model/frames.ts';
 import { fractionIn, panned, revealing, ruler, timeIn, windowOf, zoomed } from '../model/time-window.ts';
 import { createLoopHandles } from './loop-handles.ts';
 import { createOverview } from './overview.ts';
@@ -353,32 +353,4 @@ function percent(fraction: number): string {
 
 function round(value: number): number {
   return Number(value.toFixed(6));
-}
-
-/** Where a key press takes the playhead, or null when the key means something else. */
-export function keyboardStep(event: KeyboardEvent, time: number, scale: TimeScale, fps: number | null): number | null {
-  const {
-    range,
-    whole: [low, high],
-  } = scale;
-  const step = (by: number): number =>
-    clampTime(fps === null ? time + 0.01 * by * length(range) : steppedFrameTime(time, fps, by), range);
-  switch (event.key) {
-    case 'ArrowLeft':
-    case 'ArrowDown':
-      return step(event.shiftKey ? -10 : -1);
-    case 'ArrowRight':
-    case 'ArrowUp':
-      return step(event.shiftKey ? 10 : 1);
-    case 'PageDown':
-      return step(-10);
-    case 'PageUp':
-      return step(10);
-    case 'Home':
-      return time <= range[0] ? low : range[0];
-    case 'End':
-      return time >= range[1] ? high : range[1];
-    default:
-      return null;
-  }
 }

@@ -223,6 +223,12 @@ export class Contents {
     this.easedSince = null;
   }
 
+  dispose(): void {
+    this.clear();
+    for (const texture of this.topology?.textures ?? []) texture?.dispose();
+    this.topology = null;
+  }
+
   private fits(positions: Float32Array): boolean {
     return positions.length === 3 * (this.topology?.vertices ?? -1);
   }

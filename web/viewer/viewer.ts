@@ -1,6 +1,6 @@
 /** The picture: what it shows in one to four views with one camera, drawn only when something changed. */
-import { NoToneMapping, Scene, Vector3, WebGLRenderer } from 'three';
-import type { Layers } from 'three';
+import { Scene, Vector3 } from 'three';
+import type { Layers, WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../model/camera.ts';
 import { CameraRig } from './camera.ts';
@@ -11,6 +11,7 @@ import type { Pictures } from './pictures.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
 import { Studio } from './studio.ts';
+import { ownSurface } from './surface.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { sides, tiles } from './tiles.ts';
 import type { Extra, GhostPicture, Look, PixelSize, Ray, Rect } from './types.ts';
@@ -54,18 +55,17 @@ export class Viewer {
   private started = false;
   private waiting: (() => void)[] = [];
   private readonly resize: ResizeObserver;
+  private readonly over = new AbortController();
 
   /** Throws where the browser has no WebGL 2. */
   constructor(
     private readonly host: HTMLElement,
     private readonly events: ViewerEvents,
+    private readonly surface = ownSurface(),
   ) {
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
-    this.renderer.toneMapping = NoToneMapping;
-    this.renderer.setClearColor(0x000000, 0);
-    this.renderer.autoClear = false;
+    this.renderer = surface.renderer;
     this.thumbnails = new Thumbnails(this.renderer, this.studio);
-    this.canvas = this.renderer.domElement;
+    this.canvas = surface.canvas;
     this.canvas.style.objectFit = 'contain';
     host.append(this.canvas);
     this.scene.add(this.stage.object, this.contents.object);
@@ -74,14 +74,20 @@ export class Viewer {
       () => this.invalidate(),
       () => events.onCamera(this.rig.pose()),
     );
-    this.canvas.addEventListener('webglcontextlost', () => events.onContextLost());
-    this.canvas.addEventListener('webglcontextrestored', () => {
-      events.onContextRestored();
-      this.stage.restore();
-      // The first drawing after it has neither floor nor transparent ground; the second one is whole.
-      this.draw();
-      this.invalidate();
-    });
+    const { signal } = this.over;
+    const context = this.renderer.domElement;
+    context.addEventListener('webglcontextlost', () => events.onContextLost(), { signal });
+    context.addEventListener(
+      'webglcontextrestored',
+      () => {
+        events.onContextRestored();
+        this.stage.restore();
+        // The first drawing after it has neither floor nor transparent ground; the second one is whole.
+        this.draw();
+        this.invalidate();
+      },
+      { signal },
+    );
     this.resize = new ResizeObserver(() => {
       this.fitCanvas();
       events.onResize();
@@ -362,11 +368,11 @@ export class Viewer {
   dispose(): void {
     cancelAnimationFrame(this.pending);
     this.resize.disconnect();
-    this.contents.clear();
+    this.contents.dispose();
     this.rig.dispose();
     this.stage.dispose();
-    this.renderer.dispose();
-    this.canvas.remove();
+    this.over.abort();
+    this.surface.dispose();
   }
 
   private get moving(): boolean {
@@ -388,14 +394,9 @@ export class Viewer {
 
   private fitCanvas(): void {
     const { clientWidth, clientHeight } = this.host;
-    if (this.pictureSize) {
-      this.renderer.setPixelRatio(1);
-      this.renderer.setSize(this.pictureSize.width, this.pictureSize.height, false);
-    } else {
-      if (clientWidth === 0 || clientHeight === 0) return;
-      this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-      this.renderer.setSize(clientWidth, clientHeight);
-    }
+    if (this.pictureSize) this.surface.setSize(this.pictureSize.width, this.pictureSize.height, 1, false);
+    else if (clientWidth === 0 || clientHeight === 0) return;
+    else this.surface.setSize(clientWidth, clientHeight, Math.min(window.devicePixelRatio, 2), true);
     this.rig.setInsets(this.pictureSize ? NO_INSETS : this.insets());
     this.draw();
   }
@@ -408,7 +409,9 @@ export class Viewer {
     const size = this.pictureSize ?? this.size();
     const seen = this.sides(size);
     const tiles = this.started ? this.tiles(size) : [];
+    this.surface.begin();
     tiles.forEach((rect, view) => this.renderOne(rect, seen[view]!, size.height, this.contents.layersOf(view)));
+    this.surface.end();
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();

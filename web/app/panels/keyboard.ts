@@ -1,9 +1,8 @@
 /** Which key does what; the help lists the same table. */
 import { clampTime, timeScale } from '../../model/time-scale.ts';
-import { keyboardStep } from '../../ui/timeline.ts';
+import { keyboardStep } from '../../model/keyboard-step.ts';
 import type { Commands } from './commands.ts';
 import type { Range } from '../../model/time-scale.ts';
-import type { Viewer } from '../../viewer/viewer.ts';
 import type { Store } from '../session/store.ts';
 import type { Shortcut } from './shortcuts.ts';
 import { usesArrows } from './shortcuts.ts';
@@ -129,31 +128,3 @@ export function listenToArrows({ store, commands, viewport, range, isOpen }: Arr
 
 /** What presenters' clickers send. */
 const PAGES: Readonly<Record<string, 1 | -1>> = { PageUp: -1, PageDown: 1 };
-
-const TURN = Math.PI / 36;
-const SHIFT = 0.06;
-const ZOOM = 1.1;
-
-/** The focused viewport: arrows turn it, with Shift they move it, plus and minus zoom. */
-export function listenToCamera(viewer: Viewer, viewport: HTMLElement): void {
-  viewport.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const move = (right: number, up: number): void => {
-      if (event.shiftKey) viewer.pan(right * SHIFT, up * SHIFT);
-      else viewer.orbit(right * TURN, up * TURN);
-    };
-    const actions: Record<string, () => void> = {
-      ArrowLeft: () => move(-1, 0),
-      ArrowRight: () => move(1, 0),
-      ArrowUp: () => move(0, 1),
-      ArrowDown: () => move(0, -1),
-      '+': () => viewer.zoom(1 / ZOOM),
-      '=': () => viewer.zoom(1 / ZOOM),
-      '-': () => viewer.zoom(ZOOM),
-    };
-    const action = actions[event.key];
-    if (!action) return;
-    event.preventDefault();
-    action();
-  });
-}

@@ -1,0 +1,30 @@
+/** Keys of a keyboard that move the camera. */
+import type { Viewer } from './viewer.ts';
+
+const TURN = Math.PI / 36;
+const SHIFT = 0.06;
+const ZOOM = 1.1;
+
+/** The focused viewport: arrows turn it, with Shift they move it, plus and minus zoom. */
+export function listenToCamera(viewer: Viewer, viewport: HTMLElement): void {
+  viewport.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const move = (right: number, up: number): void => {
+      if (event.shiftKey) viewer.pan(right * SHIFT, up * SHIFT);
+      else viewer.orbit(right * TURN, up * TURN);
+    };
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => move(-1, 0),
+      ArrowRight: () => move(1, 0),
+      ArrowUp: () => move(0, 1),
+      ArrowDown: () => move(0, -1),
+      '+': () => viewer.zoom(1 / ZOOM),
+      '=': () => viewer.zoom(1 / ZOOM),
+      '-': () => viewer.zoom(ZOOM),
+    };
+    const action = actions[event.key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+}

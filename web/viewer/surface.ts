@@ -1,0 +1,42 @@
+/** Where pictures are drawn, and where they are seen. */
+import { WebGLRenderer } from 'three';
+
+export interface Surface {
+  readonly renderer: WebGLRenderer;
+  /** What is seen on the page, and what pointers act on. */
+  readonly canvas: HTMLCanvasElement;
+  /** In CSS pixels, each of which is `ratio` wide; `styled`: the canvas takes as much room on the page. */
+  setSize(width: number, height: number, ratio: number, styled: boolean): void;
+  /** Before and after the views of a picture are drawn, from the lower left corner of the renderer's canvas. */
+  begin(): void;
+  end(): void;
+  dispose(): void;
+}
+
+/** Throws where the browser has no WebGL 2. */
+export function newRenderer(): WebGLRenderer {
+  const renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
+  renderer.setClearColor(0x000000, 0);
+  renderer.autoClear = false;
+  return renderer;
+}
+
+/** A renderer of its own: what it draws is seen as it is. */
+export function ownSurface(): Surface {
+  const renderer = newRenderer();
+  const canvas = renderer.domElement;
+  return {
+    renderer,
+    canvas,
+    setSize(width, height, ratio, styled) {
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(width, height, styled);
+    },
+    begin: () => undefined,
+    end: () => undefined,
+    dispose() {
+      renderer.dispose();
+      canvas.remove();
+    },
+  };
+}
