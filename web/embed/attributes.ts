@@ -1,0 +1,240 @@
+/**
+ * Every attribute and property of <shape-spline>, described once. From this table come what the element observes, its
+ * properties with their types, custom-elements.json and the documentation. Options of the engine have the words of the
+ * command line.
+ */
+import { ENCODING, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
+import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';
+import { GHOST_FACES } from '../model/state.ts';
+
+/** What has to be done when it changes, the most first: read again, fit again, or only show otherwise. */
+export type Concern = 'source' | 'motion' | 'look' | 'camera' | 'play' | 'page';
+
+interface Described {
+  concern: Concern;
+  doc: string;
+}
+export interface TextRow extends Described {
+  kind: 'text';
+  default: string;
+}
+export interface FlagRow extends Described {
+  kind: 'flag';
+  default: boolean;
+}
+export interface NumberRow extends Described {
+  kind: 'number';
+  default: number | null;
+  least?: number;
+  above?: number;
+  most: number;
+}
+export interface ChoiceRow extends Described {
+  kind: 'choice';
+  choices: readonly string[];
+  /** Without the attribute. */
+  default: string;
+  /** With the attribute alone. */
+  empty?: string;
+}
+/** Separated by blanks or commas; null without them. */
+export interface NumbersRow extends Described {
+  kind: 'numbers';
+  default: null;
+  /** How many there are. */
+  count?: number;
+}
+export interface WordsRow extends Described {
+  kind: 'words';
+  choices: readonly string[];
+  default: readonly string[];
+}
+export type Row = TextRow | FlagRow | NumberRow | ChoiceRow | NumbersRow | WordsRow;
+
+const OWN = {
+  src: {
+    kind: 'text',
+    default: '',
+    concern: 'source',
+    doc:
+      'Addresses of the keys, separated by blanks: several files with one pose each, or one with morph targets, an ' +
+      'animation or a project exported by shapespline. Children `<source src time>` say the same; the property `keys` ' +
+      '(addresses, Blobs, ArrayBuffers) comes before both.',
+  },
+  autoplay: {
+    kind: 'flag',
+    default: false,
+    concern: 'play',
+    doc: 'Plays when the shape is there and seen, unless the reader has asked for less motion.',
+  },
+  loop: {
+    kind: 'choice',
+    choices: ['loop', 'bounce'],
+    default: '',
+    empty: 'loop',
+    concern: 'play',
+    doc: 'Begins again at the end, or goes back and forth.',
+  },
+  controls: {
+    kind: 'flag',
+    default: false,
+    concern: 'page',
+    doc: 'Shows a play button and the timeline with its keys.',
+  },
+  playbackRate: {
+    kind: 'number',
+    default: 1,
+    above: 0,
+    most: 100,
+    concern: 'play',
+    doc: 'How many times faster than the times of the keys say.',
+  },
+  currentTime: {
+    kind: 'number',
+    default: 0,
+    least: -1e9,
+    most: 1e9,
+    concern: 'play',
+    doc:
+      'The time that is shown, in the unit of the keys: seconds. It may lie beyond the keys. The attribute says where ' +
+      'it begins, the property where it is.',
+  },
+  range: {
+    kind: 'numbers',
+    default: null,
+    count: 2,
+    concern: 'play',
+    doc: 'First and last time that play, which may lie beyond the keys; without it, the first and the last key.',
+  },
+  loading: {
+    kind: 'choice',
+    choices: ['lazy', 'eager'],
+    default: 'lazy',
+    concern: 'page',
+    doc: 'Fetches nothing before the element comes near the view, or at once.',
+  },
+  reveal: {
+    kind: 'choice',
+    choices: ['auto', 'manual'],
+    default: 'auto',
+    concern: 'page',
+    doc: 'Takes the poster away when the shape is there, or only when `dismissPoster()` is called.',
+  },
+  poster: { kind: 'text', default: '', concern: 'page', doc: 'Address of a picture that is shown before the shape.' },
+  alt: { kind: 'text', default: '', concern: 'page', doc: 'What there is to see, for those who do not see it.' },
+  cameraControls: {
+    kind: 'flag',
+    default: false,
+    concern: 'page',
+    doc: 'Lets readers turn the shape with pointer, finger and keyboard. On with `controls`, unless it is "false".',
+  },
+  cameraOrbit: {
+    kind: 'text',
+    default: '',
+    concern: 'camera',
+    doc: 'From where it is looked at, as `30deg 75deg 105%`: around, down from above, and how far; each may be `auto`.',
+  },
+  cameraTarget: {
+    kind: 'text',
+    default: '',
+    concern: 'camera',
+    doc: 'The point that is looked at, as `0m 1m 0m`; `auto` is the middle of the shape.',
+  },
+  colour: {
+    kind: 'choice',
+    choices: ['texture', 'phase', 'patches'],
+    default: 'texture',
+    concern: 'look',
+    doc: "The file's own materials (clay where it has none), the colour of the moment, or the patches of the method.",
+  },
+  compare: {
+    kind: 'words',
+    choices: MOTION.method.choices,
+    default: [],
+    concern: 'motion',
+    doc: 'Methods that are shown beside `method`, separated by blanks.',
+  },
+  ghost: {
+    kind: 'flag',
+    default: false,
+    concern: 'motion',
+    doc: `Shows the ghost mesh that leads the motion; of ${GHOST_FACES} faces unless \`ghost-faces\` says otherwise.`,
+  },
+} as const satisfies Readonly<Record<string, Row>>;
+
+/** Those of the engine's options that are words or numbers. */
+const IMPORTED = pick(IMPORT, ['keyTimes', 'animation', 'sample', 'up', 'unit']);
+const MOVED = MOTION;
+const SHAPED = pick(PER_KEY, ['tension', 'bias']);
+const ENCODED = pick(ENCODING, ['stretch', 'patches', 'ghostFaces', 'transfer', 'placement', 'precision']);
+const ENGINE = { ...IMPORTED, ...MOVED, ...SHAPED, ...ENCODED };
+
+type OwnValue<R> = R extends { kind: 'flag' }
+  ? boolean
+  : R extends { kind: 'numbers'; count: 2 }
+    ? [number, number] | null
+    : R extends { kind: 'number' }
+      ? number
+      : R extends { kind: 'words'; choices: readonly (infer C)[] }
+        ? C[]
+        : R extends { choices: readonly (infer C)[]; default: infer D }
+          ? C | D
+          : string;
+
+type EngineValue<O> = O extends { kind: 'numbers' | 'sample' }
+  ? number[] | null
+  : O extends { kind: 'animation' }
+    ? string
+    : ValueOf<O>;
+
+/** Properties of the element that are attributes, too. */
+export type ShapeSplineProperties = { -readonly [N in keyof typeof OWN]: OwnValue<(typeof OWN)[N]> } & {
+  -readonly [N in keyof typeof ENGINE as N extends keyof typeof SHAPED ? never : N]: EngineValue<(typeof ENGINE)[N]>;
+} & { [N in keyof typeof SHAPED]: number[] | null };
+
+export type PropertyName = keyof ShapeSplineProperties;
+
+/** By property. */
+export const ROWS: Readonly<Record<PropertyName, Row>> = {
+  ...OWN,
+  ...Object.fromEntries(optionsIn(ENGINE).map(([name, option]) => [name, rowOf(name, option)])),
+} as unknown as Record<PropertyName, Row>;
+
+export const PROPERTIES = Object.keys(ROWS) as PropertyName[];
+
+/** In HTML names have no capitals. */
+export function attributeOf(property: PropertyName): string {
+  return property.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+}
+
+const BY_ATTRIBUTE = new Map(PROPERTIES.map((property) => [attributeOf(property), property]));
+export const ATTRIBUTES: readonly string[] = [...BY_ATTRIBUTE.keys()];
+
+export function propertyOf(attribute: string): PropertyName | undefined {
+  return BY_ATTRIBUTE.get(attribute);
+}
+
+/** Which of the engine's calls a property is for; null for those of the element alone. */
+export function engineCallOf(property: PropertyName): 'import' | 'sequence' | null {
+  if (property in IMPORTED) return 'import';
+  return property in ENGINE ? 'sequence' : null;
+}
+
+function rowOf(name: string, option: Option): Row {
+  const described: Described = { concern: name in IMPORTED ? 'source' : 'motion', doc: sentence(option.help) };
+  if (option.kind === 'choice')
+    return { ...described, kind: 'choice', choices: option.choices, default: option.default ?? option.choices[0]! };
+  if (option.kind === 'flag') return { ...described, kind: 'flag', default: option.default === true };
+  if (option.kind === 'animation') return { ...described, kind: 'text', default: '' };
+  if (option.kind !== 'number' || name in SHAPED) return { ...described, kind: 'numbers', default: null };
+  const { above, most, default: usual = null, zero } = option;
+  // What the command line calls off is 0 here.
+  const least = zero === undefined ? option.least : 0;
+  return { ...described, kind: 'number', default: usual, above, least, most };
+}
+
+const sentence = (words: string): string => `${words[0]!.toUpperCase()}${words.slice(1)}.`;
+
+function pick<T extends OptionTable, N extends keyof T>(table: T, names: readonly N[]): Pick<T, N> {
+  return Object.fromEntries(names.map((name) => [name, table[name]])) as Pick<T, N>;
+}

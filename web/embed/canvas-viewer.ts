@@ -1,0 +1,232 @@
+/** A motion in a box of a page: it is drawn, played and turned. Knows no attributes and no files; usable alone. */
+import type { Keys } from '../engine/api/api.ts';
+import { directionOfOrbit } from '../model/camera-words.ts';
+import type { CameraOrbit } from '../model/camera-words.ts';
+import type { Play } from '../model/state.ts';
+import { PHASE_COLOURS, phaseOf } from '../model/time-scale.ts';
+import type { Phase, PhaseKind, Range } from '../model/time-scale.ts';
+import { Demand } from '../playback/demand.ts';
+import { FrameLoop } from '../playback/frame-loop.ts';
+import type { FrameSet, RunningMotion } from '../playback/frame-set.ts';
+import { Player } from '../playback/player.ts';
+import { PreviewPolicy } from '../playback/preview-policy.ts';
+import { listenToCamera } from '../viewer/camera-keys.ts';
+import { extentOf } from '../viewer/bounds.ts';
+import { patchColours } from '../viewer/patch-colours.ts';
+import { sharedSurface } from '../viewer/shared-surface.ts';
+import type { Look } from '../viewer/types.ts';
+import { Viewer } from '../viewer/viewer.ts';
+import { userOf } from './motions.ts';
+
+export interface CanvasViewerEvents {
+  /** Another moment has been handed to the picture. */
+  onTime(t: number, phase: Phase): void;
+  /** A motion that plays once has come to its end. */
+  onEnd(): void;
+  onError(error: unknown): void;
+  onContext(lost: boolean): void;
+  /** Pixels at the bottom that something lies over. */
+  covered(): number;
+}
+
+/** While it plays, a moment this near to a key (a share of the range) counts as being at it. */
+const PLAYING_TOLERANCE = 0.006;
+
+export class CanvasViewer {
+  readonly viewer: Viewer;
+  readonly counts = { computed: 0, drawn: 0, ms: 0 };
+  play: Play = { playing: false, speed: 1, loop: 'once', between: null, fps: null };
+  colours: Record<PhaseKind, string> = { ...PHASE_COLOURS };
+  private motions: readonly RunningMotion[] = [];
+  private keys: Keys | null = null;
+  private now = 0;
+  private seen = true;
+  private moved = false;
+  private orbit: CameraOrbit | null = null;
+  private target: readonly [number, number, number] | null = null;
+  private readonly loop: FrameLoop;
+  private readonly player: Player;
+
+  /** Throws where the browser has no WebGL 2. */
+  constructor(
+    host: HTMLElement,
+    private readonly events: CanvasViewerEvents,
+  ) {
+    this.viewer = new Viewer(
+      host,
+      {
+        onCamera: () => {
+          this.moved = true;
+        },
+        onContextLost: () => events.onContext(true),
+        onContextRestored: () => events.onContext(false),
+        onResize: () => this.frameShape(),
+        covered: () => ({ top: 0, bottom: events.covered() }),
+      },
+      sharedSurface(),
+    );
+    // A finger that moves up or down scrolls the page.
+    this.viewer.canvas.style.touchAction = 'pan-y';
+    // The wheel scrolls the page, too, unless the shape was clicked before.
+    host.addEventListener(
+      'wheel',
+      (event) => {
+        const root = host.getRootNode() as ShadowRoot;
+        if (!event.ctrlKey && root.activeElement !== host) event.stopPropagation();
+      },
+      { capture: true },
+    );
+    listenToCamera(this.viewer, host);
+    const screen = {
+      show: (frames: FrameSet, eased: boolean) => this.show(frames, eased),
+      drawn: async () => {
+        await this.viewer.drawn();
+        this.counts.drawn += 1;
+      },
+      onError: (error: unknown) => events.onError(error),
+    };
+    this.loop = new FrameLoop(screen, new Demand(() => this.motions, new PreviewPolicy()));
+    this.player = new Player(
+      () => ({ time: this.now, play: this.play, range: this.range, periodic: this.periodic }),
+      (time, playing) => {
+        this.now = time;
+        if (!playing) this.ended();
+      },
+      () => this.loop.advance(),
+    );
+  }
+
+  get time(): number {
+    return this.now;
+  }
+
+  get range(): Range {
+    return this.motions[0]?.sequence.range ?? [0, 1];
+  }
+
+  get keyTimes(): readonly number[] {
+    return this.motions[0]?.sequence.keyTimes ?? [];
+  }
+
+  private get periodic(): boolean {
+    return this.motions[0]?.sequence.options.boundary === 'periodic';
+  }
+
+  /** Shows motions of the same keys side by side; resolves when they are drawn. */
+  async open(keys: Keys, motions: readonly RunningMotion[]): Promise<void> {
+    const count = (ms: number): void => {
+      this.counts.computed += 1;
+      this.counts.ms = ms;
+    };
+    this.motions = motions.map((one) => ({ ...one, sequence: userOf(one.sequence, count) }));
+    if (this.keys !== keys) {
+      this.keys = keys;
+      const { bounds, points } = extentOf(keys.info.times.map((_, key) => keys.positions(key)));
+      this.viewer.setImport(keys.info, bounds, points);
+    }
+    this.viewer.setViews(motions.length);
+    this.moved = false;
+    this.frameShape();
+    await this.loop.request(this.now);
+  }
+
+  /** Resolves when that moment is drawn, or a newer one that was asked for since. */
+  async seek(t: number): Promise<void> {
+    this.now = t;
+    await this.loop.request(t);
+  }
+
+  /** As fast as it can. */
+  follow(t: number): void {
+    this.now = t;
+    if (this.seen) this.loop.follow(t);
+  }
+
+  setPlaying(playing: boolean): void {
+    this.play = { ...this.play, playing };
+    this.run();
+  }
+
+  /** What is not seen is neither computed nor drawn. */
+  setSeen(seen: boolean): void {
+    if (seen === this.seen) return;
+    this.seen = seen;
+    this.run();
+    if (seen && !this.play.playing && this.motions.length > 0) this.loop.follow(this.now);
+  }
+
+  setCamera(orbit: CameraOrbit | null, target: readonly [number, number, number] | null): void {
+    this.orbit = orbit;
+    this.target = target;
+    this.moved = false;
+    this.frameShape();
+  }
+
+  async setLook(look: Pick<Look, 'colouring' | 'dark'>): Promise<void> {
+    this.viewer.setLook({ shading: 'smooth', wireframe: false, floor: true, ...look });
+    const [main] = this.motions;
+    const { keys } = this;
+    if (look.colouring !== 'patches' || !main || !keys) return;
+    const patches = await main.sequence.patches();
+    this.viewer.setPatchColours(patchColours(patches, keys.info.faces, keys.info.report.vertices));
+  }
+
+  dispose(): void {
+    this.player.stop();
+    this.loop.pause();
+    this.motions = [];
+    this.viewer.dispose();
+  }
+
+  private run(): void {
+    this.player.stop();
+    this.loop.pause();
+    if (!this.play.playing || !this.seen || this.motions.length === 0) return;
+    this.loop.play(this.player);
+    this.player.start();
+  }
+
+  private ended(): void {
+    this.play = { ...this.play, playing: false };
+    this.loop.pause();
+    this.loop.follow(this.now);
+    this.events.onEnd();
+  }
+
+  private show({ t, frames }: FrameSet, eased: boolean): void {
+    const keys = this.keyTimes.map((time, index) => ({ time, name: this.keys?.info.names[index] ?? '' }));
+    const tolerance = this.play.playing ? PLAYING_TOLERANCE : undefined;
+    const phase = phaseOf({ t, keys, range: this.range, periodic: this.periodic, tolerance });
+    frames.forEach((frame, view) =>
+      this.viewer.setFrame(view, frame.positions, frame.normals, this.colours[phase.kind], eased),
+    );
+    this.events.onTime(t, phase);
+  }
+
+  /** The whole shape as the page has it, unless the reader has turned it. */
+  private frameShape(): void {
+    if (this.moved || !this.keys) return;
+    this.viewer.fit('home', false);
+    const fitted = this.viewer.cameraPose();
+    const target = fitted.target.map((at, i) => {
+      const wanted = this.target?.[i] ?? NaN;
+      return Number.isNaN(wanted) ? at : wanted;
+    }) as [number, number, number];
+    if (this.orbit) {
+      const way = directionOfOrbit(this.orbit);
+      const from = (distance: number): [number, number, number] =>
+        target.map((at, i) => at + distance * way[i]!) as [number, number, number];
+      this.viewer.setCameraPose({ position: from(1), target });
+      this.viewer.fit(null, false);
+      const whole = this.viewer.cameraPose();
+      const full = Math.hypot(...whole.position.map((at, i) => at - whole.target[i]!));
+      const { radius } = this.orbit;
+      const distance = 'share' in radius ? radius.share * full : radius.distance;
+      this.viewer.setCameraPose({ position: from(distance), target });
+    } else if (this.target) {
+      const position = fitted.position.map((at, i) => at + target[i]! - fitted.target[i]!);
+      this.viewer.setCameraPose({ position: position as [number, number, number], target });
+    }
+    this.moved = false;
+  }
+}

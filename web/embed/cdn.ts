@@ -1,0 +1,5 @@
+/** All of it in one file, for `<script type="module" src>`. */
+import './register.ts';
+
+export * from '../engine/browser.ts';
+export { ShapeSplineElement } from './shape-spline.ts';

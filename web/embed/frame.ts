@@ -1,0 +1,109 @@
+/** What stands in the element: viewport, poster, progress, message and controls, with their slots and parts. */
+import { h, setAttribute, setHidden, setStyle, setText } from '../ui/dom.ts';
+import { icon, setIcon } from '../ui/icons.ts';
+import { drag } from '../ui/pointer.ts';
+import { clamp, formatTime, length, snap } from '../model/time-scale.ts';
+import type { Range } from '../model/time-scale.ts';
+import { styleSheet } from './styles.ts';
+
+export interface FrameEvents {
+  onToggle(): void;
+  onSeek(t: number): void;
+  onKey(event: KeyboardEvent): void;
+}
+
+/** Pixels within which the timeline snaps to a key. */
+const SNAP = 6;
+
+export class Frame {
+  readonly viewport = h('div', { part: 'viewport', role: 'region', tabindex: 0 });
+  readonly controls: HTMLElement;
+  private readonly image = h('img', { alt: '' });
+  private readonly poster = h('div', { class: 'poster' }, slot('poster', this.image));
+  private readonly bar = h('div', { part: 'progress' });
+  private readonly progress = h('div', {}, slot('progress', this.bar));
+  private readonly message = h('p', { part: 'message', role: 'alert' });
+  private readonly play: HTMLButtonElement;
+  private readonly thumb = h('div', { part: 'thumb' });
+  private readonly timeline = h('div', { part: 'timeline', role: 'slider', tabindex: 0, 'aria-label': 'Time' });
+  private range: Range = [0, 1];
+  private keys: readonly number[] = [];
+
+  constructor(root: ShadowRoot, events: FrameEvents) {
+    root.adoptedStyleSheets = [styleSheet()];
+    this.play = h('button', { part: 'play', type: 'button', onclick: () => events.onToggle() }, icon('play'));
+    this.controls = h('div', {}, slot('controls', h('div', { part: 'controls' }, this.play, this.timeline)));
+    const caption = h('div', { class: 'caption' }, h('slot'));
+    root.append(this.viewport, this.poster, caption, this.controls, this.progress, this.message);
+    for (const part of [this.message, this.progress]) setHidden(part, true);
+    root.addEventListener('keydown', (event) => events.onKey(event as KeyboardEvent));
+    this.timeline.addEventListener('pointerdown', (event) => {
+      const to = (at: PointerEvent): void => events.onSeek(this.timeAt(at.clientX));
+      to(event);
+      drag(this.timeline, event, { onMove: to });
+    });
+  }
+
+  setLabel(alt: string): void {
+    setAttribute(this.viewport, 'aria-label', alt || 'A moving shape');
+  }
+
+  setPoster(address: string, shown: boolean): void {
+    setHidden(this.image, address === '');
+    if (address !== '') setAttribute(this.image, 'src', address);
+    setHidden(this.poster, !shown);
+  }
+
+  get posterShown(): boolean {
+    return !this.poster.hidden;
+  }
+
+  setProgress(fraction: number | null): void {
+    setHidden(this.progress, fraction === null);
+    setStyle(this.bar, 'scale', `${fraction ?? 0} 1`);
+  }
+
+  setMessage(text: string | null): void {
+    setHidden(this.message, text === null);
+    setText(this.message, text ?? '');
+  }
+
+  setPlaying(playing: boolean): void {
+    setIcon(this.play, playing ? 'pause' : 'play');
+    setAttribute(this.play, 'aria-label', playing ? 'Pause' : 'Play');
+  }
+
+  setKeys(range: Range, keys: readonly number[]): void {
+    this.range = range;
+    this.keys = keys;
+    const ticks = keys.map((time) => {
+      const tick = h('div', { part: 'key' });
+      setStyle(tick, 'left', this.place(time));
+      return tick;
+    });
+    this.timeline.replaceChildren(...ticks, this.thumb);
+    setAttribute(this.timeline, 'aria-valuemin', range[0]);
+    setAttribute(this.timeline, 'aria-valuemax', range[1]);
+  }
+
+  setTime(t: number, words: string): void {
+    setStyle(this.thumb, 'left', this.place(t));
+    setAttribute(this.timeline, 'aria-valuenow', t);
+    setAttribute(this.timeline, 'aria-valuetext', `${formatTime(t, this.range)} s, ${words}`);
+  }
+
+  private place(t: number): string {
+    return `${(100 * clamp((t - this.range[0]) / (length(this.range) || 1), 0, 1)).toFixed(2)}%`;
+  }
+
+  private timeAt(x: number): number {
+    const { left, width } = this.timeline.getBoundingClientRect();
+    const span = length(this.range);
+    const t = this.range[0] + clamp((x - left) / Math.max(width, 1), 0, 1) * span;
+    return snap(t, this.keys, (SNAP / Math.max(width, 1)) * span);
+  }
+}
+
+function slot(name: string, usual: Node): HTMLSlotElement {
+  return h('slot', { name }, usual);
+}

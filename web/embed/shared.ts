@@ -1,0 +1,103 @@
+/** Things that several users share: made once for a key, disposed of a while after the last user has left. */
+
+export interface Lease<T> {
+  readonly value: Promise<T>;
+  /** Nobody else holds it. */
+  readonly sole: boolean;
+  /** What is meant by the key has changed with the thing itself; false where another has that key already. */
+  rename(key: string): boolean;
+  /** Idempotent. */
+  release(): void;
+}
+
+interface Held<T> {
+  key: string;
+  users: number;
+  abort: AbortController;
+  value: Promise<T>;
+  listeners: Set<(part: Stage) => void>;
+  leaving: ReturnType<typeof setTimeout> | undefined;
+}
+
+export interface Stage {
+  stage: string;
+  /** In [0, 1]. */
+  fraction: number;
+}
+
+export interface Making {
+  /** Everybody who wanted it has left. */
+  signal: AbortSignal;
+  report(stage: Stage): void;
+}
+
+export class Shared<T> {
+  private readonly held = new Map<string, Held<T>>();
+
+  constructor(
+    private readonly dispose: (value: T) => void,
+    private readonly graceMs: number,
+  ) {}
+
+  /** How many there are, with those that are about to leave. */
+  get size(): number {
+    return this.held.size;
+  }
+
+  has(key: string): boolean {
+    return this.held.has(key);
+  }
+
+  /** `make` is called where nobody holds the key. What fails is not kept. */
+  take(key: string, make: (making: Making) => Promise<T>, onProgress?: (part: Stage) => void): Lease<T> {
+    const held = this.held.get(key) ?? this.begin(key, make);
+    clearTimeout(held.leaving);
+    held.users += 1;
+    if (onProgress) held.listeners.add(onProgress);
+    let over = false;
+    return {
+      value: held.value,
+      get sole() {
+        return held.users === 1;
+      },
+      rename: (other) => this.rename(held, other),
+      release: () => {
+        if (over) return;
+        over = true;
+        if (onProgress) held.listeners.delete(onProgress);
+        held.users -= 1;
+        if (held.users === 0) held.leaving = setTimeout(() => this.end(held), this.graceMs);
+      },
+    };
+  }
+
+  private begin(key: string, make: (making: Making) => Promise<T>): Held<T> {
+    const abort = new AbortController();
+    const listeners: Held<T>['listeners'] = new Set();
+    const report = (part: Stage): void => listeners.forEach((listener) => listener(part));
+    const value = make({ signal: abort.signal, report });
+    const held: Held<T> = { key, users: 0, abort, value, listeners, leaving: undefined };
+    this.held.set(key, held);
+    value.catch(() => this.forget(held));
+    return held;
+  }
+
+  private rename(held: Held<T>, key: string): boolean {
+    if (this.held.has(key)) return this.held.get(key) === held;
+    this.forget(held);
+    held.key = key;
+    this.held.set(key, held);
+    return true;
+  }
+
+  private forget(held: Held<T>): void {
+    if (this.held.get(held.key) === held) this.held.delete(held.key);
+  }
+
+  private end(held: Held<T>): void {
+    if (held.users > 0) return;
+    this.forget(held);
+    held.abort.abort();
+    held.value.then(this.dispose, () => undefined);
+  }
+}

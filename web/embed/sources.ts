@@ -1,0 +1,115 @@
+/** Where the keys come from, and their bytes. */
+import { EngineError, messageOf } from '../engine/api/errors.ts';
+import { parseGltf } from '../engine/api/gltf-json.ts';
+import { beside, decodedUri, extensionOf, fileName, isExternal, isModel, resourceUris } from '../engine/api/paths.ts';
+import type { InputFile } from '../engine/api/types.ts';
+import type { Making } from './shared.ts';
+
+/** An address, or what holds the bytes already. */
+export type KeySource = string | URL | Blob | ArrayBuffer | Uint8Array;
+
+export interface Sources {
+  list: readonly KeySource[];
+  /** Of children that say when; null unless all do. */
+  times: number[] | null;
+}
+
+/** The property `keys` comes before `src`, and that before children. */
+export function sourcesOf(keys: readonly KeySource[] | null, src: string, element: Element): Sources {
+  if (keys && keys.length > 0) return { list: keys, times: null };
+  if (src !== '') return { list: src.split(/\s+/), times: null };
+  const children = [...element.querySelectorAll(':scope > source[src]')];
+  const times = children.map((child) => Number.parseFloat(child.getAttribute('time') ?? ''));
+  return {
+    list: children.map((child) => child.getAttribute('src')!),
+    times: children.length > 0 && times.every(Number.isFinite) ? times : null,
+  };
+}
+
+let numbered = 0;
+const numbers = new WeakMap<object, number>();
+
+/** The same for the same sources: an address, or that very object. */
+export function keyOf(source: KeySource, base: string): string {
+  if (typeof source === 'string' || source instanceof URL) return new URL(source, base).href;
+  if (!numbers.has(source)) numbers.set(source, ++numbered);
+  return `object ${numbers.get(source)}`;
+}
+
+/** All of them, with what a .gltf among them names beside it. */
+export async function readSources(list: readonly KeySource[], base: string, making: Making): Promise<InputFile[]> {
+  let done = 0;
+  const files = await Promise.all(
+    list.map(async (source, index) => {
+      const read = await readOne(source, index, base, making.signal);
+      done += 1;
+      making.report({ stage: 'fetching', fraction: done / list.length });
+      return read;
+    }),
+  );
+  return withOwnNames(files.flat());
+}
+
+async function readOne(source: KeySource, key: number, base: string, signal: AbortSignal): Promise<InputFile[]> {
+  if (typeof source === 'string' || source instanceof URL) return fetchModel(new URL(source, base), key, signal);
+  const name = nameOf(source instanceof File ? source.name : '', key);
+  const bytes = source instanceof Blob ? await source.arrayBuffer() : source;
+  return [{ name, bytes: bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes) }];
+}
+
+async function fetchModel(url: URL, key: number, signal: AbortSignal): Promise<InputFile[]> {
+  const bytes = await fetchBytes(url, key, signal);
+  const model = { name: nameOf(fileName(decodedUri(url.pathname)), key), bytes };
+  if (extensionOf(model.name) !== 'gltf') return [model];
+  const { buffers, images } = resourceUris(parseGltf(new TextDecoder().decode(bytes)));
+  // Its own folder is asked, and no other host.
+  const named = [...new Set([...buffers, ...images])].filter((uri) => !isExternal(uri));
+  const resources = named.map(async (uri) => ({
+    name: beside(model.name, decodedUri(uri)),
+    bytes: await fetchBytes(new URL(uri, url), key, signal),
+  }));
+  return [model, ...(await Promise.all(resources))];
+}
+
+async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<Uint8Array> {
+  const response = await fetch(url, { signal }).catch((error: unknown) => {
+    if (signal.aborted) throw error;
+    const reason =
+      url.origin === location.origin ? messageOf(error) : 'that site may not allow it: it must send the CORS headers';
+    throw refused('not-found', `${url.href} could not be fetched (${reason}).`, url, key);
+  });
+  const { status, statusText } = response;
+  if (!response.ok)
+    throw refused(
+      'not-found',
+      `${url.href} could not be fetched (${`${status} ${statusText}`.trim()}). Check the address.`,
+      url,
+      key,
+    );
+  const bytes = new Uint8Array(await response.arrayBuffer());
+  // A host that knows no such file may answer with a web page, as if all were well.
+  if (/^\s*<(!doctype|html|head|body)\b/i.test(new TextDecoder().decode(bytes.subarray(0, 64))))
+    throw refused(
+      'not-a-model',
+      `${url.href} answered with a web page instead of a model. Check the address, and that the file is there.`,
+      url,
+      key,
+    );
+  return bytes;
+}
+
+const refused = (code: string, message: string, url: URL, key: number): EngineError =>
+  new EngineError(code, message, { file: fileName(url.pathname), key });
+
+/** What has no name of a model is taken for a GLB. */
+const nameOf = (name: string, key: number): string => (isModel(name) ? name : `${name || `key-${key + 1}`}.glb`);
+
+/** Files of different folders may be called the same. */
+function withOwnNames(files: InputFile[]): InputFile[] {
+  const taken = new Set<string>();
+  return files.map((file, index) => {
+    const name = taken.has(file.name) ? `${index}-${file.name}` : file.name;
+    taken.add(name);
+    return { ...file, name };
+  });
+}

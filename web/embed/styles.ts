@@ -1,0 +1,38 @@
+/** The style of the element: a sheet that script makes, which a strict policy allows, unlike a <style>. */
+const CSS = `
+:host { display: block; contain: strict; inline-size: 100%; aspect-ratio: 3 / 2; min-block-size: 120px;
+  position: relative; font: 14px system-ui, sans-serif;
+  --fore: var(--shape-spline-foreground, light-dark(#181b1f, #eceef0));
+  --key: var(--shape-spline-key, #0072b2);
+  color: var(--fore); background: var(--shape-spline-background, light-dark(#f4f5f6, #1e2125)); }
+:host([hidden]), [hidden] { display: none !important; }
+[part=viewport], .poster { position: absolute; inset: 0; }
+[part=viewport] > canvas { display: block; }
+[part=viewport]:focus-visible { outline: 2px solid var(--key); outline-offset: -2px; }
+.poster img { inline-size: 100%; block-size: 100%; object-fit: contain; }
+[part=progress] { position: absolute; inset-block-start: 0; inset-inline: 0; block-size: 3px; transform-origin: 0 0;
+  background: var(--shape-spline-progress, var(--key)); }
+[part=message] { position: absolute; inset: 0; margin: auto; block-size: fit-content; padding: 12px 16px;
+  text-align: center; overflow-wrap: anywhere; }
+[part=controls] { position: absolute; inset-inline: 12px; inset-block-end: 6px; display: flex; gap: 8px;
+  align-items: center; block-size: 44px; }
+[part=play] { inline-size: 44px; block-size: 44px; padding: 10px; border: 0; background: none; color: inherit;
+  cursor: pointer; }
+[part=play] svg { inline-size: 100%; fill: none; stroke: currentColor; stroke-width: 1.6; }
+[part=timeline] { position: relative; flex: 1; block-size: 44px; direction: ltr; cursor: pointer; touch-action: pan-y; }
+[part=timeline]::before { content: ''; position: absolute; inset: 21px 0; background: currentColor; opacity: 0.35; }
+[part=key], [part=thumb] { position: absolute; inset-block-start: 50%; translate: -50% -50%; border-radius: 50%; }
+[part=key] { inline-size: 10px; block-size: 10px; background: var(--key); }
+[part=thumb] { inline-size: 18px; block-size: 18px; background: currentColor; }
+.caption { position: absolute; inset-block-start: 8px; inset-inline: 12px; pointer-events: none; }
+`;
+
+let sheet: CSSStyleSheet | null = null;
+
+export function styleSheet(): CSSStyleSheet {
+  if (!sheet) {
+    sheet = new CSSStyleSheet();
+    sheet.replaceSync(CSS);
+  }
+  return sheet;
+}

@@ -1,0 +1,80 @@
+/** Attributes as text, properties as values: one to the other by the table's rows. */
+import type { Row } from './attributes.ts';
+
+export interface Read {
+  value: unknown;
+  /** What is wrong with the text; the default stands for it. */
+  problem: string | null;
+}
+
+const good = (value: unknown): Read => ({ value, problem: null });
+const bad = ({ default: usual }: Row, problem: string): Read => ({ value: usual, problem });
+
+/** `text`: null without the attribute. */
+export function readAttribute(row: Row, text: string | null): Read {
+  if (text === null) return good(row.default);
+  const word = text.trim();
+  switch (row.kind) {
+    case 'text':
+      return good(word);
+    case 'flag':
+      return word.toLowerCase() === 'false'
+        ? { value: false, problem: 'is "false", which counts as false; leave the attribute out instead' }
+        : good(true);
+    case 'choice': {
+      if (word === '') return good(row.empty ?? row.default);
+      if (row.choices.includes(word)) return good(word);
+      if (word === 'false' && row.empty !== undefined)
+        return bad(row, 'is "false", which counts as false; leave the attribute out instead');
+      return bad(row, `must be one of ${row.choices.join(', ')}`);
+    }
+    case 'number':
+      return numberOf(row, word);
+    case 'numbers':
+      return numbersOf(row, word);
+    case 'words': {
+      const words = word.split(/[\s,]+/).filter(Boolean);
+      return words.every((one) => row.choices.includes(one))
+        ? good(words)
+        : bad(row, `must be some of ${row.choices.join(', ')}`);
+    }
+  }
+}
+
+function numberOf(row: Extract<Row, { kind: 'number' }>, word: string): Read {
+  const number = Number(word === '' ? NaN : word);
+  const { least = -Infinity, above = -Infinity, most } = row;
+  if (!Number.isFinite(number)) return bad(row, 'must be a number');
+  if (number < least || number <= above || number > most)
+    return bad(row, `must be ${above > -Infinity ? `above ${above}` : `at least ${least}`} and at most ${most}`);
+  return good(number);
+}
+
+function numbersOf(row: Extract<Row, { kind: 'numbers' }>, word: string): Read {
+  if (word === '') return good(row.default);
+  const numbers = word.split(/[\s,:]+/).map(Number);
+  if (numbers.some((number) => !Number.isFinite(number))) return bad(row, 'must be numbers, separated by blanks');
+  if (row.count !== undefined && numbers.length !== row.count) return bad(row, `must be ${row.count} numbers`);
+  return good(numbers);
+}
+
+/** The attribute that says the same as the property; null: none. */
+export function writeAttribute(row: Row, value: unknown): string | null {
+  if (value === null || value === undefined) return null;
+  switch (row.kind) {
+    case 'flag':
+      return value ? '' : null;
+    case 'numbers':
+    case 'words': {
+      const list = Array.isArray(value) ? value : [value];
+      return list.length === 0 ? null : list.join(' ');
+    }
+    case 'choice':
+      if (value === '' || value === false) return null;
+      return value === true ? (row.empty ?? null) : String(value);
+    case 'text':
+      return value === '' ? null : String(value);
+    case 'number':
+      return String(value);
+  }
+}

@@ -1,0 +1,60 @@
+/** A camera in words, as <model-viewer> has them: `camera-orbit="30deg 75deg 105%"`, `camera-target="0m 1m 0m"`. */
+
+/** Angles in radians: around the up axis from the front, and down from straight above. */
+export interface CameraOrbit {
+  theta: number;
+  phi: number;
+  /** Of the distance from which the whole shape is seen, or in the shape's own unit. */
+  radius: { share: number } | { distance: number };
+}
+
+export const AUTO_ORBIT: Readonly<CameraOrbit> = { theta: 0, phi: (75 * Math.PI) / 180, radius: { share: 1 } };
+
+const ANGLES: Readonly<Record<string, number>> = { rad: 1, deg: Math.PI / 180, turn: 2 * Math.PI };
+const LENGTHS: Readonly<Record<string, number>> = { m: 1, cm: 0.01, mm: 0.001 };
+/** Straight above, the eye has no up. */
+const LEAST_PHI = 0.01;
+
+/** null where the words are none; each may be `auto`. */
+export function orbitOf(words: string): CameraOrbit | null {
+  const [theta, phi, radius, ...more] = wordsOf(words);
+  if (theta === undefined || phi === undefined || radius === undefined || more.length > 0) return null;
+  const angles = [theta, phi].map((word, i) =>
+    word === 'auto' ? [AUTO_ORBIT.theta, AUTO_ORBIT.phi][i]! : measured(word, ANGLES),
+  );
+  const distance = radius === 'auto' ? AUTO_ORBIT.radius : radiusOf(radius);
+  if (angles.some(Number.isNaN) || !distance) return null;
+  const tilt = Math.min(Math.max(angles[1]!, LEAST_PHI), Math.PI - LEAST_PHI);
+  return { theta: angles[0]!, phi: tilt, radius: distance };
+}
+
+/** The point that is looked at; NaN where the middle of the shape is. null where the words are none. */
+export function targetOf(words: string): [number, number, number] | null {
+  const parts = wordsOf(words);
+  if (parts.length === 1 && parts[0] === 'auto') return [NaN, NaN, NaN];
+  if (parts.length !== 3) return null;
+  const place = parts.map((word) => (word === 'auto' ? null : measured(word, LENGTHS)));
+  if (place.some(Number.isNaN)) return null;
+  return place.map((at) => at ?? NaN) as [number, number, number];
+}
+
+/** The way from the target to the eye, of length 1. */
+export function directionOfOrbit({ theta, phi }: CameraOrbit): [number, number, number] {
+  return [Math.sin(phi) * Math.sin(theta), Math.cos(phi), Math.sin(phi) * Math.cos(theta)];
+}
+
+const wordsOf = (text: string): string[] => text.trim().toLowerCase().split(/\s+/).filter(Boolean);
+
+function radiusOf(word: string): CameraOrbit['radius'] | null {
+  const share = /^(\d*\.?\d+)%$/.exec(word);
+  if (share) return Number(share[1]) > 0 ? { share: Number(share[1]) / 100 } : null;
+  const distance = measured(word, LENGTHS);
+  return distance > 0 ? { distance } : null;
+}
+
+/** NaN where the word is none. */
+function measured(word: string, units: Readonly<Record<string, number>>): number {
+  const [, number, unit] = /^([-+]?\d*\.?\d+(?:e[-+]?\d+)?)([a-z]+)$/.exec(word) ?? [];
+  const scale = units[unit ?? ''];
+  return number === undefined || scale === undefined ? NaN : Number(number) * scale;
+}
