@@ -53,7 +53,9 @@ export default defineConfig({
     target: 'es2022',
     // three.js alone is larger than Vite's warning limit.
     chunkSizeWarningLimit: 1200,
-    rollupOptions: { input: { index: `${here}index.html`, play: `${here}play.html`, embed: `${here}embed/examples/index.html` } },
+    rollupOptions: {
+      input: { index: `${here}index.html`, play: `${here}play.html`, embed: `${here}embed/examples/index.html` },
+    },
   },
   worker: { format: 'es', plugins: () => [collectsPackages()] },
   // The worker's packages, too, are bundled before the first request: finding one later would reload the page.

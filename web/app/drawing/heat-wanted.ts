@@ -2,15 +2,15 @@
 import { isFaceAmount } from '../../model/state.ts';
 import type { View } from '../../model/state.ts';
 import type { Rect } from '../../viewer/types.ts';
-import type { RunningSequence } from '../session/sequence-set.ts';
+import type { RunningMotion } from '../../playback/frame-set.ts';
 
-export function wantsHeat(sequences: readonly RunningSequence[], view: View): boolean {
+export function wantsHeat(sequences: readonly RunningMotion[], view: View): boolean {
   const { colouring, film } = view;
   return !film && (isFaceAmount(colouring) || colouring === 'distance' || differing(sequences, view) >= 0);
 }
 
 /** Index of the motion without a ghost that the first one is compared with, or -1. */
-export function differing(sequences: readonly RunningSequence[], { ghostDifference, ghostSizes }: View): number {
+export function differing(sequences: readonly RunningMotion[], { ghostDifference, ghostSizes }: View): number {
   const [main] = sequences;
   if (!main?.ghost || !(ghostDifference || ghostSizes)) return -1;
   return sequences.findIndex(({ ghost, method }) => ghost === 0 && method === main.method);
