@@ -158,7 +158,7 @@ const OWN = {
     kind: 'flag',
     default: false,
     concern: 'motion',
-    doc: `Shows the ghost mesh that leads the motion; of ${GHOST_FACES} faces unless \`ghost-faces\` says otherwise.`,
+    doc: `Lets a ghost mesh lead the motion: of ${GHOST_FACES} faces, unless \`ghost-faces\` says otherwise.`,
   },
 } as const satisfies Readonly<Record<string, Row>>;
 
@@ -233,7 +233,9 @@ function rowOf(name: string, option: Option): Row {
   return { ...described, kind: 'number', default: usual, above, least, most };
 }
 
-const sentence = (words: string): string => `${words[0]!.toUpperCase()}${words.slice(1)}.`;
+function sentence(words: string): string {
+  return `${words[0]!.toUpperCase()}${words.slice(1)}.`;
+}
 
 function pick<T extends OptionTable, N extends keyof T>(table: T, names: readonly N[]): Pick<T, N> {
   return Object.fromEntries(names.map((name) => [name, table[name]])) as Pick<T, N>;
