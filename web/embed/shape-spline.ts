@@ -18,6 +18,10 @@ import { sourcesOf } from './sources.ts';
 import type { KeySource } from './sources.ts';
 import { readAttribute, writeAttribute } from './values.ts';
 
+export type { ShapeSplineProperties } from './attributes.ts';
+export type { ShapeSplineEventMap } from './events.ts';
+export type { KeySource } from './sources.ts';
+
 /** What leaves the document for a moment, because it is moved, stays as it is. */
 const GRACE_MS = 500;
 /** How far below the view what is lazy is fetched. */
