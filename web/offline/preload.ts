@@ -1,6 +1,6 @@
 /**
- * Tells the browser in the page's head of what its script will ask for: the wasm, the list of samples and what makes the
- * first one come beside it.
+ * Tells the browser in the page's head of what its script will ask for: the wasm, the list of samples and what makes
+ * the first one come beside it.
  */
 import type { Plugin } from 'vite';
 
