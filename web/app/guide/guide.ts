@@ -12,9 +12,9 @@ import type { Workspace } from '../session/workspace.ts';
 import type { OpenFiles } from '../sources/open-files.ts';
 import { readPermalink } from '../sources/permalink.ts';
 import { FIGURES } from './figures.ts';
-import { pressed } from './pressed.ts';
 import type { Facts, GuidePage } from './guide-page.ts';
 import { TOUR } from './tour.ts';
+import { pressed, whenThere } from './when-there.ts';
 
 export interface GuideParts {
   store: Store;
@@ -52,8 +52,15 @@ export function createGuide({ store, workspace, files, openFirst, place, showPan
   let before: Work | null = null;
   const panel = createGuidePanel(() => void guide.close());
 
-  /** Of what the page on show has pressed. */
+  /** Of what the page on show has prepared. */
   let takeBack = nothing;
+  const prepare = ({ panel: name, part, press }: GuidePage): void => {
+    const undone: (() => void)[] = [];
+    if (name) showPanel(name);
+    if (name && part) undone.push(whenThere(part, () => showPanel(name, part)));
+    if (press) undone.push(whenThere(press, (control) => undone.push(pressed(control))));
+    takeBack = () => undone.forEach((one) => one());
+  };
 
   const leave = (): void => {
     takeBack();
@@ -79,8 +86,7 @@ export function createGuide({ store, workspace, files, openFirst, place, showPan
       turning += 1;
       await files.show(state).finally(() => (turning -= 1));
       if (page !== wanted) return true;
-      if (wanted.press) takeBack = pressed(wanted.press);
-      if (wanted.panel) showPanel(wanted.panel, wanted.part);
+      prepare(wanted);
       return true;
     },
     async close() {

@@ -1,0 +1,25 @@
+/** What a page of the guide does with parts of the panels, which are loaded after the shape. */
+
+/** Calls `act` with an element of the page as soon as it is there, once; returns what ends the waiting. */
+export function whenThere(testId: string, act: (element: HTMLElement) => void): () => void {
+  const found = (): boolean => {
+    const element = document.querySelector<HTMLElement>(`[data-testid="${testId}"]`);
+    if (element) act(element);
+    return element !== null;
+  };
+  const waiting = new MutationObserver(() => {
+    if (found()) waiting.disconnect();
+  });
+  if (!found()) waiting.observe(document.body, { childList: true, subtree: true });
+  return () => waiting.disconnect();
+}
+
+/** Presses a control for the reader, unless it is a tick that is set; returns what takes a tick back. */
+export function pressed(control: HTMLElement): () => void {
+  const tick = control instanceof HTMLInputElement ? control : null;
+  if (tick?.checked) return () => undefined;
+  control.click();
+  return () => {
+    if (tick?.checked) tick.click();
+  };
+}
