@@ -195,6 +195,7 @@ export const npmPackage = guarded(
       'package-lock.json',
       'wasm/toolchain/npm-package.mjs',
       'wasm/toolchain/npm-manifest.mjs',
+      'wasm/toolchain/element-types.mjs',
       ...noticeInputs,
     ]),
   ['build/package/package.json'],

@@ -4,6 +4,7 @@
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { elementTypes, jsxTypes } from './element-types.mjs';
 import { NOTICES, notices, packageOf } from './notices.mjs';
 import { npmManifest } from './npm-manifest.mjs';
 import { buildDir, inRoot } from './paths.mjs';
@@ -66,6 +67,7 @@ const elementEntries = [
   ['element', 'embed/register.ts'],
   ['element-class', 'embed/shape-spline.ts'],
 ];
+const elementTypesOf = [elementEntries[1], ['cdn', 'embed/cdn.ts']];
 const hasElement = () => elementEntries.every(([, file]) => existsSync(source(file)));
 const entries = (list) => list.map(([out, file]) => ({ out, in: source(file) }));
 
@@ -108,7 +110,7 @@ async function scripts(element) {
 async function types(element) {
   const [{ rollup }, { dts }] = await Promise.all([import('rollup'), import('rollup-plugin-dts')]);
   const input = { index: source('engine/index.ts') };
-  if (element) for (const [out, file] of [...elementEntries, ['cdn', 'embed/cdn.ts']]) input[out] = source(file);
+  if (element) for (const [out, file] of elementTypesOf) input[out] = source(file);
   const bundle = await rollup({ input, external: [/^three/], plugins: [dts({ tsconfig: source('tsconfig.json') })] });
   await bundle.write({ dir: packageDir, chunkFileNames: 'types-[hash].d.ts' });
   await bundle.close();
@@ -128,8 +130,11 @@ const write = (name, text) => writeFileSync(inPackage(name), text);
 const asJson = (value) => `${JSON.stringify(value, null, 2)}\n`;
 
 async function ofElement() {
-  write('custom-elements.json', asJson(await madeBy('embed/manifest.ts', 'customElementsManifest')));
-  cpSync(source('embed/jsx.d.ts'), inPackage('jsx.d.ts'));
+  const manifest = await madeBy('embed/manifest.ts', 'customElementsManifest');
+  write('custom-elements.json', asJson(manifest));
+  write('element.d.ts', elementTypes);
+  write('jsx.d.ts', jsxTypes(manifest));
+  // Types alone: importing it does nothing.
   write('jsx.js', 'export {};\n');
 }
 

@@ -1,0 +1,109 @@
+/** The custom element from the tarball: its one-file build from another host, bundled, and its types. */
+import { execFile } from 'node:child_process';
+import { existsSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { promisify } from 'node:util';
+import * as vite7 from 'vite';
+import * as vite8 from 'vite8';
+import { describe, expect, inject, it } from 'vitest';
+import { host, outcomeOf } from './support/browser.ts';
+import { newProject, packageIn } from './support/project.ts';
+
+const there = existsSync(path.join(packageIn(inject('installed')), 'element.js'));
+
+const MARKUP = '<shape-spline src="pose-0.glb pose-1.glb" loading="eager" alt="A bar"></shape-spline>';
+const page = (module: string): string =>
+  `<!doctype html><title>A page</title>${MARKUP}<script type="module" src="${module}"></script>` +
+  '<script type="module" src="./main.js"></script>';
+
+/** Says the size of the shape that it evaluates once a time has been drawn. */
+const WATCH = `
+  const element = document.querySelector('shape-spline');
+  const say = (outcome) => { window.outcome ??= outcome; };
+  element.addEventListener('error', ({ detail }) => say({ error: detail?.message ?? 'an error without details' }));
+  element.addEventListener('load', async () => {
+    await element.seek(0.5);
+    const frame = await element.evaluate(0.5);
+    say({ vertices: frame.positions.length / 3, time: element.currentTime });
+  });
+`;
+const SHOWN = { vertices: expect.any(Number), time: 0.5 };
+
+/** With what a bundled page with the element needs beside the package. */
+async function withPeers(files: Record<string, string>): Promise<string> {
+  const folder = await newProject(files);
+  symlinkSync(path.resolve('node_modules/three'), path.join(folder, 'node_modules', 'three'));
+  symlinkSync(path.resolve('node_modules/@types'), path.join(folder, 'node_modules', '@types'));
+  symlinkSync(path.resolve('node_modules/csstype'), path.join(folder, 'node_modules', 'csstype'));
+  return folder;
+}
+
+describe.skipIf(!there)('the element', () => {
+  it('is one file from another host, under a strict policy', async () => {
+    const headers = { 'access-control-allow-origin': '*' };
+    const library = await host([packageIn(inject('installed'))], { name: '127.0.0.1', headers });
+    const folder = await newProject({ 'index.html': page(`${library}cdn.js`), 'main.js': WATCH });
+    rmSync(path.join(folder, 'node_modules'), { recursive: true });
+    const policy =
+      "default-src 'none'; script-src 'self' LIBRARY 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
+      "connect-src 'self' LIBRARY blob: data:; worker-src blob:";
+    const strict = { 'content-security-policy': policy.replaceAll('LIBRARY', new URL(library).origin) };
+    expect(await outcomeOf(await host([folder, path.join(folder, 'public')], { headers: strict }))).toEqual(SHOWN);
+  });
+
+  it.each([
+    ['Vite 7', vite7 as Pick<typeof vite7, 'createServer' | 'build'>],
+    ['Vite 8', vite8 as unknown as Pick<typeof vite7, 'createServer' | 'build'>],
+  ])('runs in %s, in development and as built', async (_, vite) => {
+    const main = `import 'shapespline/element';\n${WATCH}`;
+    const index = `<!doctype html>${MARKUP}<script type="module" src="./main.js"></script>`;
+    const folder = await withPeers({ 'main.js': main, 'index.html': index });
+    const settings = { root: folder, configFile: false as const, logLevel: 'error' as const };
+    const server = await vite.createServer({
+      ...settings,
+      server: { port: 0, host: 'localhost', fs: { strict: false } },
+    });
+    try {
+      await server.listen();
+      expect(await outcomeOf(server.resolvedUrls!.local[0]!)).toEqual(SHOWN);
+    } finally {
+      await server.close();
+    }
+    await vite.build({ ...settings, base: './' });
+    expect(await outcomeOf(await host([path.join(folder, 'dist')]))).toEqual(SHOWN);
+  });
+
+  it('has types for React 19, for the document and for the class', async () => {
+    const folder = await withPeers({
+      'use.tsx': `
+        import 'shapespline/element';
+        import type {} from 'shapespline/jsx';
+        import { ShapeSplineElement } from 'shapespline/element-class';
+        export const shown = <shape-spline src="a.glb b.glb" boundary="periodic" autoplay loop="bounce" controls />;
+        // @ts-expect-error
+        export const wrong = <shape-spline boundary="no such" />;
+        const element: ShapeSplineElement = document.querySelector('shape-spline')!;
+        await element.seek(0.5);
+      `,
+    });
+    const options = {
+      strict: true,
+      noEmit: true,
+      target: 'es2022',
+      lib: ['es2023', 'dom', 'dom.iterable'],
+      types: [],
+      jsx: 'react-jsx',
+      module: 'esnext',
+      moduleResolution: 'bundler',
+    };
+    writeFileSync(
+      path.join(folder, 'tsconfig.json'),
+      JSON.stringify({ compilerOptions: options, include: ['use.tsx'] }),
+    );
+    const tsc = path.resolve('node_modules/typescript/bin/tsc');
+    const { stdout } = await promisify(execFile)(process.execPath, [tsc, '-p', '.'], { cwd: folder }).catch(
+      (failed: { stdout: string }) => failed,
+    );
+    expect(stdout).toBe('');
+  });
+});
