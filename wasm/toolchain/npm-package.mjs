@@ -1,4 +1,4 @@
-// build/package: the npm package, as `npm pack ./build/package` packs it. Plain JavaScript for browsers and Node, types,
+// build/package: the npm package; `npm pack ./build/package` packs it. Plain JavaScript for browsers and Node, types,
 // the wasm files, notices. esbuild bundles it, which leaves `new URL('./name', import.meta.url)` as it is: that is what
 // the bundlers of others look for. A declaration bundler (rollup-plugin-dts) makes one file of types for each entry.
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

@@ -9,7 +9,7 @@ import { Explained } from './log.mjs';
 export const LIMITS = { JavaScript: 260_000, wasm: 450_000 };
 
 /**
- * What those who use the npm package have to fetch for each of its scripts, with what it imports at once; of the element
+ * What users of the npm package have to fetch for each of its scripts, with what it imports at once; of the element
  * what it adds to the engine. Bytes after gzip.
  */
 export const PACKAGE_LIMITS = {

@@ -10,7 +10,7 @@ export interface FileUrls {
    */
   workerUrl?: string | URL | undefined;
   /**
-   * shapespline_threads.wasm, for large meshes where two threads may share memory (a page that is cross-origin isolated,
+   * shapespline_threads.wasm, for large meshes where two threads may share memory (a page that is crossOriginIsolated,
    * a machine of more than one processor); null: none. Default: the one beside the engine's script.
    */
   threadsUrl?: string | URL | null | undefined;
