@@ -2,12 +2,24 @@
 import type { Choice } from './controls.ts';
 import { button, numberField, select, slider } from './controls.ts';
 import { h, setField, setHidden, setText } from './dom.ts';
-import type { KeyStripProps } from './key-strip.ts';
 import { MOST_TURNS, PER_KEY } from '../engine/api/option-table.ts';
 import type { KeyTurns, ShapingNumber } from '../model/shaping.ts';
 import { DEFAULT_SHAPING, SHAPING_NUMBERS, turnsOf } from '../model/shaping.ts';
 import type { KeyRef } from '../model/state.ts';
+import type { Range } from '../model/time-scale.ts';
 import { formatTime } from '../model/time-scale.ts';
+
+export interface EditedKey extends KeyRef {
+  isReference: boolean;
+}
+
+export interface KeyEditorProps {
+  keys: readonly EditedKey[];
+  range: Range;
+  canRemove: boolean;
+  /** How many components the shape has. */
+  components: number;
+}
 
 export interface KeyEditorEvents {
   onMove(from: number, to: number): void;
@@ -38,14 +50,14 @@ export interface KeyEditor {
   element: HTMLElement;
   /** `from`: what was pressed, where the focus goes back to. False where that closes the editor. */
   open(index: number, from: HTMLElement): boolean;
-  update(props: KeyStripProps): void;
+  update(props: KeyEditorProps): void;
 }
 
 export function createKeyEditor(events: KeyEditorEvents): KeyEditor {
   let index = 0;
   /** The pose of the key that is edited: another time may give it another place. */
   let pose: KeyRef['pose'] | null = null;
-  let props: KeyStripProps | null = null;
+  let props: KeyEditorProps | null = null;
   let opener: HTMLElement | null = null;
   const title = h('h2', {});
   const name = h('input', {

@@ -4,27 +4,20 @@
 import { button } from './controls.ts';
 import { h, memo, setAttribute, setText } from './dom.ts';
 import { icon } from './icons.ts';
-import type { KeyEditor, KeyEditorEvents } from './key-editor.ts';
+import type { EditedKey, KeyEditor, KeyEditorEvents, KeyEditorProps } from './key-editor.ts';
 import { later } from './later.ts';
 import { shortNames } from '../model/short-names.ts';
-import type { KeyRef } from '../model/state.ts';
-import type { Range } from '../model/time-scale.ts';
 import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
 
-export interface KeyItem extends KeyRef {
-  isReference: boolean;
+export interface KeyItem extends EditedKey {
   /** Picture of the key, or null while there is none. */
   thumbnail: string | null;
 }
 
-export interface KeyStripProps {
+export interface KeyStripProps extends KeyEditorProps {
   keys: readonly KeyItem[];
   time: number;
-  range: Range;
   disabled: boolean;
-  canRemove: boolean;
-  /** How many components the shape has. */
-  components: number;
   /** Why the current shape cannot become a key, or null when it can. */
   addReason: string | null;
 }

@@ -1,6 +1,6 @@
 /** The numbers of a chart over time. */
 import type { LineChartData } from '../../plots/line-chart.ts';
-import type { FigureNumbers } from './figure-tools.ts';
+import type { FigureNumbers } from './figure-files.ts';
 
 export function chartNumbers({ times, series, keyTimes }: Omit<LineChartData, 'title' | 'unit'>): FigureNumbers {
   return {

@@ -1,11 +1,27 @@
 /** The values of a figure as a table, and the figure as SVG, PNG and CSV. */
+import type { Plot } from '../../model/state.ts';
 import { csvOf, pngOf, svgOf } from '../../plots/plot-files.ts';
 import { h } from '../../ui/dom.ts';
 import { saveButtons, valuesFrame, valuesTable } from '../../ui/values.ts';
-import type { FigureNumbers, FigureToolsOptions } from './figure-tools.ts';
 
 /** About so many rows are read. */
 const READ = 24;
+
+/** The numbers of a figure: all rows go into a file, those at the keys and some between are read. */
+export interface FigureNumbers {
+  names: readonly string[];
+  rows: readonly (readonly number[])[];
+  /** First numbers of rows that are always read. */
+  keep?: readonly number[];
+}
+
+export interface FigureFilesOptions {
+  plot: Plot;
+  title: string;
+  /** null before anything is drawn. */
+  numbers(): FigureNumbers | null;
+  onError(error: unknown): void;
+}
 
 export interface FigureFiles {
   element: HTMLElement;
@@ -14,7 +30,7 @@ export interface FigureFiles {
 
 export function createFigureFiles(
   picture: () => SVGSVGElement,
-  { plot, title, numbers, onError }: FigureToolsOptions,
+  { plot, title, numbers, onError }: FigureFilesOptions,
 ): FigureFiles {
   const frame = valuesFrame(title);
   const known = (): FigureNumbers => numbers() ?? { names: [], rows: [] };

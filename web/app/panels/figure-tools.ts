@@ -2,14 +2,7 @@
 import type { Plot } from '../../model/state.ts';
 import { button } from '../../ui/controls.ts';
 import { h, setAttribute, setText } from '../../ui/dom.ts';
-
-/** The numbers of a figure: all rows go into a file, those at the keys and some between are read. */
-export interface FigureNumbers {
-  names: readonly string[];
-  rows: readonly (readonly number[])[];
-  /** First numbers of rows that are always read. */
-  keep?: readonly number[];
-}
+import type { FigureFilesOptions } from './figure-files.ts';
 
 export interface FigureEvents {
   /** This plot is to fill the screen. */
@@ -17,12 +10,7 @@ export interface FigureEvents {
   onError(error: unknown): void;
 }
 
-export interface FigureToolsOptions extends FigureEvents {
-  plot: Plot;
-  title: string;
-  /** null before anything is drawn. */
-  numbers(): FigureNumbers | null;
-}
+export type FigureToolsOptions = FigureFilesOptions & FigureEvents;
 
 /**
  * Gives a figure its button to enlarge it, and its values and files, which are loaded when they are opened. Returns
