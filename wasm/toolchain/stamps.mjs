@@ -4,8 +4,8 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSy
 import path from 'node:path';
 import { inRoot, root, stampsDir } from './paths.mjs';
 
-// All files below the given files and folders (relative to the repository), in a stable order.
-function filesBelow(entries) {
+/** All files below the given files and folders (relative to the repository), in a stable order. */
+export function filesBelow(entries) {
   const found = [];
   const visit = (relative) => {
     const stats = statSync(inRoot(relative), { throwIfNoEntry: false });

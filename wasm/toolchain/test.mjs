@@ -15,6 +15,7 @@ import { inRoot } from './paths.mjs';
 import { prepare, prepareSystem } from './prepare.mjs';
 import { forBrowser, forLinting, forNative, forWasm } from './requirements.mjs';
 import { freePort } from './serve.mjs';
+import { unlessUnchanged } from './unchanged.mjs';
 
 const node = process.execPath;
 const bin = (...parts) => inRoot('node_modules', ...parts);
@@ -43,17 +44,25 @@ const compileWasm = () => whileLocked(() => buildWasm(['shapespline_tests']));
 // ThreadSanitizer needs addresses that are not randomised much.
 const atFixedAddresses = (program) => (which('setarch') ? ['setarch', '-R', program] : [program]);
 
-async function native(words, folder) {
-  step('native tests, under AddressSanitizer and UBSan');
-  const all = await runDoctest('native', [path.join(folder, 'shapespline_tests')], words);
-  step('native tests of what two threads share, under ThreadSanitizer');
-  const program = atFixedAddresses(path.join(folder, 'shapespline_thread_tests'));
-  return sum([all, await runDoctest('native-threads', program, words)]);
+const cases = (name, programs, words, runAll) =>
+  words.length > 0 ? runAll() : unlessUnchanged(name, programs, runAll);
+
+function native(words, folder) {
+  const [tests, threadTests] = ['shapespline_tests', 'shapespline_thread_tests'].map((name) => path.join(folder, name));
+  return cases('native', [tests, threadTests], words, async () => {
+    step('native tests, under AddressSanitizer and UBSan');
+    const all = await runDoctest('native', [tests], words);
+    step('native tests of what two threads share, under ThreadSanitizer');
+    return sum([all, await runDoctest('native-threads', atFixedAddresses(threadTests), words)]);
+  });
 }
 
 function wasm(words, folder) {
-  step('the same tests as wasm, in Node');
-  return runDoctest('wasm', [node, path.join(folder, 'shapespline_tests.js')], words);
+  const [script, module] = ['js', 'wasm'].map((ending) => path.join(folder, `shapespline_tests.${ending}`));
+  return cases('wasm', [script, module], words, () => {
+    step('the same tests as wasm, in Node');
+    return runDoctest('wasm', [node, script], words);
+  });
 }
 
 function countVitest(report) {
@@ -175,16 +184,15 @@ async function runSuite(name, words) {
 // What is done in less than half a second is not worth a number.
 const duration = (seconds) => (seconds >= 0.5 ? `${seconds.toFixed(0)} s` : '');
 const row = (name, counts, making, running) =>
-  [name.padEnd(10), counts.padEnd(36), making.padStart(8), running.padStart(8)].join(' ').trimEnd();
+  [name.padEnd(10), counts.padEnd(36), making.padStart(8), running.padStart(9)].join(' ').trimEnd();
 
 function summarise(results, settingUp, total) {
   console.log(`\n${row('', '', 'making', 'running')}`);
   console.log(row('setting up', '', duration(settingUp), ''));
   for (const [name, counts] of Object.entries(results)) {
     const missing = counts.running === undefined;
-    console.log(
-      row(name, missing ? 'no files yet' : sentence(counts), duration(counts.making), duration(counts.running)),
-    );
+    const running = counts.unchanged ? 'unchanged' : duration(counts.running);
+    console.log(row(name, missing ? 'no files yet' : sentence(counts), duration(counts.making), running));
   }
   const all = sum(Object.values(results));
   console.log(`${sentence(all)}, in ${Math.floor(total / 60)} min ${(total % 60).toFixed(0)} s`);
