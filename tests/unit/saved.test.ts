@@ -4,6 +4,7 @@ import { documentFromImport } from '../../web/app/session/document-from-import.t
 import type { PosePool } from '../../web/app/session/pose-pool.ts';
 import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { readOptions, writeProject } from '../../web/engine/wire/project.ts';
+import { ENCODING, MOTION, PER_KEY } from '../../web/engine/api/option-table.ts';
 import { SEQUENCE_DEFAULTS, type KeysInfo } from '../../web/engine/api/types.ts';
 import { keptDoc } from '../../web/model/kept-document.ts';
 import { turnsOf } from '../../web/model/shaping.ts';
@@ -47,6 +48,15 @@ describe('what older versions saved', () => {
     expect(writePermalink({ ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, doc, time: 0.25 }, initial)).toBe(
       link,
     );
+  });
+
+  it('is kept here for every option of a link', () => {
+    const options = [...Object.values(MOTION), ...Object.values(ENCODING)].flatMap((one) =>
+      'page' in one ? one.page : [],
+    );
+    const names = [...options, ...Object.keys(PER_KEY)];
+    const kept = saved.links.flatMap(({ link }) => [...new URLSearchParams(link).keys()]);
+    expect(names.filter((name) => !kept.includes(name))).toEqual([]);
   });
 
   it.each(saved.projects)(
