@@ -237,9 +237,12 @@ export function startApp(root: HTMLElement): void {
     )
     .catch(feedback.onError);
   installTestHook(testHookOf(ready, session, display, files, onMoved));
-  registerServiceWorker((reload) => {
-    newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
-  });
+  registerServiceWorker(
+    (reload) => {
+      newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
+    },
+    ready.then(() => scene.viewer.drawn()),
+  );
   applyLook();
   redraw();
 }

@@ -69,7 +69,8 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
     store,
     workspace,
     scene,
-    idle: () => playback.frameLoop.idle(),
+    // Small pictures come after the large one.
+    idle: () => playback.frameLoop.idle().then(() => scene.viewer.drawn()),
     has: (pose) => viewState.get().thumbnails.has(pose),
     onThumbnail: (pose, url) => viewState.change({ thumbnails: new Map(viewState.get().thumbnails).set(pose, url) }),
   });

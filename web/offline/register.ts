@@ -6,21 +6,30 @@
 /** How often at most a page that is looked at again asks for a newer build. */
 const ASK_EVERY_MS = 3_600_000;
 
-/** `onNewVersion`: another build is ready; `reload` opens it. */
-export function registerServiceWorker(onNewVersion: (reload: () => void) => void): void {
+/**
+ * `onNewVersion`: another build is ready; `reload` opens it. It fetches and compiles the whole build, which waits until
+ * the page has settled `after` what a visitor waits for.
+ */
+export function registerServiceWorker(
+  onNewVersion: (reload: () => void) => void,
+  after: Promise<unknown> = Promise.resolve(),
+): void {
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
   const { serviceWorker } = navigator;
   serviceWorker.addEventListener('message', ({ data, ports }: MessageEvent<{ type?: string }>) => {
     if (data.type === 'which script') ports[0]?.postMessage(ownScript());
   });
   serviceWorker.startMessages();
-  window.addEventListener('load', () => {
-    serviceWorker
-      .register(new URL('./sw.js', document.baseURI))
-      .then((registration) => follow(registration, onNewVersion))
-      .catch(() => undefined);
-  });
+  Promise.allSettled([after, loaded()])
+    .then(() => serviceWorker.register(new URL('./sw.js', document.baseURI)))
+    .then((registration) => follow(registration, onNewVersion))
+    .catch(() => undefined);
 }
+
+const loaded = (): Promise<unknown> =>
+  document.readyState === 'complete'
+    ? Promise.resolve()
+    : new Promise((resolve) => window.addEventListener('load', resolve, { once: true }));
 
 const ownScript = (): string => document.querySelector<HTMLScriptElement>('script[type="module"][src]')?.src ?? '';
 

@@ -30,12 +30,12 @@ export class ContactShadow {
   private readonly blur = blurMaterial();
   private readonly targets = [0, 1].map(() => new WebGLRenderTarget(PIXELS, PIXELS));
   private readonly screen = new Scene();
+  private readonly triangle = new BufferGeometry();
   private shown = '';
 
   constructor() {
-    const triangle = new BufferGeometry();
-    triangle.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
-    const mesh = new Mesh(triangle, this.blur);
+    this.triangle.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+    const mesh = new Mesh(this.triangle, this.blur);
     mesh.frustumCulled = false;
     mesh.layers.enableAll();
     this.screen.add(mesh);
@@ -65,6 +65,15 @@ export class ContactShadow {
     this.shown = '';
   }
 
+  /** Resolves once the graphics card has its programs, which it makes meanwhile. */
+  async compile(renderer: WebGLRenderer): Promise<void> {
+    const caster = new Mesh(this.triangle, this.depth);
+    renderer.setRenderTarget(this.targets[0]!);
+    const both = [this.screen, caster].map((object) => renderer.compileAsync(object, this.camera));
+    renderer.setRenderTarget(null);
+    await Promise.all(both);
+  }
+
   /** `layers` is what the view shows; `version` another one whenever that has changed. */
   render(renderer: WebGLRenderer, scene: Scene, layers: number, version: number): void {
     const wanted = `${layers} ${version}`;
@@ -88,6 +97,7 @@ export class ContactShadow {
 
   dispose(): void {
     for (const target of this.targets) target.dispose();
+    this.triangle.dispose();
     for (const material of [this.depth, this.blur]) material.dispose();
   }
 

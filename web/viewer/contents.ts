@@ -1,8 +1,9 @@
 /** What is in the picture: the shapes, one per view, onion skins or a film strip, and the ghost mesh. */
 import { Group, Layers } from 'three';
+import type { Camera, WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import { GhostView } from './ghost.ts';
-import { Shape, topologyOf } from './shape.ts';
+import { NOTHING, Shape, topologyOf } from './shape.ts';
 import type { Topology } from './shape.ts';
 import type { Studio } from './studio.ts';
 import { decodeTextures } from './textures.ts';
@@ -28,6 +29,7 @@ export class Contents {
   /** By view. */
   private extras: Shape[][] = [];
   private ghost: GhostView | null = null;
+  private warming: Shape | null = null;
   private colours: string[] = [];
   private extraColours: string[][] = [];
   private current = DEFAULT_LOOK;
@@ -62,9 +64,23 @@ export class Contents {
   /** Resolves once what is open is seen in its own textures. */
   textured: Promise<void> = Promise.resolve();
 
+  /**
+   * Draws a triangle without area until there is a shape, with what draws shapes: so that the graphics card has its
+   * programs when the first shape comes, and keeps them from one import to the next.
+   */
+  warm(): void {
+    this.warming = this.addShape(NOTHING, FIRST_SHAPE);
+  }
+
+  /** Resolves once the graphics card has made those programs. */
+  async compile(renderer: WebGLRenderer, camera: Camera): Promise<void> {
+    if (this.warming) await renderer.compileAsync(this.warming.surface, camera);
+  }
+
   /** A new import: fresh buffers. */
   setImport(info: KeysInfo): void {
     this.clear();
+    if (this.warming) this.warming.object.visible = false;
     for (const texture of this.topology?.textures ?? []) texture?.dispose();
     this.topology = topologyOf(info);
     this.patchColours = null;
@@ -76,7 +92,7 @@ export class Contents {
     if (!this.topology) return;
     while (this.shapes.length > count) this.shapes.pop()?.dispose();
     while (this.shapes.length < count) {
-      const shape = this.addShape(FIRST_SHAPE + this.shapes.length);
+      const shape = this.addShape(this.topology, FIRST_SHAPE + this.shapes.length);
       shape.setPatchColours(this.patchColours);
       shape.setLook(this.current);
       shape.object.visible = false;
@@ -111,7 +127,8 @@ export class Contents {
     const shapes = this.extras[view] ?? [];
     this.extras[view] = shapes;
     while (shapes.length > extras.length) shapes.pop()?.dispose();
-    while (shapes.length < extras.length && this.topology) shapes.push(this.addShape(FIRST_EXTRAS + view));
+    while (shapes.length < extras.length && this.topology)
+      shapes.push(this.addShape(this.topology, FIRST_EXTRAS + view));
     this.extraColours[view] = extras.map(({ colour }) => colour);
     extras.forEach((extra, index) => {
       const shape = shapes[index];
@@ -225,6 +242,7 @@ export class Contents {
 
   dispose(): void {
     this.clear();
+    this.warming?.dispose();
     for (const texture of this.topology?.textures ?? []) texture?.dispose();
     this.topology = null;
   }
@@ -240,8 +258,8 @@ export class Contents {
     return { ...this.current, colouring: coloured ? 'phase' : colouring, wireframe: false };
   }
 
-  private addShape(layer: number): Shape {
-    const shape = new Shape(this.topology!, this.studio, layer);
+  private addShape(topology: Topology, layer: number): Shape {
+    const shape = new Shape(topology, this.studio, layer);
     shape.setLook(this.current);
     this.object.add(shape.object);
     return shape;

@@ -35,6 +35,16 @@ export interface Topology {
   textures: (Texture | null)[];
 }
 
+/** One triangle. */
+export const NOTHING: Topology = {
+  vertices: 3,
+  scene: { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] },
+  index: new BufferAttribute(new Uint32Array([0, 1, 2]), 1),
+  uv: null,
+  tint: null,
+  textures: [],
+};
+
 export function topologyOf({ report, faces, scene }: KeysInfo): Topology {
   return {
     vertices: report.vertices,
@@ -100,6 +110,11 @@ export class Shape {
     }
     this.mesh.layers.enable(layer + CASTER_LAYERS);
     this.object.add(this.mesh, this.wire);
+  }
+
+  /** Without its wireframe. */
+  get surface(): Mesh {
+    return this.mesh;
   }
 
   /** The positions that are drawn now, or eased to, 3 x vertices. A view, valid until the next frame. */

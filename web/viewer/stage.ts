@@ -1,6 +1,6 @@
 /** The floor: a grid that fades, the shadow that the shape casts on it, and a ring in the colour of the moment. */
 import { Color, Group, Mesh, PlaneGeometry, SRGBColorSpace, ShaderMaterial, Vector3 } from 'three';
-import type { Scene, WebGLRenderer } from 'three';
+import type { Camera, Scene, WebGLRenderer } from 'three';
 import { ContactShadow, REACH } from './contact-shadow.ts';
 
 /** What the stage is made for: the box around all keys. */
@@ -52,6 +52,11 @@ export class Stage {
   /** Another graphics context. */
   restore(): void {
     this.shadow.forget();
+  }
+
+  /** Resolves once the graphics card has what draws it. */
+  async compile(renderer: WebGLRenderer, camera: Camera): Promise<void> {
+    await Promise.all([renderer.compileAsync(this.floor, camera), this.shadow.compile(renderer)]);
   }
 
   /** Before each drawing; see ContactShadow.render. */

@@ -16,6 +16,10 @@ export interface Surface {
 /** Throws where the browser has no WebGL 2. */
 export function newRenderer(): WebGLRenderer {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
+  // Each of the two waits for all that the graphics card has been given: asking for the log of every program while it
+  // is made, and for an extension in the middle of the first picture instead of before it.
+  renderer.debug.checkShaderErrors = false;
+  renderer.capabilities.getMaxAnisotropy();
   renderer.setClearColor(0x000000, 0);
   renderer.autoClear = false;
   return renderer;

@@ -52,6 +52,7 @@ export class Viewer {
   /** Another one whenever what stands on the floor has changed. */
   private version = 0;
   private pending = 0;
+  private starting: Promise<void> | null = null;
   private started = false;
   private waiting: (() => void)[] = [];
   private readonly resize: ResizeObserver;
@@ -82,6 +83,7 @@ export class Viewer {
       () => {
         events.onContextRestored();
         this.stage.restore();
+        this.started ||= this.starting !== null; // what was being made is gone
         // The first drawing after it has neither floor nor transparent ground; the second one is whole.
         this.draw();
         this.invalidate();
@@ -96,11 +98,26 @@ export class Viewer {
     this.fitCanvas();
   }
 
-  /** Nothing is drawn before: making the floor's shaders would hold up the first shape. */
+  /**
+   * Nothing is drawn before, and until the graphics card has made the programs for it: drawing at once would wait for
+   * them, and hold up the first shape.
+   */
   start(): void {
-    if (this.started) return;
-    this.started = true;
-    this.invalidate();
+    if (this.starting) return;
+    this.contents.warm();
+    this.starting = this.compile()
+      .catch(() => undefined)
+      .then(() => {
+        this.started = true;
+        this.invalidate();
+      });
+  }
+
+  /** Where the graphics card can do it beside other work. */
+  private async compile(): Promise<void> {
+    const { renderer, rig } = this;
+    if (!renderer.extensions.has('KHR_parallel_shader_compile')) return;
+    await Promise.all([this.stage.compile(renderer, rig.camera), this.contents.compile(renderer, rig.camera)]);
   }
 
   /** A new import; nothing of it is seen until its first frame. */
@@ -335,7 +352,7 @@ export class Viewer {
   /** Resolves once everything set so far has been drawn, no view is being turned to and no shape eased. */
   async drawn(): Promise<void> {
     // One draw shows all that was set before it; what is set meanwhile, as by a motion that plays, is not waited for.
-    if (this.pending === 0 && !this.moving) return;
+    if (this.pending === 0 && !this.moving && !this.compiling) return;
     do {
       await new Promise<void>((resolve) => {
         this.waiting.push(resolve);
@@ -375,6 +392,10 @@ export class Viewer {
     this.surface.dispose();
   }
 
+  private get compiling(): boolean {
+    return this.starting !== null && !this.started;
+  }
+
   private get moving(): boolean {
     return this.rig.turning || this.contents.easing;
   }
@@ -404,6 +425,7 @@ export class Viewer {
   private draw(): void {
     cancelAnimationFrame(this.pending);
     this.pending = 0;
+    if (this.compiling) return;
     this.contents.ease(performance.now());
     if (this.contents.easing) this.invalidate();
     const size = this.pictureSize ?? this.size();

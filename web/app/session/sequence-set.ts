@@ -104,24 +104,34 @@ export class SequenceSet {
 
   private async build(plan: SequencePlan, variants: readonly Variant[]): Promise<RunningSequence[]> {
     const abort = new AbortController();
-    const built: RunningSequence[] = [];
+    const fractions = variants.map(() => 0);
+    const progressOf =
+      (index: number) =>
+      ({ stage, fraction }: Progress): void => {
+        fractions[index] = fraction;
+        const done = fractions.reduce((sum, share) => sum + share, 0);
+        this.events.onProgress({ stage, fraction: done / variants.length });
+      };
+    const buildOne = async (variant: Variant, index: number): Promise<RunningSequence> => {
+      const keys = this.pool.keys.arrange(plan.order, plan.times, plan.names);
+      const options = optionsFor(plan, variant, this.pool.keys);
+      const call = { signal: abort.signal, onProgress: progressOf(index) };
+      return {
+        ...variant,
+        key: variantKey(plan, variant),
+        keys,
+        sequence: await this.engine.createSequence(keys, options, call),
+      };
+    };
     this.building = { shape: buildKey(plan), abort };
+    const builds = variants.map(buildOne);
     try {
-      for (const [index, variant] of variants.entries()) {
-        const onProgress = ({ stage, fraction }: Progress): void =>
-          this.events.onProgress({ stage, fraction: (index + fraction) / variants.length });
-        const keys = this.pool.keys.arrange(plan.order, plan.times, plan.names);
-        const options = optionsFor(plan, variant, this.pool.keys);
-        built.push({
-          ...variant,
-          key: variantKey(plan, variant),
-          keys,
-          sequence: await this.engine.createSequence(keys, options, { signal: abort.signal, onProgress }),
-        });
-      }
-      return built;
+      // Each in a worker of its own.
+      return await Promise.all(builds);
     } catch (error) {
-      disposeAll(built);
+      // One without the others is of no use.
+      abort.abort();
+      for (const build of await Promise.allSettled(builds)) if (build.status === 'fulfilled') disposeAll([build.value]);
       throw error;
     } finally {
       this.building = null;
