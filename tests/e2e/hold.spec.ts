@@ -100,9 +100,15 @@ test('a link holds, and other methods and two keys have nothing to hold', async 
   await app.open({ hash: '#sample=gymnast&hold=contact&t=0.3' });
   await expect(app.by('hold-contact')).toBeChecked();
   const held = await app.positionsAt(0.3);
+  // Beside the method as published, which is gone when nothing is held.
+  await app.by('compare-lri').check();
+  await app.settled();
+  await expect(app.page.getByText('LRI), nothing held').first()).toBeVisible();
+  expect(difference(await app.positionsAt(0.3, 1), held)).toBeGreaterThan(0);
   await app.by('hold-off').check();
   await app.settled();
   expect(difference(await app.positionsAt(0.3), held)).toBeGreaterThan(0);
+  await expect(app.by('compare-lri')).toBeHidden();
   await app.by('method').selectOption('linear');
   await expect(app.by('hold-contact')).toBeHidden();
   await app.by('method').selectOption('lri');

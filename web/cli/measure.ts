@@ -33,7 +33,7 @@ export async function measure(args: Arguments): Promise<string> {
     const comments: string[] = [];
     for (const method of methods) {
       await sequence.update({ method });
-      columns.push(...columnsOf(await measureMotion(sequence, method, times)));
+      columns.push(...columnsOf(await measureMotion(sequence, { method }, times)));
       if (!truth) continue;
       const error = await compare(sequence, times, truth, keys.info.report.diagonal);
       columns.push(

@@ -1,6 +1,18 @@
 /** What the methods are called. */
 import type { Method } from '../engine/api/types.ts';
 
+/** Of the method as published beside the same one that holds something. */
+export const PLAIN_WORDS = { label: 'Shape spline (LRI), nothing held', short: 'Nothing held' } as const;
+
+export function motionWords({ method, plain }: { method: Method; plain?: true }): { label: string; short: string } {
+  return plain ? PLAIN_WORDS : METHOD_WORDS[method];
+}
+
+/** Of its line in plots, as a class. */
+export function lineStyle({ method, plain }: { method: Method; plain?: true }): string {
+  return plain ? 'nothing-held' : method;
+}
+
 export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: string }> = {
   lri: {
     label: 'Shape spline (LRI)',

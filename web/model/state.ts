@@ -150,6 +150,11 @@ export function ignoresHermite(method: Method): boolean {
   return method === 'geodesic' || method === 'linear';
 }
 
+/** What rests is held, so that the motion is not the method's as published. */
+export function holds({ method, hold }: Motion): boolean {
+  return method === 'lri' && hold !== 'off';
+}
+
 /** The methods of LRI space; the others blend positions, where neither stretches nor a ghost mesh have a part. */
 export function isInLri(method: Method): boolean {
   return method === 'lri' || method === 'geodesic';

@@ -7,6 +7,8 @@ export interface Variant {
   method: Method;
   /** Faces of the ghost mesh that leads it; 0 without one. */
   ghost: number;
+  /** The method as published: nothing is held. */
+  plain?: true;
 }
 
 /** With the sequence that makes its frames. */

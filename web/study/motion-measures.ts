@@ -2,8 +2,13 @@
 import type { Sequence } from '../engine/api/api.ts';
 import type { Method } from '../engine/api/types.ts';
 
-export interface MotionMeasures {
+/** Which of the motions that are measured; `plain`: nothing is held, as in the method as published. */
+export interface MotionName {
   method: Method;
+  plain?: true;
+}
+
+export interface MotionMeasures extends MotionName {
   /** In cubic and square units of the positions. */
   volume: number[];
   area: number[];
@@ -18,12 +23,13 @@ export interface MotionMeasures {
   plane: number[] | null;
 }
 
-export async function measureMotion(sequence: Sequence, method: Method, times: number[]): Promise<MotionMeasures> {
+export async function measureMotion(sequence: Sequence, name: MotionName, times: number[]): Promise<MotionMeasures> {
+  const { method, plain } = name;
   const { volume, area, sliding } = await sequence.measures(times);
   const inLri = method === 'lri' || method === 'geodesic';
   const plane = inLri ? (await sequence.shapePlane(times)).curve : null;
   const bending = await sequence.bendingEnergy(times);
-  return { method, volume, area, bending, sliding, plane };
+  return { method, ...(plain && { plain }), volume, area, bending, sliding, plane };
 }
 
 /** A value for each time; NaN: none there. */
@@ -42,17 +48,18 @@ export const MEASURE_UNITS =
   'bending energy 1/s^4, relative to the mean deformation energy between keys; ' +
   'sliding: distance of what rests between keys from its place, % of the diagonal; plane relative to the distance of keys';
 
-export function columnsOf({ method, volume, area, bending, sliding, plane }: MotionMeasures): Column[] {
+export function columnsOf({ method, plain, volume, area, bending, sliding, plane }: MotionMeasures): Column[] {
+  const name = plain ? `${method} plain` : method;
   const part = (points: readonly number[], axis: 0 | 1): number[] => points.filter((_, index) => index % 2 === axis);
   return [
-    { name: `${method} volume`, values: volume },
-    { name: `${method} area`, values: area },
-    { name: `${method} bending energy`, values: bending },
-    { name: `${method} sliding`, values: sliding },
+    { name: `${name} volume`, values: volume },
+    { name: `${name} area`, values: area },
+    { name: `${name} bending energy`, values: bending },
+    { name: `${name} sliding`, values: sliding },
     ...(plane
       ? [
-          { name: `${method} plane x`, values: part(plane, 0) },
-          { name: `${method} plane y`, values: part(plane, 1) },
+          { name: `${name} plane x`, values: part(plane, 0) },
+          { name: `${name} plane y`, values: part(plane, 1) },
         ]
       : []),
   ];

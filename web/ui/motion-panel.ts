@@ -4,10 +4,10 @@ import type { Encoding, KeyRef, Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import type { End } from '../model/speeds.ts';
 import type { DropPoint } from './file-drop.ts';
-import { METHOD_WORDS } from '../model/method-words.ts';
+import { METHOD_WORDS, PLAIN_WORDS } from '../model/method-words.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TANGENT_NAME } from '../model/speeds.ts';
-import { BOUNDARIES, DEFAULT_MOTION, HOLDS, METHODS, ignoresHermite } from '../model/state.ts';
+import { BOUNDARIES, DEFAULT_MOTION, HOLDS, METHODS, holds, ignoresHermite } from '../model/state.ts';
 import { button, checkbox, keyLabel, numberField, segments, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 
@@ -206,7 +206,9 @@ export function createMotionPanel(
     method.update(motion.method);
     setText(methodHint, METHOD_WORDS[motion.method].hint);
     for (const { value, toggle } of others) {
-      setHidden(toggle.element, value === motion.method);
+      const own = value === motion.method;
+      setHidden(toggle.element, own && !holds(motion));
+      setText(toggle.element.querySelector('span')!, (own ? PLAIN_WORDS : METHOD_WORDS[value]).short);
       toggle.update(compared.includes(value), props.disabled);
     }
     boundary.update(

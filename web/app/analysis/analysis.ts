@@ -1,11 +1,10 @@
 /** Volume, area, bending energy and shape plane of the motions on the screen, as numbers over time. */
-import type { Method } from '../../engine/api/types.ts';
 import { endTangents, referenceKey } from '../../model/state.ts';
 import type { Doc } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { measureMotion } from '../../study/motion-measures.ts';
-import type { MotionMeasures } from '../../study/motion-measures.ts';
+import type { MotionMeasures, MotionName } from '../../study/motion-measures.ts';
 import type { RunningSequence } from '../session/sequence-set.ts';
 import type { ShapePlaneInput } from './shape-plane.ts';
 
@@ -44,7 +43,7 @@ const MOST_TIMES = 97;
 export async function analyse({ sequences, keyTimes, range, ms }: AnalysisInput): Promise<Analysis> {
   const affordable = BUDGET_MS / Math.max(ms * sequences.length, 0.1);
   const times = plottedTimes(range, keyTimes, Math.round(Math.min(Math.max(affordable, LEAST_TIMES), MOST_TIMES)));
-  const motions = await Promise.all(sequences.map(({ sequence, method }) => measureMotion(sequence, method, times)));
+  const motions = await Promise.all(sequences.map((running) => measureMotion(running.sequence, running, times)));
   return { times, keyTimes, range, motions };
 }
 
@@ -63,18 +62,19 @@ export async function analyseAt(
     const parts: MotionMeasures[] = [];
     for (let from = 0; from < times.length; from += AT_ONCE) {
       signal.throwIfAborted();
-      parts.push(await measureMotion(running.sequence, running.method, times.slice(from, from + AT_ONCE)));
+      parts.push(await measureMotion(running.sequence, running, times.slice(from, from + AT_ONCE)));
       report((index + Math.min((from + AT_ONCE) / times.length, 1)) / sequences.length);
     }
-    motions.push(joined(running.method, parts));
+    motions.push(joined(running, parts));
   }
   return { times: [...times], keyTimes, range, motions };
 }
 
-function joined(method: Method, parts: readonly MotionMeasures[]): MotionMeasures {
+function joined({ method, plain }: MotionName, parts: readonly MotionMeasures[]): MotionMeasures {
   const all = (of: (part: MotionMeasures) => number[] | null): number[] => parts.flatMap((part) => of(part) ?? []);
   return {
     method,
+    ...(plain && { plain }),
     volume: all(({ volume }) => volume),
     area: all(({ area }) => area),
     bending: all(({ bending }) => bending),

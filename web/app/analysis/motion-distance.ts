@@ -2,6 +2,7 @@
 import type { Method } from '../../engine/api/types.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import { MotionError } from '../../study/motion-error.ts';
+import type { MotionName } from '../../study/motion-measures.ts';
 import type { AnalysisInput } from './analysis.ts';
 
 /** What the motions are compared with, and the diagonal that distances are relative to. */
@@ -16,7 +17,7 @@ export interface MotionDistances {
   /** null: the animation. */
   from: Method | null;
   /** Mean distance in percent of the diagonal at each time; the KG error of all times in percent. */
-  motions: { method: Method; mean: number[]; largest: number[]; kg: number }[];
+  motions: (MotionName & { mean: number[]; largest: number[]; kg: number })[];
 }
 
 const BUDGET_MS = 1200;
@@ -49,8 +50,9 @@ export async function motionDistances(
   return {
     times,
     from: original ? null : sequences[0]!.method,
-    motions: others.map(({ method }, k) => ({
+    motions: others.map(({ method, plain }, k) => ({
       method,
+      ...(plain && { plain }),
       mean: errors[k]!.over.mean,
       largest: errors[k]!.over.largest,
       kg: errors[k]!.percent,

@@ -37,7 +37,8 @@ const POINTS = 97;
 export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapePlanes> {
   const { sequences, keyTimes, range, towards } = input;
   const times = plottedTimes(range, keyTimes, POINTS);
-  const inLri = sequences.filter(({ method }) => isInLri(method));
+  // What holds moves shapes, not their coordinates: without it the curve is the same.
+  const inLri = sequences.filter(({ method, plain }) => isInLri(method) && !plain);
   const planes = await Promise.all(
     inLri.map(async ({ method, sequence }) => {
       const plane = await sequence.shapePlane(times);

@@ -1,6 +1,6 @@
 /** Amounts as colours on the shapes that are drawn, and the bar that says what the colours mean. */
 import type { Frame, KeysInfo } from '../../engine/api/types.ts';
-import { METHOD_WORDS } from '../../model/method-words.ts';
+import { motionWords } from '../../model/method-words.ts';
 import { isFaceAmount, referenceKey } from '../../model/state.ts';
 import type { AppState, Colouring, Doc, FaceAmount } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
@@ -100,7 +100,7 @@ export class HeatMap {
     const [main] = sequences;
     const first = original ? 0 : 1;
     if (!main || frames.length <= first) return this.clear();
-    const word = (of: RunningMotion | undefined): string => (of ? METHOD_WORDS[of.method].label : '');
+    const word = (of: RunningMotion | undefined): string => (of ? motionWords(of).label : '');
     const from = original ? 'the animation' : word(main);
     const unit = `${word(sequences[first])} from ${from}, % of the diagonal`;
     const views = [...frames.keys()].slice(first);

@@ -5,7 +5,7 @@ import type { CameraPose, ViewName } from '../../model/camera.ts';
 import type { AppState, Doc, View } from '../../model/state.ts';
 import { isInLri } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
-import { METHOD_WORDS } from '../../model/method-words.ts';
+import { motionWords } from '../../model/method-words.ts';
 import { OFF_CURVE, PHASE_COLOURS, phaseOf } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { TileLabel } from '../../ui/view-bar.ts';
@@ -381,9 +381,9 @@ export class SceneController {
  * Beside a divider, a blend is called what those know it by who have never heard of it; among ghosts of several sizes
  * (Fig. 7), where names have little room, the size is the name.
  */
-function titleOf({ method, ghost }: RunningMotion, split: boolean, sizes: boolean): string {
+function titleOf({ ghost, ...motion }: RunningMotion, split: boolean, sizes: boolean): string {
   if (sizes) return ghost > 0 ? `Ghost of ${ghost.toLocaleString('en')} faces` : 'No ghost';
-  const title = METHOD_WORDS[method][split || ghost > 0 ? 'short' : 'label'];
+  const title = motionWords(motion)[split || ghost > 0 ? 'short' : 'label'];
   return ghost > 0 ? `${title}, ghost mesh of ${ghost.toLocaleString('en')} faces` : title;
 }
 

@@ -1,13 +1,12 @@
 /** The Analysis panel: shape plane and measures of the shown motions over time, computed when idle. */
-import type { Method } from '../../engine/api/types.ts';
 import type { End } from '../../model/speeds.ts';
 import { createLineChart, make } from '../../plots/line-chart.ts';
 import type { LineChart } from '../../plots/line-chart.ts';
 import type { Colouring, Plot } from '../../model/state.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
-import { METHOD_WORDS } from '../../model/method-words.ts';
+import { lineStyle, motionWords } from '../../model/method-words.ts';
 import { relativeToFirstKey } from '../analysis/analysis.ts';
-import type { MotionMeasures } from '../../study/motion-measures.ts';
+import type { MotionMeasures, MotionName } from '../../study/motion-measures.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { FacesFigure, FacesFigureEvents, FacesFigureProps } from './faces-figure.ts';
@@ -89,9 +88,9 @@ export function createAnalysisPanel(
     const { times, keyTimes, range, motions } = analysis;
     const series = (pick: (motion: MotionMeasures) => number[]): Series[] =>
       motions.map((motion) => ({
-        label: METHOD_WORDS[motion.method].label,
+        label: motionWords(motion).label,
         values: pick(motion),
-        style: motion.method,
+        style: lineStyle(motion),
       }));
     const common = { times, keyTimes, range };
     const relative = { ...common, include: 100, leastSpan: 4 };
@@ -104,10 +103,7 @@ export function createAnalysisPanel(
       motions.every((motion) => motion.sliding.every(Number.isNaN)),
     );
     sliding.draw({ ...common, series: series((motion) => motion.sliding), include: 0 });
-    drawLegend(
-      legend,
-      motions.map(({ method }) => method),
-    );
+    drawLegend(legend, motions);
     setCursor(cursor);
   };
 
@@ -183,13 +179,13 @@ function chart(title: string, unit: string, name: Plot, events: AnalysisPanelEve
   };
 }
 
-function drawLegend(legend: HTMLElement, methods: readonly Method[]): void {
-  setHidden(legend, methods.length < 2);
+function drawLegend(legend: HTMLElement, motions: readonly MotionName[]): void {
+  setHidden(legend, motions.length < 2);
   legend.replaceChildren(
-    ...methods.map((method) => {
+    ...motions.map((motion) => {
       const sample = make('svg', { viewBox: '0 0 22 8', 'aria-hidden': 'true' });
-      sample.append(make('line', { class: method, x1: 0, x2: 22, y1: 4, y2: 4 }));
-      return h('span', {}, sample, METHOD_WORDS[method].label);
+      sample.append(make('line', { class: lineStyle(motion), x1: 0, x2: 22, y1: 4, y2: 4 }));
+      return h('span', {}, sample, motionWords(motion).label);
     }),
   );
 }

@@ -30,6 +30,7 @@ import {
   METHODS,
   SPEEDS,
   PRESENTED,
+  holds,
   ignoresHermite,
 } from '../../model/state.ts';
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey, timeScale } from '../../model/time-scale.ts';
@@ -113,14 +114,17 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
       if (split !== null) return view({ split: null, compare: beside });
       const { method } = state().doc.motion;
       beside = compare;
-      const other = compare.find((one) => one !== method) ?? (method === 'linear' ? 'lri' : 'linear');
+      const held = holds(state().doc.motion);
+      const usual = held || method === 'linear' ? 'lri' : 'linear';
+      const other = compare.find((one) => one !== method || held) ?? usual;
       view({ split: 0.5, compare: [other] });
     },
 
     /** One other method after the other behind a divider, then none. */
     nextComparison(): void {
       const { compare, split } = state().view;
-      const others = COMPARED.filter((method) => method !== state().doc.motion.method);
+      const { motion: shown } = state().doc;
+      const others = COMPARED.filter((method) => method !== shown.method || holds(shown));
       const next = others[others.indexOf(compare.at(-1) as Method) + 1];
       if (next) view({ compare: [next], split: split ?? 0.5 });
       else view({ compare: [], split: null });

@@ -2,7 +2,7 @@
 import { createLineChart } from '../../plots/line-chart.ts';
 import type { LineChartData } from '../../plots/line-chart.ts';
 import { h, setHidden, setText, svg } from '../../ui/dom.ts';
-import { METHOD_WORDS } from '../../model/method-words.ts';
+import { METHOD_WORDS, lineStyle, motionWords } from '../../model/method-words.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
 import { motionDistances } from '../analysis/motion-distance.ts';
 import type { Compared, MotionDistances } from '../analysis/motion-distance.ts';
@@ -60,16 +60,20 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
     const words = `mean over the vertices from ${against}, % of the diagonal`;
     drawn = {
       ...{ title: TITLE, unit: words, times, keyTimes, range, include: 0 },
-      series: motions.map(({ method, mean }) => ({ label: METHOD_WORDS[method].label, values: mean, style: method })),
+      series: motions.map(({ mean, ...name }) => ({
+        label: motionWords(name).label,
+        values: mean,
+        style: lineStyle(name),
+      })),
     };
     plot.draw(drawn);
     plot.setCursor(cursor);
     setText(unit, words);
     legend.replaceChildren(
-      ...motions.map(({ method, kg }) => {
-        const line = svg('line', { class: method, x1: 0, x2: 22, y1: 4, y2: 4 });
+      ...motions.map(({ kg, ...name }) => {
+        const line = svg('line', { class: lineStyle(name), x1: 0, x2: 22, y1: 4, y2: 4 });
         const sample = svg('svg', { viewBox: '0 0 22 8', 'aria-hidden': 'true' }, line);
-        return h('span', {}, sample, `${METHOD_WORDS[method].label}: KG error ${Number(kg.toPrecision(3))}\u00a0%`);
+        return h('span', {}, sample, `${motionWords(name).label}: KG error ${Number(kg.toPrecision(3))}\u00a0%`);
       }),
     );
     redrawn();

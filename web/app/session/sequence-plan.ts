@@ -1,12 +1,12 @@
 /** What the document asks of the engine, as plain data: which keys, encoded how, moved how. */
-import { ENCODING_DEFAULTS } from '../../engine/api/types.ts';
+import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../engine/api/types.ts';
 import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
 import type { EncodingOptions, Method, MotionOptions, SequenceOptions } from '../../engine/api/types.ts';
 import type { Variant } from '../../playback/frame-set.ts';
 import { listsOf } from '../../model/shaping.ts';
-import type { Doc, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, ignoresHermite, isInLri, referenceKey } from '../../model/state.ts';
+import type { Doc, Motion, View } from '../../model/state.ts';
+import { DEFAULT_VIEW, holds, ignoresHermite, isInLri, referenceKey } from '../../model/state.ts';
 
 type Encoding = Omit<EncodingOptions, ShapeName | 'precision'>;
 
@@ -47,9 +47,15 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
     variants: [
       { method, ghost },
       ...sizes.map((size) => ({ method, ghost: size })),
-      ...shown.compare.filter((other) => other !== method).map((other) => ({ method: other, ghost })),
+      ...shown.compare.flatMap((other) => besideMethod(motion, other).map((one) => ({ ...one, ghost }))),
     ],
   };
+}
+
+/** A motion that holds something stands beside the same method without that. */
+function besideMethod(motion: Motion, other: Method): Omit<Variant, 'ghost'>[] {
+  if (other !== motion.method) return [{ method: other }];
+  return holds(motion) ? [{ method: other, plain: true }] : [];
 }
 
 function besides(ghost: number, { ghostDifference, ghostSizes }: ShownMotions): number[] {
@@ -73,14 +79,14 @@ export function optionsFor(plan: SequencePlan, variant: Variant, keys: Keys): Pa
   const pose = (index: number | null): Float32Array | null => (index === null ? null : keys.positions(index));
   return {
     ...encodingFor(plan, variant),
-    ...motionFor(plan, variant.method),
+    ...motionFor(plan, variant),
     startTangent: pose(plan.startTangentPose),
     endTangent: pose(plan.endTangentPose),
   };
 }
 
 /** The boundary that a method makes use of: straight motion has no end derivatives. */
-export function motionFor(plan: SequencePlan, method: Method): MotionOptions {
+export function motionFor(plan: SequencePlan, { method, plain }: Variant): MotionOptions {
   const boundary = ignoresHermite(method) && plan.motion.boundary === 'hermite' ? 'natural' : plan.motion.boundary;
-  return { ...plan.motion, method, boundary };
+  return { ...plan.motion, method, boundary, hold: plain ? MOTION_DEFAULTS.hold : plan.motion.hold };
 }

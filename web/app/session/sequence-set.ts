@@ -151,9 +151,11 @@ function takeWhere<T>(list: T[], fits: (item: T) => boolean): T | undefined {
   return index < 0 ? undefined : list.splice(index, 1)[0];
 }
 
-async function refit(running: RunningSequence, plan: SequencePlan, { method }: Variant): Promise<void> {
-  await running.sequence.update({ ...motionFor(plan, method), keyTimes: plan.times });
-  running.method = method;
+async function refit(running: RunningSequence, plan: SequencePlan, variant: Variant): Promise<void> {
+  await running.sequence.update({ ...motionFor(plan, variant), keyTimes: plan.times });
+  running.method = variant.method;
+  if (variant.plain) running.plain = true;
+  else delete running.plain;
 }
 
 function disposeAll(sequences: readonly RunningSequence[]): void {
