@@ -7,7 +7,7 @@
 
 #include "core/lri/lri.h"
 #include "core/mesh/component_tree.h"
-#include "core/mesh/kd_tree.h"
+#include "core/mesh/contact.h"
 #include "core/mesh/weld.h"
 #include "shapes.h"
 
@@ -168,29 +168,48 @@ TEST_CASE("a part of a part of a report runs where it stands in the whole") {
   CHECK(!partOf({}, 0, 0.5));
 }
 
-TEST_CASE("kd-tree: the nearest point with another label, below the bound, without asking those that share one") {
-  Positions line;
-  for (int i = 0; i < 1000; ++i) line.emplace_back(i, 0, 0);
-  std::vector<int> all(line.size());
-  std::iota(all.begin(), all.end(), 0);
-  const KdTree tree(line, all);
-  int asked = 0;
-  const auto label = [&](int i) { return ++asked, i < 900 ? 0 : i % 2 + 1; };
-  const std::vector<int> shared = tree.sharedLabels(label);
-  asked = 0;
-  CHECK(tree.nearestOther({3.25, 0, 0}, label, shared, 0, 1e9) == 900);
-  CHECK(asked < 30);
-  CHECK(tree.nearest({3.25, 0, 0}, [&](int i) { return label(i) != 0; }) == 900);
-  CHECK(asked > 900);
-  CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 1, 1e9) == 951);
-  CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 2, 1e9) == 950);
-  CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 2, 0.0625) == -1);
-  CHECK(tree.nearestOther({950.25, 0, 0}, label, shared, 2, 0.063) == 950);
-  std::vector<int> visited;
-  tree.eachOther({950.25, 0, 0}, label, shared, 2, 4, [&](int i) { visited.push_back(i); });
-  std::sort(visited.begin(), visited.end());
-  CHECK(visited == std::vector{950, 952});
-  CHECK(KdTree(line, {}).sharedLabels(label).empty());
+TEST_CASE("contacts are those that comparing all vertices finds") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  constexpr int parts = 9, size = 400;
+  std::vector<Positions> poses(6);
+  std::vector<int> partOf;
+  for (int v = 0; v < parts * size; ++v) {
+    partOf.push_back(v % 10 == 3 ? -1 : v * 7 % parts);
+    for (Positions& pose : poses) pose.emplace_back(number(random) + v * 7 % parts, number(random), number(random));
+  }
+  std::vector<const Positions*> all;
+  for (const Positions& pose : poses) all.push_back(&pose);
+  const ContactSearch search(all, partOf, parts);
+  const std::vector<int> label = {4, 1, 2, 4, 3, 5, 6, 7, 8};
+  const std::vector<int> shared = search.sharedLabels(label);
+  const auto distance = [&](int a, int b, std::size_t first, std::size_t last) {
+    double largest = 0;
+    for (std::size_t k = first; k < last; ++k) largest = std::max(largest, (poses[k][a] - poses[k][b]).squaredNorm());
+    return largest;
+  };
+  std::vector<int> lastFound;
+  for (int u = 0; u < parts * size; u += 9) {  // all of one part
+    if (partOf[u] < 0) continue;
+    const int own = label[partOf[u]];
+    const auto isOther = [&](int v) { return partOf[v] >= 0 && label[partOf[v]] != own; };
+    Contact expected;
+    for (const std::size_t k : {0, 1, 3, 5}) {  // four of six poses are searched
+      int nearest = -1;
+      for (int v = 0; v < parts * size; ++v)
+        if (isOther(v) && (nearest < 0 || distance(u, v, k, k + 1) < distance(u, nearest, k, k + 1))) nearest = v;
+      if (const double d = distance(u, nearest, 0, 6); d < expected.distance) expected = {d, u, nearest};
+    }
+    Contact found;
+    search.nearestOther(u, shared, own, found, lastFound);
+    CHECK(found.to == expected.to);
+    CHECK(found.distance == expected.distance);
+    int lowest = -1, lowestExpected = -1;
+    search.lowestOther(u, shared, own, 2 * found.distance, lowest);
+    for (int v = parts * size - 1; v >= 0; --v)
+      if (isOther(v) && distance(u, v, 0, 6) < 2 * found.distance) lowestExpected = v;
+    CHECK(lowest == lowestExpected);
+  }
 }
 
 TEST_CASE("components are attached to their nearest neighbour, rooted at the largest") {

@@ -224,19 +224,19 @@ class Encoder {
   void anchorGroups(const VertexFaces& facesAt, const std::vector<int>& faceAt, std::vector<int>& anchor) const {
     std::vector<const Positions*> poses;
     for (const Positions& pose : shape_.poses) poses.push_back(&pose);
-    std::vector<int> held;
-    for (int v = 0; v < shape_.vertexCount(); ++v)
-      if (faceAt[v] >= 0) held.push_back(v);
+    std::vector<int> partOf;  // all that can carry others are one part
+    for (const int f : faceAt) partOf.push_back(f >= 0 ? 0 : -1);
+    const int everyLabel[] = {0};
     std::optional<ContactSearch> search;
+    std::vector<int> shared;
     std::vector<char> met(anchor.size(), 0);
     for (int first = 0; first < shape_.vertexCount(); ++first) {
       if (anchor[first] >= 0) continue;
-      if (!search) search.emplace(poses, held);
+      if (!search) search.emplace(poses, partOf, 1), shared = search->sharedLabels(everyLabel);
       const std::vector<int> group = looseGroup(facesAt, first, met);
       Contact nearest;
-      for (int v : spreadSample(group, queriesPerGroup))
-        if (const Contact contact = search->nearest(v, [](int) { return true; }); contact.distance < nearest.distance)
-          nearest = contact;
+      std::vector<int> lastFound;
+      for (int v : spreadSample(group, queriesPerGroup)) search->nearestOther(v, shared, -1, nearest, lastFound);
       for (int v : group) anchor[v] = faceAt[nearest.to];
     }
   }

@@ -37,11 +37,8 @@ struct Edge {
 // Boruvka's algorithm: every group joins its nearest other group until one is left.
 std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int components,
                                 std::span<const Positions* const> poses) {
-  std::vector<int> used;
-  for (int v = 0; v < static_cast<int>(componentOfVertex.size()); ++v)
-    if (componentOfVertex[v] >= 0) used.push_back(v);
   const auto samples = sampleVertices(componentOfVertex, components);
-  const ContactSearch search(poses, used);
+  const ContactSearch search(poses, componentOfVertex, components);
   const std::vector<double> tolerances = weldTolerances(poses);
   const double rounded = 2 * *std::max_element(tolerances.begin(), tolerances.end());
 
@@ -49,11 +46,12 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
   std::iota(group.begin(), group.end(), 0);
   std::vector<Edge> edges;
   while (static_cast<int>(edges.size()) + 1 < components) {
-    const auto groupOf = [&](int v) { return group[componentOfVertex[v]]; };
-    const auto shared = search.sharedLabels(groupOf);
+    const std::vector<int> shared = search.sharedLabels(group);
     std::vector<Contact> nearest(components);
-    for (int c = 0; c < components; ++c)
-      for (int u : samples[c]) search.nearestOther(u, groupOf, shared, nearest[group[c]]);
+    for (int c = 0; c < components; ++c) {
+      std::vector<int> lastFound;
+      for (int u : samples[c]) search.nearestOther(u, shared, group[c], nearest[group[c]], lastFound);
+    }
     // Of those that are as near the lowest, so that rounding does not decide.
     std::vector<Contact> lowest(components);
     for (int c = 0; c < components; ++c) {
@@ -61,8 +59,9 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
       const double within = std::pow((1 + asNear) * std::sqrt(nearest[g].distance) + rounded, 2);
       for (int u : samples[c]) {
         if (lowest[g].from >= 0 && lowest[g].from <= u) break;  // samples ascend
-        if (const int to = search.lowestOther(u, groupOf, shared, within); to >= 0)
-          lowest[g] = {nearest[g].distance, u, to};
+        int to = -1;
+        search.lowestOther(u, shared, g, within, to);
+        if (to >= 0) lowest[g] = {nearest[g].distance, u, to};
       }
     }
     for (int g = 0; g < components; ++g)

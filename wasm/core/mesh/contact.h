@@ -1,12 +1,15 @@
 // Where parts of a shape are nearest to each other, in all its poses at once.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include <Eigen/Geometry>
+
+#include "core/base/compressed_rows.h"
 #include "core/base/types.h"
-#include "core/mesh/kd_tree.h"
 
 namespace shapespline {
 
@@ -16,61 +19,70 @@ struct Contact {
   int from = -1, to = -1;
 };
 
-/// Finds contacts with some of the vertices. The poses must outlive it.
+/// Finds contacts with the vertices of parts, by a tree of boxes in several poses: whole parts first, and under each of
+/// them its vertices, so that no search wades through what is near and of the same part. The poses must outlive it.
+/// Deterministic: equal distances go to the lower vertex.
 class ContactSearch {
  public:
-  ContactSearch(std::span<const Positions* const> poses, const std::vector<int>& vertices);
+  /// partOf: of each vertex, in [0, parts), or -1 where it is not to be found.
+  ContactSearch(std::span<const Positions* const> poses, const std::vector<int>& partOf, int parts);
 
-  /// Of the vertices nearest to `from` in some poses, among those for which accept(vertex) holds, the one of least
-  /// distance; `to` is -1 where there is none.
-  template <class Accept>
-  Contact nearest(int from, Accept accept) const {
-    Contact best;
-    for (std::size_t k = 0; k < trees_.size(); ++k) {
-      const int to = trees_[k].nearest((*searched_[k])[from], accept);
-      if (to < 0) continue;
-      if (const double d = distance(from, to); d < best.distance) best = {d, from, to};
-    }
-    return best;
-  }
+  /// Of each subtree the label that all of its parts share, or -1. labelOfPart: none of them negative.
+  std::vector<int> sharedLabels(std::span<const int> labelOfPart) const;
 
-  /// Of each tree's subtrees the label that all of their vertices share (kd_tree.h), for nearestOther.
-  template <class Label>
-  std::vector<std::vector<int>> sharedLabels(Label label) const {
-    std::vector<std::vector<int>> shared;
-    for (const KdTree& tree : trees_) shared.push_back(tree.sharedLabels(label));
-    return shared;
-  }
+  /// Puts a contact of `from` with a vertex of another label than `own` into `best` where it is nearer: with one that
+  /// is the nearest in some pose. lastFound: by calls before for the same label, most likely near; empty at first.
+  void nearestOther(int from, const std::vector<int>& sharedLabels, int own, Contact& best,
+                    std::vector<int>& lastFound) const;
 
-  /// Puts a contact of `from` with a vertex of another label into `best` where it is nearer. The distance is the
-  /// largest of all poses: what is no nearer in one of them is passed over.
-  template <class Label>
-  void nearestOther(int from, Label label, const std::vector<std::vector<int>>& shared, Contact& best) const {
-    for (std::size_t k = 0; k < trees_.size(); ++k) {
-      const int to = trees_[k].nearestOther((*searched_[k])[from], label, shared[k], label(from), best.distance);
-      if (to < 0) continue;
-      if (const double d = distance(from, to); d < best.distance) best = {d, from, to};
-    }
-  }
-
-  /// Of the vertices of another label that are nearer to `from` than `within` (a square) in all poses the lowest; -1
-  /// without any.
-  template <class Label>
-  int lowestOther(int from, Label label, const std::vector<std::vector<int>>& shared, double within) const {
-    int lowest = -1;
-    const auto visit = [&](int to) {
-      if ((lowest < 0 || to < lowest) && distance(from, to) < within) lowest = to;
-    };
-    trees_[0].eachOther((*searched_[0])[from], label, shared[0], label(from), within, visit);
-    return lowest;
+  /// Of the vertices of another label that are nearer to `from` than `within` (a square) in all poses the lowest, if it
+  /// is below `lowest`, which else stays; -1 stands for none.
+  void lowestOther(int from, const std::vector<int>& sharedLabels, int own, double within, int& lowest) const {
+    lowestOther(root(), from, sharedLabels, own, within, lowest);
   }
 
  private:
+  using Box = Eigen::AlignedBox3d;
+
+  // A leaf has a range of one part's vertices, anything else two halves, which come before it.
+  struct Subtree {
+    int first = 0, last = 0;
+    int lower = -1, upper = -1;
+    int part = -1;  // where it holds no other
+  };
+  // The nearest vertex so far in one pose.
+  struct Nearest {
+    std::size_t pose;
+    Vec3 from;
+    int own;
+    double squared;
+    int vertex = -1;
+
+    void compare(int other, const Positions& positions) {
+      const double distance = (positions[other] - from).squaredNorm();
+      if (distance < squared || (distance == squared && other < vertex)) squared = distance, vertex = other;
+    }
+  };
+
+  int addParts(std::span<int> parts, const CompressedRows<int>& verticesOf, const Positions& centre, int axis);
+  int addVertices(int part, int first, int last, int axis);
+  int add(const Subtree& subtree);
+  int root() const { return static_cast<int>(subtrees_.size()) - 1; }
+  const Box& boxOf(int subtree, std::size_t pose) const {
+    return boxes_[searched_.size() * static_cast<std::size_t>(subtree) + pose];
+  }
+
+  void search(int subtree, const std::vector<int>& sharedLabels, Nearest& nearest) const;
+  void lowestOther(int subtree, int from, const std::vector<int>& sharedLabels, int own, double within,
+                   int& lowest) const;
+  bool isWithin(int subtree, int from, double within) const;
   double distance(int a, int b) const;
 
   std::span<const Positions* const> poses_;
   std::vector<const Positions*> searched_;
-  std::vector<KdTree> trees_;
+  std::vector<int> vertices_;
+  std::vector<Subtree> subtrees_;
+  std::vector<Box> boxes_;  // of each subtree, one for each searched pose
 };
 
 /// At most `limit` of the items, evenly spread.
