@@ -30,10 +30,21 @@ double inSteps(double exact) { return std::nearbyint(exact * 0x1p20); }
 
 // A patch while it grows.
 struct Centre {
-  std::vector<Quaternion> rotation;  // one per key
+  std::vector<Quaternion> rotation;  // one per compared pose
   Vec3 position;
   double inverseRadiusSquared;
   int seed;
+};
+
+// What growing asks of a face, in one place: it comes to faces in no order, so that each look elsewhere would wait for
+// memory.
+struct GrowingFace {
+  static constexpr int manyNeighbours = -2;
+
+  double cheapest;   // the claim that comes before all others so far: those need not queue
+  int claimant;      // its patch, or -1
+  int patch;         // -1 while it is in none
+  int neighbour[3];  // -1 where there is none; the first one is manyNeighbours where the graph has more
 };
 
 class Partition {
@@ -42,6 +53,13 @@ class Partition {
       : in_(input), onProgress_(onProgress), faceCount_(static_cast<int>(input.area.size())) {
     patches_.ofFace.assign(faceCount_, -1);
     chooseSeeds(wanted);
+    growing_.resize(faceCount_);
+    for (int f = 0; f < faceCount_; ++f) {
+      const std::span<const int> neighbours = in_.graph.of(f);
+      std::fill_n(growing_[f].neighbour, 3, -1);
+      if (neighbours.size() > 3) growing_[f].neighbour[0] = GrowingFace::manyNeighbours;
+      else std::copy(neighbours.begin(), neighbours.end(), growing_[f].neighbour);
+    }
   }
 
   Patches run() {
@@ -75,7 +93,7 @@ class Partition {
 
   Centre centreAt(int face, double inverseRadiusSquared) const {
     const Quaternion* rotation = in_.rotations.of(face);
-    return {{rotation, rotation + in_.rotations.poses}, in_.centroid[face], inverseRadiusSquared, face};
+    return {{rotation, rotation + in_.comparedPoses}, in_.centroid[face], inverseRadiusSquared, face};
   }
 
   void chooseSeeds(int wanted) {
@@ -106,7 +124,7 @@ class Partition {
 
     // Side by side: every seed asks all of them.
     Positions centroid;
-    FaceRotations rotations(candidateCount, in_.rotations.poses);
+    FaceRotations rotations(candidateCount, in_.comparedPoses);
     for (int i = 0; i < candidateCount; ++i) {
       centroid.push_back(in_.centroid[candidates[i]]);
       std::copy_n(in_.rotations.of(candidates[i]), rotations.poses, rotations.of(i));
@@ -155,41 +173,50 @@ class Partition {
         return face != o.face ? face > o.face : patch > o.patch;
       }
     };
-    std::fill(patches_.ofFace.begin(), patches_.ofFace.end(), -1);
+    for (GrowingFace& face : growing_) {
+      face.cheapest = std::numeric_limits<double>::infinity();
+      face.claimant = face.patch = -1;
+    }
     std::priority_queue<Claim> queue;
     const int count = static_cast<int>(centres_.size());
-    for (int k = 0; k < count; ++k) patches_.ofFace[centres_[k].seed] = k;
-    // Of each face the claim that comes before all others so far: those need not queue.
-    std::vector<double> cheapest(faceCount_, std::numeric_limits<double>::infinity());
-    std::vector<int> claimant(faceCount_, -1);
-    const auto claimNeighbours = [&](int face, int patch) {
-      for (int g : in_.graph.of(face)) {
-        if (patches_.ofFace[g] >= 0 || claimant[g] == patch) continue;
-        const double c = cost(g, centres_[patch]);
-        if (c > cheapest[g] || (c == cheapest[g] && claimant[g] < patch)) continue;
-        cheapest[g] = c;
-        claimant[g] = patch;
-        queue.push({c, g, patch});
+    for (int k = 0; k < count; ++k) growing_[centres_[k].seed].patch = k;
+    const auto claim = [&](int g, int patch) {
+      GrowingFace& face = growing_[g];
+      if (face.patch >= 0 || face.claimant == patch) return;
+      const double c = cost(g, centres_[patch]);
+      if (c > face.cheapest || (c == face.cheapest && face.claimant < patch)) return;
+      face.cheapest = c;
+      face.claimant = patch;
+      queue.push({c, g, patch});
+    };
+    const auto claimNeighbours = [&](int f, int patch) {
+      const int(&neighbour)[3] = growing_[f].neighbour;
+      if (neighbour[0] == GrowingFace::manyNeighbours) {
+        for (const int g : in_.graph.of(f)) claim(g, patch);
+        return;
       }
+      for (const int g : neighbour)
+        if (g >= 0) claim(g, patch);
     };
     for (int k = 0; k < count; ++k) claimNeighbours(centres_[k].seed, k);
     // No more faces can be claimed than there are.
     inBlocks(onProgress, static_cast<std::size_t>(faceCount_), [&](std::size_t claimed, std::size_t end) {
       while (claimed < end && !queue.empty()) {
-        const Claim claim = queue.top();
+        const Claim next = queue.top();
         queue.pop();
-        if (patches_.ofFace[claim.face] >= 0) continue;
+        if (growing_[next.face].patch >= 0) continue;
         ++claimed;
-        patches_.ofFace[claim.face] = claim.patch;
-        claimNeighbours(claim.face, claim.patch);
+        growing_[next.face].patch = next.patch;
+        claimNeighbours(next.face, next.patch);
       }
     });
+    for (int f = 0; f < faceCount_; ++f) patches_.ofFace[f] = growing_[f].patch;
   }
 
   // Moves each centre to its patch's means and seeds it with the face that suits them best.
   void recentre(const FractionReport& onProgress) {
     const int count = static_cast<int>(centres_.size());
-    const auto keys = static_cast<std::size_t>(in_.rotations.poses);
+    const auto keys = static_cast<std::size_t>(in_.comparedPoses);
     std::vector<Vec3> position(count, Vec3::Zero());
     std::vector<double> area(count, 0);
     std::vector<RotationMean> mean(count * keys);
@@ -227,6 +254,7 @@ class Partition {
   const FractionReport& onProgress_;
   int faceCount_;
   std::vector<Centre> centres_;
+  std::vector<GrowingFace> growing_;
   Patches patches_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace shapespline {
 
-/// R_f of each pose, a face's side by side.
+/// R_f of some poses, a face's side by side.
 struct FaceRotations {
   int poses;
   std::vector<Quaternion> values;  ///< poses * faces
@@ -27,7 +27,8 @@ struct PatchInput {
   const Components& components;
   const std::vector<double>& area;  ///< in the reference pose
   const Positions& centroid;        ///< in the reference pose
-  const FaceRotations& rotations;
+  const FaceRotations& rotations;   ///< of the poses that count first; none of them need be the reference
+  int comparedPoses;                ///< how many count
 };
 
 /// Two patches that share an edge (or, at a pinched place, a vertex).

@@ -23,41 +23,44 @@ class PatchEncoder {
 
  private:
   void partition(int wantedPatches, const FractionReport& onProgress) {
-    const int m = shape_.faceCount(), columns = shape_.columns();
+    const int m = shape_.faceCount();
+    std::vector<int> columns;  // of which rotations are known: nothing turns in the reference
+    for (int c = 0; c < shape_.columns(); ++c)
+      if (c != shape_.reference && !shape_.repeatsFirst(c)) columns.push_back(c);
+    const int compared = static_cast<int>(columns.size());  // a loop's last key is its first one again
+    if (shape_.closing && shape_.reference != shape_.keys - 1) columns.push_back(shape_.keys - 1);
     std::vector<double> area(m, 0);
     Positions centroid(m, Vec3::Zero());
-    FaceRotations rotations(m, columns);
-    FaceRotations distinct(m, columns - (shape_.closing ? 1 : 0));  // a loop's last key is its first one again
+    FaceRotations rotations(m, static_cast<int>(columns.size()));
     const auto measure = [&](int f) {
       const FaceFrame frame = referenceFrame(shape_, f);
       area[f] = frame.area;
       centroid[f] = centroidOf(shape_.poses[shape_.reference], shape_.faces[f]);
-      for (int c = 0; c < columns; ++c) rotations.of(f)[c] = Quaternion(deformationOf(shape_, f, frame, c).rotation);
-      for (int c = 0, to = 0; c < columns; ++c)
-        if (!shape_.repeatsFirst(c)) distinct.of(f)[to++] = rotations.of(f)[c];
+      Quaternion* rotation = rotations.of(f);
+      for (const int c : columns) *rotation++ = Quaternion(deformationOf(shape_, f, frame, c).rotation);
     };
     topology_.eachUsedFace(measure, partOf(onProgress, 0, 0.3));
     const int used = static_cast<int>(std::count(topology_.hasArea.begin(), topology_.hasArea.end(), 1));
     const int wanted = wantedPatches > 0 ? std::min(wantedPatches, used) : defaultPatchCount(used);
-    out_.patches = partitionFaces({topology_.graph, topology_.components, area, centroid, distinct}, wanted,
+    out_.patches = partitionFaces({topology_.graph, topology_.components, area, centroid, rotations, compared}, wanted,
                                   partOf(onProgress, 0.3, 0.9));
     area_.assign(out_.patches.count, 0);
     topology_.eachUsedFace([&](int f) { area_[out_.patches.ofFace[f]] += area[f]; });
-    averageRotations(area, rotations, partOf(onProgress, 0.9, 1));
+    averageRotations(area, rotations, columns, partOf(onProgress, 0.9, 1));
   }
 
   // G_k: the projection to SO(3) of the area-weighted mean of R_f over the patch.
   void averageRotations(const std::vector<double>& area, const FaceRotations& rotations,
-                        const FractionReport& onProgress) {
-    const int columns = shape_.columns();
-    for (int c = 0; c < columns; ++c) {
-      std::vector<RotationMean> mean(out_.patches.count);
-      const auto add = [&](int f) { mean[out_.patches.ofFace[f]].add(rotations.of(f)[c], area[f]); };
-      topology_.eachUsedFace(add, partOf(onProgress, static_cast<double>(c) / columns, (c + 1.0) / columns));
-      std::vector<Quaternion> rotation(out_.patches.count);
-      for (int k = 0; k < out_.patches.count; ++k) rotation[k] = mean[k].mean();
-      out_.rotation.push_back(std::move(rotation));
-    }
+                        const std::vector<int>& columns, const FractionReport& onProgress) {
+    std::vector<RotationMean> mean(columns.size() * out_.patches.count);
+    const auto add = [&](int f) {
+      RotationMean* sum = &mean[columns.size() * out_.patches.ofFace[f]];
+      for (std::size_t i = 0; i < columns.size(); ++i) sum[i].add(rotations.of(f)[i], area[f]);
+    };
+    topology_.eachUsedFace(add, onProgress);
+    out_.rotation.assign(shape_.columns(), std::vector<Quaternion>(out_.patches.count, Quaternion::Identity()));
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      for (int k = 0; k < out_.patches.count; ++k) out_.rotation[columns[i]][k] = mean[columns.size() * k + i].mean();
   }
 
   // The logarithms of the metric (sequence/gram_matrix.h): the representatives nearest the pose before.
