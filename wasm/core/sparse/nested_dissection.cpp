@@ -31,7 +31,7 @@ struct Subgraph {
 class Dissection {
  public:
   Dissection(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress)
-      : whole_(graph), onProgress_(onProgress), local_(graph.size(), -1) {
+      : whole_(graph), onProgress_(onProgress), local_(graph.size(), -1), number_(graph.size()) {
     order_.resize(graph.size());
     Subgraph subgraph{graph, {coordinates.begin(), coordinates.end()}, std::vector<int>(graph.size())};
     std::iota(subgraph.original.begin(), subgraph.original.end(), 0);
@@ -53,8 +53,7 @@ class Dissection {
     for (Side s : side) ++count[static_cast<int>(s)];
     if (count[0] == 0 || count[1] == 0 || count[2] > kUselessSeparator * size) return orderByDegree(subgraph);
     placeSeparator(subgraph, side);
-    Subgraph right = extract(subgraph, side, Side::Right);
-    Subgraph left = extract(subgraph, side, Side::Left);
+    auto [left, right] = divide(subgraph, side, count);
     subgraph = {};
     dissect(std::move(right));
     dissect(std::move(left));
@@ -88,22 +87,34 @@ class Dissection {
     for (std::size_t i = 0; i < nodes.size(); ++i) order_[end_ + static_cast<int>(i)] = subgraph.original[nodes[i]];
   }
 
-  static Subgraph extract(const Subgraph& subgraph, const std::vector<Side>& side, Side which) {
-    Subgraph result;
-    std::vector<int> renumbered(subgraph.graph.size(), -1);
-    for (int v = 0; v < subgraph.graph.size(); ++v) {
-      if (side[v] != which) continue;
-      renumbered[v] = static_cast<int>(result.original.size());
-      result.original.push_back(subgraph.original[v]);
-      result.coordinates.push_back(subgraph.coordinates[v]);
+  // The sides, left and right.
+  std::array<Subgraph, 2> divide(const Subgraph& subgraph, const std::vector<Side>& side,
+                                 const std::array<int, 3>& count) {
+    const Graph& graph = subgraph.graph;
+    std::array<Subgraph, 2> halves;
+    std::array<std::size_t, 2> ends = {0, 0};  // of edges, at most
+    for (int h = 0; h < 2; ++h) {
+      halves[h].original.reserve(count[h]);
+      halves[h].coordinates.reserve(count[h]);
+      halves[h].graph.start.reserve(count[h] + 1);
     }
-    for (int v = 0; v < subgraph.graph.size(); ++v) {
-      if (side[v] != which) continue;
-      for (int u : subgraph.graph.neighbours(v))
-        if (renumbered[u] != -1) result.graph.neighbour.push_back(renumbered[u]);
-      result.graph.start.push_back(static_cast<int>(result.graph.neighbour.size()));
+    for (int v = 0; v < graph.size(); ++v) {
+      if (side[v] == Side::Separator) continue;
+      Subgraph& half = halves[static_cast<int>(side[v])];
+      number_[v] = static_cast<int>(half.original.size());
+      half.original.push_back(subgraph.original[v]);
+      half.coordinates.push_back(subgraph.coordinates[v]);
+      ends[static_cast<int>(side[v])] += graph.degree(v);
     }
-    return result;
+    for (int h = 0; h < 2; ++h) halves[h].graph.neighbour.reserve(ends[h]);
+    for (int v = 0; v < graph.size(); ++v) {
+      if (side[v] == Side::Separator) continue;
+      Graph& half = halves[static_cast<int>(side[v])].graph;
+      for (const int u : graph.neighbours(v))
+        if (side[u] == side[v]) half.neighbour.push_back(number_[u]);
+      half.start.push_back(static_cast<int>(half.neighbour.size()));
+    }
+    return halves;
   }
 
   void orderByDegree(const Subgraph& subgraph) {
@@ -162,7 +173,8 @@ class Dissection {
   const Graph& whole_;
   const FractionReport& onProgress_;
   double work_ = 0, reported_ = 0;
-  std::vector<int> local_;  // of a leaf's nodes and their neighbours while it is ordered, else -1
+  std::vector<int> local_;   // of a leaf's nodes and their neighbours while it is ordered, else -1
+  std::vector<int> number_;  // of a subgraph's nodes in their side, while it is divided
   std::vector<int> halo_;
   std::vector<int> order_;
   int end_ = 0;  // order_ is filled from here on

@@ -39,12 +39,24 @@ std::vector<Side> medianBand(std::span<const Vec3> coordinates, const Vec3& dire
   const double halfBand = std::min(kBandFraction * size, kBandDepth * std::sqrt(size));
   const auto low = static_cast<std::ptrdiff_t>(0.5 * size - halfBand),
              high = static_cast<std::ptrdiff_t>(0.5 * size + halfBand) + 1;
-  std::vector<std::pair<double, int>> sorted(coordinates.size());
-  for (std::size_t v = 0; v < sorted.size(); ++v) sorted[v] = {direction.dot(coordinates[v]), static_cast<int>(v)};
+  std::vector<double> place;
+  place.reserve(coordinates.size());
+  for (const Vec3& p : coordinates) place.push_back(direction.dot(p));
+  std::vector<double> sorted = place;
   std::nth_element(sorted.begin(), sorted.begin() + low, sorted.end());
-  std::nth_element(sorted.begin() + low, sorted.begin() + high, sorted.end());
-  std::vector<Side> side(sorted.size(), Side::Right);
-  for (std::ptrdiff_t i = 0; i < high; ++i) side[sorted[i].second] = i < low ? Side::Left : Side::Separator;
+  std::nth_element(sorted.begin() + low + 1, sorted.begin() + high, sorted.end());
+  const double from = sorted[low], to = sorted[high];
+  // How many of the nodes at the limits themselves lie below.
+  const auto tiesBelow = [&](std::ptrdiff_t count, double limit) {
+    return count - std::count_if(place.begin(), place.end(), [&](double x) { return x < limit; });
+  };
+  std::ptrdiff_t belowFrom = tiesBelow(low, from), belowTo = tiesBelow(high, to);
+  std::vector<Side> side(place.size(), Side::Right);
+  for (std::size_t v = 0; v < place.size(); ++v) {
+    const double x = place[v];
+    if (x < to || (x == to && belowTo-- > 0)) side[v] = Side::Separator;
+    if (x < from || (x == from && belowFrom-- > 0)) side[v] = Side::Left;
+  }
   return side;
 }
 
