@@ -17,7 +17,7 @@ namespace shapespline {
 
 namespace {
 
-constexpr int kLeafSize = 32;
+constexpr int kLeafSize = 64;
 // A separator of more than this share of the nodes is none: no mesh, so minimum degree does better.
 constexpr double kUselessSeparator = 0.3;
 

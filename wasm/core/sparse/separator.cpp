@@ -15,7 +15,7 @@ namespace {
 // A band holds this many times the square root of all nodes on either side of the median: some thirty layers of a
 // mesh. Wider bands shorten separators little (1 % for twice the width) and cost time and balance.
 constexpr double kBandDepth = 24.0;
-constexpr double kBandFraction = 0.22;
+constexpr double kBandFraction = 0.18;
 // Times the square root of all nodes, the side of a square subgraph: separators longer than this are worth a try along
 // the diagonals, and along the other axes. The cubes of the largest separators are most of a factorisation's work.
 constexpr double kLongSeparator = 1.1, kVeryLongSeparator = 1.6;
