@@ -5,6 +5,7 @@ import { quantile } from './quantile.ts';
 
 const BUILDS = 5;
 const REFITS = 10;
+const STAGES = ['weldMs', 'joinMs', 'encodeMs', 'orderMs', 'factorMs', 'arrangeMs', 'finishMs'] as const;
 
 /** The longest time without a sign of progress, and the stage that was reported after it. */
 export interface Silence {
@@ -15,14 +16,20 @@ export interface Silence {
 /** Milliseconds: medians of five builds; the silence is that of the median build. */
 export interface Builds {
   weldMs: number;
+  joinMs: number;
   encodeMs: number;
   orderMs: number;
   factorMs: number;
   arrangeMs: number;
+  finishMs: number;
+  /** What no stage has: checking, the motion, messages between threads. */
+  restMs: number;
   buildMs: number;
   silence: Silence;
   /** Bytes of the largest wasm heap after a build. */
   heapBytes: number;
+  /** The second build's heap, which held no file, over what of it is used when it is done: how much is not kept. */
+  peakOverKept: number;
   /** The heap after the last build over that after the second: the first one's worker had read the file, too. */
   heapGrowth: number;
   /** By how much the whole process grew from the second build to the last; NaN where it cannot be told. */
@@ -71,32 +78,35 @@ export async function buildRepeatedly(
   engine: Engine,
   keys: Keys,
   processBytes: () => number,
-  use: (sequence: Sequence) => Promise<void>,
+  use: (sequence: Sequence, buildMs: number) => Promise<void>,
 ): Promise<{ sequence: Sequence; builds: Builds }> {
   let { sequence, built } = await build(engine, keys, processBytes);
   const all = [built];
-  await use(sequence);
+  await use(sequence, built.buildMs);
   while (all.length < BUILDS) {
     sequence.dispose();
     ({ sequence, built } = await build(engine, keys, processBytes));
     all.push(built);
-    await use(sequence);
+    await use(sequence, built.buildMs);
   }
-  const stage = (of: 'weldMs' | 'encodeMs' | 'orderMs' | 'factorMs' | 'arrangeMs'): number =>
-    quantile(all.map(({ stats }) => stats[of]));
+  const stage = (of: (typeof STAGES)[number]): number => quantile(all.map(({ stats }) => stats[of]));
   const heaps = all.map(({ stats }) => stats.heapBytes);
   const silences = all.map(({ silence }) => silence).sort((a, b) => a.ms - b.ms);
   return {
     sequence,
     builds: {
       weldMs: stage('weldMs'),
+      joinMs: stage('joinMs'),
       encodeMs: stage('encodeMs'),
       orderMs: stage('orderMs'),
       factorMs: stage('factorMs'),
       arrangeMs: stage('arrangeMs'),
+      finishMs: stage('finishMs'),
+      restMs: quantile(all.map(({ stats, buildMs }) => buildMs - STAGES.reduce((sum, of) => sum + stats[of], 0))),
       buildMs: quantile(all.map(({ buildMs }) => buildMs)),
       silence: silences[Math.floor(BUILDS / 2)]!,
       heapBytes: Math.max(...heaps),
+      peakOverKept: all[1]!.stats.heapBytes / all[1]!.stats.usedBytes,
       heapGrowth: heaps.at(-1)! / heaps[1]!,
       processGrowth: built.processBytes - all[1]!.processBytes,
     },

@@ -15,6 +15,7 @@ const BANDWIDTH_PASSES = 3;
  * use is not the same for long.
  */
 export interface Round {
+  buildMs: number;
   firstMs: number;
   ms: number[];
   stats: SequenceStats[];
@@ -41,6 +42,8 @@ export interface ExactFrames {
 
 /** Milliseconds; bytes per second. The factorisation is that of the round's build. */
 export interface RoundMedians {
+  /** From the keys to the first frame. */
+  untilFrameMs: number;
   factorMs: number;
   solveMs: number;
   frameMs: number;
@@ -78,7 +81,12 @@ export async function msOf(pending: Promise<Frame | null>): Promise<number> {
 }
 
 /** Eigen comes between the build, which ends with the factorisation, and the frames, which solve. */
-export async function roundOf(sequence: Sequence, readBandwidth: ReadBandwidth, runEigen: RunEigen): Promise<Round> {
+export async function roundOf(
+  sequence: Sequence,
+  buildMs: number,
+  readBandwidth: ReadBandwidth,
+  runEigen: RunEigen,
+): Promise<Round> {
   const firstMs = await msOf(sequence.evaluate(0));
   const eigen = await runEigen();
   const ms: number[] = [],
@@ -96,7 +104,7 @@ export async function roundOf(sequence: Sequence, readBandwidth: ReadBandwidth, 
   read();
   const cheapFirstMs = await msOf(sequence.preview(0.1));
   for (let k = 0; k <= FRAMES; ++k) cheapMs.push(await msOf(sequence.preview(timeOf(k, FRAMES))));
-  return { firstMs, ms, stats, eigen, bandwidth: quantile(bandwidths), cheapFirstMs, cheapMs };
+  return { buildMs, firstMs, ms, stats, eigen, bandwidth: quantile(bandwidths), cheapFirstMs, cheapMs };
 }
 
 export function exactFrames(rounds: readonly Round[]): ExactFrames {
@@ -113,6 +121,7 @@ export function exactFrames(rounds: readonly Round[]): ExactFrames {
     stages: spread(stats.map(stagesMs)),
     frame: spread(rounds.flatMap(({ ms }) => ms)),
     rounds: rounds.map((round) => ({
+      untilFrameMs: round.buildMs + round.firstMs,
       factorMs: round.stats[0]!.factorMs,
       solveMs: quantile(round.stats.map(({ solveMs }) => solveMs)),
       frameMs: quantile(round.ms),

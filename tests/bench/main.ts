@@ -64,8 +64,8 @@ const endsOf = (sizes: number[]): number[] => [
 async function runAll(runner: Runner, sizes: number[]): Promise<Results> {
   const results: Results = { where: `${runner.name}, ${machine()}`, sizes: [], motions: [], resolutions: [], keys: [] };
   const measure = async (family: Family, faces: number): Promise<void> => {
-    say(`${faces} faces${family === 'parts' ? ' in parts' : ''}`);
-    const mesh = meshOf(faces, { kind: family === 'parts' ? '-parts' : '' });
+    say(`${faces} faces, ${family}`);
+    const mesh = meshOf(faces, { kind: family === 'parts' ? '-parts' : '', keys: family === 'eight keys' ? 8 : 3 });
     results.sizes.push(
       await withNative(mesh, async (native, runEigen) => ({
         family,
@@ -76,6 +76,8 @@ async function runAll(runner: Runner, sizes: number[]): Promise<Results> {
   };
   for (const faces of sizes) await measure('smooth', faces);
   for (const faces of sizes.filter((one) => one <= LARGEST_PARTS)) await measure('parts', faces);
+  for (const faces of sizes.filter((one) => one > LARGEST_MANY_KEYS && one <= LARGEST_PARTS))
+    await measure('eight keys', faces);
   for (const row of TABLE_2.filter(({ faces }) => faces <= 1.2 * Math.max(...sizes))) {
     say(`${row.model}, ${row.shapes} shapes`);
     results.motions.push({ row, run: await runner.motion(meshOf(row.faces), row) });

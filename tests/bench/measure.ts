@@ -53,8 +53,8 @@ export async function measure(
   const importMs = performance.now() - start;
   const readBandwidth = await bandwidthReader(reader);
   const rounds: Round[] = [];
-  const { sequence, builds } = await buildRepeatedly(engine, keys, processBytes, async (built) => {
-    rounds.push(await roundOf(built, readBandwidth, runEigen));
+  const { sequence, builds } = await buildRepeatedly(engine, keys, processBytes, async (built, buildMs) => {
+    rounds.push(await roundOf(built, buildMs, readBandwidth, runEigen));
   });
   const { vertices, faces } = keys.info.report;
   const withGhost = faces > 2 * GHOST_FACES ? await createWithGhost(engine, keys, GHOST_FACES) : null;

@@ -22,8 +22,6 @@ interface Solver {
 
 export interface NativeRun {
   unknowns: number;
-  /** Made once: it depends on the structure alone. */
-  eigenOrderMs: number;
   /** Our own, native, in either precision. */
   single: Solver;
   double: Solver;

@@ -11,6 +11,9 @@ export const boundMs = (run: Run, bandwidth: number): number => (2000 * run.fact
 
 export const solveOverBound: OfRound = (run, { solveMs, bandwidth }) => solveMs / boundMs(run, bandwidth);
 export const frameOverSolve: OfRound = (_, { frameMs, solveMs }) => frameMs / solveMs;
+/** All from the file's bytes to the first frame, over Eigen's analysis of the same system. */
+export const untilFrameOverEigensOrder: OfRound = ({ importMs }, { untilFrameMs, eigen }) =>
+  (importMs + untilFrameMs) / eigen.orderMs;
 export const eigenOverSolve: OfRound = (_, { eigen, solveMs }) => eigen.solveMs / solveMs;
 export const eigenOverFactor: OfRound = (_, { eigen, factorMs }) => eigen.factorMs / factorMs;
 

@@ -12,11 +12,14 @@ import {
   ofRounds,
   solveOverBound,
   steady,
+  untilFrameOverEigensOrder,
 } from './ratios.ts';
 import type { Swept, SweptParts } from './sweep.ts';
 
-/** One closed smooth body, or several parts with open boundaries. */
-export type Family = 'smooth' | 'parts';
+/** One closed smooth body, the same with eight keys, or several parts with open boundaries. */
+export type Family = 'smooth' | 'eight keys' | 'parts';
+
+const FAMILY_WORDS: Record<Family, string> = { smooth: '', 'eight keys': ' with eight keys', parts: ' in parts' };
 
 export interface Result {
   family: Family;
@@ -27,11 +30,30 @@ export interface Result {
 const MB = 2 ** 20;
 const percent = (share: number): string => short(100 * share);
 
-export const meshName = ({ family, run }: Result): string =>
-  `${run.faces} faces${family === 'parts' ? ' in parts' : ''}`;
+export const meshName = ({ family, run }: Result): string => `${run.faces} faces${FAMILY_WORDS[family]}`;
+
+const ofEigen = (run: Run, value: keyof EigenRound): number => ofRounds(run, (_, { eigen }) => eigen[value]);
 
 export function buildTable(results: Result[]): string {
-  const titles = ['mesh', 'vertices', 'import', 'weld', 'encode', 'order', 'factor', 'arrange', 'whole', 'silent'];
+  const titles = [
+    'mesh',
+    'vertices',
+    'import',
+    'weld',
+    'join',
+    'encode',
+    'order',
+    'factor',
+    'arrange',
+    'finish',
+    'rest',
+    'whole',
+    'first frame',
+    'bytes to first frame',
+    "Eigen's analysis",
+    'ratio',
+    'silent',
+  ];
   return table(
     titles,
     results.map((result) => {
@@ -45,12 +67,19 @@ export function buildTable(results: Result[]): string {
         ...[
           run.importMs,
           builds.weldMs,
+          builds.joinMs,
           builds.encodeMs,
           builds.orderMs,
           builds.factorMs,
           builds.arrangeMs,
+          builds.finishMs,
+          builds.restMs,
           builds.buildMs,
+          run.exact.firstMs,
+          run.importMs + ofRounds(run, (_, { untilFrameMs }) => untilFrameMs),
+          ofEigen(run, 'orderMs'),
         ].map(msText),
+        steady(run, untilFrameOverEigensOrder),
         [builds.silence, run.importSilence].map(({ ms, stage }) => `${msText(ms)} (${stage})`).join(', import '),
       ];
     }),
@@ -61,6 +90,7 @@ export function memoryTable(results: Result[]): string {
   const titles = [
     'mesh',
     'heap MB',
+    'heap / kept',
     'fifth build / second',
     'after ten refits / one',
     'process grew by MB',
@@ -76,6 +106,7 @@ export function memoryTable(results: Result[]): string {
       return [
         meshName(result),
         (run.heapBytes / MB).toFixed(0),
+        short(builds.peakOverKept),
         short(builds.heapGrowth),
         short(run.refitGrowth),
         Number.isFinite(builds.processGrowth) ? String(Math.round(builds.processGrowth / MB) + 0) : '-',
@@ -155,8 +186,6 @@ export function errorTable(results: Result[]): string {
   );
 }
 
-const ofEigen = (run: Run, value: keyof EigenRound): number => ofRounds(run, (_, { eigen }) => eigen[value]);
-
 export function solverTable(results: Result[]): string {
   const titles = [
     'mesh',
@@ -179,12 +208,12 @@ export function solverTable(results: Result[]): string {
     results.map((result) => {
       const {
         run,
-        native: { unknowns, eigenOrderMs, single },
+        native: { unknowns, single },
       } = result;
       return [
         meshName(result),
         String(unknowns),
-        ...[eigenOrderMs, ofEigen(run, 'factorMs'), ofEigen(run, 'solveMs')].map(msText),
+        ...[ofEigen(run, 'orderMs'), ofEigen(run, 'factorMs'), ofEigen(run, 'solveMs')].map(msText),
         ofEigen(run, 'error').toExponential(1),
         ...[single.orderMs, single.factorMs, single.solveMs].map(msText),
         single.error.toExponential(1),

@@ -2,7 +2,14 @@
 import { short, table } from './format.ts';
 import type { KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
-import { eigenOverFactor, eigenOverSolve, frameOverSolve, ofRounds, solveOverBound } from './ratios.ts';
+import {
+  eigenOverFactor,
+  eigenOverSolve,
+  frameOverSolve,
+  ofRounds,
+  solveOverBound,
+  untilFrameOverEigensOrder,
+} from './ratios.ts';
 import type { Resolutions } from './resolutions.ts';
 
 export interface Target {
@@ -33,6 +40,7 @@ export function targetsOf(mesh: string, run: Run): Target[] {
   const medium = run.vertices > 160_000 && run.vertices < 600_000,
     large = run.vertices >= 600_000;
   if (medium || large) {
+    add("bytes to first frame / Eigen's analysis", ofRounds(run, untilFrameOverEigensOrder), large ? 1 : 2);
     add('solve / read bound', ofRounds(run, solveOverBound), 1.8);
     add('frame / solve', ofRounds(run, frameOverSolve), 2.5);
     add("Eigen's solve / ours", ofRounds(run, eigenOverSolve), large ? 7.5 : 6, true);
@@ -49,6 +57,7 @@ export function targetsOf(mesh: string, run: Run): Target[] {
   add('silence while importing, ms', run.importSilence.ms, 250);
   add('silence while building, ms', builds.silence.ms, 250);
   if (large) add('wasm memory, GB', run.heapBytes / GB, 1.5);
+  add('heap / what is kept of it', builds.peakOverKept, 1.3);
   add('heap, fifth sequence / second', builds.heapGrowth, SAME_MEMORY);
   add('heap after ten refits / one', run.refitGrowth, SAME_MEMORY);
   // One heap that is not given back each time would make it three.

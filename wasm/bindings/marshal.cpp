@@ -64,8 +64,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Material, name, baseColor, metallic, roughnes
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Warning, code, message, count, key, face, patches)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AnimationInfo, name, start, end, keys)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceStats, encodings, factorisations, solves, patches, weldedVertices,
-                                   components, ghostFaces, ghostVertices, joinedComponents, weldMs, simplifyMs,
-                                   transferMs, encodeMs, orderMs, factorMs, arrangeMs, factorBytes, framesMs, facesMs,
+                                   components, ghostFaces, ghostVertices, joinedComponents, weldMs, joinMs, simplifyMs,
+                                   transferMs, encodeMs, orderMs, factorMs, arrangeMs, finishMs, factorBytes, framesMs, facesMs,
                                    solveMs, placeMs, normalsMs, ghostMs)
 
 }  // namespace shapespline

@@ -1,4 +1,6 @@
 // Keyframes -> a sequence object; times -> shapes and what can be measured on them.
+#include <malloc.h>
+
 #include "bindings/export.h"
 #include "bindings/handle_table.h"
 #include "bindings/js_imports.h"
@@ -193,8 +195,13 @@ EXPORT const char* shapespline_ghost_positions(int handle, double t) {
   });
 }
 
+/// What building and frames cost, and usedBytes: what the heap holds now.
 EXPORT const char* shapespline_stats(int handle) {
-  return callResult([&]() -> Result<Json> { return toJson(sequenceOf(handle).stats()); });
+  return callResult([&]() -> Result<Json> {
+    Json stats = toJson(sequenceOf(handle).stats());
+    stats["usedBytes"] = mallinfo().uordblks;
+    return stats;
+  });
 }
 
 }  // namespace shapespline::bindings

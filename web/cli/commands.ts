@@ -169,7 +169,8 @@ async function settled(
   sequence: Sequence,
   exported: Partial<ExportOptions>,
 ): Promise<Record<'options' | 'counts' | 'stages', object>> {
-  const { weldMs, simplifyMs, encodeMs, transferMs, orderMs, factorMs, arrangeMs, ...counts } = await sequence.stats();
+  const { weldMs, joinMs, simplifyMs, encodeMs, transferMs, orderMs, factorMs, arrangeMs, finishMs, ...counts } =
+    await sequence.stats();
   const shapes = Object.fromEntries(SHAPES.map((name) => [name, sequence.options[name] !== null]));
   const options = {
     sequence: { ...sequence.options, ...shapes, keyTimes: sequence.keyTimes },
@@ -177,12 +178,14 @@ async function settled(
   };
   const ms = {
     weld: weldMs,
+    join: joinMs,
     simplify: simplifyMs,
     encode: encodeMs,
     transfer: transferMs,
     order: orderMs,
     factor: factorMs,
     arrange: arrangeMs,
+    finish: finishMs,
   };
   const stages = Object.fromEntries(Object.entries(ms).map(([stage, value]) => [stage, rounded(value)]));
   return { options, counts, stages };

@@ -84,11 +84,13 @@ Result<EncodedShape> EncodedShape::build(Keyframes keyframes, const EncodingOpti
   encoded.stats_.weldMs = watch.lap();
   welding(1);
   if (Status status = encoded.encodePoses(options, progress); !status) return status.error();
+  watch.lap();
   encoded.prepareNormals(normals, partOf(factorising, 0.95, 0.97));
   factorising(0.97);
   encoded.describeGhost();
   encoded.numberComponents();
   encoded.collectWarnings(options.ghostFaces);
+  encoded.stats_.finishMs = watch.lap();
   return encoded;
 }
 
@@ -116,7 +118,9 @@ void EncodedShape::weldKeys(Keyframes keyframes, const EncodingOptions& options,
 Status EncodedShape::encodePoses(const EncodingOptions& options, const StageProgress& progress) {
   const bool wantsGhost = options.ghostFaces > 0;
   const Stage simplifying{progress, "simplifying"}, encoding{progress, "encoding"};
+  Stopwatch joining;
   const ShapeTopology topology = topologyOf(*shape_, wantsGhost ? partOf(simplifying, 0, 0) : partOf(encoding, 0, 0.2));
+  stats_.joinMs = joining.lap();
   if (topology.components.count == 0)
     return Error{ErrorCode::NoArea,
                  "No triangle has area in every key. Use poses in which the shape is not collapsed."};

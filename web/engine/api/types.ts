@@ -217,6 +217,8 @@ export interface SequenceStats {
   /** Components too small for a ghost of their own. */
   joinedComponents: number;
   weldMs: number;
+  /** Which faces have area, what they border on, which components they form. */
+  joinMs: number;
   /** With a ghost mesh: its collapses; the correspondence and what it leaves over. */
   simplifyMs: number;
   transferMs: number;
@@ -225,6 +227,8 @@ export interface SequenceStats {
   factorMs: number;
   /** Laying the faces' numbers out in the order of elimination. */
   arrangeMs: number;
+  /** Normals, what is told of the input's faces, warnings. */
+  finishMs: number;
   /** Of the stored factor, entries and row lists: a solve reads them twice. */
   factorBytes: number;
   /**
@@ -238,8 +242,9 @@ export interface SequenceStats {
   normalsMs: number;
   /** Of the ghost's own last shape, from the spline to its vertices. */
   ghostMs: number;
-  /** Bytes of the wasm heap. */
+  /** Bytes of the wasm heap, which never shrinks, and how many of them are in use. */
   heapBytes: number;
+  usedBytes: number;
   /** That work on an exact frame: 2 where that was found to be faster. */
   threads: 1 | 2;
 }
