@@ -65,8 +65,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Warning, code, message, count, key, face, pat
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AnimationInfo, name, start, end, keys)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceStats, encodings, factorisations, solves, patches, weldedVertices,
                                    components, ghostFaces, ghostVertices, joinedComponents, weldMs, joinMs, simplifyMs,
-                                   transferMs, encodeMs, orderMs, factorMs, arrangeMs, finishMs, factorBytes, framesMs, facesMs,
-                                   solveMs, placeMs, normalsMs, ghostMs)
+                                   transferMs, encodeMs, orderMs, factorMs, arrangeMs, finishMs, factorBytes, framesMs,
+                                   facesMs, solveMs, placeMs, normalsMs, ghostMs)
 
 }  // namespace shapespline
 

@@ -12,8 +12,8 @@ struct BuildStats {
   int weldedVertices = 0;
   int components = 0;
   /// Wall time of each stage; the ghost's own systems count as encoding. Joining: which faces have area, what they
-  /// border on and which components they form. Arranging lays the faces' numbers out in the order in which the system is
-  /// eliminated. Finishing: normals, what is told of the input's faces, warnings.
+  /// border on and which components they form. Arranging lays the faces' numbers out in the order in which the system
+  /// is eliminated. Finishing: normals, what is told of the input's faces, warnings.
   double weldMs = 0, joinMs = 0, encodeMs = 0, orderMs = 0, factorMs = 0, arrangeMs = 0, finishMs = 0;
   long long factorBytes = 0;  ///< of the stored factor, entries and row lists: what one sweep of a solve reads
   int ghostFaces = 0, ghostVertices = 0;  ///< 0 without a ghost
