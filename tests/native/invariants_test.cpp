@@ -3,6 +3,7 @@
 
 #include "core/mesh/measures.h"
 #include "core/rotation/rigid_fit.h"
+#include "sequences.h"
 #include "shapes.h"
 
 using namespace shapespline;
@@ -12,27 +13,7 @@ namespace {
 
 Sequence make(const Keyframes& k, const EncodingOptions& encoding = doublePrecision(),
               const MotionOptions& motion = {}) {
-  auto sequence = Sequence::create(k, encoding, motion);
-  REQUIRE_MESSAGE(sequence.ok(), (sequence ? "" : sequence.error().message));
-  return std::move(*sequence);
-}
-
-Positions at(Sequence& sequence, double t) {
-  Positions p;
-  REQUIRE(sequence.evaluate(t, p).ok());
-  return p;
-}
-
-Keyframes bentBar(std::vector<double> degrees) {
-  std::vector<Map> maps;
-  for (double d : degrees) maps.push_back(bend(radians(d)));
-  return keyframes(bar(), maps);
-}
-
-Keyframes twistedBar(std::vector<double> degrees) {
-  std::vector<Map> maps;
-  for (double d : degrees) maps.push_back(twist(radians(d)));
-  return keyframes(bar(), maps);
+  return sequenceOf(k, encoding, motion);
 }
 
 const std::vector<double> slider = {-0.4, -0.2, -0.05, 0.13, 0.3, 0.5, 0.62, 0.77, 0.9, 1.1, 1.4};
@@ -58,7 +39,7 @@ TEST_CASE("keys are reproduced") {
         encoding.precision = Precision::Single;
         Sequence inSingle = make(k, encoding, motion);
         for (const Key& key : k.keys) {
-          CHECK(largestDistance(at(inDouble, key.time), key.positions) < 1e-9 * diagonal);
+          CHECK(largestDistance(shapeAt(inDouble, key.time), key.positions) < 1e-9 * diagonal);
           Frame frame;
           REQUIRE(inSingle.evaluate(key.time, frame).ok());
           CHECK(largestDistance(toPositions(frame.positions), key.positions) < 1e-5 * diagonal);
@@ -72,7 +53,7 @@ TEST_CASE("single precision stays close to double between the keys") {
   for (double t : slider) {
     Frame frame;
     REQUIRE(inSingle.evaluate(t, frame).ok());
-    CHECK(largestDistance(toPositions(frame.positions), at(inDouble, t)) < 1e-5 * diagonalOf(k));
+    CHECK(largestDistance(toPositions(frame.positions), shapeAt(inDouble, t)) < 1e-5 * diagonalOf(k));
   }
 }
 
@@ -85,7 +66,7 @@ TEST_CASE("a common rigid motion of all keys moves the whole sequence by it") {
     MotionOptions motion;
     motion.boundary = boundary;
     Sequence a = make(k, doublePrecision(), motion), b = make(moved, doublePrecision(), motion);
-    for (double t : slider) CHECK(largestDistance(mapped(at(a, t), move), at(b, t)) < 1e-8 * diagonalOf(k));
+    for (double t : slider) CHECK(largestDistance(mapped(shapeAt(a, t), move), shapeAt(b, t)) < 1e-8 * diagonalOf(k));
   }
 }
 
@@ -95,7 +76,7 @@ TEST_CASE("moving one key rigidly changes only the global motion") {
   k.keys[1].positions = mapped(k.keys[1].positions, turn(Vec3(0, 1, 1), 1.1, Vec3(5, 0, 0)));
   Sequence b = make(k);
   for (double t : slider) {
-    const Positions x = at(a, t), y = at(b, t);
+    const Positions x = shapeAt(a, t), y = shapeAt(b, t);
     CHECK(largestDistance(aligned(x, y), y) < 1e-8 * diagonalOf(k));
   }
 }
@@ -105,7 +86,7 @@ TEST_CASE("two keys with natural boundary give the geodesic") {
   MotionOptions geodesic;
   geodesic.method = Method::Geodesic;
   Sequence a = make(k), b = make(k, doublePrecision(), geodesic);
-  for (double t : slider) CHECK(largestDistance(at(a, t), at(b, t)) < 1e-10 * diagonalOf(k));
+  for (double t : slider) CHECK(largestDistance(shapeAt(a, t), shapeAt(b, t)) < 1e-10 * diagonalOf(k));
 }
 
 TEST_CASE("rigid turns stay rigid") {
@@ -114,11 +95,11 @@ TEST_CASE("rigid turns stay rigid") {
   const Keyframes k = keyframes(
       shape, {turn(axis, 0), turn(axis, radians(100), Vec3(1, 0, 0)), turn(axis, radians(200), Vec3(0, 3, 0))});
   Sequence s = make(k);
-  for (double t : slider) CHECK(fitRigid(shape.positions, at(s, t)).largestDistance < 1e-9 * diagonalOf(k));
+  for (double t : slider) CHECK(fitRigid(shape.positions, shapeAt(s, t)).largestDistance < 1e-9 * diagonalOf(k));
   // and turn evenly about the axis: 50 degrees after a quarter
-  CHECK(largestDistance(aligned(mapped(shape.positions, turn(axis, radians(50))), at(s, 0.25)), at(s, 0.25)) <
+  CHECK(largestDistance(aligned(mapped(shape.positions, turn(axis, radians(50))), shapeAt(s, 0.25)), shapeAt(s, 0.25)) <
         1e-9 * 10);
-  const Positions quarter = at(s, 0.25);
+  const Positions quarter = shapeAt(s, 0.25);
   const Mat3 r = fitRigid(shape.positions, quarter).rotation;
   CHECK(logRotation(r).norm() == doctest::Approx(radians(50)).epsilon(1e-6));
 }
@@ -129,7 +110,7 @@ TEST_CASE("a mesh of several parts stays rigid under a rigid turn") {
   const Keyframes k = keyframes(parts, {turn(axis, 0), turn(axis, radians(80)), turn(axis, radians(160))});
   Sequence s = make(k);
   CHECK(s.stats().components == 3);
-  for (double t : slider) CHECK(fitRigid(parts.positions, at(s, t)).largestDistance < 1e-6 * diagonalOf(k));
+  for (double t : slider) CHECK(fitRigid(parts.positions, shapeAt(s, t)).largestDistance < 1e-6 * diagonalOf(k));
 }
 
 TEST_CASE("a twisted bar follows the analytic twist within KG 1.5") {
@@ -144,7 +125,7 @@ TEST_CASE("a twisted bar follows the analytic twist within KG 1.5") {
     const double u = t < 0.5 ? t / 0.5 : (1 - t) / 0.5, end = t < 0.5 ? a : c;
     const double angle = end + (b - end) * u + second * 0.25 / 6 * (u * u * u - u);
     exact.push_back(mapped(bar().positions, twist(radians(angle))));
-    ours.push_back(aligned(at(s, t), exact.back()));
+    ours.push_back(aligned(shapeAt(s, t), exact.back()));
   }
   const double error = kgError(exact, ours, KgCentre::SequenceAverage);
   MESSAGE("KG " << error);
@@ -160,7 +141,8 @@ TEST_CASE("a bend keeps its volume where a linear blend loses it") {
     Sequence s = make(k), l = make(k, doublePrecision(), linear);
     const double keys =
         (enclosedVolume(k.keys[0].positions, k.faces) + enclosedVolume(k.keys[1].positions, k.faces)) / 2;
-    const double ours = enclosedVolume(at(s, 0.5), k.faces) / keys, blend = enclosedVolume(at(l, 0.5), k.faces) / keys;
+    const double ours = enclosedVolume(shapeAt(s, 0.5), k.faces) / keys,
+                 blend = enclosedVolume(shapeAt(l, 0.5), k.faces) / keys;
     MESSAGE("bend by " << degrees << " degrees, halfway volume: LRI " << 100 * ours << " %, linear blend "
                        << 100 * blend << " %");
     CHECK(ours >= share);
@@ -173,7 +155,7 @@ namespace {
 void checkHalfway(const Keyframes& k) {
   Sequence s = make(k);
   const Positions& rest = k.keys[0].positions;
-  const auto half = sectionTurns(rest, at(s, 0.5), 4), whole = sectionTurns(rest, k.keys[1].positions, 4);
+  const auto half = sectionTurns(rest, shapeAt(s, 0.5), 4), whole = sectionTurns(rest, k.keys[1].positions, 4);
   REQUIRE(half.size() == whole.size());
   for (std::size_t i = 0; i < half.size(); ++i)
     CHECK(half[i].norm() == doctest::Approx(whole[i].norm() / 2).epsilon(0.02));
@@ -211,7 +193,7 @@ TEST_CASE("the second derivative is continuous across keys") {
   for (int j = 1; j <= 2; ++j) {
     const double t = k.keys[j].time;
     const auto second = [&](double centre) {
-      const Positions a = at(s, centre - h), b = at(s, centre), c = at(s, centre + h);
+      const Positions a = shapeAt(s, centre - h), b = shapeAt(s, centre), c = shapeAt(s, centre + h);
       Positions d(a.size());
       for (std::size_t v = 0; v < a.size(); ++v) d[v] = (a[v] - 2 * b[v] + c[v]) / (h * h);
       return d;
@@ -248,7 +230,7 @@ TEST_CASE("a sphere beside a bending bar keeps its distance") {
     return least;
   };
   const double rest = distance(k.keys[0].positions);
-  for (double t : slider) CHECK(std::abs(distance(at(s, t)) - rest) < 0.02 * 2 * radius);
+  for (double t : slider) CHECK(std::abs(distance(shapeAt(s, t)) - rest) < 0.02 * 2 * radius);
 }
 
 TEST_CASE("evaluate is a pure function of its arguments") {

@@ -3,6 +3,7 @@
 
 #include "core/mesh/measures.h"
 #include "core/rotation/rigid_fit.h"
+#include "sequences.h"
 #include "shapes.h"
 
 using namespace shapespline;
@@ -12,15 +13,7 @@ namespace {
 
 Sequence make(const Keyframes& k, const MotionOptions& motion = {},
               const EncodingOptions& encoding = doublePrecision()) {
-  auto s = Sequence::create(k, encoding, motion);
-  REQUIRE_MESSAGE(s.ok(), (s ? "" : s.error().message));
-  return std::move(*s);
-}
-
-Positions at(Sequence& s, double t) {
-  Positions p;
-  REQUIRE(s.evaluate(t, p).ok());
-  return p;
+  return sequenceOf(k, encoding, motion);
 }
 
 Vec3 mean(const Positions& p) {
@@ -49,22 +42,22 @@ Keyframes walk() {
 TEST_CASE("boundaries change the motion between the keys") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
   Sequence s = make(k);
-  const Positions natural = at(s, 0.2);
+  const Positions natural = shapeAt(s, 0.2);
   REQUIRE(s.update(with(BoundaryKind::Hermite), evenTimes(3)).ok());
-  CHECK(largestDistance(natural, at(s, 0.2)) > 0.01);
+  CHECK(largestDistance(natural, shapeAt(s, 0.2)) > 0.01);
   REQUIRE(s.update(with(BoundaryKind::Periodic), evenTimes(3)).ok());
-  CHECK(largestDistance(natural, at(s, 0.2)) > 0.01);
+  CHECK(largestDistance(natural, shapeAt(s, 0.2)) > 0.01);
 }
 
 TEST_CASE("a periodic motion repeats, and runs on where its last key is the first one moved") {
   Sequence s = make(walk(), with(BoundaryKind::Periodic));
   CHECK(s.range().second == 3);
-  const Positions first = at(s, 0.7), next = at(s, 3.7), before = at(s, -2.3);
+  const Positions first = shapeAt(s, 0.7), next = shapeAt(s, 3.7), before = shapeAt(s, -2.3);
   CHECK(largestDistance(mapped(first, [](const Vec3& p) -> Vec3 { return p + Vec3(0, 3, 0); }), next) < 1e-7);
   CHECK(largestDistance(mapped(first, [](const Vec3& p) -> Vec3 { return p - Vec3(0, 3, 0); }), before) < 1e-7);
   // one smooth motion where it closes
   const double h = 1e-3;
-  const Positions a = at(s, 3 - h), b = at(s, 3 + h), c = at(s, 3);
+  const Positions a = shapeAt(s, 3 - h), b = shapeAt(s, 3 + h), c = shapeAt(s, 3);
   double largest = 0;
   for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] + b[v] - 2 * c[v]).norm());
   CHECK(largest < 1e-4);
@@ -72,19 +65,19 @@ TEST_CASE("a periodic motion repeats, and runs on where its last key is the firs
   MotionOptions inPlace = with(BoundaryKind::Periodic);
   inPlace.inPlace = true;
   REQUIRE(s.update(inPlace, {0, 1, 2, 3}).ok());
-  CHECK((mean(at(s, 0.7)) - mean(at(s, 9.7))).norm() < 1e-7);
+  CHECK((mean(shapeAt(s, 0.7)) - mean(shapeAt(s, 9.7))).norm() < 1e-7);
 }
 
 TEST_CASE("an open periodic motion returns over a closing interval") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)}, {0, 1, 2});
   Sequence s = make(k, with(BoundaryKind::Periodic));
   CHECK(s.range().second == doctest::Approx(3));
-  CHECK(largestDistance(at(s, 3), k.keys[0].positions) < 1e-8);
-  CHECK(largestDistance(at(s, 4), k.keys[1].positions) < 1e-8);
+  CHECK(largestDistance(shapeAt(s, 3), k.keys[0].positions) < 1e-8);
+  CHECK(largestDistance(shapeAt(s, 4), k.keys[1].positions) < 1e-8);
   MotionOptions longer = with(BoundaryKind::Periodic);
   longer.period = 5;
   REQUIRE(s.update(longer, {0, 1, 2}).ok());
-  CHECK(largestDistance(at(s, 6), k.keys[1].positions) < 1e-8);
+  CHECK(largestDistance(shapeAt(s, 6), k.keys[1].positions) < 1e-8);
   longer.period = 2;
   CHECK(s.update(longer, {0, 1, 2}).error().code == ErrorCode::InvalidOption);
 }
@@ -92,13 +85,15 @@ TEST_CASE("an open periodic motion returns over a closing interval") {
 TEST_CASE("whole turns are added on the way to a key") {
   const Keyframes k = keyframes(bar(), {turn(Vec3::UnitY(), 0), turn(Vec3::UnitY(), radians(60))});
   Sequence s = make(k);
-  const auto halfway = [&] { return logRotation(Mat3(fitRigid(k.keys[0].positions, at(s, 0.25)).rotation)).norm(); };
+  const auto halfway = [&] {
+    return logRotation(Mat3(fitRigid(k.keys[0].positions, shapeAt(s, 0.25)).rotation)).norm();
+  };
   CHECK(halfway() == doctest::Approx(radians(15)));
   MotionOptions m;
   m.turns = {{1, 1}};
   REQUIRE(s.update(m, evenTimes(2)).ok());
   CHECK(halfway() == doctest::Approx(radians(105)));
-  CHECK(largestDistance(at(s, 1), k.keys[1].positions) < 1e-9 * diagonalOf(k));
+  CHECK(largestDistance(shapeAt(s, 1), k.keys[1].positions) < 1e-9 * diagonalOf(k));
 }
 
 TEST_CASE("turns that the keys leave open draw a warning") {
@@ -119,9 +114,9 @@ TEST_CASE("end tangents given as shapes steer the ends, a neighbour key changes 
   same.startTangent = k.keys[1].positions;
   other.startTangent = mapped(bar().positions, bend(-1));
   Sequence steered = make(k, with(BoundaryKind::Hermite), same), away = make(k, with(BoundaryKind::Hermite), other);
-  CHECK(largestDistance(at(plain, 0.1), at(steered, 0.1)) < 1e-4);
-  CHECK(largestDistance(at(plain, 0.1), at(away, 0.1)) > 0.1);
-  for (const Key& key : k.keys) CHECK(largestDistance(at(away, key.time), key.positions) < 1e-9 * diagonalOf(k));
+  CHECK(largestDistance(shapeAt(plain, 0.1), shapeAt(steered, 0.1)) < 1e-4);
+  CHECK(largestDistance(shapeAt(plain, 0.1), shapeAt(away, 0.1)) > 0.1);
+  for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(away, key.time), key.positions) < 1e-9 * diagonalOf(k));
 }
 
 TEST_CASE("a blend at the curve's weights is the curve") {
@@ -155,11 +150,11 @@ TEST_CASE("the pace of the keys: how far they lie apart, and the tensions that l
   CHECK(pace.tension[2] == doctest::Approx(1));
   CHECK(pace.tension[3] == doctest::Approx(1));
   const double between = (k.keys[2].time + k.keys[3].time) / 2, diagonal = diagonalOf(k);
-  CHECK(largestDistance(at(s, between), k.keys[2].positions) > 1e-2 * diagonal);
+  CHECK(largestDistance(shapeAt(s, between), k.keys[2].positions) > 1e-2 * diagonal);
   MotionOptions calm;
   calm.tension = pace.tension;
   REQUIRE(s.update(calm, evenTimes(5)).ok());
-  CHECK(largestDistance(at(s, between), k.keys[2].positions) < 1e-9 * diagonal);
+  CHECK(largestDistance(shapeAt(s, between), k.keys[2].positions) < 1e-9 * diagonal);
   const KeyPace again = s.keyPace();
   for (int j = 0; j < 5; ++j) CHECK(again.tension[j] == pace.tension[j]);
 }

@@ -129,6 +129,18 @@ inline Keyframes keyframes(const Shape& shape, const std::vector<Map>& maps, std
   return k;
 }
 
+inline Keyframes bentBar(const std::vector<double>& degrees, const Shape& shape = bar()) {
+  std::vector<Map> maps;
+  for (double d : degrees) maps.push_back(bend(radians(d)));
+  return keyframes(shape, maps);
+}
+
+inline Keyframes twistedBar(const std::vector<double>& degrees, const Shape& shape = bar()) {
+  std::vector<Map> maps;
+  for (double d : degrees) maps.push_back(twist(radians(d)));
+  return keyframes(shape, maps);
+}
+
 inline double diagonalOf(const Keyframes& k) {
   std::vector<const Positions*> poses;
   for (const Key& key : k.keys) poses.push_back(&key.positions);

@@ -142,18 +142,6 @@ ImportOptions sampled(const std::string& animation, int keys = 8) {
   return options;
 }
 
-Keyframes bentBar(const std::vector<double>& degrees) {
-  std::vector<Map> maps;
-  for (double d : degrees) maps.push_back(bend(radians(d)));
-  return keyframes(bar(), maps);
-}
-
-Keyframes twistedBar(const std::vector<double>& degrees) {
-  std::vector<Map> maps;
-  for (double d : degrees) maps.push_back(twist(radians(d)));
-  return keyframes(bar(), maps);
-}
-
 }  // namespace
 
 TEST_CASE("sweep: a cubic blend of vertices passes, and a corner is seen") {

@@ -5,6 +5,7 @@
 #include "core/mesh/measures.h"
 #include "core/rotation/rigid_fit.h"
 #include "real_data.h"
+#include "sequences.h"
 #include "shapes.h"
 
 using namespace shapespline;
@@ -20,15 +21,7 @@ EncodingOptions ghostly(int faces = 1000, Transfer transfer = Transfer::Exact) {
 }
 
 Sequence make(const Keyframes& k, const EncodingOptions& encoding = ghostly(), const MotionOptions& motion = {}) {
-  auto sequence = Sequence::create(k, encoding, motion);
-  REQUIRE_MESSAGE(sequence.ok(), (sequence ? "" : sequence.error().message));
-  return std::move(*sequence);
-}
-
-Positions at(Sequence& sequence, double t) {
-  Positions p;
-  REQUIRE(sequence.evaluate(t, p).ok());
-  return p;
+  return sequenceOf(k, encoding, motion);
 }
 
 Positions ghostAt(Sequence& sequence, double t) {
@@ -40,17 +33,8 @@ Positions ghostAt(Sequence& sequence, double t) {
 /// The bar 1 x 1 x 10, fine enough that a ghost of 1000 faces is coarse.
 Shape fineBar() { return box(1, 1, 10, 8, 8, 80); }
 
-Keyframes bentBar(std::vector<double> degrees) {
-  std::vector<Map> maps;
-  for (double d : degrees) maps.push_back(bend(radians(d)));
-  return keyframes(fineBar(), maps);
-}
-
-Keyframes twistedBar(std::vector<double> degrees) {
-  std::vector<Map> maps;
-  for (double d : degrees) maps.push_back(twist(radians(d)));
-  return keyframes(fineBar(), maps);
-}
+Keyframes bentFineBar(const std::vector<double>& degrees) { return bentBar(degrees, fineBar()); }
+Keyframes twistedFineBar(const std::vector<double>& degrees) { return twistedBar(degrees, fineBar()); }
 
 const std::vector<double> slider = {-0.4, -0.05, 0.13, 0.5, 0.77, 1.1, 1.4};
 
@@ -62,15 +46,15 @@ double errorOfGhost(const Keyframes& k, const EncodingOptions& encoding) {
   std::vector<Positions> a, b;
   for (int i = 0; i <= 30; ++i) {
     const double t = k.keys.front().time + (k.keys.back().time - k.keys.front().time) * i / 30;
-    a.push_back(at(plain, t));
-    b.push_back(at(led, t));
+    a.push_back(shapeAt(plain, t));
+    b.push_back(shapeAt(led, t));
   }
   return kgError(a, b);
 }
 
 double worstKey(Sequence& s, const Keyframes& k) {
   double worst = 0;
-  for (const Key& key : k.keys) worst = std::max(worst, largestDistance(at(s, key.time), key.positions));
+  for (const Key& key : k.keys) worst = std::max(worst, largestDistance(shapeAt(s, key.time), key.positions));
   return worst / diagonalOf(k);
 }
 
@@ -87,7 +71,7 @@ TEST_CASE("ghost: the distance to a triangle is that to its nearest point") {
 }
 
 TEST_CASE("ghost: a sequence describes its ghost") {
-  const Keyframes k = bentBar({0, 70, -120});
+  const Keyframes k = bentFineBar({0, 70, -120});
   for (const bool optimal : {false, true}) {
     EncodingOptions options = ghostly(600);
     options.optimalPlacement = optimal;
@@ -124,7 +108,7 @@ TEST_CASE("ghost: a sequence describes its ghost") {
 }
 
 TEST_CASE("ghost: keys are reproduced") {
-  const Keyframes k = bentBar({0, 70, -50, 120});
+  const Keyframes k = bentFineBar({0, 70, -50, 120});
   const double diagonal = diagonalOf(k);
   for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic})
     for (const Stretch stretch : {Stretch::Linear, Stretch::Log}) {
@@ -149,7 +133,7 @@ TEST_CASE("ghost: keys are reproduced") {
 }
 
 TEST_CASE("ghost: end tangents that are shapes") {
-  const Keyframes k = bentBar({0, 70, 100});
+  const Keyframes k = bentFineBar({0, 70, 100});
   EncodingOptions options = ghostly(800);
   options.startTangent = mapped(fineBar().positions, twist(radians(60)));
   options.endTangent = mapped(fineBar().positions, bend(radians(80)));
@@ -159,11 +143,11 @@ TEST_CASE("ghost: end tangents that are shapes") {
   CHECK(worstKey(led, k) < 1e-9);
   options.ghostFaces = 0;
   Sequence plain = make(k, options, motion);
-  CHECK(largestDistance(at(plain, 0.2), at(led, 0.2)) < 0.005 * diagonalOf(k));
+  CHECK(largestDistance(shapeAt(plain, 0.2), shapeAt(led, 0.2)) < 0.005 * diagonalOf(k));
 }
 
 TEST_CASE("ghost: stays close to the shape without a ghost") {
-  for (const Keyframes& k : {bentBar({0, 70, -50, 120}), twistedBar({0, 120, 240})}) {
+  for (const Keyframes& k : {bentFineBar({0, 70, -50, 120}), twistedFineBar({0, 120, 240})}) {
     const double exact = errorOfGhost(k, ghostly(2000)), coarse = errorOfGhost(k, ghostly(500));
     const double paper = errorOfGhost(k, ghostly(2000, Transfer::Paper));
     MESSAGE("KG against no ghost: exact " << exact << " (500 faces: " << coarse << "), paper " << paper);
@@ -201,18 +185,18 @@ TEST_CASE("ghost: of the cactus with 2,000 faces: KG 1 exact, 5 as published; ke
 }
 
 TEST_CASE("ghost: the paper's transfer passes through the reference, and near the other keys") {
-  const Keyframes k = bentBar({0, 70, -50});
+  const Keyframes k = bentFineBar({0, 70, -50});
   EncodingOptions options = ghostly(1000, Transfer::Paper);
   options.reference = 1;
   Sequence s = make(k, options);
-  CHECK(largestDistance(at(s, 0.5), k.keys[1].positions) < 1e-9 * diagonalOf(k));
-  const double other = largestDistance(at(s, 0), k.keys[0].positions) / diagonalOf(k);
+  CHECK(largestDistance(shapeAt(s, 0.5), k.keys[1].positions) < 1e-9 * diagonalOf(k));
+  const double other = largestDistance(shapeAt(s, 0), k.keys[0].positions) / diagonalOf(k);
   CHECK(other < 0.02);
   CHECK(other > 1e-6);  // or this would be no test of the mode
 }
 
 TEST_CASE("ghost: a common rigid motion of all keys moves the whole sequence by it") {
-  const Keyframes k = bentBar({0, 80, 20});
+  const Keyframes k = bentFineBar({0, 80, 20});
   const Map move = turn(Vec3(1, 2, -0.5), 2.2, Vec3(3, -7, 11));
   Keyframes moved = k;
   for (Key& key : moved.keys) key.positions = mapped(key.positions, move);
@@ -222,31 +206,31 @@ TEST_CASE("ghost: a common rigid motion of all keys moves the whole sequence by 
       motion.boundary = boundary;
       Sequence a = make(k, ghostly(1000, transfer), motion), b = make(moved, ghostly(1000, transfer), motion);
       for (double t : slider) {
-        CHECK(largestDistance(mapped(at(a, t), move), at(b, t)) < 1e-8 * diagonalOf(k));
+        CHECK(largestDistance(mapped(shapeAt(a, t), move), shapeAt(b, t)) < 1e-8 * diagonalOf(k));
         CHECK(largestDistance(mapped(ghostAt(a, t), move), ghostAt(b, t)) < 1e-5 * diagonalOf(k));
       }
     }
 }
 
 TEST_CASE("ghost: moving one key rigidly changes only the global motion") {
-  Keyframes k = bentBar({0, 80, 20});
+  Keyframes k = bentFineBar({0, 80, 20});
   for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
     Keyframes other = k;
     other.keys[1].positions = mapped(k.keys[1].positions, turn(Vec3(0, 1, 1), 1.1, Vec3(5, 0, 0)));
     Sequence a = make(k, ghostly(1000, transfer)), b = make(other, ghostly(1000, transfer));
     for (double t : slider) {
-      const Positions x = at(a, t), y = at(b, t);
+      const Positions x = shapeAt(a, t), y = shapeAt(b, t);
       CHECK(largestDistance(aligned(x, y), y) < 1e-8 * diagonalOf(k));
     }
   }
 }
 
 TEST_CASE("ghost: two keys with natural boundary give the geodesic") {
-  const Keyframes k = bentBar({10, 130});
+  const Keyframes k = bentFineBar({10, 130});
   MotionOptions geodesic;
   geodesic.method = Method::Geodesic;
   Sequence a = make(k), b = make(k, ghostly(), geodesic);
-  for (double t : slider) CHECK(largestDistance(at(a, t), at(b, t)) < 1e-10 * diagonalOf(k));
+  for (double t : slider) CHECK(largestDistance(shapeAt(a, t), shapeAt(b, t)) < 1e-10 * diagonalOf(k));
 }
 
 TEST_CASE("ghost: rigid turns stay rigid, also of several parts") {
@@ -257,8 +241,8 @@ TEST_CASE("ghost: rigid turns stay rigid, also of several parts") {
       const Keyframes k = keyframes(
           shape, {turn(axis, 0), turn(axis, radians(80), Vec3(1, 0, 0)), turn(axis, radians(160), Vec3(0, 3, 0))});
       Sequence s = make(k, ghostly(1000, transfer));
-      for (double t : slider) CHECK(fitRigid(shape.positions, at(s, t)).largestDistance < 1e-9 * diagonalOf(k));
-      const Mat3 r = fitRigid(shape.positions, at(s, 0.25)).rotation;
+      for (double t : slider) CHECK(fitRigid(shape.positions, shapeAt(s, t)).largestDistance < 1e-9 * diagonalOf(k));
+      const Mat3 r = fitRigid(shape.positions, shapeAt(s, 0.25)).rotation;
       CHECK(logRotation(r).norm() == doctest::Approx(radians(40)).epsilon(1e-6));
     }
 }
@@ -268,7 +252,7 @@ namespace {
 void checkHalfway(const Keyframes& k) {
   Sequence s = make(k, ghostly(2000));
   const Positions& rest = k.keys[0].positions;
-  const auto half = sectionTurns(rest, at(s, 0.5), 8), whole = sectionTurns(rest, k.keys[1].positions, 8);
+  const auto half = sectionTurns(rest, shapeAt(s, 0.5), 8), whole = sectionTurns(rest, k.keys[1].positions, 8);
   REQUIRE(half.size() == whole.size());
   for (std::size_t i = 0; i < half.size(); ++i)
     CHECK(half[i].norm() == doctest::Approx(whole[i].norm() / 2).epsilon(0.02));
@@ -276,11 +260,11 @@ void checkHalfway(const Keyframes& k) {
 
 }  // namespace
 
-TEST_CASE("ghost: a twist by 720 degrees is halfway a twist by 360") { checkHalfway(twistedBar({0, 720})); }
-TEST_CASE("ghost: a bend by 540 degrees is halfway a bend by 270") { checkHalfway(bentBar({0, 540})); }
+TEST_CASE("ghost: a twist by 720 degrees is halfway a twist by 360") { checkHalfway(twistedFineBar({0, 720})); }
+TEST_CASE("ghost: a bend by 540 degrees is halfway a bend by 270") { checkHalfway(bentFineBar({0, 540})); }
 
 TEST_CASE("ghost: a twisted bar follows the analytic twist within KG 1.5") {
-  const Keyframes k = twistedBar({0, 180, 350});
+  const Keyframes k = twistedFineBar({0, 180, 350});
   Sequence s = make(k, ghostly(2000));
   std::vector<Positions> exact, ours;
   for (int i = 0; i <= 20; ++i) {
@@ -288,7 +272,7 @@ TEST_CASE("ghost: a twisted bar follows the analytic twist within KG 1.5") {
     const double second = 3 * (350 - 2 * 180.0) / (2 * 0.25);  // of the natural spline at the middle key
     const double angle = end + (180 - end) * u + second * 0.25 / 6 * (u * u * u - u);
     exact.push_back(mapped(fineBar().positions, twist(radians(angle))));
-    ours.push_back(aligned(at(s, t), exact.back()));
+    ours.push_back(aligned(shapeAt(s, t), exact.back()));
   }
   const double error = kgError(exact, ours, KgCentre::SequenceAverage);
   MESSAGE("KG " << error);
@@ -296,15 +280,15 @@ TEST_CASE("ghost: a twisted bar follows the analytic twist within KG 1.5") {
 }
 
 TEST_CASE("ghost: a bend keeps its volume") {
-  const Keyframes k = bentBar({0, 120});
+  const Keyframes k = bentFineBar({0, 120});
   for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
     Sequence s = make(k, ghostly(1000, transfer));
-    CHECK(enclosedVolume(at(s, 0.5), k.faces) >= 0.99 * enclosedVolume(k.keys[0].positions, k.faces));
+    CHECK(enclosedVolume(shapeAt(s, 0.5), k.faces) >= 0.99 * enclosedVolume(k.keys[0].positions, k.faces));
   }
 }
 
 TEST_CASE("ghost: no vertex jumps between neighbouring times") {
-  for (const Keyframes& k : {twistedBar({0, 180, 350}), bentBar({0, 120, -60, 200})})
+  for (const Keyframes& k : {twistedFineBar({0, 180, 350}), bentFineBar({0, 120, -60, 200})})
     for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
       EncodingOptions options = ghostly(600, transfer);
       options.precision = Precision::Single;
@@ -325,14 +309,14 @@ TEST_CASE("ghost: no vertex jumps between neighbouring times") {
 }
 
 TEST_CASE("ghost: the second derivative is continuous across keys") {
-  const Keyframes k = bentBar({0, 70, -50, 120});
+  const Keyframes k = bentFineBar({0, 70, -50, 120});
   const double h = 1e-4;
   for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
     Sequence s = make(k, ghostly(1000, transfer));
     for (int j = 1; j <= 2; ++j) {
       const double t = k.keys[j].time;
       const auto second = [&](double centre) {
-        const Positions a = at(s, centre - h), b = at(s, centre), c = at(s, centre + h);
+        const Positions a = shapeAt(s, centre - h), b = shapeAt(s, centre), c = shapeAt(s, centre + h);
         Positions d(a.size());
         for (std::size_t v = 0; v < a.size(); ++v) d[v] = (a[v] - 2 * b[v] + c[v]) / (h * h);
         return d;
@@ -382,10 +366,10 @@ TEST_CASE("ghost: a sphere beside a bending bar keeps its distance, with a ghost
     CHECK(worstKey(s, k) < 1e-9);
     const double rest = leastDistance(k.keys[0].positions, body);
     if (faces > 7)
-      for (double t : slider) CHECK(std::abs(leastDistance(at(s, t), body) - rest) < 0.02 * 2 * radius);
+      for (double t : slider) CHECK(std::abs(leastDistance(shapeAt(s, t), body) - rest) < 0.02 * 2 * radius);
     // The ball stays a ball in any case.
     for (double t : slider) {
-      const Positions p = at(s, t);
+      const Positions p = shapeAt(s, t);
       CHECK(fitRigid({k.keys[0].positions.begin() + body, k.keys[0].positions.end()}, {p.begin() + body, p.end()})
                 .largestDistance < 0.01 * radius);
     }
@@ -408,7 +392,7 @@ TEST_CASE("ghost: faces without area, loose vertices and repeated faces") {
     CHECK(s.ghost().ghostFaceOf[shape.faces.size() - 3] == -1);
     CHECK(s.ghost().ghostFaceOf.back() >= 0);
     for (double t : slider)
-      for (const Vec3& p : at(s, t)) CHECK(p.allFinite());
+      for (const Vec3& p : shapeAt(s, t)) CHECK(p.allFinite());
   }
 }
 
@@ -421,21 +405,21 @@ TEST_CASE("ghost: seams are welded, and written back") {
     for (int v : t) split.positions.push_back(shape.positions[v]);
     split.faces.push_back({first, first + 1, first + 2});
   }
-  const Keyframes whole = bentBar({0, 70, -120}),
+  const Keyframes whole = bentFineBar({0, 70, -120}),
                   k = keyframes(split, {bend(0), bend(radians(70)), bend(radians(-120))});
   Sequence a = make(whole), b = make(k);
   CHECK(b.ghost().vertexOf.size() == a.ghost().vertexOf.size());
   CHECK(b.ghost().ghostVertexOf.size() == split.positions.size());
   for (int v : b.ghost().vertexOf) CHECK((v >= 0 && v < int(split.positions.size())));
   CHECK(worstKey(b, k) < 1e-9);
-  const Positions p = at(b, 0.3);
+  const Positions p = shapeAt(b, 0.3);
   std::map<std::array<double, 3>, int> copies;
   for (const Vec3& q : p) ++copies[{q.x(), q.y(), q.z()}];
   CHECK(copies.size() == shape.positions.size());
 }
 
 TEST_CASE("ghost: evaluate is a pure function of its arguments, and counts its work") {
-  const Keyframes k = bentBar({0, 70, -50, 120});
+  const Keyframes k = bentFineBar({0, 70, -50, 120});
   for (const Transfer transfer : {Transfer::Exact, Transfer::Paper}) {
     EncodingOptions options = ghostly(900, transfer);
     options.precision = Precision::Single;
@@ -464,7 +448,7 @@ TEST_CASE("ghost: evaluate is a pure function of its arguments, and counts its w
 }
 
 TEST_CASE("ghost: a frame and the ghost's own shape have clocks of their own") {
-  Sequence s = make(bentBar({0, 70}));
+  Sequence s = make(bentFineBar({0, 70}));
   Frame frame;
   REQUIRE(s.evaluate(0.4, frame).ok());
   const SequenceStats exact = s.stats();
@@ -491,7 +475,7 @@ TEST_CASE("ghost: wrong and pointless options") {
   CHECK(s.ghost().faces.empty());
   CHECK(std::any_of(s.warnings().begin(), s.warnings().end(), [](const Warning& w) { return w.code == "ghost-off"; }));
   CHECK(plain.warnings().empty());
-  CHECK(at(s, 0.3) == at(plain, 0.3));
+  CHECK(shapeAt(s, 0.3) == shapeAt(plain, 0.3));
   std::vector<float> xyz;
   const Status status = s.evaluateGhost(0.5, xyz);
   REQUIRE(!status.ok());
@@ -501,11 +485,12 @@ TEST_CASE("ghost: wrong and pointless options") {
 TEST_CASE("ghost: progress never falls") {
   double last = 0;
   std::vector<std::string> stages;
-  const auto sequence = Sequence::create(bentBar({0, 70}), ghostly(500), {}, [&](const char* stage, double fraction) {
-    CHECK(fraction >= last);
-    last = fraction;
-    if (stages.empty() || stages.back() != stage) stages.push_back(stage);
-  });
+  const auto sequence =
+      Sequence::create(bentFineBar({0, 70}), ghostly(500), {}, [&](const char* stage, double fraction) {
+        CHECK(fraction >= last);
+        last = fraction;
+        if (stages.empty() || stages.back() != stage) stages.push_back(stage);
+      });
   CHECK(last == 1);
   CHECK(stages ==
         std::vector<std::string>{"welding", "simplifying", "matching", "encoding", "ordering", "factorising"});
