@@ -5,6 +5,8 @@ import type { Picture } from './png.ts';
 import { difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 const SPLIT = '#sample=twisted-bar&compare=linear&split=0.5&floor=0&t=0.25';
 
 async function pictureOf(app: App): Promise<Picture> {

@@ -2,6 +2,8 @@
 import { decode } from './png.ts';
 import { type App, expect, test } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 /** Of the shape's middle on the screen: mean red, green and blue. */
 async function middleColour(app: App): Promise<[number, number, number]> {
   const { data, width, height } = decode(await app.picture());

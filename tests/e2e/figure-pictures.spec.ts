@@ -11,6 +11,8 @@ import { changedShare, shrink } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 const folder = fileURLToPath(new URL('./figures', import.meta.url));
 /** Kept at half their size. */
 const KEPT = 2;

@@ -2,6 +2,8 @@
 import { readFileSync } from 'node:fs';
 import { type App, expect, test } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 async function saved(app: App, testId: string): Promise<{ name: string; bytes: Buffer }> {
   const [file] = await Promise.all([app.page.waitForEvent('download'), app.by(testId).click()]);
   return { name: file.suggestedFilename(), bytes: readFileSync((await file.path())!) };

@@ -5,6 +5,8 @@ import { changedShare } from './png.ts';
 import { diagonal, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 const LARGE = 'serpent';
 
 const idsOf = (app: App): Promise<string[]> =>

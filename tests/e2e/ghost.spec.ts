@@ -7,6 +7,8 @@ import type { Colour } from './png.ts';
 import { diagonal, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 const HUES = {
   accent: ([r, g, b]: Colour) => b > 150 && b - g > 60 && b - r > 60,
   purple: ([r, g, b]: Colour) => r > g + 12 && b > g + 25 && g < 110,

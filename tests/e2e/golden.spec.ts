@@ -10,6 +10,8 @@ import { changedShare, shrink } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 const folder = fileURLToPath(new URL('./golden', import.meta.url));
 const SHRUNK = 8;
 /** Levels of 255 by which a shrunk pixel may differ, and the share of pixels that may differ by more. */

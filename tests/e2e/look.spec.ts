@@ -4,6 +4,8 @@ import type { Colour } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 /** The paper's colours, as the ring has them. */
 const PHASES = {
   key: { t: 0, colour: [0, 114, 178] },

@@ -3,6 +3,8 @@ import { changedShare, colours, decode, saturation } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 interface Overlap {
   /** Share of the engine's vertices that fall on drawn pixels of the shape. */
   verticesOnShape: number;

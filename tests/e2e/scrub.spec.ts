@@ -8,6 +8,8 @@ import { changedShare } from './png.ts';
 import { difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 const FACES = 40_000;
 
 interface Sample {

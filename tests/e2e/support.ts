@@ -145,6 +145,11 @@ export class App {
 
 interface Fixtures {
   app: App;
+  /**
+   * Pixels of the picture to a pixel of the page, each way: half of what a drawn frame costs is its pixels. Tests of
+   * what they look like have all of them.
+   */
+  sharpness: number;
   /** For tests of what a visit leaves in the browser, or of a visitor who differs: a profile of their own. */
   ownProfile: boolean;
 }
@@ -157,6 +162,7 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
   // Without autoplay the picture stands still, so that it can be compared.
   contextOptions: async ({ contextOptions }, use) => use({ ...contextOptions, reducedMotion: 'reduce' }),
   ownProfile: [false, { option: true }],
+  sharpness: [0.25, { option: true }],
   // A page that opens where another of its site has been open is spared a process and most of the compiling: half of
   // what opening costs. The first page stays, so that the process does.
   sharedProfile: [
@@ -170,14 +176,22 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
     },
     { scope: 'worker' },
   ],
-  context: async ({ context, ownProfile, sharedProfile }, use) => {
-    if (ownProfile) return use(context);
+  context: async ({ browser, ownProfile, sharedProfile }, use) => {
+    if (ownProfile) {
+      const profile = await browser.newContext();
+      await use(profile);
+      return profile.close();
+    }
     await use(sharedProfile);
     const [first, ...opened] = sharedProfile.pages();
     for (const page of opened) await page.close();
     await forget(first!);
   },
-  app: async ({ page }, use) => use(new App(page)),
+  app: async ({ page, sharpness }, use) => {
+    if (sharpness !== 1)
+      await page.addInitScript((ratio) => Object.assign(window, { devicePixelRatio: ratio }), sharpness);
+    await use(new App(page));
+  },
 });
 
 /** Clears what the pages of a site have kept in the browser. */

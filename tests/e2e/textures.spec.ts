@@ -6,6 +6,8 @@ import type { Colour } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 type Channel = 'red' | 'green' | 'blue' | 'none';
 const RED = [255, 0, 0] as const;
 const GREEN = [0, 255, 0] as const;

@@ -7,6 +7,8 @@ import type { Picture } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 interface Read {
   codec: string | null;
   width: number;

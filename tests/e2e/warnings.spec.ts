@@ -9,6 +9,8 @@ import { changedShare, matching } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
+test.use({ sharpness: 1 });
+
 const LONG =
   'Neighbouring parts turn by more than 150 degrees against each other. Add a key in between if they go the wrong way.';
 const WARNINGS: Warning[] = [
