@@ -62,7 +62,9 @@ test('as few morph targets as the tolerance needs are exported, with the error t
   await app.open();
   const targetsIn = (stated: string): number => Number(/(\d+) morph targets/.exec(stated)![1]);
   const { bytes, stated } = await exported(app, async () => {});
-  expect(stated).toMatch(/^4 s, \d+ morph targets, off by at most 0\.0\d+ % of the diagonal between them, about /);
+  expect(stated).toMatch(
+    /^8 s there and back, \d+ morph targets, off by at most 0\.0\d+ % of the diagonal between them, about /,
+  );
   const length = bytes.readUInt32LE(12);
   const json = JSON.parse(bytes.subarray(20, 20 + length).toString());
   expect(json.meshes[0].primitives[0].targets).toHaveLength(targetsIn(stated));
@@ -182,19 +184,19 @@ test('numbers are saved as CSV at the frames that are exported, rounded, with ve
 test('what is exported takes the time that was watched, and opens again at the same speed', async ({ app }) => {
   await app.open();
   const text = await stated(app, () => app.by('export-targets-every').check());
-  // 121 frames at 30 a second fill 4 s; the keys are among them.
-  expect(text).toMatch(/^4 s, 121 frames, off by /);
+  // 121 frames at 30 a second fill 4 s, and it bounces; the keys are among them.
+  expect(text).toMatch(/^8 s there and back, 121 frames, off by /);
   await expect(app.by('export-frames')).toHaveValue('121');
   await type(app, 'export-frames', '60');
   await app.nextFrame();
-  await expect(app.by('export-size')).toHaveText(/^4\ss, 61 frames \(60, and 1 at keys between them\)/);
+  await expect(app.by('export-size')).toHaveText(/^8\ss there and back, 61 frames \(60, and 1 at keys between them\)/);
   await expect(app.by('export-rate')).toHaveValue('14.75');
   await app.by('export-close').click();
 
   const { bytes } = await exported(app, () => app.by('export-targets-few').check());
   const once = animationOf(bytes);
   expect(once.times[0]).toBe(0);
-  expect(once.times.at(-1)).toBeCloseTo(4, 6);
+  expect(once.times.at(-1)).toBeCloseTo(8, 6);
   await app.by('file-input').setInputFiles({ name: 'again.glb', mimeType: 'model/gltf-binary', buffer: bytes });
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.settled();
@@ -206,7 +208,7 @@ test('what is exported takes the time that was watched, and opens again at the s
 
 test('a GLB goes there and back with the same targets, and opens again as the same project', async ({ app }) => {
   await app.open();
-  const oneWay = animationOf((await exported(app, async () => {})).bytes);
+  const oneWay = animationOf((await exported(app, () => app.by('export-bounce').uncheck())).bytes);
   const { bytes, stated: text } = await exported(app, () => app.by('export-bounce').check());
   expect(text).toMatch(/^8 s there and back, \d+ morph targets/);
   const both = animationOf(bytes);
@@ -259,7 +261,7 @@ test('poses without times get a second each, which the timeline says, and play i
   await expect(app.by('time-unit')).toHaveText('s');
   await expect(app.by('timeline')).toHaveAttribute('aria-valuetext', /^0\.000 s, At key 1/);
   const text = await stated(app, () => app.by('export-animation-video').check());
-  expect(text).toMatch(/^60 frames, 2 s, /);
+  expect(text).toMatch(/^120 frames, 4 s, /);
   await expect(app.by('export-duration')).toHaveValue('2');
   await expect(app.by('export-pace')).toHaveText('as it plays here');
 });

@@ -2,7 +2,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { changedShare, columns } from './png.ts';
-import { bytesOf, difference, expect, realFile, test } from './support.ts';
+import { bytesOf, difference, expect, extent, realFile, test } from './support.ts';
 
 const cactus = ['cactus/cactus-3.glb', 'cactus/cactus-1.glb', 'cactus/cactus-2.glb'].map(realFile);
 
@@ -224,12 +224,15 @@ test('a key with polygons is added however it would be cut by itself, and the fi
   await app.by('stand-up').click();
   await expect(app.by('up-axis-z')).toBeChecked();
   await app.settled();
-  // Time and history are what they were.
+  // Time and history are what they were, and go on.
   expect((await app.state()).time).toBe(0.5);
+  await app.by('undo').click();
+  await expect(app.by('up-axis-y')).toBeChecked();
   await app.by('undo').click();
   await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('natural');
   await app.by('redo').click();
   await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('hermite');
+  await app.by('redo').click();
   await expect.poll(async () => (await app.positionsAt(0))[7]).toBeCloseTo(1, 5);
   await app.by('file-unit').selectOption('centimetres');
   await expect.poll(async () => (await app.positionsAt(0))[7]).toBeCloseTo(0.01, 6);
@@ -244,15 +247,63 @@ test('a key with polygons is added however it would be cut by itself, and the fi
   await app.expectNoProblems();
 });
 
-test('real poses that stand along Z are offered to be stood up, and then stand', async ({ app }) => {
+test('real poses that stand along Z open standing, and can be laid back', async ({ app }) => {
   const cats = ['turns/cat/cat2.off', 'turns/cat/cat5.off', 'turns/cat/cat8.off'].map(realFile);
   test.skip(cats.includes(null), 'the real files are not here');
   await app.open();
   await app.by('file-input').setInputFiles(cats as string[]);
-  const offer = app.page.getByRole('button', { name: 'Stand it up', exact: true });
-  await offer.click();
+  const offer = app.page.getByRole('button', { name: 'Lay it back', exact: true });
+  await expect(offer).toBeVisible();
   await expect(app.by('up-axis-z')).toBeChecked();
+  // Its feet are on the floor in every pose, its head is above them: as long as tall, not taller than long.
+  for (const t of [0, 1, 2]) {
+    const at = await app.positionsAt(t);
+    const [low, high] = extent(at, 1);
+    expect(Math.abs(low)).toBeLessThan(0.04 * (high - low));
+    expect(extent(at, 2)[1] - extent(at, 2)[0]).toBeGreaterThan(high - low);
+  }
+  await offer.click();
+  await expect(app.by('up-axis-y')).toBeChecked();
   await expect(offer).toBeHidden();
+  await app.expectNoProblems();
+});
+
+test('a shape is stood up between two edits, and undo goes back over the three in their order', async ({ app }) => {
+  const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
+  const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
+  await app.open();
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.4)]);
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(2);
+  await app.by('boundary-hermite').check();
+  await app.settled();
+  await app.setTime(0.5);
+  await app.by('add-current').click();
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(3);
+  await app.by('stand-up').click();
+  const height = async (t: number): Promise<number> => (await app.positionsAt(t))[7]!;
+  await expect.poll(() => height(0)).toBeCloseTo(1, 5);
+  // The key that was taken from the shape as it lay stands, too.
+  expect(await height(0.5)).toBeCloseTo(1, 2);
+  await app.by('boundary-periodic').check();
+  await app.settled();
+
+  const undo = app.by('undo');
+  await expect(undo).toHaveAccessibleName(/ends/);
+  await undo.click();
+  await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('hermite');
+  await expect(undo).toHaveAccessibleName(/stand the shape up/);
+  await undo.click();
+  await expect.poll(() => height(0.5)).toBeCloseTo(0, 2);
+  await expect(undo).toHaveAccessibleName(/add a key/);
+  await undo.click();
+  await expect.poll(async () => (await app.state()).doc.keys.length).toBe(2);
+  await app.by('redo').click();
+  await expect(app.by('redo')).toHaveAccessibleName(/stand the shape up/);
+  await app.by('redo').click();
+  await expect.poll(() => height(0.5)).toBeCloseTo(1, 2);
+  await app.by('redo').click();
+  await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('periodic');
+  expect((await app.state()).doc.keys.length).toBe(3);
   await app.expectNoProblems();
 });
 

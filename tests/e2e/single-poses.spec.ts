@@ -1,7 +1,7 @@
 /** Poses that come one after the other: the first waits for the next, a further one becomes a key. */
 import { writeFileSync } from 'node:fs';
 import type { App } from './support.ts';
-import { expect, test } from './support.ts';
+import { expect, realFile, test } from './support.ts';
 
 const QUAD = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
 const TRIANGLE = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${x} 1 0\nf 1 2 3\n`;
@@ -51,6 +51,26 @@ test('poses are picked one by one: the first waits, the second opens the motion,
   expect((await app.positionsAt(2)).slice(6, 9)).toEqual([0.5, 0, 1]);
   await app.by('undo').click();
   await expect.poll(async () => (await keys(app)).length).toBe(2);
+  await app.expectNoProblems();
+});
+
+test('six real poses are dropped one after the other, and the motion is called after all of them', async ({ app }) => {
+  const wolves = [1, 4, 8, 12, 16, 20].map((number) => realFile(`obj/wolf/wolf-${number}.obj`));
+  test.skip(wolves.includes(null), 'the real files are not here');
+  await app.open();
+  for (const [index, wolf] of wolves.entries()) {
+    await app.drop([wolf!]);
+    if (index === 0) await expect(app.by('pose-offer')).toContainText('“wolf-1.obj” is the first pose');
+    else
+      await expect
+        .poll(async () => (await keys(app)).map(([name]) => name).includes(`wolf-${[1, 4, 8, 12, 16, 20][index]}`))
+        .toBe(true);
+    await app.settled();
+  }
+  expect((await keys(app)).map(([, time]) => time)).toEqual([0, 1, 2, 3, 4, 5]);
+  await expect(app.by('sample')).toContainText('wolf-1.obj and 5 more');
+  // What all names begin with is left out of the cards.
+  await expect(app.by('key-3-go').locator('.key-name')).toHaveText('12');
   await app.expectNoProblems();
 });
 

@@ -210,6 +210,15 @@ export function difference(a: readonly number[], b: readonly number[]): number {
   return a.reduce((most, value, index) => Math.max(most, Math.abs(value - b[index]!)), 0);
 }
 
+/** Least and largest coordinate along an axis. */
+export function extent(positions: readonly number[], axis: 0 | 1 | 2): [number, number] {
+  const along = positions.filter((_, index) => index % 3 === axis);
+  return along.reduce<[number, number]>(
+    ([low, high], value) => [Math.min(low, value), Math.max(high, value)],
+    [Infinity, -Infinity],
+  );
+}
+
 export function diagonal(positions: readonly number[]): number {
   const size = [0, 1, 2].map((axis) => {
     const values = positions.filter((_, index) => index % 3 === axis);

@@ -38,7 +38,7 @@ export function retimeKey(doc: Doc, index: number, time: number): Doc {
 }
 
 export function renameKey(doc: Doc, index: number, name: string): Doc {
-  if (name === '' || doc.keys[index]?.name === name) return doc;
+  if (doc.keys[index]?.name === name) return doc;
   return withKey(doc, index, { name });
 }
 

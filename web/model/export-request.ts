@@ -59,8 +59,8 @@ export interface ExportRequest {
   duration: number | null;
   /** Seconds of one turn. */
   turn: number;
-  /** There and back again. */
-  bounce: boolean;
+  /** There and back again; null = as it plays on the page. */
+  bounce: boolean | null;
   inPlace: boolean;
   /** null = the window's, of a GIF small. */
   size: SizeName | null;
@@ -85,7 +85,7 @@ export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
   range: null,
   duration: null,
   turn: 6,
-  bounce: false,
+  bounce: null,
   inPlace: false,
   size: null,
   own: SIZES['1080p'],
@@ -108,6 +108,8 @@ export interface Playing {
   fps: number | null;
   /** Units of time per second. */
   speed: number;
+  /** There and back again. */
+  bounces: boolean;
 }
 
 export interface ExportNumbers {
@@ -133,9 +135,13 @@ export function isTurn({ kind, picture }: Pick<ExportRequest, 'kind' | 'picture'
   return kind === 'picture' && picture === 'turntable';
 }
 
-/** Goes back the way that it came: of videos of the motion, and of GLB. */
+/** May go back the way that it came: videos of the motion, and GLB. */
 export function canBounce({ kind, animation }: ExportRequest): boolean {
   return kind === 'animation' && (animation === 'video' || animation === 'glb');
+}
+
+export function goesBack(request: ExportRequest, { bounces }: Playing): boolean {
+  return canBounce(request) && (request.bounce ?? bounces);
 }
 
 /** `video`: the format, where a video is asked for. */
@@ -155,11 +161,11 @@ export function exportNumbers(request: ExportRequest, playing: Playing, video: V
 type Frames = Pick<ExportNumbers, 'rate' | 'frames' | 'whole'>;
 
 /** Each frame of a video stands for its part of a second, so that they fill the time exactly. */
-function videoFrames(request: ExportRequest, { fps }: Playing, video: VideoFormat, seconds: number): Frames {
+function videoFrames(request: ExportRequest, playing: Playing, video: VideoFormat, seconds: number): Frames {
   const usual = video === 'gif' ? USUAL_GIF_RATE : USUAL_RATE;
-  const rate = Math.min(request.rate ?? fps ?? usual, MOST_RATE[video]);
+  const rate = Math.min(request.rate ?? playing.fps ?? usual, MOST_RATE[video]);
   const oneWay = Math.max(Math.round(seconds * rate), 1);
-  return { rate, frames: request.bounce && canBounce(request) ? 2 * oneWay : oneWay, whole: false };
+  return { rate, frames: goesBack(request, playing) ? 2 * oneWay : oneWay, whole: false };
 }
 
 /** The frames of files go from the first time to the last, both included. */

@@ -1,4 +1,5 @@
 /** Times and where they lie: the slider's scale, snapping, stepping, and how a moment relates to the keys. */
+import { keyLabel, lowerFirst } from './key-names.ts';
 
 /** The timeline shows this share of a mean interval between keys beyond either end, unless it is zoomed. */
 export const MARGIN = 0.8;
@@ -115,7 +116,7 @@ export function phaseOf({ t, keys, range, periodic, tolerance = SAME_TIME }: Pha
   const near = nearestKey(inside, times);
   const key = keys[near];
   if (key && Math.abs(key.time - inside) <= reach) {
-    return { kind: 'key', text: `At key ${near + 1}, ${key.name}` };
+    return { kind: 'key', text: `At ${lowerFirst(keyLabel(near, key.name))}` };
   }
   const first = times[0] ?? 0;
   const last = times.at(-1) ?? 1;

@@ -1,5 +1,5 @@
 /** The weights of a blend of keys: a row with a bar for each key, and the same in one sentence for screen readers. */
-import { keyLabel } from './controls.ts';
+import { keyLabel } from '../model/key-names.ts';
 import { h, memo, setHidden, setStyle, setText } from './dom.ts';
 
 export interface BlendWeightsProps {

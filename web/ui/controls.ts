@@ -92,11 +92,6 @@ export function segments<T extends string>(
   };
 }
 
-/** A key in a list of choices. */
-export function keyLabel(index: number, name: string): string {
-  return `Key ${index + 1}, ${name}`;
-}
-
 export interface Select<T extends string> {
   element: HTMLElement;
   update(value: T, choices?: readonly Choice<T>[]): void;

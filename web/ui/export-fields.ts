@@ -7,6 +7,7 @@ import {
   MOST_SECONDS,
   SIZES,
   canBounce,
+  goesBack,
   exportNumbers,
   isTurn,
   isVideoRequest,
@@ -109,7 +110,7 @@ export function createTimeFields(change: Change): Fields {
       // Of a video their number follows from its seconds.
       frames.readOnly = isVideo;
       setField(rate, shortest(numbers.rate, 3));
-      bounce.update(request.bounce);
+      bounce.update(goesBack(request, playing));
     },
   };
 }

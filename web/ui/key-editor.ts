@@ -63,6 +63,7 @@ export function createKeyEditor(events: KeyEditorEvents): KeyEditor {
   const name = h('input', {
     type: 'text',
     maxlength: 60,
+    placeholder: 'None',
     'data-testid': 'key-name',
     'aria-label': 'Name',
     onchange: () => events.onRename(index, name.value.trim()),

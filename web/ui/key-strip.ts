@@ -2,11 +2,11 @@
  * The keys as thumbnails: go to one, put it elsewhere in the order, give it another time or name, remove it, add one.
  */
 import { button } from './controls.ts';
-import { h, memo, setAttribute, setText } from './dom.ts';
+import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
 import type { EditedKey, KeyEditor, KeyEditorEvents, KeyEditorProps } from './key-editor.ts';
 import { later } from './later.ts';
-import { shortNames } from '../model/short-names.ts';
+import { keyLabel, lowerFirst, shortNames } from '../model/key-names.ts';
 import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
 
 export interface KeyItem extends EditedKey {
@@ -173,20 +173,19 @@ function createCard(
       setAttribute(
         go,
         'aria-label',
-        `Key ${at + 1}, ${item.name}, at ${formatTime(item.time, range)} s${item.isReference ? ', reference' : ''}`,
+        `${keyLabel(at, item.name)}, at ${formatTime(item.time, range)} s${item.isReference ? ', reference' : ''}`,
       );
-      setAttribute(go, 'title', `Go to ${item.name}; drag to reorder the keys`);
+      setAttribute(go, 'title', `Go to ${item.name || 'this key'}; drag to reorder the keys`);
       setAttribute(go, 'data-testid', `key-${at}-go`);
       setAttribute(edit, 'data-testid', `key-${at}-edit`);
-      setAttribute(edit, 'aria-label', `Edit key ${at + 1}, ${item.name}`);
+      setAttribute(edit, 'aria-label', `Edit ${lowerFirst(keyLabel(at, item.name))}`);
       setAttribute(edit, 'title', 'Name, time, order, remove');
       setAttribute(image, 'src', item.thumbnail);
       setAttribute(image, 'hidden', item.thumbnail === null);
       setText(badge, String(at + 1));
       setText(name, short);
-      // Keys of an animation are named by their time already.
-      const named = Math.abs(parseFloat(item.name) - item.time) <= 1e-3 * length(range) && item.name.endsWith(' s');
-      setText(when, named ? '' : `${Number(formatTime(item.time, range))} s`);
+      setHidden(name, short === '');
+      setText(when, `${Number(formatTime(item.time, range))} s`);
       go.disabled = disabled;
       edit.disabled = disabled;
     },

@@ -3,12 +3,13 @@ import type { Boundary, Hold, Method } from '../engine/api/types.ts';
 import type { Encoding, KeyRef, Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import type { End } from '../model/speeds.ts';
+import { keyLabel } from '../model/key-names.ts';
 import type { DropPoint } from './file-drop.ts';
 import { METHOD_WORDS, PLAIN_WORDS } from '../model/method-words.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TANGENT_NAME } from '../model/speeds.ts';
 import { BOUNDARIES, DEFAULT_MOTION, HOLDS, METHODS, holds, ignoresHermite } from '../model/state.ts';
-import { button, checkbox, keyLabel, numberField, segments, select, slider } from './controls.ts';
+import { button, checkbox, numberField, segments, select, slider } from './controls.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 
 const BOUNDARY_WORDS: Record<Boundary, { label: string; hint: string }> = {

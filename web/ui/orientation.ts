@@ -1,9 +1,7 @@
 /** For files that do not say it themselves: which axis is up, and how long a unit is. */
-import type { ImportOptions } from '../engine/api/types.ts';
+import type { Orientation } from '../model/orientation.ts';
 import { segments, select } from './controls.ts';
 import { h, setHidden } from './dom.ts';
-
-export type Orientation = Required<Pick<ImportOptions, 'up' | 'unit'>>;
 
 const UNITS: readonly [number, string][] = [
   [1, 'metres'],

@@ -1,13 +1,14 @@
 /** How the shape is measured: stretches, the reference, patches, and what the import found. */
 import type { KeysInfo, SequenceStats, Stretch } from '../engine/api/types.ts';
+import type { Orientation } from '../model/orientation.ts';
 import type { Encoding, KeyRef } from '../model/state.ts';
 import { DEFAULT_ENCODING } from '../model/state.ts';
+import { keyLabel } from '../model/key-names.ts';
 import type { Choice } from './controls.ts';
-import { button, keyLabel, numberField, segments, select } from './controls.ts';
+import { button, numberField, segments, select } from './controls.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import { createObjectList } from './object-list.ts';
 import { createOrientation } from './orientation.ts';
-import type { Orientation } from './orientation.ts';
 
 export interface ShapePanelProps {
   encoding: Encoding;

@@ -6,6 +6,7 @@
  * its ends, where the boundary has them.
  */
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
+import { keyLabel } from '../model/key-names.ts';
 import type { Pace } from '../model/pace.ts';
 import type { End } from '../model/speeds.ts';
 import type { Phase, Range, TimeScale } from '../model/time-scale.ts';
@@ -201,7 +202,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
         setAttribute(
           tick,
           'title',
-          `Key ${index + 1}, ${key.name}, at ${momentWords(key.time, range, fps)}: click to go there, drag to move it in time`,
+          `${keyLabel(index, key.name)}, at ${momentWords(key.time, range, fps)}: click to go there, drag to move it in time`,
         );
         setAttribute(tick, 'data-time', key.time);
         const x = fractionIn(key.time, part) * width;

@@ -6,6 +6,7 @@ import type { Progress } from '../../engine/api/types.ts';
 import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ExportRequest, Playing, VideoFormat } from '../../model/export-request.ts';
 import { playRange } from '../../model/frames.ts';
+import { bounces } from '../../model/state.ts';
 import type { AppState } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
@@ -64,8 +65,10 @@ export function createExportController(parts: ExportParts): ExportController {
   let formats: Promise<VideoFormat[]> | null = null;
 
   const playing = (): Playing => {
-    const { between, fps, speed } = store.get().play;
-    return { range: playRange(between, parts.range()), fps, speed };
+    const { doc, play } = store.get();
+    const { between, fps, speed, loop } = play;
+    const range = playRange(between, parts.range());
+    return { range, fps, speed, bounces: bounces(loop, doc.motion.boundary) };
   };
 
   const show = async (t: number): Promise<void> => {

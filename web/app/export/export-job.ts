@@ -7,7 +7,7 @@ import { bytesText } from '../../engine/api/bytes-text.ts';
 import type { ExportNumbers, ExportRequest, PictureSize, Playing, VideoFormat } from '../../model/export-request.ts';
 import {
   MAX_FRAMES,
-  canBounce,
+  goesBack,
   exportNumbers,
   gridTimes,
   isTurn,
@@ -53,7 +53,8 @@ export interface ExportJob {
 export function engineOptions(request: ExportRequest, time: number, playing: Playing): Partial<ExportOptions> | null {
   if (request.kind === 'pose') return { format: request.pose, pose: time };
   if (request.kind !== 'animation' || request.animation === 'video') return null;
-  const { animation: format, inPlace, compression, targets, bounce } = request;
+  const { animation: format, inPlace, compression, targets } = request;
+  const bounce = goesBack(request, playing);
   const numbers = exportNumbers(request, playing, null);
   // The time on the timeline, unless the export runs faster or slower.
   const duration = numbers.speed === 1 ? null : numbers.seconds;
@@ -142,8 +143,9 @@ function planText(request: ExportRequest, playing: Playing, { times, targets, er
   const off = error === null ? '' : `, off by at most ${errorText(error)} between them`;
   const size = `about ${bytesText(bytes)}`;
   if (request.animation !== 'glb') return `${grouped(times.length)} frames, ${size}`;
-  const back = request.bounce ? ' there and back' : '';
-  const length = secondsText(request.bounce ? 2 * seconds : seconds);
+  const bounces = goesBack(request, playing);
+  const back = bounces ? ' there and back' : '';
+  const length = secondsText(bounces ? 2 * seconds : seconds);
   if (request.targets !== 'every')
     return `${length}${back}, ${targets} morph ${targets === 1 ? 'target' : 'targets'}${off}, ${size}`;
   // A GLB passes through the keys, whatever frames it is given.
@@ -197,7 +199,7 @@ async function video(request: ExportRequest, job: ExportJob): Promise<void> {
   const format = await formatOf(request);
   const { range, frames, rate } = exportNumbers(request, job.playing, format);
   const [start, end] = range;
-  const bounces = request.bounce && canBounce(request);
+  const bounces = goesBack(request, job.playing);
   const show = (share: number): Promise<void> =>
     isTurn(request) ? job.turn(share) : job.show(start + share * (end - start));
   const ground = pageColour('--stage-centre');

@@ -174,9 +174,8 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
       if (!into || addReason(times(), t, range()) !== null) return;
       const positions = await exactShape(t);
       if (pool() !== into || positions.length === 0) return;
-      const name = `at ${formatTime(t, range())} s`;
-      const pose = into.add(name, positions);
-      store.edit('add a key', (doc) => addKey(doc, { pose, name, time: t }));
+      const pose = into.add(`at ${formatTime(t, range())} s`, positions);
+      store.edit('add a key', (doc) => addKey(doc, { pose, name: '', time: t }));
     },
 
     togglePlay(): void {

@@ -3,7 +3,7 @@ import type { Warning } from '../../engine/api/types.ts';
 import { tightness } from '../../model/edits.ts';
 import type { ExportRequest } from '../../model/export-request.ts';
 import type { AppState } from '../../model/state.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION, isInLri, referenceKey } from '../../model/state.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, bounces, isInLri, referenceKey } from '../../model/state.ts';
 import { playRange } from '../../model/frames.ts';
 import { OFF_CURVE, phaseOf, timeScale } from '../../model/time-scale.ts';
 import type { End } from '../../model/speeds.ts';
@@ -423,6 +423,7 @@ export function createComponents(input: ComponentsInput): Components {
       range: playRange(between, range),
       fps,
       speed: play.speed,
+      bounces: bounces(play.loop, doc.motion.boundary),
       videoFormats,
     });
     help.update(viewState.singleKeys);

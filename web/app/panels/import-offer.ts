@@ -11,12 +11,11 @@ export function importOffer(opened: OpenedFiles, files: OpenFiles, onLoop: () =>
   if (same && info.animations.length > 0)
     return { message: same, action: 'Use the animation', onAccept: () => void files.takeAnimation() };
   if (same) return { message: same };
-  const lying = message('z-up');
-  if (lying && orientation)
+  if (opened.stoodUp && orientation)
     return {
-      message: lying,
-      action: 'Stand it up',
-      onAccept: () => void files.reorient({ ...orientation, up: 'z' }),
+      message: 'The files do not say which axis is up. The shape was stood up, with Z as its height.',
+      action: 'Lay it back',
+      onAccept: () => void files.reorient({ ...orientation, up: 'y' }),
     };
   const open = source.kind === 'files' && doc.motion.boundary === 'natural';
   if (open && isClosed(doc, pool))

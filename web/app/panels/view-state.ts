@@ -5,7 +5,7 @@ import type { Doc } from '../../model/state.ts';
 import type { ExportRequest, VideoFormat } from '../../model/export-request.ts';
 import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ErrorMessage, Working } from '../../ui/messages.ts';
-import type { Orientation } from '../../ui/orientation.ts';
+import type { Orientation } from '../../model/orientation.ts';
 import type { Fewest } from '../sources/animation.ts';
 import type { OpenedFiles } from '../sources/open-files.ts';
 import type { ProjectOnShelf } from '../kept/project-shelf.ts';

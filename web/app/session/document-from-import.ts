@@ -15,7 +15,7 @@ export function documentFromImport(info: KeysInfo, pool: PosePool): Doc {
     keys: info.times.map((time, pose) => ({
       pose,
       time,
-      name: shortName(info.names[pose] ?? '', pose),
+      name: ownName(info.names[pose] ?? ''),
       shaping: shapingOf(project, pose),
     })),
     motion: fromProject(MOTION, project, pool),
@@ -39,6 +39,9 @@ function tangentPose(project: Project, end: ShapeName, pool: PosePool): number |
   return shape ? pool.add(end === 'startTangent' ? 'start tangent' : 'end tangent', shape) : null;
 }
 
-function shortName(name: string, pose: number): string {
-  return modelName(name) || `pose ${pose + 1}`;
+/** Keys of an animation come named by their time, which is no name: it stays when the key is moved. */
+const A_TIME = /^-?\d+(\.\d+)?(e[+-]?\d+)? s$/;
+
+function ownName(name: string): string {
+  return A_TIME.test(name) ? '' : modelName(name);
 }

@@ -38,7 +38,8 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
   const sizes = ghost > 0 && isInLri(method) ? besides(ghost, shown) : [];
   return {
     order: keys.map((key) => key.pose),
-    names: keys.map((key) => key.name),
+    // Files name every target.
+    names: keys.map(({ name, time }) => name || `${Number(time.toPrecision(6))} s`),
     times: keys.map((key) => key.time),
     encoding: { reference: referenceKey(doc), ...plain },
     startTangentPose: hermite ? startTangentPose : null,

@@ -30,7 +30,8 @@ export function changesBetween(before: AppState, after: AppState): StateChanges 
     time: after.time !== before.time,
     started: after.play.playing && !before.play.playing,
     stopped: !after.play.playing && before.play.playing,
-    opened: after.source !== before.source,
+    // Files that are added to a project leave it open.
+    opened: after.source !== before.source && (after.project === null || after.project !== before.project),
   };
 }
 

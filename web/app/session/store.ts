@@ -1,4 +1,5 @@
 /** Holds the state, tells who listens, and keeps the document's history for undo and redo. */
+import type { Orientation } from '../../model/orientation.ts';
 import type { AppState, Doc } from '../../model/state.ts';
 
 /** Edits of the same kind closer together than this are one step back: a held key is undone as a whole. */
@@ -13,6 +14,8 @@ export interface Store {
    * Changes the document as one step back. Edits with the same `merge` become one in quick succession or while held.
    */
   edit(label: string, change: (doc: Doc) => Doc, merge?: string): void;
+  /** The files were read otherwise, the document stays: a step of the history like an edit. */
+  turned(label: string, turn: Turn): void;
   /** A pointer goes down or up: a drag is undone as a whole, however long it takes. */
   hold(down: boolean): void;
   /** Replaces the document without a step back, for when the engine refuses an edit. */
@@ -26,12 +29,22 @@ export interface Store {
   /** Label of the edit that undo or redo would step over, or null. */
   undoLabel(): string | null;
   redoLabel(): string | null;
+  /** How the files are to be read before undo or redo goes over its step; null: as they are. */
+  undoTurn(): Orientation | null;
+  redoTurn(): Orientation | null;
   subscribe(listener: (state: AppState) => void): () => void;
+}
+
+/** How files were read before and after a step. */
+export interface Turn {
+  before: Orientation;
+  after: Orientation;
 }
 
 interface Step {
   label: string;
   doc: Doc;
+  turn?: Turn;
 }
 
 /** What undo and redo step to, the next step last. */
@@ -58,9 +71,14 @@ export function createStore(initial: AppState, now: () => number = () => perform
   const step = (from: Step[], to: Step[]): void => {
     const target = from.pop();
     if (!target) return;
-    to.push({ label: target.label, doc: state.doc });
+    to.push({ ...target, doc: state.doc });
     last = { merge: '', at: -Infinity };
     publish({ ...state, doc: target.doc });
+  };
+
+  const remember = (step: Step): void => {
+    past = [...past.slice(1 - HISTORY_LIMIT), step];
+    future = [];
   };
 
   return {
@@ -70,10 +88,15 @@ export function createStore(initial: AppState, now: () => number = () => perform
       const doc = change(state.doc);
       if (doc === state.doc) return;
       const merged = merge !== '' && merge === last.merge && (held || now() - last.at < MERGE_MS);
-      if (!merged) past = [...past.slice(1 - HISTORY_LIMIT), { label, doc: state.doc }];
-      future = [];
+      if (merged) future = [];
+      else remember({ label, doc: state.doc });
       last = { merge, at: now() };
       publish({ ...state, doc });
+    },
+    turned(label, turn) {
+      remember({ label, doc: state.doc, turn });
+      last = { merge: '', at: -Infinity };
+      publish({ ...state });
     },
     hold(down) {
       if (down && !held) last = { merge: '', at: -Infinity };
@@ -91,6 +114,8 @@ export function createStore(initial: AppState, now: () => number = () => perform
     redo: () => step(future, past),
     undoLabel: () => past.at(-1)?.label ?? null,
     redoLabel: () => future.at(-1)?.label ?? null,
+    undoTurn: () => past.at(-1)?.turn?.before ?? null,
+    redoTurn: () => future.at(-1)?.turn?.after ?? null,
     subscribe(listener) {
       listeners.add(listener);
       return () => listeners.delete(listener);

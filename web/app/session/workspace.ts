@@ -23,6 +23,8 @@ export interface WorkspaceEvents {
 }
 
 export interface OpeningSteps {
+  /** How the files are to be read after all, for what was found in them; null: as they were. */
+  otherwise?(info: KeysInfo): ImportOptions | null;
   /** May change the document that the files start with. */
   adjust(doc: Doc, pool: PosePool): Doc;
   /** The last moment of what was open before. */
@@ -97,7 +99,7 @@ export class Workspace {
    * Reads files and makes the motion; only when both have succeeded does it replace what is open. Resolves to null when
    * it was cancelled or overtaken by another call.
    */
-  async open(source: Input, options: ImportOptions, { adjust, leave }: OpeningSteps): Promise<Opened | null> {
+  async open(source: Input, given: ImportOptions, { otherwise, adjust, leave }: OpeningSteps): Promise<Opened | null> {
     this.opening?.abort();
     const abort = new AbortController();
     this.opening = abort;
@@ -113,7 +115,14 @@ export class Workspace {
           : source;
       abort.signal.throwIfAborted();
       const onProgress = ({ stage, fraction }: Progress): void => report(stage, fetched + (1 - fetched) * fraction);
-      keys = await this.engine.importKeyframes(input, options, { signal: abort.signal, onProgress });
+      const read = { signal: abort.signal, onProgress };
+      keys = await this.engine.importKeyframes(input, given, read);
+      const again = otherwise?.(keys.info) ?? null;
+      if (again) {
+        keys.dispose();
+        keys = await this.engine.importKeyframes(input, again, read);
+      }
+      const options = again ?? given;
       performance.mark('shapespline read');
       const { info } = keys;
       const pool = new PosePool(keys);

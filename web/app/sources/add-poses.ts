@@ -34,11 +34,20 @@ export async function addPoses(
 ): Promise<number | null> {
   const added = await pooled(parts, files);
   if (!added) return null;
+  nameSource(parts.store, files);
   parts.store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => {
     const times = timesAt(doc, place ?? doc.keys.length, added.length);
     return added.reduce((next, key, index) => addKey(next, { ...key, time: times[index]! }), doc);
   });
   return added.length;
+}
+
+/** The motion is of these files, too. */
+function nameSource(store: Store, files: readonly PickedFile[]): void {
+  const { source } = store.get();
+  if (source.kind !== 'files') return;
+  const names = [...new Set([...source.names, ...files.map(({ name }) => name)])];
+  store.set({ source: { ...source, names } });
 }
 
 /**

@@ -2,11 +2,12 @@
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.ts';
+import { orientationStep, reoriented } from '../../model/orientation.ts';
+import type { Orientation } from '../../model/orientation.ts';
 import type { End } from '../../model/speeds.ts';
 import type { Doc, Source, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, EMPTY_STATE } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
-import type { Orientation } from '../../ui/orientation.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Input, Workspace } from '../session/workspace.ts';
@@ -42,6 +43,8 @@ export interface OpenedFiles {
   initial: Doc;
   /** How the files were read where they do not say it themselves. */
   orientation: Orientation | null;
+  /** They were stood up for how their shapes look. */
+  stoodUp: boolean;
   /** The objects of the files that were taken; empty for all of them. */
   objects: readonly string[];
   /** Of a link or an earlier visit. */
@@ -89,8 +92,8 @@ export interface OpenFiles {
   takeAnimation(): Promise<boolean>;
   /** Reads the files again with these of their objects; with none, all of them. */
   takeObjects(objects: string[]): Promise<boolean>;
-  /** Reads the files again with another axis up or another unit. */
-  reorient(orientation: Orientation): Promise<boolean>;
+  /** Reads the files again with another axis up or another unit; quietly: without a step that undo goes back over. */
+  reorient(orientation: Orientation, how?: { quietly: boolean }): Promise<boolean>;
   /** Adds the files' poses after the last key. */
   addKeys(files: PickedFile[]): Promise<void>;
   /** The shape of a file gives the tangent at an end of the motion. */
@@ -106,12 +109,14 @@ interface Request {
   source: Source;
   /** Of files of the user. */
   project: string | null;
-  adjust(doc: Doc): Doc;
+  adjust(doc: Doc, pool: PosePool): Doc;
   link: Permalink | null;
+  /** Shapes that seem to lie are stood up. */
+  standsUp?: boolean;
   /** How it was left before. */
   left?: Remembered | Work;
-  /** Time and history go on where the document does. */
-  goesOn?: boolean;
+  /** The document is the one that is open, its time and history go on. */
+  onTurned?: () => void;
   /** The same mesh: time, view and playing go on. */
   stays?: boolean;
   /** What is left for it, and how that is found again; by default, by undoing. */
@@ -143,9 +148,14 @@ export function createOpenFiles({
     onStart();
     let initial = EMPTY_STATE.doc;
     let leaving: Work | null = null;
+    let stoodUp = false;
     const opened = await workspace.open(input, options, {
+      otherwise({ warnings }) {
+        stoodUp = request.standsUp === true && warnings.some(({ code }) => code === 'z-up');
+        return stoodUp ? { ...options, up: 'z' } : null;
+      },
       adjust(doc, pool) {
-        initial = adjust(doc);
+        initial = adjust(doc, pool);
         if (left) return restored(left, pool);
         return link ? applyPermalink(initial, link, pool.keys.info.report.components) : initial;
       },
@@ -153,14 +163,15 @@ export function createOpenFiles({
     });
     if (!opened) return false;
     const { info, doc } = opened;
-    const goesOn = request.goesOn === true && doc === store.get().doc;
-    if (leaving) onLeft(leaving);
+    if (leaving && !request.onTurned) onLeft(leaving);
     const before = store.get();
     const wanted = left
       ? { ...DEFAULT_VIEW, ...left.state.view }
-      : request.stays
-        ? before.view
-        : openingView(before.view, link);
+      : request.onTurned
+        ? { ...before.view, camera: null }
+        : request.stays
+          ? before.view
+          : openingView(before.view, link);
     const pool = workspace.pool!;
     const buried = !!link && isBuried(wanted.camera, pool, info.faces);
     const view = buried ? { ...wanted, camera: null } : wanted;
@@ -170,12 +181,14 @@ export function createOpenFiles({
       source,
       doc,
       initial,
-      orientation: orientationOf(source, options),
+      orientation: orientationOf(workspace.input, workspace.options),
+      stoodUp,
       objects: options.objects ?? [],
       camera: view.camera,
     });
-    if (goesOn) {
+    if (request.onTurned) {
       store.set({ view });
+      request.onTurned();
       onRead();
       return true;
     }
@@ -276,6 +289,30 @@ export function createOpenFiles({
       });
     });
 
+  const reorient = (orientation: Orientation, quietly: boolean): Promise<boolean> => {
+    const { source, project, doc } = store.get();
+    const { options, pool: present, input } = workspace;
+    const before = orientationOf(input, options) ?? orientation;
+    return open({
+      input,
+      options: { ...options, ...orientation },
+      source,
+      project,
+      adjust(fresh, pool) {
+        if (!present) return fresh;
+        // Poses that are not of the files lie as they do.
+        for (let pose = present.imported + pool.count - pool.imported; pose < present.count; pose += 1)
+          pool.add(present.keys.info.names[pose] ?? '', reoriented(present.keys.positions(pose), before, orientation));
+        return doc;
+      },
+      link: null,
+      stays: true,
+      onTurned() {
+        if (!quietly) store.turned(orientationStep(before, orientation), { before, after: orientation });
+      },
+    });
+  };
+
   const openFiles = (files: readonly PickedFile[]): Promise<boolean> =>
     open({
       input: (report, signal) => readFiles(files, report, signal),
@@ -284,6 +321,7 @@ export function createOpenFiles({
       project: newProjectId(),
       adjust: (doc) => doc,
       link: null,
+      standsUp: true,
     });
 
   const opener: OpenFiles = {
@@ -309,16 +347,7 @@ export function createOpenFiles({
       const { animation, sample } = workspace.options;
       return guarded(() => reread({ animation, sample, objects: objects.length > 0 ? objects : undefined }));
     },
-    reorient: (orientation) =>
-      guarded(() => {
-        const { source, project, doc } = store.get();
-        const options = { ...workspace.options, ...orientation };
-        // Everything but poses that were taken from the shape as it lay before.
-        const adjust = (fresh: Doc): Doc => (doc.keys.every(({ pose }) => pose < fresh.keys.length) ? doc : fresh);
-        // History may hold such poses, too.
-        const goesOn = workspace.pool?.count === workspace.pool?.imported;
-        return open({ input: workspace.input, options, source, project, adjust, link: null, goesOn });
-      }),
+    reorient: (orientation, how) => guarded(() => reorient(orientation, how?.quietly === true)),
     addKeys: async (files) => {
       await guarded(async () => (await opener.addPoses(files)) !== null);
     },

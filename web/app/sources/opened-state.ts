@@ -1,7 +1,7 @@
 /** What is shown first of what was opened: its document with what is known of it, view, time and playing. */
 import { IMPORT } from '../../engine/api/option-table.ts';
 import { extensionOf, isModel } from '../../engine/api/paths.ts';
-import type { ImportOptions } from '../../engine/api/types.ts';
+import type { ImportOptions, InputFile } from '../../engine/api/types.ts';
 import { isInside } from '../../model/camera.ts';
 import { setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
@@ -9,7 +9,7 @@ import type { Doc, Play, Source, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, comfortableSpeed, offeredSpeed } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { clampTime, length } from '../../model/time-scale.ts';
-import type { Orientation } from '../../ui/orientation.ts';
+import type { Orientation } from '../../model/orientation.ts';
 import type { Remembered } from '../kept/project-shelf.ts';
 import { motionRange } from '../session/motion-range.ts';
 import type { PosePool } from '../session/pose-pool.ts';
@@ -48,13 +48,10 @@ export function openingView(view: View, link: Permalink | null): View {
 
 /** glTF says which way is up and how long a metre is; the other formats do not. */
 export function orientationOf(
-  source: Source,
+  input: readonly InputFile[],
   { up = IMPORT.up.default, unit = IMPORT.unit.default }: ImportOptions,
 ): Orientation | null {
-  return source.kind === 'files' &&
-    source.names.some((name) => !['glb', 'gltf'].includes(extensionOf(name)) && isModel(name))
-    ? { up, unit }
-    : null;
+  return input.some(({ name }) => !['glb', 'gltf'].includes(extensionOf(name)) && isModel(name)) ? { up, unit } : null;
 }
 
 /** The time that is shown first: no further than the slider reaches. */

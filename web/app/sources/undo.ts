@@ -1,4 +1,5 @@
 /** Undo and redo, of the edits of what is open and, when there are no more of them, of its opening. */
+import type { Orientation } from '../../model/orientation.ts';
 import type { Source } from '../../model/state.ts';
 import type { Store } from '../session/store.ts';
 import type { OpenFiles } from './open-files.ts';
@@ -18,15 +19,20 @@ export interface UndoParts {
 }
 
 export function createUndo({ store, files, titleOf }: UndoParts): Undo {
+  /** The step itself, once the shape lies as it did there. */
+  const stepOver = (turn: Orientation | null, step: () => void): void => {
+    if (turn) void files.reorient(turn, { quietly: true }).then((done) => done && step());
+    else step();
+  };
   const opening = (source: Source | undefined): string | null => (source ? `open ${titleOf(source)}` : null);
   const { openings } = files;
   return {
     undo() {
-      if (store.undoLabel() !== null) store.undo();
+      if (store.undoLabel() !== null) stepOver(store.undoTurn(), store.undo);
       else void files.back();
     },
     redo() {
-      if (store.redoLabel() !== null) store.redo();
+      if (store.redoLabel() !== null) stepOver(store.redoTurn(), store.redo);
       else void files.forth();
     },
     undoLabel: () => store.undoLabel() ?? opening(openings.before ? store.get().source : undefined),

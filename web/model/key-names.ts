@@ -1,9 +1,15 @@
-/** Letters that a card has room for. */
-const ROOM = 9;
+/** What keys are called: by their number, and by a name where they have one. */
+
+/** A key in words. */
+export function keyLabel(index: number, name: string): string {
+  return name === '' ? `Key ${index + 1}` : `Key ${index + 1}, ${name}`;
+}
+
+/** Words that begin a sentence, within one. */
+export const lowerFirst = (words: string): string => words.charAt(0).toLowerCase() + words.slice(1);
 
 /** Names without the words that all of them begin with: what tells them apart is what a card has room for. */
 export function shortNames(names: readonly string[]): string[] {
-  if (names.every(({ length }) => length <= ROOM)) return [...names];
   const [first = '', ...rest] = names;
   let common = rest.length > 1 ? first.length : 0;
   for (const name of rest) while (!name.startsWith(first.slice(0, common))) common -= 1;

@@ -1,14 +1,14 @@
 import { expect, it } from 'vitest';
-import { shortNames } from '../../web/model/short-names.ts';
+import { keyLabel, shortNames } from '../../web/model/key-names.ts';
 
 it('leaves out what all names begin with, up to a word', () => {
   expect(shortNames(['cat_run_01', 'cat_run_02', 'cat_run_13'])).toEqual(['01', '02', '13']);
+  expect(shortNames(['wolf-1', 'wolf-4', 'wolf-12'])).toEqual(['1', '4', '12']);
   expect(shortNames(['wild horse.a', 'wild horse.b', 'wild horse.c'])).toEqual(['a', 'b', 'c']);
 });
 
-it('leaves names alone that a card has room for, that begin with different words, that would end up empty, or that are two', () => {
+it('leaves names alone that begin with different words, that would end up empty, or that are two', () => {
   for (const names of [
-    ['cat_1', 'cat_2', 'cat_3'],
     ['bentwards', 'bent-inwards', 'below the knee'],
     ['a rather long_', 'a rather long_1', 'a rather long_2'],
     ['pose 1', 'pose 2'],
@@ -16,4 +16,9 @@ it('leaves names alone that a card has room for, that begin with different words
     [],
   ])
     expect(shortNames(names)).toEqual(names);
+});
+
+it('names a key by its number, and by its name where it has one', () => {
+  expect(keyLabel(0, 'Straight')).toBe('Key 1, Straight');
+  expect(keyLabel(1, '')).toBe('Key 2');
 });
