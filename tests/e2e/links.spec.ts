@@ -38,3 +38,20 @@ test('a camera inside the shape is left out of a link, one beside it is kept', a
   await app.open({ hash: '#sample=octopus&camera=0,0.9,9,0,1,0' });
   expect((await app.state()).view.camera?.position).toEqual([0, 0.9, 9]);
 });
+
+test('a camera inside the shape of its moment is left out of a link, also where other keys are elsewhere', async ({
+  app,
+}) => {
+  await app.open({ sample: 'cactus' });
+  const bent = await app.positionsAt(0);
+  // The middle of what is farthest to the side: within the bent trunk, far from the upright one.
+  const points = Array.from({ length: bent.length / 3 }, (_, vertex) => bent.slice(3 * vertex, 3 * vertex + 3));
+  const tip = points.sort((a, b) => b[0]! - a[0]!).slice(0, 300);
+  const middle = [0, 1, 2].map((axis) => tip.reduce((sum, point) => sum + point[axis]! / tip.length, 0));
+  const link = (t: number): string => `#sample=cactus&camera=${middle.join(',')},0,0,0&t=${t}`;
+  await app.open({ hash: link(0) });
+  await expect(app.by('toast')).toContainText('left out: camera.');
+  expect((await app.state()).view.camera?.position ?? null).not.toEqual(middle);
+  await app.open({ hash: link(0.5) });
+  for (const axis of [0, 1, 2]) expect((await app.state()).view.camera!.position[axis]).toBeCloseTo(middle[axis]!, 3);
+});

@@ -124,3 +124,27 @@ test('what stands on the floor casts a shadow, and what is lifted from it a fain
   expect(low).toBeGreaterThan(120);
   expect(high).toBeLessThan(0.5 * low);
 });
+
+test('at 320 px the name of the sample and the speed are not cut, and enlarged four times the shape is seen', async ({
+  app,
+  page,
+}) => {
+  await page.setViewportSize({ width: 320, height: 568 });
+  await app.open({ hash: '#sample=twisted-bar&boundary=hermite' });
+  const cut = await page
+    .locator('.gallery-name')
+    .first()
+    .evaluate((name) => name.scrollWidth > name.clientWidth);
+  expect(cut).toBe(false);
+  const room = await app.by('speed').evaluate((select: HTMLSelectElement) => {
+    const { paddingLeft, paddingRight, font } = getComputedStyle(select);
+    const context = document.createElement('canvas').getContext('2d')!;
+    context.font = font;
+    const text = context.measureText(select.selectedOptions[0]!.text).width;
+    return select.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight) - text;
+  });
+  expect(room).toBeGreaterThanOrEqual(0);
+  await page.setViewportSize({ width: 320, height: 180 });
+  expect((await app.by('viewport').boundingBox())!.height).toBeGreaterThanOrEqual(200);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
+});

@@ -135,6 +135,39 @@ test('the film strip shows the motion in a row, and goes away again', async ({ a
   expect((await app.state()).view.film).toBe(false);
 });
 
+test('a film strip has names under its shapes, as many shapes as are asked for, and is in links', async ({ app }) => {
+  await app.open({ sample: 'cactus' });
+  const names = app.by('film-labels').locator('span');
+  await expect(names).toHaveCount(0);
+  await app.page.keyboard.press('i');
+  await app.settled();
+  await expect(names).toHaveText([
+    'Key 1',
+    'Key 2',
+    'Key 3',
+    /^-0\.16/,
+    /^0\.16/,
+    /^0\.33/,
+    /^0\.66/,
+    /^0\.83/,
+    /^1\.16/,
+  ]);
+  // They stand under their shapes, and follow them.
+  const left = async (): Promise<number> => (await names.nth(0).boundingBox())!.x;
+  const before = await left();
+  await app.by('look-toggle').click();
+  await app.by('film-shapes').fill('4');
+  await app.by('film-shapes').press('Enter');
+  await app.settled();
+  await expect(names).toHaveText(['Key 1', 'Key 3', '-1.000 s', '2.000 s']);
+  expect(await left()).not.toBeCloseTo(before, 0);
+  await expect.poll(() => app.page.url()).toContain('filmShapes=4');
+  await app.by('film').uncheck();
+  await app.settled();
+  await expect(names).toHaveCount(0);
+  expect((await app.state()).view.filmShapes).toBeNull();
+});
+
 test('the view is after a film strip what it was before, also where onion skins follow', async ({ app }) => {
   await app.open();
   await app.by('view-right').click();

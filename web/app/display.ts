@@ -11,6 +11,7 @@ import type { Layout } from './panels/layout.ts';
 import { shownView } from './panels/view-state.ts';
 import type { ViewStateHolder } from './panels/view-state.ts';
 import { reducedMotion } from './panels/window-events.ts';
+import type { CameraPose } from '../model/camera.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import { createPlayback } from './playback/playback.ts';
 import type { Playback } from './playback/playback.ts';
@@ -37,13 +38,14 @@ export interface Display {
 export function createDisplay({ session, layout, viewState, feedback, seek, onResize }: DisplayParts): Display {
   const { store, workspace, restart, sequence, range } = session;
   const { say, onError } = feedback;
-  const scene = new SceneController(layout.viewport, {
-    onCamera: (camera) => store.set({ view: { ...store.get().view, camera } }),
+  const events = {
+    onCamera: (camera: CameraPose) => store.set({ view: { ...store.get().view, camera } }),
     onResize,
     covered: layout.covered,
     onContextLost: () => say('The browser lost access to the graphics card. The picture will be restored.'),
     onContextRestored: () => void playback.frameLoop.request(store.get().time),
-  });
+  };
+  const scene = new SceneController(layout.viewport, events, layout.showFilmLabels);
   let seen = false;
   const show = async (frames: FrameSet, eased: boolean): Promise<void> => {
     await scene.show(frames, store.get(), range(), eased && !reducedMotion());

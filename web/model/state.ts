@@ -81,6 +81,8 @@ export interface View {
   floor: boolean;
   onion: boolean;
   film: boolean;
+  /** How many shapes a film strip has; null = as many as the keys ask for. */
+  filmShapes: number | null;
   /** Methods shown beside the main one. */
   compare: Method[];
   /** Of two motions, where the divider between them stands, as a share of the width; null = side by side. */
@@ -111,6 +113,8 @@ export interface AppState {
 
 export const METHODS: readonly Method[] = MOTION.method.choices;
 export const HOLDS: readonly Hold[] = MOTION.hold.choices;
+/** Of a film strip. */
+export const [LEAST_FILM_SHAPES, MOST_FILM_SHAPES] = [4, 24];
 export const BOUNDARIES: readonly Boundary[] = MOTION.boundary.choices;
 /** Faces of a ghost mesh when it is switched on: the paper's choice. */
 export const GHOST_FACES = 2000;
@@ -126,6 +130,7 @@ export const DEFAULT_VIEW: Readonly<View> = {
   floor: true,
   onion: false,
   film: false,
+  filmShapes: null,
   compare: [],
   split: null,
   ghostWire: false,

@@ -29,6 +29,8 @@ const CLICK_PX = 4;
 const NUMBER_PX = 20;
 /** Pixels that a number of the ruler takes. */
 const RULER_PX = 72;
+/** From the middle of the knob to that of a number that it would lie on. */
+const COVERED_PX = 26;
 
 export interface TimelineProps extends TimeScale {
   keys: readonly { time: number; name: string }[];
@@ -254,6 +256,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
     },
   );
 
+  let markTimes: number[] = [];
   const drawRuler = memo(({ part, fps, width }: Pick<TimelineProps, 'fps'> & Part & { width: number }) => {
     const unit = fps ?? 1;
     const numbers =
@@ -268,7 +271,16 @@ export function createTimeline(events: TimelineEvents): Timeline {
         return mark;
       }),
     );
+    markTimes = numbers.map((n) => n / unit);
   });
+
+  /** Half of a number beside the knob reads as none. */
+  const giveWay = (t: number, part: Range): void => {
+    const x = (time: number): number => fractionIn(time, part) * width;
+    markTimes.forEach((time, index) =>
+      setAttribute(marks.children[index]!, 'data-covered', Math.abs(x(time) - x(t)) < COVERED_PX),
+    );
+  };
 
   let width = 0;
   new ResizeObserver(() => {
@@ -304,6 +316,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
       peek.update({ pace: next.pace, range, fps, picture: next.picture });
       if (disabled) setHidden(playhead, true);
       else place(playhead, clampTime(next.time, range), part);
+      if (!disabled) giveWay(next.time, part);
       setAttribute(slider, 'data-phase', phase.kind);
       setAttribute(slider, 'aria-valuenow', round(next.time));
       setAttribute(slider, 'aria-valuetext', `${momentWords(next.time, range, fps)}, ${phase.text}`);

@@ -2,8 +2,9 @@
 import type { ViewName } from '../model/camera.ts';
 import type { Colouring, View } from '../model/state.ts';
 import type { Phase } from '../model/time-scale.ts';
-import { button, checkbox, segments } from './controls.ts';
-import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
+import { LEAST_FILM_SHAPES, MOST_FILM_SHAPES } from '../model/state.ts';
+import { button, checkbox, numberField, segments } from './controls.ts';
+import { h, memo, setAttribute, setField, setHidden, setStyle, setText } from './dom.ts';
 import { popover } from './popover.ts';
 
 export interface ViewBarProps {
@@ -65,7 +66,22 @@ export function createViewBar(events: ViewBarEvents): {
   const wireframe = checkbox('Wireframe', 'wireframe', (on) => events.onView({ wireframe: on }), 'W');
   const floor = checkbox('Floor', 'floor', (on) => events.onView({ floor: on }), 'G');
   const onion = checkbox('Onion skin', 'onion', (on) => events.onView({ onion: on, film: false }), 'O');
-  const film = checkbox('Film strip', 'film', (on) => events.onView({ film: on, onion: false }), 'I');
+  const film = checkbox('Film strip', 'film', (on) => events.onView({ film: on, filmShapes: null, onion: false }), 'I');
+  const filmShapes = numberField({
+    label: 'Shapes of the film strip',
+    testId: 'film-shapes',
+    min: LEAST_FILM_SHAPES,
+    max: MOST_FILM_SHAPES,
+    step: 1,
+    onInput: (value) => events.onView({ filmShapes: Math.round(value) }),
+  });
+  const filmRow = h(
+    'label',
+    { class: 'field row', hidden: true },
+    h('span', { class: 'label' }, 'Shapes in the strip'),
+    filmShapes,
+  );
+  filmShapes.placeholder = 'Auto';
   const split = checkbox('Divider', 'split', (on) => events.onSplit(on), 'S');
   split.element.title = 'Two motions of one shape, on either side of a divider';
   const present = button({
@@ -95,6 +111,7 @@ export function createViewBar(events: ViewBarEvents): {
     colouring.element,
     shading.element,
     h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element, split.element),
+    filmRow,
     h('div', { class: 'button-row' }, present, qr),
   );
   const toggle = button({
@@ -156,6 +173,8 @@ export function createViewBar(events: ViewBarEvents): {
     floor.update(state.floor);
     onion.update(state.onion);
     film.update(state.film);
+    setHidden(filmRow, !state.film);
+    setField(filmShapes, String(state.filmShapes ?? ''));
     split.update(state.split !== null);
     for (const control of bar.querySelectorAll('button')) control.disabled = disabled;
   });

@@ -19,6 +19,8 @@ import type { Extra, GhostPicture, Look, PixelSize, Ray, Rect } from './types.ts
 export interface ViewerEvents {
   /** The user, or a standard view, has moved the camera. */
   onCamera(pose: CameraPose): void;
+  /** The canvas shows another picture: what is written on it may have moved. */
+  onDrawn?(): void;
   onContextLost(): void;
   onContextRestored(): void;
   /** The canvas has another size, and the views stand elsewhere. */
@@ -437,6 +439,7 @@ export class Viewer {
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();
+    if (!this.pictureSize) this.events.onDrawn?.();
   }
 
   private size(): PixelSize {

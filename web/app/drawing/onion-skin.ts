@@ -37,10 +37,11 @@ export function onionSkins(input: OnionSkinInput, frames: readonly Frame[]): Ext
   }));
 }
 
-/** Evenly over the keys, and a little beyond both ends; the nearest to a key is at the key. */
-export function filmTimes({ keys, range, periodic }: OnionSkinInput): number[] {
+/** Evenly over the keys, `count` of them or as many as is usual, and a little beyond both ends; the nearest to a key is at the key. */
+export function filmTimes({ keys, range, periodic }: OnionSkinInput, count: number | null): number[] {
   const beyond = periodic ? 0 : FILM_BEYOND;
-  const steps = clamp(keys.length - 1, FILM_STEPS, MOST_FILM_STEPS);
+  const usual = clamp(keys.length - 1, FILM_STEPS, MOST_FILM_STEPS);
+  const steps = count === null ? usual : count - 1 - 2 * beyond;
   const times = Array.from(
     { length: steps + 1 + 2 * beyond },
     (_, index) => range[0] + ((index - beyond) / steps) * length(range),
@@ -60,11 +61,16 @@ export function filmPlaces(strip: readonly Extra[]): Float32Array {
   );
 }
 
+export interface FilmName {
+  text: string;
+  isKey: boolean;
+}
+
 /** What each shape of a strip is called: its key, or its time. */
-export function filmNames({ keys, range }: OnionSkinInput, times: readonly number[]): string[] {
+export function filmNames({ keys, range }: OnionSkinInput, times: readonly number[]): FilmName[] {
   return times.map((t) => {
     const key = keys.findIndex(({ time }) => time === t);
-    return key < 0 ? `${formatTime(t, range)} s` : `Key ${key + 1}`;
+    return key < 0 ? { text: `${formatTime(t, range)} s`, isKey: false } : { text: `Key ${key + 1}`, isKey: true };
   });
 }
 

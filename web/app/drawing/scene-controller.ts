@@ -12,6 +12,8 @@ import type { TileLabel } from '../../ui/view-bar.ts';
 import type { Extra, Look } from '../../viewer/types.ts';
 import { Viewer } from '../../viewer/viewer.ts';
 import type { ViewerEvents } from '../../viewer/viewer.ts';
+import type { FilmName } from './onion-skin.ts';
+import type { FilmLabel } from '../../ui/film-labels.ts';
 import { filmNames, filmPlaces, filmStrip, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
 import type { OnionSkinInput } from './onion-skin.ts';
 import type { Difference } from './difference.ts';
@@ -43,10 +45,12 @@ const TIME_PICTURE = { width: 132, height: 90 };
 interface Film {
   /** What the strips were made of. */
   of: Doc;
+  /** How many shapes were asked for. */
+  count: View['filmShapes'];
   views: number;
   /** The shapes of all strips where they stand. */
   shapes: Float32Array[];
-  names: string[];
+  names: FilmName[];
   /** Where the names stand, by view. */
   places: Float32Array[];
   /** From where the shape was looked at before; null where nothing was shown before. */
@@ -73,16 +77,22 @@ export class SceneController {
   /** Something else than a film strip has been seen of the import. */
   private ordinary = false;
   private readonly onCamera: ViewerEvents['onCamera'];
+  private named = false;
   private ghost: { of: Sequence; mesh: Ghost | null } | null = null;
   /** Of the import's poses along x. */
   private width = 0;
   /** How far along x the ghost stands beside the shape now. */
   private beside: number | null = null;
 
-  constructor(host: HTMLElement, events: ViewerEvents) {
+  constructor(
+    host: HTMLElement,
+    events: Omit<ViewerEvents, 'onDrawn'>,
+    private readonly onNames: (names: readonly FilmLabel[]) => void,
+  ) {
     this.onCamera = events.onCamera;
     this.viewer = new Viewer(host, {
       ...events,
+      onDrawn: () => this.placeNames(),
       onResize: () => {
         this.place();
         events.onResize();
@@ -298,22 +308,26 @@ export class SceneController {
       return;
     }
     // The strip does not depend on the moment: it is made once for a document.
-    if (view.film && this.film?.of === doc && this.film.views === sequences.length) return;
-    const times = view.film ? filmTimes(input) : onionTimes(input);
+    if (view.film && this.isFilmOf(doc, view, sequences.length)) return;
+    const times = view.film ? filmTimes(input, view.filmShapes) : onionTimes(input);
     const frames = await Promise.all(sequences.map(({ sequence }) => sequence.evaluateMany(times)));
     const skins = frames.map((of) => (view.film ? filmStrip(input, of) : onionSkins(input, of)));
     this.viewer.setExtras(skins, view.film);
-    if (view.film) this.enterFilm(doc, skins, filmNames(input, times));
+    if (view.film) this.enterFilm({ of: doc, count: view.filmShapes, names: filmNames(input, times) }, skins);
     this.hasOnion = view.onion;
     for (const frame of frames.flat()) frame.release();
   }
 
-  private enterFilm(of: Doc, strips: readonly Extra[][], names: string[]): void {
+  private isFilmOf(doc: Doc, { filmShapes }: View, views: number): boolean {
+    return this.film?.of === doc && this.film.count === filmShapes && this.film.views === views;
+  }
+
+  private enterFilm(made: Pick<Film, 'of' | 'count' | 'names'>, strips: readonly Extra[][]): void {
     const before = this.film ? this.film.before : this.ordinary ? this.viewer.cameraPose() : null;
     const shapes = strips
       .flat()
       .map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
-    this.film = { of, views: strips.length, shapes, names, places: strips.map(filmPlaces), before };
+    this.film = { ...made, views: strips.length, shapes, places: strips.map(filmPlaces), before };
     this.setExtent(shapes);
     this.viewer.fit('front', true);
   }
@@ -332,12 +346,19 @@ export class SceneController {
   }
 
   /** Names of the shapes of a film strip, where a view has them on the canvas, in its pixels. */
-  filmLabels(view: number): { text: string; x: number; y: number }[] {
+  filmLabels(view: number): FilmLabel[] {
     const { film } = this;
     const places = film?.places[view];
     if (!film || !places) return [];
     const at = this.viewer.projectDrawn(places, view);
-    return film.names.map((text, i) => ({ text, x: at[2 * i]!, y: at[2 * i + 1]! }));
+    return film.names.map((name, i) => ({ ...name, x: at[2 * i]!, y: at[2 * i + 1]! }));
+  }
+
+  /** On the page, they follow every picture: the camera may turn. */
+  private placeNames(): void {
+    if (!this.film && !this.named) return;
+    this.named = this.film !== null;
+    this.onNames(Array.from({ length: this.film?.views ?? 0 }, (_, view) => this.filmLabels(view)).flat());
   }
 
   private async showGhost(

@@ -390,7 +390,8 @@ export function createComponents(input: ComponentsInput): Components {
       original: viewState.original,
     });
     viewBar.update({ view, up: lying?.up ?? null, disabled });
-    phaseLabel.update(disabled ? null : shownPhase, {
+    // A film strip shows no one moment.
+    phaseLabel.update(disabled || view.film ? null : shownPhase, {
       share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1),
       hasPlace: viewState.indefiniteFace >= 0,
     });

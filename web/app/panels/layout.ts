@@ -1,6 +1,8 @@
 /** Where everything stands on the page; on a small screen the keys and panels come up as sheets. */
 import type { Presented } from '../../model/state.ts';
 import { h, setAttribute } from '../../ui/dom.ts';
+import { createFilmLabels } from '../../ui/film-labels.ts';
+import type { FilmLabel } from '../../ui/film-labels.ts';
 import { icon } from '../../ui/icons.ts';
 import type { IconName } from '../../ui/icons.ts';
 
@@ -27,6 +29,8 @@ export interface Layout {
   setGuide(panel: HTMLElement | null): void;
   /** Brings a panel in sight, or a part of it by its test id, where they stand beside the viewport. */
   showPanel(name: PanelName, part?: string): void;
+  /** Names on the picture of a film strip. */
+  showFilmLabels(labels: readonly FilmLabel[]): void;
   /** Pixels that bars and words take at the top and the bottom of each of so many views, or of two that are `split`. */
   covered(views: number, split: boolean): { top: number; bottom: number };
   /** Nothing but this is on the page; null: all of it. */
@@ -39,7 +43,7 @@ const PHASE_PX = 34;
 /** The row of the panels' names. */
 const SIDE_NAV_PX = 41;
 /** Titles and volumes beside a divider, where the shape is as wide as the view. */
-const SPLIT_LABEL_PX = { small: 64, large: 100 };
+const SPLIT_LABEL_PX = { small: 80, large: 108 };
 /** How many times larger words are in a presentation. */
 const LARGE_TYPE = 2.2;
 /** A panel's heading this near to the top is where one is. */
@@ -56,6 +60,7 @@ const SHEETS: readonly { name: Sheet; label: string; icon: IconName }[] = [
 ];
 
 export function createLayout(): Layout {
+  const filmLabels = createFilmLabels();
   const viewport = h('div', {
     class: 'picture',
     tabindex: 0,
@@ -75,11 +80,12 @@ export function createLayout(): Layout {
     const small = matchMedia('(max-width: 767px)').matches;
     const buttons = height('.view-buttons', (box) => host.bottom - box.top);
     const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
+    const bar = small ? height('.colour-bar', (box) => box.bottom - host.top) : 0;
     const welcome = height('.welcome', (box) => box.bottom - host.top);
     const over = split && matchMedia('(max-width: 1023px)').matches;
     const type = app?.dataset['present'] ? LARGE_TYPE : 1;
     return {
-      top: Math.max(status + (views > 1 ? type * TILE_LABEL_PX : 0), welcome),
+      top: Math.max(Math.max(status, bar) + (views > 1 ? type * TILE_LABEL_PX : 0), welcome),
       bottom:
         buttons +
         (small || over || type > 1 ? type * PHASE_PX : 0) +
@@ -88,6 +94,7 @@ export function createLayout(): Layout {
   };
   return {
     viewport,
+    showFilmLabels: filmLabels.update,
     covered,
     setGuide(panel) {
       app?.querySelector('.guide')?.remove();
@@ -117,6 +124,7 @@ export function createLayout(): Layout {
           'main',
           { class: 'viewport', 'aria-label': 'Viewport' },
           viewport,
+          filmLabels.element,
           ...parts.overlays,
           h('div', { class: 'overlay-top' }, ...parts.messages),
         ),

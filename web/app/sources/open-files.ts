@@ -173,7 +173,9 @@ export function createOpenFiles({
           ? before.view
           : openingView(before.view, link);
     const pool = workspace.pool!;
-    const buried = !!link && isBuried(wanted.camera, pool, info.faces);
+    const time =
+      left?.state.time ?? openingTime(doc, workspace.range, request.stays ? before.time : (link?.time ?? null));
+    const buried = !!link && isBuried(wanted.camera, time, doc, pool, info.faces);
     const view = buried ? { ...wanted, camera: null } : wanted;
     onOpened({
       info,
@@ -192,8 +194,6 @@ export function createOpenFiles({
       onRead();
       return true;
     }
-    const time =
-      left?.state.time ?? openingTime(doc, workspace.range, request.stays ? before.time : (link?.time ?? null));
     const play = left
       ? { ...left.state.play, playing: false }
       : request.stays

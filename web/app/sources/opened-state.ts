@@ -77,9 +77,13 @@ export function openingPlay(
   return { playing, speed, loop, between: null, fps };
 }
 
-/** Whether a camera is inside of every pose, where nothing can be seen but the inner side of the shape. */
-export function isBuried(camera: View['camera'], pool: PosePool, faces: Uint32Array): boolean {
+/**
+ * Whether a camera is inside of the shape at a moment, where nothing can be seen but its inner side: inside of the key
+ * there, or of both that it is between.
+ */
+export function isBuried(camera: View['camera'], t: number, doc: Doc, pool: PosePool, faces: Uint32Array): boolean {
   if (!camera) return false;
-  for (const positions of pool.poses()) if (!isInside(camera.position, positions, faces)) return false;
-  return true;
+  const before = doc.keys.findLast(({ time }) => time <= t);
+  const after = doc.keys.find(({ time }) => time >= t);
+  return [before, after].every((key) => !key || isInside(camera.position, pool.keys.positions(key.pose), faces));
 }

@@ -14,7 +14,7 @@ import { SHAPING_NUMBERS, turnsOf } from '../../model/shaping.ts';
 import { LEAST_SHARE } from '../../ui/divider.ts';
 import type { CameraPose } from '../../model/camera.ts';
 import type { AppState, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, METHODS, PRESENTED, SPEEDS } from '../../model/state.ts';
+import { DEFAULT_VIEW, LEAST_FILM_SHAPES, METHODS, MOST_FILM_SHAPES, PRESENTED, SPEEDS } from '../../model/state.ts';
 
 export interface Permalink {
   sample: string;
@@ -92,6 +92,7 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   for (const name of FLAGS) put(name, view[name], DEFAULT_VIEW[name]);
   put('compare', view.compare.join(','), '');
   put('split', view.split, null);
+  put('filmShapes', view.filmShapes, null);
   if (view.camera)
     params.set('camera', [...view.camera.position, ...view.camera.target].map((x) => x.toPrecision(5)).join(','));
   params.set('t', shortest(state.time));
@@ -214,10 +215,16 @@ function readView(take: Take): Partial<View> {
     >),
     compare: take('compare', (text) => [...new Set(text.split(',').flatMap((name) => oneOf(name, METHODS) ?? []))]),
     split: take('split', (text) => numberFrom(text, LEAST_SHARE, 1 - LEAST_SHARE)),
+    filmShapes: take('filmShapes', filmShapes),
     camera: take('camera', readCamera),
     window,
     present: take('present', (text) => oneOf(text, PRESENTED)),
   });
+}
+
+function filmShapes(text: string): number | undefined {
+  const count = numberFrom(text, LEAST_FILM_SHAPES, MOST_FILM_SHAPES);
+  return Number.isInteger(count) ? count : undefined;
 }
 
 function readCamera(text: string): CameraPose | undefined {

@@ -1,0 +1,43 @@
+/** Names under the shapes of film strips, as many as there is room for. */
+import { h, setHidden, setStyle, setText } from './dom.ts';
+
+export interface FilmLabel {
+  text: string;
+  /** Of a key: it goes before the others. */
+  isKey: boolean;
+  /** Pixels of the view. */
+  x: number;
+  y: number;
+}
+
+/** Pixels of a letter, and between two names. */
+const LETTER_PX = 6.6;
+const GAP_PX = 6;
+
+export function createFilmLabels(): { element: HTMLElement; update(labels: readonly FilmLabel[]): void } {
+  const element = h('div', { class: 'film-labels', 'data-testid': 'film-labels', 'aria-hidden': 'true' });
+  return {
+    element,
+    update(labels) {
+      setHidden(element, labels.length === 0);
+      const shown = withRoom(labels);
+      while (element.children.length > shown.length) element.lastElementChild?.remove();
+      shown.forEach(({ text, x, y }, index) => {
+        const name = (element.children[index] ?? element.appendChild(h('span', {}))) as HTMLElement;
+        setText(name, text);
+        setStyle(name, 'left', `${x.toFixed(1)}px`);
+        setStyle(name, 'top', `${y.toFixed(1)}px`);
+      });
+    },
+  };
+}
+
+/** Those that run into no other; of two, that of a key stays. */
+export function withRoom(labels: readonly FilmLabel[]): FilmLabel[] {
+  const shown: FilmLabel[] = [];
+  const apart = (a: FilmLabel, b: FilmLabel): boolean =>
+    Math.abs(a.y - b.y) > 18 || Math.abs(a.x - b.x) > (LETTER_PX * (a.text.length + b.text.length)) / 2 + GAP_PX;
+  for (const label of [...labels].sort((a, b) => Number(b.isKey) - Number(a.isKey)))
+    if (shown.every((other) => apart(label, other))) shown.push(label);
+  return shown;
+}
