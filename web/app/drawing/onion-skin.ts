@@ -37,7 +37,10 @@ export function onionSkins(input: OnionSkinInput, frames: readonly Frame[]): Ext
   }));
 }
 
-/** Evenly over the keys, `count` of them or as many as is usual, and a little beyond both ends; the nearest to a key is at the key. */
+/**
+ * Evenly over the keys, and a little beyond both ends; the nearest to a key is at the key. `count`: how many, null = as
+ * is usual.
+ */
 export function filmTimes({ keys, range, periodic }: OnionSkinInput, count: number | null): number[] {
   const beyond = periodic ? 0 : FILM_BEYOND;
   const usual = clamp(keys.length - 1, FILM_STEPS, MOST_FILM_STEPS);
