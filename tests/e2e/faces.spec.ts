@@ -1,4 +1,5 @@
 /** Heat maps on the surface, and the coordinates of a face that is clicked. */
+import { expectAccessible } from './axe.ts';
 import { decode } from './png.ts';
 import { type App, expect, test } from './support.ts';
 
@@ -228,4 +229,41 @@ test('distance to the first motion is coloured and drawn over time, with the KG 
   await app.settled();
   await expect(bar).toBeHidden();
   await app.expectNoProblems();
+});
+
+test('axe finds nothing in the charts of faces and patches with their values, in either theme', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&compare=linear&colour=distance&boundary=hermite' });
+  await app.by('face-number').fill('3');
+  await app.by('face-number').press('Enter');
+  await expect(app.by('plot-face-rotation').locator('path.curve').first()).toBeVisible();
+  for (const plot of ['face-rotation', 'distance']) await app.by(`${plot}-values`).locator('summary').click();
+  for (const part of ['face', 'patch']) {
+    for (const colorScheme of ['light', 'dark'] as const) {
+      await app.page.emulateMedia({ colorScheme });
+      await expectAccessible(app);
+    }
+    if (part === 'patch') break;
+    await app.by('part-patch').check({ force: true });
+    await app.by('patch-number').fill('2');
+    await app.by('patch-number').press('Enter');
+    await expect(app.by('plot-patch-rotation').locator('path.curve').first()).toBeVisible();
+  }
+});
+
+test('coordinates are reached and read with the keyboard alone', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus' });
+  await app.by('face-number').focus();
+  await app.page.keyboard.type('3');
+  await app.page.keyboard.press('Enter');
+  await expect(app.by('plot-face-rotation').locator('path.curve').first()).toBeVisible();
+  await expect(app.by('face-patch')).toHaveText(/of patch \d+/); // said by screen readers, too
+  const summary = app.by('face-rotation-values').locator('summary');
+  for (let i = 0; i < 8 && !(await summary.evaluate((one) => one === document.activeElement)); i += 1)
+    await app.page.keyboard.press('Tab');
+  await expect(summary).toBeFocused();
+  await app.page.keyboard.press('Enter');
+  const table = app.by('face-rotation-values').getByRole('table', { name: 'Rotation against its patch' });
+  await expect(table.getByRole('columnheader')).toHaveText(['Time', 'x', 'y', 'z']);
+  await app.page.keyboard.press('Tab');
+  await expect(app.by('face-rotation-svg')).toBeFocused();
 });

@@ -9,8 +9,14 @@ async function saved(app: App, testId: string): Promise<{ name: string; bytes: B
   return { name: file.suggestedFilename(), bytes: readFileSync((await file.path())!) };
 }
 
+/** What is written in it, names under the mouse apart. */
+const wordsOf = (svg: string): string[] => [...svg.matchAll(/<text[^>]*>([^<]*)/g)].map(([, words]) => words!);
+
 /** As a program that knows no style sheet and no newer colours opens it: its size, and how many colours it has. */
-async function opened(app: App, svg: string): Promise<{ width: number; height: number; colours: number }> {
+async function opened(
+  app: App,
+  svg: string,
+): Promise<{ width: number; height: number; colours: number; ground: number[] }> {
   expect(svg).not.toMatch(/class=|var\(|color\(|rgba\(|NaN/);
   return app.page.evaluate(async (source) => {
     const parsed = new DOMParser().parseFromString(source, 'image/svg+xml');
@@ -25,7 +31,7 @@ async function opened(app: App, svg: string): Promise<{ width: number; height: n
     const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
     const colours = new Set<number>();
     for (let i = 0; i < data.length; i += 4) colours.add((data[i]! << 16) | (data[i + 1]! << 8) | data[i + 2]!);
-    return { width: canvas.width, height: canvas.height, colours: colours.size };
+    return { width: canvas.width, height: canvas.height, colours: colours.size, ground: [...data.slice(0, 3)] };
   }, svg);
 }
 
@@ -37,7 +43,7 @@ test('every figure has its values to read and is saved as SVG, PNG and CSV', asy
   await expect(app.by('plot-face-rotation')).toBeVisible();
   await app.by('plot-bending').scrollIntoViewIfNeeded();
   await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(2);
-  const always = ['plane', 'volume', 'area', 'bending', 'distance'];
+  const always = ['plane', 'volume', 'area', 'bending', 'sliding', 'distance'];
   const patch = ['patch-angles', 'patch-rotation', 'patch-stretch'];
   for (const plot of [...always, 'face-rotation', 'face-stretch', ...patch]) {
     if (plot === patch[0]) {
@@ -53,6 +59,7 @@ test('every figure has its values to read and is saved as SVG, PNG and CSV', asy
     expect(svg.name).toBe(`shapespline-${plot}.svg`);
     const { width, height, colours } = await opened(app, svg.bytes.toString());
     expect([width, height > 80, colours > 8], plot).toEqual([272, true, true]);
+    expect(wordsOf(svg.bytes.toString()), plot).toContain(await app.by(`plot-${plot}`).locator('strong').innerText());
     expect(svg.bytes.toString().match(/<path[^>]+stroke="rgb\(/g)?.length, plot).toBeGreaterThan(0);
     const png = await saved(app, `${plot}-png`);
     expect(png.bytes.readUInt32BE(16), plot).toBe(3 * 272);
@@ -68,6 +75,49 @@ test('every figure has its values to read and is saved as SVG, PNG and CSV', asy
   const csv = (await saved(app, 'volume-csv')).bytes.toString().trim().split('\n');
   const row = csv.map((line) => line.split(',').map(Number)).find(([t]) => t === first)!;
   expect(row.slice(1)).toEqual([100, 100]);
+  await app.expectNoProblems();
+});
+
+test('a picture that is saved says what its curves are, on the ground of either theme', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&compare=geodesic,linear' });
+  await app.by('plot-bending').scrollIntoViewIfNeeded();
+  await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(3);
+  for (const colorScheme of ['light', 'dark'] as const) {
+    await app.page.emulateMedia({ colorScheme });
+    for (const plot of ['plane', 'volume', 'bending']) {
+      const values = app.by(`${plot}-values`);
+      if (!(await app.by(`${plot}-svg`).isVisible())) await values.locator('summary').click();
+      const svg = (await saved(app, `${plot}-svg`)).bytes.toString();
+      const words = wordsOf(svg);
+      for (const word of ['Shape spline (LRI)', 'Geodesic (LRI)', 'Morph targets (linear)'])
+        expect(
+          words.filter((one) => one === word),
+          `${plot}: ${word}`,
+        ).toHaveLength(1);
+      const { ground } = await opened(app, svg);
+      if (colorScheme === 'light') expect(Math.min(...ground), plot).toBeGreaterThan(200);
+      else expect(Math.max(...ground), plot).toBeLessThan(60);
+    }
+  }
+});
+
+test('the charts of ghost sizes are saved like the others', async ({ app }) => {
+  test.slow();
+  await app.open({ hash: '#figure=8' });
+  await expect(app.by('study-verdict')).toBeVisible({ timeout: 120_000 });
+  for (const plot of ['ghost-error', 'ghost-time']) {
+    await app.by(`${plot}-values`).locator('summary').click();
+    await expect(app.by(`${plot}-values`).locator('tbody tr').first()).toBeVisible();
+    const svg = (await saved(app, `${plot}-svg`)).bytes.toString();
+    expect((await opened(app, svg)).width).toBe(272);
+    const names = await app.by('study').locator('.legend').first().locator('span').allInnerTexts();
+    for (const name of names) expect(wordsOf(svg)).toContain(name);
+    expect((await saved(app, `${plot}-png`)).bytes.readUInt32BE(16)).toBe(3 * 272);
+    const [head, ...rows] = (await saved(app, `${plot}-csv`)).bytes.toString().trim().split('\n');
+    expect(head).toContain('"Faces, empty without a ghost mesh"');
+    expect(rows.length).toBeGreaterThan(4);
+    expect(rows.at(-1)).toMatch(/^,[\d.]+,[\d.]+$/);
+  }
   await app.expectNoProblems();
 });
 

@@ -13,6 +13,10 @@ const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buff
 const title = (app: App) => app.by('guide').getByRole('heading');
 const fragment = (app: App): string => new URL(app.page.url()).hash;
 
+/** Where two points of space are seen. */
+const placesOf = (app: App): Promise<number[]> =>
+  app.page.evaluate(() => [...window.__shapespline!.project([0, 0, 0, 1, 0, 1])].map(Math.round));
+
 /** The page of the guide, with the state that its link names. */
 async function expectPage(app: App, step: GuidePage): Promise<void> {
   const link = readPermalink(step.state)!;
@@ -30,6 +34,23 @@ async function expectPage(app: App, step: GuidePage): Promise<void> {
 }
 
 const expectStep = (app: App, index: number): Promise<void> => expectPage(app, TOUR[index]!);
+
+/** Two vertices at an end of what is longest along an axis, far apart, and the two other axes. */
+function acrossEnd(positions: number[], sign: 1 | -1): { from: number; to: number; axes: [number, number] } {
+  const vertices = [...Array(positions.length / 3).keys()];
+  const at = (vertex: number, axis: number): number => positions[3 * vertex + axis]!;
+  const span = (axis: number): number => {
+    const values = vertices.map((vertex) => at(vertex, axis));
+    return values.reduce((a, b) => Math.max(a, b)) - values.reduce((a, b) => Math.min(a, b));
+  };
+  const long = [0, 1, 2].reduce((a, b) => (span(b) > span(a) ? b : a));
+  const axes = [0, 1, 2].filter((axis) => axis !== long) as [number, number];
+  const end = vertices.reduce((most, vertex) => Math.max(most, sign * at(vertex, long)), -Infinity);
+  const there = vertices.filter((vertex) => sign * at(vertex, long) > end - 0.01 * span(long));
+  const by = (vertex: number): number => axes.reduce((sum, axis) => sum + at(vertex, axis), 0);
+  const from = there.reduce((a, b) => (by(b) < by(a) ? b : a));
+  return { from, to: there.reduce((a, b) => (by(b) > by(a) ? b : a)), axes };
+}
 
 test('goes from the first step to the last by turning pages, and back', async ({ app }) => {
   test.slow();
@@ -78,13 +99,45 @@ test('its numbers are those of the engine', async ({ app }) => {
   await expect(app.by('guide-live')).toHaveText(`Volume now: ${blended} % blended, ${ours} % in shape space.`);
 });
 
+test('charts are drawn while the motion plays', async ({ app }) => {
+  await app.open({ hash: '#tour=5' });
+  await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(2);
+  await expect(app.by('plot-bending')).toBeInViewport({ ratio: 0.9 });
+  expect((await app.state()).play.playing).toBe(true);
+});
+
+test('the bar of the fourth step turns by as many degrees as its text says', async ({ app }) => {
+  await app.open({ hash: '#tour=4' });
+  const said = Number(/(\d+) degrees/.exec(TOUR[3]!.text)![1]);
+  const first = await app.positionsAt(0);
+  const across = [acrossEnd(first, -1), acrossEnd(first, 1)];
+  const angleAt = (positions: number[]): number => {
+    const [low, high] = across.map(({ from, to, axes: [u, v] }) =>
+      Math.atan2(positions[3 * to + v]! - positions[3 * from + v]!, positions[3 * to + u]! - positions[3 * from + u]!),
+    );
+    return high! - low!;
+  };
+  let [before, turned] = [angleAt(first), 0];
+  for (let step = 1; step <= 24; step += 1) {
+    const angle = angleAt(await app.positionsAt(step / 24));
+    turned += Math.atan2(Math.sin(angle - before), Math.cos(angle - before));
+    before = angle;
+  }
+  expect(Math.abs(turned) * (180 / Math.PI)).toBeGreaterThan(said - 5);
+  expect(Math.abs(turned) * (180 / Math.PI)).toBeLessThan(said + 5);
+});
+
 test('what was open before comes back with its edits, and undo knows nothing of the tour', async ({ app }) => {
   await app.open();
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.by('boundary-hermite').check();
+  await app.by('viewport').focus();
+  await app.page.keyboard.press('ArrowLeft'); // the camera turns
   await app.settled();
   const before = await app.state();
+  const places = await placesOf(app);
+  expect(before.play.playing).toBe(true);
   await app.page.evaluate(() => (location.hash = '#tour=4'));
   await expectStep(app, 3);
   await app.by('guide-next').click();
@@ -94,9 +147,44 @@ test('what was open before comes back with its edits, and undo knows nothing of 
   await expect.poll(async () => (await app.state()).source).toEqual(before.source);
   await app.settled();
   expect((await app.state()).doc).toEqual(before.doc);
+  expect((await app.state()).play).toEqual(before.play);
+  expect(await placesOf(app)).toEqual(places);
   await app.by('undo').click();
   await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('natural');
   await expect(app.by('undo')).toHaveAttribute('title', /open a\.obj/);
+});
+
+test('the way back in the browser leads out of the tour, too, and the one onward into it', async ({ app }) => {
+  await app.open();
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await expect.poll(() => fragment(app)).toBe('');
+  const { source, doc } = await app.state();
+  await app.page.evaluate(() => (location.hash = '#tour=7'));
+  await expectStep(app, 6);
+  await app.page.goBack();
+  await expect(app.by('guide')).toHaveCount(0);
+  await expect.poll(async () => (await app.state()).source).toEqual(source);
+  await app.settled();
+  expect((await app.state()).doc).toEqual(doc);
+  await app.page.goForward();
+  await expectStep(app, 6);
+  await app.page.reload();
+  await app.page.waitForFunction(() => window.__shapespline !== undefined);
+  await app.page.evaluate(() => window.__shapespline!.ready);
+  await expectStep(app, 6);
+  await app.expectNoProblems();
+});
+
+test('pages are turned with the keyboard, which stays where it is, and in a hurry', async ({ app }) => {
+  await app.open({ hash: '#tour=1' });
+  await app.by('guide-next').focus();
+  await app.page.keyboard.press('Enter');
+  await expectStep(app, 1);
+  await expect(app.by('guide-next')).toBeFocused();
+  for (let i = 0; i < 8; i += 1) await app.page.keyboard.press('Enter');
+  await expectStep(app, 9);
+  await expect(title(app)).toBeFocused(); // there is no next page
 });
 
 test('files that are opened during the tour end it, and stay', async ({ app }) => {
@@ -115,6 +203,7 @@ test('a visit that came by a link of the tour goes on with the first sample', as
   await expectStep(app, 1);
   await app.by('guide-close').click();
   await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
+  expect((await app.state()).view.compare).toEqual([]); // as on any first visit
 });
 
 test('a link to no step opens the page as usual', async ({ app }) => {

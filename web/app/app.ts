@@ -75,7 +75,10 @@ export function startApp(root: HTMLElement): void {
     viewState,
     feedback,
     onOffer: importOffer.offer,
-    onGuide: (fragment) => void guide.open(fragment).catch(feedback.onError),
+    onGuide(fragment) {
+      if (fragment === null) guide.close();
+      else guide.open(fragment).catch(feedback.onError);
+    },
   });
   const { files, remembered, undo, animation } = ways;
   const visit = (fragment: string): Promise<void> =>

@@ -33,7 +33,7 @@ export interface WaysParts {
   /** What can be done about what an import warns of; null: nothing. */
   onOffer(offer: Offer | null): void;
   /** The address names a page of the guide. */
-  onGuide(fragment: string): void;
+  onGuide(fragment: string | null): void;
 }
 
 export interface Ways {

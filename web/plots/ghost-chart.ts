@@ -1,6 +1,6 @@
 /** Error or time over sizes of the ghost mesh (the paper's Fig. 8): one line for each way of transfer. */
-import { make, text } from './line-chart.ts';
-import { extent, linearScale, padded, path, tickLabel, ticks } from './scale.ts';
+import { make, named, namedCurve, text } from './line-chart.ts';
+import { extent, linearScale, padded, tickLabel, ticks } from './scale.ts';
 
 export interface GhostSeries {
   label: string;
@@ -48,12 +48,15 @@ export function drawGhostChart(data: GhostChartData): SVGSVGElement {
   element.append(...sizes.map((size, index) => text('tick-x', x(index), HEIGHT - 4, size)));
   if (level)
     element.append(
-      make('line', { class: 'level', x1: LEFT, x2: WIDTH - RIGHT, y1: y(level.value), y2: y(level.value) }),
+      named(
+        level.label,
+        make('line', { class: 'level', x1: LEFT, x2: WIDTH - RIGHT, y1: y(level.value), y2: y(level.value) }),
+      ),
     );
-  for (const { values: own, style } of series) {
+  for (const { label, values: own, style } of series) {
     const points = own.map((value, index) => [x(index), y(value)] as const);
     element.append(
-      make('path', { class: `curve ${style}`, d: path(points) }),
+      namedCurve(label, style, points),
       ...points.map(([cx, cy]) => make('circle', { class: `mark ${style}`, cx, cy, r: 2.6 })),
     );
   }

@@ -113,10 +113,11 @@ function parts(data: LineChartData, x: Scale): SVGElement[] {
       text('tick-x', x(time), HEIGHT - 4, String(index + 1)),
     ]),
     ...data.series.map((series) =>
-      make('path', {
-        class: `curve ${series.style}`,
-        d: path(data.times.map((t, index) => [x(t), y(series.values[index] ?? NaN)])),
-      }),
+      namedCurve(
+        series.label,
+        series.style,
+        data.times.map((t, index) => [x(t), y(series.values[index] ?? NaN)]),
+      ),
     ),
     ...(data.dots ? keyDots(data, x, y) : []),
   ];
@@ -147,6 +148,22 @@ export function make<Tag extends keyof SVGElementTagNameMap>(
   for (const [name, value] of Object.entries(attributes)) {
     element.setAttribute(name, typeof value === 'number' ? String(Number(value.toFixed(2))) : value);
   }
+  return element;
+}
+
+/** Its name is seen under the mouse, and beside a piece of it in a file. */
+export function namedCurve(
+  name: string,
+  style: string,
+  points: readonly (readonly [number, number])[],
+): SVGPathElement {
+  return named(name, make('path', { class: `curve ${style}`, d: path(points) }));
+}
+
+export function named<E extends SVGElement>(name: string, element: E): E {
+  const title = make('title', {});
+  title.textContent = name;
+  element.append(title);
   return element;
 }
 

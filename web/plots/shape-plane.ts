@@ -1,7 +1,7 @@
 /** The motion as a curve in the plane of the two leading principal components of the keys (the paper's Fig. 2b, 3). */
 import { ENDS, createEndHandle } from './end-handle.ts';
 import type { End, EndHandleEvents } from './end-handle.ts';
-import { make, text } from './line-chart.ts';
+import { make, namedCurve, text } from './line-chart.ts';
 import { createPlanePoint } from './plane-point.ts';
 import type { PlanePointEvents } from './plane-point.ts';
 import { extent, path } from './scale.ts';
@@ -65,6 +65,8 @@ export interface ShapePlanePlot {
   /** How long the handles are, before the curve is worked out anew. */
   setSpeeds(speeds: Readonly<Record<End, number>> | null): void;
 }
+
+const EXTRAPOLATED = 'extrapolated';
 
 type Place = (x: number, y: number) => [number, number];
 
@@ -171,7 +173,7 @@ function placesOf({ points }: PlaneOverlay, place: Place): [number, number][] {
 }
 
 function overlayLine(overlay: PlaneOverlay, place: Place): SVGElement {
-  return make('path', { class: `curve ${overlay.style}`, d: path(placesOf(overlay, place)) });
+  return namedCurve(overlay.label, overlay.style, placesOf(overlay, place));
 }
 
 function overlayMarks(overlay: PlaneOverlay, place: Place): SVGElement[] {
@@ -217,22 +219,21 @@ function onPicture(
 }
 
 function parts({ times, curves, range }: ShapePlaneData, place: Place): SVGElement[] {
-  const line = (curve: PlaneCurve, style: string, from: number, to: number): SVGElement =>
-    make('path', {
-      class: `curve ${style}`,
-      d: path(
-        times.flatMap((t, index) =>
-          t >= from && t <= to ? [place(curve.points[2 * index] ?? NaN, curve.points[2 * index + 1] ?? NaN)] : [],
-        ),
+  const line = (curve: PlaneCurve, style: string, from: number, to: number, name = curve.label): SVGElement =>
+    namedCurve(
+      name,
+      style,
+      times.flatMap((t, index) =>
+        t >= from && t <= to ? [place(curve.points[2 * index] ?? NaN, curve.points[2 * index + 1] ?? NaN)] : [],
       ),
-    });
+    );
   const [main, ...others] = curves;
   return [
     ...others.map((curve) => line(curve, curve.style, range[0], range[1])),
     ...(main
       ? [
-          line(main, 'extrapolated', -Infinity, range[0]),
-          line(main, 'extrapolated', range[1], Infinity),
+          line(main, 'extrapolated', -Infinity, range[0], EXTRAPOLATED),
+          line(main, 'extrapolated', range[1], Infinity, EXTRAPOLATED),
           line(main, main.style, range[0], range[1]),
         ]
       : []),

@@ -33,8 +33,7 @@ export interface GuidePanel {
 export function createGuidePanel(onClose: () => void): GuidePanel {
   const place = h('p', { class: 'guide-place' });
   const title = h('h2', { tabindex: -1 });
-  // Read out when the page turns; the numbers, which change all the time, are not.
-  const body = h('div', { class: 'guide-body', 'aria-live': 'polite' });
+  const body = h('div', { class: 'guide-body' });
   const live = h('p', { class: 'guide-live', 'data-testid': 'guide-live' });
   const previous = h('a', { class: 'button', rel: 'prev', 'data-testid': 'guide-previous' });
   const next = h('a', { class: 'button primary', rel: 'next', 'data-testid': 'guide-next' });
@@ -51,12 +50,15 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
     { class: 'guide', 'aria-label': 'Guide', 'data-testid': 'guide' },
     h('header', {}, place, close),
     pages,
-    h('div', { class: 'guide-scroll' }, title, body, live),
+    // Read out when the page turns; the numbers, which change all the time, are not.
+    h('div', { class: 'guide-scroll' }, h('div', { class: 'guide-told', 'aria-live': 'polite' }, title, body), live),
     h('footer', {}, previous, next),
   );
 
   const turn = (link: HTMLAnchorElement, to: GuidePanelProps['pages'][number] | undefined, words: string): void => {
+    const focused = document.activeElement === link;
     setHidden(link, to === undefined);
+    if (!to && focused) title.focus();
     if (!to) return;
     link.href = `#${to.link}`;
     setText(link, words);

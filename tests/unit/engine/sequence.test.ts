@@ -11,9 +11,18 @@ const failure = (work: Promise<unknown>): Promise<EngineError> =>
     (e: EngineError) => e,
   );
 
-/** A sequence whose frames wait until the test replies. */
-async function heldSequence() {
-  const { engine, workers } = fakeEngine((request) => (request.type === 'evaluate' ? null : replyTo(request)));
+/** What was measured at these times: their own numbers. */
+const measuredAt = (times: readonly number[], id: number): FromWorker => ({
+  type: 'result',
+  id,
+  value: times.map((t) => ({ volume: t, area: t, sliding: null })),
+});
+
+/** A sequence whose frames wait until the test replies; to others `reply` answers first. */
+async function heldSequence(reply: (request: Request) => FromWorker | undefined = () => undefined) {
+  const { engine, workers } = fakeEngine(
+    (request) => reply(request) ?? (request.type === 'evaluate' ? null : replyTo(request)),
+  );
   const sequence = await engine.createSequence(await engine.importKeyframes([someFile]));
   const worker = workers[0] as FakeWorker;
   const replyNext = async (): Promise<void> => {
@@ -44,6 +53,24 @@ describe('evaluate', () => {
     expect(worker.of('evaluate').map(({ t }) => t)).toEqual([1, 0.5, 2, 3]);
     expect((await shown)?.t).toBe(0.5);
     expect((await many).map(({ t }) => t)).toEqual([1, 2, 3]);
+  });
+
+  it('goes before what is measured, of which the worker answers as much at once as it has time for', async () => {
+    const { sequence, worker } = await heldSequence((request) =>
+      request.type === 'measure' ? measuredAt(request.times.slice(0, 3), request.id) : undefined,
+    );
+    const fractions: number[] = [];
+    const measures = sequence.measures([0, 1, 2, 3, 4, 5, 6], {
+      onProgress: ({ fraction }) => fractions.push(fraction ?? NaN),
+    });
+    const ahead = sequence.evaluateAhead(0.5);
+    await settled();
+    expect(worker.of('measure')).toEqual([]);
+    worker.say(replyTo(worker.requests.at(-1)!));
+    expect((await measures).volume).toEqual([0, 1, 2, 3, 4, 5, 6]);
+    expect(worker.of('measure').map(({ times }) => times[0])).toEqual([0, 3, 6]);
+    expect(fractions).toEqual([3 / 7, 6 / 7, 1]);
+    (await ahead).release();
   });
 
   it('sends released buffers back instead of asking for new ones', async () => {

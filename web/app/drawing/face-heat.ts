@@ -14,8 +14,8 @@ export interface VertexAmounts {
   mean: number;
 }
 
-/** Of a face in the reference: t1, t2 and n in space, then the inverse of its edges in (t1, t2). */
-const NUMBERS = 13;
+/** Of a face in the reference: t1, t2 and n in space, then what the inverse [p q; 0 s] of its edges in (t1, t2) holds. */
+const NUMBERS = 12;
 /** Faces thinner than this, over the square of their longest edge, have no frame. */
 const DEGENERATE = 1e-12;
 /** Principal stretches below this count as this. */
@@ -50,9 +50,12 @@ export class FaceHeat {
     const { faces, area, share, sums } = this;
     sums.fill(0);
     for (let face = 0; face < area.length; face += 1) {
-      if (area[face] === 0) continue;
-      const amount = area[face]! * this.amountOf(positions, face, kind);
-      for (let corner = 0; corner < 3; corner += 1) sums[faces[3 * face + corner]!]! += amount;
+      const weight = area[face]!;
+      if (weight === 0) continue;
+      const amount = weight * this.amountOf(positions, face, kind);
+      sums[faces[3 * face]!]! += amount;
+      sums[faces[3 * face + 1]!]! += amount;
+      sums[faces[3 * face + 2]!]! += amount;
     }
     let [largest, total] = [0, 0];
     for (let v = 0; v < values.length; v += 1) {
@@ -72,14 +75,28 @@ export class FaceHeat {
     const { faces, frames } = this;
     if (this.area[face] === 0) return 0;
     const at = NUMBERS * face;
-    const [a, b, c] = [3 * faces[3 * face]!, 3 * faces[3 * face + 1]!, 3 * faces[3 * face + 2]!];
-    const [x, y, z] = [positions[a]!, positions[a + 1]!, positions[a + 2]!];
-    const [ux, uy, uz] = [positions[b]! - x, positions[b + 1]! - y, positions[b + 2]! - z];
-    const [vx, vy, vz] = [positions[c]! - x, positions[c + 1]! - y, positions[c + 2]! - z];
-    const [p, q, r, s] = [frames[at + 9]!, frames[at + 10]!, frames[at + 11]!, frames[at + 12]!];
-    // The columns of J = [u v] [p q; r s], which takes the reference's (t1, t2) to space.
-    const [jx, jy, jz] = [ux * p + vx * r, uy * p + vy * r, uz * p + vz * r];
-    const [kx, ky, kz] = [ux * q + vx * s, uy * q + vy * s, uz * q + vz * s];
+    const a = 3 * faces[3 * face]!;
+    const b = 3 * faces[3 * face + 1]!;
+    const c = 3 * faces[3 * face + 2]!;
+    const x = positions[a]!;
+    const y = positions[a + 1]!;
+    const z = positions[a + 2]!;
+    const ux = positions[b]! - x;
+    const uy = positions[b + 1]! - y;
+    const uz = positions[b + 2]! - z;
+    const vx = positions[c]! - x;
+    const vy = positions[c + 1]! - y;
+    const vz = positions[c + 2]! - z;
+    const p = frames[at + 9]!;
+    const q = frames[at + 10]!;
+    const s = frames[at + 11]!;
+    // The columns of J = [u v] [p q; 0 s], which takes the reference's (t1, t2) to space.
+    const jx = ux * p;
+    const jy = uy * p;
+    const jz = uz * p;
+    const kx = ux * q + vx * s;
+    const ky = uy * q + vy * s;
+    const kz = uz * q + vz * s;
     const jj = jx * jx + jy * jy + jz * jz;
     const kk = kx * kx + ky * ky + kz * kz;
     const jk = jx * kx + jy * ky + jz * kz;
@@ -92,29 +109,20 @@ export class FaceHeat {
       return 100 * (Math.max((sum + difference) / 2, 1 / least) - 1);
     }
     if (!(determinant > 0)) return 0;
-    // S = (J^T J + det I) / trace; R's columns are J S^-1, and the normals.
+    // S = (J^T J + det I) / trace; R's columns are those of J S^-1, and j x k over its length, which is det.
     const trace = Math.sqrt(jj + kk + 2 * determinant);
-    const [sa, sb, sd] = [(jj + determinant) / trace, jk / trace, (kk + determinant) / trace];
-    const [fx, fy, fz] = [
-      (sd * jx - sb * kx) / determinant,
-      (sd * jy - sb * ky) / determinant,
-      (sd * jz - sb * kz) / determinant,
-    ];
-    const [gx, gy, gz] = [
-      (sa * kx - sb * jx) / determinant,
-      (sa * ky - sb * jy) / determinant,
-      (sa * kz - sb * jz) / determinant,
-    ];
-    const turned =
-      fx * frames[at]! +
-      fy * frames[at + 1]! +
-      fz * frames[at + 2]! +
-      gx * frames[at + 3]! +
-      gy * frames[at + 4]! +
-      gz * frames[at + 5]! +
-      (fy * gz - fz * gy) * frames[at + 6]! +
-      (fz * gx - fx * gz) * frames[at + 7]! +
-      (fx * gy - fy * gx) * frames[at + 8]!;
+    const sa = (jj + determinant) / trace;
+    const sb = jk / trace;
+    const sd = (kk + determinant) / trace;
+    const j1 = jx * frames[at]! + jy * frames[at + 1]! + jz * frames[at + 2]!;
+    const j2 = jx * frames[at + 3]! + jy * frames[at + 4]! + jz * frames[at + 5]!;
+    const k1 = kx * frames[at]! + ky * frames[at + 1]! + kz * frames[at + 2]!;
+    const k2 = kx * frames[at + 3]! + ky * frames[at + 4]! + kz * frames[at + 5]!;
+    const normal =
+      (jy * kz - jz * ky) * frames[at + 6]! +
+      (jz * kx - jx * kz) * frames[at + 7]! +
+      (jx * ky - jy * kx) * frames[at + 8]!;
+    const turned = (sd * j1 - sb * (k1 + j2) + sa * k2 + normal) / determinant;
     return (180 / Math.PI) * Math.acos(Math.min(Math.max((turned - 1) / 2, -1), 1));
   }
 
@@ -136,7 +144,7 @@ export class FaceHeat {
     const t2 = cross(n, t1);
     // Edges in (t1, t2) are [length x; 0 y], with this inverse.
     const [x, y] = [dot(v, t1), dot(v, t2)];
-    this.frames.set([...t1, ...t2, ...n, 1 / length, -x / (length * y), 0, 1 / y], NUMBERS * face);
+    this.frames.set([...t1, ...t2, ...n, 1 / length, -x / (length * y), 1 / y], NUMBERS * face);
     this.area[face] = twice / 2;
     for (let which = 0; which < 3; which += 1) this.share[this.faces[3 * face + which]!]! += twice / 2;
   }

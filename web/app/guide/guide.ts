@@ -2,6 +2,7 @@
  * The guide: pages that are states of the app, told of by their links. What was open before comes back when it is left,
  * unless the reader has opened something else meanwhile.
  */
+import { DEFAULT_VIEW } from '../../model/state.ts';
 import { createGuidePanel } from '../../ui/guide-panel.ts';
 import type { GuidePanelProps } from '../../ui/guide-panel.ts';
 import type { Work } from '../kept/work.ts';
@@ -71,6 +72,12 @@ export function createGuide({ store, workspace, files, openFirst, place, showPan
     pin(null);
   };
 
+  /** As it was, moving where it moved. */
+  const again = async (left: Work): Promise<void> => {
+    const { playing } = left.state.play;
+    if ((await files.again(left, { quietly: true })) && playing) store.set({ play: { ...store.get().play, playing } });
+  };
+
   const guide: Guide = {
     async open(fragment) {
       const wanted = [...TOUR, ...FIGURES].find(({ link }) => link === fragment);
@@ -93,7 +100,12 @@ export function createGuide({ store, workspace, files, openFirst, place, showPan
       const left = before;
       if (!page) return;
       leave();
-      await (left ? files.again(left, { quietly: true }) : openFirst());
+      if (left) await again(left);
+      else {
+        // Of the guide's pages nothing is left: what is opened looks as on a first visit.
+        store.set({ view: DEFAULT_VIEW });
+        await openFirst();
+      }
     },
     onOpened() {
       if (!page || turning > 0) return;

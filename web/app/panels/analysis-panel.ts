@@ -45,7 +45,8 @@ export interface AnalysisPanel {
 const DELAY_MS = 200;
 const RELATIVE = '% of the first key';
 const BENDING = 'relative to the mean deformation energy between keys, per time⁴';
-
+/** Below it there is nothing but rounding to be seen. */
+const LEAST_SLIDING = 0.01;
 const SLIDING = 'distance of what rests between keys from its place, % of the diagonal';
 
 /** Fills its place, `element`. */
@@ -102,7 +103,7 @@ export function createAnalysisPanel(
       sliding.element,
       motions.every((motion) => motion.sliding.every(Number.isNaN)),
     );
-    sliding.draw({ ...common, series: series((motion) => motion.sliding), include: 0 });
+    sliding.draw({ ...common, series: series((motion) => motion.sliding), include: 0, leastSpan: LEAST_SLIDING });
     drawLegend(legend, motions);
     setCursor(cursor);
   };

@@ -1,6 +1,7 @@
 /** The values of a figure as a table, and the figure as SVG, PNG and CSV. */
 import type { Plot } from '../../model/state.ts';
 import { csvOf, pngOf, svgOf } from '../../plots/plot-files.ts';
+import type { Heading } from '../../plots/plot-files.ts';
 import { h } from '../../ui/dom.ts';
 import { saveButtons, valuesFrame, valuesTable } from '../../ui/values.ts';
 
@@ -29,17 +30,20 @@ export interface FigureFiles {
 }
 
 export function createFigureFiles(
-  picture: () => SVGSVGElement,
+  figure: HTMLElement,
   { plot, title, numbers, onError }: FigureFilesOptions,
 ): FigureFiles {
   const frame = valuesFrame(title);
+  const picture = (): SVGSVGElement => figure.querySelector<SVGSVGElement>('svg.plot')!;
+  const captioned = (part: string): string => figure.querySelector(`figcaption ${part}`)?.textContent ?? '';
+  const heading = (): Heading => ({ title: captioned('strong'), unit: captioned('.unit') });
   const known = (): FigureNumbers => numbers() ?? { names: [], rows: [] };
   const files = saveButtons(
     plot,
     title,
     {
-      svg: () => new Blob([svgOf(picture())], { type: 'image/svg+xml' }),
-      png: () => pngOf(picture()),
+      svg: () => new Blob([svgOf(picture(), heading())], { type: 'image/svg+xml' }),
+      png: () => pngOf(picture(), heading()),
       csv: () => new Blob([csvOf(known().names.map(cell), known().rows)], { type: 'text/csv' }),
     },
     onError,

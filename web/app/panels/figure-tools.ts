@@ -39,7 +39,7 @@ export function addFigureTools(figure: HTMLElement, options: FigureToolsOptions)
   let fill: (() => void) | null = null;
   const load = async (): Promise<void> => {
     const { createFigureFiles } = await import('./figure-files.ts');
-    const files = createFigureFiles(() => figure.querySelector<SVGSVGElement>('svg.plot')!, options);
+    const files = createFigureFiles(figure, options);
     fill ??= files.fill;
     if (content.childElementCount === 0) content.append(files.element);
     fill();

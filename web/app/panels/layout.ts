@@ -97,7 +97,9 @@ export function createLayout(): Layout {
     showFilmLabels: filmLabels.update,
     covered,
     setGuide(panel) {
-      app?.querySelector('.guide')?.remove();
+      const shown = app?.querySelector('.guide') ?? null;
+      if (shown === panel) return; // put there again it would lose the focus
+      shown?.remove();
       if (panel) app?.querySelector('main')?.before(panel);
       if (app) setAttribute(app, 'data-guide', panel !== null);
     },

@@ -11,8 +11,8 @@ export interface PageLinkParts {
   say(text: string): void;
   /** The address names another state. */
   onLink(link: Permalink): void;
-  /** The address names a page of the guide. */
-  onGuide(fragment: string): void;
+  /** The address names a page of the guide; null: it named one, and names nothing any more. */
+  onGuide(fragment: string | null): void;
 }
 
 export interface PageLink {
@@ -51,6 +51,7 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
     const link = readPermalink(location.hash);
     if (page) onGuide(page);
     else if (link) onLink(link);
+    else if (pinned && location.hash === '') onGuide(null);
   });
 
   return {

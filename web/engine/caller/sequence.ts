@@ -181,12 +181,15 @@ export class SequenceClient implements Sequence {
     checkCall(call);
     const measures: Measures = { times: checkTimes(times), volume: [], area: [], sliding: [] };
     const motion = await this.settledMotion();
-    await this.each(times, call, async (t) => {
-      const { volume, area, sliding } = await this.batch(() => this.ask('measure', { motion, t }));
-      measures.volume.push(volume);
-      measures.area.push(area);
-      measures.sliding.push(sliding === null ? NaN : 100 * sliding);
-    });
+    for (let done = 0; done < times.length; done = measures.volume.length) {
+      const next = this.batch(() => this.ask('measure', { motion, times: times.slice(done) }));
+      for (const { volume, area, sliding } of await untilAborted(call?.signal, next)) {
+        measures.volume.push(volume);
+        measures.area.push(area);
+        measures.sliding.push(sliding === null ? NaN : 100 * sliding);
+      }
+      call?.onProgress?.({ stage: 'evaluating', fraction: measures.volume.length / times.length });
+    }
     return measures;
   }
 

@@ -72,7 +72,8 @@ export interface Calls {
   /** The shape at an affine combination of the keys. */
   blend: { request: { motion: MotionSpec; weights: number[]; buffers: FrameBuffers | null }; result: FrameData };
   previewError: { request: { motion: MotionSpec; t: number }; result: PreviewError };
-  measure: { request: { motion: MotionSpec; t: number }; result: MeasuresAt };
+  /** At the first of these times: one, and more as long as that takes no longer than a frame may. */
+  measure: { request: { motion: MotionSpec; times: number[] }; result: MeasuresAt[] };
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
   discretePath: { request: { motion: MotionSpec; samples: number }; result: DiscretePath };
   faceCurve: { request: { motion: MotionSpec; face: number; times: number[] }; result: FaceCurve };

@@ -1,8 +1,8 @@
 /** The keys with the curves through them: over time, or in two dimensions in their plane. */
 import { createEndHandle } from '../../plots/end-handle.ts';
 import type { End, EndHandle } from '../../plots/end-handle.ts';
-import { make, text } from '../../plots/line-chart.ts';
-import { extent, padded, path, tickLabel, ticks } from '../../plots/scale.ts';
+import { make, namedCurve, text } from '../../plots/line-chart.ts';
+import { extent, padded, tickLabel, ticks } from '../../plots/scale.ts';
 import type { Derived } from '../derived.ts';
 import { valueAt } from '../splines/curve.ts';
 import { MOST_SPEED } from '../state.ts';
@@ -172,7 +172,7 @@ function layerParts(
   const [value, across] = derived.samples;
   const points = value!.times.map((t, i): Point => [x(plane ? across!.values[i]! : t), y(value!.values[i]!)]);
   return [
-    make('path', { class: 'curve samples', d: path(points) }),
+    namedCurve(LAYER_WORDS.samples.name, 'samples', points),
     ...points.map(([cx, cy]) => make('circle', { class: 'sample', cx, cy, r: points.length > 30 ? 2 : 3 })),
   ];
 }

@@ -1,5 +1,6 @@
 /** One idea: a picture with its title, what was just to be seen in it, and its numbers and files. */
 import { csvOf, pngOf, svgOf } from '../../plots/plot-files.ts';
+import type { Heading } from '../../plots/plot-files.ts';
 import { h, setText } from '../../ui/dom.ts';
 import { saveButtons, valuesFrame, valuesTable } from '../../ui/values.ts';
 import type { NumbersTable } from '../../ui/values.ts';
@@ -25,6 +26,7 @@ export interface Figure {
 
 export function createFigure({ id, title, body, tools, picture, numbers, onError }: FigureOptions): Figure {
   const unit = h('span', { class: 'unit' });
+  const heading = (): Heading => ({ title, unit: unit.textContent ?? '' });
   const notice = h('p', { class: 'notice', 'data-testid': `${id}-notice` });
   const frame = valuesFrame(title);
   const fill = (): void => frame.replaceChildren(valuesTable(title, numbers(), number));
@@ -35,8 +37,8 @@ export function createFigure({ id, title, body, tools, picture, numbers, onError
     title,
     {
       ...(picture && {
-        svg: () => new Blob([svgOf(picture)], { type: 'image/svg+xml' }),
-        png: () => pngOf(picture),
+        svg: () => new Blob([svgOf(picture, heading())], { type: 'image/svg+xml' }),
+        png: () => pngOf(picture, heading()),
       }),
       csv() {
         const { names, rows } = numbers();

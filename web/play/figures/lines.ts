@@ -1,10 +1,10 @@
 /** Curves as lines: sampled within each interval, so that what jumps at a key is drawn as a jump. */
-import { make } from '../../plots/line-chart.ts';
-import { path } from '../../plots/scale.ts';
+import { namedCurve } from '../../plots/line-chart.ts';
 import { inInterval, valueAt } from '../splines/curve.ts';
 import type { Curve, Derivative } from '../splines/curve.ts';
 import type { Layer } from '../state.ts';
 import type { Curves } from '../derived.ts';
+import { LAYER_WORDS } from './words.ts';
 
 type Place = (numbers: number[], t: number) => readonly [number, number];
 
@@ -42,7 +42,7 @@ export function curveLines(
   }
   return [
     ...beyondLines(layer, curves, derivative, [start, end], place),
-    ...runs.map((run) => make('path', { class: `curve ${layer}`, d: path(run) })),
+    ...runs.map((run) => namedCurve(LAYER_WORDS[layer].name, layer, run)),
   ];
 }
 
@@ -60,7 +60,7 @@ function beyondLines(
   const line = (from: number, to: number): SVGElement => {
     const at = (step: number): number => from + ((to - from) * step) / STEPS;
     const points = Array.from({ length: STEPS + 1 }, (_, step) => place(valuesAt(curves, at(step)), at(step)));
-    return make('path', { class: `curve ${layer} further`, d: path(points) });
+    return namedCurve(LAYER_WORDS[layer].name, `${layer} further`, points);
   };
   return [...(start < first ? [line(start, first)] : []), ...(end > last ? [line(last, end)] : [])];
 }
