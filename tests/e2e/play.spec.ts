@@ -95,6 +95,13 @@ test('curves are switched on one by one, and the natural one bends least', async
   await expect(page.locator('.curve-figure .sample')).toHaveCount(5);
   await play.by('samples').fill('10');
   await expect(page.locator('.curve-figure .sample')).toHaveCount(10);
+  for (const dot of ['.curve-figure .sample', '.layer .sample']) {
+    const [fill, text] = await page
+      .locator(dot)
+      .first()
+      .evaluate((one) => [getComputedStyle(one).fill, getComputedStyle(document.body).color]);
+    expect(fill, `${dot} is seen as text is`).toBe(text);
+  }
   const coarse = await within();
   await play.by('samples').fill('60');
   await expect(page.locator('.curve-figure .sample')).toHaveCount(60);
