@@ -13,10 +13,6 @@ const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buff
 const title = (app: App) => app.by('guide').getByRole('heading');
 const fragment = (app: App): string => new URL(app.page.url()).hash;
 
-/** Where two points of space are seen. */
-const placesOf = (app: App): Promise<number[]> =>
-  app.page.evaluate(() => [...window.__shapespline!.project([0, 0, 0, 1, 0, 1])].map(Math.round));
-
 /** The page of the guide, with the state that its link names. */
 async function expectPage(app: App, step: GuidePage): Promise<void> {
   const link = readPermalink(step.state)!;
@@ -99,16 +95,9 @@ test('its numbers are those of the engine', async ({ app }) => {
   await expect(app.by('guide-live')).toHaveText(`Volume now: ${blended} % blended, ${ours} % in shape space.`);
 });
 
-test('charts are drawn while the motion plays', async ({ app }) => {
-  await app.open({ hash: '#tour=5' });
-  await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(2);
-  await expect(app.by('plot-bending')).toBeInViewport({ ratio: 0.9 });
-  expect((await app.state()).play.playing).toBe(true);
-});
-
 test('the bar of the fourth step turns by as many degrees as its text says', async ({ app }) => {
   await app.open({ hash: '#tour=4' });
-  const said = Number(/(\d+) degrees/.exec(TOUR[3]!.text)![1]);
+  const [whole, half] = TOUR[3]!.text.match(/\d+/g)!.map(Number) as [number, number];
   const first = await app.positionsAt(0);
   const across = [acrossEnd(first, -1), acrossEnd(first, 1)];
   const angleAt = (positions: number[]): number => {
@@ -118,13 +107,18 @@ test('the bar of the fourth step turns by as many degrees as its text says', asy
     return high! - low!;
   };
   let [before, turned] = [angleAt(first), 0];
+  const degrees: number[] = [];
   for (let step = 1; step <= 24; step += 1) {
     const angle = angleAt(await app.positionsAt(step / 24));
     turned += Math.atan2(Math.sin(angle - before), Math.cos(angle - before));
     before = angle;
+    degrees.push(Math.abs(turned) * (180 / Math.PI));
   }
-  expect(Math.abs(turned) * (180 / Math.PI)).toBeGreaterThan(said - 5);
-  expect(Math.abs(turned) * (180 / Math.PI)).toBeLessThan(said + 5);
+  // Its ends are round: what is measured there lies a little further in.
+  for (const [measured, said] of [[degrees[23]!, whole] as const, [degrees[11]!, half] as const]) {
+    expect(measured).toBeGreaterThan(0.97 * said);
+    expect(measured).toBeLessThan(1.01 * said);
+  }
 });
 
 test('what was open before comes back with its edits, and undo knows nothing of the tour', async ({ app }) => {
@@ -132,12 +126,8 @@ test('what was open before comes back with its edits, and undo knows nothing of 
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.by('boundary-hermite').check();
-  await app.by('viewport').focus();
-  await app.page.keyboard.press('ArrowLeft'); // the camera turns
   await app.settled();
   const before = await app.state();
-  const places = await placesOf(app);
-  expect(before.play.playing).toBe(true);
   await app.page.evaluate(() => (location.hash = '#tour=4'));
   await expectStep(app, 3);
   await app.by('guide-next').click();
@@ -148,7 +138,6 @@ test('what was open before comes back with its edits, and undo knows nothing of 
   await app.settled();
   expect((await app.state()).doc).toEqual(before.doc);
   expect((await app.state()).play).toEqual(before.play);
-  expect(await placesOf(app)).toEqual(places);
   await app.by('undo').click();
   await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('natural');
   await expect(app.by('undo')).toHaveAttribute('title', /open a\.obj/);

@@ -44,9 +44,9 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   },
   {
     title: 'Adding up along the body',
-    state: 'sample=twisted-bar&keys=0@0,1@1&turns=0,1&between=0,1&t=0&loop=bounce&play=1',
-    text: 'Two keys: a straight bar and one with half a turn. The motion here twists by a turn and a half, 540 degrees, because a whole turn was added to the second key. No pair of neighbours turns far, but all of them together do.',
-    task: 'Open the second key under the timeline, and change its added turns.',
+    state: 'sample=twisted-bar&keys=0@0,2@1&between=0,1&t=0&loop=bounce&play=1',
+    text: 'Two keys: a straight bar and one twisted by 350 degrees. From patch to patch that is a few degrees only, so that halfway the bar is twisted by 175, and not by 5 the other way. Whether the whole bar turned once more meanwhile, no key can say.',
+    task: 'Open the second key under the timeline, and add a whole turn to the bar.',
     sentence: 'Small turns add up along the body; but two keys cannot say how often.',
   },
   {
