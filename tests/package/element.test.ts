@@ -1,6 +1,6 @@
 /** The custom element from the tarball: its one-file build from another host, bundled, and its types. */
 import { execFile } from 'node:child_process';
-import { existsSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { promisify } from 'node:util';
 import * as vite7 from 'vite';
@@ -85,6 +85,7 @@ describe.skipIf(!there)('the element', () => {
         const element: ShapeSplineElement = document.querySelector('shape-spline')!;
         await element.seek(0.5);
       `,
+      'example.tsx': readFileSync(new URL('../../web/embed/examples/react-component.tsx', import.meta.url), 'utf8'),
     });
     const options = {
       strict: true,
@@ -98,7 +99,7 @@ describe.skipIf(!there)('the element', () => {
     };
     writeFileSync(
       path.join(folder, 'tsconfig.json'),
-      JSON.stringify({ compilerOptions: options, include: ['use.tsx'] }),
+      JSON.stringify({ compilerOptions: options, include: ['use.tsx', 'example.tsx'] }),
     );
     const tsc = path.resolve('node_modules/typescript/bin/tsc');
     const { stdout } = await promisify(execFile)(process.execPath, [tsc, '-p', '.'], { cwd: folder }).catch(

@@ -1,28 +1,10 @@
 /** The table of the element's attributes: what is written is read again, and what is wrong is said. */
 import { describe, expect, it } from 'vitest';
 import { ATTRIBUTES, PROPERTIES, ROWS, attributeOf, propertyOf } from '../../web/embed/attributes.ts';
-import type { Row } from '../../web/embed/attributes.ts';
 import { customElementsManifest } from '../../web/embed/manifest.ts';
 import { readAttribute, writeAttribute } from '../../web/embed/values.ts';
 import { orbitOf, targetOf } from '../../web/model/camera-words.ts';
-
-/** Values other than the default. */
-function samples(row: Row): unknown[] {
-  switch (row.kind) {
-    case 'text':
-      return ['words of it'];
-    case 'flag':
-      return [true];
-    case 'number':
-      return [Math.min(row.most, 7)];
-    case 'numbers':
-      return [[0.5, 2]];
-    case 'words':
-      return [[...row.choices]];
-    case 'choice':
-      return [...row.choices];
-  }
-}
+import { samples } from '../element-samples.ts';
 
 describe('every row of the table', () => {
   it.each(PROPERTIES)('%s', (property) => {
@@ -43,7 +25,10 @@ it('"false" counts as false and is said', () => {
 it('what is no such value is said, and the default stands for it', () => {
   expect(readAttribute(ROWS.boundary, 'round')).toMatchObject({ value: 'natural', problem: expect.any(String) });
   expect(readAttribute(ROWS.playbackRate, '0')).toMatchObject({ value: 1, problem: expect.any(String) });
-  expect(readAttribute(ROWS.range, '1')).toMatchObject({ value: null, problem: expect.any(String) });
+  for (const range of ['1', '2 1', 'a b'])
+    expect(readAttribute(ROWS.range, range)).toMatchObject({ value: null, problem: expect.any(String) });
+  expect(readAttribute(ROWS.cameraOrbit, '30 75deg')).toMatchObject({ value: '', problem: expect.any(String) });
+  expect(readAttribute(ROWS.cameraTarget, 'there')).toMatchObject({ value: '', problem: expect.any(String) });
 });
 
 it('the manifest lists every attribute', () => {

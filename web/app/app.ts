@@ -164,6 +164,7 @@ export function startApp(root: HTMLElement): void {
     onOriginal: (shown) => void showOriginal(shown),
     onExportPlan: ways.exporting.plan,
     onExport: (request) => void ways.exporting.run(request),
+    snippet: ways.exporting.snippet,
     onCancel() {
       ways.exporting.cancel();
       animation.cancel();

@@ -103,6 +103,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onStart,
     onError,
     onWorking,
+    title: ({ source }) => sourceTitle(source, viewState.get().samples),
     drawExactly(t) {
       // What is exported is the motion.
       if (viewState.get().blend) viewState.change({ blend: null });

@@ -5,6 +5,7 @@
  */
 import { ENCODING, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
 import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';
+import { orbitOf, targetOf } from '../model/camera-words.ts';
 import { GHOST_FACES } from '../model/state.ts';
 
 /** What has to be done when it changes, the most first: read again, fit again, or only show otherwise. */
@@ -17,6 +18,9 @@ interface Described {
 export interface TextRow extends Described {
   kind: 'text';
   default: string;
+  /** What it stands for; null where the words are none. */
+  reads?: (words: string) => unknown;
+  sample?: string;
 }
 export interface FlagRow extends Described {
   kind: 'flag';
@@ -131,12 +135,16 @@ const OWN = {
   cameraOrbit: {
     kind: 'text',
     default: '',
+    reads: orbitOf,
+    sample: '30deg 75deg 105%',
     concern: 'camera',
     doc: 'From where it is looked at, as `30deg 75deg 105%`: around, down from above, and how far; each may be `auto`.',
   },
   cameraTarget: {
     kind: 'text',
     default: '',
+    reads: targetOf,
+    sample: '0m 1m 0m',
     concern: 'camera',
     doc: 'The point that is looked at, as `0m 1m 0m`; `auto` is the middle of the shape.',
   },

@@ -1,5 +1,6 @@
 /** A motion in a box of a page: it is drawn, played and turned. Knows no attributes and no files; usable alone. */
 import type { Keys } from '../engine/api/api.ts';
+import { EngineError, isCancelled } from '../engine/api/errors.ts';
 import { directionOfOrbit } from '../model/camera-words.ts';
 import type { CameraOrbit } from '../model/camera-words.ts';
 import type { Play } from '../model/state.ts';
@@ -14,6 +15,7 @@ import { listenToCamera } from '../viewer/camera-keys.ts';
 import { extentOf } from '../viewer/bounds.ts';
 import { patchColours } from '../viewer/patch-colours.ts';
 import { sharedSurface } from '../viewer/shared-surface.ts';
+import type { Surface } from '../viewer/surface.ts';
 import type { Look } from '../viewer/types.ts';
 import { Viewer } from '../viewer/viewer.ts';
 import { userOf } from './motions.ts';
@@ -25,6 +27,8 @@ export interface CanvasViewerEvents {
   onEnd(): void;
   onError(error: unknown): void;
   onContext(lost: boolean): void;
+  /** The views stand elsewhere. */
+  onPlaces(): void;
   /** Pixels at the bottom that something lies over. */
   covered(): number;
 }
@@ -35,6 +39,8 @@ const PLAYING_TOLERANCE = 0.006;
 export class CanvasViewer {
   readonly viewer: Viewer;
   readonly counts = { computed: 0, drawn: 0, ms: 0 };
+  /** Whether the reader may turn it. */
+  turnable = true;
   play: Play = { playing: false, speed: 1, loop: 'once', between: null, fps: null };
   colours: Record<PhaseKind, string> = { ...PHASE_COLOURS };
   private motions: readonly RunningMotion[] = [];
@@ -47,7 +53,7 @@ export class CanvasViewer {
   private readonly loop: FrameLoop;
   private readonly player: Player;
 
-  /** Throws where the browser has no WebGL 2. */
+  /** Error: no-webgl. */
   constructor(
     host: HTMLElement,
     private readonly events: CanvasViewerEvents,
@@ -60,10 +66,10 @@ export class CanvasViewer {
         },
         onContextLost: () => events.onContext(true),
         onContextRestored: () => events.onContext(false),
-        onResize: () => this.frameShape(),
+        onResize: () => this.placed(),
         covered: () => ({ top: 0, bottom: events.covered() }),
       },
-      sharedSurface(),
+      surfaceOfPage(),
     );
     // A finger that moves up or down scrolls the page.
     this.viewer.canvas.style.touchAction = 'pan-y';
@@ -76,14 +82,14 @@ export class CanvasViewer {
       },
       { capture: true },
     );
-    listenToCamera(this.viewer, host);
+    listenToCamera(this.viewer, host, () => this.turnable);
     const screen = {
       show: (frames: FrameSet, eased: boolean) => this.show(frames, eased),
       drawn: async () => {
         await this.viewer.drawn();
         this.counts.drawn += 1;
       },
-      onError: (error: unknown) => events.onError(error),
+      onError: (error: unknown) => this.failed(error),
     };
     this.loop = new FrameLoop(screen, new Demand(() => this.motions, new PreviewPolicy()));
     this.player = new Player(
@@ -112,22 +118,24 @@ export class CanvasViewer {
     return this.motions[0]?.sequence.options.boundary === 'periodic';
   }
 
-  /** Shows motions of the same keys side by side; resolves when they are drawn. */
-  async open(keys: Keys, motions: readonly RunningMotion[]): Promise<void> {
+  /** Shows motions of the same keys side by side at t; resolves when they are drawn. */
+  async open(keys: Keys, motions: readonly RunningMotion[], t: number): Promise<void> {
     const count = (ms: number): void => {
       this.counts.computed += 1;
       this.counts.ms = ms;
     };
     this.motions = motions.map((one) => ({ ...one, sequence: userOf(one.sequence, count) }));
+    const others = this.keys !== keys || this.viewer.views !== motions.length;
     if (this.keys !== keys) {
       this.keys = keys;
       const { bounds, points } = extentOf(keys.info.times.map((_, key) => keys.positions(key)));
       this.viewer.setImport(keys.info, bounds, points);
     }
     this.viewer.setViews(motions.length);
-    this.moved = false;
-    this.frameShape();
-    await this.loop.request(this.now);
+    // What the reader has turned stays as it is where only the motion is another one.
+    if (others) this.moved = false;
+    this.placed();
+    await this.seek(t);
   }
 
   /** Resolves when that moment is drawn, or a newer one that was asked for since. */
@@ -155,20 +163,31 @@ export class CanvasViewer {
     if (seen && !this.play.playing && this.motions.length > 0) this.loop.follow(this.now);
   }
 
+  /** Ends what the reader has turned, where it is another camera than before. */
   setCamera(orbit: CameraOrbit | null, target: readonly [number, number, number] | null): void {
-    this.orbit = orbit;
-    this.target = target;
+    const same = JSON.stringify([orbit, target]) === JSON.stringify([this.orbit, this.target]);
+    [this.orbit, this.target] = [orbit, target];
+    if (same) return;
     this.moved = false;
     this.frameShape();
   }
 
-  async setLook(look: Pick<Look, 'colouring' | 'dark'>): Promise<void> {
+  setLook(look: Pick<Look, 'colouring' | 'dark'>): void {
     this.viewer.setLook({ shading: 'smooth', wireframe: false, floor: true, ...look });
+    if (look.colouring === 'patches') void this.colourPatches().catch((error: unknown) => this.failed(error));
+  }
+
+  private async colourPatches(): Promise<void> {
     const [main] = this.motions;
     const { keys } = this;
-    if (look.colouring !== 'patches' || !main || !keys) return;
+    if (!main || !keys) return;
     const patches = await main.sequence.patches();
-    this.viewer.setPatchColours(patchColours(patches, keys.info.faces, keys.info.report.vertices));
+    if (this.motions[0] === main)
+      this.viewer.setPatchColours(patchColours(patches, keys.info.faces, keys.info.report.vertices));
+  }
+
+  private failed(error: unknown): void {
+    if (!isCancelled(error)) this.events.onError(error);
   }
 
   dispose(): void {
@@ -203,6 +222,11 @@ export class CanvasViewer {
     this.events.onTime(t, phase);
   }
 
+  private placed(): void {
+    this.frameShape();
+    this.events.onPlaces();
+  }
+
   /** The whole shape as the page has it, unless the reader has turned it. */
   private frameShape(): void {
     if (this.moved || !this.keys) return;
@@ -228,5 +252,14 @@ export class CanvasViewer {
       this.viewer.setCameraPose({ position: position as [number, number, number], target });
     }
     this.moved = false;
+  }
+}
+
+/** Error: no-webgl. */
+function surfaceOfPage(): Surface {
+  try {
+    return sharedSurface();
+  } catch (cause) {
+    throw new EngineError('no-webgl', 'This browser cannot draw the shape: it has no WebGL 2.', {}, cause);
   }
 }

@@ -4,6 +4,7 @@ import { icon, setIcon } from '../ui/icons.ts';
 import { drag } from '../ui/pointer.ts';
 import { clamp, formatTime, length, snap } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
+import type { Rect } from '../viewer/types.ts';
 import { styleSheet } from './styles.ts';
 
 export interface FrameEvents {
@@ -16,7 +17,7 @@ export interface FrameEvents {
 const SNAP = 6;
 
 export class Frame {
-  readonly viewport = h('div', { part: 'viewport', role: 'region', tabindex: 0 });
+  readonly viewport = h('div', { part: 'viewport' });
   readonly controls: HTMLElement;
   private readonly image = h('img', { alt: '' });
   private readonly poster = h('div', { class: 'poster' }, slot('poster', this.image));
@@ -26,15 +27,19 @@ export class Frame {
   private readonly play: HTMLButtonElement;
   private readonly thumb = h('div', { part: 'thumb' });
   private readonly timeline = h('div', { part: 'timeline', role: 'slider', tabindex: 0, 'aria-label': 'Time' });
+  private readonly names = h('div', { 'aria-hidden': 'true' });
   private range: Range = [0, 1];
   private keys: readonly number[] = [];
 
-  constructor(root: ShadowRoot, events: FrameEvents) {
-    root.adoptedStyleSheets = [styleSheet()];
+  constructor(
+    private readonly root: ShadowRoot,
+    events: FrameEvents,
+  ) {
+    this.restyle();
     this.play = h('button', { part: 'play', type: 'button', onclick: () => events.onToggle() }, icon('play'));
     this.controls = h('div', {}, slot('controls', h('div', { part: 'controls' }, this.play, this.timeline)));
     const caption = h('div', { class: 'caption' }, h('slot'));
-    root.append(this.viewport, this.poster, caption, this.controls, this.progress, this.message);
+    root.append(this.viewport, this.names, this.poster, caption, this.controls, this.progress, this.message);
     for (const part of [this.message, this.progress]) setHidden(part, true);
     root.addEventListener('keydown', (event) => events.onKey(event as KeyboardEvent));
     this.timeline.addEventListener('pointerdown', (event) => {
@@ -42,6 +47,12 @@ export class Frame {
       to(event);
       drag(this.timeline, event, { onMove: to });
     });
+  }
+
+  /** In another document, too. */
+  restyle(): void {
+    const sheet = styleSheet(this.root.ownerDocument);
+    if (sheet) this.root.adoptedStyleSheets = [sheet];
   }
 
   setLabel(alt: string): void {
@@ -56,6 +67,33 @@ export class Frame {
 
   get posterShown(): boolean {
     return !this.poster.hidden;
+  }
+
+  /** What cannot be turned, played or moved by keys is a picture. */
+  setTurnable(turnable: boolean, playable: boolean): void {
+    const { viewport } = this;
+    setStyle(viewport, 'pointer-events', turnable ? '' : 'none');
+    setAttribute(viewport, 'role', turnable || playable ? 'region' : 'img');
+    setAttribute(viewport, 'tabindex', turnable || playable ? 0 : null);
+  }
+
+  /** Of the views that stand beside each other; none for one alone. */
+  setNames(names: readonly string[]): void {
+    this.names.replaceChildren(...names.map((name) => h('div', { part: 'name' }, name)));
+  }
+
+  get named(): boolean {
+    return this.names.childElementCount > 0;
+  }
+
+  /** Each name stands under its view, above what covers that at the bottom. */
+  placeNames(rects: readonly Rect[], covered: number): void {
+    [...(this.names.children as HTMLCollectionOf<HTMLElement>)].forEach((name, i) => {
+      const { x, y, width, height } = rects[i] ?? { x: 0, y: 0, width: 0, height: 0 };
+      setStyle(name, 'left', `${x}px`);
+      setStyle(name, 'top', `${y + height - covered}px`);
+      setStyle(name, 'width', `${width}px`);
+    });
   }
 
   setProgress(fraction: number | null): void {

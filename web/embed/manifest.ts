@@ -22,6 +22,24 @@ export function typeOf(row: Row): string {
   }
 }
 
+/** What has no attribute. */
+export const FIELDS = {
+  keys: ['KeySource[] | null', 'Comes before `src`: addresses, Blobs or ArrayBuffers of one key each, or of all.'],
+  duration: ['number', 'Length of what plays, in the unit of the keys; NaN before it is loaded.'],
+  paused: ['boolean', 'Whether it does not play.'],
+  stats: ['ShapeSplineStats', 'Frames that were computed and drawn, and what the last one took.'],
+  report: ['MeshReport | null', 'What was found in the files.'],
+} as const;
+export const METHODS = {
+  play: ['void', 'Plays, as soon as it is seen.'],
+  pause: ['void', 'Plays no more, and does not begin by itself.'],
+  seek: ['Promise<void>', 'Resolves when the shape at that time is drawn.'],
+  evaluate: ['Promise<Frame>', 'The shape at a time, drawn or not.'],
+  toBlob: ['Promise<Blob>', 'A picture of what is shown.'],
+  exportGLB: ['Promise<Blob>', 'A GLB with the motion as a morph-target animation.'],
+  dismissPoster: ['void', 'Takes the poster away.'],
+} as const;
+
 /** In the form of custom-elements-manifest 1.0.0. */
 export function customElementsManifest(): object {
   const described = PROPERTIES.map((property) => ({ property, row: ROWS[property] }));
@@ -39,23 +57,38 @@ export function customElementsManifest(): object {
       default: JSON.stringify(row.default),
       description: row.doc,
     })),
-    members: described.map(({ property, row }) => ({
-      kind: 'field',
-      name: property,
-      attribute: attributeOf(property),
-      type: { text: typeOf(row) },
-      default: JSON.stringify(row.default),
-      description: row.doc,
-    })),
+    members: [
+      ...described.map(({ property, row }) => ({
+        kind: 'field',
+        name: property,
+        attribute: attributeOf(property),
+        type: { text: typeOf(row) },
+        default: JSON.stringify(row.default),
+        description: row.doc,
+      })),
+      ...Object.entries(FIELDS).map(([name, [text, description]]) => ({
+        kind: 'field',
+        name,
+        type: { text },
+        readonly: name !== 'keys',
+        description,
+      })),
+      ...Object.entries(METHODS).map(([name, [text, description]]) => ({
+        kind: 'method',
+        name,
+        return: { type: { text } },
+        description,
+      })),
+    ],
     events: Object.entries(EVENTS).map(([name, { detail, doc }]) => ({
       name,
       type: { text: `CustomEvent<${detail}>` },
       description: doc,
     })),
     slots: ['', 'poster', 'controls', 'progress'].map((name) => ({ name })),
-    cssParts: ['viewport', 'controls', 'play', 'timeline', 'key', 'thumb', 'progress', 'message'].map((name) => ({
-      name,
-    })),
+    cssParts: ['viewport', 'controls', 'play', 'timeline', 'key', 'thumb', 'name', 'progress', 'message'].map(
+      (name) => ({ name }),
+    ),
     cssProperties: ['key', 'between', 'beyond', 'foreground', 'background', 'progress'].map((name) => ({
       name: `--shape-spline-${name}`,
     })),

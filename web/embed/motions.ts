@@ -35,10 +35,10 @@ export interface KeysLease extends Lease<Keys> {
 
 export function takeKeys(
   { list, times }: Sources,
+  base: string,
   options: ImportOptions,
   onProgress?: (part: Stage) => void,
 ): KeysLease {
-  const base = document.baseURI;
   const all: ImportOptions = times && !options.keyTimes ? { ...options, keyTimes: times } : options;
   const key = JSON.stringify([list.map((source) => keyOf(source, base)), all]);
   const lease = imports.take(

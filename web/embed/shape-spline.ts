@@ -1,12 +1,19 @@
 /** The element <shape-spline>. Importing it changes nothing, and works without a DOM. */
-import { isCancelled, messageOf } from '../engine/api/errors.ts';
-import type { EngineError } from '../engine/api/errors.ts';
+import { EngineError, isCancelled, messageOf } from '../engine/api/errors.ts';
 import type { Keys, Sequence } from '../engine/api/api.ts';
-import type { ExportOptions, Frame as Shape, ImportOptions, MeshReport, SequenceOptions } from '../engine/api/types.ts';
+import type {
+  ExportOptions,
+  Frame as Shape,
+  ImportOptions,
+  MeshReport,
+  Method,
+  SequenceOptions,
+} from '../engine/api/types.ts';
 import { orbitOf, targetOf } from '../model/camera-words.ts';
 import { keyboardStep } from '../model/keyboard-step.ts';
+import { METHOD_WORDS } from '../model/method-words.ts';
 import { GHOST_FACES } from '../model/state.ts';
-import { neighbourKey, timeScale } from '../model/time-scale.ts';
+import { PHASE_COLOURS, neighbourKey, timeScale } from '../model/time-scale.ts';
 import type { Phase, Range } from '../model/time-scale.ts';
 import { ATTRIBUTES, PROPERTIES, ROWS, attributeOf, engineCallOf, propertyOf } from './attributes.ts';
 import type { Concern, PropertyName, ShapeSplineProperties } from './attributes.ts';
@@ -15,7 +22,8 @@ import type { EventDetails, ShapeSplineEventMap } from './events.ts';
 import { Frame } from './frame.ts';
 import type { KeysLease, MotionLease } from './motions.ts';
 import { sourcesOf } from './sources.ts';
-import type { KeySource } from './sources.ts';
+import type { KeySource, Sources } from './sources.ts';
+import { isDark, lessMotion, watch } from './surroundings.ts';
 import { readAttribute, writeAttribute } from './values.ts';
 
 export type { ShapeSplineProperties } from './attributes.ts';
@@ -24,10 +32,11 @@ export type { KeySource } from './sources.ts';
 
 /** What leaves the document for a moment, because it is moved, stays as it is. */
 const GRACE_MS = 500;
-/** How far below the view what is lazy is fetched. */
-const NEAR = '256px';
 /** Share of the whole work that the keys take. */
 const KEYS_SHARE = 0.5;
+/** Pixels at the bottom that the controls lie over, and the names of what is compared. */
+const CONTROLS_PX = 44;
+const NAMES_PX = 24;
 
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
@@ -42,13 +51,40 @@ export interface ShapeSplineStats {
   ms: number;
 }
 
+/** Its own, and those of every element. */
+type Events = ShapeSplineEventMap & Omit<HTMLElementEventMap, keyof ShapeSplineEventMap>;
+
+/** What is there to be shown. */
+interface Opened {
+  Viewer: typeof CanvasViewer;
+  keys: KeysLease;
+  held: Keys;
+  methods: readonly Method[];
+  motions: MotionLease[];
+  sequences: readonly Sequence[];
+}
+
 export interface ShapeSplineElement extends ShapeSplineProperties {
-  addEventListener<N extends keyof ShapeSplineEventMap>(
+  addEventListener<N extends keyof Events>(
     type: N,
-    listener: (this: ShapeSplineElement, event: ShapeSplineEventMap[N]) => void,
+    listener: (this: ShapeSplineElement, event: Events[N]) => void,
     options?: boolean | AddEventListenerOptions,
   ): void;
-  addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | object): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<N extends keyof Events>(
+    type: N,
+    listener: (this: ShapeSplineElement, event: Events[N]) => void,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
 }
 
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: its properties come from the table.
@@ -58,6 +94,8 @@ export class ShapeSplineElement extends Base {
   #view: CanvasViewer | null = null;
   #keys: KeysLease | null = null;
   #motions: MotionLease[] = [];
+  /** What is on its way to be shown. */
+  #opening: { release(): void }[] = [];
   #sequence: Sequence | null = null;
   #given: readonly KeySource[] | null = null;
   #info: Keys['info'] | null = null;
@@ -67,7 +105,11 @@ export class ShapeSplineElement extends Base {
   #near = false;
   #inView = false;
   #playing = false;
-  #begun = false;
+  /** Whether `autoplay` may still begin; what the page or the reader decides comes before it. */
+  #mayBegin = true;
+  #automatic = false;
+  /** Why the newest loading has shown nothing. */
+  #failure: unknown = null;
   #time = NaN;
   #before = { time: NaN, step: 0, key: -1 };
   #changed = new Set<Concern>();
@@ -97,7 +139,21 @@ export class ShapeSplineElement extends Base {
       delete this[name];
       Object.assign(this, { [name]: value });
     }
-    this.#watch ??= this.#observe();
+    this.#watch ??= watch(this, {
+      onNear: (near) => {
+        this.#near = near;
+        if (near) void this.#load();
+      },
+      onSeen: (seen) => {
+        this.#inView = seen;
+        this.#view?.setSeen(seen);
+      },
+      onChildren: () => this.#change('source'),
+      onPreference: () => {
+        if (this.#automatic && lessMotion()) this.pause();
+        this.#change('look');
+      },
+    });
     this.#change('page');
     if (this.loading === 'eager') void this.#load();
   }
@@ -109,6 +165,11 @@ export class ShapeSplineElement extends Base {
     this.#inView = false;
     this.#near = false;
     this.#leaving = setTimeout(() => this.#dispose(), GRACE_MS);
+  }
+
+  /** Style sheets belong to a document. */
+  adoptedCallback(): void {
+    this.#frame?.restyle();
   }
 
   attributeChangedCallback(attribute: string, before: string | null, text: string | null): void {
@@ -150,12 +211,13 @@ export class ShapeSplineElement extends Base {
   }
 
   play(): void {
-    if (this.#playing) return;
+    this.#mayBegin = false;
     this.#setPlaying(true);
     void this.#load();
   }
 
   pause(): void {
+    this.#mayBegin = false;
     this.#setPlaying(false);
   }
 
@@ -163,8 +225,8 @@ export class ShapeSplineElement extends Base {
   async seek(t: number): Promise<void> {
     if (!Number.isFinite(t)) throw new RangeError('seek takes a time: a finite number.');
     this.#time = t;
-    await this.#load();
-    await this.#view?.seek(t);
+    await this.#loaded();
+    await this.#view!.seek(t);
     this.#tell('seeked', { currentTime: t });
   }
 
@@ -179,7 +241,8 @@ export class ShapeSplineElement extends Base {
     const blob = await new Promise<Blob | null>((done) => {
       this.#view!.viewer.snapshot((canvas) => canvas.toBlob(done, type, quality));
     });
-    if (!blob) throw new Error(`This browser cannot write ${type}.`);
+    // What it does not know it writes as PNG.
+    if (blob?.type !== type) throw new EngineError('invalid-option', `This browser cannot write ${type}.`);
     return blob;
   }
 
@@ -194,10 +257,18 @@ export class ShapeSplineElement extends Base {
     this.#page();
   }
 
+  /** What is to be shown by now, whatever was changed before or meanwhile. */
   async #loaded(): Promise<Sequence> {
-    await this.#load();
-    if (!this.#sequence) throw new Error('The shape could not be loaded; the event `error` says why.');
-    return this.#sequence;
+    await null;
+    for (let loading: Promise<void> | null = null; loading === null || loading !== this.#loading; ) {
+      if (!this.isConnected) throw new EngineError('not-connected', 'The element is not in the document.');
+      if (this.#sources().list.length === 0)
+        throw new EngineError('no-source', 'There is nothing to show: give it src, children <source src> or keys.');
+      loading = this.#load();
+      await loading;
+    }
+    if (this.#failure) throw this.#failure;
+    return this.#sequence!;
   }
 
   /** The property's value: its attribute as the table says, with one warning where that is wrong. */
@@ -219,6 +290,7 @@ export class ShapeSplineElement extends Base {
 
   static write(element: ShapeSplineElement, property: PropertyName, value: unknown): void {
     if (property === 'currentTime') {
+      if (value === null || value === undefined) return element.removeAttribute('current-time');
       if (!Number.isFinite(value)) throw new TypeError('currentTime must be a finite number.');
       return element.#setTime(value as number);
     }
@@ -243,6 +315,8 @@ export class ShapeSplineElement extends Base {
 
   /** Several changes at once are one. */
   #change(concern: Concern): void {
+    // Another motion begins at its own first key.
+    if (concern === 'source' && this.#sequence) this.#time = NaN;
     if (this.#changed.size === 0) queueMicrotask(() => this.#apply());
     this.#changed.add(concern);
   }
@@ -250,14 +324,17 @@ export class ShapeSplineElement extends Base {
   #apply(): void {
     const changed = this.#changed;
     this.#changed = new Set();
+    const again = changed.has('source') || changed.has('motion');
+    if (again) this.#loading = null;
     if (!this.isConnected) return;
+    if (changed.has('source') && this.#sequence) this.#mayBegin = true;
     this.#page();
-    if (changed.has('source') || changed.has('motion')) {
-      // What asks for keys that are wrong is told so when they are asked for again.
-      const wanted = this.#loading !== null || this.#near || this.loading === 'eager';
-      this.#loading = null;
-      if (wanted) void this.#load();
-    } else if (this.#view) this.#settings(this.#view);
+    if (again) {
+      if (this.#near || this.loading === 'eager') void this.#load();
+    } else if (this.#view && this.#sequence) {
+      this.#settings(this.#view);
+      this.#begin();
+    }
   }
 
   #page(): void {
@@ -265,33 +342,21 @@ export class ShapeSplineElement extends Base {
     frame.setLabel(this.alt);
     frame.controls.hidden = !this.controls;
     const hidden = this.#dismissed || (this.reveal === 'auto' && this.#sequence !== null);
-    frame.setPoster(this.poster, this.#contextLost || !hidden);
+    frame.setPoster(this.poster, !hidden || (this.#contextLost && this.poster !== ''));
     frame.setPlaying(this.#playing);
-    const turnable = this.hasAttribute('camera-controls') ? this.cameraControls : this.controls;
-    frame.viewport.style.pointerEvents = turnable ? '' : 'none';
+    frame.setTurnable(this.#turnable, this.controls || this.autoplay);
   }
 
-  #observe(): () => void {
-    const near = new IntersectionObserver(
-      (entries) => {
-        this.#near = entries.at(-1)!.isIntersecting;
-        if (this.#near) void this.#load();
-      },
-      { rootMargin: NEAR },
-    );
-    const inView = new IntersectionObserver((entries) => {
-      this.#inView = entries.at(-1)!.isIntersecting;
-      this.#view?.setSeen(this.#inView);
-    });
-    for (const observer of [near, inView]) observer.observe(this);
-    const children = new MutationObserver(() => this.#change('source'));
-    children.observe(this, { childList: true, subtree: true, attributes: true, attributeFilter: ['src', 'time'] });
-    return () => {
-      for (const observer of [near, inView, children]) observer.disconnect();
-    };
+  get #turnable(): boolean {
+    return this.hasAttribute('camera-controls') ? this.cameraControls : this.controls;
+  }
+
+  #sources(): Sources {
+    return sourcesOf(this.#given, this.src, this);
   }
 
   #load(): Promise<void> {
+    if (!this.isConnected || this.#sources().list.length === 0) return Promise.resolve();
     this.#loading ??= this.#open();
     return this.#loading;
   }
@@ -300,67 +365,81 @@ export class ShapeSplineElement extends Base {
     this.#round += 1;
     const round = this.#round;
     const current = (): boolean => round === this.#round;
-    const sources = sourcesOf(this.#given, this.src, this);
-    if (sources.list.length === 0) return;
-    const frame = this.#frame!;
     this.#fraction = 0;
-    frame.setMessage(null);
-    const begun: { release(): void }[] = [];
+    this.#failure = null;
+    this.#frame!.setMessage(null);
     try {
-      const [{ CanvasViewer }, { takeKeys, takeMotion }] = await heavy();
-      const keys = takeKeys(sources, this.#options('import') as ImportOptions, (part) =>
-        this.#progress(current, part.stage, KEYS_SHARE * part.fraction),
-      );
-      begun.push(keys);
-      const held = await keys.value;
-      const options: Partial<SequenceOptions> = { ...held.info.project, ...this.#options('sequence') };
-      if (this.ghost && !options.ghostFaces) options.ghostFaces = GHOST_FACES;
-      const method = options.method ?? this.method;
-      const methods = [method, ...this.compare.filter((one) => one !== method)];
-      const leases = methods.map((one) =>
-        takeMotion(keys, { ...options, method: one }, (part) =>
-          this.#progress(current, part.stage, KEYS_SHARE + (1 - KEYS_SHARE) * part.fraction),
-        ),
-      );
-      begun.push(...leases);
-      const sequences = await Promise.all(leases.map(({ value }) => value));
-      if (!current()) throw new DOMException('Something else is shown by now.', 'AbortError');
-      const first = this.#sequence === null;
-      this.#view ??= this.#newView(CanvasViewer);
-      const view = this.#view;
-      for (const lease of [this.#keys, ...this.#motions]) lease?.release();
-      [this.#keys, this.#motions, this.#info] = [keys, leases, held.info];
-      this.#sequence = sequences[0]!;
-      if (Number.isNaN(this.#time)) this.#time = this.#startTime();
-      view.setSeen(true);
-      this.#settings(view);
-      const motions = sequences.map((sequence, i) => ({ sequence, method: methods[i]!, ghost: 0 }));
-      const drawn = view.open(held, motions);
-      view.follow(this.#time);
-      this.#settings(view);
-      await drawn;
-      if (!current()) return;
-      this.#progress(current, 'drawn', 1);
-      frame.setProgress(null);
-      this.#page();
-      const { vertices, faces } = held.info.report;
-      this.#tell('load', { vertices, faces, keyTimes: [...this.#sequence.keyTimes] });
-      if (first && this.autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) this.#setPlaying(true);
-      view.setPlaying(this.#playing);
-      view.setSeen(this.#inView);
+      const opened = await this.#fetch(current);
+      if (opened && current()) await this.#show(opened, current);
     } catch (error) {
-      for (const lease of begun) lease.release();
       if (current() && !isCancelled(error)) this.#fail(error);
     }
   }
 
-  #startTime(): number {
-    const [start] = this.range ?? this.#sequence!.range;
-    return this.hasAttribute('current-time') ? (this.#read('currentTime') as number) : start;
+  /** Keys and motions as the attributes say; null where something else is wanted by now. */
+  async #fetch(current: () => boolean): Promise<Opened | null> {
+    const [{ CanvasViewer }, { takeKeys, takeMotion }] = await heavy();
+    if (!current()) return null;
+    const from = (share: number) => (part: { stage: string; fraction: number }) =>
+      this.#progress(current, part.stage, share + KEYS_SHARE * part.fraction);
+    const keys = takeKeys(this.#sources(), this.baseURI, this.#options('import') as ImportOptions, from(0));
+    // What an older loading has begun is given back only now: what both want is not made anew.
+    for (const lease of this.#opening) lease.release();
+    this.#opening = [keys];
+    const held = await keys.value;
+    if (!current()) return null;
+    const options: Partial<SequenceOptions> = { ...held.info.project, ...this.#options('sequence') };
+    if (this.ghost && !options.ghostFaces) options.ghostFaces = GHOST_FACES;
+    const method = options.method ?? this.method;
+    const methods = [method, ...this.compare.filter((one) => one !== method)];
+    const motions = methods.map((one) => takeMotion(keys, { ...options, method: one }, from(KEYS_SHARE)));
+    this.#opening.push(...motions);
+    const sequences = await Promise.all(motions.map(({ value }) => value));
+    return { Viewer: CanvasViewer, keys, held, methods, motions, sequences };
+  }
+
+  async #show({ Viewer, keys, held, methods, motions, sequences }: Opened, current: () => boolean): Promise<void> {
+    this.#view ??= this.#newView(Viewer);
+    const view = this.#view;
+    for (const lease of [this.#keys, ...this.#motions]) lease?.release();
+    [this.#keys, this.#motions, this.#opening] = [keys, motions, []];
+    this.#info = held.info;
+    this.#sequence = sequences[0]!;
+    this.#frame!.setNames(methods.length > 1 ? methods.map((method) => METHOD_WORDS[method].short) : []);
+    const [start] = this.range ?? this.#sequence.range;
+    if (Number.isNaN(this.#time)) this.#time = this.hasAttribute('current-time') ? this.currentTime : start;
+    view.setSeen(true);
+    this.#settings(view);
+    const drawn = view.open(
+      held,
+      sequences.map((sequence, i) => ({ sequence, method: methods[i]!, ghost: 0 })),
+      this.#time,
+    );
+    this.#colour(view);
+    await drawn;
+    if (!current()) return;
+    this.#progress(current, 'drawn', 1);
+    this.#frame!.setProgress(null);
+    this.#page();
+    const { vertices, faces } = held.info.report;
+    this.#tell('load', { vertices, faces, keyTimes: [...this.#sequence.keyTimes] });
+    this.#begin();
+    view.setPlaying(this.#playing);
+    view.setSeen(this.#inView);
+  }
+
+  /** Plays where the page wants that from the start. */
+  #begin(): void {
+    if (!this.#mayBegin || !this.autoplay || lessMotion()) return;
+    this.#mayBegin = false;
+    this.#setPlaying(true);
+    this.#automatic = true;
   }
 
   #newView(Viewer: typeof CanvasViewer): CanvasViewer {
-    return new Viewer(this.#frame!.viewport, {
+    const frame = this.#frame!;
+    const covered = (): number => (this.controls ? CONTROLS_PX : 0) + (frame.named ? NAMES_PX : 0);
+    const view = new Viewer(frame.viewport, {
       onTime: (t, phase) => this.#shown(t, phase),
       onEnd: () => {
         this.#tell('loopend', { currentTime: this.#view!.time });
@@ -371,8 +450,10 @@ export class ShapeSplineElement extends Base {
         this.#contextLost = lost;
         this.#page();
       },
-      covered: () => (this.controls ? 44 : 0),
+      onPlaces: () => frame.placeNames(view.viewer.rects(), covered()),
+      covered,
     });
+    return view;
   }
 
   /** The engine's options that the page gives. */
@@ -387,18 +468,21 @@ export class ShapeSplineElement extends Base {
   }
 
   #settings(view: CanvasViewer): void {
-    const style = getComputedStyle(this);
-    const scheme = style.colorScheme;
-    const dark = scheme === 'dark' || (/dark/.test(scheme) && matchMedia('(prefers-color-scheme: dark)').matches);
-    for (const kind of ['key', 'between', 'beyond'] as const) {
-      const own = style.getPropertyValue(`--shape-spline-${kind}`).trim();
-      if (CSS.supports('color', own)) view.colours[kind] = own;
-    }
-    void view.setLook({ colouring: this.colour, dark });
+    this.#colour(view);
     view.setCamera(this.cameraOrbit ? orbitOf(this.cameraOrbit) : null, targetOf(this.cameraTarget));
+    view.turnable = this.#turnable;
     const speed = this.playbackRate * (this.#info?.speed ?? 1);
     view.play = { ...view.play, speed, loop: this.loop || 'once', between: this.range };
-    if (this.#sequence) this.#frame!.setKeys(this.#shownRange(), this.#sequence.keyTimes);
+    this.#frame!.setKeys(this.#shownRange(), this.#sequence!.keyTimes);
+  }
+
+  #colour(view: CanvasViewer): void {
+    const style = getComputedStyle(this);
+    for (const kind of ['key', 'between', 'beyond'] as const) {
+      const own = style.getPropertyValue(`--shape-spline-${kind}`).trim();
+      view.colours[kind] = CSS.supports('color', own) ? own : PHASE_COLOURS[kind];
+    }
+    view.setLook({ colouring: this.colour, dark: isDark(style) });
   }
 
   #shownRange(): Range {
@@ -420,8 +504,8 @@ export class ShapeSplineElement extends Base {
   }
 
   #setPlaying(playing: boolean): void {
-    if (playing === this.#playing && this.#begun) return;
-    this.#begun = true;
+    this.#automatic = false;
+    if (playing === this.#playing) return;
     this.#playing = playing;
     this.#before = { ...this.#before, time: NaN, step: 0 };
     this.#view?.setPlaying(playing);
@@ -437,13 +521,12 @@ export class ShapeSplineElement extends Base {
   }
 
   #fail(error: unknown): void {
-    const { code = 'failed', place } = error as Partial<EngineError>;
-    const message = /WebGL/.test(messageOf(error))
-      ? 'This browser cannot draw it: it has no WebGL 2.'
-      : messageOf(error);
+    this.#failure = error;
+    for (const lease of this.#opening.splice(0)) lease.release();
+    const { code, place } = error as Partial<EngineError>;
     this.#frame!.setProgress(null);
-    this.#frame!.setMessage(message);
-    this.#tell('error', { code: String(code), message, key: place?.key ?? -1 });
+    this.#frame!.setMessage(messageOf(error));
+    this.#tell('error', { code: String(code ?? 'failed'), message: messageOf(error), key: place?.key ?? -1 });
   }
 
   /** Space plays; arrows, Home, End and brackets move the time, but turn the shape where that has the focus. */
@@ -471,9 +554,10 @@ export class ShapeSplineElement extends Base {
     this.#sequence = null;
     this.#view?.dispose();
     this.#view = null;
-    for (const lease of [this.#keys, ...this.#motions]) lease?.release();
+    for (const lease of [this.#keys, ...this.#motions, ...this.#opening]) lease?.release();
     this.#keys = null;
-    this.#motions = [];
+    [this.#motions, this.#opening] = [[], []];
+    this.#frame!.setProgress(null);
     this.#page();
   }
 }

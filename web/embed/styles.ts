@@ -12,8 +12,12 @@ const CSS = `
 .poster img { inline-size: 100%; block-size: 100%; object-fit: contain; }
 [part=progress] { position: absolute; inset-block-start: 0; inset-inline: 0; block-size: 3px; transform-origin: 0 0;
   background: var(--shape-spline-progress, var(--key)); }
-[part=message] { position: absolute; inset: 0; margin: auto; block-size: fit-content; padding: 12px 16px;
-  text-align: center; overflow-wrap: anywhere; }
+[part=name] { position: absolute; block-size: 24px; line-height: 24px; padding: 0 8px; box-sizing: border-box;
+  overflow: hidden; text-align: center; text-overflow: ellipsis; white-space: nowrap; pointer-events: none; }
+[part=message] { position: absolute; inset: 0; margin: auto; box-sizing: border-box; inline-size: fit-content;
+  block-size: fit-content; max-inline-size: min(480px, 100% - 16px); max-block-size: calc(100% - 16px);
+  overflow: auto; padding: 12px 16px; border-radius: 6px; text-align: center; overflow-wrap: anywhere;
+  background: var(--shape-spline-background, light-dark(#f4f5f6, #1e2125)); }
 [part=controls] { position: absolute; inset-inline: 12px; inset-block-end: 6px; display: flex; gap: 8px;
   align-items: center; block-size: 44px; }
 [part=play] { inline-size: 44px; block-size: 44px; padding: 10px; border: 0; background: none; color: inherit;
@@ -27,12 +31,15 @@ const CSS = `
 .caption { position: absolute; inset-block-start: 8px; inset-inline: 12px; pointer-events: none; }
 `;
 
-let sheet: CSSStyleSheet | null = null;
+const sheets = new WeakMap<Document, CSSStyleSheet>();
 
-export function styleSheet(): CSSStyleSheet {
-  if (!sheet) {
-    sheet = new CSSStyleSheet();
-    sheet.replaceSync(CSS);
-  }
+/** One for all elements of a document; null for a document that nobody sees. */
+export function styleSheet(of: Document): CSSStyleSheet | null {
+  const known = sheets.get(of);
+  const view = of.defaultView;
+  if (known || !view) return known ?? null;
+  const sheet = new view.CSSStyleSheet();
+  sheet.replaceSync(CSS);
+  sheets.set(of, sheet);
   return sheet;
 }

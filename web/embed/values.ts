@@ -16,7 +16,9 @@ export function readAttribute(row: Row, text: string | null): Read {
   const word = text.trim();
   switch (row.kind) {
     case 'text':
-      return good(word);
+      return word === '' || row.reads === undefined || row.reads(word) !== null
+        ? good(word)
+        : bad(row, `must be as \`${row.sample}\``);
     case 'flag':
       return word.toLowerCase() === 'false'
         ? { value: false, problem: 'is "false", which counts as false; leave the attribute out instead' }
@@ -55,6 +57,7 @@ function numbersOf(row: Extract<Row, { kind: 'numbers' }>, word: string): Read {
   const numbers = word.split(/[\s,:]+/).map(Number);
   if (numbers.some((number) => !Number.isFinite(number))) return bad(row, 'must be numbers, separated by blanks');
   if (row.count !== undefined && numbers.length !== row.count) return bad(row, `must be ${row.count} numbers`);
+  if (row.count === 2 && numbers[0]! >= numbers[1]!) return bad(row, 'must be two numbers, the smaller one first');
   return good(numbers);
 }
 

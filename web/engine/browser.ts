@@ -85,7 +85,7 @@ async function compile(url: URL): Promise<WebAssembly.Module> {
   if (!hasSimd()) {
     throw engineError(
       'no-simd',
-      'This browser cannot run the computation: its WebAssembly lacks SIMD. ' +
+      'This browser cannot run the computation: it has no WebAssembly with SIMD. ' +
         'Any current version of Firefox, Chrome, Edge or Safari can.',
     );
   }
@@ -94,7 +94,7 @@ async function compile(url: URL): Promise<WebAssembly.Module> {
 
 /** Validates the smallest module that uses a vector instruction: a function that returns i8x16.splat(0). */
 function hasSimd(): boolean {
-  return WebAssembly.validate(
+  return !!globalThis.WebAssembly?.validate(
     new Uint8Array([
       0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11,
     ]),

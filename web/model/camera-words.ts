@@ -1,5 +1,7 @@
 /** A camera in words, as <model-viewer> has them: `camera-orbit="30deg 75deg 105%"`, `camera-target="0m 1m 0m"`. */
 
+import type { CameraPose } from './camera.ts';
+
 /** Angles in radians: around the up axis from the front, and down from straight above. */
 export interface CameraOrbit {
   theta: number;
@@ -41,6 +43,13 @@ export function targetOf(words: string): [number, number, number] | null {
 /** The way from the target to the eye, of length 1. */
 export function directionOfOrbit({ theta, phi }: CameraOrbit): [number, number, number] {
   return [Math.sin(phi) * Math.sin(theta), Math.cos(phi), Math.sin(phi) * Math.cos(theta)];
+}
+
+/** The same the other way: from where a camera looks, as near as shows the whole shape. */
+export function orbitWords({ position, target }: CameraPose): string {
+  const [x, y, z] = position.map((at, i) => at - target[i]!) as [number, number, number];
+  const degrees = (angle: number): string => `${Math.round((angle * 180) / Math.PI)}deg`;
+  return `${degrees(Math.atan2(x, z))} ${degrees(Math.atan2(Math.hypot(x, z), y))} auto`;
 }
 
 const wordsOf = (text: string): string[] => text.trim().toLowerCase().split(/\s+/).filter(Boolean);

@@ -29,6 +29,8 @@ export interface ExportDialogProps extends Playing {
 export interface ExportDialogEvents {
   onChange(request: ExportRequest): void;
   onExport(request: ExportRequest): void;
+  /** It is to be shown on a page. */
+  onEmbed(): void;
 }
 
 const WORDS: Record<string, string> = {
@@ -217,6 +219,17 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
       events.onExport(request);
     },
   });
+  const embed = button({
+    label: 'Embed this on your page',
+    testId: 'export-embed',
+    icon: 'link',
+    text: 'Embed this on your page',
+    kind: 'plain',
+    onClick: () => {
+      element.close();
+      events.onEmbed();
+    },
+  });
   const element = h(
     'dialog',
     { class: 'dialog', 'data-testid': 'export-dialog', 'aria-label': 'Export' },
@@ -233,6 +246,7 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     ...picture.elements,
     ...glb.after,
     inPlace.element,
+    embed,
     h('footer', {}, h('div', {}, plan, warnings), go),
   );
   element.addEventListener('click', (event) => {
@@ -249,6 +263,7 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     picture.update(fields);
     setHidden(inPlace.element, request.kind !== 'animation' || request.animation === 'video');
     inPlace.update(request.inPlace);
+    setHidden(embed, request.kind !== 'animation' || request.animation !== 'glb');
     setText(about, WORDS[wordsFor(request)] ?? '');
     setText(plan, props.plan ? props.plan.text : 'Estimating the size');
     warnings.replaceChildren(...(props.plan?.warnings ?? []).map((warning) => h('li', {}, warning)));

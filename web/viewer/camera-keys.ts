@@ -5,10 +5,10 @@ const TURN = Math.PI / 36;
 const SHIFT = 0.06;
 const ZOOM = 1.1;
 
-/** The focused viewport: arrows turn it, with Shift they move it, plus and minus zoom. */
-export function listenToCamera(viewer: Viewer, viewport: HTMLElement): void {
+/** The focused viewport: arrows turn it, with Shift they move it, plus and minus zoom; while it may be turned. */
+export function listenToCamera(viewer: Viewer, viewport: HTMLElement, turnable = (): boolean => true): void {
   viewport.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!turnable() || event.ctrlKey || event.metaKey || event.altKey) return;
     const move = (right: number, up: number): void => {
       if (event.shiftKey) viewer.pan(right * SHIFT, up * SHIFT);
       else viewer.orbit(right * TURN, up * TURN);

@@ -41,8 +41,9 @@ export function sharedSurface(): Surface {
     begin: makeRoom,
     end() {
       const { width, height } = canvas;
-      context.clearRect(0, 0, width, height);
+      // The last picture stays until there is another one.
       if (renderer.getContext().isContextLost()) return;
+      context.clearRect(0, 0, width, height);
       const top = renderer.domElement.height - height;
       context.drawImage(renderer.domElement, 0, top, width, height, 0, 0, width, height);
     },

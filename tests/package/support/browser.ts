@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import path from 'node:path';
-import { type Browser, chromium } from '@playwright/test';
+import { type Browser, type BrowserContextOptions, type Page, chromium } from '@playwright/test';
 import { afterAll, beforeAll, expect } from 'vitest';
 import { findBrowser } from '../../../wasm/toolchain/chromium.mjs';
 import type { Outcome } from './project.ts';
@@ -89,12 +89,17 @@ afterAll(async () => {
 /** What was asked of other hosts since the last time. */
 export const askedElsewhere = (): string[] => elsewhere.splice(0);
 
+/** A page of a reader of its own; it is the caller's to close its context. */
+export async function newPage(options: BrowserContextOptions = {}): Promise<Page> {
+  askedElsewhere();
+  const context = await browser.newContext({ proxy: { server: proxy, bypass: 'localhost,127.0.0.1' }, ...options });
+  return context.newPage();
+}
+
 /** What the page says in the end. Nothing may have been asked of another host. */
 export async function outcomeOf(url: string): Promise<Outcome> {
-  askedElsewhere();
-  const context = await browser.newContext({ proxy: { server: proxy, bypass: 'localhost,127.0.0.1' } });
+  const page = await newPage();
   try {
-    const page = await context.newPage();
     const errors: string[] = [];
     page.on('pageerror', (error) => void errors.push(String(error)));
     await page.goto(url);
@@ -106,6 +111,6 @@ export async function outcomeOf(url: string): Promise<Outcome> {
     expect(askedElsewhere()).toEqual([]);
     return outcome;
   } finally {
-    await context.close();
+    await page.context().close();
   }
 }

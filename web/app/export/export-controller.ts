@@ -14,6 +14,7 @@ import { analyseAt } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
 import type { Store } from '../session/store.ts';
+import { embedSnippet } from './embed-snippet.ts';
 import type { ExportPlan } from './export-job.ts';
 import { videoFormats } from './write-video.ts';
 
@@ -25,6 +26,7 @@ export interface ExportParts {
   sequence(): Sequence | undefined;
   range(): Range;
   /** Draws the exact shape of a moment; resolves when it is on the screen. */
+  title(state: AppState): string;
   drawExactly(t: number): Promise<void>;
   /** Resolves when the shape on the screen is the exact one. */
   idle(): Promise<void>;
@@ -42,6 +44,8 @@ export interface ExportController {
   /** Works out the size of what is asked for; without a request that of the last one. */
   plan(request?: ExportRequest): void;
   run(request: ExportRequest): Promise<void>;
+  /** What a page says to show it. */
+  snippet(): Promise<string>;
   cancel(): void;
 }
 
@@ -154,6 +158,11 @@ export function createExportController(parts: ExportParts): ExportController {
         viewer.setCameraPose(camera);
         store.set({ time: before.time, view: { ...store.get().view, camera: before.view.camera } });
       }
+    },
+    async snippet() {
+      const state = store.get();
+      const name = fileStem(state.source);
+      return embedSnippet(state, `${name}.glb`, parts.title(state));
     },
     cancel: () => abort?.abort(),
   };

@@ -11,6 +11,7 @@ export function createExportDoor(parts: ExportParts): ExportController {
   return {
     plan: (request) => void load().then((loaded) => loaded.plan(request), parts.onError),
     run: (request) => load().then((loaded) => loaded.run(request), parts.onError),
+    snippet: () => load().then((loaded) => loaded.snippet()),
     cancel: () => controller?.cancel(),
   };
 }

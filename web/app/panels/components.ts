@@ -1,6 +1,7 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
 import type { Warning } from '../../engine/api/types.ts';
 import { tightness } from '../../model/edits.ts';
+import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ExportRequest } from '../../model/export-request.ts';
 import type { AppState } from '../../model/state.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, bounces, isInLri, referenceKey } from '../../model/state.ts';
@@ -13,6 +14,7 @@ import { createClockMenu } from '../../ui/clock-menu.ts';
 import { createColourBar } from '../../ui/colour-bar.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import type { ExportDialog, ExportDialogProps } from '../../ui/export-dialog.ts';
+import type { EmbedDialog } from '../../ui/embed-dialog.ts';
 import { createDivider } from '../../ui/divider.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
 import { createGhostPanel } from '../../ui/ghost-panel.ts';
@@ -91,6 +93,8 @@ export interface ComponentsInput {
   onExportOpen(): void;
   onExportChange(request: ExportRequest): void;
   onExport(request: ExportRequest): void;
+  /** What a page says to show what is open. */
+  snippet(): Promise<string>;
 }
 
 export interface Shown {
@@ -227,7 +231,11 @@ export function createComponents(input: ComponentsInput): Components {
   const welcome = createWelcome(picker.open);
   const exporting = later<ExportDialogProps, ExportDialog>(async () => {
     const { createExportDialog } = await import('../../ui/export-dialog.ts');
-    return createExportDialog({ onChange: input.onExportChange, onExport: input.onExport });
+    return createExportDialog({
+      onChange: input.onExportChange,
+      onExport: input.onExport,
+      onEmbed: () => void openEmbed().catch(input.onError),
+    });
   }, input.onError);
   const help = later<boolean, Help>(async () => {
     const { createHelp } = await import('../../ui/help.ts');
@@ -239,6 +247,14 @@ export function createComponents(input: ComponentsInput): Components {
     return createLinkDialog(input.onLink);
   }, input.onError);
   const openLink = (): void => void linkDialog.need().then((dialog) => dialog?.open(input.link()));
+  const embedDialog = later<void, EmbedDialog>(async () => {
+    const { createEmbedDialog } = await import('../../ui/embed-dialog.ts');
+    return createEmbedDialog({ onSave: () => input.onExport({ ...DEFAULT_REQUEST }), onError: input.onError });
+  }, input.onError);
+  const openEmbed = async (): Promise<void> => {
+    const [dialog, snippet] = await Promise.all([embedDialog.need(), input.snippet()]);
+    dialog?.open(snippet);
+  };
   const openExport = (): void => {
     input.onExportOpen();
     void exporting.need().then((dialog) => dialog?.open());
@@ -265,6 +281,7 @@ export function createComponents(input: ComponentsInput): Components {
       exporting.element,
       help.element,
       linkDialog.element,
+      embedDialog.element,
       dropZone.element,
       picker.element,
       keyPicker.element,

@@ -54,6 +54,7 @@ export interface PageParts {
   onOriginal(shown: boolean): void;
   onExportPlan(request?: ExportRequest): void;
   onExport(request: ExportRequest): void;
+  snippet(): Promise<string>;
   /** Shows a shape off the curve; null: the motion again. */
   onBlend(blend: Blend | null): void;
   /** The analysis failed. */
@@ -159,6 +160,7 @@ export function createPage(parts: PageParts): Page {
     onExportOpen: () => parts.onExportPlan(),
     onExportChange: parts.onExportPlan,
     onExport: parts.onExport,
+    snippet: parts.snippet,
   });
   listen(shortcuts, () => viewState.get().singleKeys);
   listenToArrows({ store, commands, viewport: layout.viewport, range, isOpen: () => viewState.get().info !== null });

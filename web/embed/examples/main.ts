@@ -1,37 +1,51 @@
-/** The examples: what a page's own script would do, and the table of attributes. */
+/** The examples: what a page's own script would do, as it is written, and the tables of what the element has. */
 import '../register.ts';
 import { h } from '../../ui/dom.ts';
 import { PROPERTIES, ROWS, attributeOf } from '../attributes.ts';
-import { typeOf } from '../manifest.ts';
+import { EVENTS } from '../events.ts';
+import { FIELDS, METHODS, typeOf } from '../manifest.ts';
 import type { ShapeSplineElement } from '../shape-spline.ts';
+import { takeFiles } from './dropped.ts';
+import droppedScript from './dropped.ts?raw';
+import reactComponent from './react-component.tsx?raw';
+import { followScroll } from './scrolled.ts';
+import scrolledScript from './scrolled.ts?raw';
 
-const element = (id: string): ShapeSplineElement => document.getElementById(id) as ShapeSplineElement;
+const byId = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 
-function followScroll(shape: ShapeSplineElement): void {
-  const follow = (): void => {
-    const { top, height } = shape.getBoundingClientRect();
-    const share = 1 - (top + height) / (innerHeight + height);
-    if (shape.duration > 0 && share >= 0 && share <= 1) shape.currentTime = share * shape.duration;
-  };
-  shape.addEventListener('load', follow);
-  addEventListener('scroll', follow, { passive: true });
+function list(id: string, head: readonly string[], rows: readonly (readonly string[])[]): void {
+  byId(id).append(
+    h('thead', {}, h('tr', {}, ...head.map((name) => h('th', { scope: 'col' }, name)))),
+    h('tbody', {}, ...rows.map((cells) => h('tr', {}, ...cells.map((text) => h('td', {}, text))))),
+  );
 }
 
-function takeFiles(input: HTMLInputElement, shape: ShapeSplineElement): void {
-  input.addEventListener('change', () => {
-    shape.keys = [...(input.files ?? [])];
-  });
-}
+/** As a page has it, which imports the package. */
+const forPages = (text: string): string => text.replace("'../shape-spline.ts'", "'shapespline/element-class'").trim();
 
-function listAttributes(table: HTMLElement): void {
-  table.append(h('tr', {}, ...['Attribute', 'Type', 'Default', 'What it does'].map((name) => h('th', {}, name))));
-  for (const property of PROPERTIES) {
+followScroll(byId<ShapeSplineElement>('scrolled'));
+takeFiles(byId<HTMLInputElement>('files'), byId<ShapeSplineElement>('dropped'));
+byId('scrolled-script').textContent = forPages(scrolledScript);
+byId('dropped-script').textContent = forPages(droppedScript);
+byId('react').textContent = reactComponent.trim();
+list(
+  'attributes',
+  ['Attribute', 'Type', 'Default', 'What it does'],
+  PROPERTIES.map((property) => {
     const row = ROWS[property];
-    const cells = [attributeOf(property), typeOf(row), JSON.stringify(row.default), row.doc];
-    table.append(h('tr', {}, ...cells.map((text) => h('td', {}, text))));
-  }
-}
-
-followScroll(element('scrolled'));
-takeFiles(document.getElementById('files') as HTMLInputElement, element('dropped'));
-listAttributes(document.getElementById('attributes')!);
+    return [attributeOf(property), typeOf(row), JSON.stringify(row.default), row.doc];
+  }),
+);
+list(
+  'events',
+  ['Event', 'Detail', 'When'],
+  Object.entries(EVENTS).map(([name, { detail, doc }]) => [name, detail, doc]),
+);
+list(
+  'members',
+  ['Name', 'Type', 'What it is'],
+  [
+    ...Object.entries(FIELDS).map(([name, [type, doc]]) => [name, type, doc]),
+    ...Object.entries(METHODS).map(([name, [type, doc]]) => [`${name}()`, type, doc]),
+  ],
+);

@@ -24,7 +24,8 @@ export async function compileFrom(
       throw error;
     });
   } catch (error) {
-    throw (error as Partial<EngineError>).code === 'not-loaded' ? error : notLoaded(url.href, messageOf(error));
+    if ((error as Partial<EngineError>).code === 'not-loaded') throw error;
+    throw /content security policy/i.test(messageOf(error)) ? forbidden() : notLoaded(url.href, messageOf(error));
   }
 }
 
@@ -44,6 +45,13 @@ function otherwise(url: URL, what: string): EngineError {
     'not-loaded',
     `The computation could not be loaded: ${url.href} answered with ${what} instead of WebAssembly. ` +
       'Put the .wasm file at that address, or name the address where it is: configure({ wasmUrl }).',
+  );
+}
+
+function forbidden(): EngineError {
+  return engineError(
+    'not-loaded',
+    "The page's policy forbids WebAssembly. Add 'wasm-unsafe-eval' to the script-src of its Content-Security-Policy.",
   );
 }
 

@@ -1,0 +1,349 @@
+/** The element on pages that do what pages do: changes at any time, odd places, missing files, old browsers. */
+import { readFileSync } from 'node:fs';
+import { expect, inject, it } from 'vitest';
+import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
+import { host } from './support/browser.ts';
+import { packageIn } from './support/project.ts';
+import {
+  KEYS,
+  POLICY,
+  libraryAddress,
+  on,
+  openElements,
+  picture,
+  refused,
+  seek,
+  told,
+  useElements,
+  when,
+  write,
+} from './support/element.ts';
+
+useElements();
+
+const ONE = `<shape-spline id="a" src="${KEYS}" poster="poster.png"></shape-spline>`;
+const shown = (words: string, rest = ''): string => `<shape-spline id="a" src="${words}" ${rest}></shape-spline>`;
+
+it.each([
+  ['a missing file', 'pose-0.glb gone.glb', 'not-found', 1, /gone\.glb could not be fetched \(404 Not Found\)\. Check/],
+  ['a web page', 'pose-0.glb page.glb', 'not-a-model', 1, /page\.glb answered with a web page instead of a model/],
+  ['a GLB of nothing', 'pose-0.glb bad.glb', expect.any(String), 1, /bad\.glb/],
+  ['another host', 'http://127.0.0.1:9/a.glb pose-0.glb', 'not-found', 0, /CORS|could not be fetched/],
+])('%s is told in a sentence, and what comes next is shown', async (_, src, code, key, words) => {
+  write('page.glb', '<!DOCTYPE html><title>Not found</title>');
+  write('bad.glb', new Uint8Array([...new TextEncoder().encode('glTF'), 2, 0, 0, 0, 99, 0, 0, 0, 1, 2]));
+  const page = await openElements(shown(src));
+  const detail = await when(page, 'error');
+  expect(detail).toEqual({ code, key, message: expect.stringMatching(words) });
+  const message = page.locator('#a [part=message]');
+  expect(await message.isVisible()).toBe(true);
+  expect(await message.textContent()).toBe(detail!.message);
+  expect(await on(page, (shape): Promise<unknown> => shape.seek(0.5).catch((error: Error) => error.message))).toBe(
+    detail!.message,
+  );
+  await on(page, (shape, keys) => (shape.src = keys), KEYS);
+  await seek(page, 0.5);
+  expect(await message.isVisible()).toBe(false);
+});
+
+it('a web page instead of WebAssembly', async () => {
+  write('cdn.js', readFileSync(`${packageIn(inject('installed'))}/cdn.js`));
+  write('shapespline.wasm', '<!doctype html><title>Home</title>');
+  const page = await openElements(`${shown(KEYS)}<script type="module" src="cdn.js"></script>`, { script: 'none' });
+  const detail = await when(page, 'error');
+  expect(detail).toMatchObject({ code: 'not-loaded', key: -1 });
+  expect(detail!.message).toMatch(/shapespline\.wasm answered with .*configure\(\{ wasmUrl \}\)/);
+});
+
+const LACKING: [what: string, before: () => void, policy: string, code: string, words: RegExp][] = [
+  [
+    'without WebGL 2',
+    () => {
+      HTMLCanvasElement.prototype.getContext = ((get) =>
+        function (this: HTMLCanvasElement, kind: string, ...more: unknown[]) {
+          return kind.startsWith('webgl') ? null : get.call(this, kind as '2d', ...(more as []));
+        })(HTMLCanvasElement.prototype.getContext) as never;
+    },
+    POLICY,
+    'no-webgl',
+    /^This browser cannot draw the shape: it has no WebGL 2\.$/,
+  ],
+  [
+    'without WebAssembly',
+    () => {
+      delete (globalThis as { WebAssembly?: unknown }).WebAssembly;
+    },
+    POLICY,
+    'no-simd',
+    /^This browser cannot run the computation/,
+  ],
+  [
+    'whose policy forbids WebAssembly',
+    () => undefined,
+    POLICY.replace("'wasm-unsafe-eval'", ''),
+    'not-loaded',
+    /^The page's policy forbids WebAssembly.*'wasm-unsafe-eval'/,
+  ],
+  [
+    'whose policy lets no worker start',
+    () => undefined,
+    POLICY.replace('blob: LIBRARY;', "'none';"),
+    'not-loaded',
+    /worker did not start/,
+  ],
+];
+
+it.each(LACKING)('a page %s says so', async (_, before, policy, code, words) => {
+  const page = await openElements(ONE, { before, policy });
+  expect(await when(page, 'error')).toEqual({ code, key: -1, message: expect.stringMatching(words) });
+  expect(await page.locator('#a .poster').isVisible()).toBe(true);
+});
+
+it('without keys it is quiet, and says so to who asks', async () => {
+  const page = await openElements('<shape-spline id="a" controls autoplay></shape-spline>');
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  const refusal = await on(
+    page,
+    (shape): Promise<unknown> => shape.evaluate(0).catch((error: { code: string }) => error.code),
+  );
+  expect(refusal).toBe('no-source');
+  expect(await told(page, 'error')).toEqual([]);
+  const away = await page.evaluate(
+    (): Promise<unknown> =>
+      document
+        .createElement('shape-spline')
+        .seek(1)
+        .catch((error) => error.code),
+  );
+  expect(away).toBe('not-connected');
+});
+
+it('what was set before the element is known counts; children say when their keys are', async () => {
+  const children = '<source src="pose-0.glb" time="1"><source src="pose-1.glb" time="4">';
+  const page = await openElements(
+    `<shape-spline id="a"></shape-spline><shape-spline id="b">${children}</shape-spline>`,
+    { script: 'none' },
+  );
+  await page.evaluate((keys) => {
+    const shape = document.getElementById('a') as ShapeSplineElement;
+    Object.assign(shape, { src: keys, controls: true, currentTime: 0.5, keyTimes: [0, 2] });
+  }, KEYS);
+  await page.addScriptTag({ url: `${libraryAddress()}cdn.js`, type: 'module' });
+  expect(await when(page, 'load', 'a')).toMatchObject({ keyTimes: [0, 2] });
+  expect(await on(page, (shape) => [shape.controls, shape.currentTime])).toEqual([true, 0.5]);
+  expect(await when(page, 'load', 'b')).toMatchObject({ keyTimes: [1, 4] });
+  expect(await on(page, (shape) => [shape.currentTime, shape.duration], null, 'b')).toEqual([1, 3]);
+  await page.evaluate(() => document.querySelector('#b source:last-child')!.setAttribute('time', '3'));
+  expect(await when(page, 'load', 'b', 2)).toMatchObject({ keyTimes: [1, 3] });
+});
+
+it('twenty on a page share what they show, and one renderer', async () => {
+  const many = Array.from(
+    { length: 20 },
+    (_, i) => `<shape-spline id="n${i}" src="${KEYS}" loading="eager"></shape-spline>`,
+  );
+  const page = await openElements(many.join(''));
+  for (let i = 0; i < 20; i += 1) await when(page, 'load', `n${i}`);
+  expect(await page.evaluate(() => window.contexts.length)).toBe(1);
+  // One for the keys and one for the motion that all of them show.
+  expect(page.workers().length).toBeLessThanOrEqual(3);
+});
+
+it('attributes that change quickly end in what was said last, of one motion', async () => {
+  const page = await openElements(shown(KEYS));
+  await on(page, async (shape) => {
+    for (let i = 0; i < 30; i += 1) {
+      shape.boundary = i % 2 === 0 ? 'hermite' : 'periodic';
+      shape.stretch = i % 3 === 0 ? 'linear' : shape.stretch;
+      if (i % 5 === 0) await new Promise((later) => setTimeout(later, 7));
+    }
+    shape.removeAttribute('stretch');
+    shape.boundary = 'natural';
+    await shape.seek(0.3);
+  });
+  const quick = await picture(page);
+  const calm = await openElements(shown(KEYS));
+  await seek(calm, 0.3);
+  expect(await picture(calm)).toBe(quick);
+  expect(await told(page, 'error')).toEqual([]);
+  await page.waitForTimeout(1500);
+  expect(page.workers().length).toBeLessThanOrEqual(3);
+});
+
+it('another src while the first is loaded, removal while it is loaded, and a seek meanwhile', async () => {
+  const page = await openElements('<div id="place"></div>');
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  const outcome = await page.evaluate(async (keys) => {
+    const place = document.getElementById('place')!;
+    const shape = document.createElement('shape-spline');
+    shape.id = 'a';
+    shape.src = 'gone.glb';
+    place.append(shape);
+    const early = shape.seek(0.25);
+    shape.src = keys;
+    await early;
+    const t = shape.currentTime;
+    const other = document.createElement('shape-spline');
+    other.src = `${keys}?2`;
+    place.append(other);
+    const late = other.seek(1).then(
+      () => 'drawn',
+      (error: { code: string }) => error.code,
+    );
+    await new Promise((later) => setTimeout(later, 20));
+    other.remove();
+    return { t, late: await late };
+  }, KEYS);
+  expect(outcome.t).toBe(0.25);
+  expect(['not-connected', 'drawn']).toContain(outcome.late);
+  expect(await told(page, 'error')).toEqual([]);
+});
+
+it('moves in the document as it is, and begins anew after a while outside of it', async () => {
+  const page = await openElements(`<div id="first">${shown(KEYS, 'controls')}</div><div id="second"></div>`);
+  await when(page, 'load');
+  await seek(page, 0.5);
+  const before = await picture(page);
+  await page.evaluate(() => document.getElementById('second')!.append(document.getElementById('a')!));
+  await page.waitForTimeout(900);
+  expect(await told(page, 'load')).toHaveLength(1);
+  expect(await picture(page)).toBe(before);
+  await page.evaluate(async () => {
+    const shape = document.getElementById('a')!;
+    shape.remove();
+    await new Promise((later) => setTimeout(later, 2000));
+    document.getElementById('first')!.append(shape);
+  });
+  await when(page, 'load', 'a', 2);
+  expect(await on(page, (shape) => shape.currentTime)).toBe(0.5);
+  expect(await picture(page)).toBe(before);
+});
+
+it('lives in a frame, in a shadow root, in a dialog, without a size and with another one', async () => {
+  write('frame.html', '<!doctype html><title>A frame</title><body>');
+  const page = await openElements(
+    `${shown(KEYS)}<iframe id="frame" src="frame.html" width="400" height="300"></iframe>`,
+  );
+  await when(page, 'load');
+  await seek(page, 0.5);
+  const outcome = await page.evaluate(async (keys) => {
+    const shape = document.getElementById('a') as ShapeSplineElement;
+    const pixels = (one: ShapeSplineElement): number => one.shadowRoot!.querySelector('canvas')!.width;
+    const settled = (): Promise<void> => new Promise((later) => setTimeout(later, 300));
+    const styles = (one: ShapeSplineElement): number => one.shadowRoot!.adoptedStyleSheets.length;
+    (document.getElementById('frame') as HTMLIFrameElement).contentDocument!.body.append(shape);
+    await settled();
+    await shape.seek(0.75);
+    const framed = [styles(shape), pixels(shape), getComputedStyle(shape).display];
+    document.body.append(shape);
+    await settled();
+    const back = [styles(shape), pixels(shape)];
+    shape.style.display = 'none';
+    await shape.seek(0.1);
+    shape.style.display = '';
+    shape.style.width = '240px';
+    await settled();
+    await shape.seek(0.2);
+    const resized = pixels(shape);
+    Object.assign(shape.style, { width: '0px', height: '0px', minHeight: '0px' });
+    await shape.seek(0.3);
+    const root = document.body.appendChild(document.createElement('div')).attachShadow({ mode: 'closed' });
+    const dialog = document.body.appendChild(document.createElement('dialog'));
+    const inside = [root, dialog].map((place) => {
+      const one = document.createElement('shape-spline');
+      one.src = keys;
+      one.style.width = '200px';
+      place.append(one);
+      return one;
+    });
+    const closed = inside[1]!.stats.framesComputed;
+    dialog.showModal();
+    await Promise.all(inside.map((one) => one.seek(0.5)));
+    return { framed, back, resized, closed, inside: inside.map(pixels), t: shape.currentTime };
+  }, KEYS);
+  expect(outcome).toEqual({
+    framed: [1, expect.any(Number), 'block'],
+    back: [1, 600],
+    resized: 240,
+    closed: 0,
+    inside: [200, 200],
+    t: 0.3,
+  });
+  expect(outcome.framed[1]).toBeGreaterThan(300);
+  expect(await told(page, 'error')).toEqual([]);
+});
+
+it('a second copy of the script changes nothing and says so', async () => {
+  const other = await host([packageIn(inject('installed'))], {
+    name: '127.0.0.1',
+    headers: { 'access-control-allow-origin': '*' },
+  });
+  const said: string[] = [];
+  const page = await openElements(shown(KEYS), {
+    policy: POLICY.replaceAll('LIBRARY', `LIBRARY ${new URL(other).origin}`),
+  });
+  page.on('console', (message) => void said.push(message.text()));
+  await when(page, 'load');
+  await page.addScriptTag({ url: `${other}cdn.js`, type: 'module' });
+  await expect
+    .poll(() => said)
+    .toEqual(['<shape-spline> is registered already, by another copy of shapespline; this one is not used.']);
+  await seek(page, 0.5);
+});
+
+it('a lost graphics context shows the poster, and the shape again when it is back', async () => {
+  const page = await openElements(ONE);
+  await when(page, 'load');
+  await seek(page, 0.5);
+  const before = await picture(page);
+  const poster = page.locator('#a .poster');
+  expect(await poster.isVisible()).toBe(false);
+  await page.evaluate(() => {
+    const [context] = window.contexts;
+    Object.assign(window, { lost: context!.getExtension('WEBGL_lose_context') });
+    (window as never as { lost: WEBGL_lose_context }).lost.loseContext();
+  });
+  await poster.waitFor({ state: 'visible' });
+  await page.evaluate(() => (window as never as { lost: WEBGL_lose_context }).lost.restoreContext());
+  await poster.waitFor({ state: 'hidden' });
+  await seek(page, 0.7);
+  expect(await picture(page)).not.toBe(before);
+  await seek(page, 0.5);
+  expect(await picture(page)).toBe(before);
+  expect(await refused(page)).toEqual([]);
+});
+
+it('two hundred that come and go leave nothing behind', { timeout: 300_000 }, async () => {
+  const page = await openElements('');
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  const client = await page.context().newCDPSession(page);
+  const comeAndGo = (times: number): Promise<void> =>
+    page.evaluate(
+      async ([keys, count]) => {
+        for (let i = 0; i < (count as number); i += 1) {
+          const shape = document.createElement('shape-spline');
+          Object.assign(shape, { src: keys, controls: true, currentTime: i / 200 });
+          document.body.append(shape);
+          await shape.seek(i / 200);
+          shape.remove();
+        }
+        await new Promise((later) => setTimeout(later, 2500));
+      },
+      [KEYS, times] as const,
+    );
+  const kept = async (): Promise<{ heap: number; nodes: number; workers: number }> => {
+    await client.send('HeapProfiler.collectGarbage');
+    const { metrics } = await client.send('Performance.getMetrics');
+    const value = (name: string): number => metrics.find((one) => one.name === name)!.value;
+    return { heap: value('JSHeapUsedSize'), nodes: value('Nodes'), workers: page.workers().length };
+  };
+  await client.send('Performance.enable');
+  await comeAndGo(20);
+  const before = await kept();
+  await comeAndGo(200);
+  const after = await kept();
+  console.log('kept', before, after);
+  expect(after.workers).toBeLessThanOrEqual(before.workers);
+  expect(after.nodes).toBeLessThan(before.nodes + 50);
+  expect(after.heap).toBeLessThan(before.heap + 1_000_000);
+});

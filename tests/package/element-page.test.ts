@@ -1,0 +1,382 @@
+/** What the element does on a page: drawing, laziness, events, methods, keys, and how pages dress it. */
+import { expect, it } from 'vitest';
+import { PROPERTIES, ROWS, attributeOf } from '../../web/embed/attributes.ts';
+import { customElementsManifest } from '../../web/embed/manifest.ts';
+import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
+import { samples } from '../element-samples.ts';
+import { KEYS, on, openElements, picture, refused, seek, told, useElements, when } from './support/element.ts';
+
+useElements();
+
+const ONE = `<shape-spline id="a" src="${KEYS}" alt="A bar that bends"></shape-spline>`;
+const CALM = { reducedMotion: 'reduce' } as const;
+
+it('two of them from another host under a strict policy; a seek resolves when its shape is drawn', async () => {
+  const page = await openElements(`${ONE}<shape-spline id="b" src="pose-1.glb pose-0.glb" controls></shape-spline>`);
+  await Promise.all([when(page, 'load', 'a'), when(page, 'load', 'b')]);
+  await seek(page, 0);
+  const first = await picture(page);
+  await seek(page, 0.8);
+  expect(await picture(page)).not.toBe(first);
+  await seek(page, 0);
+  expect(await picture(page)).toBe(first);
+  await seek(page, 2.5);
+  expect(await on(page, (shape) => shape.currentTime)).toBe(2.5);
+  expect(await refused(page)).toEqual([]);
+  expect(await page.evaluate(() => window.contexts.length)).toBe(1);
+  expect(await page.evaluate(() => document.querySelectorAll('style, [style]').length)).toBe(0);
+});
+
+it('fetches nothing before it is near, and neither computes nor draws out of view', async () => {
+  const far = `<shape-spline id="b" src="pose-0.glb?far pose-1.glb?far"></shape-spline>`;
+  const eager = `<shape-spline id="c" src="pose-0.glb?eager pose-1.glb?eager" loading="eager"></shape-spline>`;
+  const playing = `<shape-spline id="a" src="${KEYS}" autoplay loop></shape-spline>`;
+  const page = await openElements(`${playing}<link rel="stylesheet" href="tall.css"><i id="gap"></i>${far}${eager}`);
+  await page.evaluate(() => {
+    const gap = document.getElementById('gap')!;
+    Object.assign(gap.style, { display: 'block', height: '4000px' });
+  });
+  await when(page, 'load', 'c');
+  const asked = (word: string): Promise<number> =>
+    page.evaluate(
+      (end) => performance.getEntriesByType('resource').filter((one) => one.name.endsWith(end)).length,
+      word,
+    );
+  expect(await asked('?eager')).toBe(2);
+  expect(await asked('?far')).toBe(0);
+  await page.waitForFunction(() => (document.getElementById('a') as ShapeSplineElement).stats.framesDrawn > 3);
+  await page.evaluate(() => scrollTo(0, 2000));
+  await page.waitForTimeout(500);
+  const before = await on(page, (shape) => ({ ...shape.stats, t: shape.currentTime }));
+  await page.waitForTimeout(700);
+  expect(await on(page, (shape) => ({ ...shape.stats, t: shape.currentTime }))).toEqual(before);
+  await page.evaluate(() => scrollTo(0, 5000));
+  await when(page, 'load', 'b');
+  await page.evaluate(() => scrollTo(0, 0));
+  await page.waitForFunction(
+    (n) => (document.getElementById('a') as ShapeSplineElement).stats.framesDrawn > n + 3,
+    before.framesDrawn,
+  );
+});
+
+it('tells of loading, playing, seeking and keys, each with its detail, and lets no event bubble', async () => {
+  const page = await openElements(ONE);
+  expect(await when(page, 'load')).toEqual({
+    vertices: expect.any(Number),
+    faces: expect.any(Number),
+    keyTimes: [0, 1],
+  });
+  const progress = (await told(page, 'progress')) as { stage: string; fraction: number }[];
+  const shares = progress.map(({ fraction }) => fraction);
+  expect(shares).toEqual([...shares].sort((a, b) => a - b));
+  expect(shares.at(-1)).toBe(1);
+  expect(progress.every(({ stage }) => stage.length > 0)).toBe(true);
+  expect(await told(page, 'pause')).toEqual([]);
+  await seek(page, 0.5);
+  expect(await told(page, 'seeked')).toEqual([{ currentTime: 0.5 }]);
+  expect((await told(page, 'timeupdate')).at(-1)).toEqual({ currentTime: 0.5 });
+  expect((await told(page, 'keychange')).at(-1)).toEqual({ index: 0 });
+  await on(page, (shape) => {
+    shape.playbackRate = 4;
+    shape.play();
+  });
+  expect(await when(page, 'play')).toBeNull();
+  expect(await when(page, 'loopend')).toEqual({ currentTime: 1 });
+  expect(await when(page, 'pause')).toBeNull();
+  expect((await told(page, 'keychange')).at(-1)).toEqual({ index: 1 });
+  expect(await on(page, (shape) => ({ paused: shape.paused, duration: shape.duration }))).toEqual({
+    paused: true,
+    duration: 1,
+  });
+  await on(page, (shape) => {
+    shape.loop = 'bounce';
+    shape.play();
+  });
+  await when(page, 'loopend', 'a', 3);
+  expect(await page.evaluate(() => window.told.filter(({ bubbles }) => bubbles))).toEqual([]);
+});
+
+it('gives shapes, pictures and files', async () => {
+  const page = await openElements(ONE);
+  const got = await on(page, async (shape) => {
+    const frame = await shape.evaluate(0.5);
+    const vertices = frame.positions.length / 3;
+    const [png, webp] = [await shape.toBlob(), await shape.toBlob({ type: 'image/webp', quality: 0.5 })];
+    const unknown = await shape.toBlob({ type: 'image/x-none' }).catch((error: Error) => error.message);
+    const glb = await shape.exportGLB({ compression: 'meshopt' });
+    const magic = new TextDecoder().decode((await glb.arrayBuffer()).slice(0, 4));
+    const report = shape.report!.vertices;
+    shape.keys = [glb];
+    await shape.seek(0.25);
+    return {
+      vertices,
+      report,
+      again: shape.report!.vertices,
+      magic,
+      unknown,
+      types: [png.type, webp.type, glb.type],
+      size: png.size,
+    };
+  });
+  expect(got).toMatchObject({
+    magic: 'glTF',
+    unknown: 'This browser cannot write image/x-none.',
+    types: ['image/png', 'image/webp', 'model/gltf-binary'],
+  });
+  expect(got.vertices).toBe(got.report);
+  expect(got.again).toBe(got.report);
+  expect(got.size).toBeGreaterThan(2000);
+});
+
+it('autoplay begins by itself, not after pause(), and not for readers who asked for less motion', async () => {
+  const playing = `<shape-spline id="a" src="${KEYS}" autoplay loop controls></shape-spline>`;
+  const page = await openElements(playing);
+  await when(page, 'play');
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await when(page, 'pause');
+  expect(await page.locator('#a [part=play]').getAttribute('aria-label')).toBe('Play');
+  const paused = await openElements(playing);
+  await paused.evaluate(() => (document.getElementById('a') as ShapeSplineElement).pause());
+  await seek(paused, 0.5);
+  await paused.waitForTimeout(300);
+  expect(await on(paused, (shape) => ({ paused: shape.paused, t: shape.currentTime }))).toEqual({
+    paused: true,
+    t: 0.5,
+  });
+  expect(await paused.locator('#a [part=play]').getAttribute('aria-label')).toBe('Play');
+  const calm = await openElements(playing, CALM);
+  await when(calm, 'load');
+  await calm.waitForTimeout(300);
+  expect(await told(calm, 'play')).toEqual([]);
+  await calm.locator('#a [part=play]').click();
+  await when(calm, 'play');
+});
+
+it('is a labelled region that space, arrows, Home, End and brackets move, and a picture where nothing can be done', async () => {
+  const page = await openElements(
+    `<shape-spline id="a" src="${KEYS}" controls camera-controls="false" alt="A bar"></shape-spline>` +
+      `<shape-spline id="b" src="${KEYS}" alt="A still bar"></shape-spline>`,
+    CALM,
+  );
+  await Promise.all([when(page, 'load', 'a'), when(page, 'load', 'b')]);
+  const region = page.getByRole('region', { name: 'A bar' });
+  await region.focus();
+  const time = (): Promise<number> => on(page, (shape) => shape.currentTime);
+  await page.keyboard.press('End');
+  expect(await time()).toBe(1);
+  await page.keyboard.press('[');
+  expect(await time()).toBe(0);
+  await page.keyboard.press('ArrowRight');
+  const stepped = await time();
+  expect(stepped).toBeGreaterThan(0);
+  await page.keyboard.press('ArrowLeft');
+  expect(await time()).toBeCloseTo(0, 6);
+  await page.keyboard.press(' ');
+  await when(page, 'play');
+  await page.keyboard.press(' ');
+  await when(page, 'pause');
+  await page.keyboard.press('Home');
+  expect(await time()).toBe(0);
+  const slider = page.getByRole('slider', { name: 'Time' }).first();
+  expect(await slider.getAttribute('aria-valuetext')).toMatch(/^0(\.0+)? s, /);
+  expect(await page.getByRole('img', { name: 'A still bar' }).count()).toBe(1);
+  expect(await page.locator('#b [part=viewport]').getAttribute('tabindex')).toBeNull();
+});
+
+it('the poster is there before the shape, and longer where the page says so', async () => {
+  const page = await openElements(
+    `<shape-spline id="a" src="${KEYS}" poster="missing.png" reveal="manual"></shape-spline>` +
+      `<shape-spline id="b" src="${KEYS}"><b slot="poster" id="own">Soon</b>A bar</shape-spline>`,
+  );
+  await Promise.all([when(page, 'load', 'a'), when(page, 'load', 'b')]);
+  const shown = (): Promise<boolean> => page.locator('#a .poster').isVisible();
+  expect(await shown()).toBe(true);
+  expect(await page.locator('#a .poster img').getAttribute('src')).toBe('missing.png');
+  await on(page, (shape) => shape.dismissPoster());
+  expect(await shown()).toBe(false);
+  expect(await page.locator('#own').isVisible()).toBe(false);
+  expect(await page.locator('#b .caption').evaluate((caption) => getComputedStyle(caption).position)).toBe('absolute');
+});
+
+it('pages put their own things into its slots and dress its parts', async () => {
+  const page = await openElements(
+    `<shape-spline id="a" src="${KEYS}" controls><button slot="controls" id="own">Go</button>` +
+      `<progress slot="progress" id="bar"></progress></shape-spline><shape-spline id="b" src="${KEYS}" controls></shape-spline>`,
+  );
+  await Promise.all([when(page, 'load', 'a'), when(page, 'load', 'b')]);
+  expect(await page.locator('#own').isVisible()).toBe(true);
+  expect(await page.locator('#a [part=play]').isVisible()).toBe(false);
+  expect(await page.locator('#bar').isVisible()).toBe(false);
+  const parts = await on(
+    page,
+    (shape) =>
+      [...new Set([...shape.shadowRoot!.querySelectorAll('[part]')].map((one) => one.getAttribute('part')))].sort(),
+    null,
+    'b',
+  );
+  expect(parts).toEqual(['controls', 'key', 'message', 'play', 'progress', 'thumb', 'timeline', 'viewport']);
+  const dressed = await page.evaluate(() => {
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(`shape-spline { --shape-spline-background: rgb(1, 2, 3); --shape-spline-foreground: rgb(4, 5, 6);
+      --shape-spline-progress: rgb(7, 8, 9); } ::part(play) { border: 3px solid }`);
+    document.adoptedStyleSheets = [sheet];
+    const b = document.getElementById('b')!;
+    const part = (name: string): CSSStyleDeclaration =>
+      getComputedStyle(b.shadowRoot!.querySelector(`[part=${name}]`)!);
+    return {
+      background: getComputedStyle(b).backgroundColor,
+      foreground: part('play').color,
+      border: part('play').borderTopWidth,
+      progress: part('progress').backgroundColor,
+      shape: ((box) => box.width / box.height)(b.getBoundingClientRect()),
+    };
+  });
+  expect(dressed).toEqual({
+    background: 'rgb(1, 2, 3)',
+    foreground: 'rgb(4, 5, 6)',
+    border: '3px',
+    progress: 'rgb(7, 8, 9)',
+    shape: 1.5,
+  });
+});
+
+it('camera, colours, motion and range are what the attributes say, and what the reader turned stays', async () => {
+  const page = await openElements(`<shape-spline id="a" src="${KEYS}" controls></shape-spline>`, CALM);
+  await when(page, 'load');
+  const look = async (change: (shape: ShapeSplineElement) => void, t = 0.4): Promise<string> => {
+    await on(page, change);
+    await seek(page, t);
+    await on(page, (shape) => shape.toBlob().then(() => undefined));
+    return picture(page);
+  };
+  const plain = await look(() => undefined);
+  for (const change of [
+    (shape: ShapeSplineElement) => (shape.cameraOrbit = '80deg 40deg 130%'),
+    (shape: ShapeSplineElement) => (shape.cameraTarget = '1m 0m 0m'),
+    (shape: ShapeSplineElement) => (shape.colour = 'phase'),
+    (shape: ShapeSplineElement) => (shape.colour = 'patches'),
+    (shape: ShapeSplineElement) => (shape.method = 'linear'),
+    (shape: ShapeSplineElement) => (shape.compare = ['linear']),
+    (shape: ShapeSplineElement) => shape.setAttribute('start-speed', '3') ?? shape.setAttribute('boundary', 'hermite'),
+  ]) {
+    const changed = await look(change as never);
+    expect(changed, String(change)).not.toBe(plain);
+    const back = await look((shape) => {
+      for (const name of ['camera-orbit', 'camera-target', 'colour', 'method', 'compare', 'start-speed', 'boundary'])
+        shape.removeAttribute(name);
+    });
+    expect(back, String(change)).toBe(plain);
+  }
+  await page.locator('#a [part=viewport]').focus();
+  await page.keyboard.press('ArrowRight');
+  const turned = await look(() => undefined);
+  expect(turned).not.toBe(plain);
+  expect(await look((shape) => (shape.playbackRate = 2))).toBe(turned);
+  await on(page, (shape) => (shape.range = [-0.5, 1.5]));
+  await seek(page, 0);
+  expect(await on(page, (shape) => shape.duration)).toBe(2);
+  expect(await page.locator('#a [part=timeline]').getAttribute('aria-valuemin')).toBe('-0.5');
+});
+
+it('methods that are compared stand side by side, each with its name, and move together', async () => {
+  const page = await openElements(
+    `<shape-spline id="a" src="${KEYS}" compare="linear geodesic" controls></shape-spline>`,
+  );
+  await when(page, 'load');
+  expect(await page.locator('#a [part=name]').allTextContents()).toEqual(['Shape spline', 'Morph targets', 'Geodesic']);
+  const inside = await on(page, (shape) => {
+    const whole = shape.getBoundingClientRect();
+    const names = [...shape.shadowRoot!.querySelectorAll('[part=name]')].map((name) => name.getBoundingClientRect());
+    return names.every(
+      ({ left, right, bottom }) => left >= whole.left && right <= whole.right && bottom <= whole.bottom,
+    );
+  });
+  expect(inside).toBe(true);
+});
+
+it('follows light and dark as the reader changes them', async () => {
+  const page = await openElements(ONE, { colorScheme: 'light' });
+  await when(page, 'load');
+  await seek(page, 0);
+  const light = await picture(page);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await expect.poll(() => picture(page), { timeout: 10_000 }).not.toBe(light);
+  await page.emulateMedia({ colorScheme: 'light' });
+  await expect.poll(() => picture(page), { timeout: 10_000 }).toBe(light);
+});
+
+it('reads right to left where the page does, and its time still goes to the right', async () => {
+  const page = await openElements(
+    `<div dir="rtl"><shape-spline id="a" src="${KEYS}" controls></shape-spline></div>`,
+    CALM,
+  );
+  await when(page, 'load');
+  await seek(page, 1);
+  const places = await on(page, (shape) => {
+    const left = (part: string): number =>
+      shape.shadowRoot!.querySelector(`[part=${part}]`)!.getBoundingClientRect().left;
+    return { play: left('play'), timeline: left('timeline'), thumb: left('thumb') };
+  });
+  expect(places.play).toBeGreaterThan(places.thumb);
+  expect(places.thumb).toBeGreaterThan(places.timeline + 100);
+  await page.locator('#a [part=timeline]').focus();
+  await page.keyboard.press('ArrowLeft');
+  expect(await on(page, (shape) => shape.currentTime)).toBeLessThan(1);
+});
+
+it('a finger that moves up scrolls the page', async () => {
+  const page = await openElements(`${ONE.replace('alt', 'controls alt')}<div id="gap"></div>`, {
+    hasTouch: true,
+    isMobile: true,
+  });
+  await page.evaluate(() => Object.assign(document.getElementById('gap')!.style, { height: '3000px' }));
+  await when(page, 'load');
+  const client = await page.context().newCDPSession(page);
+  await client.send('Input.synthesizeScrollGesture', { x: 200, y: 150, yDistance: -200, gestureSourceType: 'touch' });
+  await page.waitForFunction(() => scrollY > 100);
+});
+
+it('a "false" counts as false, and a wrong value as none; each is said once', async () => {
+  const said: string[] = [];
+  const page = await openElements('', { script: 'first' });
+  page.on('console', (message) => void said.push(message.text()));
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  const read = await page.evaluate(() => {
+    const shape = document.createElement('shape-spline');
+    shape.setAttribute('autoplay', 'false');
+    shape.setAttribute('boundary', 'round');
+    document.body.append(shape);
+    return [shape.autoplay, shape.autoplay, shape.boundary, shape.boundary];
+  });
+  expect(read).toEqual([false, false, 'natural', 'natural']);
+  await expect.poll(() => said.length).toBe(2);
+  expect(said).toEqual([
+    '<shape-spline>: autoplay="false" is "false", which counts as false; leave the attribute out instead.',
+    '<shape-spline>: boundary="round" must be one of natural, hermite, periodic.',
+  ]);
+});
+
+it('every row of the table goes there and back, from the attribute and from the property', async () => {
+  const page = await openElements('');
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  const rows = PROPERTIES.flatMap((property) =>
+    samples(ROWS[property]).map((value) => ({ property, attribute: attributeOf(property), value })),
+  );
+  const wrong = await page.evaluate((all) => {
+    const make = () => document.createElement('shape-spline') as unknown as HTMLElement & Record<string, unknown>;
+    return all.filter(({ property, attribute, value }) => {
+      const [by, to] = [make(), make()];
+      to[property] = value;
+      // The time is where it is, and no attribute.
+      by.setAttribute(attribute, property === 'currentTime' ? String(value) : (to.getAttribute(attribute) ?? ''));
+      return [by, to].some((shape) => JSON.stringify(shape[property]) !== JSON.stringify(value));
+    });
+  }, rows);
+  expect(wrong).toEqual([]);
+  const { modules } = customElementsManifest() as { modules: { declarations: { members: { name: string }[] }[] }[] };
+  const missing = await page.evaluate(
+    (names) => names.filter((name) => !(name in document.createElement('shape-spline'))),
+    modules[0]!.declarations[0]!.members.map(({ name }) => name),
+  );
+  expect(missing).toEqual([]);
+});

@@ -1,0 +1,156 @@
+/**
+ * Pages with <shape-spline> as a page author writes them: the one-file build on another host, on a page whose policy
+ * allows scripts and styles of these two hosts and nothing inline. What the elements tell, and what the policy refuses,
+ * is noted.
+ */
+import { writeFileSync } from 'node:fs';
+import path from 'node:path';
+import type { BrowserContextOptions, Page } from '@playwright/test';
+import { afterEach, beforeAll, expect, inject } from 'vitest';
+import type { ShapeSplineElement } from '../../../web/embed/shape-spline.ts';
+import { askedElsewhere, host, newPage } from './browser.ts';
+import { newProject, packageIn } from './project.ts';
+
+export interface Told {
+  type: string;
+  id: string;
+  bubbles: boolean;
+  detail: Record<string, unknown> | null;
+}
+
+declare global {
+  interface Window {
+    told: Told[];
+    refused: string[];
+    /** The WebGL contexts of the page. */
+    contexts: WebGL2RenderingContext[];
+  }
+}
+
+export interface Setting extends BrowserContextOptions {
+  /** Instead of the one that the package's README names. */
+  policy?: string;
+  /** Runs before anything of the page. */
+  before?: () => void;
+  /** Of the body, after the markup; scripts of the page are none of these tests' business. */
+  script?: 'first' | 'none';
+  /** The package's files come from here. */
+  library?: string;
+}
+
+/** As in the package's README. */
+export const POLICY =
+  "default-src 'none'; script-src 'self' LIBRARY 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
+  "connect-src 'self' LIBRARY; worker-src blob: LIBRARY; frame-src 'self'";
+
+export const KEYS = 'pose-0.glb pose-1.glb';
+const CORS = { 'access-control-allow-origin': '*' };
+let folder = '';
+let library = '';
+let pages = 0;
+const open: Page[] = [];
+const problems: string[] = [];
+
+/** To be called in every file that uses it. */
+export function useElements(): void {
+  beforeAll(async () => {
+    library = await host([packageIn(inject('installed'))], { name: '127.0.0.1', headers: CORS });
+    folder = path.join(await newProject(), 'public');
+  });
+  afterEach(async () => {
+    for (const page of open.splice(0)) await page.context().close();
+    expect(problems.splice(0)).toEqual([]);
+    expect(askedElsewhere()).toEqual([]);
+  });
+}
+
+export const write = (name: string, content: string | Uint8Array): void =>
+  writeFileSync(path.join(folder, name), content);
+
+export async function openElements(markup: string, setting: Setting = {}): Promise<Page> {
+  const { policy = POLICY, before, script = 'first', library: from = library, ...context } = setting;
+  const name = `page-${++pages}.html`;
+  const tag = script === 'first' ? `<script type="module" src="${from}cdn.js"></script>` : '';
+  write('styles.css', 'html { color-scheme: light dark } body { margin: 0; font: 16px sans-serif }');
+  write(
+    name,
+    `<!doctype html><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>A page</title>` +
+      `<link rel="stylesheet" href="styles.css">${tag}<body>${markup}`,
+  );
+  const headers = { 'content-security-policy': policy.replaceAll('LIBRARY', new URL(library).origin) };
+  const address = await host([folder], { headers });
+  const page = await newPage({ viewport: { width: 600, height: 800 }, ...context });
+  open.push(page);
+  page.on('pageerror', (error) => void problems.push(error.message));
+  await page.addInitScript(note);
+  if (before) await page.addInitScript(before);
+  await page.goto(address + name);
+  return page;
+}
+
+export const libraryAddress = (): string => library;
+
+function note(): void {
+  window.told = [];
+  window.refused = [];
+  window.contexts = [];
+  document.addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI }) =>
+    window.refused.push(`${violatedDirective} ${blockedURI}`),
+  );
+  const types = 'load error progress play pause timeupdate seeked loopend keychange'.split(' ');
+  for (const type of types) {
+    document.addEventListener(
+      type,
+      (event) => {
+        const { target, bubbles, detail } = event as CustomEvent<Told['detail']>;
+        if (target instanceof Element && target.localName === 'shape-spline')
+          window.told.push({ type, id: target.id, bubbles, detail });
+      },
+      { capture: true },
+    );
+  }
+  const getContext = HTMLCanvasElement.prototype.getContext as (...words: unknown[]) => unknown;
+  HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...words: unknown[]) {
+    const context = getContext.apply(this, words);
+    if (context instanceof WebGL2RenderingContext && !window.contexts.includes(context)) window.contexts.push(context);
+    return context;
+  } as never;
+}
+
+/** What an element has told of one kind, so far. */
+export const told = (page: Page, type: string, id = 'a'): Promise<Told['detail'][]> =>
+  page.evaluate(
+    ([what, whose]) => window.told.filter((one) => one.type === what && one.id === whose).map(({ detail }) => detail),
+    [type, id] as const,
+  );
+
+/** The first detail of that kind. */
+export async function when(page: Page, type: string, id = 'a', count = 1): Promise<Told['detail']> {
+  await page.waitForFunction(
+    ([what, whose, times]) =>
+      window.told.filter((one) => one.type === what && one.id === whose).length >= (times as number),
+    [type, id, count] as const,
+    { timeout: 60_000 },
+  );
+  return (await told(page, type, id))[count - 1]!;
+}
+
+/** Runs in the page with the element. */
+export const on = <T, A = null>(
+  page: Page,
+  work: (shape: ShapeSplineElement, words: A) => T | Promise<T>,
+  words: A = null as A,
+  id = 'a',
+): Promise<T> =>
+  page
+    .evaluateHandle((name) => document.getElementById(name) as ShapeSplineElement, id)
+    .then((shape) => shape.evaluate(work as never, words) as Promise<T>);
+
+export const seek = (page: Page, t: number, id = 'a'): Promise<void> =>
+  on(page, (shape, time) => shape.seek(time), t, id);
+
+/** What the canvas shows, as text. */
+export const picture = (page: Page, id = 'a'): Promise<string> =>
+  on(page, (shape) => shape.shadowRoot!.querySelector('canvas')!.toDataURL(), null, id);
+
+export const refused = (page: Page): Promise<string[]> => page.evaluate(() => window.refused);

@@ -1,0 +1,28 @@
+/** What a page has to say to show what is open: the element beside the project's GLB, which has keys and options. */
+import { orbitWords } from '../../model/camera-words.ts';
+import type { AppState } from '../../model/state.ts';
+
+const COLOURS: readonly string[] = ['phase', 'patches'];
+
+/** `file`: the project's GLB, beside the page; `alt`: what there is to see. */
+export function embedSnippet({ play, view, doc }: AppState, file: string, alt: string): string {
+  const compared = view.compare.filter((method) => method !== doc.motion.method);
+  const attributes: Record<string, string> = {
+    src: encodeURIComponent(file),
+    controls: '',
+    ...(play.loop === 'once' ? {} : { autoplay: '', loop: play.loop }),
+    ...(play.between ? { range: play.between.join(' ') } : {}),
+    ...(compared.length > 0 ? { compare: compared.join(' ') } : {}),
+    ...(COLOURS.includes(view.colouring) ? { colour: view.colouring } : {}),
+    ...(view.camera ? { 'camera-orbit': orbitWords(view.camera) } : {}),
+    alt,
+  };
+  const words = Object.entries(attributes).map(([name, value]) => (value === '' ? name : `${name}="${quoted(value)}"`));
+  return [
+    '<script type="module" src="shapespline/cdn.js"></script>',
+    `<shape-spline ${words.join(' ')}></shape-spline>`,
+  ].join('\n');
+}
+
+const quoted = (text: string): string =>
+  text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');

@@ -1,0 +1,12 @@
+import type { ShapeSplineElement } from '../shape-spline.ts';
+
+/** As far through its motion as it is through the window. */
+export function followScroll(shape: ShapeSplineElement): void {
+  const follow = () => {
+    const { top, height } = shape.getBoundingClientRect();
+    const share = 1 - (top + height) / (innerHeight + height);
+    if (shape.duration > 0 && share >= 0 && share <= 1) shape.currentTime = share * shape.duration;
+  };
+  shape.addEventListener('load', follow);
+  addEventListener('scroll', follow, { passive: true });
+}
