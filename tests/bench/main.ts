@@ -18,6 +18,7 @@ import { nodeRunner } from './node-runner.ts';
 import { TABLE_2 } from './paper.ts';
 import type { Runner } from './runner.ts';
 import { report, type Results } from './report.ts';
+import { benchEmbed } from './embed.ts';
 import { benchStart } from './start.ts';
 import type { Family } from './tables.ts';
 import { threadsLine } from './threads.ts';
@@ -144,6 +145,7 @@ const benches = {
   exports: benchExports,
   ghost: benchGhost,
   'ghost browser': benchGhostInBrowser,
+  embed: benchEmbed,
   start: benchStart,
 };
 const wanted = benchArguments(process.argv.slice(2));

@@ -1,6 +1,7 @@
-/** <shape-spline> on the page of examples, as it is built. */
-import { expect, test } from '@playwright/test';
+/** <shape-spline> on the page of examples, as it is built, and the way there from the app. */
+import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
+import { difference, diagonal, expect, test } from './support.ts';
 import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
 
 test.use({ contextOptions: { reducedMotion: 'reduce' } });
@@ -67,4 +68,72 @@ test('a file that is missing is told in a sentence', async ({ page }, info) => {
   );
   expect(detail).toMatchObject({ code: 'not-found', key: 0 });
   expect(detail.message).toMatch(/gone\.glb could not be fetched \(404 Not Found\)\. Check the address\./);
+});
+
+test('methods beside each other, time that follows the page, keys that the reader gives, and every table', async ({
+  page,
+}, info) => {
+  test.skip(info.project.name === 'dev', 'the examples are built');
+  const problems = await open(page);
+  const shape = (id: string): Promise<{ time: number; vertices: number | undefined }> =>
+    page.evaluate((name) => {
+      const { currentTime, report } = document.getElementById(name) as ShapeSplineElement;
+      return { time: currentTime, vertices: report?.vertices };
+    }, id);
+  await page.locator('#compared').scrollIntoViewIfNeeded();
+  await expect(page.locator('#compared [part=name]')).toHaveText(['Shape spline', 'Morph targets']);
+  await page.locator('#scrolled').scrollIntoViewIfNeeded();
+  await expect.poll(async () => (await shape('scrolled')).vertices).toBeGreaterThan(0);
+  const before = (await shape('scrolled')).time;
+  await page.mouse.wheel(0, 200);
+  await expect.poll(async () => (await shape('scrolled')).time).toBeGreaterThan(before);
+  const obj = (bend: number): string => `v 0 0 0\nv 1 0 ${bend}\nv 0 1 0\nv 1 1 ${bend}\nf 1 2 3\nf 2 4 3\n`;
+  await page
+    .locator('#files')
+    .setInputFiles(
+      [0, 0.5].map((bend) => ({ name: `${bend}.obj`, mimeType: 'model/obj', buffer: Buffer.from(obj(bend)) })),
+    );
+  await expect.poll(async () => (await shape('dropped')).vertices).toBe(4);
+  await expect(page.locator('#react')).toContainText("import 'shapespline/element'");
+  await expect(page.locator('#attributes tbody tr').filter({ hasText: 'playback-rate' })).toHaveCount(1);
+  await expect(page.locator('#events tbody tr')).toHaveCount(9);
+  await expect(page.locator('#members tbody tr').filter({ hasText: 'seek()' })).toHaveCount(1);
+  expect(problems).toEqual([]);
+});
+
+test('what is open in the app is shown by the lines and the file that it gives for a page', async ({ app }, info) => {
+  test.skip(info.project.name === 'dev', 'the examples are built');
+  const { page } = app;
+  await app.open();
+  await app.by('boundary-hermite').check();
+  await app.by('start-speed-number').fill('2');
+  await app.by('start-speed-number').press('Enter');
+  await app.settled();
+  const middle = await app.positionsAt(0.3);
+  const { doc } = await app.state();
+  await app.by('export').click();
+  await app.by('export-embed').click();
+  const snippet = await app.by('embed-snippet').textContent();
+  expect(snippet).toBe(
+    '<script type="module" src="shapespline/cdn.js"></script>\n' +
+      '<shape-spline src="cactus.glb" controls autoplay loop="bounce" alt="Cactus"></shape-spline>',
+  );
+  await expect(app.by('embed-dialog').getByRole('link')).toHaveAttribute('href', './embed/examples/index.html');
+  const coming = page.waitForEvent('download');
+  await app.by('embed-save').click();
+  const download = await coming;
+  expect(download.suggestedFilename()).toBe('cactus.glb');
+  const glb = readFileSync(await download.path());
+  await app.expectNoProblems();
+
+  await page.goto('./embed/examples/index.html');
+  await page.route('**/cactus.glb', (route) => route.fulfill({ body: glb, contentType: 'model/gltf-binary' }));
+  const shown = await page.evaluate(async (markup) => {
+    document.querySelector('main')!.innerHTML = markup;
+    const shape = document.querySelector('shape-spline')!;
+    const frame = await shape.evaluate(0.3);
+    return { positions: [...frame.positions], range: shape.duration };
+  }, snippet!.split('\n')[1]!);
+  expect(difference(shown.positions, middle)).toBeLessThan(1e-3 * diagonal(middle));
+  expect(shown.range).toBe(doc.keys.at(-1)!.time - doc.keys[0]!.time);
 });

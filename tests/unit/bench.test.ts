@@ -53,6 +53,8 @@ describe('the words behind npm run bench --', () => {
         { faces: 1000, keys: null },
       ],
     });
+    expect(benchArguments(['embed', '1000'])).toMatchObject({ what: 'embed', sizes: [{ faces: 1000 }] });
+    expect(() => benchArguments(['embed', '--browser'])).toThrow();
     expect(benchArguments(['start'])).toMatchObject({ what: 'start', sizes: null, save: false });
     expect(() => benchArguments(['start', '1000'])).toThrow();
     expect(benchArguments(['ghost', 'browser', '1000'])).toMatchObject({

@@ -5,7 +5,7 @@ export interface Size {
 }
 
 export interface Wanted {
-  what: 'stages' | 'threads' | 'exports' | 'ghost' | 'ghost browser' | 'start';
+  what: 'stages' | 'threads' | 'exports' | 'ghost' | 'ghost browser' | 'embed' | 'start';
   /** null: the usual ones. */
   sizes: Size[] | null;
   browser: boolean;

@@ -8,13 +8,14 @@ const USAGE = [
   '       npm run bench -- exports [FACES,... --save]',
   '       npm run bench -- ghost [FACES[:KEYS],...]',
   '       npm run bench -- ghost browser [FACES,...]',
+  '       npm run bench -- embed [FACES,...]',
   '       npm run bench -- start',
   'with 64 to 4000000 faces and 2 to 100 keys',
 ].join('\n');
 
 /** What is measured, on which sizes (null: the usual ones), and where. */
 export function benchArguments(words) {
-  const what = ['threads', 'exports', 'start'].includes(words[0])
+  const what = ['threads', 'exports', 'embed', 'start'].includes(words[0])
     ? words[0]
     : words[0] !== 'ghost'
       ? 'stages'
@@ -24,14 +25,16 @@ export function benchArguments(words) {
   const {
     values: { browser = false, save = false },
     positionals: [list, ...more],
-  } = parsed(words.slice({ stages: 0, threads: 1, exports: 1, ghost: 1, 'ghost browser': 2, start: 1 }[what]));
+  } = parsed(
+    words.slice({ stages: 0, threads: 1, exports: 1, embed: 1, ghost: 1, 'ghost browser': 2, start: 1 }[what]),
+  );
   const sizes = list?.split(',').map(sizeOf) ?? null;
   const good =
     more.length === 0 &&
     !(what === 'start' && sizes) &&
     (sizes?.every((size) => isGood(size, what === 'ghost')) ?? true) &&
     !(save && what !== 'stages' && what !== 'exports') &&
-    !(browser && (what.startsWith('ghost') || what === 'exports' || what === 'start'));
+    !(browser && (what.startsWith('ghost') || ['exports', 'embed', 'start'].includes(what)));
   if (!good) throw new Explained(USAGE);
   return { what, sizes, browser, save };
 }

@@ -48,8 +48,11 @@ async function cli(args) {
 
 async function bench(args) {
   const { browser, what } = benchArguments(args);
-  const inBrowser = browser || ['ghost browser', 'exports', 'start'].includes(what);
-  await prepare([...forBench, ...(inBrowser ? forBrowser : [])], [wasmModule, benchPrograms, benchBundle]);
+  const inBrowser = browser || ['ghost browser', 'exports', 'embed', 'start'].includes(what);
+  await prepare(
+    [...forBench, ...(inBrowser ? forBrowser : [])],
+    [wasmModule, benchPrograms, benchBundle, ...(what === 'embed' ? [npmPackage] : [])],
+  );
   await runBundle(inRoot('build/node/bench.mjs'), args);
 }
 

@@ -76,10 +76,6 @@ export function takeMotion(
   );
 }
 
-/** Whether somebody has such a motion already. */
-export const hasMotion = (keys: KeysLease, options: Partial<SequenceOptions>): boolean =>
-  sequences.has(motionKey(keys, options));
-
 /**
  * One of several users of a sequence. Its requests are not overtaken by those of the others: each asks for one moment
  * at a time. `onComputed` hears of every frame that was made for it.

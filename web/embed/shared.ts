@@ -2,10 +2,6 @@
 
 export interface Lease<T> {
   readonly value: Promise<T>;
-  /** Nobody else holds it. */
-  readonly sole: boolean;
-  /** What is meant by the key has changed with the thing itself; false where another has that key already. */
-  rename(key: string): boolean;
   /** Idempotent. */
   release(): void;
 }
@@ -44,10 +40,6 @@ export class Shared<T> {
     return this.held.size;
   }
 
-  has(key: string): boolean {
-    return this.held.has(key);
-  }
-
   /** `make` is called where nobody holds the key. What fails is not kept. */
   take(key: string, make: (making: Making) => Promise<T>, onProgress?: (part: Stage) => void): Lease<T> {
     const held = this.held.get(key) ?? this.begin(key, make);
@@ -57,10 +49,6 @@ export class Shared<T> {
     let over = false;
     return {
       value: held.value,
-      get sole() {
-        return held.users === 1;
-      },
-      rename: (other) => this.rename(held, other),
       release: () => {
         if (over) return;
         over = true;
@@ -80,14 +68,6 @@ export class Shared<T> {
     this.held.set(key, held);
     value.catch(() => this.forget(held));
     return held;
-  }
-
-  private rename(held: Held<T>, key: string): boolean {
-    if (this.held.has(key)) return this.held.get(key) === held;
-    this.forget(held);
-    held.key = key;
-    this.held.set(key, held);
-    return true;
   }
 
   private forget(held: Held<T>): void {
