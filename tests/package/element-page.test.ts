@@ -128,6 +128,20 @@ it('gives shapes, pictures and files', async () => {
   expect(got.size).toBeGreaterThan(2000);
 });
 
+it('other keys begin at their own first time, also while it plays', async () => {
+  const page = await openElements(`<shape-spline id="a" src="${KEYS}" autoplay loop></shape-spline>`);
+  await page.waitForFunction(() => (document.getElementById('a') as ShapeSplineElement).currentTime > 0.2);
+  const time = await on(page, async (shape) => {
+    shape.pause();
+    shape.removeAttribute('autoplay');
+    shape.innerHTML = '<source src="pose-1.glb" time="5"><source src="pose-0.glb" time="7">';
+    shape.removeAttribute('src');
+    await shape.evaluate(6);
+    return shape.currentTime;
+  });
+  expect(time).toBe(5);
+});
+
 it('autoplay begins by itself, not after pause(), and not for readers who asked for less motion', async () => {
   const playing = `<shape-spline id="a" src="${KEYS}" autoplay loop controls></shape-spline>`;
   const page = await openElements(playing);

@@ -86,6 +86,7 @@ export class CanvasViewer {
     const screen = {
       show: (frames: FrameSet, eased: boolean) => this.show(frames, eased),
       drawn: async () => {
+        if (this.motions.length === 0) return;
         await this.viewer.drawn();
         this.counts.drawn += 1;
       },
@@ -213,6 +214,7 @@ export class CanvasViewer {
   }
 
   private show({ t, frames }: FrameSet, eased: boolean): void {
+    if (frames.length === 0) return;
     const keys = this.keyTimes.map((time, index) => ({ time, name: this.keys?.info.names[index] ?? '' }));
     const tolerance = this.play.playing ? PLAYING_TOLERANCE : undefined;
     const phase = phaseOf({ t, keys, range: this.range, periodic: this.periodic, tolerance });

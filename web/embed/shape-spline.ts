@@ -110,7 +110,10 @@ export class ShapeSplineElement extends Base {
   #automatic = false;
   /** Why the newest loading has shown nothing. */
   #failure: unknown = null;
+  /** That is shown, or with which the next motion begins; NaN: where that begins itself. */
   #time = NaN;
+  /** Other keys are wanted than those that are shown. */
+  #outdated = false;
   #before = { time: NaN, step: 0, key: -1 };
   #changed = new Set<Concern>();
   #warned = new Set<string>();
@@ -316,7 +319,7 @@ export class ShapeSplineElement extends Base {
   /** Several changes at once are one. */
   #change(concern: Concern): void {
     // Another motion begins at its own first key.
-    if (concern === 'source' && this.#sequence) this.#time = NaN;
+    if (concern === 'source' && this.#sequence) [this.#time, this.#outdated] = [NaN, true];
     if (this.#changed.size === 0) queueMicrotask(() => this.#apply());
     this.#changed.add(concern);
   }
@@ -327,7 +330,11 @@ export class ShapeSplineElement extends Base {
     const again = changed.has('source') || changed.has('motion');
     if (again) this.#loading = null;
     if (!this.isConnected) return;
-    if (changed.has('source') && this.#sequence) this.#mayBegin = true;
+    if (changed.has('source') && this.#sequence) {
+      this.#mayBegin = true;
+      // What was shown so far stands still.
+      this.#view?.setSeen(false);
+    }
     this.#page();
     if (again) {
       if (this.#near || this.loading === 'eager') void this.#load();
@@ -372,7 +379,10 @@ export class ShapeSplineElement extends Base {
       const opened = await this.#fetch(current);
       if (opened && current()) await this.#show(opened, current);
     } catch (error) {
-      if (current() && !isCancelled(error)) this.#fail(error);
+      if (!current() || isCancelled(error)) return;
+      this.#failure = error;
+      for (const lease of this.#opening.splice(0)) lease.release();
+      this.#fail(error);
     }
   }
 
@@ -407,13 +417,15 @@ export class ShapeSplineElement extends Base {
     this.#sequence = sequences[0]!;
     this.#frame!.setNames(methods.length > 1 ? methods.map((method) => METHOD_WORDS[method].short) : []);
     const [start] = this.range ?? this.#sequence.range;
-    if (Number.isNaN(this.#time)) this.#time = this.hasAttribute('current-time') ? this.currentTime : start;
+    const first = this.hasAttribute('current-time') ? this.currentTime : start;
+    const t = Number.isNaN(this.#time) ? first : this.#time;
+    this.#outdated = false;
     view.setSeen(true);
     this.#settings(view);
     const drawn = view.open(
       held,
       sequences.map((sequence, i) => ({ sequence, method: methods[i]!, ghost: 0 })),
-      this.#time,
+      t,
     );
     this.#colour(view);
     await drawn;
@@ -490,7 +502,7 @@ export class ShapeSplineElement extends Base {
   }
 
   #shown(t: number, phase: Phase): void {
-    this.#time = t;
+    if (!this.#outdated) this.#time = t;
     this.#frame!.setTime(t, phase.text);
     this.#tell('timeupdate', { currentTime: t });
     const { time, step, key } = this.#before;
@@ -521,8 +533,6 @@ export class ShapeSplineElement extends Base {
   }
 
   #fail(error: unknown): void {
-    this.#failure = error;
-    for (const lease of this.#opening.splice(0)) lease.release();
     const { code, place } = error as Partial<EngineError>;
     this.#frame!.setProgress(null);
     this.#frame!.setMessage(messageOf(error));

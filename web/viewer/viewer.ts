@@ -392,6 +392,8 @@ export class Viewer {
     this.stage.dispose();
     this.over.abort();
     this.surface.dispose();
+    // Nothing more is drawn that could be waited for.
+    for (const resolve of this.waiting.splice(0)) resolve();
   }
 
   private get compiling(): boolean {
