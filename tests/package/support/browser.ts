@@ -11,6 +11,7 @@ import type { Outcome } from './project.ts';
 const TYPES: Record<string, string> = {
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript; charset=utf-8',
+  '.css': 'text/css',
   '.json': 'application/json',
   '.wasm': 'application/wasm',
   '.glb': 'model/gltf-binary',
