@@ -71,7 +71,10 @@ export async function openElements(markup: string, setting: Setting = {}): Promi
   const { policy = POLICY, before, script = 'first', library: from = library, ...context } = setting;
   const name = `page-${++pages}.html`;
   const tag = script === 'first' ? `<script type="module" src="${from}cdn.js"></script>` : '';
-  write('styles.css', 'html { color-scheme: light dark } body { margin: 0; font: 16px sans-serif } #gap { display: block; height: 4000px }');
+  write(
+    'styles.css',
+    'html { color-scheme: light dark } body { margin: 0; font: 16px sans-serif } #gap { display: block; height: 4000px }',
+  );
   write(
     name,
     `<!doctype html><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>A page</title>` +
