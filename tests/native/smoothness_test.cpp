@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "one_sided.h"
+#include "pins.h"
 #include "real_data.h"
 #include "sweep.h"
 
@@ -96,6 +97,10 @@ void checkHeld(const std::string& name, const Keyframes& k) {
     REQUIRE(sequence.update(motion, times).ok());
     checkSweep(name + words, sequence);
   }
+  MotionOptions motion;
+  motion.pins = everyPin(k);
+  REQUIRE(sequence.update(motion, times).ok());
+  checkSweep(name + ", pins", sequence);
 }
 
 EncodingOptions withGhost(int faces) {

@@ -11,16 +11,12 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double contactWeight = 30;  // times a vertex's share in the area
 constexpr double leastAnchor = 1e-5, mostAnchor = 1e4, anchorTurn = 200 * degree;
-// What patches turn against the whole, as a share of what they turn: up to the first the motion is a rigid body's.
-constexpr double rigid = 0.2, deforming = 0.35;
 // Turns of the whole from key to key over which the placement gives way: its target is a blend of vertices.
 constexpr double turnsLittle = 30 * degree, turnsFar = 90 * degree;
 constexpr double fitTurnsLittle = 60 * degree, fitTurnsFar = 120 * degree;
 // How well the mean of rotations is defined: from 0 to 2.
 constexpr double scattered = 0.1, gathered = 0.5;
 constexpr double inertia = 1e-6;
-
-double angleOf(const Mat3& rotation) { return logRotation(rotation).norm(); }
 
 }  // namespace
 
@@ -39,7 +35,7 @@ Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& in
     held->system_ = std::make_shared<const HoldSystem>(std::move(*system));
   }
   // What rests is told by the keys and their times alone.
-  if (same && before->path_.hasSpansOf(held->path_)) held->resting_ = before->resting_;
+  if (same && before->target_.path().hasSpansOf(held->target_.path())) held->resting_ = before->resting_;
   else held->findResting(input);
   return std::shared_ptr<const HeldMotion>(std::move(held));
 }
@@ -53,70 +49,23 @@ void HeldMotion::findResting(const HoldInput& input) {
     for (const int v : input.mesh.shape.faces[f])
       if (patchOf[v] < 0) patchOf[v] = input.patchOfFace[f];
   }
-  resting_ = std::make_shared<const RestingPatches>(path_, *system_, patchOf, patches, area_);
+  resting_ = std::make_shared<const RestingPatches>(target_.path(), *system_, patchOf, patches, area_);
 }
 
 HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve, Hold hold)
-    : hold_(hold), path_(input.mesh.shape, curve, true), area_(vertexAreas(input.mesh)) {
-  const HoldMesh& mesh = input.mesh;
-  const std::vector<double> faceArea = faceAreas(mesh);
-  frameArea_.assign(input.rotation.front().size(), 0.0);
-  for (std::size_t f = 0; f < faceArea.size(); ++f) {
-    if (mesh.frameOf[f] < 0) continue;
-    frameArea_[mesh.frameOf[f]] += faceArea[f];
-  }
-  std::vector<Mat3> whole;
-  for (const std::vector<Quaternion>& pose : input.rotation) whole.push_back(projectToRotation(frameSum(pose)));
-  measureTurns(input, curve.spans(), whole);
-  if (deforms_ < 1) findBody(input, curve, whole);
-  if (hold == Hold::Anchored) anchor_ = anchorWeights(input, faceArea);
-}
-
-// Every pose seen from the frame of the whole; there no period differs from another.
-void HeldMotion::findBody(const HoldInput& input, const Curve& curve, const std::vector<Mat3>& poses) {
-  const WeldedShape& shape = input.mesh.shape;
-  body_ = shape.withMesh({}, shape.poses);
-  body_.closing.reset();
-  for (std::size_t pose = 0; pose < poses.size(); ++pose)
-    for (Vec3& p : body_.poses[pose]) p = poses[pose].transpose() * (p - input.meanPosition[pose]);
-  rigid_.emplace(body_, curve, false);
-}
-
-Mat3 HeldMotion::frameSum(const std::vector<Quaternion>& frames) const {
-  Mat3 sum = Mat3::Zero();
-  for (std::size_t k = 0; k < frames.size(); ++k) sum += frameArea_[k] * frames[k].toRotationMatrix();
-  return sum;
-}
-
-// How far frames turn from key to key, and how much of that is the whole's.
-void HeldMotion::measureTurns(const HoldInput& input, const std::vector<KeySpan>& spans,
-                              const std::vector<Mat3>& poses) {
-  std::vector<double> own(frameArea_.size(), 0.0);
-  double turned = 0, turnedAgainst = 0;
-  for (const KeySpan& span : spans) {
-    const Mat3 whole = poses[span.to] * poses[span.from].transpose();
-    placed_.push_back(1 - fade(angleOf(whole), turnsLittle, turnsFar));
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      const Mat3 turn = (input.rotation[span.to][k] * input.rotation[span.from][k].conjugate()).toRotationMatrix();
-      const double angle = angleOf(turn), against = angleOf(whole.transpose() * turn);
-      own[k] += angle * angle / static_cast<double>(spans.size());
-      turned += frameArea_[k] * angle * angle;
-      turnedAgainst += frameArea_[k] * against * against;
-    }
-  }
-  for (const double square : own) frameTurn_.push_back(std::sqrt(square));
-  constexpr double still = 1e-12;
-  deforms_ = fade(std::sqrt(turnedAgainst / (turned + still)), rigid, deforming);
+    : hold_(hold), turns_(input, curve), target_(input, curve, turns_), area_(vertexAreas(input.mesh)) {
+  for (const double turn : turns_.wholeTurn) placed_.push_back(1 - fade(turn, turnsLittle, turnsFar));
+  if (hold == Hold::Anchored) anchor_ = anchorWeights(input.mesh);
 }
 
 // The mean over its faces, by area, of what their frames' turns say.
-std::vector<double> HeldMotion::anchorWeights(const HoldInput& input, const std::vector<double>& faceArea) const {
+std::vector<double> HeldMotion::anchorWeights(const HoldMesh& mesh) const {
   constexpr double leastTurn = 1e-9;
-  const HoldMesh& mesh = input.mesh;
+  const std::vector<double> faceArea = faceAreas(mesh);
   std::vector<double> weight(area_.size(), 0.0);
   for (std::size_t f = 0; f < faceArea.size(); ++f) {
     if (mesh.frameOf[f] < 0) continue;
-    const double ratio = anchorTurn / std::max(frameTurn_[mesh.frameOf[f]], leastTurn);
+    const double ratio = anchorTurn / std::max(turns_.frameTurn[mesh.frameOf[f]], leastTurn);
     for (const int v : mesh.shape.faces[f]) weight[v] += faceArea[f] / 3 * std::min(ratio * ratio, mostAnchor);
   }
   for (std::size_t v = 0; v < weight.size(); ++v) weight[v] = std::max(weight[v], leastAnchor * area_[v]);
@@ -124,7 +73,7 @@ std::vector<double> HeldMotion::anchorWeights(const HoldInput& input, const std:
 }
 
 double HeldMotion::placementShare(const SpanPlace& place, const Mat3& frameSum, const Mat3& mean) const {
-  const double share = tween(placed_.data(), path_.spans(), path_.loop(), place);
+  const double share = tween(placed_.data(), target_.path().spans(), target_.path().loop(), place);
   return share * place.within() * fade((mean.transpose() * frameSum).trace() - 1, scattered, gathered);
 }
 
@@ -139,14 +88,10 @@ HeldMotion::Placement HeldMotion::place(const FitSums& sums, double share) const
 
 void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape,
                        Scratch& scratch, ForkJoin* forkJoin) const {
-  const SpanPlace place = path_.placeOf(t);
+  const SpanPlace place = target_.path().placeOf(t);
   if (place.beyond >= 1) return;
-  const Mat3 sum = frameSum(frames), turn = projectToRotation(sum);
-  path_.positionsAt(t, scratch.target);
-  if (rigid_) {
-    rigid_->positionsAt(t, scratch.body);
-    blendWithBody(deforms_, turn, mean, scratch.body, scratch.target);
-  }
+  const Mat3 sum = turns_.sumOf(frames), turn = projectToRotation(sum);
+  target_.at(t, turn, mean, scratch.target, scratch.body);
   const Placement placed = this->place(fitSums(area_, mean, shape, scratch.target), placementShare(place, sum, turn));
   moveRigidly(placed.turn, placed.move, shape);
   if (hold_ == Hold::Anchored) anchor(place.within(), shape, scratch, forkJoin);

@@ -25,14 +25,10 @@ struct Stiffness {
 };
 
 void addFaces(const HoldMesh& mesh, Stiffness& k) {
-  const Positions& reference = mesh.shape.poses[mesh.shape.reference];
   for (std::size_t f = 0; f < mesh.frameOf.size(); ++f) {
     if (mesh.frameOf[f] < 0) continue;
     const Triangle& t = mesh.shape.faces[f];
-    for (int c = 0; c < 3; ++c) {
-      const int apex = t[c], i = t[(c + 1) % 3], j = t[(c + 2) % 3];
-      k.addSpring(i, j, cotangent(reference[i] - reference[apex], reference[j] - reference[apex]) / 2);
-    }
+    for (int c = 0; c < 3; ++c) k.addSpring(t[(c + 1) % 3], t[(c + 2) % 3], sideStiffness(mesh, f, c));
   }
 }
 
@@ -47,7 +43,22 @@ void addJoints(const HoldMesh& mesh, Stiffness& k) {
     for (const int v : mesh.shape.faces[loose.anchorFace]) k.addSpring(v, loose.vertex, looseStiffness * own[v]);
 }
 
+Stiffness stiffnessOf(const HoldMesh& mesh) {
+  Stiffness k{std::vector<double>(mesh.shape.vertexCount(), 0.0), {}};
+  addFaces(mesh, k);
+  addJoints(mesh, k);
+  return k;
+}
+
 }  // namespace
+
+double sideStiffness(const HoldMesh& mesh, std::size_t face, int c) {
+  const Positions& p = mesh.shape.poses[mesh.shape.reference];
+  const Triangle& t = mesh.shape.faces[face];
+  return cotangent(p[t[(c + 1) % 3]] - p[t[c]], p[t[(c + 2) % 3]] - p[t[c]]) / 2;
+}
+
+std::vector<double> stiffnessDiagonal(const HoldMesh& mesh) { return stiffnessOf(mesh).diagonal; }
 
 std::vector<double> faceAreas(const HoldMesh& mesh) {
   const Positions& p = mesh.shape.poses[mesh.shape.reference];
@@ -72,9 +83,7 @@ std::vector<double> vertexAreas(const HoldMesh& mesh) {
 
 Result<HoldSystem> HoldSystem::create(const HoldMesh& mesh, std::span<const double> weight, Precision precision) {
   const int count = mesh.shape.vertexCount();
-  Stiffness k{std::vector<double>(count, 0.0), {}};
-  addFaces(mesh, k);
-  addJoints(mesh, k);
+  Stiffness k = stiffnessOf(mesh);
   for (int v = 0; v < count; ++v) k.entries.push_back({v, v, k.diagonal[v] + weight[v]});
   const SymmetricMatrix matrix = assembleSymmetric(count, k.entries);
   HoldSystem system;

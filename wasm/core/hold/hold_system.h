@@ -25,6 +25,12 @@ std::vector<double> faceAreas(const HoldMesh& mesh);
 /// Likewise of each vertex, which has a third of its faces'.
 std::vector<double> vertexAreas(const HoldMesh& mesh);
 
+/// Cotangent of corner c of a face in the reference pose, halved: what ties the other two corners.
+double sideStiffness(const HoldMesh& mesh, std::size_t face, int c);
+
+/// Of each vertex in K: what its neighbours hold it with.
+std::vector<double> stiffnessDiagonal(const HoldMesh& mesh);
+
 /// Displacements x with (K + diag(weight)) x = b. Immutable.
 class HoldSystem {
  public:

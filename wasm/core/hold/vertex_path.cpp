@@ -42,7 +42,13 @@ std::vector<float> slopesAt(const WeldedShape& shape, const Curve& curve, double
 
 }  // namespace
 
-VertexPath::VertexPath(const WeldedShape& shape, const Curve& curve, bool rests)
+double keyDiagonal(const WeldedShape& shape) {
+  std::vector<const Positions*> keys;
+  for (int key = 0; key < shape.keys; ++key) keys.push_back(&shape.poses[key]);
+  return boundingDiagonal(keys);
+}
+
+VertexPath::VertexPath(const WeldedShape& shape, const Curve& curve, const PathRest& rest)
     : spans_(curve.spans()), loop_(curve.periodic()) {
   for (const KeySpan& span : spans_) knots_.push_back(&shape.poses[span.from]);
   knots_.push_back(&shape.poses[spans_.back().to]);
@@ -56,7 +62,9 @@ VertexPath::VertexPath(const WeldedShape& shape, const Curve& curve, bool rests)
   slope_.push_back(slopesAt(shape, curve, spans_.back().end));
   rest_.assign(spans_.size(), std::vector<float>(shape.poses[0].size()));
   knotRest_.assign(knots_.size(), std::vector<float>(shape.poses[0].size()));
-  if (rests) findRest(boundingDiagonal(knots_));
+  if (rest.where == PathRest::WhereStill) findRest(rest.diagonal);
+  if (rest.where == PathRest::AtEnds && !loop_)
+    for (std::vector<float>* end : {&knotRest_.front(), &knotRest_.back()}) std::fill(end->begin(), end->end(), 1.0f);
 }
 
 void VertexPath::findRest(double diagonal) {

@@ -9,12 +9,21 @@
 
 namespace shapespline {
 
+/// Where a path does not overshoot.
+struct PathRest {
+  enum { Nowhere, WhereStill, AtEnds } where = Nowhere;
+  double diagonal = 1;  ///< of the whole shape; what moves by a share of it is still
+};
+
+/// Of the box around all keys.
+double keyDiagonal(const WeldedShape& shape);
+
 /// Positions at the ends of the spans of a curve, and how a vertex passes them.
 class VertexPath {
  public:
   /// The keys of `shape` on `curve`, in the world of its first period. The curve must be cubic, and the shape outlive
-  /// the path. rests: whether what rests does not overshoot.
-  VertexPath(const WeldedShape& shape, const Curve& curve, bool rests);
+  /// the path. With PathRest::AtEnds an open path stands still beyond its ends.
+  VertexPath(const WeldedShape& shape, const Curve& curve, const PathRest& rest);
 
   VertexPath(const VertexPath&) = delete;
   VertexPath& operator=(const VertexPath&) = delete;

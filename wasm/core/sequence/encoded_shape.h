@@ -11,6 +11,7 @@
 #include "core/base/warning.h"
 #include "core/ghost/ghost_motion.h"
 #include "core/hold/held_motion.h"
+#include "core/hold/pinned_motion.h"
 #include "core/mesh/vertex_normals.h"
 #include "core/patches/patch_motion.h"
 #include "core/reconstruct/reconstruct.h"

@@ -32,7 +32,9 @@ void Evaluator::hold(const EncodedShape& encoded, const Motion& motion, double t
   const Vec3 mean = shapespline::blend(encoded.meanPosition(), poseWeights(point, encoded.shape().roles())) + move;
   const bool moved = move != Vec3::Zero();
   if (moved) moveRigidly(Mat3::Identity(), move, welded_);
-  motion.held()->apply(motion.curve().wrap(t).time, frames_.rotation, mean, welded_, heldScratch_, forkJoin_);
+  const double time = motion.curve().wrap(t).time;
+  if (motion.held()) motion.held()->apply(time, frames_.rotation, mean, welded_, heldScratch_, forkJoin_);
+  if (motion.pinned()) motion.pinned()->apply(time, frames_.rotation, mean, welded_, pinnedScratch_, forkJoin_);
   if (moved) moveRigidly(Mat3::Identity(), -move, welded_);
 }
 
@@ -63,7 +65,7 @@ void Evaluator::reconstruct(const EncodedShape& encoded, const Motion& motion, c
 
 void Evaluator::holdPlaced(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
                            PlacedShape<float>& placed) {
-  if (!motion.held()) return;
+  if (!motion.corrects()) return;
   Stopwatch watch;
   readPlaces(placed.places, encoded.placeOf(), placed.move, welded_);
   hold(encoded, motion, t, point);
@@ -111,7 +113,7 @@ void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, dou
     encoded.framesAt(point, motion.turns(), framesScratch_, frames_);
     encoded.withReconstructor([&](const auto& r) { r.reconstruct(point, frames_, scratch(r), welded_); });
   }
-  if (motion.held()) hold(encoded, motion, t, point);
+  if (motion.corrects()) hold(encoded, motion, t, point);
   const RigidMotion global = motion.globalMotion(encoded, t, point);
   if (moves(global))
     for (Vec3& p : welded_) p = global(p);
@@ -188,7 +190,7 @@ void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double 
   const CurvePoint point = pointAt(motion, t);
   if (motion.blendsVertices()) blendVertices(ghost.shape(), point, welded_);
   else ghost.positions(point, motion.turns(), framesScratch_.ghost, welded_);
-  if (motion.held()) moveGhost(encoded, motion, t, point);
+  if (motion.corrects()) moveGhost(encoded, motion, t, point);
   stats_.ghostMs = watch.lap();
   const RigidMotion global = motion.globalMotion(encoded, t, point);
   positions.clear();

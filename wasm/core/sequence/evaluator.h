@@ -78,6 +78,7 @@ class Evaluator {
   Reconstructor<double>::Scratch double_;
   PreviewEmbedding::Scratch embeddingScratch_;
   HeldMotion::Scratch heldScratch_;
+  PinnedMotion::Scratch pinnedScratch_;
   VertexNormals::Scratch normalsScratch_;
   PlacedShape<float> placed_;
   PlacedShape<double> placedDouble_;

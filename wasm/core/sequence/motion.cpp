@@ -51,13 +51,28 @@ Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyT
   if (!curve) return curve.error();
   Motion motion(std::move(*curve), std::move(keyTimes), options);
   motion.turns_ = encoded.turnsOfPatches(options.turns);
-  if (options.hold != Hold::Off && options.method == Method::Lri && shape.keys > 2) {
-    auto held = HeldMotion::create(encoded.holdInput(), motion.curve_, options.hold, before ? before->held() : nullptr);
-    if (!held) return held.error();
-    motion.held_ = std::move(*held);
-  }
+  if (Status status = motion.hold(encoded, before); !status) return status.error();
   motion.collectWarnings(encoded);
   return motion;
+}
+
+Status Motion::hold(const EncodedShape& encoded, const Motion* before) {
+  const std::vector<int>& weldedOf = encoded.input().welding.weldedOfRaw;
+  const int vertices = static_cast<int>(weldedOf.size()), keys = encoded.shape().keys;
+  if (Status status = checkPins(options_.pins, vertices, keys); !status) return status;
+  if (options_.method != Method::Lri) return {};
+  if (options_.hold != Hold::Off && keys > 2) {
+    auto held = HeldMotion::create(encoded.holdInput(), curve_, options_.hold, before ? before->held() : nullptr);
+    if (!held) return held.error();
+    held_ = std::move(*held);
+  }
+  if (!options_.pins.empty()) {
+    auto pinned =
+        PinnedMotion::create(encoded.holdInput(), curve_, options_.pins, weldedOf, before ? before->pinned() : nullptr);
+    if (!pinned) return pinned.error();
+    pinned_ = std::move(*pinned);
+  }
+  return {};
 }
 
 Curve Motion::unshapedCurve(const WeldedShape& shape) const {

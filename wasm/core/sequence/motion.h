@@ -45,6 +45,8 @@ class Motion {
 
   /// What shapes are corrected by, or null.
   const HeldMotion* held() const { return held_.get(); }
+  const PinnedMotion* pinned() const { return pinned_.get(); }
+  bool corrects() const { return held_ || pinned_; }
   /// Where the mean of a loop's vertices is that ends elsewhere, against the mean of its keys' blend.
   Vec3 loopMove(const EncodedShape& encoded, const CurvePoint& point) const;
 
@@ -54,6 +56,7 @@ class Motion {
  private:
   Motion(Curve curve, std::vector<double> times, const MotionOptions& options)
       : curve_(std::move(curve)), times_(std::move(times)), options_(options) {}
+  Status hold(const EncodedShape& encoded, const Motion* before);
   void collectWarnings(const EncodedShape& encoded);
 
   Curve curve_;
@@ -61,6 +64,7 @@ class Motion {
   MotionOptions options_;
   PatchTurns turns_;
   std::shared_ptr<const HeldMotion> held_;
+  std::shared_ptr<const PinnedMotion> pinned_;
   std::vector<Warning> warnings_;
 };
 

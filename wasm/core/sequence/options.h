@@ -7,6 +7,7 @@
 #include "core/base/precision.h"
 #include "core/base/types.h"
 #include "core/hold/held_motion.h"
+#include "core/hold/pin.h"
 #include "core/lri/face_frame.h"
 #include "core/lri/lri.h"
 #include "core/spline/rotation_spline.h"
@@ -22,7 +23,8 @@ enum class Method {
   CubicVertex,  ///< cubic splines of the vertex positions
 };
 
-/// Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold`.
+/// Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold` and
+/// `pins`.
 struct MotionOptions {
   Method method = Method::Lri;
   BoundaryKind boundary = BoundaryKind::Natural;
@@ -35,6 +37,7 @@ struct MotionOptions {
   std::vector<double> bias;
   std::vector<AddedTurns> turns;
   Hold hold = Hold::Off;  ///< with Method::Lri and three keys or more
+  std::vector<Pin> pins;  ///< with Method::Lri
   bool inPlace = false;   ///< take out the translation that accumulates along the sequence
 };
 

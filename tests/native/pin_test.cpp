@@ -1,0 +1,178 @@
+// Pins: what is held by hand keeps the keys, the smoothness and the indifference to rigid motions of what it corrects.
+#include <doctest/doctest.h>
+
+#include "core/hold/pin_region.h"
+#include "pins.h"
+#include "real_data.h"
+#include "sequences.h"
+#include "shapes.h"
+#include "sweep.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+// A bar that bends to either side; its end at z = 10 is pinned.
+Keyframes swaying() { return keyframes(bar(), {bend(0), bend(0.9), bend(-0.5), bend(0.4)}, {0, 1, 2.5, 3.5}); }
+
+int tip(const Keyframes& k) {
+  int best = 0;
+  for (std::size_t v = 0; v < k.keys[0].positions.size(); ++v)
+    if (k.keys[0].positions[v].z() > k.keys[0].positions[best].z() + 1e-9) best = static_cast<int>(v);
+  return best;
+}
+
+MotionOptions pinned(const Pin& pin) {
+  MotionOptions motion;
+  motion.pins = {pin};
+  return motion;
+}
+
+Pin atTip(const Keyframes& k, int key = -1, std::vector<PathKey> path = {}) { return {tip(k), 0.08, key, path}; }
+
+std::vector<PathKey> dragged() { return {{0.5, {0, 0.6, 0}}, {1.5, {0.2, -0.4, 0.1}}, {3, {0, 0.3, 0}}}; }
+
+Sequence make(const Keyframes& k, const MotionOptions& motion = {}) { return sequenceOf(k, doublePrecision(), motion); }
+
+}  // namespace
+
+TEST_CASE("a pin that follows its own spline leaves the keys exact, and moves the shape between them") {
+  const Keyframes k = swaying();
+  Sequence plain = make(k), s = make(k, pinned(atTip(k)));
+  for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-7 * diagonalOf(k));
+  CHECK(largestDistance(shapeAt(s, 1.8), shapeAt(plain, 1.8)) > 1e-3 * diagonalOf(k));
+}
+
+TEST_CASE("a pin that stays is where its key has it, and what is far from it hardly moves") {
+  const Keyframes k = swaying();
+  const Pin pin = atTip(k, 0);
+  Sequence plain = make(k), s = make(k, pinned(pin));
+  const Positions p = shapeAt(s, 1), q = shapeAt(plain, 1);
+  const double way = (k.keys[0].positions[pin.vertex] - q[pin.vertex]).norm();
+  const double left = (k.keys[0].positions[pin.vertex] - p[pin.vertex]).norm();
+  MESSAGE("left of the way: " << 100 * left / way << " %; foot moves " << 100 * (p[0] - q[0]).norm() / way << " %");
+  CHECK(left < 0.1 * way);
+  CHECK((p[0] - q[0]).norm() < 0.1 * way);
+  CHECK(largestDistance(shapeAt(s, 0), k.keys[0].positions) < 1e-7 * diagonalOf(k));
+}
+
+TEST_CASE("a pinned motion is smooth, pure, and fades out an interval beyond the ends") {
+  const Keyframes k = swaying();
+  for (const Pin& pin : {atTip(k), atTip(k, 1), atTip(k, -1, dragged())}) {
+    Sequence plain = make(k), s = make(k, pinned(pin));
+    const Sweep found = sweep(s);
+    CHECK(found.growth <= 4);
+    CHECK(found.zoomedStep <= std::max(1e-4, 3 * found.step * found.zoomedSpacing / found.spacing));
+    CHECK(shapeAt(s, 1.3) == shapeAt(s, 1.3));
+    for (const double t : {-1.0, -2.0, 4.5, 6.0}) CHECK(shapeAt(s, t) == shapeAt(plain, t));
+    std::vector<double> times;
+    for (const Key& key : k.keys) times.push_back(key.time);
+    REQUIRE(plain.update(pinned(pin), times).ok());
+    CHECK(shapeAt(plain, 1.3) == shapeAt(s, 1.3));
+  }
+}
+
+TEST_CASE("a common rigid motion moves a pinned motion along, and a rigid motion stays what it is") {
+  const Keyframes k = swaying();
+  const Mat3 r = expRotation(Vec3(0.3, -1, 2));
+  Keyframes other = k;
+  for (Key& key : other.keys)
+    for (Vec3& p : key.positions) p = r * p + Vec3(4, -3, 9);
+  Pin pin = atTip(k, -1, dragged()), moved = pin;
+  for (PathKey& key : moved.path) key.move = r * key.move;
+  Sequence s = make(k, pinned(pin)), t = make(other, pinned(moved));
+  for (const double time : {-0.4, 0.3, 1.7, 2.8, 3.9}) {
+    Positions expected = shapeAt(s, time);
+    for (Vec3& p : expected) p = r * p + Vec3(4, -3, 9);
+    CHECK(largestDistance(expected, shapeAt(t, time)) < 1e-5 * diagonalOf(k));
+  }
+  for (const double angle : {40.0, 100.0, 170.0}) {
+    std::vector<Map> maps;
+    for (int j = 0; j < 4; ++j) maps.push_back(turn({1, 2, 0.5}, radians(angle) * j, Vec3(j * j, 2 * j, 0)));
+    const Keyframes rigid = keyframes(bar(), maps);
+    Sequence plain = make(rigid), held = make(rigid, pinned({tip(rigid), 0.08}));
+    for (const double time : {0.1, 0.45, 0.8})
+      CHECK(largestDistance(shapeAt(held, time), shapeAt(plain, time)) < 1e-6 * diagonalOf(rigid));
+  }
+}
+
+TEST_CASE("what stays in a loop that walks on goes with it, without a seam") {
+  Keyframes k = swaying();
+  k.keys[3].positions = k.keys[0].positions;
+  for (Vec3& p : k.keys[3].positions) p += Vec3(0, 2, 0);
+  MotionOptions motion = pinned(atTip(k, 1, dragged()));
+  motion.boundary = BoundaryKind::Periodic;
+  Sequence s = make(k, motion);
+  const Sweep found = sweep(s);
+  CHECK(found.growth <= 4);
+  CHECK(found.zoomedStep <= std::max(1e-4, 3 * found.step * found.zoomedSpacing / found.spacing));
+  Positions next = shapeAt(s, 0.6);
+  for (Vec3& p : next) p += Vec3(0, 2, 0);
+  CHECK(largestDistance(next, shapeAt(s, 4.1)) < 1e-9 * diagonalOf(k));
+}
+
+TEST_CASE("pins on real shapes: keys, rigid motions, fading, purity") {
+  ImportOptions walk;
+  walk.sampleCount = 6;
+  walk.sampleAsked = true;
+  const std::vector<std::string> cat = {"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"};
+  const std::vector<std::pair<std::vector<std::string>, ImportOptions>> sets = {
+      {cat, {}}, {lionPoses, {}}, {wolfPoses, {}}, {{"skin/CesiumMan.glb"}, walk}};
+  for (const auto& [files, options] : sets) {
+    if (!hasData(files)) continue;
+    CAPTURE(files.front());
+    const Keyframes k = realKeyframes(files, options);
+    const double diagonal = diagonalOf(k);
+    const double first = k.keys.front().time, second = k.keys[1].time, last = k.keys.back().time;
+    MotionOptions own, every;
+    own.pins = {everyPin(k).front()};
+    every.pins = everyPin(k);
+    Sequence plain = make(k), s = make(k, own);
+    for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-6 * diagonal);
+    std::vector<double> times;
+    for (const Key& key : k.keys) times.push_back(key.time);
+    REQUIRE(s.update(every, times).ok());
+    const double inside = 0.6 * first + 0.4 * second;
+    const Positions here = shapeAt(s, inside);
+    CHECK(largestDistance(here, shapeAt(plain, inside)) > 1e-3 * diagonal);
+    shapeAt(s, last);
+    CHECK(shapeAt(s, inside) == here);
+    for (const double t : {first - (second - first), last + (last - k.keys[k.keyCount() - 2].time)})
+      CHECK(shapeAt(s, t) == shapeAt(plain, t));
+
+    const Mat3 r = expRotation(Vec3(0.3, -1, 2));
+    const Vec3 away = diagonal * Vec3(0.4, -0.3, 0.9);
+    Keyframes moved = k;
+    for (Key& key : moved.keys)
+      for (Vec3& p : key.positions) p = r * p + away;
+    for (Pin& pin : every.pins)
+      for (PathKey& key : pin.path) key.move = r * key.move;
+    Sequence t = make(moved, every);
+    Positions expected = here;
+    for (Vec3& p : expected) p = r * p + away;
+    CHECK(largestDistance(expected, shapeAt(t, inside)) < 1e-4 * diagonal);
+
+    Keyframes rigid = k;
+    rigid.keys.resize(4, rigid.keys[0]);
+    for (int j = 0; j < 4; ++j) {
+      rigid.keys[j].time = j;
+      rigid.keys[j].positions = k.keys[0].positions;
+      const Mat3 turned = expRotation(radians(100.0) * j * Vec3(1, 2, 0.5).normalized());
+      for (Vec3& p : rigid.keys[j].positions) p = turned * p + diagonal * Vec3(j * j, 2 * j, 0);
+    }
+    Sequence turning = make(rigid), held = make(rigid, own);
+    for (const double time : {0.3, 1.45})
+      CHECK(largestDistance(shapeAt(held, time), shapeAt(turning, time)) < 1e-6 * diagonal);
+  }
+}
+
+TEST_CASE("pins that cannot be meant are refused") {
+  const Keyframes k = swaying();
+  for (const Pin& pin : {Pin{-1, 0.1}, Pin{1 << 20, 0.1}, Pin{0, -0.1}, Pin{0, 0.1, 4},
+                         Pin{0, 0.1, -1, {{1, Vec3::Zero()}, {1, Vec3::Zero()}}}}) {
+    auto s = Sequence::create(k, {}, pinned(pin));
+    REQUIRE_FALSE(s.ok());
+    CHECK(s.error().code == ErrorCode::InvalidOption);
+  }
+}
