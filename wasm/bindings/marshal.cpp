@@ -84,6 +84,19 @@ Json seamsJson(const Seams& seams) {
           {"indices", range(seams.faces.data()->data(), 3 * seams.faces.size())}};
 }
 
+Pin pinFrom(const Json& json) {
+  Pin pin;
+  pin.vertex = json.at("vertex");
+  pin.radius = json.at("radius");
+  if (json.contains("stay")) pin.key = json.at("stay");
+  if (!json.contains("path")) return pin;
+  for (const Json& key : json.at("path")) {
+    const auto move = key.at("move").get<std::vector<double>>();
+    pin.path.push_back({key.at("time"), Vec3(move.at(0), move.at(1), move.at(2))});
+  }
+  return pin;
+}
+
 }  // namespace
 
 Positions positionsFrom(std::span<const float> numbers) {
@@ -131,6 +144,7 @@ MotionOptions motionFrom(const Json& json) {
   motion.tension = json.at("tension").get<std::vector<double>>();
   motion.bias = json.at("bias").get<std::vector<double>>();
   motion.turns = json.at("turns").get<std::vector<AddedTurns>>();
+  for (const Json& pin : json.at("pins")) motion.pins.push_back(pinFrom(pin));
   motion.inPlace = json.at("inPlace");
   return motion;
 }

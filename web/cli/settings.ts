@@ -23,6 +23,7 @@ const readKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Read | null
   key: read.key,
   shape: (file) => file,
   turns: read.turns,
+  pins: (text, option) => text.split(BETWEEN_VALUES).map((one) => read.pin(one, option)),
   numbers: read.numbers,
   weights: read.numbers,
   range: read.range,
@@ -78,7 +79,9 @@ const exportFlags = flagsOf(EXPORT);
 function known(flags: Flag[], own: string[], several: string[] = []): Known {
   const named = (withValue: boolean): string[] =>
     flags.filter((one) => (one.read !== null) === withValue).map(({ flag }) => flag);
-  const repeated = flags.filter(({ option }) => option.kind === 'names').map(({ flag }) => flag);
+  const repeated = flags
+    .filter(({ option }) => option.kind === 'names' || option.kind === 'pins')
+    .map(({ flag }) => flag);
   return {
     options: new Set([...named(true), ...own]),
     repeated: new Set([...repeated, ...several]),

@@ -1,5 +1,6 @@
 /** Text of an option -> its value. Each refuses what it cannot read with a UsageError that names the option. */
-import type { AddedTurns } from '../engine/api/types.ts';
+import { PIN_RADIUS } from '../engine/api/option-table.ts';
+import type { AddedTurns, PathKey, Pin } from '../engine/api/types.ts';
 import { UsageError } from './arguments.ts';
 
 type Read<T> = (text: string, option: string) => T;
@@ -70,6 +71,26 @@ export const turns: Read<AddedTurns[]> = (text, option) =>
     const added = { key: index, turns: whole(count, option) };
     return component ? { ...added, component: wholeFrom(1)(component, option) - 1 } : added;
   });
+
+/** VERTEX[:RADIUS|patch][:stay=KEY][:path=T/X/Y/Z,T/X/Y/Z...] -> a pin. */
+export const pin: Read<Pin> = (text, option) => {
+  const [place = '', ...rest] = text.split(':');
+  const result: Pin = { vertex: wholeFrom(0)(place, option), radius: PIN_RADIUS };
+  for (const [index, word] of rest.entries()) {
+    const [, name, value = ''] = /^(stay|path)=(.*)$/.exec(word) ?? [];
+    if (name === 'stay') result.stay = key(value, option);
+    else if (name === 'path') result.path = value.split(',').map((part) => pathKey(part, option));
+    else if (index > 0) throw new UsageError(`${option}: '${word}' is not stay=KEY or path=T/X/Y/Z,...`);
+    else result.radius = word === 'patch' ? 0 : positive(word, option);
+  }
+  return result;
+};
+
+function pathKey(text: string, option: string): PathKey {
+  const [time, x, y, z, ...rest] = text.split('/').map((part) => number(part, option));
+  if (z === undefined || rest.length > 0) throw new UsageError(`${option}: '${text}' is not T/X/Y/Z`);
+  return { time: time!, move: [x!, y!, z] };
+}
 
 /** A number is an index, counted from 0 as glTF does; anything else a name. */
 export const animation: Read<string | number> = (text) => (/^\d+$/.test(text) ? Number(text) : text);

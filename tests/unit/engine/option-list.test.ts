@@ -7,7 +7,7 @@ import type { Option, OptionTable } from '../../../web/engine/api/option-table.t
 function entry([name, option]: [string, Option]): string {
   const { flag, value, help, default: usual = null } = option;
   const values = option.kind === 'choice' ? option.choices.map((choice) => `'${choice}'`).join(', ') : '';
-  const start = usual === null ? '' : ` = ${typeof usual === 'string' ? `'${usual}'` : usual}`;
+  const start = usual === null ? '' : ` = ${JSON.stringify(usual).replaceAll('"', "'")}`;
   const offered = values && ` (${values})`;
   const word = flag === undefined ? '' : `, \`--${flag}${value === undefined ? '' : ` ${value}`}\``;
   return `- \`${name}${start}\`${offered}${word}: ${help}`;

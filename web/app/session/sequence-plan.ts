@@ -2,7 +2,7 @@
 import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../engine/api/types.ts';
 import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
-import type { EncodingOptions, Method, MotionOptions, SequenceOptions } from '../../engine/api/types.ts';
+import type { EncodingOptions, Method, MotionOptions, Pin, SequenceOptions } from '../../engine/api/types.ts';
 import type { Variant } from '../../playback/frame-set.ts';
 import { listsOf } from '../../model/shaping.ts';
 import type { Doc, Motion, View } from '../../model/state.ts';
@@ -44,7 +44,7 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
     encoding: { reference: referenceKey(doc), ...plain },
     startTangentPose: hermite ? startTangentPose : null,
     endTangentPose: hermite ? endTangentPose : null,
-    motion: { ...rest, ...listsOf(keys.map((key) => key.shaping)), inPlace: false },
+    motion: { ...rest, pins: pinsFor(doc), ...listsOf(keys.map((key) => key.shaping)), inPlace: false },
     variants: [
       { method, ghost },
       ...sizes.map((size) => ({ method, ghost: size })),
@@ -57,6 +57,14 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
 function besideMethod(motion: Motion, other: Method): Omit<Variant, 'ghost'>[] {
   if (other !== motion.method) return [{ method: other }];
   return holds(motion) ? [{ method: other, plain: true }] : [];
+}
+
+/** Where a pin is to stay in a shape that is no key any more, it follows its own splines. */
+function pinsFor({ keys, motion }: Doc): Pin[] {
+  return motion.pins.map(({ stay, ...pin }) => {
+    const key = keys.findIndex(({ pose }) => pose === stay);
+    return key < 0 ? pin : { ...pin, stay: key };
+  });
 }
 
 function besides(ghost: number, { ghostDifference, ghostSizes }: ShownMotions): number[] {
@@ -89,5 +97,6 @@ export function optionsFor(plan: SequencePlan, variant: Variant, keys: Keys): Pa
 /** The boundary that a method makes use of: straight motion has no end derivatives. */
 export function motionFor(plan: SequencePlan, { method, plain }: Variant): MotionOptions {
   const boundary = ignoresHermite(method) && plan.motion.boundary === 'hermite' ? 'natural' : plan.motion.boundary;
-  return { ...plan.motion, method, boundary, hold: plain ? MOTION_DEFAULTS.hold : plan.motion.hold };
+  const { hold, pins } = plain ? MOTION_DEFAULTS : plan.motion;
+  return { ...plan.motion, method, boundary, hold, pins: [...pins] };
 }

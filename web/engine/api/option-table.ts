@@ -9,6 +9,9 @@
 export const MOST_TIME = 1e9;
 export const MOST_FRAMES = 100_000;
 export const MOST_KEYS = 10_000;
+/** Pins, and keys of a path of one. */
+export const MOST_PINS = 100;
+export const MOST_PATH_KEYS = 1000;
 /** More added turns than anybody means. */
 export const MOST_TURNS = 100;
 /** Likewise, of how many times faster than by itself a motion passes a key. */
@@ -24,6 +27,25 @@ export interface AddedTurns {
   component?: number;
 }
 
+/** A key of the path that a pin is moved along. */
+export interface PathKey {
+  time: number;
+  /** From where the pin would be without a path, in the unit of the positions. */
+  move: [x: number, y: number, z: number];
+}
+
+/** Vertices that are held by hand: those around one of the mesh. They follow their own splines, unless they stay. */
+export interface Pin {
+  /** 0-based, as the file counts. */
+  vertex: number;
+  /** Of the ball that is held, over the size of the shape; 0: the patch at the vertex. */
+  radius: number;
+  /** 0-based key in which they are where they stay. */
+  stay?: number;
+  /** Moved by this besides, in order of time. */
+  path?: PathKey[];
+}
+
 /** The values of each kind, where the kind alone says it. */
 interface Values {
   number: number;
@@ -33,6 +55,7 @@ interface Values {
   /** 3 x vertices positions; a file on the command line, base64 in a project. */
   shape: Float32Array;
   turns: AddedTurns[];
+  pins: Pin[];
   numbers: number[];
   /** One per key, sum 1. */
   weights: number[];
@@ -84,7 +107,7 @@ export interface ChoiceOption extends Described {
 
 export interface OtherOption extends Described {
   kind: Exclude<keyof Values, 'number'>;
-  default?: null | boolean | number;
+  default?: null | boolean | number | readonly never[];
   /** Of lists: at least one entry, and how many at most. */
   some?: true;
   most?: number;
@@ -108,7 +131,10 @@ export type ValueOf<O> =
   | (O extends { default: null } ? null : never);
 export type ValuesOf<T> = { -readonly [N in keyof T]: ValueOf<T[N]> };
 
-/** Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold`. */
+/**
+ * Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold` and
+ * `pins`.
+ */
 export const MOTION = {
   method: {
     kind: 'choice',
@@ -127,6 +153,19 @@ export const MOTION = {
     help: "what rests between keys: moves as the method has it (off, the paper's), stays (contact), or stays and draws what hardly turns to its vertices' splines (anchored)",
     page: 'hold',
     undo: 'hold',
+  },
+  /** Held by hand, with the method 'lri'; the first pin that would hold a vertex has it. */
+  pins: {
+    kind: 'pins',
+    most: MOST_PINS,
+    default: [],
+    flag: 'pin',
+    value: 'VERTEX[:RADIUS][:stay=KEY][:path=T/X/Y/Z,...]',
+    help:
+      "holds the vertices around one of the file's, counted from 0: RADIUS of the shape's size, or patch; they follow " +
+      'their own splines, or stay where they are in a key, moved by X, Y, Z at times T; several times for several pins',
+    page: 'pins',
+    undo: 'pins',
   },
   boundary: {
     kind: 'choice',
@@ -518,6 +557,9 @@ export const EXPORT = {
 export function optionsIn(table: OptionTable): [name: string, option: Option][] {
   return Object.entries(table);
 }
+
+/** Radius of a pin where nobody says which. */
+export const PIN_RADIUS = 0.06;
 
 export function defaultsOf<T extends OptionTable>(table: T): ValuesOf<T> {
   const known = optionsIn(table).filter(([, option]) => option.default !== undefined);

@@ -3,7 +3,17 @@
  * code 'invalid-option' and the option's name, before anything is posted to a worker.
  */
 import { invalidOption } from './errors.ts';
-import { ENCODING, EXPORT, IMPORT, MOST_TIME, MOST_TURNS, MOTION, PER_KEY, optionsIn } from './option-table.ts';
+import {
+  ENCODING,
+  EXPORT,
+  IMPORT,
+  MOST_PATH_KEYS,
+  MOST_TIME,
+  MOST_TURNS,
+  MOTION,
+  PER_KEY,
+  optionsIn,
+} from './option-table.ts';
 import type { KeyOption, NumberOption, Option, OptionTable, OtherOption } from './option-table.ts';
 import {
   ENCODING_DEFAULTS,
@@ -50,6 +60,41 @@ const turns: Check = (v) => {
         `turns from -${MOST_TURNS} to ${MOST_TURNS}`;
 };
 
+const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null;
+
+/** A way further than this is no way. */
+const MOST_MOVE = 1e12;
+
+/** Of a pin's path. */
+const path: Check = (v) => {
+  if (!Array.isArray(v)) return 'whose path is no array';
+  if (v.length > MOST_PATH_KEYS) return `with more than ${MOST_PATH_KEYS} keys in its path`;
+  const goodMove = (move: unknown): boolean =>
+    Array.isArray(move) && move.length === 3 && move.every((x) => isNumber(x) && Math.abs(x) <= MOST_MOVE);
+  const good = v.every(
+    (key, i) =>
+      isRecord(key) && isTime(key['time']) && goodMove(key['move']) && (i === 0 || key['time'] > v[i - 1].time),
+  );
+  return good ? null : 'whose path is not { time, move: [x, y, z] } in increasing times';
+};
+
+/** What is wrong with a pin, after 'must not have a pin'. */
+function wrongWithPin(pin: unknown): string | null {
+  if (!isRecord(pin)) return 'that is no object';
+  const { vertex, radius, stay = 0, path: keys = [], ...rest } = pin;
+  if (wholeFrom(0)(vertex)) return 'whose vertex is no whole number of at least 0';
+  if (!isNumber(radius) || radius < 0 || radius > 1) return 'whose radius is no number from 0 to 1';
+  if (wholeFrom(0)(stay)) return 'whose key to stay in is no whole number of at least 0';
+  const [other] = Object.keys(rest);
+  return other === undefined ? path(keys) : `with '${other}': it has vertex, radius, stay and path`;
+}
+
+const pins: Check = (v) => {
+  if (!Array.isArray(v)) return 'must be an array of { vertex, radius, stay?, path? }';
+  const wrong = v.map(wrongWithPin).find((one) => one !== null);
+  return wrong ? `must not have a pin ${wrong}` : null;
+};
+
 const sample: Check = (v) => {
   if (!wholeFrom(2)(v)) return null;
   const increasing = Array.isArray(v) && v.length > 0 && v.every((t, i) => isTime(t) && (i === 0 || t > v[i - 1]));
@@ -68,6 +113,7 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
   key: wholeFrom(0),
   shape: (v) => (v instanceof Float32Array ? null : 'must be a Float32Array of positions'),
   turns,
+  pins,
   numbers: times,
   weights: (v) => {
     if (!Array.isArray(v) || v.length === 0 || !v.every(isNumber)) return 'must be numbers, one per key';
@@ -113,6 +159,8 @@ function countCheck({ some, most = Infinity }: OtherOption): Check {
   };
 }
 
+const COUNTED: readonly Option['kind'][] = ['numbers', 'sample', 'names', 'pins'];
+
 function checkOf(option: Option): Check {
   const { kind } = option;
   if (kind === 'number') return numberCheck(option);
@@ -122,7 +170,7 @@ function checkOf(option: Option): Check {
     return (v) => (choices.includes(v as string) ? null : `must be one of ${names}`);
   }
   const count = countCheck(option);
-  return (v) => ofKind[kind](v) ?? (kind === 'numbers' || kind === 'sample' || kind === 'names' ? count(v) : null);
+  return (v) => ofKind[kind](v) ?? (COUNTED.includes(kind) ? count(v) : null);
 }
 
 /** What is wrong with an option's value, or null. */

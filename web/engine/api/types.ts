@@ -12,7 +12,7 @@ export interface InputFile {
   bytes: Uint8Array;
 }
 
-export type { AddedTurns } from './option-table.ts';
+export type { AddedTurns, PathKey, Pin } from './option-table.ts';
 
 /** What to take from the files. */
 export type ImportOptions = Partial<ValuesOf<typeof IMPORT>>;
@@ -23,7 +23,7 @@ export type PerKey = {
   -readonly [N in keyof typeof PER_KEY]: (typeof PER_KEY)[N] extends { kind: 'number' } ? number[] : AddedTurns[];
 };
 
-/** Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold`. */
+/** Choices that refit the spline only: nothing is encoded again, and factorised for `hold` and `pins` alone. */
 export type MotionOptions = ValuesOf<typeof MOTION> & PerKey;
 const NO_LISTS = Object.fromEntries(Object.keys(PER_KEY).map((name) => [name, []])) as unknown as PerKey;
 export const MOTION_DEFAULTS: Readonly<MotionOptions> = { ...defaultsOf(MOTION), ...NO_LISTS };
