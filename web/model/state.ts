@@ -160,9 +160,9 @@ export function ignoresHermite(method: Method): boolean {
   return method === 'geodesic' || method === 'linear';
 }
 
-/** What rests is held, so that the motion is not the method's as published. */
-export function holds({ method, hold }: Motion): boolean {
-  return method === 'lri' && hold !== 'off';
+/** Something rests or is pinned, so that the motion is not the method's as published. */
+export function holds({ method, hold, pins }: Motion): boolean {
+  return method === 'lri' && (hold !== 'off' || pins.length > 0);
 }
 
 /** The methods of LRI space; the others blend positions, where neither stretches nor a ghost mesh have a part. */

@@ -10,6 +10,7 @@ import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TANGENT_NAME } from '../model/speeds.ts';
 import { BOUNDARIES, DEFAULT_MOTION, HOLDS, METHODS, holds, ignoresHermite } from '../model/state.ts';
 import { button, checkbox, numberField, segments, select, slider } from './controls.ts';
+import { createPinList } from './pin-list.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 
 const BOUNDARY_WORDS: Record<Boundary, { label: string; hint: string }> = {
@@ -52,6 +53,8 @@ export interface MotionPanelProps {
   keys: readonly KeyRef[];
   /** Of any shape that was opened, a key or not. */
   poseName: (pose: number) => string;
+  /** The next click on the shape pins it there. */
+  placing: boolean;
   /** Mean tension of the keys. */
   tightness: number;
   /** The default period, for the field's placeholder. */
@@ -68,6 +71,7 @@ export interface MotionPanelEvents {
   /** A file is to be chosen whose shape gives the end tangent. */
   onTangentFile(end: End): void;
   onCompare(methods: Method[]): void;
+  onPlacing(placing: boolean): void;
   /** The same tension for every key. */
   onTightness(tension: number): void;
   /** As much as keeps the motion from overshooting. */
@@ -142,6 +146,10 @@ export function createMotionPanel(
     (value) => events.onMotion({ hold: value }),
   );
   const holdHint = h('p', { class: 'hint', 'data-testid': 'hold-hint' });
+  const pins = createPinList({
+    onPins: (list) => events.onMotion({ pins: list.length > 0 ? list : DEFAULT_MOTION.pins }),
+    onPlacing: events.onPlacing,
+  });
   const holding = h('div', { class: 'group' }, hold.element, holdHint);
   const tightness = slider({
     label: 'Tightness',
@@ -197,6 +205,7 @@ export function createMotionPanel(
     hermite,
     periodic,
     holding,
+    pins.element,
     tight,
     spacing,
   );
@@ -207,9 +216,11 @@ export function createMotionPanel(
     method.update(motion.method);
     setText(methodHint, METHOD_WORDS[motion.method].hint);
     for (const { value, toggle } of others) {
-      const own = value === motion.method;
-      setHidden(toggle.element, own && !holds(motion));
-      setText(toggle.element.querySelector('span')!, (own ? PLAIN_WORDS : METHOD_WORDS[value]).short);
+      setHidden(toggle.element, value === motion.method && !holds(motion));
+      setText(
+        toggle.element.querySelector('span')!,
+        value === motion.method ? PLAIN_WORDS.short : METHOD_WORDS[value].short,
+      );
       toggle.update(compared.includes(value), props.disabled);
     }
     boundary.update(
@@ -221,6 +232,8 @@ export function createMotionPanel(
     hold.update(motion.hold);
     setText(holdHint, HOLD_WORDS[motion.hold].hint);
     setHidden(holding, motion.method !== 'lri' || props.keys.length < 3);
+    setHidden(pins.element, motion.method !== 'lri');
+    pins.update({ pins: motion.pins, keys: props.keys, placing: props.placing, disabled: props.disabled });
     setText(boundaryHint, BOUNDARY_WORDS[motion.boundary].hint);
     setHidden(hermite, motion.boundary !== 'hermite');
     setHidden(periodic, motion.boundary !== 'periodic');

@@ -191,6 +191,12 @@ export class Contents {
     return shape?.object.visible ? shape.positions.slice() : new Float32Array();
   }
 
+  /** A vertex of the first view's shape; empty before its first frame. */
+  vertex(index: number): Float32Array {
+    const shape = this.shapes[0];
+    return shape?.object.visible ? shape.positions.slice(3 * index, 3 * index + 3) : new Float32Array();
+  }
+
   /** So many vertices of the first view's shape, or all, or none before its first frame. */
   sample(count: number): Float32Array {
     const shape = this.shapes[0];

@@ -57,6 +57,7 @@ export class Viewer {
   private starting: Promise<void> | null = null;
   private started = false;
   private waiting: (() => void)[] = [];
+  private readonly followers: (() => void)[] = [];
   private readonly resize: ResizeObserver;
   private readonly over = new AbortController();
 
@@ -240,6 +241,26 @@ export class Viewer {
   /** Positions drawn in a view now, copied; empty before the first frame. */
   positions(view: number): Float32Array {
     return this.contents.positions(view);
+  }
+
+  /** A vertex drawn in the first view now; empty before the first frame. */
+  vertex(index: number): Float32Array {
+    return this.contents.vertex(index);
+  }
+
+  /** The point under a place of the canvas that is as far into the first view as `point`. */
+  beside(point: ArrayLike<number>, x: number, y: number): [number, number, number] {
+    const rect = this.rects()[0]!;
+    this.rig.prepare(rect.width / rect.height, 1);
+    const { camera } = this.rig;
+    const depth = new Vector3(point[0], point[1], point[2]).project(camera).z;
+    const place = new Vector3(((x - rect.x) / rect.width) * 2 - 1, 1 - ((y - rect.y) / rect.height) * 2, depth);
+    return place.unproject(camera).toArray();
+  }
+
+  /** Hears of every drawing: what lies over a shape goes with it. */
+  follow(onDrawn: () => void): void {
+    this.followers.push(onDrawn);
   }
 
   /** Where points (xyz interleaved) appear: x, y in CSS pixels from the canvas' top left corner. */
@@ -442,6 +463,7 @@ export class Viewer {
     this.waiting = [];
     for (const resolve of waiting) resolve();
     if (!this.pictureSize) this.events.onDrawn?.();
+    for (const follow of this.followers) follow();
   }
 
   private size(): PixelSize {

@@ -1,6 +1,6 @@
 /** What the controls do to the document, the time and the view. */
 import { PER_KEY } from '../../engine/api/option-table.ts';
-import type { KeyPace, Method } from '../../engine/api/types.ts';
+import type { KeyPace, Method, Pin } from '../../engine/api/types.ts';
 import {
   addKey,
   moveKey,
@@ -97,6 +97,7 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
     between,
     window,
     motion,
+    pins: (pins: Pin[], merge?: string): void => motion({ pins: pins.length > 0 ? pins : DEFAULT_MOTION.pins }, merge),
     endSpeed: (end: End, speed: number): void => motion({ [SPEED_NAME[end]]: speed }, SPEED_NAME[end]),
     encoding,
     toggleGhost: (): void =>

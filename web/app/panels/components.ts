@@ -82,6 +82,9 @@ export interface ComponentsInput {
   leave: HTMLElement;
   onRemember(): void;
   onTheme(): void;
+  onPlacing(placing: boolean): void;
+  /** Pins where they are on the shape. */
+  pinHandles: HTMLElement;
   onCancel(): void;
   onCloseError(): void;
   onSingleKeys(on: boolean): void;
@@ -193,6 +196,7 @@ export function createComponents(input: ComponentsInput): Components {
         tangentPicker.open();
       },
       onCompare: commands.compare,
+      onPlacing: input.onPlacing,
       onTightness: commands.tightness,
       onAutoTightness: () => void commands.autoTightness().catch(input.onError),
       onSpacing: (spacing) => void commands.spaceKeys(spacing).catch(input.onError),
@@ -268,6 +272,7 @@ export function createComponents(input: ComponentsInput): Components {
     status: status.element,
     overlays: [
       tileLabels.element,
+      input.pinHandles,
       divider.element,
       colourBar.element,
       welcome.element,
@@ -369,6 +374,7 @@ export function createComponents(input: ComponentsInput): Components {
       compare: view.compare,
       keys: doc.keys,
       poseName: input.poseName,
+      placing: viewState.placing,
       tightness: tightness(doc),
       period: range[1] - range[0],
       disabled,

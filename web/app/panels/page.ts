@@ -14,8 +14,10 @@ import { createComponents } from './components.ts';
 import type { Feedback } from './feedback.ts';
 import { listenToCamera } from '../../viewer/camera-keys.ts';
 import { createShortcuts, listenToArrows } from './keyboard.ts';
+import { setAttribute } from '../../ui/dom.ts';
 import { later } from '../../ui/later.ts';
 import type { Layout } from './layout.ts';
+import { createPinsInView } from './pins-in-view.ts';
 import { createPresentation } from './presentation.ts';
 import { listen, shortcutLines } from './shortcuts.ts';
 import { listenToClicks } from './window-events.ts';
@@ -75,7 +77,8 @@ export function createPage(parts: PageParts): Page {
   const closeError = (): void => viewState.change({ errorMessage: null });
   const stepBack = (): void => {
     const { working, blend, errorMessage } = viewState.get();
-    if (working) onCancel();
+    if (viewState.get().placing) viewState.change({ placing: false });
+    else if (working) onCancel();
     else if (blend) parts.onBlend(null);
     else if (errorMessage) closeError();
     else if (store.get().view.present) commands.present(null);
@@ -102,6 +105,7 @@ export function createPage(parts: PageParts): Page {
     escape: stepBack,
   });
   const onEnlarge = (plot: Plot): void => commands.present(store.get().view.present === plot ? null : plot);
+  const pins = createPinsInView({ store, viewState, scene, commands, range, say: feedback.say });
   const analysis = createAnalysisPlace(
     parts.analysis,
     {
@@ -147,6 +151,8 @@ export function createPage(parts: PageParts): Page {
     onRedo: undo.redo,
     onOwn: parts.onOwn,
     onTheme: theme.next,
+    onPlacing: (placing) => viewState.change({ placing }),
+    pinHandles: pins.element,
     onCancel,
     onLink: parts.onLink,
     link: parts.link,
@@ -166,6 +172,7 @@ export function createPage(parts: PageParts): Page {
   listenToArrows({ store, commands, viewport: layout.viewport, range, isOpen: () => viewState.get().info !== null });
   listenToCamera(scene.viewer, layout.viewport);
   listenToClicks(layout.viewport, (x, y) => {
+    if (viewState.get().placing) return pins.place({ x, y });
     void analysis.need().then((panel) => panel?.clicked(() => scene.pick(x, y)));
   });
 
@@ -173,6 +180,7 @@ export function createPage(parts: PageParts): Page {
   const draw = (): void => {
     frame = 0;
     presentation.update(store.get().view.present);
+    setAttribute(layout.viewport, 'data-placing', viewState.get().placing);
     components.update({
       state: store.get(),
       viewState: viewState.get(),

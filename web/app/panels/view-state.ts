@@ -57,6 +57,8 @@ export interface ViewState {
   /** All files of the user that are kept, the last changed first. */
   shelf: readonly ProjectOnShelf[];
   singleKeys: boolean;
+  /** The next click on the shape pins it there. */
+  placing: boolean;
   /** What was found when the fewest keys of an animation were looked for. */
   fewest: Fewest | null;
   /** The animation is shown beside the motion. */
@@ -85,6 +87,7 @@ export function openedView(opened: OpenedFiles, before: ViewState): Partial<View
     thumbnails: new Map(),
     pace: null,
     timePicture: null,
+    placing: false,
     fewest: null,
     original: false,
     blend: null,
@@ -146,6 +149,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   remembered: false,
   shelf: [],
   singleKeys: true,
+  placing: false,
   fewest: null,
   original: false,
   blend: null,

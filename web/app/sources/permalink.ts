@@ -9,6 +9,7 @@ import type { AddedTurns } from '../../engine/api/types.ts';
 import { setShaping, setTurns } from '../../model/edits.ts';
 import { MAX_FPS, MIN_FPS } from '../../model/frames.ts';
 import { forPage, isPose, pageOptions } from '../../model/page-options.ts';
+import { pinsFromText, pinsText } from '../../model/pins.ts';
 import type { ShapingNumber } from '../../model/shaping.ts';
 import { SHAPING_NUMBERS, turnsOf } from '../../model/shaping.ts';
 import { LEAST_SHARE } from '../../ui/divider.ts';
@@ -85,7 +86,7 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   put('partTurns', partTurns.join(','), '');
   const putOptions = (options: object, fallbacks: object): void =>
     Object.entries(fallbacks).forEach(([name, fallback]) => put(name, options[name as never], fallback));
-  putOptions(doc.motion, initial.motion);
+  putOptions(linked(doc.motion), linked(initial.motion));
   putOptions(doc.encoding, initial.encoding);
   put('colour', view.colouring, DEFAULT_VIEW.colouring);
   put('shading', view.shading, DEFAULT_VIEW.shading);
@@ -103,6 +104,11 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   put('present', PRESENTED.find((one) => one === view.present) ?? null, null);
   put('window', view.window?.map(shortest).join(',') ?? null, null);
   return params.toString();
+}
+
+/** What stands for a motion in a link. */
+function linked({ pins, ...motion }: Motion): object {
+  return { ...motion, pins: pinsText(pins, shortest) };
 }
 
 export function readPermalink(fragment: string): Permalink | null {
@@ -185,6 +191,7 @@ type Take = <T>(name: string, read: (text: string) => T | undefined) => T | unde
 /** The value of an option, where it is one that the option can have. */
 function optionValue(option: Option, text: string): unknown {
   if (isPose(option)) return index(text);
+  if (option.kind === 'pins') return pinsFromText(text);
   const value = option.kind === 'choice' ? text : option.kind === 'flag' ? flag(text) : number(text);
   return value !== undefined && wrongWith(option, value) === null ? value : undefined;
 }

@@ -1,0 +1,111 @@
+/** Pins: a foot of the walking dachshund is held by hand, and stays held wherever the work goes. */
+import { exported } from './exporting.ts';
+import { diagonal, difference, expect, test, type App } from './support.ts';
+
+/** The lowest vertex in the first key, and where it is on the page. */
+async function foot(app: App): Promise<{ vertex: number; x: number; y: number }> {
+  const first = await app.positionsAt((await app.state()).doc.keys[0]!.time);
+  let vertex = 0;
+  for (let v = 0; v < first.length / 3; v++) if (first[3 * v + 1]! < first[3 * vertex + 1]!) vertex = v;
+  return { vertex, ...(await placeOf(app, first.slice(3 * vertex, 3 * vertex + 3))) };
+}
+
+async function placeOf(app: App, point: number[]): Promise<{ x: number; y: number }> {
+  const box = (await app.by('viewport').boundingBox())!;
+  const [x = 0, y = 0] = await app.page.evaluate((xyz) => Array.from(window.__shapespline!.project(xyz)), point);
+  return { x: box.x + x, y: box.y + y };
+}
+
+const point = (positions: number[], vertex: number): number[] => positions.slice(3 * vertex, 3 * vertex + 3);
+const distance = (a: number[], b: number[]): number => Math.hypot(...a.map((x, k) => x - b[k]!));
+
+test('a foot is pinned, dragged, undone, reloaded, exported and opened again', async ({ app }, testInfo) => {
+  await app.open({ sample: 'dachshund' });
+  const { keys } = (await app.state()).doc;
+  const [t0, t1] = [keys[0]!.time, keys[1]!.time];
+  const t = t0 + 0.5 * (t1 - t0);
+  const at = await foot(app);
+  const plain = await app.positionsAt(t);
+  await app.setTime(t0);
+
+  // Nothing of the shape is there: said, and the next click still counts.
+  await app.by('pin-place').click();
+  const box = (await app.by('viewport').boundingBox())!;
+  await app.page.mouse.click(box.x + 6, box.y + box.height / 2);
+  await expect(app.page.getByText('There is nothing of the shape to pin')).toBeVisible();
+  await app.page.keyboard.press('Escape');
+  await expect(app.by('pin-place')).toHaveAttribute('aria-pressed', 'false');
+
+  await app.by('pin-place').click();
+  await app.page.mouse.click(at.x, at.y - 2);
+  await expect(app.by('pin-0')).toBeVisible();
+  await expect(app.by('pin-handle-0')).toBeVisible();
+  const [pin] = (await app.state()).doc.motion.pins;
+  expect(pin).toBeDefined();
+  const vertex = pin!.vertex;
+  const size = diagonal(plain);
+
+  // It stays where the first key has it.
+  const home = point(await app.positionsAt(t0), vertex);
+  await app.by('pin-0-mode').selectOption({ index: 1 });
+  await app.settled();
+  const held = await app.positionsAt(t);
+  expect(distance(point(held, vertex), home)).toBeLessThan(0.2 * distance(point(plain, vertex), home) + 1e-3 * size);
+  expect(difference(held, plain)).toBeGreaterThan(1e-3 * size);
+  await app.by('undo').click();
+  await app.settled();
+  expect((await app.state()).doc.motion.pins[0]!.stay).toBeUndefined();
+  await app.by('redo').click();
+  await app.settled();
+
+  // Dragged at this time it goes there, and all of the drag is one step back.
+  const handle = (await app.by('pin-handle-0').boundingBox())!;
+  const middle = { x: handle.x + handle.width / 2, y: handle.y + handle.height / 2 };
+  await app.page.mouse.move(middle.x, middle.y);
+  await app.page.mouse.down();
+  await app.page.mouse.move(middle.x + 10, middle.y - 20, { steps: 4 });
+  await app.page.mouse.move(middle.x + 20, middle.y - 40, { steps: 4 });
+  await app.page.mouse.up();
+  await app.settled();
+  await expect(app.by('pin-0-path')).toHaveText('Dragged at 1 time');
+  const after = (await app.by('pin-handle-0').boundingBox())!;
+  expect(Math.hypot(after.x - handle.x - 20, after.y - handle.y + 40)).toBeLessThan(12);
+  const dragged = await app.positionsAt(t);
+  await app.by('undo').click();
+  await app.settled();
+  expect(difference(await app.positionsAt(t), held)).toBe(0);
+  await app.by('redo').click();
+  await app.settled();
+  expect(difference(await app.positionsAt(t), dragged)).toBe(0);
+
+  // The link holds it; the arrow keys move it, too.
+  await app.page.reload();
+  await app.open();
+  await expect(app.by('pin-0-path')).toHaveText('Dragged at 1 time');
+  expect(difference(await app.positionsAt(t), dragged)).toBeLessThan(1e-3 * size);
+  await app.setTime(t1);
+  await app.by('pin-handle-0').press('Shift+ArrowUp');
+  await expect(app.by('pin-0-path')).toHaveText('Dragged at 2 times');
+  await app.by('undo').click();
+  await app.settled();
+
+  // Beside the method as published.
+  await app.by('compare-lri').check();
+  await app.settled();
+  expect(difference(await app.positionsAt(t, 1), plain)).toBeLessThan(1e-5 * size);
+  await expect(app.page.getByText('nothing held').first()).toBeVisible();
+  await app.by('compare-lri').uncheck();
+  await app.settled();
+
+  const { download } = await exported(app, () => app.by('export-targets-every').check());
+  const saved = testInfo.outputPath('pinned.glb');
+  await download.saveAs(saved);
+  await app.by('pin-0-remove').click();
+  await app.settled();
+  await expect(app.by('pin-handle-0')).toHaveCount(0);
+  expect(difference(await app.positionsAt(t), plain)).toBe(0);
+  await app.by('file-input').setInputFiles(saved);
+  await expect(app.by('pin-0')).toBeVisible();
+  await app.settled();
+  expect(difference(await app.positionsAt(t), dragged)).toBeLessThan(1e-3 * size);
+});

@@ -1,0 +1,52 @@
+/** Where pins are on the screen, which vertex a click means, and what a drag asks of a pin's path. */
+import type { PathKey } from '../../engine/api/types.ts';
+import type { Pins } from '../../model/pins.ts';
+import { moveAt, withPathKey } from '../../model/pins.ts';
+import type { AppState } from '../../model/state.ts';
+import { SAME_TIME, length } from '../../model/time-scale.ts';
+import type { Range } from '../../model/time-scale.ts';
+import type { Place } from '../../ui/pin-handles.ts';
+import type { Viewer } from '../../viewer/viewer.ts';
+
+/** A drag of one pin, from where it was when it began. */
+export interface PinDrag {
+  /** The pin's path with a key at the moment of the drag that puts it at a place of the picture. */
+  pathTo(to: Place): PathKey[];
+  time: number;
+}
+
+export function pinPlaces(viewer: Viewer, pins: Pins): (Place | null)[] {
+  const { width, height } = viewer.seen()[0] ?? { width: 0, height: 0 };
+  return pins.map(({ vertex }) => {
+    const [x = NaN, y = NaN] = viewer.project(viewer.vertex(vertex));
+    return x >= 0 && x <= width && y >= 0 && y <= height ? { x, y } : null;
+  });
+}
+
+/** Of a face's vertices the one that is nearest to a place of the picture. */
+export function vertexAt(viewer: Viewer, faces: Uint32Array, face: number, { x, y }: Place): number {
+  const off = (vertex: number): number => {
+    const [px = 0, py = 0] = viewer.project(viewer.vertex(vertex));
+    return Math.hypot(px - x, py - y);
+  };
+  return faces.slice(3 * face, 3 * face + 3).reduce((best, other) => (off(other) < off(best) ? other : best));
+}
+
+/** null where the pin is not drawn. It is moved parallel to the screen. */
+export function startPinDrag(viewer: Viewer, { doc, time }: AppState, range: Range, index: number): PinDrag | null {
+  const pin = doc.motion.pins[index];
+  const from = pin ? viewer.vertex(pin.vertex) : [];
+  if (!pin || from.length < 3) return null;
+  const period = doc.motion.boundary === 'periodic' ? length(range) : null;
+  const t = period === null ? time : time - Math.floor((time - range[0]) / period) * period;
+  const path = pin.path ?? [];
+  const before = moveAt(path, t, period);
+  return {
+    time: t,
+    pathTo({ x, y }) {
+      const to = viewer.beside(from, x, y);
+      const move = before.map((way, axis) => way + to[axis]! - from[axis]!) as PathKey['move'];
+      return withPathKey(path, { time: t, move }, 1000 * SAME_TIME * length(range));
+    },
+  };
+}

@@ -1,0 +1,59 @@
+/** Pins on the shape: placed with a click, dragged where they are to be at a time. */
+import { changedPin, withPin, withoutPin } from '../../model/pins.ts';
+import type { Range } from '../../model/time-scale.ts';
+import { createPinHandles } from '../../ui/pin-handles.ts';
+import type { Place } from '../../ui/pin-handles.ts';
+import type { PinDrag } from '../drawing/pin-places.ts';
+import { pinPlaces, startPinDrag, vertexAt } from '../drawing/pin-places.ts';
+import type { SceneController } from '../drawing/scene-controller.ts';
+import type { Store } from '../session/store.ts';
+import type { Commands } from './commands.ts';
+import type { ViewStateHolder } from './view-state.ts';
+
+export interface PinsInViewParts {
+  store: Store;
+  viewState: ViewStateHolder;
+  scene: SceneController;
+  commands: Commands;
+  range(): Range;
+  say(text: string): void;
+}
+
+export interface PinsInView {
+  element: HTMLElement;
+  /** Pins what is at a place of the picture. */
+  place(at: Place): void;
+}
+
+export function createPinsInView({ store, viewState, scene, commands, range, say }: PinsInViewParts): PinsInView {
+  const pins = () => store.get().doc.motion.pins;
+  let dragged: PinDrag | null = null;
+  const handles = createPinHandles({
+    onStart(index) {
+      commands.seek(store.get().time);
+      dragged = startPinDrag(scene.viewer, store.get(), range(), index);
+    },
+    onMove(index, to) {
+      if (dragged)
+        commands.pins(changedPin(pins(), index, { path: dragged.pathTo(to) }), `pin ${index} ${dragged.time}`);
+    },
+    onRemove: (index) => commands.pins(withoutPin(pins(), index)),
+  });
+  /** Of the method itself, on the curve; film strips and presentations are to be looked at. */
+  const shown = (): boolean => {
+    const { doc, view } = store.get();
+    return doc.motion.method === 'lri' && !view.film && view.present === null && viewState.get().blend === null;
+  };
+  const update = (): void => handles.update(shown() ? pinPlaces(scene.viewer, pins()) : []);
+  scene.viewer.follow(update);
+  return {
+    element: handles.element,
+    place(at) {
+      const face = scene.pick(at.x, at.y);
+      const faces = viewState.get().info?.faces;
+      if (face < 0 || !faces) return say('There is nothing of the shape to pin. Click the shape itself.');
+      commands.pins(withPin(pins(), vertexAt(scene.viewer, faces, face, at)));
+      viewState.change({ placing: false });
+    },
+  };
+}

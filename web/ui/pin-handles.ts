@@ -1,0 +1,95 @@
+/** Pins where they are on the shape: dragged with the pointer or moved with the arrow keys, taken away with Delete. */
+import { h, setHidden, setStyle } from './dom.ts';
+import { drag, focusPressed } from './pointer.ts';
+
+/** From the top left corner of the picture, in CSS pixels. */
+export interface Place {
+  x: number;
+  y: number;
+}
+
+export interface PinHandleEvents {
+  /** What is dragged from here on is moved from where it is now. */
+  onStart(index: number): void;
+  /** To a place of the picture. */
+  onMove(index: number, to: Place): void;
+  onRemove(index: number): void;
+}
+
+/** Of an arrow key, in pixels; ten times that with Shift. */
+const STEP = 2;
+const ARROWS: Readonly<Record<string, readonly [x: number, y: number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+export interface PinHandles {
+  element: HTMLElement;
+  /** null: the place is not in the picture. */
+  update(places: readonly (Place | null)[]): void;
+}
+
+export function createPinHandles(events: PinHandleEvents): PinHandles {
+  const element = h('div', { class: 'pin-handles', 'data-testid': 'pin-handles' });
+  const handles: HTMLButtonElement[] = [];
+  let shown: readonly (Place | null)[] = [];
+
+  const press = (index: number, event: PointerEvent): void => {
+    const from = shown[index];
+    if (event.button !== 0 || !event.isPrimary || !from) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const handle = handles[index]!;
+    focusPressed(handle);
+    const grip = { x: event.clientX - from.x, y: event.clientY - from.y };
+    events.onStart(index);
+    drag(handle, event, {
+      onMove: ({ clientX, clientY }) => events.onMove(index, { x: clientX - grip.x, y: clientY - grip.y }),
+    });
+  };
+  const key = (index: number, event: KeyboardEvent): void => {
+    const from = shown[index];
+    const arrow = ARROWS[event.key];
+    if (event.ctrlKey || event.altKey || event.metaKey || !from) return;
+    if (!arrow && event.key !== 'Delete' && event.key !== 'Backspace') return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (!arrow) return events.onRemove(index);
+    const step = event.shiftKey ? 10 * STEP : STEP;
+    events.onStart(index);
+    events.onMove(index, { x: from.x + step * arrow[0], y: from.y + step * arrow[1] });
+  };
+  const create = (index: number): HTMLButtonElement =>
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'pin-handle',
+        'data-testid': `pin-handle-${index}`,
+        title: `Pin ${index + 1}: drag it to where it is to be at this time; Delete takes it away`,
+        'aria-label': `Pin ${index + 1} on the shape. Arrow keys move it at this time, Delete takes it away.`,
+        onpointerdown: (event: PointerEvent) => press(index, event),
+        onkeydown: (event: KeyboardEvent) => key(index, event),
+      },
+      String(index + 1),
+    );
+
+  return {
+    element,
+    update(places) {
+      shown = places;
+      while (handles.length > places.length) handles.pop()!.remove();
+      while (handles.length < places.length) {
+        handles.push(create(handles.length));
+        element.append(handles.at(-1)!);
+      }
+      places.forEach((place, index) => {
+        const handle = handles[index]!;
+        setHidden(handle, place === null);
+        if (place) setStyle(handle, 'transform', `translate(${place.x.toFixed(1)}px, ${place.y.toFixed(1)}px)`);
+      });
+    },
+  };
+}

@@ -1,0 +1,158 @@
+/** What is held by hand: a button that takes the next click on the shape for a pin, and a row for each pin. */
+import type { Pin } from '../engine/api/types.ts';
+import type { KeyRef } from '../model/state.ts';
+import type { Pins } from '../model/pins.ts';
+import { PIN_SIZES, changedPin, pinSize, withoutPin } from '../model/pins.ts';
+import { button, keyLabel } from './controls.ts';
+import { h, setAttribute, setField, setHidden, setText } from './dom.ts';
+import { icon } from './icons.ts';
+
+const OWN = 'own';
+
+export interface PinListProps {
+  pins: Pins;
+  keys: readonly KeyRef[];
+  /** The next click on the shape places one. */
+  placing: boolean;
+  disabled: boolean;
+}
+
+export interface PinListEvents {
+  onPins(pins: Pin[]): void;
+  onPlacing(placing: boolean): void;
+}
+
+interface Row {
+  element: HTMLElement;
+  update(pin: Pin, keys: readonly KeyRef[]): void;
+}
+
+export function createPinList(events: PinListEvents): { element: HTMLElement; update(props: PinListProps): void } {
+  let pins: Pins = [];
+  let placing = false;
+  const place = button({
+    label: 'Pin a place of the shape: click it in the view',
+    testId: 'pin-place',
+    icon: 'pin',
+    text: 'Pin',
+    kind: 'plain',
+    onClick: () => events.onPlacing(!placing),
+  });
+  const hint = h('p', { class: 'hint', 'data-testid': 'pin-hint' });
+  const list = h('div', { class: 'pin-list' });
+  const element = h(
+    'div',
+    { class: 'field', role: 'group', 'aria-label': 'Pins' },
+    h('div', { class: 'pin-title' }, h('span', { class: 'label' }, 'Hold by hand'), place),
+    hint,
+    list,
+  );
+  const rows: Row[] = [];
+  const change = (index: number, part: Parameters<typeof changedPin>[2]): void =>
+    events.onPins(changedPin(pins, index, part));
+  const remove = (index: number): void => {
+    events.onPins(withoutPin(pins, index));
+    place.focus({ preventScroll: true });
+  };
+  return {
+    element,
+    update(props) {
+      ({ pins, placing } = props);
+      place.disabled = props.disabled;
+      setAttribute(place, 'aria-pressed', String(placing));
+      setText(hint, hintFor(props));
+      setHidden(list, pins.length === 0);
+      while (rows.length > pins.length) rows.pop()!.element.remove();
+      while (rows.length < pins.length) {
+        const row = createRow(rows.length, change, remove);
+        rows.push(row);
+        list.append(row.element);
+      }
+      rows.forEach((row, index) => row.update(pins[index]!, props.keys));
+    },
+  };
+}
+
+function hintFor({ placing, pins }: PinListProps): string {
+  if (placing) return 'Click the place on the shape that is to be held. Escape ends this.';
+  if (pins.length > 0) return 'Drag a pin in the view: where it is let go is where it is at this time.';
+  return 'A pinned place follows its own spline, stays as in a key, or goes where you drag it.';
+}
+
+function createRow(
+  index: number,
+  change: (index: number, part: Parameters<typeof changedPin>[2]) => void,
+  remove: (index: number) => void,
+): Row {
+  const name = `Pin ${index + 1}`;
+  const mode = dropDown(`${name} holds`, `pin-${index}-mode`, (value) =>
+    change(index, { stay: value === OWN ? undefined : Number(value) }),
+  );
+  const size = dropDown(`Size of pin ${index + 1}`, `pin-${index}-size`, (value) =>
+    change(index, { radius: Number(value) }),
+  );
+  size.fill(PIN_SIZES.map(({ radius, label }) => ({ value: String(radius), label })));
+  const path = h('span', { class: 'hint', 'data-testid': `pin-${index}-path` });
+  const clear = button({
+    label: `${name} goes nowhere: its path is taken away`,
+    testId: `pin-${index}-clear`,
+    text: 'Clear path',
+    onClick: () => change(index, { path: undefined }),
+  });
+  const pathRow = h('div', { class: 'pin-path' }, path, clear);
+  const element = h(
+    'div',
+    { class: 'pin-row', role: 'group', 'aria-label': name, 'data-testid': `pin-${index}` },
+    h('span', { class: 'pin-number', 'aria-hidden': 'true' }, String(index + 1)),
+    mode.element,
+    size.element,
+    button({
+      label: `Remove pin ${index + 1}`,
+      testId: `pin-${index}-remove`,
+      icon: 'close',
+      onClick: () => remove(index),
+    }),
+    pathRow,
+  );
+  return {
+    element,
+    update(pin, keys) {
+      mode.fill([
+        { value: OWN, label: 'Own spline' },
+        ...keys.map((key, at) => ({ value: String(key.pose), label: `Stays: ${keyLabel(at, key.name)}` })),
+      ]);
+      setField(mode.field, keys.some(({ pose }) => pose === pin.stay) ? String(pin.stay) : OWN);
+      setField(size.field, String(pinSize(pin)));
+      const count = pin.path?.length ?? 0;
+      setHidden(pathRow, count === 0);
+      setText(path, `Dragged at ${count} ${count === 1 ? 'time' : 'times'}`);
+    },
+  };
+}
+
+interface DropDown {
+  element: HTMLElement;
+  field: HTMLSelectElement;
+  fill(choices: readonly { value: string; label: string }[]): void;
+}
+
+/** A select without a label above it. */
+function dropDown(label: string, testId: string, onChange: (value: string) => void): DropDown {
+  const field = h('select', {
+    'data-testid': testId,
+    'aria-label': label,
+    title: label,
+    onchange: () => onChange(field.value),
+  });
+  let shown = '';
+  return {
+    field,
+    element: h('div', { class: 'select' }, field, icon('down')),
+    fill(choices) {
+      const next = JSON.stringify(choices);
+      if (next === shown) return;
+      shown = next;
+      field.replaceChildren(...choices.map(({ value, label: text }) => h('option', { value }, text)));
+    },
+  };
+}
