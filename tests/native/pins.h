@@ -33,12 +33,10 @@ inline std::vector<int> limbs(const Keyframes& k, int count) {
 inline std::vector<Pin> everyPin(const Keyframes& k) {
   const std::vector<int> at = limbs(k, 3);
   const double first = k.keys.front().time, length = k.keys.back().time - first, way = 0.03 * diagonalOf(k);
-  return {{at[0], 0.06, -1},
-          {at[1], 0, 1},
-          {at[2],
-           0.06,
-           -1,
-           {{first + 0.2 * length, way * Vec3::UnitX()}, {first + 0.7 * length, way * Vec3(0, -1, 0.5)}}}};
+  return {
+      {at[0], 0.06, -1},
+      {at[1], 0, 1},
+      {at[2], 0.06, -1, {{first + 0.2 * length, way * Vec3::UnitX()}, {first + 0.7 * length, way * Vec3(0, -1, 0.5)}}}};
 }
 
 }  // namespace shapespline::test

@@ -1,7 +1,8 @@
 #include "core/hold/pinned_motion.h"
 
-#include <algorithm>
+#include <numeric>
 
+#include "core/base/sort_indices.h"
 #include "core/hold/hold_passes.h"
 #include "core/hold/pin_region.h"
 
@@ -12,10 +13,11 @@ namespace {
 // Times a vertex's share in the area: how firmly the rest of the shape keeps its place.
 constexpr double bodyWeight = 10;
 
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+double medianOf(const std::vector<double>& values) {
+  std::vector<int> order(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  sortIndices(order, [&](int a, int b) { return values[a] < values[b]; });
+  return values[order[order.size() / 2]];
 }
 
 template <class Held>

@@ -1,7 +1,5 @@
 #include "io/base/byte_text.h"
 
-#include <cstdio>
-
 #include "core/base/format.h"
 
 namespace shapespline {
@@ -9,9 +7,8 @@ namespace shapespline {
 std::string sizeText(std::uint64_t bytes) {
   if (bytes < 1'000'000) return grouped(static_cast<std::int64_t>(bytes)) + (bytes == 1 ? " byte" : " bytes");
   const bool giga = bytes >= 1'000'000'000;
-  char text[32];
-  std::snprintf(text, sizeof text, giga ? "%.1f GB" : "%.1f MB", static_cast<double>(bytes) / (giga ? 1e9 : 1e6));
-  return text;
+  const std::uint64_t tenth = giga ? 100'000'000 : 100'000, tenths = bytes / tenth + (bytes % tenth >= tenth / 2);
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + (giga ? " GB" : " MB");
 }
 
 std::string_view baseName(std::string_view path) {
