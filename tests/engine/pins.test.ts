@@ -103,7 +103,7 @@ it.skipIf(!hasData)('hold a foot from the command line', async () => {
     ['1:stay=40', 'key 40'],
   ] as const) {
     const { code, stderr } = await runCli(folder, 'measure', 'man.glb', '--sample', '6', '--pin', text);
-    expect(code).toBe(1);
+    expect(code).toBe(2);
     expect(stderr).toContain(words);
   }
 });
