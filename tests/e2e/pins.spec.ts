@@ -37,7 +37,7 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   await expect(app.by('pin-place')).toHaveAttribute('aria-pressed', 'false');
 
   await app.by('pin-place').click();
-  await app.page.mouse.click(at.x, at.y - 2);
+  await app.page.mouse.click(at.x, at.y - 4);
   await expect(app.by('pin-0')).toBeVisible();
   await expect(app.by('pin-handle-0')).toBeVisible();
   const [pin] = (await app.state()).doc.motion.pins;

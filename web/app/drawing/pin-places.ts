@@ -16,10 +16,12 @@ export interface PinDrag {
 }
 
 export function pinPlaces(viewer: Viewer, pins: Pins): (Place | null)[] {
-  const { width, height } = viewer.seen()[0] ?? { width: 0, height: 0 };
+  const [seen] = viewer.seen();
+  const isSeen = (x: number, y: number): boolean =>
+    seen !== undefined && x >= seen.x && x <= seen.x + seen.width && y >= seen.y && y <= seen.y + seen.height;
   return pins.map(({ vertex }) => {
     const [x = NaN, y = NaN] = viewer.project(viewer.vertex(vertex));
-    return x >= 0 && x <= width && y >= 0 && y <= height ? { x, y } : null;
+    return isSeen(x, y) ? { x, y } : null;
   });
 }
 
