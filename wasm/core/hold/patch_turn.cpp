@@ -16,11 +16,19 @@ constexpr double further = 3, mostTurn = 1.6, hardlyMeant = 1.9, notMeant = 2.8;
 // Keeps a patch that is a line from spinning about itself, as a share of its size.
 constexpr double patchInertia = 1e-3;
 
-Mat3 furtherTurn(const Mat3& moved) {
-  const Vec3 turn = logRotation(projectToRotation(moved + patchInertia * moved.norm() * Mat3::Identity()));
+// What is left of a patch that is crushed says nothing either: of its extent in two directions, over what it was.
+constexpr double crushed = 0.1, whole = 0.5;
+
+double extent(const Mat3& m) { return (m.trace() * m.trace() - m.squaredNorm()) / 2; }
+
+Mat3 furtherTurn(const Mat3& moved, const Mat3& before) {
+  const Mat3 found = projectToRotation(moved + patchInertia * moved.norm() * Mat3::Identity());
+  const Vec3 turn = logRotation(found);
   const double angle = turn.norm(), most = mostTurn / further;
-  const double share = further / std::sqrt(1 + angle * angle / (most * most));
-  return expRotation(share * (1 - fade(angle, hardlyMeant, notMeant)) * turn);
+  const double was = std::max(extent(before), 1e-300);
+  const double meant =
+      fade(extent(found.transpose() * moved), crushed * was, whole * was) * (1 - fade(angle, hardlyMeant, notMeant));
+  return expRotation(meant * further / std::sqrt(1 + angle * angle / (most * most)) * turn);
 }
 
 }  // namespace
@@ -38,7 +46,7 @@ PatchTurn::PatchTurn(const HoldMesh& mesh, const std::vector<int>& patchOfFace)
 
 // Sum of area times gradient of `pulled` times that of `shape`, transposed, over each patch: what turns best.
 void PatchTurn::findTurns(const Positions& shape, const Positions& pulled, Scratch& turn) const {
-  turn.assign(patches_, Mat3::Zero());
+  turn.assign(2 * static_cast<std::size_t>(patches_), Mat3::Zero());  // and those of `shape` itself
   for (std::size_t f = 0; f < patchOf_.size(); ++f) {
     if (patchOf_[f] < 0) continue;
     const Triangle& t = faces_[f];
@@ -46,9 +54,10 @@ void PatchTurn::findTurns(const Positions& shape, const Positions& pulled, Scrat
       const int i = t[(c + 1) % 3], j = t[(c + 2) % 3];
       const Vec3 from = static_cast<double>(stiffness_[f][c]) * (shape[i] - shape[j]);
       turn[patchOf_[f]].noalias() += (pulled[i] - pulled[j]) * from.transpose();
+      turn[patches_ + patchOf_[f]].noalias() += (shape[i] - shape[j]) * from.transpose();
     }
   }
-  for (Mat3& t : turn) t = furtherTurn(t) - Mat3::Identity();
+  for (int p = 0; p < patches_; ++p) turn[p] = furtherTurn(turn[p], turn[patches_ + p]) - Mat3::Identity();
 }
 
 void PatchTurn::addTo(const Positions& shape, const Positions& pulled, const std::vector<int>& slot, Scratch& turn,
