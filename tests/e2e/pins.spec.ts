@@ -80,7 +80,9 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
 
   // The link holds it; the arrow keys move it, too.
   await app.page.reload();
-  await app.open();
+  await app.page.waitForFunction(() => window.__shapespline !== undefined);
+  await app.page.evaluate(() => window.__shapespline!.ready);
+  await app.settled();
   await expect(app.by('pin-0-path')).toHaveText('Dragged at 1 time');
   expect(difference(await app.positionsAt(t), dragged)).toBeLessThan(1e-3 * size);
   await app.setTime(t1);

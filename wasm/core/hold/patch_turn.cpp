@@ -12,12 +12,12 @@ namespace {
 
 // A solve without turns takes part of the way that patches would turn: so many times that, and never further than the
 // most. A patch that seems to turn nearly half around says nothing.
-constexpr double further = 3, mostTurn = 1.6, hardlyMeant = 1.9, notMeant = 2.8;  // radians
+constexpr double further = 3, mostTurn = 1.6, hardlyMeant = 1, notMeant = 2.6;  // radians
 // Keeps a patch that is a line from spinning about itself, as a share of its size.
 constexpr double patchInertia = 1e-3;
 
 // What is left of a patch that is crushed says nothing either: of its extent in two directions, over what it was.
-constexpr double crushed = 0.1, whole = 0.5;
+constexpr double crushed = 0.2, whole = 1;
 
 double extent(const Mat3& m) { return (m.trace() * m.trace() - m.squaredNorm()) / 2; }
 
