@@ -7,7 +7,8 @@ import { EMPTY_STATE } from './state.ts';
 import type { Shaping } from './shaping.ts';
 import { DEFAULT_SHAPING, shapingOf, withTurns } from './shaping.ts';
 
-interface KeptDoc extends Partial<Omit<Doc, 'keys'>> {
+interface KeptDoc extends Partial<Pick<Doc, 'encoding'>> {
+  motion?: Partial<Doc['motion']>;
   keys: { pose: number; name: string; time: number; shaping?: Partial<Shaping> }[];
   tension?: number[];
   bias?: number[];
