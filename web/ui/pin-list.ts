@@ -3,7 +3,8 @@ import type { Pin } from '../engine/api/types.ts';
 import type { KeyRef } from '../model/state.ts';
 import type { Pins } from '../model/pins.ts';
 import { PIN_SIZES, changedPin, pinSize, withoutPin } from '../model/pins.ts';
-import { button, keyLabel } from './controls.ts';
+import { keyLabel } from '../model/key-names.ts';
+import { button } from './controls.ts';
 import { h, setAttribute, setField, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
 

@@ -19,8 +19,6 @@ import type { Extra, GhostPicture, Look, PixelSize, Ray, Rect } from './types.ts
 export interface ViewerEvents {
   /** The user, or a standard view, has moved the camera. */
   onCamera(pose: CameraPose): void;
-  /** The canvas shows another picture: what is written on it may have moved. */
-  onDrawn?(): void;
   onContextLost(): void;
   onContextRestored(): void;
   /** The canvas has another size, and the views stand elsewhere. */
@@ -258,7 +256,7 @@ export class Viewer {
     return place.unproject(camera).toArray();
   }
 
-  /** Hears of every drawing: what lies over a shape goes with it. */
+  /** Hears of every drawing on the page: what lies over a shape goes with it. */
   follow(onDrawn: () => void): void {
     this.followers.push(onDrawn);
   }
@@ -462,7 +460,7 @@ export class Viewer {
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();
-    if (!this.pictureSize) this.events.onDrawn?.();
+    if (this.pictureSize) return;
     for (const follow of this.followers) follow();
   }
 

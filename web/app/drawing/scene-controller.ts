@@ -86,18 +86,18 @@ export class SceneController {
 
   constructor(
     host: HTMLElement,
-    events: Omit<ViewerEvents, 'onDrawn'>,
+    events: ViewerEvents,
     private readonly onNames: (names: readonly FilmLabel[]) => void,
   ) {
     this.onCamera = events.onCamera;
     this.viewer = new Viewer(host, {
       ...events,
-      onDrawn: () => this.placeNames(),
       onResize: () => {
         this.place();
         events.onResize();
       },
     });
+    this.viewer.follow(() => this.placeNames());
   }
 
   get colourBar(): ColourBarProps | null {
