@@ -14,7 +14,7 @@ export interface VertexAmounts {
   mean: number;
 }
 
-/** Of a face in the reference: t1, t2 and n in space, then what the inverse [p q; 0 s] of its edges in (t1, t2) holds. */
+/** Of a face in the reference: t1, t2, n in space; p, q, s of the inverse [p q; 0 s] of its edges in (t1, t2). */
 const NUMBERS = 12;
 /** Faces thinner than this, over the square of their longest edge, have no frame. */
 const DEGENERATE = 1e-12;
