@@ -242,14 +242,14 @@ test('what plays is what an export holds', async ({ app }) => {
   await expect(app.by('export-to')).toHaveValue('0.75');
   await app.by('export-targets-every').check();
   await expect(app.by('export-frames')).toHaveValue('5');
-  await expect(app.by('export-size')).toHaveText(/^2\ss, 5 frames/);
+  await expect(app.by('export-size')).toHaveText(/^4\ss there and back, 5 frames/);
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
   const glb = await readFile(await download.path());
   const json = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString()) as {
     accessors: { max?: number[] }[];
     animations: { samplers: { input: number }[] }[];
   };
-  expect(json.accessors[json.animations[0]!.samplers[0]!.input]!.max![0]).toBeCloseTo(2, 6);
+  expect(json.accessors[json.animations[0]!.samplers[0]!.input]!.max![0]).toBeCloseTo(4, 6);
 });
 
 test('a link brings loop, frames and zoom back', async ({ app }) => {
