@@ -23,6 +23,25 @@ describe('the scheduler', () => {
     expect(begun).toEqual(['first', 'shown 1', 'shown 2', 'ahead', 'batch 1', 'batch 2']);
   });
 
+  it('lets no task wait for ever behind more urgent ones', async () => {
+    const scheduler = new Scheduler();
+    let shown = 0;
+    const frame = async (): Promise<void> => {
+      shown += 1;
+      await new Promise((wake) => setTimeout(wake));
+    };
+    const play = (): Promise<void> => scheduler.run(urgency.shown, frame).then(() => again());
+    let over = false;
+    const again = (): Promise<void> => (over ? Promise.resolve() : play());
+    // Two, so that there is always one that waits.
+    const playing = [play(), play()];
+    const before = await scheduler.run(urgency.batch, async () => shown);
+    over = true;
+    await Promise.all(playing);
+    expect(before).toBeGreaterThan(1);
+    expect(before).toBeLessThan(10);
+  });
+
   it('goes on after a task that failed', async () => {
     const scheduler = new Scheduler();
     await expect(scheduler.run(urgency.shown, () => Promise.reject(new Error('no')))).rejects.toThrow('no');

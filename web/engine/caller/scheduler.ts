@@ -1,6 +1,7 @@
 /**
- * One request at a time to a sequence's worker, the most urgent first: a frame that someone waits for is never behind
- * frames that are fetched ahead or belong to an export.
+ * One request at a time to a sequence's worker, the most urgent first: a frame that someone waits for is not behind
+ * frames that are fetched ahead or belong to an export. What has been passed often enough goes next: a motion that
+ * plays keeps a slow worker busy for ever, and figures would never come.
  */
 import { cancelled } from '../api/errors.ts';
 
@@ -13,8 +14,13 @@ export interface Task {
   start(): Promise<unknown>;
 }
 
+/** Of more urgent tasks. */
+const MOST_PASSED = 4;
+
 export class Scheduler {
   private waiting: Task[] = [];
+  /** How many more urgent tasks have gone before one that waits. */
+  private readonly passed = new WeakMap<Task, number>();
   private busy = false;
 
   /**
@@ -50,12 +56,19 @@ export class Scheduler {
 
   private next(): void {
     if (this.busy) return;
-    const task = this.waiting.shift();
+    const late = this.waiting.findIndex((task) => this.passedBy(task) >= MOST_PASSED);
+    const [task] = this.waiting.splice(Math.max(late, 0), 1);
     if (!task) return;
+    for (const other of this.waiting)
+      if (other.urgency > task.urgency) this.passed.set(other, this.passedBy(other) + 1);
     this.busy = true;
     void task.start().finally(() => {
       this.busy = false;
       this.next();
     });
+  }
+
+  private passedBy(task: Task): number {
+    return this.passed.get(task) ?? 0;
   }
 }
