@@ -79,6 +79,8 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   expect(difference(await app.positionsAt(t), dragged)).toBe(0);
 
   // The link holds it; the arrow keys move it, too.
+  const link = (): Promise<string> => app.page.evaluate(() => decodeURIComponent(location.hash));
+  await expect.poll(link).toMatch(/pins=[^&]*\//);
   await app.page.reload();
   await app.page.waitForFunction(() => window.__shapespline !== undefined);
   await app.page.evaluate(() => window.__shapespline!.ready);
