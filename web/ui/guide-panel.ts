@@ -64,9 +64,24 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
     setText(link, words);
     link.title = to.title;
   };
+  let shown: GuidePanelProps | null = null;
+  const pointFrom = (current: number): void => {
+    turn(previous, shown?.pages[current - 1], 'Back');
+    turn(next, shown?.pages[current + 1], 'Next');
+  };
+  let asked: string | null = null;
+  // Who presses again before the page has turned means the page after it.
+  element.querySelector('footer')!.addEventListener('click', (event) => {
+    if (!(event.target instanceof HTMLAnchorElement) || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    asked = event.target.hash;
+    location.hash = asked;
+    pointFrom(shown?.pages.findIndex(({ link }) => `#${link}` === asked) ?? 0);
+  });
   return {
     element,
     show(props) {
+      shown = props;
       setText(place, props.place);
       setText(title, props.title);
       body.replaceChildren(...bodyOf(props));
@@ -76,8 +91,8 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
           h('a', { href: `#${link}`, title: name, 'aria-current': index === props.current && 'page' }, label),
         ),
       );
-      turn(previous, props.pages[props.current - 1], 'Back');
-      turn(next, props.pages[props.current + 1], 'Next');
+      if (asked !== location.hash || asked === `#${props.pages[props.current]!.link}`) asked = null;
+      if (asked === null) pointFrom(props.current);
       element.querySelector('.guide-scroll')!.scrollTop = 0;
     },
     setLive(text) {

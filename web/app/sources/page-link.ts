@@ -46,12 +46,14 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
     return link && new URL(`#${link}`, location.href).href;
   };
 
-  window.addEventListener('hashchange', () => {
-    const page = guideLink(location.hash);
-    const link = readPermalink(location.hash);
+  window.addEventListener('hashchange', ({ newURL }) => {
+    // What was written into the address since then is not what was asked for.
+    const { hash } = new URL(newURL);
+    const page = guideLink(hash);
+    const link = readPermalink(hash);
     if (page) onGuide(page);
     else if (link) onLink(link);
-    else if (pinned && location.hash === '') onGuide(null);
+    else if (pinned && hash === '') onGuide(null);
   });
 
   return {

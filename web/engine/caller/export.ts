@@ -200,13 +200,15 @@ function sceneOf(format: 'glb' | 'obj' | 'ply', scene: Scene): Scene {
 function projectOf({ keys, keyTimes, options }: ExportSource, frames: PlannedFrames): string {
   const all = [...frames.times, ...frames.stills];
   const { vertices, faces } = keys.info.report;
+  // The file's keys are shapes as they were seen: what a pin has moved in them must not be moved again.
+  const pins = options.pins.filter(({ stay, path }) => stay === undefined && !path);
   return writeProject(
     {
       names: keys.info.names,
       times: keyTimes,
       frames: keyTimes.map((t, key) => (frames.principal ? key : all.indexOf(t))),
     },
-    options,
+    { ...options, pins },
     { vertices, faces, error: frames.error },
     (frames.times.at(-1)! - frames.times[0]!) / frames.seconds.at(-1)!,
   );
