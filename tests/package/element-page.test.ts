@@ -337,7 +337,9 @@ it('reads right to left where the page does, and its time still goes to the righ
 it('a "false" counts as false, and a wrong value as none; each is said once', async () => {
   const said: string[] = [];
   const page = await openElements('', { script: 'first' });
-  page.on('console', (message) => void said.push(message.text()));
+  page.on('console', (message) => {
+    if (message.text().startsWith('<shape-spline>')) said.push(message.text());
+  });
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const read = await page.evaluate(() => {
     const shape = document.createElement('shape-spline');
