@@ -349,7 +349,7 @@ it('a "false" counts as false, and a wrong value as none; each is said once', as
     return [shape.autoplay, shape.autoplay, shape.boundary, shape.boundary];
   });
   expect(read).toEqual([false, false, 'natural', 'natural']);
-  await expect.poll(() => said.length).toBe(2);
+  await expect.poll(() => said.length, { timeout: 10_000 }).toBe(2);
   expect(said).toEqual([
     '<shape-spline>: autoplay="false" is "false", which counts as false; leave the attribute out instead.',
     '<shape-spline>: boundary="round" must be one of natural, hermite, periodic.',
