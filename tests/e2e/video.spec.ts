@@ -215,6 +215,24 @@ test('there and back again, the second half shows the first in reverse', async (
   }
 });
 
+test('choices that are made before the page draws again are all kept', async ({ app }) => {
+  await app.open();
+  const text = await stated(app, async () => {
+    await chooseVideo(app, 'webm', { 'export-duration': '0.4', 'export-rate': '10' });
+    await app.by('export-pixels').selectOption('own');
+    await app.page.evaluate(() => {
+      for (const [field, value] of Object.entries({ width: '320', height: '240', from: '0.2', to: '0.6' })) {
+        const input = document.querySelector<HTMLInputElement>(`[data-testid=export-${field}]`)!;
+        input.value = value;
+        input.dispatchEvent(new Event('change'));
+      }
+    });
+  });
+  expect(text).toBe('4 frames, 0.4 s, 320 × 240 pixels');
+  await expect(app.by('export-from')).toHaveValue('0.2');
+  await expect(app.by('export-to')).toHaveValue('0.6');
+});
+
 test('a video in 4K is drawn in 4K', async ({ app }) => {
   test.slow();
   await app.open();

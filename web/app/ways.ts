@@ -111,7 +111,9 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     },
     idle: () => playback.frameLoop.idle(),
     onVideoFormats: (videoFormats) => viewState.change({ videoFormats }),
-    onPlan: (planned) => viewState.change({ exporting: planned }),
+    onPlan(request, plan) {
+      if (viewState.get().exporting.request === request) viewState.change({ exporting: { request, plan } });
+    },
   });
   const undo = createUndo({ store, files, titleOf: (source) => sourceTitle(source, viewState.get().samples) });
   const openOwn = async (project: string): Promise<void> => {

@@ -193,10 +193,13 @@ export interface ExportDialog {
 }
 
 export function createExportDialog(events: ExportDialogEvents): ExportDialog {
+  let shown: ExportDialogProps | null = null;
   let request: ExportRequest = DEFAULT_REQUEST;
+  // Shown at once: the next choice may come before the page draws again, and is made of what the fields then say.
   const change: Change = (part) => {
-    request = { ...request, ...part };
-    events.onChange(request);
+    const next = { ...request, ...part };
+    if (shown) update({ ...shown, request: next, plan: null });
+    events.onChange(next);
   };
   const formats = createFormatFields(change);
   const glb = createGlbFields(change);
@@ -268,7 +271,11 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     setText(plan, props.plan ? props.plan.text : 'Estimating the size');
     warnings.replaceChildren(...(props.plan?.warnings ?? []).map((warning) => h('li', {}, warning)));
   });
-  return { element, open: () => element.showModal(), close: () => element.close(), update: draw };
+  const update = (props: ExportDialogProps): void => {
+    shown = props;
+    draw(props);
+  };
+  return { element, open: () => element.showModal(), close: () => element.close(), update };
 }
 
 function wordsFor(request: ExportRequest): string {

@@ -3,7 +3,6 @@ import { isCancelled } from '../../engine/api/errors.ts';
 import { modelName } from '../../engine/api/paths.ts';
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Progress } from '../../engine/api/types.ts';
-import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ExportRequest, Playing, VideoFormat } from '../../model/export-request.ts';
 import { playRange } from '../../model/frames.ts';
 import { bounces } from '../../model/state.ts';
@@ -31,8 +30,8 @@ export interface ExportParts {
   /** Resolves when the shape on the screen is the exact one. */
   idle(): Promise<void>;
   onVideoFormats(formats: readonly VideoFormat[]): void;
-  /** What is asked for now, and what that would be; null while it is being computed. */
-  onPlan(planned: { request: ExportRequest; plan: ExportPlan | null }): void;
+  /** What the export that was asked for would be. */
+  onPlan(request: ExportRequest, plan: ExportPlan): void;
   /** Something else is asked for: what went wrong before is of no interest. */
   onStart(): void;
   onWorking(working: Progress | null): void;
@@ -41,8 +40,8 @@ export interface ExportParts {
 }
 
 export interface ExportController {
-  /** Works out the size of what is asked for; without a request that of the last one. */
-  plan(request?: ExportRequest): void;
+  /** Works out the size of what is asked for. */
+  plan(request: ExportRequest): void;
   run(request: ExportRequest): Promise<void>;
   /** What a page says to show it. */
   snippet(): Promise<string>;
@@ -60,8 +59,6 @@ export function createExportController(parts: ExportParts): ExportController {
     sequence,
   } = parts;
   let abort: AbortController | null = null;
-  let last: ExportRequest = DEFAULT_REQUEST;
-  let planned = 0;
   /**
    * Of the plan that is being worked out: it evaluates the motion, which nobody waits for once another is asked for.
    */
@@ -113,27 +110,23 @@ export function createExportController(parts: ExportParts): ExportController {
   };
 
   return {
-    plan(request = last) {
-      last = request;
+    plan(request) {
       if (!formats) {
         formats = videoFormats();
         void formats.then(parts.onVideoFormats);
       }
-      planned += 1;
-      const mine = planned;
-      const tell = (plan: ExportPlan | null): void => {
-        if (mine === planned) parts.onPlan({ request, plan });
-      };
-      const of = sequence();
-      tell(null);
-      if (!of) return;
       planning?.abort();
+      const of = sequence();
+      if (!of) return;
+      const tell = (plan: ExportPlan): void => parts.onPlan(request, plan);
       planning = new AbortController();
       const { signal } = planning;
       const asked = { sequence: of, time: store.get().time, playing: playing(), window: viewer.canvas, signal };
       exporting()
         .then(({ describeExport }) => describeExport(request, asked))
-        .then(tell, (error: unknown) => tell({ text: error instanceof Error ? error.message : '', warnings: [] }));
+        .then(tell, (error: unknown) => {
+          if (!signal.aborted) tell({ text: error instanceof Error ? error.message : '', warnings: [] });
+        });
     },
     async run(request) {
       const of = sequence();

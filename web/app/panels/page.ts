@@ -54,7 +54,7 @@ export interface PageParts {
   onTake(animation: number, times: number[]): void;
   onFewest(animation: number, percent: number): void;
   onOriginal(shown: boolean): void;
-  onExportPlan(request?: ExportRequest): void;
+  onExportPlan(request: ExportRequest): void;
   onExport(request: ExportRequest): void;
   snippet(): Promise<string>;
   /** Shows a shape off the curve; null: the motion again. */
@@ -73,6 +73,12 @@ export interface Page {
 export function createPage(parts: PageParts): Page {
   const { layout, session, viewState, feedback, scene, commands, theme, undo, onCancel } = parts;
   const { engine, store, workspace, range } = session;
+  // What is chosen counts at once: its plan may come after the next choice.
+  const planExport = (chosen: ExportRequest): void => {
+    const request = { ...chosen };
+    viewState.change({ exporting: { request, plan: null } });
+    parts.onExportPlan(request);
+  };
   const { onError } = feedback;
   const closeError = (): void => viewState.change({ errorMessage: null });
   const stepBack = (): void => {
@@ -163,8 +169,8 @@ export function createPage(parts: PageParts): Page {
     onTake: parts.onTake,
     onFewest: parts.onFewest,
     onOriginal: parts.onOriginal,
-    onExportOpen: () => parts.onExportPlan(),
-    onExportChange: parts.onExportPlan,
+    onExportOpen: () => planExport(viewState.get().exporting.request),
+    onExportChange: planExport,
     onExport: parts.onExport,
     snippet: parts.snippet,
   });
