@@ -4,6 +4,7 @@ import { defineConfig } from 'vite';
 import type { Plugin } from 'vite';
 import { offline } from './offline/plugin.ts';
 import { NOTICES, notices, packageOf } from '../wasm/toolchain/notices.mjs';
+import { withoutPixels } from '../wasm/toolchain/pixels.mjs';
 import { guards } from '../wasm/toolchain/serve.mjs';
 import { preload } from './offline/preload.ts';
 import { unusedShaders } from './viewer/unused-shaders.ts';
@@ -46,6 +47,7 @@ export default defineConfig({
   cacheDir: `${repository}build/vite`,
   // Relative URLs: the built page works from any sub-path of any static host.
   base: './',
+  resolve: { alias: withoutPixels },
   plugins: [preload(), unusedShaders(), collectsPackages(), carriesNotices, forReaders, offline()],
   build: {
     outDir: `${repository}dist`,

@@ -1,11 +1,13 @@
 /** The custom element from the tarball: its one-file build from another host, bundled, and its types. */
 import { execFile } from 'node:child_process';
-import { existsSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { promisify } from 'node:util';
+import * as esbuild from 'esbuild';
 import * as vite7 from 'vite';
 import * as vite8 from 'vite8';
 import { describe, expect, inject, it } from 'vitest';
+import webpack from 'webpack';
 import { host, outcomeOf } from './support/browser.ts';
 import { newProject, packageIn } from './support/project.ts';
 
@@ -15,6 +17,8 @@ const MARKUP = '<shape-spline src="pose-0.glb pose-1.glb" loading="eager" alt="A
 const page = (module: string): string =>
   `<!doctype html><title>A page</title>${MARKUP}<script type="module" src="${module}"></script>` +
   '<script type="module" src="./main.js"></script>';
+
+const BUNDLED = `<!doctype html>${MARKUP}<script type="module" src="./main.js"></script>`;
 
 /** Says the size of the shape that it evaluates once a time has been drawn. */
 const WATCH = `
@@ -56,8 +60,7 @@ describe.skipIf(!there)('the element', () => {
     ['Vite 8', vite8 as unknown as Pick<typeof vite7, 'createServer' | 'build'>],
   ])('runs in %s, in development and as built', async (_, vite) => {
     const main = `import 'shapespline/element';\n${WATCH}`;
-    const index = `<!doctype html>${MARKUP}<script type="module" src="./main.js"></script>`;
-    const folder = await withPeers({ 'main.js': main, 'index.html': index });
+    const folder = await withPeers({ 'main.js': main, 'index.html': BUNDLED });
     const settings = { root: folder, configFile: false as const, logLevel: 'error' as const };
     const server = await vite.createServer({
       ...settings,
@@ -73,6 +76,52 @@ describe.skipIf(!there)('the element', () => {
     expect(await outcomeOf(await host([path.join(folder, 'dist')]))).toEqual(SHOWN);
   });
 
+  it('is bundled by webpack 5', async () => {
+    const folder = await withPeers({ 'main.js': `import 'shapespline/element';\n${WATCH}`, 'index.html': BUNDLED });
+    const output = path.join(folder, 'dist');
+    const stats = await new Promise<webpack.Stats | undefined>((resolve, reject) =>
+      webpack(
+        { mode: 'production', context: folder, entry: './main.js', output: { path: output, filename: 'main.js' } },
+        (error, done) => (error ? reject(error) : resolve(done)),
+      ),
+    );
+    expect(stats?.toJson({ all: false, errors: true })).toMatchObject({ errors: [] });
+    expect(await outcomeOf(await host([output, folder, path.join(folder, 'public')]))).toEqual(SHOWN);
+  });
+
+  it('is bundled by esbuild, with the files beside', async () => {
+    const folder = await withPeers({ 'main.js': `import 'shapespline/element';\n${WATCH}`, 'index.html': BUNDLED });
+    const output = path.join(folder, 'dist');
+    await esbuild.build({
+      absWorkingDir: folder,
+      entryPoints: ['main.js'],
+      bundle: true,
+      splitting: true,
+      format: 'esm',
+      outdir: output,
+      logLevel: 'error',
+    });
+    for (const name of readdirSync(packageIn(folder)).filter((file) => /^(worker|codecs)\.js$|\.wasm$/.test(file)))
+      cpSync(path.join(packageIn(folder), name), path.join(output, name));
+    expect(await outcomeOf(await host([output, folder, path.join(folder, 'public')]))).toEqual(SHOWN);
+  });
+
+  it('its class alone registers nothing, and can be registered by another name', async () => {
+    const folder = await withPeers({
+      'main.js': `
+        import { ShapeSplineElement } from 'shapespline/element-class';
+        const before = customElements.get('shape-spline') === undefined;
+        customElements.define('my-motion', class extends ShapeSplineElement {});
+        const element = document.querySelector('my-motion');
+        element.src = 'pose-0.glb pose-1.glb';
+        element.seek(0.5).then(() => { window.outcome = { before, time: element.currentTime }; });
+      `,
+      'index.html': '<!doctype html><my-motion></my-motion><script type="module" src="./main.js"></script>',
+    });
+    await vite7.build({ root: folder, configFile: false, logLevel: 'error', base: './' });
+    expect(await outcomeOf(await host([path.join(folder, 'dist')]))).toEqual({ before: true, time: 0.5 });
+  });
+
   it('has types for React 19, for the document and for the class', async () => {
     const folder = await withPeers({
       'use.tsx': `
@@ -80,6 +129,13 @@ describe.skipIf(!there)('the element', () => {
         import type {} from 'shapespline/jsx';
         import { ShapeSplineElement } from 'shapespline/element-class';
         export const shown = <shape-spline src="a.glb b.glb" boundary="periodic" autoplay loop="bounce" controls />;
+        const tell = (time: number, index: number): void => console.log(time, index);
+        export const more = (
+          <shape-spline keys={[new Blob(), new URL('https://a.example/b.glb')]} playbackRate={2} startSpeed={0} hidden
+            onseeked={({ detail }) => tell(detail.currentTime, 0)} onkeychange={({ detail }) => tell(0, detail.index)} />
+        );
+        // @ts-expect-error
+        export const never = <shape-spline onseeked={({ detail }) => tell(detail.index, 0)} />;
         // @ts-expect-error
         export const wrong = <shape-spline boundary="no such" />;
         const element: ShapeSplineElement = document.querySelector('shape-spline')!;

@@ -14,11 +14,25 @@ export {};
 `;
 
 const HEAD = `import type { DetailedHTMLProps, HTMLAttributes } from 'react';
-import type { ShapeSplineElement } from './element-class.js';
+import type { KeySource, ShapeSplineElement, ShapeSplineEventMap, ShapeSplineProperties } from './element-class.js';
 `;
 
-const PARTS = `export type ShapeSplineProps = DetailedHTMLProps<HTMLAttributes<ShapeSplineElement>, ShapeSplineElement> &
-  ShapeSplineAttributes;
+const PARTS = `/** React 19 and others listen to events by these names. */
+export type ShapeSplineListeners = {
+  [N in keyof ShapeSplineEventMap as \`on\${N}\`]?: ((event: ShapeSplineEventMap[N]) => void) | undefined;
+};
+
+/** They set properties, too: those whose names are not attributes'. */
+export type ShapeSplineExtras = ShapeSplineListeners & {
+  [N in Exclude<keyof ShapeSplineProperties, keyof ShapeSplineAttributes>]?: ShapeSplineProperties[N] | undefined;
+} & {
+  /** Comes before src: addresses, Blobs or ArrayBuffers of one key each, or of all. */
+  keys?: readonly KeySource[] | null | undefined;
+};
+
+export type ShapeSplineProps = DetailedHTMLProps<HTMLAttributes<ShapeSplineElement>, ShapeSplineElement> &
+  ShapeSplineAttributes &
+  ShapeSplineExtras;
 
 declare module 'react' {
   namespace JSX {

@@ -8,6 +8,7 @@ import { elementTypes, jsxTypes } from './element-types.mjs';
 import { NOTICES, notices, packageOf } from './notices.mjs';
 import { npmManifest } from './npm-manifest.mjs';
 import { buildDir, inRoot } from './paths.mjs';
+import { withoutPixels } from './pixels.mjs';
 
 export const packageDir = path.join(buildDir, 'package');
 const inPackage = (...parts) => path.join(packageDir, ...parts);
@@ -53,6 +54,7 @@ const forBrowsers = {
   legalComments: 'none',
   metafile: true,
   logLevel: 'warning',
+  alias: withoutPixels,
   plugins: [packaged, nothingOfNode],
 };
 const forNode = {

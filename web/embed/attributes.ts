@@ -171,11 +171,14 @@ const OWN = {
 } as const satisfies Readonly<Record<string, Row>>;
 
 /** Those of the engine's options that are words or numbers. */
-const IMPORTED = pick(IMPORT, ['keyTimes', 'animation', 'sample', 'up', 'unit']);
-const MOVED = MOTION;
+const IMPORTED = pick(IMPORT, ['animation', 'sample', 'up', 'unit']);
+/** An import can be given other times. */
+const TIMED = pick(IMPORT, ['keyTimes']);
+/** Pins come with a project's file. */
+const MOVED = pick(MOTION, ['method', 'hold', 'boundary', 'startSpeed', 'endSpeed', 'period', 'inPlace']);
 const SHAPED = pick(PER_KEY, ['tension', 'bias']);
 const ENCODED = pick(ENCODING, ['stretch', 'patches', 'ghostFaces', 'transfer', 'placement', 'precision']);
-const ENGINE = { ...IMPORTED, ...MOVED, ...SHAPED, ...ENCODED };
+const ENGINE = { ...IMPORTED, ...TIMED, ...MOVED, ...SHAPED, ...ENCODED };
 
 type OwnValue<R> = R extends { kind: 'flag' }
   ? boolean
@@ -222,10 +225,10 @@ export function propertyOf(attribute: string): PropertyName | undefined {
   return BY_ATTRIBUTE.get(attribute);
 }
 
-/** Which of the engine's calls a property is for; null for those of the element alone. */
+/** For which of the engine's calls a property is an option; null for those that are none. */
 export function engineCallOf(property: PropertyName): 'import' | 'sequence' | null {
   if (property in IMPORTED) return 'import';
-  return property in ENGINE ? 'sequence' : null;
+  return property in ENGINE && !(property in TIMED) ? 'sequence' : null;
 }
 
 function rowOf(name: string, option: Option): Row {

@@ -1,7 +1,7 @@
 /** What stands in the element: viewport, poster, progress, message and controls, with their slots and parts. */
 import { h, setAttribute, setHidden, setStyle, setText } from '../ui/dom.ts';
 import { icon, setIcon } from '../ui/icons.ts';
-import { drag } from '../ui/pointer.ts';
+import { drag, leaveScrolling } from '../ui/pointer.ts';
 import { clamp, formatTime, length, snap } from '../model/time-scale.ts';
 import type { Range } from '../model/time-scale.ts';
 import type { Rect } from '../viewer/types.ts';
@@ -41,12 +41,15 @@ export class Frame {
     const caption = h('div', { class: 'caption' }, h('slot'));
     root.append(this.viewport, this.names, this.poster, caption, this.controls, this.progress, this.message);
     for (const part of [this.message, this.progress]) setHidden(part, true);
+    for (const part of [this.viewport, this.controls]) leaveScrolling(part);
     root.addEventListener('keydown', (event) => events.onKey(event as KeyboardEvent));
+    const to = (at: MouseEvent): void => events.onSeek(this.timeAt(at.clientX));
     this.timeline.addEventListener('pointerdown', (event) => {
-      const to = (at: PointerEvent): void => events.onSeek(this.timeAt(at.clientX));
-      to(event);
+      // A finger may be about to scroll the page: until it goes sideways or is lifted, nothing is meant.
+      if (event.pointerType !== 'touch') to(event);
       drag(this.timeline, event, { onMove: to });
     });
+    this.timeline.addEventListener('click', to);
   }
 
   /** In another document, too. */
@@ -126,7 +129,7 @@ export class Frame {
 
   setTime(t: number, words: string): void {
     setStyle(this.thumb, 'left', this.place(t));
-    setAttribute(this.timeline, 'aria-valuenow', t);
+    setAttribute(this.timeline, 'aria-valuenow', clamp(t, ...this.range));
     setAttribute(this.timeline, 'aria-valuetext', `${formatTime(t, this.range)} s, ${words}`);
   }
 

@@ -4,6 +4,8 @@
  */
 import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
 import { createEngine } from '../engine/browser.ts';
+import { encodingOf, motionOf } from '../engine/api/options.ts';
+import { SEQUENCE_DEFAULTS } from '../engine/api/types.ts';
 import type { ImportOptions, SequenceOptions } from '../engine/api/types.ts';
 import { readSources, keyOf } from './sources.ts';
 import type { Sources } from './sources.ts';
@@ -33,13 +35,17 @@ export interface KeysLease extends Lease<Keys> {
   readonly key: string;
 }
 
+/** So many numbered files are all keys only where their times are given. */
+const MOST_OWN_KEYS = 32;
+
+/** When the keys are is no matter of the files, so that those of other times are the same import. */
 export function takeKeys(
   { list, times }: Sources,
   base: string,
   options: ImportOptions,
   onProgress?: (part: Stage) => void,
 ): KeysLease {
-  const all: ImportOptions = times && !options.keyTimes ? { ...options, keyTimes: times } : options;
+  const all: ImportOptions = times && list.length > MOST_OWN_KEYS ? { ...options, keyTimes: times } : options;
   const key = JSON.stringify([list.map((source) => keyOf(source, base)), all]);
   const lease = imports.take(
     key,
@@ -58,22 +64,68 @@ export function takeKeys(
   return Object.assign(lease, { key });
 }
 
-export type MotionLease = Lease<Sequence>;
+export interface MotionLease extends Lease<Sequence> {
+  /** Of its keys, and of what is encoded of them: motions of the same differ by what can be refitted. */
+  readonly keys: string;
+  readonly encoded: string;
+}
 
-export const motionKey = (keys: KeysLease, options: Partial<SequenceOptions>): string =>
-  `${keys.key} ${JSON.stringify(options)}`;
+/** A motion through keys, at these times or their own. */
+export interface Wanted {
+  keys: KeysLease;
+  times: number[] | null;
+  options: Partial<SequenceOptions>;
+}
 
-export function takeMotion(
-  keys: KeysLease,
-  options: Partial<SequenceOptions>,
+const encodedOf = ({ keys, options }: Wanted): string =>
+  `${keys.key} ${JSON.stringify(encodingOf({ ...SEQUENCE_DEFAULTS, ...options }))}`;
+
+const keyOfMotion = (wanted: Wanted): string =>
+  `${encodedOf(wanted)} ${JSON.stringify([wanted.times, motionOf({ ...SEQUENCE_DEFAULTS, ...wanted.options })])}`;
+
+async function keysOf({ keys, times }: Wanted): Promise<Keys> {
+  const held = await keys.value;
+  return times ? held.arrange([...held.info.times.keys()], times) : held;
+}
+
+const asMotion = (lease: Lease<Sequence>, wanted: Wanted): MotionLease =>
+  Object.assign(lease, { keys: wanted.keys.key, encoded: encodedOf(wanted) });
+
+/** Those of them that need refitting alone to become what is wanted. */
+export function refittable(motions: readonly MotionLease[], wanted: Wanted): MotionLease[] {
+  return motions.filter(({ encoded }) => encoded === encodedOf(wanted));
+}
+
+/**
+ * One motion for each of the wanted: one that is there, one of `own` refitted that no other user stays with, or a new
+ * one. `own` must be made already.
+ */
+export function takeMotions(
+  wanted: readonly Wanted[],
+  own: readonly MotionLease[],
   onProgress?: (part: Stage) => void,
-): MotionLease {
-  return sequences.take(
-    motionKey(keys, options),
-    async ({ signal, report }) =>
-      pageEngine().createSequence(await keys.value, options, { signal, onProgress: report }),
+): MotionLease[] {
+  const there = wanted.map((one) => (sequences.has(keyOfMotion(one)) ? create(one, onProgress) : null));
+  return wanted.map((one, i) => there[i] ?? refit(one, own) ?? create(one, onProgress));
+}
+
+function refit(wanted: Wanted, own: readonly MotionLease[]): MotionLease | null {
+  const lease = sequences.change(refittable(own, wanted), keyOfMotion(wanted), async (sequence) => {
+    const keyTimes = [...(await keysOf(wanted)).info.times];
+    await sequence.update({ ...motionOf({ ...SEQUENCE_DEFAULTS, ...wanted.options }), keyTimes });
+  });
+  return lease && asMotion(lease, wanted);
+}
+
+function create(wanted: Wanted, onProgress?: (part: Stage) => void): MotionLease {
+  const lease = sequences.take(
+    keyOfMotion(wanted),
+    async ({ signal, report }) => {
+      return pageEngine().createSequence(await keysOf(wanted), wanted.options, { signal, onProgress: report });
+    },
     onProgress,
   );
+  return asMotion(lease, wanted);
 }
 
 /**

@@ -13,7 +13,7 @@ import { orbitOf, targetOf } from '../model/camera-words.ts';
 import { keyboardStep } from '../model/keyboard-step.ts';
 import { METHOD_WORDS } from '../model/method-words.ts';
 import { GHOST_FACES } from '../model/state.ts';
-import { PHASE_COLOURS, neighbourKey, timeScale } from '../model/time-scale.ts';
+import { PHASE_COLOURS, clamp, neighbourKey } from '../model/time-scale.ts';
 import type { Phase, Range } from '../model/time-scale.ts';
 import { ATTRIBUTES, PROPERTIES, ROWS, attributeOf, engineCallOf, propertyOf } from './attributes.ts';
 import type { Concern, PropertyName, ShapeSplineProperties } from './attributes.ts';
@@ -95,7 +95,7 @@ export class ShapeSplineElement extends Base {
   #keys: KeysLease | null = null;
   #motions: MotionLease[] = [];
   /** What is on its way to be shown. */
-  #opening: { release(): void }[] = [];
+  #opening: { keys: KeysLease | null; motions: MotionLease[] } = { keys: null, motions: [] };
   #sequence: Sequence | null = null;
   #given: readonly KeySource[] | null = null;
   #info: Keys['info'] | null = null;
@@ -112,6 +112,8 @@ export class ShapeSplineElement extends Base {
   #failure: unknown = null;
   /** That is shown, or with which the next motion begins; NaN: where that begins itself. */
   #time = NaN;
+  /** In which it was shown. */
+  #range: Range = [NaN, NaN];
   /** Other keys are wanted than those that are shown. */
   #outdated = false;
   #before = { time: NaN, step: 0, key: -1 };
@@ -375,50 +377,66 @@ export class ShapeSplineElement extends Base {
     this.#fraction = 0;
     this.#failure = null;
     this.#frame!.setMessage(null);
+    for (const lease of [...this.#motions, ...this.#opening.motions]) lease.leaving = true;
     try {
       const opened = await this.#fetch(current);
       if (opened && current()) await this.#show(opened, current);
     } catch (error) {
       if (!current() || isCancelled(error)) return;
       this.#failure = error;
-      for (const lease of this.#opening.splice(0)) lease.release();
+      this.#giveBack();
+      for (const lease of this.#motions) lease.leaving = false;
       this.#fail(error);
     }
   }
 
   /** Keys and motions as the attributes say; null where something else is wanted by now. */
   async #fetch(current: () => boolean): Promise<Opened | null> {
-    const [{ CanvasViewer }, { takeKeys, takeMotion }] = await heavy();
+    const [{ CanvasViewer }, { refittable, takeKeys, takeMotions }] = await heavy();
     if (!current()) return null;
     const from = (share: number) => (part: { stage: string; fraction: number }) =>
       this.#progress(current, part.stage, share + KEYS_SHARE * part.fraction);
-    const keys = takeKeys(this.#sources(), this.baseURI, this.#options('import') as ImportOptions, from(0));
+    const sources = this.#sources();
+    const keys = takeKeys(sources, this.baseURI, this.#options('import') as ImportOptions, from(0));
     // What an older loading has begun is given back only now: what both want is not made anew.
-    for (const lease of this.#opening) lease.release();
-    this.#opening = [keys];
+    const { motions: begun } = this.#opening;
+    for (const lease of [this.#opening.keys, ...begun.filter((one) => one.keys !== keys.key)]) lease?.release();
+    this.#opening = { keys, motions: begun.filter((one) => one.keys === keys.key) };
     const held = await keys.value;
     if (!current()) return null;
     const options: Partial<SequenceOptions> = { ...held.info.project, ...this.#options('sequence') };
     if (this.ghost && !options.ghostFaces) options.ghostFaces = GHOST_FACES;
     const method = options.method ?? this.method;
     const methods = [method, ...this.compare.filter((one) => one !== method)];
-    const motions = methods.map((one) => takeMotion(keys, { ...options, method: one }, from(KEYS_SHARE)));
-    this.#opening.push(...motions);
+    const times = this.keyTimes ?? sources.times;
+    const wanted = methods.map((one) => ({ keys, times, options: { ...options, method: one } }));
+    const own = refittable([...this.#motions, ...this.#opening.motions], wanted[0]!);
+    // Those that are being made of the same are awaited and fitted again, of all changes meanwhile to the last.
+    await Promise.allSettled(own.map(({ value }) => value));
+    if (!current()) return null;
+    const motions = takeMotions(wanted, own, from(KEYS_SHARE));
+    for (const lease of this.#opening.motions) lease.release();
+    this.#opening.motions = motions;
     const sequences = await Promise.all(motions.map(({ value }) => value));
     return { Viewer: CanvasViewer, keys, held, methods, motions, sequences };
+  }
+
+  /** What was on its way. */
+  #giveBack(): void {
+    for (const lease of [this.#opening.keys, ...this.#opening.motions]) lease?.release();
+    this.#opening = { keys: null, motions: [] };
   }
 
   async #show({ Viewer, keys, held, methods, motions, sequences }: Opened, current: () => boolean): Promise<void> {
     this.#view ??= this.#newView(Viewer);
     const view = this.#view;
     for (const lease of [this.#keys, ...this.#motions]) lease?.release();
-    [this.#keys, this.#motions, this.#opening] = [keys, motions, []];
+    [this.#keys, this.#motions] = [keys, motions];
+    this.#opening = { keys: null, motions: [] };
     this.#info = held.info;
     this.#sequence = sequences[0]!;
     this.#frame!.setNames(methods.length > 1 ? methods.map((method) => METHOD_WORDS[method].short) : []);
-    const [start] = this.range ?? this.#sequence.range;
-    const first = this.hasAttribute('current-time') ? this.currentTime : start;
-    const t = Number.isNaN(this.#time) ? first : this.#time;
+    const t = this.#timeWithin(this.#shownRange());
     this.#outdated = false;
     view.setSeen(true);
     this.#settings(view);
@@ -438,6 +456,13 @@ export class ShapeSplineElement extends Base {
     this.#begin();
     view.setPlaying(this.#playing);
     view.setSeen(this.#inView);
+  }
+
+  /** Where it begins, or where it was; what was within the range before is within that of another motion, too. */
+  #timeWithin(range: Range): number {
+    const [first, last] = this.#range;
+    if (Number.isNaN(this.#time)) return this.hasAttribute('current-time') ? this.currentTime : range[0];
+    return first <= this.#time && this.#time <= last ? clamp(this.#time, range[0], range[1]) : this.#time;
   }
 
   /** Plays where the page wants that from the start. */
@@ -485,7 +510,8 @@ export class ShapeSplineElement extends Base {
     view.turnable = this.#turnable;
     const speed = this.playbackRate * (this.#info?.speed ?? 1);
     view.play = { ...view.play, speed, loop: this.loop || 'once', between: this.range };
-    this.#frame!.setKeys(this.#shownRange(), this.#sequence!.keyTimes);
+    this.#range = this.#shownRange();
+    this.#frame!.setKeys(this.#range, this.#sequence!.keyTimes);
   }
 
   #colour(view: CanvasViewer): void {
@@ -547,12 +573,13 @@ export class ShapeSplineElement extends Base {
       event.preventDefault();
       return this.paused ? this.play() : this.pause();
     }
-    const { keyTimes, range } = this.#sequence;
+    const { keyTimes } = this.#sequence;
+    const range = this.#range;
     const now = this.#view!.time;
     const to = { '[': -1, ']': 1 }[event.key] as 1 | -1 | undefined;
     const t = to
-      ? neighbourKey(now, keyTimes, to, range)
-      : keyboardStep(event, now, timeScale(range, keyTimes.length), null);
+      ? clamp(neighbourKey(now, keyTimes, to, range), ...range)
+      : keyboardStep(event, now, { range, whole: range }, null);
     if (t === null) return;
     event.preventDefault();
     this.#byHand(t);
@@ -564,9 +591,9 @@ export class ShapeSplineElement extends Base {
     this.#sequence = null;
     this.#view?.dispose();
     this.#view = null;
-    for (const lease of [this.#keys, ...this.#motions, ...this.#opening]) lease?.release();
-    this.#keys = null;
-    [this.#motions, this.#opening] = [[], []];
+    for (const lease of [this.#keys, ...this.#motions]) lease?.release();
+    [this.#keys, this.#motions] = [null, []];
+    this.#giveBack();
     this.#frame!.setProgress(null);
     this.#page();
   }

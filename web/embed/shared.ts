@@ -2,17 +2,21 @@
 
 export interface Lease<T> {
   readonly value: Promise<T>;
+  /** Its user is about to have another one. */
+  leaving: boolean;
   /** Idempotent. */
   release(): void;
 }
 
 interface Held<T> {
   key: string;
-  users: number;
+  users: Set<Lease<T>>;
   abort: AbortController;
+  made: Promise<T>;
+  /** The same, when it is what the key says. */
   value: Promise<T>;
   listeners: Set<(part: Stage) => void>;
-  leaving: ReturnType<typeof setTimeout> | undefined;
+  ending: ReturnType<typeof setTimeout> | undefined;
 }
 
 export interface Stage {
@@ -40,23 +44,55 @@ export class Shared<T> {
     return this.held.size;
   }
 
+  has(key: string): boolean {
+    return this.held.has(key);
+  }
+
   /** `make` is called where nobody holds the key. What fails is not kept. */
   take(key: string, make: (making: Making) => Promise<T>, onProgress?: (part: Stage) => void): Lease<T> {
-    const held = this.held.get(key) ?? this.begin(key, make);
-    clearTimeout(held.leaving);
-    held.users += 1;
+    return this.lease(this.held.get(key) ?? this.begin(key, make), onProgress);
+  }
+
+  /**
+   * What one of these has, and nobody who stays, is changed into what another key stands for; it stays what it was
+   * where that fails. Null where there is none. Nobody may hold `key`.
+   */
+  change(own: readonly Lease<T>[], key: string, change: (value: T) => Promise<void>): Lease<T> | null {
+    const free = ({ users }: Held<T>): boolean =>
+      own.some((one) => users.has(one)) && [...users].every(({ leaving }) => leaving);
+    const held = [...this.held.values()].find(free);
+    if (!held) return null;
+    const before = { key: held.key, value: held.value };
+    const value = held.value.then(async (made) => {
+      await change(made);
+      return made;
+    });
+    this.call(held, { key, value });
+    value.catch(() => this.call(held, before));
+    return this.lease(held);
+  }
+
+  private lease(held: Held<T>, onProgress?: (part: Stage) => void): Lease<T> {
+    clearTimeout(held.ending);
     if (onProgress) held.listeners.add(onProgress);
-    let over = false;
-    return {
+    const lease: Lease<T> = {
       value: held.value,
+      leaving: false,
       release: () => {
-        if (over) return;
-        over = true;
+        if (!held.users.delete(lease)) return;
         if (onProgress) held.listeners.delete(onProgress);
-        held.users -= 1;
-        if (held.users === 0) held.leaving = setTimeout(() => this.end(held), this.graceMs);
+        if (held.users.size === 0) held.ending = setTimeout(() => this.end(held), this.graceMs);
       },
     };
+    held.users.add(lease);
+    return lease;
+  }
+
+  /** A key that was given away meanwhile stays with whom it was given to; what has ended gets none. */
+  private call(held: Held<T>, named: Pick<Held<T>, 'key' | 'value'>): void {
+    this.forget(held);
+    Object.assign(held, named);
+    if (!held.abort.signal.aborted && !this.held.has(held.key)) this.held.set(held.key, held);
   }
 
   private begin(key: string, make: (making: Making) => Promise<T>): Held<T> {
@@ -64,7 +100,7 @@ export class Shared<T> {
     const listeners: Held<T>['listeners'] = new Set();
     const report = (part: Stage): void => listeners.forEach((listener) => listener(part));
     const value = make({ signal: abort.signal, report });
-    const held: Held<T> = { key, users: 0, abort, value, listeners, leaving: undefined };
+    const held: Held<T> = { key, users: new Set(), abort, made: value, value, listeners, ending: undefined };
     this.held.set(key, held);
     value.catch(() => this.forget(held));
     return held;
@@ -75,9 +111,9 @@ export class Shared<T> {
   }
 
   private end(held: Held<T>): void {
-    if (held.users > 0) return;
+    if (held.users.size > 0) return;
     this.forget(held);
     held.abort.abort();
-    held.value.then(this.dispose, () => undefined);
+    held.made.then(this.dispose, () => undefined);
   }
 }

@@ -99,3 +99,27 @@ export function focusPressed(element: HTMLElement): void {
   element.addEventListener('blur', end, { signal: ended.signal });
   element.addEventListener('keydown', end, { signal: ended.signal });
 }
+
+/**
+ * Keeps a finger's first moves from whoever listens inside of the element until it has gone further sideways than up or
+ * down: those belong to the page's own scrolling, which takes the pointer away once the browser has recognised it.
+ */
+export function leaveScrolling(element: HTMLElement): void {
+  let start: PointerEvent | null = null;
+  element.addEventListener(
+    'pointerdown',
+    (event) => {
+      start = event.pointerType === 'touch' && event.isPrimary ? event : null;
+    },
+    { capture: true },
+  );
+  element.addEventListener(
+    'pointermove',
+    (event) => {
+      if (event.pointerId !== start?.pointerId) return;
+      if (Math.abs(event.clientX - start.clientX) > Math.abs(event.clientY - start.clientY)) start = null;
+      else event.stopPropagation();
+    },
+    { capture: true },
+  );
+}

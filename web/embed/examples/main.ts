@@ -23,6 +23,15 @@ function list(id: string, head: readonly string[], rows: readonly (readonly stri
 /** As a page has it, which imports the package. */
 const forPages = (text: string): string => text.replace("'../shape-spline.ts'", "'shapespline/element-class'").trim();
 
+/** As a page has it, with its files beside it. */
+function markupOf(id: string): string {
+  const shape = byId(id).cloneNode() as HTMLElement;
+  shape.removeAttribute('id');
+  shape.setAttribute('src', shape.getAttribute('src')!.split('/').at(-1)!);
+  return shape.outerHTML.replaceAll('=""', '').replaceAll(/\s+/g, ' ');
+}
+
+for (const id of ['plain', 'compared']) byId(`${id}-markup`).textContent = markupOf(id);
 followScroll(byId<ShapeSplineElement>('scrolled'));
 takeFiles(byId<HTMLInputElement>('files'), byId<ShapeSplineElement>('dropped'));
 byId('scrolled-script').textContent = forPages(scrolledScript);

@@ -5,7 +5,8 @@ export function followScroll(shape: ShapeSplineElement): void {
   const follow = () => {
     const { top, height } = shape.getBoundingClientRect();
     const share = 1 - (top + height) / (innerHeight + height);
-    if (shape.duration > 0 && share >= 0 && share <= 1) shape.currentTime = share * shape.duration;
+    const { duration } = shape;
+    if (duration > 0 && share >= 0 && share <= 1) shape.currentTime = share * duration;
   };
   shape.addEventListener('load', follow);
   addEventListener('scroll', follow, { passive: true });
