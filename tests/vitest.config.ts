@@ -25,7 +25,7 @@ export default defineConfig({
       project('unit', 10_000),
       project('engine', 120_000),
       project('tools', 300_000, inBrowser),
-      project('package', 120_000, { globalSetup: 'tests/package/support/setup.ts', ...inBrowser }),
+      project('package', 240_000, { globalSetup: 'tests/package/support/setup.ts', ...inBrowser }),
     ],
   },
 });

@@ -47,7 +47,8 @@ export default defineConfig({
   cacheDir: `${repository}build/vite`,
   // Relative URLs: the built page works from any sub-path of any static host.
   base: './',
-  resolve: { alias: withoutPixels },
+  // The example in React imports the element as a page does that has the package.
+  resolve: { alias: { ...withoutPixels, 'shapespline/element': `${here}embed/register.ts` } },
   plugins: [preload(), unusedShaders(), collectsPackages(), carriesNotices, forReaders, offline()],
   build: {
     outDir: `${repository}dist`,

@@ -49,7 +49,7 @@ it.each(PARTS)('a finger that goes up from the %s scrolls the page, and nothing 
   const { page, client } = await onPhone('controls');
   const before = [await picture(page), await atRest(page)];
   await swipe(client, await middleOf(page, part), 0, -150);
-  await expect.poll(() => scrolled(page), { timeout: 10_000 }).toBeGreaterThan(80);
+  await expect.poll(() => scrolled(page), { timeout: 30_000 }).toBeGreaterThan(80);
   expect(await atRest(page)).toEqual(before[1]);
   expect(await told(page, 'play')).toEqual([]);
   await page.evaluate(() => scrollTo(0, 0));
@@ -61,7 +61,7 @@ it('a finger that goes sideways turns the shape, and does not scroll', async () 
   const { page, client } = await onPhone('controls');
   const before = await picture(page);
   await swipe(client, await middleOf(page, 'viewport'), 120, 0);
-  await expect.poll(async () => (await picture(page)) === before, { timeout: 10_000 }).toBe(false);
+  await expect.poll(async () => (await picture(page)) === before, { timeout: 30_000 }).toBe(false);
   expect(await scrolled(page)).toBe(0);
   expect(await on(page, (shape) => shape.currentTime)).toBe(0.25);
 });
@@ -71,10 +71,10 @@ it('a finger that goes sideways on the timeline moves the time, and a tap sets i
   const middle = await middleOf(page, 'timeline');
   await swipe(client, middle, 100, 0);
   const time = (): Promise<number> => on(page, (shape) => shape.currentTime);
-  await expect.poll(time, { timeout: 10_000 }).toBeGreaterThan(0.6);
+  await expect.poll(time, { timeout: 30_000 }).toBeGreaterThan(0.6);
   expect(await scrolled(page)).toBe(0);
   await page.touchscreen.tap(middle.x, middle.y);
-  await expect.poll(time, { timeout: 10_000 }).toBeCloseTo(0.5, 1);
+  await expect.poll(time, { timeout: 30_000 }).toBeCloseTo(0.5, 1);
   const play = await middleOf(page, 'play');
   await page.touchscreen.tap(play.x, play.y);
   await when(page, 'play');
@@ -85,7 +85,7 @@ it('where it is not to be turned, a finger finds the page in every direction', a
   const before = await picture(page);
   await swipe(client, await middleOf(page, 'viewport'), 120, 0);
   await swipe(client, await middleOf(page, 'viewport'), 0, -150);
-  await expect.poll(() => scrolled(page), { timeout: 10_000 }).toBeGreaterThan(80);
+  await expect.poll(() => scrolled(page), { timeout: 30_000 }).toBeGreaterThan(80);
   await page.evaluate(() => scrollTo(0, 0));
   await on(page, (shape: ShapeSplineElement) => shape.seek(0.25));
   expect((await picture(page)) === before).toBe(true);

@@ -106,6 +106,43 @@ describe.skipIf(!there)('the element', () => {
     expect(await outcomeOf(await host([output, folder, path.join(folder, 'public')]))).toEqual(SHOWN);
   });
 
+  it('the viewer in a box of the page is usable without the element', async () => {
+    const files = {
+      'main.js': `
+        import { createEngine } from 'shapespline';
+        import { CanvasViewer } from 'shapespline/canvas-viewer';
+        const box = document.getElementById('box');
+        Object.assign(box.style, { width: '300px', height: '200px' });
+        const read = async (name) => ({ name, bytes: new Uint8Array(await (await fetch(name)).arrayBuffer()) });
+        const run = async () => {
+          const engine = createEngine();
+          const keys = await engine.importKeyframes([await read('pose-0.glb'), await read('pose-1.glb')]);
+          const sequence = await engine.createSequence(keys);
+          const viewer = new CanvasViewer(box);
+          await viewer.open(keys, [{ sequence, method: 'lri', ghost: 0 }], 0);
+          const canvas = box.querySelector('canvas');
+          const first = canvas.toDataURL();
+          await viewer.seek(0.7);
+          const moved = canvas.toDataURL() !== first;
+          await viewer.seek(0);
+          const outcome = { moved, same: canvas.toDataURL() === first, width: canvas.width };
+          viewer.dispose();
+          return { ...outcome, left: box.childElementCount };
+        };
+        run().then((outcome) => { window.outcome = outcome; }, (error) => { window.outcome = { error: String(error) }; });
+      `,
+      'index.html': '<!doctype html><div id="box"></div><script type="module" src="./main.js"></script>',
+    };
+    const folder = await withPeers(files);
+    await vite7.build({ root: folder, configFile: false, logLevel: 'error', base: './' });
+    expect(await outcomeOf(await host([path.join(folder, 'dist')]))).toEqual({
+      moved: true,
+      same: true,
+      width: 300,
+      left: 0,
+    });
+  });
+
   it('its class alone registers nothing, and can be registered by another name', async () => {
     const folder = await withPeers({
       'main.js': `

@@ -1,6 +1,6 @@
 /** The package in Node, and what is in it. */
 import { execFile } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { promisify } from 'node:util';
 import { expect, inject, it } from 'vitest';
@@ -17,6 +17,8 @@ const hasElement = './element' in manifest.exports;
 it('the tarball holds these files and no others', () => {
   const chunks = /^(chunk-\w+\.js|types-[\w-]+\.d\.ts)$/;
   const ofElement = [
+    'canvas-viewer.d.ts',
+    'canvas-viewer.js',
     'cdn.d.ts',
     'cdn.js',
     'custom-elements.json',
@@ -66,13 +68,18 @@ it('the manifest asks for nothing to be installed or run, and names files that a
 
 it('every entry can be imported in Node, where there is no page', async () => {
   const entries = Object.keys(manifest.exports)
-    .filter((name) => !/\.(wasm|json)$/.test(name))
+    // The viewer alone asks for three.js at once.
+    .filter((name) => !/\.(wasm|json)$|canvas-viewer/.test(name))
     .map((name) => path.posix.join('shapespline', name));
   expect(entries).toContain('shapespline/worker.js');
   // What a bundler for browsers takes, too.
   const all = [...entries, path.join(packageIn(project), 'index.js')];
   const importing = all.map((name) => `await import(${JSON.stringify(name)});`).join('\n');
   expect(await node(project, '--input-type=module', '-e', `${importing}\nconsole.log('all')`)).toBe('all\n');
+  const folder = await newProject();
+  symlinkSync(path.resolve('node_modules/three'), path.join(folder, 'node_modules', 'three'));
+  const viewer = "await import('shapespline/canvas-viewer'); console.log('viewer')";
+  expect(await node(folder, '--input-type=module', '-e', viewer)).toBe('viewer\n');
 });
 
 it('the engine runs in Node without a bundler, reads and writes compressed files', async () => {

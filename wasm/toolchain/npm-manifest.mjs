@@ -25,6 +25,7 @@ export function npmManifest({ element }) {
   const ofElement = {
     './element': typed('element'),
     './element-class': typed('element-class'),
+    './canvas-viewer': typed('canvas-viewer'),
     './cdn': typed('cdn'),
     './jsx': { types: './jsx.d.ts', default: './jsx.js' },
     ...asItIs(['custom-elements.json']),

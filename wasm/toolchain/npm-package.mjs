@@ -68,8 +68,9 @@ const forNode = {
 const elementEntries = [
   ['element', 'embed/register.ts'],
   ['element-class', 'embed/shape-spline.ts'],
+  ['canvas-viewer', 'embed/canvas-viewer.ts'],
 ];
-const elementTypesOf = [elementEntries[1], ['cdn', 'embed/cdn.ts']];
+const elementTypesOf = [...elementEntries.slice(1), ['cdn', 'embed/cdn.ts']];
 const hasElement = () => elementEntries.every(([, file]) => existsSync(source(file)));
 const entries = (list) => list.map(([out, file]) => ({ out, in: source(file) }));
 

@@ -33,6 +33,15 @@ export interface CanvasViewerEvents {
   covered(): number;
 }
 
+const UNHEARD: CanvasViewerEvents = {
+  onTime: () => undefined,
+  onEnd: () => undefined,
+  onError: (error) => console.error(error),
+  onContext: () => undefined,
+  onPlaces: () => undefined,
+  covered: () => 0,
+};
+
 /** While it plays, a moment this near to a key (a share of the range) counts as being at it. */
 const PLAYING_TOLERANCE = 0.006;
 
@@ -50,14 +59,14 @@ export class CanvasViewer {
   private moved = false;
   private orbit: CameraOrbit | null = null;
   private target: readonly [number, number, number] | null = null;
+  private readonly events: CanvasViewerEvents;
   private readonly loop: FrameLoop;
   private readonly player: Player;
 
-  /** Error: no-webgl. */
-  constructor(
-    host: HTMLElement,
-    private readonly events: CanvasViewerEvents,
-  ) {
+  /** Fills `host`, which has a size. Error: no-webgl. */
+  constructor(host: HTMLElement, heard: Partial<CanvasViewerEvents> = {}) {
+    const events = { ...UNHEARD, ...heard };
+    this.events = events;
     this.viewer = new Viewer(
       host,
       {

@@ -19,6 +19,9 @@ const TYPES: Record<string, string> = {
 
 const servers: Server[] = [];
 
+/** Longer than anything takes on a busy machine. */
+const WAIT_MS = 90_000;
+
 async function listen(server: Server, name: string): Promise<string> {
   servers.push(server);
   await new Promise<void>((ready) => server.listen(0, name, ready));
@@ -94,7 +97,10 @@ export const askedElsewhere = (): string[] => elsewhere.splice(0);
 export async function newPage(options: BrowserContextOptions = {}): Promise<Page> {
   askedElsewhere();
   const context = await browser.newContext({ proxy: { server: proxy, bypass: 'localhost,127.0.0.1' }, ...options });
-  return context.newPage();
+  const page = await context.newPage();
+  // A development server prepares what it serves while the page waits.
+  page.setDefaultTimeout(WAIT_MS);
+  return page;
 }
 
 /** What the page says in the end. Nothing may have been asked of another host. */
@@ -104,14 +110,21 @@ export async function outcomeOf(url: string): Promise<Outcome> {
     const errors: string[] = [];
     page.on('pageerror', (error) => void errors.push(String(error)));
     await page.goto(url);
-    const said = page.waitForFunction(() => (window as { outcome?: unknown }).outcome, undefined, { timeout: 60_000 });
-    const outcome = await said.then(
-      (handle) => handle.jsonValue() as Promise<Outcome>,
-      () => ({ error: `nothing was said; ${errors.join('; ')}` }),
-    );
+    const outcome = (await saidOn(page)) ?? { error: `nothing was said; ${errors.join('; ')}` };
     expect(askedElsewhere()).toEqual([]);
     return outcome;
   } finally {
     await page.context().close();
   }
+}
+
+/** A development server may load the page anew at any time, once it has found out what that needs. */
+async function saidOn(page: Page): Promise<Outcome | null> {
+  for (const end = Date.now() + WAIT_MS; Date.now() < end && !page.isClosed(); ) {
+    const timeout = Math.max(1, end - Date.now());
+    const said = page.waitForFunction(() => (window as { outcome?: unknown }).outcome, undefined, { timeout });
+    const outcome = await said.then((handle) => handle.jsonValue() as Promise<Outcome>).catch(() => null);
+    if (outcome) return outcome;
+  }
+  return null;
 }

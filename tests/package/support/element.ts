@@ -133,7 +133,6 @@ export async function when(page: Page, type: string, id = 'a', count = 1): Promi
     ([what, whose, times]) =>
       window.told.filter((one) => one.type === what && one.id === whose).length >= (times as number),
     [type, id, count] as const,
-    { timeout: 60_000 },
   );
   return (await told(page, type, id))[count - 1]!;
 }
@@ -148,6 +147,20 @@ export const on = <T, A = null>(
   page
     .evaluateHandle((name) => document.getElementById(name) as ShapeSplineElement, id)
     .then((shape) => shape.evaluate(work as never, words) as Promise<T>);
+
+/** What the element has computed and drawn, once that stays as it is for half a second. */
+export async function statsAtRest(page: Page, id = 'a'): Promise<object> {
+  const stats = (): Promise<object> => on(page, (shape) => ({ ...shape.stats, t: shape.currentTime }), null, id);
+  let last = await stats();
+  const rests = async (): Promise<boolean> => {
+    const before = last;
+    await page.waitForTimeout(500);
+    last = await stats();
+    return JSON.stringify(last) === JSON.stringify(before);
+  };
+  await expect.poll(rests, { timeout: 30_000 }).toBe(true);
+  return last;
+}
 
 export const seek = (page: Page, t: number, id = 'a'): Promise<void> =>
   on(page, (shape, time) => shape.seek(time), t, id);

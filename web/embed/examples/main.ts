@@ -32,6 +32,13 @@ function markupOf(id: string): string {
 }
 
 for (const id of ['plain', 'compared']) byId(`${id}-markup`).textContent = markupOf(id);
+// React's own code is fetched when its example comes near.
+new IntersectionObserver(async (entries, observer) => {
+  if (!entries.some((entry) => entry.isIntersecting)) return;
+  observer.disconnect();
+  const { showReact } = await import('./live-react.tsx');
+  showReact(byId('in-react'), byId<ShapeSplineElement>('plain').src);
+}).observe(byId('in-react'));
 followScroll(byId<ShapeSplineElement>('scrolled'));
 takeFiles(byId<HTMLInputElement>('files'), byId<ShapeSplineElement>('dropped'));
 byId('scrolled-script').textContent = forPages(scrolledScript);
