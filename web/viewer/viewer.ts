@@ -32,7 +32,7 @@ const STRIP_ASPECT = 6;
 /** Vertices that tell whether a shape is seen. */
 const SAMPLED = 300;
 /** The largest share of a view's height that is given to what lies over it. */
-const MOST_COVERED = 0.5;
+const MOST_COVERED = 0.6;
 
 export class Viewer {
   readonly canvas: HTMLCanvasElement;
