@@ -10,6 +10,7 @@ for (const [name, value] of [
   ['t', '1e300'],
   ['boundary=hermite&startSpeed', '1e308'],
   ['camera', '1e300,0,0,0,0,0'],
+  ['keys', '9@0,8@1'],
 ] as const) {
   test(`${name}=${value} in a link is left out, with a word about it`, async ({ app }) => {
     await app.open({ hash: `#sample=cactus&${name}=${value}` });

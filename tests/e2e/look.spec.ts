@@ -95,7 +95,7 @@ test('the outline has the colour of the phase', async ({ app }) => {
   const atKey = matching(await app.picture(), blue).count;
   await app.setTime(1.3);
   const beyond = matching(await app.picture(), blue).count;
-  expect(atKey).toBeGreaterThan(300);
+  expect(atKey).toBeGreaterThan(200);
   expect(beyond).toBeLessThan(atKey / 10);
 });
 

@@ -46,6 +46,8 @@ describe('shapespline measure', () => {
     const { volume } = await sequence.measures(times);
     column(table, 'lri volume').forEach((cell, index) => expect(Number(cell)).toBeCloseTo(volume[index]!, 5));
     expect(table.columns).not.toContain('linear plane x');
+    for (const cell of column(table, 'linear bending energy').map(Number))
+      if (cell !== 0) expect(cell, 'no rounding').toBeGreaterThan(1e-9);
 
     for (const method of ['lri', 'linear']) {
       const largest = column(table, `${method} distance largest`);

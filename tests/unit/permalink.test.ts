@@ -124,6 +124,8 @@ describe('permalinks', () => {
     ['between', '0,1e300'],
     ['window', '-1e300,1'],
     ['keys', '0@0,1@1e10'],
+    ['keys', '9@0,8@1'],
+    ['compare', 'nosuch'],
     ['camera', '1e300,0,0,0,0,0'],
     ['camera', '1,2,3,1,2,3'],
     ['referencePose', '1e300'],

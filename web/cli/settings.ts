@@ -172,9 +172,17 @@ export function importOptions(args: Arguments): ImportOptions {
   return given(args, importFlags);
 }
 
+/** Between two keys the motion is straight, so that speeds at its ends have no meaning. */
+const STRAIGHT: readonly Method[] = ['geodesic', 'linear'];
+
 /** All but the shapes, which are files. */
 export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
-  return given(args, [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')]);
+  const flags = [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
+  const options: Partial<SequenceOptions> = given(args, flags);
+  const { method, boundary } = options;
+  if (boundary === 'hermite' && method !== undefined && STRAIGHT.includes(method))
+    throw new UsageError(`--boundary hermite sets speeds at the ends: --method ${method} is straight from key to key`);
+  return options;
 }
 
 export function exportOptions(args: Arguments, output: string): Partial<ExportOptions> {

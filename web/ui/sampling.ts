@@ -37,6 +37,8 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   let animations: readonly AnimationInfo[] = [];
   let chosen = 0;
   let times: number[] = [];
+  /** The keys are of the animation, not beside it. */
+  let taken = false;
   let timer = 0;
 
   const span = (): AnimationInfo => animations[chosen] ?? { name: '', start: 0, end: 1, keys: 0 };
@@ -45,6 +47,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     draw();
   };
   const takeSoon = (next: number[]): void => {
+    taken = true;
     choose(next);
     window.clearTimeout(timer);
     timer = window.setTimeout(() => {
@@ -134,8 +137,10 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     setField(list, times.map(short).join(', '));
     // What was found where the motion needs it, or chosen by hand, is not even.
     setText(countLabel, sameTimes(times, evenly(span(), times.length)) ? 'Evenly spaced keys' : 'Keys');
-    setField(count, String(times.length));
-    count.value = String(times.length);
+    const shown = taken ? String(times.length) : '';
+    setField(count, shown);
+    count.value = shown;
+    count.placeholder = String(times.length);
   }
 
   const read = memo(({ info }: { info: KeysInfo | null }) => {
@@ -155,13 +160,14 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
       title,
       animations.length > 1 ? `The files hold ${animations.length} animations` : 'The files hold an animation',
     );
-    const taken =
+    const before = taken;
+    taken =
       info.animation >= 0 &&
       info.times.length <= MOST_SAMPLED &&
       info.times.every((t) => t >= span().start && t <= span().end);
     const next = taken ? info.times : evenly(span(), SAMPLED_KEYS);
     // What was taken is shown already, with what is to be said of the next choice.
-    if (!sameTimes(next, times)) choose(next);
+    if (taken !== before || !sameTimes(next, times)) choose(next);
     else track.update(span(), times);
   });
   return {

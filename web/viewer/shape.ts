@@ -21,7 +21,7 @@ import type { Look } from './types.ts';
 /** What has no material of its own. */
 const CLAY = '#c9b5a4';
 /** How much of the outline has the colour of the moment. */
-const RIM = 0.85;
+const RIM = 0.95;
 
 /** What the shapes of one import share: everything but where their vertices are. */
 export interface Topology {

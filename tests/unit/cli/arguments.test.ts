@@ -98,6 +98,13 @@ describe('the values of options', () => {
     expect(exportOptions(parse('--at=-0.3,1.3'), 'out/')).toEqual({ format: 'obj', times: [-0.3, 1.3] });
   });
 
+  it('refuse speeds at the ends of a motion that is straight between keys', () => {
+    for (const method of ['geodesic', 'linear'])
+      expect(() => sequenceOptions(parse('--boundary=hermite', '--method', method))).toThrow(UsageError);
+    for (const method of ['lri', 'cubic-vertex'])
+      expect(sequenceOptions(parse('--boundary=hermite', '--method', method))).toEqual({ boundary: 'hermite', method });
+  });
+
   it.each([
     ['--reference=0'],
     ['--turns=1:1'],

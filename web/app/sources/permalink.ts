@@ -5,7 +5,7 @@
 import { ENCODING, MOST_TIME, MOST_TURNS, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
 import type { Option } from '../../engine/api/option-table.ts';
 import { wrongWith } from '../../engine/api/options.ts';
-import type { AddedTurns } from '../../engine/api/types.ts';
+import type { AddedTurns, Method } from '../../engine/api/types.ts';
 import { setShaping, setTurns } from '../../model/edits.ts';
 import { MAX_FPS, MIN_FPS } from '../../model/frames.ts';
 import { forPage, isPose, pageOptions } from '../../model/page-options.ts';
@@ -144,8 +144,11 @@ export function readPermalink(fragment: string): Permalink | null {
 }
 
 /** A sentence about what of the link is not in the document that it was applied to, or null. */
-export function leftOut({ unfit, motion }: Permalink, doc: Doc): string | null {
-  const names = (motion.period ?? null) === doc.motion.period ? unfit : [...unfit, 'period'];
+export function leftOut({ unfit, motion, keys }: Permalink, doc: Doc): string | null {
+  const names = [...unfit];
+  if ((motion.period ?? null) !== doc.motion.period) names.push('period');
+  if (keys && (keys.length !== doc.keys.length || keys.some(([, time], i) => time !== doc.keys[i]!.time)))
+    names.push('keys');
   if (names.length === 0) return null;
   const [what, was] = names.length === 1 ? ['a value', 'was'] : ['values', 'were'];
   return `The link has ${what} that cannot be used and ${was} left out: ${names.join(', ')}.`;
@@ -220,13 +223,19 @@ function readView(take: Take): Partial<View> {
       (typeof FLAGS)[number],
       boolean | undefined
     >),
-    compare: take('compare', (text) => [...new Set(text.split(',').flatMap((name) => oneOf(name, METHODS) ?? []))]),
+    compare: take('compare', methods),
     split: take('split', (text) => numberFrom(text, LEAST_SHARE, 1 - LEAST_SHARE)),
     filmShapes: take('filmShapes', filmShapes),
     camera: take('camera', readCamera),
     window,
     present: take('present', (text) => oneOf(text, PRESENTED)),
   });
+}
+
+/** Those that there are; undefined where none is. */
+function methods(text: string): Method[] | undefined {
+  const known = text.split(',').flatMap((name) => oneOf(name, METHODS) ?? []);
+  return known.length > 0 ? [...new Set(known)] : undefined;
 }
 
 function filmShapes(text: string): number | undefined {
