@@ -193,6 +193,34 @@ for (const { width, height } of [
       }
   });
 
+for (const [width, height] of [
+  [1280, 800],
+  [360, 740],
+] as const)
+  test(`at ${width} px no words of the colour bar lie over the first of three shapes`, async ({ app }) => {
+    await app.page.setViewportSize({ width, height });
+    await app.open({ hash: '#sample=hand&compare=linear,cubic-vertex&colour=stretch&t=0.3' });
+    await expect(app.by('colour-bar-now')).toContainText('at most');
+    await app.by('fit').click();
+    await expect
+      .poll(() =>
+        app.page.evaluate(() => {
+          const { left, top } = document.querySelector('[data-testid="viewport"]')!.getBoundingClientRect();
+          const words = [...document.querySelectorAll('.colour-bar strong, .colour-bar .muted, .ramp-ticks span')]
+            .filter((one) => one.checkVisibility())
+            .map((one) => one.getBoundingClientRect());
+          const points = window.__shapespline!.project(window.__shapespline!.positions());
+          let over = 0;
+          for (let i = 0; i < points.length; i += 2) {
+            const [x, y] = [points[i]! + left, points[i + 1]! + top];
+            if (words.some((box) => x > box.left && x < box.right && y > box.top && y < box.bottom)) over += 1;
+          }
+          return words.length > 3 ? over : -1;
+        }),
+      )
+      .toBe(0);
+  });
+
 test('distance to the first motion is coloured and drawn over time, with the KG error', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&compare=linear&colour=distance' });
   await app.setTime(0.25);

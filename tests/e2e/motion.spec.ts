@@ -202,6 +202,11 @@ test('stretch, reference and patches change the encoding, and the old shape stay
   await app.settled();
   const fewer = await app.stats();
   expect(fewer.patches).not.toBe(patches.patches);
+  await app.by('patches').fill('');
+  await app.by('patches').press('Enter');
+  await app.settled();
+  expect((await app.state()).doc.encoding.patches, 'nothing: as many as are good').toBe(0);
+  await expect(app.by('patches')).toHaveAttribute('placeholder', `Auto (${patches.patches})`);
   await app.by('reference').selectOption({ index: 1 });
   await app.settled();
   expect((await app.state()).doc.encoding.referencePose).toBe(1);

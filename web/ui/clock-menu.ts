@@ -90,7 +90,7 @@ export function createClockMenu(events: ClockMenuEvents): {
   const whole = button({
     label: 'Show the whole timeline',
     testId: 'zoom-fit',
-    text: 'All',
+    text: 'Fit',
     shortcut: '0',
     kind: 'plain',
     onClick: () => events.onWindow(null),
@@ -117,7 +117,7 @@ export function createClockMenu(events: ClockMenuEvents): {
       'div',
       { class: 'group' },
       h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Play'), from, to, reset),
-      h('div', { class: 'button-row' }, here('start', 'Set start', 'Ctrl+Home'), here('end', 'Set end', 'Ctrl+End')),
+      h('div', { class: 'button-row' }, here('start', 'Set in', 'Ctrl+Home'), here('end', 'Set out', 'Ctrl+End')),
     ),
     h('div', { class: 'field row' }, zoom, farther, nearer, whole),
   );

@@ -1,5 +1,5 @@
 /** What the colours of amounts mean: the map with its range and unit, and the numbers of the moment. */
-import { h, memo, setHidden, setStyle, setText } from './dom.ts';
+import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 
 export interface ColourBarProps {
   title: string;
@@ -13,6 +13,8 @@ export interface ColourBarProps {
   /** Left edge and middle of the view that it belongs to, in CSS pixels. */
   x: number;
   y: number;
+  /** It lies along the upper edge instead. */
+  along: boolean;
 }
 
 /** `gradient`: the map as CSS, upwards. */
@@ -40,6 +42,7 @@ export function createColourBar(gradient: string): {
       setText(ticks.children[index]!, `${Number((share * props.top).toPrecision(3))} ${props.symbol}`),
     );
     setText(now, props.now);
+    setAttribute(element, 'data-along', props.along);
     setStyle(element, 'left', `${props.x}px`);
     setStyle(element, 'top', `${props.y}px`);
   });

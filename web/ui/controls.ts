@@ -202,13 +202,17 @@ interface NumberFieldOptions {
   min?: number;
   max?: number;
   step?: number | 'any';
+  /** What a field without a number means. */
+  empty?: number;
   onInput: (value: number) => void;
 }
 
 /** A field for one number. What is not a number is put back when the field is left. */
-export function numberField({ label, testId, min, max, step = 'any', onInput }: NumberFieldOptions): HTMLInputElement {
+export function numberField(options: NumberFieldOptions): HTMLInputElement {
+  const { label, testId, min, max, step = 'any', empty, onInput } = options;
   const commit = (): void => {
     const value = field.valueAsNumber;
+    if (empty !== undefined && field.value === '' && !field.validity.badInput) return onInput(empty);
     if (!Number.isFinite(value)) {
       field.value = field.defaultValue;
       return;

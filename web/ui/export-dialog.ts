@@ -205,9 +205,7 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
   const glb = createGlbFields(change);
   const time = createTimeFields(change);
   const picture = createPictureFields(change);
-  const inPlace = checkbox('In place (without the overall translation)', 'export-in-place', (on) =>
-    change({ inPlace: on }),
-  );
+  const inPlace = checkbox('Without travel (in place)', 'export-in-place', (on) => change({ inPlace: on }));
   const about = h('p', { class: 'hint' });
   const plan = h('p', { class: 'plan', 'data-testid': 'export-size', role: 'status' });
   const warnings = h('ul', { class: 'warning-list' });

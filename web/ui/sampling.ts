@@ -79,7 +79,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     if (event.key === 'Enter') list.blur();
   });
   const count = numberField({
-    label: 'Number of keys, evenly spaced',
+    label: 'Number of keys; another one spaces them evenly',
     testId: 'sample-count',
     min: 2,
     max: MOST_SAMPLED,
@@ -104,7 +104,6 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   const found = h('p', { class: 'hint', role: 'status', 'data-testid': 'sample-found', hidden: true });
   const original = checkbox('Show the animation beside it', 'sample-original', onOriginal);
   const title = h('strong', {}, '');
-  const countLabel = h('span', { class: 'label' });
   const row = (label: string, ...controls: HTMLElement[]): HTMLElement =>
     h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...controls);
   const element = h(
@@ -112,7 +111,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     { class: 'group animation-source', hidden: true, 'data-testid': 'sampling', 'aria-label': 'Animation' },
     title,
     animation.element,
-    h('div', { class: 'field row' }, countLabel, count),
+    row('Number of keys', count),
     row('Fewest within', tolerance, h('span', { class: 'muted' }, '%'), fewest),
     found,
     original.element,
@@ -135,8 +134,6 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     complain('');
     track.update(span(), times);
     setField(list, times.map(short).join(', '));
-    // What was found where the motion needs it, or chosen by hand, is not even.
-    setText(countLabel, sameTimes(times, evenly(span(), times.length)) ? 'Evenly spaced keys' : 'Keys');
     const shown = taken ? String(times.length) : '';
     setField(count, shown);
     count.value = shown;

@@ -54,11 +54,12 @@ export function createShapePanel(
     events.onEncoding({ referencePose: Number(value) }),
   );
   const patches = numberField({
-    label: 'Number of patches; 0: chosen automatically',
+    label: 'Number of patches; empty: chosen automatically',
     testId: 'patches',
     min: 0,
     max: 5000,
     step: 1,
+    empty: 0,
     onInput: (value) => events.onEncoding({ patches: Math.round(value) }),
   });
   const patchesUsed = h('span', { class: 'muted', 'data-testid': 'patches-used' });
@@ -112,8 +113,10 @@ export function createShapePanel(
       String(keys[props.reference]?.pose ?? ''),
       keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) })),
     );
-    setField(patches, String(encoding.patches));
-    setText(patchesUsed, stats ? `${stats.patches} used` : '');
+    const chosen = encoding.patches;
+    setField(patches, chosen === 0 ? '' : String(chosen));
+    patches.placeholder = stats && chosen === 0 ? `Auto (${stats.patches})` : 'Auto';
+    setText(patchesUsed, stats && chosen !== 0 && stats.patches !== chosen ? `${stats.patches} used` : '');
     const touched = (Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]).some(
       (key) => encoding[key] !== props.defaults[key],
     );

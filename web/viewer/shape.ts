@@ -6,7 +6,6 @@ import {
   DynamicDrawUsage,
   Group,
   Mesh,
-  MeshBasicMaterial,
   MeshStandardMaterial,
 } from 'three';
 import type { Material as ThreeMaterial, Texture } from 'three';
@@ -17,6 +16,7 @@ import { Mark } from './mark.ts';
 import { Rim } from './studio.ts';
 import type { Studio } from './studio.ts';
 import type { Look } from './types.ts';
+import { Wire, edgesOf } from './wire.ts';
 
 /** What has no material of its own. */
 const CLAY = '#c9b5a4';
@@ -75,7 +75,6 @@ export class Shape {
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,
   });
-  private readonly lines = new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 });
   private textured: MeshStandardMaterial[] = [];
   /** What those were made of: textures come later than the shape. */
   private texturedBy: Topology['textures'] | null = null;
@@ -83,7 +82,8 @@ export class Shape {
   private heatColours: Float32Array | null = null;
   private mark: Mark | null = null;
   private readonly mesh: Mesh;
-  private readonly wire: Mesh;
+  /** Made when it is first wanted. */
+  private wire: Wire | null = null;
 
   /** Drawn by cameras that see the layer. */
   constructor(
@@ -101,15 +101,12 @@ export class Shape {
     for (const [index, group] of topology.scene.groups.entries())
       this.geometry.addGroup(group.start * 3, group.count * 3, index);
     this.mesh = new Mesh(this.geometry, this.plain);
-    this.wire = new Mesh(this.geometry, this.lines);
-    for (const material of [this.plain, this.lines]) this.easing.install(material);
+    this.easing.install(this.plain);
     studio.install(this.plain, this.rim);
-    for (const mesh of [this.mesh, this.wire]) {
-      mesh.frustumCulled = false;
-      mesh.layers.set(layer);
-    }
+    this.mesh.frustumCulled = false;
+    this.mesh.layers.set(layer);
     this.mesh.layers.enable(layer + CASTER_LAYERS);
-    this.object.add(this.mesh, this.wire);
+    this.object.add(this.mesh);
   }
 
   /** Without its wireframe. */
@@ -141,6 +138,7 @@ export class Shape {
     this.geometry.setAttribute('fromPosition', position);
     this.geometry.setAttribute('fromNormal', normal);
     this.mark?.follow(this.geometry);
+    this.wire?.follow(this.geometry);
     this.setFrame(positions, normals);
     this.easing.share = 0;
   }
@@ -179,8 +177,7 @@ export class Shape {
     this.setShading(this.plain, look.shading, colours !== null);
     if (textured) this.mesh.material = this.texturedMaterials(look);
     else this.mesh.material = this.plain;
-    this.wire.visible = look.wireframe;
-    this.lines.color.set(look.dark ? 0xffffff : 0x10151b);
+    this.showWire(look);
   }
 
   /** Of the moment: of the outline, or of all of it. */
@@ -204,10 +201,22 @@ export class Shape {
 
   dispose(): void {
     this.setMark(null);
+    this.wire?.dispose();
     this.object.removeFromParent();
     this.geometry.setIndex(null);
     this.geometry.dispose();
-    for (const material of [this.plain, this.lines, ...this.textured]) material.dispose();
+    for (const material of [this.plain, ...this.textured]) material.dispose();
+  }
+
+  private showWire({ wireframe, dark }: Look): void {
+    if (wireframe && !this.wire) {
+      const edges = edgesOf(this.topology.index.array, this.topology.scene.polygons);
+      this.wire = new Wire(edges, this.geometry, this.easing, this.layer);
+      this.object.add(this.wire.object);
+    }
+    if (!this.wire) return;
+    this.wire.object.visible = wireframe;
+    this.wire.setDark(dark);
   }
 
   private setVertexColours(colours: Float32Array | null): void {

@@ -16,7 +16,10 @@ export function differing(sequences: readonly RunningMotion[], { ghostDifference
   return sequences.findIndex(({ ghost, method }) => ghost === 0 && method === main.method);
 }
 
-/** The place of the colour bar of a view. */
-export function besideOf(rect: Rect): { x: number; y: number } {
-  return { x: rect.x, y: rect.y + rect.height / 2 };
+/** A view as narrow as this, in CSS pixels, has no room for words beside the shape. */
+const NARROW_PX = 520;
+
+/** The place of the colour bar of a view; `whole`: of it, where a divider shows a part. */
+export function besideOf(rect: Rect, whole = rect): { x: number; y: number; along: boolean } {
+  return { x: rect.x, y: rect.y + rect.height / 2, along: whole.width < NARROW_PX };
 }

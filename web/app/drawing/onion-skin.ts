@@ -77,21 +77,40 @@ export function filmNames({ keys, range }: OnionSkinInput, times: readonly numbe
   });
 }
 
-/** Side by side along x, as far apart as the widest needs. */
-export function filmStrip(input: OnionSkinInput, frames: readonly Frame[]): Extra[] {
-  const boxes = frames.map((frame) => rangeOf(frame.positions, 0));
-  const spacing = 1.08 * Math.max(...boxes.map(([low, high]) => high - low), 0);
-  return frames.map((frame, index) => {
-    const [low, high] = boxes[index]!;
-    const place = (index - (frames.length - 1) / 2) * spacing;
-    return {
-      positions: frame.positions,
-      normals: frame.normals,
-      opacity: 1,
-      offset: place - (low + high) / 2,
-      colour: colourAt(frame.t, input, 0.01),
-    };
+/**
+ * Strips of several motions, each along x: what shows the same moment stands under each other, and columns are as far
+ * apart as the widest shapes in them need.
+ */
+export function filmStrips(input: OnionSkinInput, motions: readonly (readonly Frame[])[]): Extra[][] {
+  const boxes = motions.map((frames) => frames.map(({ positions }) => rangeOf(positions, 0)));
+  const columns = columnsOf(boxes.map((strip) => strip.map(([low, high]) => high - low)));
+  return motions.map((frames, motion) =>
+    frames.map((frame, index) => {
+      const [low, high] = boxes[motion]![index]!;
+      return {
+        positions: frame.positions,
+        normals: frame.normals,
+        opacity: 1,
+        offset: columns[index]! - (low + high) / 2,
+        colour: colourAt(frame.t, input, 0.01),
+      };
+    }),
+  );
+}
+
+/** From middle to middle, of the widths of neighbours. */
+const FILM_SPACING = 1.08;
+
+/** The middles of columns, about 0. widths: of each shape of each strip. */
+export function columnsOf(widths: readonly (readonly number[])[]): number[] {
+  const widest = (widths[0] ?? []).map((_, column) => Math.max(...widths.map((strip) => strip[column]!)));
+  const middles: number[] = [];
+  widest.forEach((width, column) => {
+    const before = middles[column - 1];
+    middles.push(before === undefined ? 0 : before + (FILM_SPACING * (width + widest[column - 1]!)) / 2);
   });
+  const middle = ((middles.at(-1) ?? 0) + ((widest.at(-1) ?? 0) - (widest[0] ?? 0)) / 2) / 2;
+  return middles.map((x) => x - middle);
 }
 
 function colourAt(t: number, { keys, range, periodic }: OnionSkinInput, tolerance: number): string {

@@ -14,7 +14,7 @@ import { Viewer } from '../../viewer/viewer.ts';
 import type { ViewerEvents } from '../../viewer/viewer.ts';
 import type { FilmName } from './onion-skin.ts';
 import type { FilmLabel } from '../../ui/film-labels.ts';
-import { filmNames, filmPlaces, filmStrip, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
+import { filmNames, filmPlaces, filmStrips, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
 import type { OnionSkinInput } from './onion-skin.ts';
 import type { Difference } from './difference.ts';
 import { extentOf } from '../../viewer/bounds.ts';
@@ -37,6 +37,8 @@ const MEASURED_FACES = 60_000;
 const MEASURE_MS = 200;
 /** Between the shape and its ghost beside it, in widths of the shape. */
 const BESIDE = 1.12;
+/** Of names under a film strip, with what parts them from it. */
+const NAMES_PX = 24;
 /** Neither key nor between nor beyond. */
 const ORIGINAL_COLOUR = '#8f8f8f';
 const THUMBNAIL = { width: 88, height: 60 };
@@ -113,7 +115,8 @@ export class SceneController {
   private place(): void {
     const rects = this.viewer.seen();
     this.labels = this.labels.map((label, index) => ({ ...label, ...rects[index] }));
-    if (this.heatMap?.bar) this.heatMap.bar = { ...this.heatMap.bar, ...besideOf(rects[0]!) };
+    if (!this.heatMap?.bar) return;
+    this.heatMap.bar = { ...this.heatMap.bar, ...besideOf(rects[0]!, this.viewer.rects()[0]) };
   }
 
   /** A new import: another mesh, another size. `camera` keeps a view that came with a link. */
@@ -311,7 +314,7 @@ export class SceneController {
     if (view.film && this.isFilmOf(doc, view, sequences.length)) return;
     const times = view.film ? filmTimes(input, view.filmShapes) : onionTimes(input);
     const frames = await Promise.all(sequences.map(({ sequence }) => sequence.evaluateMany(times)));
-    const skins = frames.map((of) => (view.film ? filmStrip(input, of) : onionSkins(input, of)));
+    const skins = view.film ? filmStrips(input, frames) : frames.map((of) => onionSkins(input, of));
     this.viewer.setExtras(skins, view.film);
     if (view.film) this.enterFilm({ of: doc, count: view.filmShapes, names: filmNames(input, times) }, skins);
     this.hasOnion = view.onion;
@@ -327,9 +330,23 @@ export class SceneController {
     const shapes = strips
       .flat()
       .map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
-    this.film = { ...made, views: strips.length, shapes, places: strips.map(filmPlaces), before };
-    this.setExtent(shapes);
+    const places = strips.map(filmPlaces);
+    this.film = {
+      ...made,
+      views: strips.length,
+      shapes: [...shapes, ...this.belowNames(shapes, places)],
+      places,
+      before,
+    };
+    this.setExtent(this.film.shapes);
     this.viewer.fit('front', true);
+  }
+
+  /** A fitted strip leaves room for the names under it. */
+  private belowNames(shapes: readonly Float32Array[], places: readonly Float32Array[]): Float32Array[] {
+    const { bounds } = extentOf(shapes);
+    const room = ((bounds.max[0] - bounds.min[0]) * NAMES_PX) / this.viewer.rects()[0]!.width;
+    return places.map((of) => of.map((value, index) => (index % 3 === 1 ? value - room : value)));
   }
 
   /** The view is what it was before the strip. */

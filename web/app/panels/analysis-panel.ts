@@ -44,7 +44,8 @@ export interface AnalysisPanel {
 /** While edits follow each other nothing is computed. */
 const DELAY_MS = 200;
 const RELATIVE = '% of the first key';
-const BENDING = 'relative to the mean deformation energy between keys, per time⁴';
+const BENDING = 'curvature of the motion, relative';
+const BENDING_UNIT = 'Relative to the mean deformation energy between keys, per time⁴';
 /** Below it there is nothing but rounding to be seen. */
 const LEAST_SLIDING = 0.01;
 const SLIDING = 'distance of what rests between keys from its place, % of the diagonal';
@@ -71,6 +72,7 @@ export function createAnalysisPanel(
   const area = chart('Area', RELATIVE, 'area', events);
   const bending = chart('Bending energy', BENDING, 'bending', events);
   const sliding = chart('Sliding of what rests', SLIDING, 'sliding', events);
+  bending.element.title = BENDING_UNIT;
   setHidden(sliding.element, true);
   const legend = h('div', { class: 'legend' });
   element.append(legend, plane.element, volume.element, area.element, bending.element, sliding.element, faces.element);

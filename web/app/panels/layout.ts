@@ -80,7 +80,7 @@ export function createLayout(): Layout {
     const small = matchMedia('(max-width: 767px)').matches;
     const buttons = height('.view-buttons', (box) => host.bottom - box.top);
     const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
-    const bar = small ? height('.colour-bar', (box) => box.bottom - host.top) : 0;
+    const bar = height(small ? '.colour-bar' : '.colour-bar[data-along]', (box) => box.bottom - host.top);
     const welcome = height('.welcome', (box) => box.bottom - host.top);
     const over = split && matchMedia('(max-width: 1023px)').matches;
     const type = app?.dataset['present'] ? LARGE_TYPE : 1;

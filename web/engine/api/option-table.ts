@@ -247,9 +247,9 @@ export const PER_KEY = {
       'per key, from -1 to 1: below 0 the slope leans towards the next key, above 0 it carries on the motion from the ' +
       'key before',
     undo: 'bias',
-    label: 'Bias',
+    label: 'Earlier / later',
     hint:
-      'Slope at this key: to the left it leans towards the next key, to the right it carries on the motion from the ' +
+      'Bias of the slope at this key: to the left it leans towards the next key, to the right it carries on the motion from the ' +
       'key before',
     slider: [-1, 1],
   },
@@ -262,9 +262,9 @@ export const PER_KEY = {
       'whole turns added on the way to a key: of the whole shape, or of one of its components, counted from 1 as ' +
       'their faces come in the file',
     undo: 'turns',
-    label: 'Added turns',
+    label: 'Extra turns from the key before',
     hint:
-      'Whole turns added on the way from the key before: the keys do not say how often the shape turned between them; ' +
+      'Whole turns added on the way there: the keys do not say how often the shape turned between them; ' +
       'negative ones go the other way',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;

@@ -1,0 +1,26 @@
+/** Film strips: where their shapes stand. */
+import { describe, expect, it } from 'vitest';
+import { columnsOf } from '../../web/app/drawing/onion-skin.ts';
+
+describe('columns of film strips', () => {
+  it('leave room for the widest shape of each, and none overlap', () => {
+    const widths = [
+      [1, 3, 1, 2],
+      [2, 1, 1, 4],
+    ];
+    const columns = columnsOf(widths);
+    for (const strip of widths)
+      strip.slice(1).forEach((width, i) => {
+        expect(columns[i + 1]! - columns[i]!).toBeGreaterThan((width + strip[i]!) / 2);
+      });
+    // Narrow shapes stand closer than wide ones.
+    expect(columns[2]! - columns[1]!).toBeCloseTo(1.08 * 2, 6);
+  });
+
+  it('stand about the middle', () => {
+    const [first, , last] = columnsOf([[2, 1, 4]]) as [number, number, number];
+    expect(first - 1).toBeCloseTo(-(last + 2), 6);
+    expect(columnsOf([[5]])).toEqual([0]);
+    expect(columnsOf([])).toEqual([]);
+  });
+});

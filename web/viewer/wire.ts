@@ -1,0 +1,64 @@
+/** The edges of a shape's polygons as lines over it; those along which polygons were cut into faces are left out. */
+import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
+import type { Easing } from './easing.ts';
+
+/**
+ * Two corners for each edge of each polygon. faces: 3 corners each; polygons: of how many of them each polygon was cut,
+ * null where each is one.
+ */
+export function edgesOf(faces: ArrayLike<number>, polygons: Int32Array | null): Uint32Array {
+  const edges = new Uint32Array(2 * faces.length);
+  let count = 0;
+  let corner = 0;
+  for (let polygon = 0; corner < faces.length; polygon += 1) {
+    const end = Math.min(corner + 3 * (polygons?.[polygon] ?? 1), faces.length);
+    const next = (at: number): number => faces[at % 3 === 2 ? at - 2 : at + 1]!;
+    const isCut = (from: number, to: number): boolean => {
+      for (let at = corner; at < end; at += 1) if (faces[at] === to && next(at) === from) return true;
+      return false;
+    };
+    for (let at = corner; at < end; at += 1) {
+      const [from, to] = [faces[at]!, next(at)];
+      if (end - corner > 3 && isCut(from, to)) continue;
+      edges[count] = from;
+      edges[count + 1] = to;
+      count += 2;
+    }
+    corner = Math.max(end, corner + 3);
+  }
+  return edges.subarray(0, count);
+}
+
+export class Wire {
+  readonly object: LineSegments;
+  private readonly geometry = new BufferGeometry();
+  private readonly lines = new LineBasicMaterial({ transparent: true, opacity: 0.35 });
+
+  /** edges: 2 drawn vertices each. */
+  constructor(edges: Uint32Array, shape: BufferGeometry, easing: Easing, layer: number) {
+    this.geometry.setIndex(new BufferAttribute(edges, 1));
+    this.follow(shape);
+    easing.install(this.lines);
+    this.object = new LineSegments(this.geometry, this.lines);
+    this.object.frustumCulled = false;
+    this.object.layers.set(layer);
+  }
+
+  setDark(dark: boolean): void {
+    this.lines.color.set(dark ? 0xffffff : 0x10151b);
+  }
+
+  /** The shape has other buffers now: its edges are drawn from the same. */
+  follow(shape: BufferGeometry): void {
+    for (const name of ['position', 'normal', 'fromPosition', 'fromNormal']) {
+      const attribute = shape.getAttribute(name);
+      if (attribute) this.geometry.setAttribute(name, attribute);
+    }
+  }
+
+  dispose(): void {
+    this.object.removeFromParent();
+    this.geometry.dispose();
+    this.lines.dispose();
+  }
+}
