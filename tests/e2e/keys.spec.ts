@@ -121,6 +121,7 @@ test('keys are spaced by how different they are, and overshoot is taken away', a
   await app.by('key-time').fill(String(before[0]! + 0.02 * (before.at(-1)! - before[0]!)));
   await app.by('key-time').press('Enter');
   await app.settled();
+  await app.by('key-editor-close').click();
   await app.by('tightness-auto').click();
   await expect
     .poll(async () => Math.max(...(await app.state()).doc.keys.map(({ shaping }) => shaping.tension)))

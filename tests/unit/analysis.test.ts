@@ -11,6 +11,7 @@ const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 /** A sequence of constant measures that counts how often it is asked. */
 function running(method: Method, asked: string[], ghost = 0): RunningSequence {
   const sequence = {
+    range: [0, 1] as const,
     measures: async (times: number[]) => {
       asked.push(method);
       return { volume: times.map(() => 2), area: times.map(() => 3) };

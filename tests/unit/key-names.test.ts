@@ -4,14 +4,14 @@ import { keyLabel, shortNames } from '../../web/model/key-names.ts';
 it('leaves out what all names begin with, up to a word', () => {
   expect(shortNames(['cat_run_01', 'cat_run_02', 'cat_run_13'])).toEqual(['01', '02', '13']);
   expect(shortNames(['wolf-1', 'wolf-4', 'wolf-12'])).toEqual(['1', '4', '12']);
+  expect(shortNames(['cat_000001', 'cat_000013'])).toEqual(['000001', '000013']);
   expect(shortNames(['wild horse.a', 'wild horse.b', 'wild horse.c'])).toEqual(['a', 'b', 'c']);
 });
 
-it('leaves names alone that begin with different words, that would end up empty, or that are two', () => {
+it('leaves names alone that begin with different words, or that would end up empty', () => {
   for (const names of [
     ['bentwards', 'bent-inwards', 'below the knee'],
     ['a rather long_', 'a rather long_1', 'a rather long_2'],
-    ['pose 1', 'pose 2'],
     ['only'],
     [],
   ])

@@ -11,7 +11,7 @@ export const lowerFirst = (words: string): string => words.charAt(0).toLowerCase
 /** Names without the words that all of them begin with: what tells them apart is what a card has room for. */
 export function shortNames(names: readonly string[]): string[] {
   const [first = '', ...rest] = names;
-  let common = rest.length > 1 ? first.length : 0;
+  let common = rest.length > 0 ? first.length : 0;
   for (const name of rest) while (!name.startsWith(first.slice(0, common))) common -= 1;
   // Not in the middle of a word or a number.
   while (common > 0 && !/[\s_.-]/.test(first[common - 1]!)) common -= 1;

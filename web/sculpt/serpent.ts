@@ -14,7 +14,8 @@ interface Bearing {
   pitch(along: number): number;
 }
 
-const POSES: readonly Bearing[] = [winding(0), winding(Math.PI), coiled()];
+/** A quarter of a wave apart: between opposite waves it is straight, and longer than a view that is fitted to them. */
+const POSES: readonly Bearing[] = [winding(0), winding(Math.PI / 2), coiled()];
 
 export async function serpent(detail: number): Promise<Sculpture> {
   const surface = skin(Math.round(800 * detail), Math.round(192 * detail));

@@ -1,7 +1,7 @@
 /**
  * The plotted numbers as a table: comment lines with version, options and units first, then one row per frame or face.
  */
-import type { Doc } from '../../model/state.ts';
+import type { Doc, KeyRef } from '../../model/state.ts';
 import { MEASURE_UNITS, columnsOf, tableOf } from '../../study/motion-measures.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 
@@ -24,9 +24,15 @@ function preamble(doc: Doc, version: string): string[] {
   const { keys, motion, encoding } = doc;
   return [
     `# shapespline ${version}`,
-    `# keys [${keys.map(({ name, time, shaping }) => `{"name":${quoted(name)},${JSON.stringify({ time, ...shaping }).slice(1)}`).join(',')}]`,
+    `# keys [${keys.map(keyText).join(',')}]`,
     `# options ${JSON.stringify({ ...motion, ...encoding })}`,
   ];
+}
+
+function keyText({ name, time, shaping }: KeyRef): string {
+  // 12 digits, as in the table.
+  const numbers = JSON.stringify({ time: Number(time.toPrecision(12)), ...shaping });
+  return `{"name":${quoted(name)},${numbers.slice(1)}`;
 }
 
 /** A JSON string without separators: no spreadsheet takes what follows one for a formula. */
