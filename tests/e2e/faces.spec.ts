@@ -1,7 +1,8 @@
 /** Heat maps on the surface, and the coordinates of a face that is clicked. */
 import { expectAccessible } from './axe.ts';
 import { decode } from './png.ts';
-import { type App, expect, test } from './support.ts';
+import { viridis } from '../../web/plots/viridis.ts';
+import { type App, expect, realFile, test } from './support.ts';
 
 test.use({ sharpness: 1 });
 
@@ -40,6 +41,87 @@ test('the heat map of rotation follows the time, and its colours the numbers', a
   await app.by('heat-none').check({ force: true });
   await app.settled();
   await expect(bar).toBeHidden();
+  await app.expectNoProblems();
+});
+
+/** How far up the map a colour is, whatever the light on it. */
+function shareOf([r, g, b]: readonly [number, number, number]): number {
+  const size = Math.hypot(r, g, b) || 1;
+  const alike = (share: number): number => {
+    const [mr, mg, mb] = viridis(share);
+    return (r * mr + g * mg + b * mb) / (size * Math.hypot(mr, mg, mb));
+  };
+  const shares = Array.from({ length: 101 }, (_, i) => i / 100);
+  return shares.reduce((best, share) => (alike(share) > alike(best) ? share : best));
+}
+
+/** Places in their order; alike are those of the same value. */
+const ranksOf = (values: number[]): number[] =>
+  values.map((value) => values.filter((other) => other < value).length + values.filter((o) => o === value).length / 2);
+
+function correlation(a: number[], b: number[]): number {
+  const centred = (values: number[]): number[] => {
+    const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+    return values.map((value) => value - mean);
+  };
+  const [x, y] = [centred(ranksOf(a)), centred(ranksOf(b))];
+  const dot = (p: number[], q: number[]): number => p.reduce((sum, value, i) => sum + value * q[i]!, 0);
+  return dot(x, y) / Math.sqrt(dot(x, x) * dot(y, y));
+}
+
+test('pixels follow the numbers: where vertices are further off, the colour is further up the map', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&compare=linear&colour=distance' });
+  for (const t of [0.2, 0.3, 0.85]) {
+    await app.setTime(t);
+    const { places, far } = await app.page.evaluate(() => {
+      const [a, b] = [window.__shapespline!.positions(0), window.__shapespline!.positions(1)];
+      const apart = Array.from({ length: a.length / 3 }, (_, v) =>
+        Math.hypot(...[0, 1, 2].map((axis) => a[3 * v + axis]! - b[3 * v + axis]!)),
+      );
+      return { places: Array.from(window.__shapespline!.project(b)), far: apart };
+    });
+    const { data, width } = decode(await app.picture());
+    // The second view, under the same camera.
+    const offset = width / 2;
+    const cells = new Map<string, { far: number; count: number; x: number; y: number }>();
+    far.forEach((distance, v) => {
+      const [x, y] = [Math.floor(places[2 * v]! / 12), Math.floor(places[2 * v + 1]! / 12)];
+      const cell = cells.get(`${x} ${y}`) ?? { far: 0, count: 0, x: 12 * x + 6, y: 12 * y + 6 };
+      cells.set(`${x} ${y}`, { ...cell, far: cell.far + distance, count: cell.count + 1 });
+    });
+    const full = [...cells.values()].filter(({ count }) => count > 12);
+    expect(full.length).toBeGreaterThan(30);
+    const shares = full.map(({ x, y }) => {
+      const at = 4 * (y * width + x + offset);
+      return shareOf([data[at]!, data[at + 1]!, data[at + 2]!]);
+    });
+    const distances = full.map(({ far: sum, count }) => sum / count);
+    expect(correlation(distances, shares), `at ${t}`).toBeGreaterThan(0.65);
+  }
+  await app.expectNoProblems();
+});
+
+test('a few slivers do not set the scale of stretch, and the bar says that there is more', async ({ app }) => {
+  const files = [2, 5, 8].map((pose) => realFile(`turns/cat/cat${pose}.off`));
+  test.skip(files.includes(null), 'no real data');
+  await app.open();
+  await app.by('file-input').setInputFiles(files as string[]);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.by('faces').scrollIntoViewIfNeeded();
+  await app.by('heat-stretch').check({ force: true });
+  const [first, last] = (await app.state()).doc.keys.map(({ time }) => time) as [number, number, number];
+  await app.setTime(first + 0.5 * (last - first));
+  await app.settled();
+  const end = app.by('colour-bar').locator('.ramp-ticks span').first();
+  await expect(end).toHaveText(/^≥ \d+ %$/);
+  const top = Number(/\d+/.exec((await end.textContent())!)![0]);
+  expect(top).toBeLessThan(1000);
+  expect(await now(app)).toBeGreaterThan(2 * top);
+  expect(await now(app, 'mean')).toBeLessThan(top);
+  // At the reference there is nothing, and nothing beyond.
+  await app.setTime(first);
+  await app.settled();
+  await expect(end).toHaveText(`${top} %`);
   await app.expectNoProblems();
 });
 

@@ -101,6 +101,34 @@ test('a picture that is saved says what its curves are, on the ground of either 
   }
 });
 
+test('bending is drawn in powers of ten where the peaks of one method would leave the others flat', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus' });
+  const bending = app.by('plot-bending');
+  await bending.scrollIntoViewIfNeeded();
+  await expect(bending.locator('path.curve')).toHaveCount(1);
+  await expect(bending.locator('.unit')).not.toContainText('logarithmic');
+  await app.by('compare-geodesic').check();
+  await bending.scrollIntoViewIfNeeded();
+  await expect(bending.locator('path.curve')).toHaveCount(2);
+  await expect(bending.locator('.unit')).toContainText('logarithmic');
+  const labels = await bending.locator('.tick-y').allTextContents();
+  expect(labels[0]).toMatch(/^≤ /);
+  const powers = labels.map((label) => Math.log10(Number(label.replace('≤ ', ''))));
+  for (const power of powers) expect(power).toBeCloseTo(Math.round(power), 9);
+  // Both can be read: the spline rises above the edge, and the geodesic's peak far above it.
+  const tops = await bending
+    .locator('path.curve')
+    .evaluateAll((curves) => curves.map((curve) => (curve as SVGPathElement).getBBox().height));
+  expect(tops[0]).toBeGreaterThan(20);
+  expect(tops[1]).toBeGreaterThan(tops[0]! + 15);
+  // What is saved are the numbers, and the picture says how to read it.
+  await app.by('bending-values').locator('summary').click();
+  const csv = (await saved(app, 'bending-csv')).bytes.toString().trim().split('\n');
+  const peak = Math.max(...csv.slice(1).map((row) => Number(row.split(',')[2])));
+  expect(peak).toBeGreaterThan(1000);
+  expect(wordsOf((await saved(app, 'bending-svg')).bytes.toString()).join(' ')).toContain('logarithmic');
+});
+
 test('the charts of ghost sizes are saved like the others', async ({ app }) => {
   test.slow();
   await app.open({ hash: '#figure=8' });
@@ -117,6 +145,11 @@ test('the charts of ghost sizes are saved like the others', async ({ app }) => {
     expect(head).toContain('"Faces, empty without a ghost mesh"');
     expect(rows.length).toBeGreaterThan(4);
     expect(rows.at(-1)).toMatch(/^,[\d.]+,[\d.]+$/);
+    await app.by(`enlarge-${plot}`).click();
+    await expect(app.page.locator('.figure:visible')).toHaveCount(1);
+    expect((await app.by(`plot-${plot}`).boundingBox())!.width).toBeGreaterThan(0.55 * app.page.viewportSize()!.width);
+    await app.page.keyboard.press('Escape');
+    await expect(app.by('timeline')).toBeVisible();
   }
   await app.expectNoProblems();
 });
@@ -137,5 +170,49 @@ test('a chart of a face fills the screen like the others, but no link says so', 
   await app.page.keyboard.press('Escape');
   await expect(app.by('heat-none')).toBeAttached();
   await expect(app.by('plot-face-rotation')).toBeVisible();
+  await app.expectNoProblems();
+});
+
+test('every figure fills the screen by key, in type that is read from afar, and gives the focus back', async ({
+  app,
+}) => {
+  test.slow();
+  await app.open({ hash: '#sample=cactus&compare=linear&colour=distance&t=0.2' });
+  for (const [part, field] of [
+    ['face', '3'],
+    ['patch', '2'],
+  ] as const) {
+    await app.by(`part-${part}`).check({ force: true });
+    await app.by(`${part}-number`).fill(field);
+    await app.by(`${part}-number`).press('Enter');
+    const own =
+      part === 'face' ? ['face-rotation', 'face-stretch'] : ['patch-angles', 'patch-rotation', 'patch-stretch'];
+    const shared = part === 'face' ? ['plane', 'volume', 'area', 'bending', 'sliding', 'distance'] : [];
+    for (const plot of [...shared, ...own]) {
+      const figure = app.by(`plot-${plot}`);
+      await figure.scrollIntoViewIfNeeded();
+      await expect(figure.locator('svg.plot .curve').first(), plot).toBeVisible();
+      await app.by(`enlarge-${plot}`).press('Enter');
+      await expect(app.by('timeline')).toBeHidden();
+      await expect(app.page.locator('.figure:visible')).toHaveCount(1);
+      const [box, page] = [(await figure.boundingBox())!, app.page.viewportSize()!];
+      expect(box.width, plot).toBeGreaterThan(0.55 * page.width);
+      expect(box.y, plot).toBeGreaterThanOrEqual(0);
+      expect(box.y + box.height, plot).toBeLessThanOrEqual(page.height);
+      const least = await figure.locator('figcaption, .legend, svg.plot text').evaluateAll((all) =>
+        Math.min(
+          ...all
+            .filter((one) => one.checkVisibility() && one.textContent !== '')
+            .map((one) => {
+              const scale = one instanceof SVGGraphicsElement ? one.getScreenCTM()!.a : 1;
+              return scale * parseFloat(getComputedStyle(one).fontSize);
+            }),
+        ),
+      );
+      expect(least, `${plot}: the smallest type`).toBeGreaterThan(15);
+      await app.page.keyboard.press('Escape');
+      await expect(app.by(`enlarge-${plot}`)).toBeFocused();
+    }
+  }
   await app.expectNoProblems();
 });

@@ -176,6 +176,152 @@ test('pages are turned with the keyboard, which stays where it is, and in a hurr
   await expect(title(app)).toBeFocused(); // there is no next page
 });
 
+test('what a step speaks of under the options is in sight, although plots above it come later', async ({ app }) => {
+  for (const [link, part] of [
+    ['tour=3', 'faces'],
+    ['tour=5', 'plot-bending'],
+    ['tour=9', 'plot-plane'],
+    ['figure=7', 'panel-ghost'],
+    ['figure=9', 'plot-bending'],
+  ] as const) {
+    await app.open({ hash: `#${link}` });
+    const side = (await app.page.locator('.side').boundingBox())!;
+    const from = async (): Promise<number> => ((await app.by(part).boundingBox())?.y ?? NaN) - side.y;
+    await expect(app.by('plot-bending').locator('path.curve').first()).toBeAttached();
+    await expect.poll(from, `${link}: below the row of names`).toBeGreaterThan(0);
+    await expect.poll(from, `${link}: not further down`).toBeLessThan(0.6 * side.height);
+  }
+  // The reader's hand is stronger: what is scrolled to stays whatever changes.
+  await app.page.locator('.side').hover();
+  await app.page.mouse.wheel(0, -4000);
+  await expect.poll(() => app.page.locator('.side').evaluate((side) => side.scrollTop)).toBeLessThan(200);
+  await app.by('compare-cubic-vertex').uncheck();
+  await app.settled();
+  expect(await app.page.locator('.side').evaluate((side) => side.scrollTop)).toBeLessThan(200);
+});
+
+test('the playground is a part of its step: an angle of the shape, dragged beside it', async ({ app }) => {
+  await app.open({ hash: '#tour=6' });
+  await expectStep(app, 5);
+  const play = app.page.frameLocator('.framed');
+  await expect(play.getByTestId('figure-curve')).toContainText('Angle between patches');
+  await expect(play.locator('.play-header')).toBeHidden();
+  const keys = (await app.state()).doc.keys.length;
+  await expect(play.getByTestId(`key-${keys - 1}`)).toBeVisible();
+  const line = (): Promise<string | null> => play.locator('.curve-figure .curve.natural').last().getAttribute('d');
+  const before = await line();
+  const dot = (await play.getByTestId('key-1').boundingBox())!;
+  await app.page.mouse.move(dot.x + dot.width / 2, dot.y + dot.height / 2);
+  await app.page.mouse.down();
+  await app.page.mouse.move(dot.x + dot.width / 2, dot.y + dot.height / 2 - 30, { steps: 3 });
+  await app.page.mouse.up();
+  await expect.poll(line).not.toBe(before);
+  await expectAccessible(app);
+  // The shape takes it, and the options come back with the next page.
+  await play.getByTestId('ends-hermite').check();
+  await play.getByTestId('give-back').click();
+  await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('hermite');
+  await app.by('guide-next').click();
+  await expectStep(app, 6);
+  await expect(app.page.locator('.framed')).toHaveCount(0);
+  await expect(app.by('panel-motion')).toBeVisible();
+  await app.expectNoProblems();
+});
+
+test('on a projector a step is large, with nothing to press, and a clicker turns the pages', async ({ app }) => {
+  await app.page.setViewportSize({ width: 1024, height: 768 });
+  await app.open({ hash: '#tour=2' });
+  await expectStep(app, 1);
+  const sizeOf = (selector: string): Promise<number> =>
+    app.page.locator(selector).evaluate((one) => parseFloat(getComputedStyle(one).fontSize));
+  const small = await sizeOf('.guide-sentence');
+  await app.page.keyboard.press('x');
+  await expect(app.by('timeline')).toBeHidden();
+  for (const away of ['guide-next', 'guide-close']) await expect(app.by(away)).toBeHidden();
+  expect(await sizeOf('.guide-sentence')).toBeGreaterThan(1.2 * small);
+  expect(await sizeOf('.guide h2')).toBeGreaterThan(24);
+  const [told, shape] = [(await app.by('guide').boundingBox())!, (await app.by('viewport').boundingBox())!];
+  expect(told.x + told.width).toBeLessThanOrEqual(shape.x + 1);
+  expect(shape.width).toBeGreaterThan(0.55 * 1024);
+  expect(await app.page.locator('.guide-scroll').evaluate((one) => one.scrollHeight - one.clientHeight)).toBeLessThan(
+    2,
+  );
+  await expectAccessible(app);
+  await app.page.keyboard.press('PageDown');
+  await expectStep(app, 2);
+  expect((await app.state()).view.present).toBe('shape');
+  await expect(app.by('timeline')).toBeHidden();
+  await app.page.keyboard.press('PageUp');
+  await expectStep(app, 1);
+  await app.page.keyboard.press('Escape');
+  await expect(app.by('timeline')).toBeVisible();
+  await expectStep(app, 1);
+  await app.page.keyboard.press('Escape');
+  await expect(app.by('guide')).toHaveCount(0);
+  await app.expectNoProblems();
+});
+
+test.describe('on a small page, by hand and by key', () => {
+  for (const { width, height } of [
+    { width: 1024, height: 768 },
+    { width: 360, height: 740 },
+  ])
+    test(`at ${width} px a student goes from the first step to the last and finds both answers`, async ({ app }) => {
+      test.slow();
+      await app.page.setViewportSize({ width, height });
+      await app.open({ first: true });
+      await app.by('help').click();
+      await app.by('help-tour').click();
+      const said: string[] = [];
+      for (const [index] of TOUR.entries()) {
+        await expectStep(app, index);
+        said.push(await app.by('guide').innerText());
+        const [frame, page] = [(await app.by('guide').boundingBox())!, (await app.by('viewport').boundingBox())!];
+        expect(page.height, 'the shape is seen').toBeGreaterThan(0.28 * height);
+        // All that is said can be read, however little of it is in sight at once.
+        const formula = app.by('guide').locator('.formula figcaption');
+        await formula.scrollIntoViewIfNeeded();
+        const words = (await formula.boundingBox())!;
+        expect(words.y + words.height).toBeLessThanOrEqual(frame.y + frame.height + 1);
+        expect(words.x + words.width).toBeLessThanOrEqual(width);
+        if (index === 3) await app.by('guide-next').focus();
+        if (index < 3) await app.by('guide-next').click();
+        else if (index < TOUR.length - 1) await app.page.keyboard.press('Enter');
+      }
+      // Why does the linear blend lose volume?
+      expect(said[1]).toMatch(/Volume now: \d+\s% blended, \d+\s% in shape space/);
+      expect(said[1]).toMatch(/moves every point on a straight line, so a bend loses volume/);
+      expect(said[1]).toMatch(/every point is nearer to the axis/);
+      // What does natural mean?
+      expect(said[5]).toMatch(/bends least in total, and is straight past its last nail.*natural cubic spline/s);
+      expect(said[6]).toMatch(/“Free” \(natural\) leaves the ends alone/);
+      expect(said[6]).toMatch(/does not bend, so that it goes on straight/);
+      await app.expectNoProblems();
+    });
+});
+
+test('own files, edited, are there again when the page was loaded anew in the middle of the tour', async ({ app }) => {
+  await app.open();
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.by('boundary-hermite').check();
+  await app.settled();
+  const { doc } = await app.state();
+  await app.page.evaluate(() => (location.hash = '#tour=4'));
+  await expectStep(app, 3);
+  await app.page.reload();
+  await app.page.waitForFunction(() => window.__shapespline !== undefined);
+  await app.page.evaluate(() => window.__shapespline!.ready);
+  await expectStep(app, 3);
+  await app.by('guide-close').click();
+  await expect(app.by('guide')).toHaveCount(0);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  expect((await app.state()).doc.motion).toEqual(doc.motion);
+  expect((await app.state()).doc.keys.map(({ name }) => name)).toEqual(doc.keys.map(({ name }) => name));
+  await app.expectNoProblems();
+});
+
 test('files that are opened during the tour end it, and stay', async ({ app }) => {
   await app.open({ hash: '#tour=1' });
   await expectStep(app, 0);

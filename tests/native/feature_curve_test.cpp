@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sequences.h"
 #include "shapes.h"
@@ -190,4 +191,27 @@ TEST_CASE("a patch over time turns against each neighbour as the two turn at the
   const int count = 1 + *std::max_element(s.patchOfFace().begin(), s.patchOfFace().end());
   CHECK(s.patchCurve(-1, keys).error().code == ErrorCode::InvalidOption);
   CHECK(s.patchCurve(count, keys).error().code == ErrorCode::InvalidOption);
+}
+
+TEST_CASE("the stretch of a patch is that of its area: slivers count as little as they cover") {
+  // The further along, the thinner the faces, and the more they are stretched.
+  Shape shape = box(1, 1, 6, 2, 2, 12);
+  for (Vec3& p : shape.positions) p.z() = std::sqrt(p.z());
+  const Positions rest = shape.positions;
+  const Map stretched = [](const Vec3& p) { return Vec3(p.x(), p.y(), p.z() + p.z() * p.z() * p.z()); };
+  Sequence s = sequenceOf(keyframes(shape, {bend(0), stretched}), doublePrecision(), {});
+  const double key = s.motion().keyTimes()[1];
+  double sum = 0, total = 0, plain = 0;
+  int count = 0;
+  for (int face = 0; face < static_cast<int>(s.faces().size()); ++face) {
+    if (s.patchOfFace()[face] != 0) continue;
+    const auto& [a, b, c] = s.faces()[face];
+    const double area = (rest[b] - rest[a]).cross(rest[c] - rest[a]).norm();
+    const std::vector<double> six = s.faceCurve(face, {key})->numbers;
+    sum += area * (six[3] + six[5]) / 2, total += area;
+    plain += (six[3] + six[5]) / 2, ++count;
+  }
+  const double whole = s.patchCurve(0, {key})->numbers[0];
+  CHECK(whole == doctest::Approx(sum / total));
+  CHECK(std::abs(whole - plain / count) > 1e-3);
 }

@@ -1,5 +1,16 @@
 import { describe, expect, it } from 'vitest';
-import { extent, linearScale, padded, path, tickLabel, ticks } from '../../web/plots/scale.ts';
+import {
+  apart,
+  decades,
+  extent,
+  linearScale,
+  logFloor,
+  logScale,
+  padded,
+  path,
+  tickLabel,
+  ticks,
+} from '../../web/plots/scale.ts';
 
 describe('scales', () => {
   it('carry the ends of the domain to the ends of the picture', () => {
@@ -35,6 +46,11 @@ describe('ticks', () => {
     expect(ticks([0, Infinity], 4)).toEqual([]);
   });
 
+  it('of places that are close thin out, from the first on', () => {
+    expect(apart([0, 5, 13, 14, 26.5], 13)).toEqual([0, 2, 4]);
+    expect(apart([], 13)).toEqual([]);
+  });
+
   it('are written shortly', () => {
     expect([100, 0.05, 123456, 0].map(tickLabel)).toEqual(['100', '0.05', '1e+5', '0']);
   });
@@ -51,5 +67,34 @@ describe('path', () => {
         [4, 4],
       ]),
     ).toBe('M0.00 0.00L1.00 2.00M3.00 4.00L4.00 4.00');
+  });
+});
+
+describe('an axis in powers of ten', () => {
+  const peaks = [1e-23, 11_581, 1e-22, NaN];
+  const smooth = [0.0009, 20, 75, 20];
+
+  it('is taken where a curve would lie flat on a linear one, two powers below its peak', () => {
+    expect(logFloor([smooth, peaks])).toBe(0.1);
+    expect(logFloor([smooth, [2000, 0, 100, 0]])).toBeNull();
+    expect(logFloor([smooth])).toBeNull();
+  });
+
+  it('is not taken for rounding, nor where there is nothing', () => {
+    expect(logFloor([peaks, [1e-20, 1e-21, 0, 0]])).toBeNull();
+    expect(logFloor([[0, 0], [NaN]])).toBeNull();
+    expect(logFloor([])).toBeNull();
+  });
+
+  it('spaces powers evenly, with what is below on the edge and gaps where nothing is known', () => {
+    const y = logScale([0.1, 1000], 100, 0);
+    expect([0.1, 1, 10, 1000].map((value) => Math.round(y(value)))).toEqual([100, 75, 50, 0]);
+    expect([0, 1e-20, -1].map(y)).toEqual([100, 100, 100]);
+    expect(y(NaN)).toBeNaN();
+  });
+
+  it('has few round labels', () => {
+    expect(decades([0.1, 29_000], 3)).toEqual([0.1, 10, 1000]);
+    expect(decades([1, 300], 3)).toEqual([1, 10, 100]);
   });
 });

@@ -18,6 +18,20 @@ describe('the tour', () => {
     expect(sentence).toMatch(/\.$/);
   });
 
+  it.each(TOUR.map((step) => [step.title, step] as const))(
+    '%s: has an equation, and a sentence of it',
+    (_, { formula }) => {
+      expect(formula!.math).toMatch(/^<mrow>.*<\/mrow>$/);
+      const open: string[] = [];
+      for (const [, end, tag, alone] of formula!.math.matchAll(/<(\/?)(\w+)[^>]*?(\/?)>/g)) {
+        if (end) expect(open.pop()).toBe(tag);
+        else if (!alone) open.push(tag!);
+      }
+      expect(open).toEqual([]);
+      expect(formula!.words).toMatch(/^[A-Z].{20,}\.$/);
+    },
+  );
+
   it.each([...TOUR, ...FIGURES].map((step) => [step.title, step] as const))(
     '%s: its state is a link that plays',
     (_, { state }) => {

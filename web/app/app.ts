@@ -100,6 +100,8 @@ export function startApp(root: HTMLElement): void {
     openFirst: () => visit(''),
     place: layout.setGuide,
     showPanel: layout.showPanel,
+    frame: layout.setFramed,
+    keep: () => remembered.flush(),
     pin: (fragment) => ways.link.pin(fragment),
   });
   const facts = (): Facts | null => factsOf(viewState.get(), store.get(), scene.labels);

@@ -22,6 +22,8 @@ const page = createPlayPage({
   onError: (error) => newVersion.offer({ message: error instanceof Error ? error.message : String(error) }),
 });
 themeButton.update(theme.theme());
+// As a part of another page it leaves out what that page has.
+if (window !== window.parent) document.documentElement.dataset['framed'] = '';
 document.getElementById('play')?.replaceChildren(page.element);
 registerServiceWorker((reload) => {
   newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });

@@ -98,7 +98,10 @@ export function createReal({ get, change }: RealParts): Real {
       asked = false;
     }
     if (data.type === 'done')
-      setText(said, 'The shape in the other tab moves like this now; Undo there takes it back.');
+      setText(
+        said,
+        `The shape ${window === window.parent ? 'in the other tab' : 'beside'} moves like this now; Undo there takes it back.`,
+      );
   });
   document.addEventListener('visibilitychange', () => document.hidden || ask());
   window.addEventListener('pageshow', ask);

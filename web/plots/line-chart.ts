@@ -1,5 +1,5 @@
 /** Curves over time with the keys marked, the extrapolated ends shaded, and a cursor at the current moment. */
-import { extent, linearScale, padded, path, tickLabel, ticks } from './scale.ts';
+import { apart, decades, extent, linearScale, logScale, padded, path, tickLabel, ticks } from './scale.ts';
 import type { Scale } from './scale.ts';
 
 export interface Series {
@@ -23,6 +23,8 @@ export interface LineChartData {
   leastSpan?: number;
   /** Always show this value. */
   include?: number;
+  /** The vertical axis is in powers of ten from this one on; what is below lies on the edge. */
+  floor?: number | null;
   /** Mark every series at the keys, whose times are among the chart's. */
   dots?: boolean;
 }
@@ -33,6 +35,8 @@ const LEFT = 36;
 const RIGHT = 6;
 const TOP = 8;
 const BOTTOM = 16;
+/** Numbers of keys are at least so far from each other. */
+const KEY_NUMBERS = 13;
 
 export interface LineChart {
   element: SVGSVGElement;
@@ -86,12 +90,7 @@ export function createLineChart(onPick: (t: number) => void): LineChart {
 }
 
 function parts(data: LineChartData, x: Scale): SVGElement[] {
-  const span = extent([
-    ...data.series.flatMap((series) => [...series.values]),
-    ...(data.include === undefined ? [] : [data.include]),
-  ]);
-  const least = data.leastSpan ?? 0;
-  const y = linearScale(padded(span, 0.08, Math.max(0, (least - (span[1] - span[0])) / 2)), HEIGHT - BOTTOM, TOP);
+  const { y, levels } = vertical(data);
   const [start, end] = data.range;
   const shade = (from: number, to: number): SVGElement =>
     make('rect', {
@@ -104,14 +103,16 @@ function parts(data: LineChartData, x: Scale): SVGElement[] {
   return [
     shade(LEFT, x(start)),
     shade(x(end), WIDTH - RIGHT),
-    ...ticks(y.domain, 3).flatMap((value) => [
+    ...levels.flatMap(({ value, label }) => [
       make('line', { class: 'grid', x1: LEFT, x2: WIDTH - RIGHT, y1: y(value), y2: y(value) }),
-      text('tick-y', LEFT - 5, y(value) + 3.5, tickLabel(value)),
+      text('tick-y', LEFT - 5, y(value) + 3.5, label),
     ]),
-    ...data.keyTimes.flatMap((time, index) => [
+    ...data.keyTimes.map((time) =>
       make('line', { class: 'key-line', x1: x(time), x2: x(time), y1: TOP, y2: HEIGHT - BOTTOM }),
-      text('tick-x', x(time), HEIGHT - 4, String(index + 1)),
-    ]),
+    ),
+    ...apart(data.keyTimes.map(x), KEY_NUMBERS).map((index) =>
+      text('tick-x', x(data.keyTimes[index]!), HEIGHT - 4, String(index + 1)),
+    ),
     ...data.series.map((series) =>
       namedCurve(
         series.label,
@@ -121,6 +122,20 @@ function parts(data: LineChartData, x: Scale): SVGElement[] {
     ),
     ...(data.dots ? keyDots(data, x, y) : []),
   ];
+}
+
+/** The vertical axis, and what is written beside it. */
+function vertical(data: LineChartData): { y: Scale; levels: { value: number; label: string }[] } {
+  const { floor, include, leastSpan = 0, series } = data;
+  const span = extent([...series.flatMap(({ values }) => [...values]), ...(include === undefined ? [] : [include])]);
+  if (floor) {
+    const y = logScale([floor, span[1] * (span[1] / floor) ** 0.08], HEIGHT - BOTTOM, TOP);
+    const label = (value: number): string => (value === floor ? `≤ ${tickLabel(value)}` : tickLabel(value));
+    return { y, levels: decades(y.domain, 3).map((value) => ({ value, label: label(value) })) };
+  }
+  const around = padded(span, 0.08, Math.max(0, (leastSpan - (span[1] - span[0])) / 2));
+  const y = linearScale(around, HEIGHT - BOTTOM, TOP);
+  return { y, levels: ticks(y.domain, 3).map((value) => ({ value, label: tickLabel(value) })) };
 }
 
 function keyDots({ times, keyTimes, series }: LineChartData, x: Scale, y: Scale): SVGElement[] {

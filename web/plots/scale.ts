@@ -12,6 +12,38 @@ export function linearScale(domain: readonly [number, number], from: number, to:
   return Object.assign((value: number) => (factor === 0 ? middle : from + (value - low) * factor), { domain });
 }
 
+/** In powers of ten. What is below the domain, such as 0, lies on its lower edge. */
+export function logScale(domain: readonly [number, number], from: number, to: number): Scale {
+  const [low, high] = domain;
+  const place = linearScale([Math.log10(low), Math.log10(high)], from, to);
+  return Object.assign((value: number) => place(Math.log10(Math.max(value, low))), { domain });
+}
+
+/** On a linear axis a curve that stays below this share of the highest one lies flat on the edge. */
+const FLAT = 1 / 30;
+/** Over the highest value: what is below is rounding. */
+const ROUNDING = 1e-9;
+/** Powers of ten that are shown below the peak of the lowest curve. */
+const BELOW = 2;
+
+/** Where an axis in powers of ten starts; null where a linear one shows every curve. */
+export function logFloor(curves: readonly (readonly number[])[]): number | null {
+  const peaks = curves.map((values) => Math.max(...values.filter(Number.isFinite)));
+  const highest = Math.max(...peaks);
+  const lowest = Math.min(...peaks.filter((peak) => peak > ROUNDING * highest));
+  return lowest < FLAT * highest ? 10 ** (Math.floor(Math.log10(lowest)) - BELOW) : null;
+}
+
+/** At most `count` + 1 powers of ten inside the interval, from the first on. */
+export function decades([low, high]: readonly [number, number], count: number): number[] {
+  const first = Math.ceil(Math.log10(low) - 1e-9);
+  const last = Math.floor(Math.log10(high) + 1e-9);
+  const step = Math.max(Math.ceil((last - first) / count), 1);
+  return Array.from({ length: Math.floor((last - first) / step) + 1 }, (_, i) =>
+    Number((10 ** (first + i * step)).toPrecision(12)),
+  );
+}
+
 /** Lowest and highest of the finite values; [0, 1] without any. */
 export function extent(values: Iterable<number>): [number, number] {
   let low = Infinity;
@@ -46,6 +78,16 @@ function niceStep(rough: number): number {
   const power = 10 ** Math.floor(Math.log10(rough));
   const digit = rough / power;
   return power * (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10);
+}
+
+/** Indices of ascending places, each at least `least` from the one before: the first, and what fits after it. */
+export function apart(places: readonly number[], least: number): number[] {
+  let last = -Infinity;
+  return [...places.keys()].filter((index) => {
+    const fits = places[index]! - last >= least;
+    if (fits) last = places[index]!;
+    return fits;
+  });
 }
 
 export function tickLabel(value: number): string {

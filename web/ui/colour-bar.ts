@@ -8,6 +8,8 @@ export interface ColourBarProps {
   symbol: string;
   /** The range starts at 0. */
   top: number;
+  /** There is more than that, which has the same colour. */
+  beyond?: boolean;
   /** The numbers of the moment. */
   now: string;
   /** Left edge and middle of the view that it belongs to, in CSS pixels. */
@@ -38,9 +40,11 @@ export function createColourBar(gradient: string): {
   const draw = memo((props: ColourBarProps) => {
     setText(title, props.title);
     setText(unit, props.unit);
-    [1, 0.5, 0].forEach((share, index) =>
-      setText(ticks.children[index]!, `${Number((share * props.top).toPrecision(3))} ${props.symbol}`),
-    );
+    const end = props.beyond ? '≥ ' : '';
+    [1, 0.5, 0].forEach((share, index) => {
+      const amount = `${Number((share * props.top).toPrecision(3))} ${props.symbol}`;
+      setText(ticks.children[index]!, index === 0 ? end + amount : amount);
+    });
     setText(now, props.now);
     setAttribute(element, 'data-along', props.along);
     setStyle(element, 'left', `${props.x}px`);

@@ -28,13 +28,16 @@ export interface GuidePanel {
   show(props: GuidePanelProps): void;
   /** Numbers of what is shown; '' for none. */
   setLive(text: string): void;
+  /** As by its link, where there is one. */
+  turn(to: 'previous' | 'next'): void;
 }
 
 export function createGuidePanel(onClose: () => void): GuidePanel {
   const place = h('p', { class: 'guide-place' });
   const title = h('h2', { tabindex: -1 });
   const body = h('div', { class: 'guide-body' });
-  const live = h('p', { class: 'guide-live', 'data-testid': 'guide-live' });
+  // It changes all the time: the page is read out when it turns, this is not.
+  const live = h('p', { class: 'guide-live', 'aria-live': 'off', 'data-testid': 'guide-live' });
   const previous = h('a', { class: 'button', rel: 'prev', 'data-testid': 'guide-previous' });
   const next = h('a', { class: 'button primary', rel: 'next', 'data-testid': 'guide-next' });
   const pages = h('nav', { class: 'guide-pages', 'aria-label': 'Pages' });
@@ -50,8 +53,7 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
     { class: 'guide', 'aria-label': 'Guide', 'data-testid': 'guide' },
     h('header', {}, place, close),
     pages,
-    // Read out when the page turns; the numbers, which change all the time, are not.
-    h('div', { class: 'guide-scroll' }, h('div', { class: 'guide-told', 'aria-live': 'polite' }, title, body), live),
+    h('div', { class: 'guide-scroll' }, h('div', { class: 'guide-told', 'aria-live': 'polite' }, title, body)),
     h('footer', {}, previous, next),
   );
 
@@ -84,8 +86,9 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
       shown = props;
       setText(place, props.place);
       setText(title, props.title);
-      body.replaceChildren(...bodyOf(props));
+      body.replaceChildren(...bodyOf(props, live));
       setText(live, '');
+      setHidden(live, true);
       pages.replaceChildren(
         ...props.pages.map(({ label, title: name, link }, index) =>
           h('a', { href: `#${link}`, title: name, 'aria-current': index === props.current && 'page' }, label),
@@ -99,11 +102,15 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
       setText(live, text);
       setHidden(live, text === '');
     },
+    turn(to) {
+      const link = { previous, next }[to];
+      if (!link.hidden) link.click();
+    },
   };
 }
 
-function bodyOf({ text, task, sentence, formula, more, beside }: GuidePanelProps): HTMLElement[] {
-  const parts: HTMLElement[] = [h('p', {}, text), h('p', { class: 'guide-task' }, task)];
+function bodyOf({ text, task, sentence, formula, more, beside }: GuidePanelProps, live: HTMLElement): HTMLElement[] {
+  const parts: HTMLElement[] = [h('p', {}, text), h('p', { class: 'guide-task' }, task), live];
   if (beside)
     parts.push(
       h(

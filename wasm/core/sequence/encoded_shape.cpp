@@ -311,7 +311,10 @@ ShapeProducts EncodedShape::vertexBlendProducts(const Eigen::VectorXd& weights) 
 Eigen::MatrixXd EncodedShape::faceColumns(int inputFace) const {
   const auto found = std::find(input_.inputFaceOf.begin(), input_.inputFaceOf.end(), inputFace);
   assert(found != input_.inputFaceOf.end() && patchOfInputFace_[inputFace] >= 0);
-  const int face = static_cast<int>(found - input_.inputFaceOf.begin());
+  return weldedFaceColumns(static_cast<int>(found - input_.inputFaceOf.begin()));
+}
+
+Eigen::MatrixXd EncodedShape::weldedFaceColumns(int face) const {
   return withReconstructor([&](const auto& r) {
     Eigen::MatrixXd numbers(numbersPerFace, shape_->columns());
     for (int c = 0; c < shape_->columns(); ++c)
@@ -321,14 +324,16 @@ Eigen::MatrixXd EncodedShape::faceColumns(int inputFace) const {
 }
 
 Eigen::VectorXd EncodedShape::patchStretch(int patch) const {
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(shape_->columns());
-  const double count = static_cast<double>(std::count(patchOfInputFace_.begin(), patchOfInputFace_.end(), patch));
-  for (int face = 0; face < static_cast<int>(patchOfInputFace_.size()); ++face) {
-    if (patchOfInputFace_[face] != patch) continue;
-    const Eigen::MatrixXd numbers = faceColumns(face);
-    for (int c = 0; c < shape_->columns(); ++c) mean[c] += (numbers(3, c) + numbers(5, c)) / (2 * count);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(shape_->columns());
+  double total = 0;
+  for (int face = 0; face < shape_->faceCount(); ++face) {
+    if (patchOfFace_[face] != patch) continue;
+    const double area = referenceFrame(*shape_, face).area;
+    const Eigen::MatrixXd numbers = weldedFaceColumns(face);
+    for (int c = 0; c < shape_->columns(); ++c) sum[c] += area / 2 * (numbers(3, c) + numbers(5, c));
+    total += area;
   }
-  return mean;
+  return sum / total;
 }
 
 }  // namespace shapespline

@@ -95,7 +95,7 @@ class EncodedShape {
 
   /// The coordinates of a face of the input, numbersPerFace rows: a column per pose. Face must have a patch.
   Eigen::MatrixXd faceColumns(int inputFace) const;
-  /// Half the trace of the stretch, the mean over the faces of a patch: one per column.
+  /// Half the trace of the stretch, the mean over the area of a patch in the reference pose: one per column.
   Eigen::VectorXd patchStretch(int patch) const;
 
   /// What the keys say, whatever the motion.
@@ -112,6 +112,7 @@ class EncodedShape {
   template <class Real>
   Status makeReconstructor(const ShapeTopology& topology, const EncodingOptions& options,
                            const StageProgress& progress);
+  Eigen::MatrixXd weldedFaceColumns(int face) const;
   void prepareNormals(const Positions& normals, const FractionReport& onProgress);
   /// That the metric is made of: the ghost's, with one.
   PoseCoordinates poseCoordinates() const;

@@ -27,7 +27,7 @@ struct PartCurve {
   int patch = -1;  ///< of a face: that it belongs to; -1 where it has no area, and nothing else is known then
   std::vector<int> neighbours;  ///< of a patch: those that it is linked with, components that are attached among them
   /// Of a face, 6: the rotation vector against its patch (radians) and S_f or log S_f as xx, xy, yy in the face's
-  /// tangent frame (face_coordinates.h). Of a patch: the mean over its faces of tr(S_f) / 2 or tr(log S_f) / 2, then
+  /// tangent frame (face_coordinates.h). Of a patch: the mean over its area of tr(S_f) / 2 or tr(log S_f) / 2, then
   /// for each neighbour j the rotation G^T G_j as w, x, y, z.
   std::vector<double> numbers;
   /// As `numbers`, of the natural cubic spline through the same keys: what the boundary and the shaping of the keys do.

@@ -11,6 +11,7 @@ export interface VertexAmounts {
   values: Float32Array;
   /** Of the vertices. */
   largest: number;
+  /** Over the surface of the reference pose. */
   mean: number;
 }
 
@@ -57,14 +58,15 @@ export class FaceHeat {
       sums[faces[3 * face + 1]!]! += amount;
       sums[faces[3 * face + 2]!]! += amount;
     }
-    let [largest, total] = [0, 0];
+    let [largest, total, surface] = [0, 0, 0];
     for (let v = 0; v < values.length; v += 1) {
       const value = share[v]! > 0 ? sums[v]! / share[v]! : 0;
       values[v] = value;
       if (value > largest) largest = value;
-      total += value;
+      total += sums[v]!;
+      surface += share[v]!;
     }
-    return { values, largest, mean: values.length > 0 ? total / values.length : 0 };
+    return { values, largest, mean: surface > 0 ? total / surface : 0 };
   }
 
   /**

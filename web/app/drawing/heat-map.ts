@@ -10,6 +10,7 @@ import type { PosePool } from '../session/pose-pool.ts';
 import { differenceOf, heatColours, roundTop } from './difference.ts';
 import type { Difference } from './difference.ts';
 import { FaceHeat } from './face-heat.ts';
+import { robustLargest } from './heat-range.ts';
 import { besideOf, differing, wantsHeat } from './heat-wanted.ts';
 
 const WORDS: Readonly<Record<FaceAmount, { title: string; unit: string; symbol: string; most: number }>> = {
@@ -136,13 +137,15 @@ export class HeatMap {
     this.difference = null;
     const amounts = frames.map(({ positions }, view) => heat.amounts(positions, kind, this.values[view]));
     const { title, unit, symbol, most } = WORDS[kind];
-    const top = Math.min(this.topOf(kind, sequence, Math.max(...amounts.map(({ largest }) => largest))), most);
+    const ends = amounts.map(({ values, largest }) => Math.min(robustLargest(values, largest), most));
+    const top = Math.min(this.topOf(kind, sequence, Math.max(...ends)), most);
     amounts.forEach(({ values }, view) => {
       this.values[view] = values;
       this.draw(view, values, top);
     });
-    const space = symbol === '%' ? '\u00a0%' : symbol;
-    this.bar = { title, unit, symbol, top, now: nowWords(amounts[0]!, space), ...besideOf(this.viewer.rects()[0]!) };
+    const now = nowWords(amounts[0]!, symbol === '%' ? '\u00a0%' : symbol);
+    const beyond = amounts.some(({ largest }) => largest > top);
+    this.bar = { title, unit, symbol, top, beyond, now, ...besideOf(this.viewer.rects()[0]!) };
   }
 
   private topOf(kind: Heat['kind'], of: Heat['of'], largest: number): number {

@@ -8,7 +8,7 @@ import type { Facts } from './guide-page.ts';
 export function factsOf({ info, stats, ms }: ViewState, { doc }: AppState, labels: readonly TileLabel[]): Facts | null {
   if (!info || !stats) return null;
   return {
-    keys: doc.keys.length,
+    keyTimes: doc.keys.map(({ time }) => time),
     faces: info.report.faces,
     patches: stats.patches,
     volumes: labels.map(({ volume }) => volume),

@@ -27,10 +27,11 @@ const LIST: readonly Figure[] = [
     state: 'sample=cactus&between=0,1&t=0&loop=bounce&play=1',
     panel: 'analysis',
     text: 'The paper draws three curves through nine values: the one that bends least, found by brute force, the cubic spline, and straight lines.',
-    task: 'Open the playground, which has nine values and these three curves, and drag a value.',
+    task: 'Drag a value of the playground, which has nine of them and these three curves.',
     sentence:
       'The curve of least bending and the spline lie on each other, there as here; the values are yours to choose.',
-    beside: { label: 'Open the playground', href: `./play.html#${NINE_POINTS}` },
+    beside: { label: 'Open the playground', href: `./play.html#${NINE_POINTS}`, framed: 'Playground' },
+    wide: true,
   },
   {
     number: '2b',
@@ -39,6 +40,7 @@ const LIST: readonly Figure[] = [
     panel: 'analysis',
     text: 'The paper draws three motions through four shapes in the plane of their two leading components: global minimisation, the spline and linear interpolation in shape space.',
     part: 'plot-plane',
+    wide: true,
     press: 'minimised',
     task: 'Enlarge the shape plane under Analysis, and change the number of samples of the minimisation.',
     sentence:
@@ -60,7 +62,7 @@ const LIST: readonly Figure[] = [
     name: 'Two poses only',
     state: 'sample=cactus&keys=0@0,1@1&compare=geodesic&colour=phase&between=-0.5,1.5&t=-0.5&loop=bounce&play=1',
     text: 'The paper compares its spline with the geodesic on two poses of an elephant, also beyond both of them.',
-    task: 'Drag the time: left and right are the same shape at every moment.',
+    task: 'Drag the time: both are the same shape at every moment.',
     sentence: 'Through two keys the spline is the geodesic; here on a cactus.',
   },
   {
@@ -76,6 +78,7 @@ const LIST: readonly Figure[] = [
     name: 'Ghost meshes',
     state: 'sample=cactus&ghostFaces=500&ghostWire=1&ghostBeside=1&between=0,1&t=0&loop=bounce&play=1',
     panel: 'shape',
+    part: 'panel-ghost',
     text: 'The paper shows coarse ghost meshes of its shapes, and lines from each to the vertices that it leads.',
     task: 'Change the number of faces under Shape, Ghost mesh.',
     sentence:
@@ -87,6 +90,7 @@ const LIST: readonly Figure[] = [
     name: 'What a ghost costs',
     state: 'sample=cactus&ghostFaces=250&ghostSizes=1&between=0,1&t=0.25&loop=bounce&play=1',
     panel: 'shape',
+    part: 'panel-ghost',
     text: 'The paper colours a centaur by how far it is from the motion without a ghost, for four sizes of ghost.',
     task: 'Drag the time, and compare the colours; then choose another size under Shape, Ghost mesh.',
     sentence: 'The difference falls as the ghost grows, there as here: three sizes beside the motion without a ghost.',
@@ -109,6 +113,7 @@ const LIST: readonly Figure[] = [
     panel: 'analysis',
     text: 'The paper plots the second derivative of motions through ten poses of a person: geodesics peak at every key, splines stay low.',
     part: 'plot-bending',
+    wide: true,
     task: 'Enlarge the bending under Analysis, and look at the geodesic at the keys.',
     sentence:
       'The peaks stand at the keys, there as here; the third curve is a spline of vertices instead of one in shell space.',

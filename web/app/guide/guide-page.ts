@@ -5,7 +5,7 @@ import type { PanelName } from '../panels/layout.ts';
 
 /** Numbers of what is shown, as the engine has them; null while it computes. */
 export interface Facts {
-  keys: number;
+  keyTimes: readonly number[];
   faces: number;
   patches: number;
   /** Volume in whole percent of the first key's, of this method and of the one beside it. */
@@ -25,6 +25,8 @@ export interface GuidePage {
   panel?: PanelName;
   /** What of that panel is brought in sight, by its test id. */
   part?: string;
+  /** Options and plots have more room than the rest of the time. */
+  wide?: true;
   /** A control that is pressed for the reader, by its test id; a tick is taken back with the page. */
   press?: string;
   /** What is seen: a few sentences. */
@@ -37,6 +39,6 @@ export interface GuidePage {
   live?(facts: Facts): string;
   formula?: Formula;
   more?: string;
-  /** A page of its own that it speaks of. */
-  beside?: { label: string; href: string };
+  /** A page of its own that it speaks of; where there is room it stands in the place of the options, under a title. */
+  beside?: { label: string; href: string; framed: string };
 }

@@ -15,16 +15,20 @@ import { readPermalink } from '../sources/permalink.ts';
 import { FIGURES } from './figures.ts';
 import type { Facts, GuidePage } from './guide-page.ts';
 import { TOUR } from './tour.ts';
-import { pressed, whenThere } from './when-there.ts';
+import { pressed, untilTouched, whenThere } from './when-there.ts';
 
 export interface GuideParts {
   store: Store;
   workspace: Workspace;
   files: OpenFiles;
-  /** Where its panel stands; null takes it away. */
-  place(panel: HTMLElement | null): void;
+  /** Where its panel stands, beside wider options where it wants them; null takes it away. */
+  place(panel: HTMLElement | null, wide?: boolean): void;
   /** Brings options or plots in sight. */
   showPanel(name: PanelName, part?: string): void;
+  /** Shows another page of this site in the place of the options, where there is room; null: the options. */
+  frame(page: { href: string; title: string } | null): void;
+  /** What is open is about to be closed: what of it waits to be kept is kept now. */
+  keep(): void;
   /** Opens what a visit starts with. */
   openFirst(): Promise<void>;
   /** The address keeps this fragment; null: it follows the state. */
@@ -45,7 +49,20 @@ export interface Guide {
 
 const nothing = (): void => undefined;
 
-export function createGuide({ store, workspace, files, openFirst, place, showPanel, pin }: GuideParts): Guide {
+/** What presenters' clickers send. */
+const CLICKS: Readonly<Record<string, 'previous' | 'next'>> = { PageUp: 'previous', PageDown: 'next' };
+
+export function createGuide({
+  store,
+  workspace,
+  files,
+  openFirst,
+  place,
+  showPanel,
+  frame,
+  keep,
+  pin,
+}: GuideParts): Guide {
   let page: GuidePage | null = null;
   /** It is opening a page of its own. */
   let turning = 0;
@@ -55,10 +72,13 @@ export function createGuide({ store, workspace, files, openFirst, place, showPan
 
   /** Of what the page on show has prepared. */
   let takeBack = nothing;
-  const prepare = ({ panel: name, part, press }: GuidePage): void => {
+  const prepare = ({ panel: name, part, press, beside }: GuidePage): void => {
     const undone: (() => void)[] = [];
-    if (name) showPanel(name);
-    if (name && part) undone.push(whenThere(part, () => showPanel(name, part)));
+    if (beside) {
+      frame({ href: beside.href, title: beside.framed });
+      undone.push(() => frame(null));
+    }
+    if (name) undone.push(untilTouched(name, () => showPanel(name, part)));
     if (press) undone.push(whenThere(press, (control) => undone.push(pressed(control))));
     takeBack = () => undone.forEach((one) => one());
   };
@@ -78,20 +98,37 @@ export function createGuide({ store, workspace, files, openFirst, place, showPan
     if ((await files.again(left, { quietly: true })) && playing) store.set({ play: { ...store.get().play, playing } });
   };
 
+  /** Whoever presents goes on doing so on the next page. */
+  const presenting = (): boolean => store.get().view.present !== null;
+  window.addEventListener(
+    'keydown',
+    (event) => {
+      const turn = CLICKS[event.key];
+      if (!turn || !page || !presenting()) return;
+      event.preventDefault();
+      panel.turn(turn);
+    },
+    { capture: true },
+  );
+
   const guide: Guide = {
     async open(fragment) {
       const wanted = [...TOUR, ...FIGURES].find(({ link }) => link === fragment);
       const state = wanted && readPermalink(wanted.state);
       if (!wanted || !state) return false;
-      if (!page) before = currentWork(store, workspace);
+      if (!page) {
+        keep();
+        before = currentWork(store, workspace);
+      }
       page = wanted;
       pin(wanted.link);
       panel.show(shown(wanted));
-      place(panel.element);
+      place(panel.element, wanted.wide);
       takeBack();
       takeBack = nothing;
       turning += 1;
-      await files.show(state).finally(() => (turning -= 1));
+      const present = presenting() ? 'shape' : null;
+      await files.show({ ...state, view: { ...state.view, present } }).finally(() => (turning -= 1));
       if (page !== wanted) return true;
       prepare(wanted);
       return true;

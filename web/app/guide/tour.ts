@@ -2,16 +2,22 @@
 import type { GuidePage } from './guide-page.ts';
 
 const milliseconds = (ms: number): string => `${ms < 10 ? ms.toFixed(1) : ms.toFixed(0)} ms`;
+const listed = (numbers: readonly number[]): string =>
+  numbers.length < 2 ? numbers.join('') : `${numbers.slice(0, -1).join(', ')} and ${numbers.at(-1)!}`;
 const grouped = (count: number): string => count.toLocaleString('en');
 
 const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Three poses, one motion',
     state: 'sample=cactus&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
-    text: 'Somebody made three poses of a cactus, at 0, 0.5 and 1. Everything else that you see was found: the shapes between them, and those before the first and after the last.',
+    text: 'Somebody made three poses of a cactus, the keys. Everything else that you see was found: the shapes between them, and those before the first and after the last.',
     task: 'Drag the time, also past both ends.',
     sentence: 'Blue shapes were given, green ones are computed between them, yellow ones beyond.',
-    live: ({ keys, faces }) => `${keys} keys of ${grouped(faces)} faces.`,
+    live: ({ keyTimes, faces }) => `${keyTimes.length} keys of ${grouped(faces)} faces, at ${listed(keyTimes)}.`,
+    formula: {
+      math: '<mrow><mi>s</mi><mo>(</mo><msub><mi>t</mi><mi>j</mi></msub><mo>)</mo><mo>=</mo><msub><mi>s</mi><mi>j</mi></msub></mrow>',
+      words: 'At the time of each key the motion s is that key, exactly.',
+    },
   },
   {
     title: 'Why not simply blend?',
@@ -48,12 +54,16 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     text: 'Two keys: a straight bar and one twisted by 350 degrees. From patch to patch that is a few degrees only, so that halfway the bar is twisted by 175, and not by 5 the other way. Whether the whole bar turned once more meanwhile, no key can say.',
     task: 'Open the second key under the timeline, and add a whole turn to the bar.',
     sentence: 'Small turns add up along the body; but two keys cannot say how often.',
+    formula: {
+      math: '<mrow><msub><mi>R</mi><mrow><mn>1</mn><mi>n</mi></mrow></msub><mo>=</mo><msub><mi>R</mi><mn>12</mn></msub><msub><mi>R</mi><mn>23</mn></msub><mo>⋯</mo><msub><mi>R</mi><mrow><mi>n</mi><mo>−</mo><mn>1</mn><mo>,</mo><mi>n</mi></mrow></msub></mrow>',
+      words: 'From the first patch to the last: the rotations between neighbours, one after the other.',
+    },
   },
   {
     title: 'The corner at a key',
     panel: 'analysis',
     state: 'sample=cactus&compare=geodesic&between=0,1&t=0&loop=bounce&play=1',
-    text: 'On the right the cactus goes from key to key on the shortest way, a geodesic. It is straight between two keys, and has a corner at the middle one: there it changes direction at once.',
+    text: 'The second cactus goes from key to key on the shortest way, a geodesic. It is straight between two keys, and has a corner at the middle one: there it changes direction at once.',
     part: 'plot-bending',
     task: 'Look at 0.5, and at the bending under Analysis.',
     sentence: 'Straight from key to key is shortest, and turns sharply at each key.',
@@ -66,13 +76,14 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     title: 'The bent ruler',
     state: 'sample=cactus&between=0,1&t=0&loop=bounce&play=1',
     text: 'Hold a thin ruler at a few nails and let it bend as it likes: it takes the shape that bends least in total, and is straight past its last nail. That is the natural cubic spline. Every coordinate of the shape runs on one.',
-    task: 'Open the playground, and drag a value up and down.',
+    task: 'Drag a value of the playground up and down.',
     sentence: 'The smoothest curve through the keys bends least in total, and one tiny system finds it.',
     formula: {
       math: '<mrow><munder><mi>min</mi><mi>f</mi></munder><munderover><mo>∫</mo><mn>0</mn><mn>1</mn></munderover><msup><mrow><mo>|</mo><msup><mi>f</mi><mo>″</mo></msup><mo>(</mo><mi>t</mi><mo>)</mo><mo>|</mo></mrow><mn>2</mn></msup><mi>d</mi><mi>t</mi></mrow>',
       words: 'Of all curves through the values, the one whose second derivative is least in total.',
     },
-    beside: { label: 'Open the playground', href: './play.html#take' },
+    beside: { label: 'Open the playground', href: './play.html#take', framed: 'Playground' },
+    wide: true,
   },
   {
     title: 'The ends',
@@ -102,8 +113,10 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'The plane of shapes',
     panel: 'analysis',
-    state: 'sample=cactus&compare=geodesic&between=-0.2,1.2&t=0&loop=bounce&play=1',
-    text: 'Three shapes span a plane, as three points do. In it the spline is a curve and the geodesic a polygon. A point of the plane that lies on neither is a shape, too: so much of each key.',
+    part: 'plot-plane',
+    wide: true,
+    state: 'sample=cactus&compare=geodesic,linear&between=-0.2,1.2&t=0&loop=bounce&play=1',
+    text: 'Three shapes span a plane, as three points do. In it the spline is a curve and the geodesic a polygon; a blend of vertices leaves the plane. A point of it that lies on no curve is a shape, too: so much of each key.',
     task: 'Under Analysis, drag the point off the curve, or draw a path.',
     sentence: 'Every mixture of the keys is a shape; a motion is a path among them.',
     formula: {
@@ -117,6 +130,10 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     text: 'From coordinates back to a shape is two steps: the rotations of all patches, then all vertices. Each is one large linear system that never changes while the time does, so that it is prepared once.',
     task: 'Open poses of your own, and export the motion.',
     sentence: 'Rotations first, points second, both prepared once: that is why the slider is live.',
+    formula: {
+      math: '<mrow><mi>A</mi><mi>G</mi><mo>=</mo><mi>b</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>,</mo><mspace width="0.6em"/><mi>L</mi><mi>v</mi><mo>=</mo><mi>c</mi><mo>(</mo><mi>t</mi><mo>)</mo></mrow>',
+      words: 'A for the rotations G of the patches, L for the vertices v: only the right sides change with time.',
+    },
     live: ({ stats, ms, faces }) =>
       `${grouped(faces)} faces: prepared in ${milliseconds(stats.encodeMs + stats.orderMs + stats.factorMs)}` +
       (ms === null ? '.' : `, each frame in ${milliseconds(ms)}.`),

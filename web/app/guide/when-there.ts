@@ -1,4 +1,5 @@
 /** What a page of the guide does with parts of the panels, which are loaded after the shape. */
+import type { PanelName } from '../panels/layout.ts';
 
 /** Calls `act` with an element of the page as soon as it is there, once; returns what ends the waiting. */
 export function whenThere(testId: string, act: (element: HTMLElement) => void): () => void {
@@ -22,4 +23,25 @@ export function pressed(control: HTMLElement): () => void {
   return () => {
     if (tick?.checked) tick.click();
   };
+}
+
+const TOUCHES = ['pointerdown', 'wheel', 'keydown'] as const;
+
+/**
+ * Calls `show` now and whenever a panel has another size, as its plots are loaded after the shape, until the reader's
+ * hand is on the options; returns what ends it.
+ */
+export function untilTouched(panel: PanelName, show: () => void): () => void {
+  const element = document.querySelector<HTMLElement>(`[data-testid="panel-${panel}"]`);
+  const side = element?.closest<HTMLElement>('.side');
+  if (!element || !side) return () => undefined;
+  const watching = new ResizeObserver(show);
+  const end = (): void => {
+    watching.disconnect();
+    for (const touch of TOUCHES) side.removeEventListener(touch, end);
+  };
+  for (const touch of TOUCHES) side.addEventListener(touch, end, { passive: true });
+  watching.observe(element);
+  show();
+  return end;
 }

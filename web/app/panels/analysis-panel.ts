@@ -2,6 +2,7 @@
 import type { End } from '../../model/speeds.ts';
 import { createLineChart, make } from '../../plots/line-chart.ts';
 import type { LineChart } from '../../plots/line-chart.ts';
+import { logFloor } from '../../plots/scale.ts';
 import type { Colouring, Plot } from '../../model/state.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { lineStyle, motionWords } from '../../model/method-words.ts';
@@ -99,7 +100,8 @@ export function createAnalysisPanel(
     const relative = { ...common, include: 100, leastSpan: 4 };
     volume.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.volume, analysis)) });
     area.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.area, analysis)) });
-    bending.draw({ ...common, series: series((motion) => motion.bending), include: 0 });
+    const floor = logFloor(motions.map((motion) => motion.bending));
+    bending.draw({ ...common, series: series((motion) => motion.bending), include: 0, floor });
     // Where nothing rests in any interval there is nothing to plot.
     setHidden(
       sliding.element,
@@ -157,11 +159,12 @@ function chart(title: string, unit: string, name: Plot, events: AnalysisPanelEve
   const plot = createLineChart(events.onSeek);
   const testId = `plot-${name}`;
   const value = h('span', { class: 'value', 'data-testid': `${testId}-value` }, '');
+  const counted = h('span', { class: 'unit' }, unit);
   let data: Parameters<Figure['draw']>[0] | null = null;
   const element = h(
     'figure',
     { class: 'figure', 'data-testid': testId },
-    h('figcaption', {}, h('strong', {}, title), value, h('span', { class: 'unit' }, unit)),
+    h('figcaption', {}, h('strong', {}, title), value, counted),
     plot.element,
   );
   const redrawn = addFigureTools(element, { ...events, plot: name, title, numbers: () => data && chartNumbers(data) });
@@ -169,7 +172,9 @@ function chart(title: string, unit: string, name: Plot, events: AnalysisPanelEve
     element,
     draw(next) {
       data = next;
-      plot.draw({ ...next, title, unit });
+      const words = next.floor ? `${unit}; logarithmic` : unit;
+      setText(counted, words);
+      plot.draw({ ...next, title, unit: words });
       redrawn();
     },
     setCursor(t) {

@@ -36,6 +36,8 @@ export interface FacesFigure {
 type Heat = FaceAmount | 'distance' | 'none';
 type Part = 'face' | 'patch';
 
+const nothing = (): void => undefined;
+
 const HINT = 'Click the picture: the coordinates there over time, as the spline has them.';
 
 export function createFacesFigure(input: () => AnalysisInput | null, events: FacesFigureEvents): FacesFigure {
@@ -74,7 +76,7 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
       testId: `${of}-number`,
       min: first,
       step: 1,
-      onInput: (value) => show(of, Math.round(value) - first),
+      onInput: (value) => show(of, Math.round(value) - first, onError),
     });
   const fields = {
     face: number('face', 'Face, counted from 0 as in the file', 0),
@@ -103,7 +105,8 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
   const shown: Record<Part, number | null> = { face: null, patch: null };
   let props: FacesFigureProps = { cursor: 0, colouring: 'texture', version: 0 };
 
-  const load = (of: Part): void => {
+  // What was chosen in another shape, or of other patches, may not be there any more: nothing is wrong then.
+  const load = (of: Part, onMissing: (error: unknown) => void = nothing): void => {
     charts[of]
       .load(shown[of], input())
       .then((words) => {
@@ -113,15 +116,15 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
       })
       .catch((error: unknown) => {
         show(of, null);
-        onError(error);
+        onMissing(error);
       });
   };
-  const show = (of: Part, index: number | null): void => {
+  const show = (of: Part, index: number | null, onMissing?: (error: unknown) => void): void => {
     shown[of] = index;
     setField(fields[of], index === null ? '' : String(index + (of === 'face' ? 0 : 1)));
     if (index === null) setText(said, '');
     if (index === null || of === 'face') onMark(index === null ? null : { face: index });
-    load(of);
+    load(of, onMissing);
   };
   const choose = (next: Part): void => {
     chosen = next;

@@ -79,7 +79,7 @@ export function createShortcuts(store: Store, commands: Commands, targets: Keybo
     {
       keys: [],
       shown: 'Page Up  Page Down',
-      does: 'Presentation: previous or next key (elsewhere ten steps in time)',
+      does: 'Presentation: previous or next key, or page of the tour (elsewhere ten steps in time)',
       run: () => undefined,
     },
     { keys: ['q'], shown: 'Q', does: 'QR code of the link', run: targets.openLink },

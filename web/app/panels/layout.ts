@@ -25,10 +25,12 @@ export interface Layout {
   /** The viewer puts its canvas in here; takes the keyboard. */
   viewport: HTMLElement;
   mount(root: HTMLElement, parts: LayoutParts): void;
-  /** Puts the guide's panel beside the viewport; null takes it away. */
-  setGuide(panel: HTMLElement | null): void;
+  /** Puts the guide's panel beside the viewport, with wider panels or not; null takes it away. */
+  setGuide(panel: HTMLElement | null, wide?: boolean): void;
   /** Brings a panel in sight, or a part of it by its test id, where they stand beside the viewport. */
   showPanel(name: PanelName, part?: string): void;
+  /** Another page in the place of the panels, where these stand beside the viewport; null: the panels. */
+  setFramed(page: { href: string; title: string } | null): void;
   /** Names on the picture of a film strip. */
   showFilmLabels(labels: readonly FilmLabel[]): void;
   /** Pixels that bars and words take at the top and the bottom of each of so many views, or of two that are `split`. */
@@ -40,8 +42,10 @@ export interface Layout {
 /** Title and measures over a view; the line in words above the buttons, on a small screen. */
 const TILE_LABEL_PX = 54;
 const PHASE_PX = 34;
+/** The panels stand beside the viewport. */
+const BESIDE = '(min-width: 768px)';
 /** The row of the panels' names. */
-const SIDE_NAV_PX = 41;
+const SIDE_NAV_PX = 45;
 /** Titles and volumes beside a divider, where the shape is as wide as the view. */
 const SPLIT_LABEL_PX = { small: 80, large: 108 };
 /** How many times larger words are in a presentation. */
@@ -96,7 +100,8 @@ export function createLayout(): Layout {
     viewport,
     showFilmLabels: filmLabels.update,
     covered,
-    setGuide(panel) {
+    setGuide(panel, wide = false) {
+      if (app) setAttribute(app, 'data-wide', wide);
       const shown = app?.querySelector('.guide') ?? null;
       if (shown === panel) return; // put there again it would lose the focus
       shown?.remove();
@@ -109,7 +114,14 @@ export function createLayout(): Layout {
       const side = found?.closest('.side');
       if (!found || !side) return;
       const down = found.getBoundingClientRect().top - side.getBoundingClientRect().top;
-      side.scrollTo({ top: side.scrollTop + down - SIDE_NAV_PX });
+      const names = panel?.querySelector<HTMLElement>(':scope > .legend')?.offsetHeight ?? 0;
+      side.scrollTo({ top: side.scrollTop + down - SIDE_NAV_PX - (found === panel ? 0 : names) });
+    },
+    setFramed(page) {
+      const side = app?.querySelector<HTMLElement>('.side');
+      side?.querySelector('.framed')?.remove();
+      if (page && side && matchMedia(BESIDE).matches)
+        side.append(h('iframe', { class: 'framed', src: page.href, title: page.title }));
     },
     present(what) {
       if (!app) return;

@@ -22,7 +22,7 @@ export function createPatchCharts(events: CoordinateChartEvents, onPair: (patch:
   const angles = createCoordinateChart('patch-angles', 'Turn against its neighbours', 'angle, degrees', events);
   const turned = 'degrees, as a rotation vector in the axes of the reference pose';
   const rotation = createCoordinateChart('patch-rotation', 'Turn against a neighbour', turned, events);
-  const average = 'mean over its faces and both directions';
+  const average = 'mean over its area and both directions';
   const stretch = createCoordinateChart('patch-stretch', 'Stretch of the patch', average, events);
   const against = select<string>('Neighbour', 'patch-neighbour', [], (value) => draw(Number(value)));
   const pair = h('div', { class: 'group' }, angles.element, against.element, rotation.element);

@@ -25,6 +25,8 @@ const AWAKE_MS = 2000;
 
 export function createPresentation({ presented, present, show, say }: PresentationParts): Presentation {
   let before: Presented | null = null;
+  /** What had the focus; who works with keys goes on there. */
+  let left: HTMLElement | null = null;
   let timer = 0;
   const element = h(
     'div',
@@ -42,12 +44,16 @@ export function createPresentation({ presented, present, show, say }: Presentati
   const enter = (): void => {
     say('Space plays, [ and ] go to the keys, C compares, A shows a plot, Esc leaves.');
     // Keys are the teacher's from here on: the arrows step through time.
-    (document.activeElement as HTMLElement | null)?.blur();
+    left = document.activeElement as HTMLElement | null;
+    left?.blur();
     // Without the user's word, as from a link, the browser refuses; the presentation fills the window then.
-    document.documentElement.requestFullscreen?.().catch(() => undefined);
+    if (navigator.userActivation?.isActive ?? true)
+      document.documentElement.requestFullscreen?.().catch(() => undefined);
   };
   const leave = (): void => {
     if (document.fullscreenElement) document.exitFullscreen().catch(() => undefined);
+    if (left?.checkVisibility()) left.focus({ preventScroll: true });
+    left = null;
   };
 
   document.addEventListener('fullscreenchange', () => {

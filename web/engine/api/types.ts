@@ -350,7 +350,7 @@ export interface FaceCurve {
 }
 
 /**
- * One patch over time. A row at each moment: the mean over its faces of tr(S_f) / 2, or of tr(log S_f) / 2 where
+ * One patch over time. A row at each moment: the mean over its area of tr(S_f) / 2, or of tr(log S_f) / 2 where
  * stretch is logarithmic; then for each neighbour j the rotation G^T G_j as a unit quaternion w, x, y, z. In the
  * reference pose every rotation is none.
  */

@@ -1,0 +1,53 @@
+import { describe, expect, it } from 'vitest';
+import { quantile, robustLargest } from '../../web/app/drawing/heat-range.ts';
+
+/** From 0 to `most`, evenly spaced, in no order. */
+const even = (count: number, most: number): Float32Array =>
+  Float32Array.from({ length: count }, (_, i) => (most * ((i * 7919) % count)) / (count - 1));
+
+const largestOf = (values: Float32Array): number => values.reduce((a, b) => Math.max(a, b), 0);
+
+describe('the upper end of a colour scale', () => {
+  it('is the largest amount where that is like the others', () => {
+    for (const most of [0.03, 5, 300]) {
+      const values = even(10_007, most);
+      expect(robustLargest(values, largestOf(values))).toBe(largestOf(values));
+    }
+  });
+
+  it('is not set by a few slivers, however far they are off', () => {
+    const values = even(10_007, 20);
+    for (let i = 0; i < 90; i += 1) values[100 * i] = 50_000;
+    const end = robustLargest(values, 50_000);
+    expect(end).toBeGreaterThan(39);
+    expect(end).toBeLessThan(42);
+  });
+
+  it('holds all that covers more than a few vertices', () => {
+    const values = even(10_007, 20);
+    for (let i = 0; i < 200; i += 1) values[50 * i] = 400;
+    expect(robustLargest(values, 400)).toBe(400);
+  });
+
+  it('never shows noise alone: the scale goes up to 1 % where there is more', () => {
+    const values = new Float32Array(1000);
+    values[3] = 80;
+    expect(robustLargest(values, 80)).toBe(1);
+    expect(robustLargest(new Float32Array(10), 0)).toBe(0);
+    expect(robustLargest(new Float32Array(0), 0)).toBe(0);
+  });
+});
+
+describe('a quantile by counting', () => {
+  it('is at most 3 % above that of sorted values, and never below', () => {
+    for (const most of [1e-6, 1, 1e7]) {
+      const values = even(5003, most);
+      const sorted = [...values].sort((a, b) => a - b);
+      for (const share of [0.1, 0.5, 0.99, 1]) {
+        const exact = sorted[Math.ceil(share * sorted.length) - 1]!;
+        expect(quantile(values, share)).toBeGreaterThanOrEqual(exact);
+        expect(quantile(values, share)).toBeLessThan(1.04 * exact);
+      }
+    }
+  });
+});
