@@ -223,6 +223,24 @@ test('a patch that is clicked shows how it turns against each neighbour, natural
   await app.expectNoProblems();
 });
 
+test('a patch that the next shape does not have is let go without a word; one that is typed wrongly is said', async ({
+  app,
+}) => {
+  await app.open({ hash: '#sample=cactus' });
+  await app.by('part-patch').check({ force: true });
+  await app.by('patch-number').fill('120');
+  await app.by('patch-number').press('Enter');
+  await expect(app.by('plot-patch-angles')).toBeVisible();
+  await app.pick('twisted-bar');
+  await app.settled();
+  await expect(app.by('patch-number')).toHaveValue('');
+  await expect(app.by('plot-patch-angles')).toBeHidden();
+  await expect(app.by('error')).toBeHidden();
+  await app.by('patch-number').fill('5000');
+  await app.by('patch-number').press('Enter');
+  await expect(app.by('error')).toContainText('There is no patch 5000');
+});
+
 test('amounts colour the surface from Display, too, and the panel follows', async ({ app }) => {
   await app.open({ hash: '#sample=twisted-bar&t=1' });
   await app.by('look-toggle').click();

@@ -3,6 +3,7 @@ import { isFaceAmount } from '../../model/state.ts';
 import type { Colouring, FaceAmount } from '../../model/state.ts';
 import { numberField, segments } from '../../ui/controls.ts';
 import { h, setField, setHidden, setText } from '../../ui/dom.ts';
+import { EngineError } from '../../engine/api/errors.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
 import type { Compared } from '../analysis/motion-distance.ts';
 import type { CoordinateChartEvents } from './coordinate-chart.ts';
@@ -70,13 +71,20 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
     ],
     (value) => choose(value),
   );
+  // The engine counts patches from 0.
+  const typed = (of: Part, value: number) => (error: unknown) =>
+    onError(
+      error instanceof EngineError && error.code === 'invalid-option'
+        ? new Error(`There is no ${of} ${value}.`)
+        : error,
+    );
   const number = (of: Part, label: string, first: number): HTMLInputElement =>
     numberField({
       label,
       testId: `${of}-number`,
       min: first,
       step: 1,
-      onInput: (value) => show(of, Math.round(value) - first, onError),
+      onInput: (value) => show(of, Math.round(value) - first, typed(of, Math.round(value))),
     });
   const fields = {
     face: number('face', 'Face, counted from 0 as in the file', 0),
