@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/base/centroid.h"
+#include "core/hold/bodies.h"
 #include "core/mesh/measures.h"
 #include "real_data.h"
 #include "sequences.h"
@@ -210,6 +211,102 @@ TEST_CASE("parts of one body move as one where they are held") {
     CHECK(farthest < 1e-4);  // 3.7e-4 without joints
     CHECK(moved > 2e-3 * diagonalOf(k));
   }
+}
+
+TEST_CASE("separate objects are placed each by itself, and what stays joined as one") {
+  // One walks away and turns while it bends, the other stays and nods.
+  const Shape first = bar();
+  const Shape both = joined(first, bar());
+  const auto poseAt = [&](double t) {
+    const Map bent = bend(0.5 * std::sin(1.7 * t), 10), away = turn({0, 0, 1}, 0.45 * t, Vec3(1.5 * t, -0.4 * t, 0));
+    const Map nods = bend(0.4 * std::sin(2.1 * t + 1), 10);
+    Positions p;
+    for (std::size_t v = 0; v < both.positions.size(); ++v)
+      p.push_back(v < first.positions.size() ? away(bent(both.positions[v]))
+                                             : nods(both.positions[v]) + Vec3(0, 12, 0));
+    return p;
+  };
+  Keyframes k;
+  k.faces = both.faces;
+  for (int j = 0; j < 6; ++j) {
+    k.keys.emplace_back();
+    k.keys.back().time = j;
+    k.keys.back().positions = poseAt(j);
+  }
+  const auto error = [&](Sequence& s) {
+    std::vector<Positions> truth, shapes;
+    for (int i = 0; i <= 50; ++i) truth.push_back(poseAt(0.1 * i)), shapes.push_back(shapeAt(s, 0.1 * i));
+    return kgError(truth, shapes);
+  };
+  Sequence plain = make(k, {});
+  REQUIRE(plain.stats().components == 2);
+  const std::vector<int> body = bodiesOf(plain.encoded().holdInput().mesh);
+  CHECK(*std::max_element(body.begin(), body.end()) == 1);
+  const double before = error(plain);
+  for (const Hold hold : holds) {
+    Sequence s = make(k, with(hold));
+    for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-9 * diagonalOf(k));
+    MESSAGE("two objects: KG error " << before << " %, held " << error(s) << " %");
+    CHECK(error(s) < 0.93 * before);
+    for (const double t : {1.0, 3.0, 5.0, 6.0}) {
+      // A kink stays while the step shrinks; a smooth change shrinks with it.
+      const double coarse = kink(s, t, 4e-3), fine = std::min(kink(s, t, 1e-3), secondDifference(s, t, 1e-3));
+      CHECK(fine < std::max(0.1, 0.5 * coarse));
+    }
+    const Map moved = turn({0.3, -1, 2}, 2.2, Vec3(4, -3, 9));
+    Keyframes other = k;
+    for (Key& key : other.keys)
+      for (Vec3& p : key.positions) p = moved(p);
+    Sequence t = make(other, with(hold));
+    Positions expected = shapeAt(s, 1.4);
+    for (Vec3& p : expected) p = moved(p);
+    CHECK(largestDistance(expected, shapeAt(t, 1.4)) < 1e-5 * diagonalOf(k));
+  }
+  // The same two side by side on one turning ground.
+  for (Key& key : k.keys)
+    for (std::size_t v = 0; v < both.positions.size(); ++v)
+      key.positions[v] =
+          turn({0, 0, 1}, 0.5 * key.time)(both.positions[v] + Vec3(0, v < first.positions.size() ? 0 : 12, 0));
+  Sequence rigid = make(k, {});
+  for (const int b : bodiesOf(rigid.encoded().holdInput().mesh)) CHECK(b == 0);
+}
+
+TEST_CASE("objects and parts of real shapes") {
+  ImportOptions walk;
+  walk.sampleCount = 6;
+  walk.sampleAsked = true;
+  for (const std::string file : {"skin/CesiumMan.glb", "skin/Fox.glb", "skin/Soldier.glb"}) {
+    if (!hasData({file})) continue;
+    Keyframes k = realKeyframes({file}, walk);
+    CAPTURE(file);
+    Sequence s = sequenceOf(k, {});
+    for (const int body : bodiesOf(s.encoded().holdInput().mesh)) CHECK(body == 0);
+  }
+  if (!hasData({"skin/CesiumMan.glb"})) return;
+  // Two men who walk about each other.
+  walk.sampleCount = 49;
+  const Keyframes man = realKeyframes({"skin/CesiumMan.glb"}, walk);
+  Keyframes truth = man;
+  const double size = diagonalOf(man);
+  const int vertices = static_cast<int>(man.keys[0].positions.size());
+  for (const Triangle& f : man.faces) truth.faces.push_back({f[0] + vertices, f[1] + vertices, f[2] + vertices});
+  for (int j = 0; j < 49; ++j) {
+    const Map way = turn({0, 1, 0}, 0.05 * j, size * Vec3(0.02 * j, 0, 0.6));
+    for (const Vec3& p : man.keys[(j + 12) % 48].positions) truth.keys[j].positions.push_back(way(p));
+  }
+  Keyframes k = truth;
+  k.keys.clear();
+  for (int j = 0; j < 49; j += 8) k.keys.push_back(truth.keys[j]);
+  const auto error = [&](const MotionOptions& motion) {
+    Sequence s = sequenceOf(k, {}, motion);
+    std::vector<Positions> dense, shapes;
+    for (const Key& key : truth.keys) dense.push_back(key.positions), shapes.push_back(shapeAt(s, key.time));
+    return kgError(dense, shapes);
+  };
+  const double plain = error({}), contact = error(with(Hold::Contact)), anchored = error(with(Hold::Anchored));
+  MESSAGE("two men: KG error " << plain << " %, contact " << contact << " %, anchored " << anchored << " %");
+  CHECK(contact < plain);
+  CHECK(anchored < plain);
 }
 
 TEST_CASE("a ghost goes with the shape that is held") {

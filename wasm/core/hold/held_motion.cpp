@@ -53,8 +53,11 @@ void HeldMotion::findResting(const HoldInput& input) {
 }
 
 HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve, Hold hold)
-    : hold_(hold), turns_(input, curve), target_(input, curve, turns_), area_(vertexAreas(input.mesh)) {
-  for (const double turn : turns_.wholeTurn) placed_.push_back(1 - fade(turn, turnsLittle, turnsFar));
+    : hold_(hold), target_(input, curve), area_(vertexAreas(input.mesh)) {
+  for (const auto& body : target_.bodies()) {
+    std::vector<double>& share = placed_.emplace_back();
+    for (const double turn : body->turns.wholeTurn) share.push_back(1 - fade(turn, turnsLittle, turnsFar));
+  }
   if (hold == Hold::Anchored) anchor_ = anchorWeights(input.mesh);
 }
 
@@ -62,65 +65,63 @@ HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve, Hold hold)
 std::vector<double> HeldMotion::anchorWeights(const HoldMesh& mesh) const {
   constexpr double leastTurn = 1e-9;
   const std::vector<double> faceArea = faceAreas(mesh);
+  const std::vector<double>& frameTurn = target_.bodies()[0]->turns.frameTurn;
   std::vector<double> weight(area_.size(), 0.0);
   for (std::size_t f = 0; f < faceArea.size(); ++f) {
     if (mesh.frameOf[f] < 0) continue;
-    const double ratio = anchorTurn / std::max(turns_.frameTurn[mesh.frameOf[f]], leastTurn);
+    const double ratio = anchorTurn / std::max(frameTurn[mesh.frameOf[f]], leastTurn);
     for (const int v : mesh.shape.faces[f]) weight[v] += faceArea[f] / 3 * std::min(ratio * ratio, mostAnchor);
   }
   for (std::size_t v = 0; v < weight.size(); ++v) weight[v] = std::max(weight[v], leastAnchor * area_[v]);
   return weight;
 }
 
-double HeldMotion::placementShare(const SpanPlace& place, const Mat3& frameSum, const Mat3& mean) const {
-  const double share = tween(placed_.data(), target_.path().spans(), target_.path().loop(), place);
-  return share * place.within() * fade((mean.transpose() * frameSum).trace() - 1, scattered, gathered);
-}
-
-// A little inertia keeps a shape that is a line from spinning about itself. The shape turns about its centroid.
-HeldMotion::Placement HeldMotion::place(const FitSums& sums, double share) const {
-  const Mat3 fit = projectToRotation(sums.covariance + inertia * sums.covariance.norm() * Mat3::Identity());
-  const Vec3 angle = logRotation(fit);
-  const double taken = share * (1 - fade(angle.norm(), fitTurnsLittle, fitTurnsFar));
-  const Mat3 turn = expRotation(taken * angle);
-  return {turn, sums.from + taken * (sums.to - sums.from) - turn * sums.from};
+// A little inertia keeps a shape that is a line from spinning about itself. A body turns about its centroid.
+void HeldMotion::place(const SpanPlace& place, const std::vector<Quaternion>& frames, const Vec3& mean,
+                       const Positions& target, Positions& shape) const {
+  for (std::size_t b = 0; b < placed_.size(); ++b) {
+    const RestTarget::Body& body = *target_.bodies()[b];
+    const Mat3 sum = body.turns.sumOf(frames);
+    const double defined = (projectToRotation(sum).transpose() * sum).trace() / body.turns.area - 1;
+    const double share = tween(placed_[b].data(), target_.path().spans(), target_.path().loop(), place) *
+                         place.within() * fade(defined, scattered, gathered);
+    const FitSums sums = fitSums(area_, mean, body.vertices, shape, target);
+    const Mat3 fit = projectToRotation(sums.covariance + inertia * sums.covariance.norm() * Mat3::Identity());
+    const Vec3 angle = logRotation(fit);
+    const double taken = share * (1 - fade(angle.norm(), fitTurnsLittle, fitTurnsFar));
+    const Mat3 turn = expRotation(taken * angle);
+    moveRigidly(turn, sums.from + taken * (sums.to - sums.from) - turn * sums.from, body.vertices, shape);
+  }
 }
 
 void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape,
                        Scratch& scratch, ForkJoin* forkJoin) const {
   const SpanPlace place = target_.path().placeOf(t);
   if (place.beyond >= 1) return;
-  const Mat3 sum = turns_.sumOf(frames), turn = projectToRotation(sum);
-  target_.at(t, turn, mean, scratch.target, scratch.body);
-  const Placement placed = this->place(fitSums(area_, mean, shape, scratch.target), placementShare(place, sum, turn));
-  moveRigidly(placed.turn, placed.move, shape);
-  if (hold_ == Hold::Anchored) anchor(place.within(), shape, scratch, forkJoin);
-  if (resting_->weightsAt(place, scratch.weight)) holdPatches(shape, scratch, forkJoin);
+  target_.at(t, frames, mean, scratch.target, scratch.body);
+  this->place(place, frames, mean, scratch.target, shape);
+  const bool holds = resting_->weightsAt(place, scratch.weight);
+  bool anchored = hold_ == Hold::Anchored;
+  if (anchored) pullsTo(shape, scratch.target, anchor_, place.within(), scratch.pulls);
+  if (anchored && (!holds || resting_->response().empty())) {
+    system_->addSolved(scratch.pulls, shape, scratch.solve, forkJoin);
+    anchored = false;
+  }
+  if (holds) holdPatches(anchored, shape, scratch, forkJoin);
 }
 
-void HeldMotion::anchor(double share, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {
-  scratch.vector.assign(system_->size(), 0.0);
-  scatterWay(shape, scratch.target, anchor_, share, system_->slot(), scratch.vector);
-  system_->solve(scratch.vector, scratch.solve, forkJoin);
-  addGathered(scratch.vector, system_->slot(), shape);
-}
-
-void HeldMotion::holdPatches(Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {
-  const std::vector<int>& handleOf = resting_->handleOf();
-  const std::vector<double>& share = resting_->share();
+// anchored: whether what draws the vertices to their paths is in scratch.pulls still: one solve does for both.
+void HeldMotion::holdPatches(bool anchored, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {
   std::vector<Vec3>& pull = scratch.pull;
-  pull.assign(resting_->count(), Vec3::Zero());
-  addMeans(handleOf, share, shape, pull);
-  for (Vec3& p : pull) p = -p;
-  addMeans(handleOf, share, scratch.target, pull);
+  resting_->meanWays(shape, scratch.target, pull);
+  const std::vector<float>& response = resting_->response();
+  if (anchored) takeResponse(response, scratch.pulls, pull);
   for (std::size_t h = 0; h < pull.size(); ++h) pull[h] *= scratch.weight[h];
   resting_->pull(pull);
-  scratch.vector.assign(system_->size(), 0.0);
-  for (std::size_t v = 0; v < shape.size(); ++v)
-    for (int k = 0; k < 3 && handleOf[v] >= 0; ++k)
-      scratch.vector[system_->at(v) + k] = share[v] * pull[handleOf[v]][k];
-  system_->solve(scratch.vector, scratch.solve, forkJoin);
-  addGathered(scratch.vector, system_->slot(), shape);
+  if (!anchored && !response.empty()) return addResponse(response, pull, shape);
+  if (!anchored) scratch.pulls.assign(shape.size(), Vec3::Zero());
+  resting_->addTo(scratch.pulls, pull);
+  system_->addSolved(scratch.pulls, shape, scratch.solve, forkJoin);
 }
 
 }  // namespace shapespline

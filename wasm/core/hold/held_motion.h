@@ -28,8 +28,8 @@ class HeldMotion {
                                                           const HeldMotion* before);
 
   struct Scratch {
-    Positions target, body;
-    std::vector<double> vector, weight;
+    Positions target, body, pulls;
+    std::vector<double> weight;
     std::vector<Vec3> pull;
     HoldSystem::Scratch solve;
   };
@@ -40,25 +40,18 @@ class HeldMotion {
              ForkJoin* forkJoin) const;
 
  private:
-  struct Placement {
-    Mat3 turn;
-    Vec3 move;
-  };
-
   HeldMotion(const HoldInput& input, const Curve& curve, Hold hold);
   void findResting(const HoldInput& input);
   std::vector<double> anchorWeights(const HoldMesh& mesh) const;
-  double placementShare(const SpanPlace& place, const Mat3& frameSum, const Mat3& mean) const;
-  Placement place(const FitSums& sums, double share) const;
-  void anchor(double share, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
-  void holdPatches(Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
+  void place(const SpanPlace& place, const std::vector<Quaternion>& frames, const Vec3& mean, const Positions& target,
+             Positions& shape) const;
+  void holdPatches(bool anchored, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
 
   Hold hold_;
-  KeyTurns turns_;
   RestTarget target_;
-  std::vector<double> area_;    // of each vertex
-  std::vector<double> placed_;  // share of each span
-  std::vector<double> anchor_;  // of each vertex; with Hold::Anchored
+  std::vector<double> area_;                 // of each vertex
+  std::vector<std::vector<double>> placed_;  // of each body, share of each span
+  std::vector<double> anchor_;               // of each vertex; with Hold::Anchored
   std::shared_ptr<const HoldSystem> system_;
   std::shared_ptr<const RestingPatches> resting_;
 };

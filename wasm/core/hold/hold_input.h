@@ -14,7 +14,6 @@ struct HoldInput {
   HoldMesh mesh;
   const std::vector<int>& patchOfFace;                   ///< -1 without area
   const std::vector<std::vector<Quaternion>>& rotation;  ///< rotation[column][frame]
-  const std::vector<Vec3>& meanPosition;                 ///< one per column
   Precision precision;
 };
 

@@ -1,5 +1,7 @@
 #include "core/hold/hold_passes.h"
 
+#include "core/base/simd.h"
+
 namespace shapespline {
 
 void pathPositions(const PathEnd& from, const PathEnd& to, const PathWeights& w, Positions& positions) {
@@ -16,47 +18,73 @@ void pathPositions(const PathEnd& from, const PathEnd& to, const PathWeights& w,
   }
 }
 
-FitSums fitSums(const std::vector<double>& area, const Vec3& origin, const Positions& from, const Positions& to) {
+FitSums fitSums(const std::vector<double>& area, const Vec3& origin, const std::vector<int>& vertices,
+                const Positions& from, const Positions& to) {
   FitSums sums;
-  for (std::size_t v = 0; v < from.size(); ++v) {
+  double whole = 0;
+  for (const int v : vertices) {
     const Vec3 a = area[v] * (from[v] - origin), b = to[v] - origin;
+    whole += area[v];
     sums.from += a;
     sums.to += area[v] * b;
     sums.covariance.noalias() += b * a.transpose();
   }
-  sums.covariance -= sums.to * sums.from.transpose();
-  sums.from += origin;
-  sums.to += origin;
+  sums.covariance -= sums.to * sums.from.transpose() / whole;
+  sums.from = sums.from / whole + origin;
+  sums.to = sums.to / whole + origin;
   return sums;
 }
 
-void blendWithBody(double share, const Mat3& turn, const Vec3& mean, const Positions& body, Positions& target) {
-  for (std::size_t v = 0; v < target.size(); ++v) {
-    const Vec3 moved = turn * body[v] + mean;
-    target[v] = share * target[v] + (1 - share) * moved;
+void blendWithBody(double share, const Mat3& turn, const Vec3& mean, const Positions& body,
+                   const std::vector<int>& vertices, Positions& target) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3 moved = turn * body[i] + mean;
+    target[vertices[i]] = share * target[vertices[i]] + (1 - share) * moved;
   }
 }
 
-void moveRigidly(const Mat3& turn, const Vec3& move, Positions& positions) {
-  for (Vec3& p : positions) p = (turn * p + move).eval();
+void moveRigidly(const Mat3& turn, const Vec3& move, const std::vector<int>& vertices, Positions& positions) {
+  for (const int v : vertices) positions[v] = (turn * positions[v] + move).eval();
 }
 
-void addMeans(const std::vector<int>& handleOf, const std::vector<double>& share, const Positions& positions,
-              std::vector<Vec3>& means) {
-  for (std::size_t v = 0; v < positions.size(); ++v)
-    if (handleOf[v] >= 0) means[handleOf[v]] += share[v] * positions[v];
+void moveBy(const Vec3& move, Positions& positions) {
+  for (Vec3& p : positions) p += move;
 }
 
-void scatterWay(const Positions& from, const Positions& to, const std::vector<double>& weight, double share,
-                const std::vector<int>& slot, std::vector<double>& xyzp) {
-  for (std::size_t v = 0; v < from.size(); ++v)
-    for (int k = 0; k < 3; ++k)
-      xyzp[4 * static_cast<std::size_t>(slot[v]) + k] = share * weight[v] * (to[v][k] - from[v][k]);
+void pullsTo(const Positions& from, const Positions& to, const std::vector<double>& weight, double share,
+             Positions& pull) {
+  pull.resize(from.size());
+  for (std::size_t v = 0; v < from.size(); ++v) pull[v] = share * weight[v] * (to[v] - from[v]);
 }
 
-void addGathered(const std::vector<double>& xyzp, const std::vector<int>& slot, Positions& positions) {
-  for (std::size_t v = 0; v < positions.size(); ++v)
-    for (int k = 0; k < 3; ++k) positions[v][k] += xyzp[4 * static_cast<std::size_t>(slot[v]) + k];
+void takeResponse(const std::vector<float>& response, const Positions& pull, std::vector<Vec3>& left) {
+  std::vector<Float4> sum(left.size(), Float4::zero());
+  const float* row = response.data();
+  for (const Vec3& p : pull) {
+    const float at[4] = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]), 0};
+    for (Float4& h : sum) h = h + Float4::loadSplat(row++) * Float4::load(at);
+  }
+  for (std::size_t h = 0; h < left.size(); ++h) {
+    float at[4];
+    sum[h].store(at);
+    left[h] -= Vec3(at[0], at[1], at[2]);
+  }
+}
+
+void addResponse(const std::vector<float>& response, const std::vector<Vec3>& pull, Positions& positions) {
+  std::vector<Float4> pulls;
+  for (const Vec3& p : pull) {
+    const float at[4] = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]), 0};
+    pulls.push_back(Float4::load(at));
+  }
+  const float* row = response.data();
+  for (Vec3& p : positions) {
+    Float4 sum = Float4::zero();
+    for (const Float4& h : pulls) sum = sum + Float4::loadSplat(row++) * h;
+    float at[4];
+    sum.store(at);
+    p += Vec3(at[0], at[1], at[2]);
+  }
 }
 
 void readPlaces(const std::vector<float>& xyzp, const std::vector<int>& slot, const Vec3& move, Positions& positions) {
@@ -65,20 +93,22 @@ void readPlaces(const std::vector<float>& xyzp, const std::vector<int>& slot, co
     for (int k = 0; k < 3; ++k) positions[v][k] = xyzp[4 * static_cast<std::size_t>(slot[v]) + k] + move[k];
 }
 
-void writePlaces(const Positions& positions, const std::vector<int>& slot, const Vec3& move, std::vector<float>& xyzp) {
+template <class Real>
+void addPlaces(const std::vector<Real>& xyzp, const std::vector<int>& slot, Positions& positions) {
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    for (int k = 0; k < 3; ++k) positions[v][k] += xyzp[4 * static_cast<std::size_t>(slot[v]) + k];
+}
+
+template <class Real>
+void writePlaces(const Positions& positions, const std::vector<int>& slot, const Vec3& move, std::vector<Real>& xyzp) {
   for (std::size_t v = 0; v < positions.size(); ++v)
     for (int k = 0; k < 3; ++k)
-      xyzp[4 * static_cast<std::size_t>(slot[v]) + k] = static_cast<float>(positions[v][k] - move[k]);
+      xyzp[4 * static_cast<std::size_t>(slot[v]) + k] = static_cast<Real>(positions[v][k] - move[k]);
 }
 
-void toSingle(const std::vector<double>& from, std::vector<float>& to) {
-  to.resize(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i) to[i] = static_cast<float>(from[i]);
-}
-
-void toDouble(const std::vector<float>& from, std::vector<double>& to) {
-  to.resize(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i) to[i] = from[i];
-}
+template void addPlaces(const std::vector<float>&, const std::vector<int>&, Positions&);
+template void addPlaces(const std::vector<double>&, const std::vector<int>&, Positions&);
+template void writePlaces(const Positions&, const std::vector<int>&, const Vec3&, std::vector<float>&);
+template void writePlaces(const Positions&, const std::vector<int>&, const Vec3&, std::vector<double>&);
 
 }  // namespace shapespline

@@ -21,32 +21,37 @@ struct PathEnd {
 
 void pathPositions(const PathEnd& from, const PathEnd& to, const PathWeights& weights, Positions& positions);
 
-/// Sums over all vertices, by their areas; the covariance about `origin`.
+/// Means over some vertices, by their areas; the covariance about these.
 struct FitSums {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
   Mat3 covariance = Mat3::Zero();
 };
-FitSums fitSums(const std::vector<double>& area, const Vec3& origin, const Positions& from, const Positions& to);
+/// origin: near them, so that little is lost.
+FitSums fitSums(const std::vector<double>& area, const Vec3& origin, const std::vector<int>& vertices,
+                const Positions& from, const Positions& to);
 
-/// target <- share * target + (1 - share) * (turn * body + mean)
-void blendWithBody(double share, const Mat3& turn, const Vec3& mean, const Positions& body, Positions& target);
+/// target <- share * target + (1 - share) * (turn * body + mean); body: of `vertices` of the target.
+void blendWithBody(double share, const Mat3& turn, const Vec3& mean, const Positions& body,
+                   const std::vector<int>& vertices, Positions& target);
 
 /// p <- turn * p + move
-void moveRigidly(const Mat3& turn, const Vec3& move, Positions& positions);
+void moveRigidly(const Mat3& turn, const Vec3& move, const std::vector<int>& vertices, Positions& positions);
+void moveBy(const Vec3& move, Positions& positions);
 
-/// Adds share * position to the mean of each vertex's handle.
-void addMeans(const std::vector<int>& handleOf, const std::vector<double>& share, const Positions& positions,
-              std::vector<Vec3>& means);
+/// share * weight * (to - from)
+void pullsTo(const Positions& from, const Positions& to, const std::vector<double>& weight, double share,
+             Positions& pull);
 
-/// share * weight * (to - from), as (x, y, z, pad) at `slot`.
-void scatterWay(const Positions& from, const Positions& to, const std::vector<double>& weight, double share,
-                const std::vector<int>& slot, std::vector<double>& xyzp);
-/// Between such vectors and positions.
-void addGathered(const std::vector<double>& xyzp, const std::vector<int>& slot, Positions& positions);
+/// How pulls at all vertices move some handles, or theirs all vertices: `handles` numbers for each vertex.
+/// Takes what the handles are moved by away from `left`.
+void takeResponse(const std::vector<float>& response, const Positions& pull, std::vector<Vec3>& left);
+void addResponse(const std::vector<float>& response, const std::vector<Vec3>& pull, Positions& positions);
+
+/// Between positions and (x, y, z, pad) at `slot`.
 void readPlaces(const std::vector<float>& xyzp, const std::vector<int>& slot, const Vec3& move, Positions& positions);
-void writePlaces(const Positions& positions, const std::vector<int>& slot, const Vec3& move, std::vector<float>& xyzp);
-
-void toSingle(const std::vector<double>& from, std::vector<float>& to);
-void toDouble(const std::vector<float>& from, std::vector<double>& to);
+template <class Real>
+void addPlaces(const std::vector<Real>& xyzp, const std::vector<int>& slot, Positions& positions);
+template <class Real>
+void writePlaces(const Positions& positions, const std::vector<int>& slot, const Vec3& move, std::vector<Real>& xyzp);
 
 }  // namespace shapespline

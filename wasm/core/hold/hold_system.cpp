@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/centroid.h"
+#include "core/hold/bodies.h"
 #include "core/hold/hold_passes.h"
 #include "core/mesh/triangle.h"
 
@@ -34,11 +36,13 @@ void addFaces(const HoldMesh& mesh, Stiffness& k) {
 
 void addJoints(const HoldMesh& mesh, Stiffness& k) {
   const std::vector<double> own = k.diagonal;
-  for (const ComponentPlace& place : mesh.places)
+  for (const ComponentPlace& place : mesh.places) {
+    if (!staysJoined(mesh, place)) continue;
     for (int c = 0; c < 3; ++c) {
       const int i = mesh.shape.faces[place.anchorFace][c], j = mesh.shape.faces[place.contactFace][c];
       k.addSpring(i, j, jointStiffness * (own[i] + own[j]));
     }
+  }
   for (const LooseVertex& loose : mesh.loose)
     for (const int v : mesh.shape.faces[loose.anchorFace]) k.addSpring(v, loose.vertex, looseStiffness * own[v]);
 }
@@ -51,6 +55,13 @@ Stiffness stiffnessOf(const HoldMesh& mesh) {
 }
 
 }  // namespace
+
+double sizeOf(const Positions& positions) {
+  const Vec3 centre = centroidOf(positions);
+  double farthest = 0;
+  for (const Vec3& p : positions) farthest = std::max(farthest, (p - centre).norm());
+  return 2 * farthest;
+}
 
 double sideStiffness(const HoldMesh& mesh, std::size_t face, int c) {
   const Positions& p = mesh.shape.poses[mesh.shape.reference];
@@ -96,11 +107,17 @@ Result<HoldSystem> HoldSystem::create(const HoldMesh& mesh, std::span<const doub
   return system;
 }
 
-void HoldSystem::solve(std::vector<double>& x, Scratch& scratch, ForkJoin* forkJoin) const {
-  if (precision_ == Precision::Double) return solver_.solve(x.data(), forkJoin);
-  toSingle(x, scratch.single);
-  solver_.solve(scratch.single.data(), forkJoin);
-  toDouble(scratch.single, x);
+template <class Real>
+void HoldSystem::addSolvedIn(std::vector<Real>& x, const Positions& pull, Positions& shape, ForkJoin* forkJoin) const {
+  x.assign(4 * static_cast<std::size_t>(solver_.paddedSize()), Real(0));
+  writePlaces(pull, slot_, Vec3::Zero(), x);
+  solver_.solve(x.data(), forkJoin);
+  addPlaces(x, slot_, shape);
+}
+
+void HoldSystem::addSolved(const Positions& pull, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {
+  if (precision_ == Precision::Double) addSolvedIn(scratch.whole, pull, shape, forkJoin);
+  else addSolvedIn(scratch.single, pull, shape, forkJoin);
 }
 
 }  // namespace shapespline

@@ -19,6 +19,10 @@ struct HoldMesh {
   std::span<const LooseVertex> loose;
 };
 
+/// Twice the distance of the farthest position from the centroid: the same whichever way the shape is turned, which the
+/// diagonal of its box is not.
+double sizeOf(const Positions& positions);
+
 /// Of each face in the reference pose, as a share of the whole; 0 without area.
 std::vector<double> faceAreas(const HoldMesh& mesh);
 
@@ -37,20 +41,18 @@ class HoldSystem {
   /// weight: of each vertex, not negative. Error: that of the solver.
   static Result<HoldSystem> create(const HoldMesh& mesh, std::span<const double> weight, Precision precision);
 
-  /// Where the (x, y, z, pad) of a vertex begin in the vectors of solve().
-  std::size_t at(std::size_t v) const { return 4 * static_cast<std::size_t>(slot_[v]); }
-  std::size_t size() const { return 4 * static_cast<std::size_t>(solver_.paddedSize()); }
-
   struct Scratch {
     std::vector<float> single;
+    std::vector<double> whole;
   };
-  const std::vector<int>& slot() const { return slot_; }
 
-  /// In place; size() numbers.
-  void solve(std::vector<double>& x, Scratch& scratch, ForkJoin* forkJoin) const;
+  /// Moves the vertices of a shape by the displacements that belong to a pull at each of them.
+  void addSolved(const Positions& pull, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
 
  private:
   HoldSystem() = default;
+  template <class Real>
+  void addSolvedIn(std::vector<Real>& x, const Positions& pull, Positions& shape, ForkJoin* forkJoin) const;
 
   Cholesky solver_;
   Precision precision_ = Precision::Single;

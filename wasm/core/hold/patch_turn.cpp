@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/compressed_rows.h"
 #include "core/hold/fade.h"
 #include "core/rotation/rotation.h"
 
@@ -11,70 +12,79 @@ namespace shapespline {
 namespace {
 
 // A solve without turns takes part of the way that patches would turn: so many times that, and never further than the
-// most. A patch that seems to turn nearly half around says nothing.
-constexpr double further = 3, mostTurn = 1.6, hardlyMeant = 1, notMeant = 2.6;  // radians
-// Keeps a patch that is a line from spinning about itself, as a share of its size.
-constexpr double patchInertia = 1e-3;
+// most.
+constexpr double further = 3, mostTurn = 1.6;  // radians
 
-// What is left of a patch that is crushed says nothing either: of its extent in two directions, over what it was.
+// What is left of a patch that is crushed says nothing: of its extent in two directions, over what it was.
 constexpr double crushed = 0.2, whole = 1;
 
 double extent(const Mat3& m) { return (m.trace() * m.trace() - m.squaredNorm()) / 2; }
 
-Mat3 furtherTurn(const Mat3& moved, const Mat3& before) {
-  const Mat3 found = projectToRotation(moved + patchInertia * moved.norm() * Mat3::Identity());
-  const Vec3 turn = logRotation(found);
-  const double angle = turn.norm(), most = mostTurn / further;
-  const double was = std::max(extent(before), 1e-300);
-  const double meant =
-      fade(extent(found.transpose() * moved), crushed * was, whole * was) * (1 - fade(angle, hardlyMeant, notMeant));
-  return expRotation(meant * further / std::sqrt(1 + angle * angle / (most * most)) * turn);
+// planes: of a patch (pull_modes.h), gradient: of what moves it, seen from it. The turn that leaves least of that to
+// shear, to first order: its sine where the patch turns far.
+Mat3 furtherTurn(const Mat3& planes, const Mat3& gradient) {
+  const Vec3 curl(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1));
+  const Mat3 stiff = planes.trace() * Mat3::Identity() - planes;
+  const Vec3 across = stiff.col(1).cross(stiff.col(2));
+  const Vec3 turn =
+      (curl.x() * across + curl.y() * stiff.col(2).cross(stiff.col(0)) + curl.z() * stiff.col(0).cross(stiff.col(1))) /
+      across.dot(stiff.col(0));
+  const double most = mostTurn / further, was = extent(planes);
+  const Mat3 left = expRotation(-turn) * (planes + gradient);
+  const double meant = fade(extent(left), crushed * was, whole * was);
+  return expRotation(meant * further / std::sqrt(1 + turn.squaredNorm() / (most * most)) * turn);
 }
 
 }  // namespace
 
-PatchTurn::PatchTurn(const HoldMesh& mesh, const std::vector<int>& patchOfFace)
-    : faces_(mesh.shape.faces), patchOf_(patchOfFace) {
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    std::array<float, 3>& side = stiffness_.emplace_back();
-    if (mesh.frameOf[f] < 0) patchOf_[f] = -1;
-    if (patchOf_[f] < 0) continue;
-    patches_ = std::max(patches_, patchOf_[f] + 1);
-    for (int c = 0; c < 3; ++c) side[c] = static_cast<float>(sideStiffness(mesh, f, c));
-  }
-}
-
-// Sum of area times gradient of `pulled` times that of `shape`, transposed, over each patch: what turns best.
-void PatchTurn::findTurns(const Positions& shape, const Positions& pulled, Scratch& turn) const {
-  turn.assign(2 * static_cast<std::size_t>(patches_), Mat3::Zero());  // and those of `shape` itself
-  for (std::size_t f = 0; f < patchOf_.size(); ++f) {
-    if (patchOf_[f] < 0) continue;
-    const Triangle& t = faces_[f];
-    for (int c = 0; c < 3; ++c) {
-      const int i = t[(c + 1) % 3], j = t[(c + 2) % 3];
-      const Vec3 from = static_cast<double>(stiffness_[f][c]) * (shape[i] - shape[j]);
-      turn[patchOf_[f]].noalias() += (pulled[i] - pulled[j]) * from.transpose();
-      turn[patches_ + patchOf_[f]].noalias() += (shape[i] - shape[j]) * from.transpose();
-    }
-  }
-  for (int p = 0; p < patches_; ++p) turn[p] = furtherTurn(turn[p], turn[patches_ + p]) - Mat3::Identity();
-}
-
-void PatchTurn::addTo(const Positions& shape, const Positions& pulled, const std::vector<int>& slot, Scratch& turn,
-                      std::vector<double>& xyzp) const {
-  findTurns(shape, pulled, turn);
-  for (std::size_t f = 0; f < patchOf_.size(); ++f) {
-    if (patchOf_[f] < 0) continue;
-    const Triangle& t = faces_[f];
-    for (int c = 0; c < 3; ++c) {
-      const int i = t[(c + 1) % 3], j = t[(c + 2) % 3];
-      const Vec3 pull = static_cast<double>(stiffness_[f][c]) * (turn[patchOf_[f]] * (shape[i] - shape[j]));
-      for (int k = 0; k < 3; ++k) {
-        xyzp[4 * static_cast<std::size_t>(slot[i]) + k] += pull[k];
-        xyzp[4 * static_cast<std::size_t>(slot[j]) + k] -= pull[k];
+PatchTurn::PatchTurn(const HoldInput& input, const PullModes& modes) {
+  const std::vector<double> area = faceAreas(input.mesh);
+  const std::size_t frames = input.rotation.front().size();
+  patchOfFrame_.assign(frames, -1);
+  frameShare_.assign(frames, 0.0);
+  std::vector<double> patchArea(modes.planes().size(), 0.0);
+  for (std::size_t f = 0; f < area.size(); ++f)
+    if (const int frame = input.mesh.frameOf[f], patch = input.patchOfFace[f]; frame >= 0 && patch >= 0)
+      patchOfFrame_[frame] = patch, frameShare_[frame] += area[f], patchArea[patch] += area[f];
+  for (std::size_t k = 0; k < frames; ++k)
+    if (patchOfFrame_[k] >= 0) frameShare_[k] /= patchArea[patchOfFrame_[k]];
+  const WeldedShape& shape = input.mesh.shape;
+  const Positions& p = shape.poses[shape.reference];
+  const CompressedRows<std::size_t> facesOf = compressedRows<std::size_t>(shape.vertexCount(), [&](auto add) {
+    for (std::size_t f = 0; f < shape.faces.size(); ++f)
+      for (int c = 0; c < 3 && input.mesh.frameOf[f] >= 0; ++c) add(shape.faces[f][c], f);
+  });
+  for (int v = 0; v < facesOf.count(); ++v) {
+    const std::size_t first = pulls_.size();
+    for (const std::size_t f : facesOf.of(v)) {
+      const int patch = input.patchOfFace[f];
+      if (patch < 0 || modes.hardlyTurns(patch)) continue;
+      std::size_t at = first;
+      while (at < pulls_.size() && pulls_[at].patch != patch) ++at;
+      if (at == pulls_.size()) pulls_.push_back({v, patch, {}});
+      for (int c = 0; c < 3; ++c) {
+        const int i = shape.faces[f][(c + 1) % 3], j = shape.faces[f][(c + 2) % 3];
+        if (i != v && j != v) continue;
+        const Vec3 pull = sideStiffness(input.mesh, f, c) * (p[v] - p[i == v ? j : i]);
+        for (int k = 0; k < 3; ++k) pulls_[at].at[k] += static_cast<float>(pull[k]);
       }
     }
   }
+}
+
+// A patch is taken for what it is in the reference pose, turned as its frames are in the mean.
+void PatchTurn::find(const PullModes& modes, const std::vector<Vec3>& mode, const std::vector<Quaternion>& frames,
+                     std::vector<Mat3>& turn) const {
+  turn.assign(modes.planes().size(), Mat3::Zero());
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    if (patchOfFrame_[k] >= 0) turn[patchOfFrame_[k]] += frameShare_[k] * frames[k].toRotationMatrix();
+  for (std::size_t p = 0; p < turn.size(); ++p)
+    if (!modes.hardlyTurns(p))
+      turn[p] *= furtherTurn(modes.planes()[p], turn[p].transpose() * modes.gradient(p, mode)) - Mat3::Identity();
+}
+
+void PatchTurn::addTo(Positions& pulls, const std::vector<Mat3>& turn) const {
+  for (const Pull& pull : pulls_) pulls[pull.vertex] += turn[pull.patch] * Vec3(pull.at[0], pull.at[1], pull.at[2]);
 }
 
 }  // namespace shapespline

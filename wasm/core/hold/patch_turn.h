@@ -1,10 +1,9 @@
 // How patches turn when a shape is pulled, and what turns them further: a limb bends then instead of shearing.
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "core/hold/hold_system.h"
+#include "core/hold/pull_modes.h"
 
 namespace shapespline {
 
@@ -12,23 +11,27 @@ namespace shapespline {
 /// vertex, over-relaxed. Immutable.
 class PatchTurn {
  public:
-  /// patchOfFace: -1 without area. The faces must outlive it.
-  PatchTurn(const HoldMesh& mesh, const std::vector<int>& patchOfFace);
+  /// modes: of what pulls; patches that these hardly turn are left as they are.
+  PatchTurn(const HoldInput& input, const PullModes& modes);
 
-  using Scratch = std::vector<Mat3>;
+  /// What each patch is to be turned by besides, less the identity, after it has turned as it is. frames: of the shape
+  /// before it was pulled; mode: of the pull.
+  void find(const PullModes& modes, const std::vector<Vec3>& mode, const std::vector<Quaternion>& frames,
+            std::vector<Mat3>& turn) const;
 
-  /// Adds what pulls the vertices of `shape` so that its patches turn as far as they did on the way to `pulled`, and
-  /// further, to a right-hand side of the hold system. Nothing where nothing was pulled.
-  void addTo(const Positions& shape, const Positions& pulled, const std::vector<int>& slot, Scratch& turn,
-             std::vector<double>& xyzp) const;
+  /// Adds what pulls each vertex so that its patches turn.
+  void addTo(Positions& pulls, const std::vector<Mat3>& turn) const;
 
  private:
-  void findTurns(const Positions& shape, const Positions& pulled, Scratch& turn) const;
+  // What holds a vertex in its patch in the reference pose, where the patch ends or is curved.
+  struct Pull {
+    int vertex, patch;
+    float at[3];
+  };
 
-  const std::vector<Triangle>& faces_;
-  std::vector<int> patchOf_;
-  int patches_ = 0;
-  std::vector<std::array<float, 3>> stiffness_;  // of the side opposite each corner
+  std::vector<int> patchOfFrame_;
+  std::vector<double> frameShare_;  // in its patch
+  std::vector<Pull> pulls_;         // by vertex
 };
 
 }  // namespace shapespline

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/centroid.h"
 #include "core/mesh/mesh.h"
 
 namespace shapespline {
@@ -34,14 +33,6 @@ std::vector<char> inBallAround(const WeldedShape& shape, int vertex, double radi
       for (const int v : shape.faces[f])
         if (!in[v] && (p[v] - p[vertex]).norm() <= radius) in[v] = 1, found.push_back(v);
   return in;
-}
-
-// The same whichever way the shape is turned, which the diagonal of its box is not.
-double sizeOf(const Positions& positions) {
-  const Vec3 centre = centroidOf(positions);
-  double farthest = 0;
-  for (const Vec3& p : positions) farthest = std::max(farthest, (p - centre).norm());
-  return 2 * farthest;
 }
 
 }  // namespace

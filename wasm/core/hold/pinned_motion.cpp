@@ -20,10 +20,9 @@ double medianOf(const std::vector<double>& values) {
   return values[order[order.size() / 2]];
 }
 
-template <class Held>
-std::vector<int> verticesIn(const std::vector<Held>& held) {
+std::vector<int> verticesIn(const std::vector<HeldVertex>& held) {
   std::vector<int> vertices;
-  for (const Held& h : held) vertices.push_back(h.vertex);
+  for (const HeldVertex& h : held) vertices.push_back(h.vertex);
   return vertices;
 }
 
@@ -40,26 +39,25 @@ Result<std::shared_ptr<const PinnedMotion>> PinnedMotion::create(const HoldInput
     pinned->path_.push_back(std::move(*path));
   }
   if (before && before->held_ == pinned->held_) {
-    pinned->system_ = before->system_;
-    pinned->patches_ = before->patches_;
+    pinned->pull_ = before->pull_;
     return std::shared_ptr<const PinnedMotion>(std::move(pinned));
   }
   std::vector<double> weight = vertexAreas(input.mesh);
   for (double& w : weight) w *= bodyWeight;
-  for (const Held& h : pinned->held_) weight[h.vertex] += h.weight;
+  for (const HeldVertex& h : pinned->held_) weight[h.vertex] += h.weight;
   auto system = HoldSystem::create(input.mesh, weight, input.precision);
   if (!system) return system.error();
-  pinned->system_ = std::make_shared<const HoldSystem>(std::move(*system));
-  pinned->patches_ = std::make_shared<const PatchTurn>(input.mesh, input.patchOfFace);
+  PullModes modes(input, *system, pinned->held_, static_cast<int>(pins.size()));
+  PatchTurn patches(input, modes);
+  pinned->pull_ = std::make_shared<const Pull>(std::move(*system), std::move(modes), std::move(patches));
   return std::shared_ptr<const PinnedMotion>(std::move(pinned));
 }
 
-PinnedMotion::PinnedMotion(const HoldInput& input, const Curve& curve, std::vector<Held> held,
+PinnedMotion::PinnedMotion(const HoldInput& input, const Curve& curve, std::vector<HeldVertex> held,
                            const std::vector<Pin>& pins)
     : held_(std::move(held)),
       vertices_(verticesIn(held_)),
-      turns_(input, curve),
-      target_(input, curve, turns_, &vertices_),
+      target_(input, curve, &vertices_),
       period_(curve.end() - curve.start()) {
   if (curve.closesOnLastKey()) closing_ = input.mesh.shape.closing;
   for (const Pin& pin : pins) {
@@ -78,12 +76,12 @@ RigidMotion PinnedMotion::wayOf(const Stay& stay, double t) const {
 }
 
 // Each vertex is held as firmly as its neighbours hold it, by its share in the area.
-std::vector<PinnedMotion::Held> PinnedMotion::heldVertices(const HoldInput& input, const std::vector<Pin>& pins,
-                                                           const std::vector<int>& weldedOf) {
+std::vector<HeldVertex> PinnedMotion::heldVertices(const HoldInput& input, const std::vector<Pin>& pins,
+                                                   const std::vector<int>& weldedOf) {
   const std::vector<double> area = vertexAreas(input.mesh);
   const double firm = medianOf(stiffnessDiagonal(input.mesh)) * static_cast<double>(area.size());
   std::vector<char> taken(area.size(), 0);
-  std::vector<Held> held;
+  std::vector<HeldVertex> held;
   for (std::size_t pin = 0; pin < pins.size(); ++pin)
     for (const int v : pinnedVertices(input, weldedOf[pins[pin].vertex], pins[pin].radius)) {
       if (taken[v]) continue;
@@ -95,7 +93,7 @@ std::vector<PinnedMotion::Held> PinnedMotion::heldVertices(const HoldInput& inpu
 
 std::vector<int> PinnedMotion::verticesOf(int pin) const {
   std::vector<int> vertices;
-  for (const Held& h : held_)
+  for (const HeldVertex& h : held_)
     if (h.pin == pin) vertices.push_back(h.vertex);
   return vertices;
 }
@@ -105,42 +103,32 @@ void PinnedMotion::apply(double t, const std::vector<Quaternion>& frames, const 
   const SpanPlace place = target_.path().placeOf(t);
   if (place.beyond >= 1) return;
   findWay(t, place, frames, mean, shape, scratch);
-  scratch.vector.assign(system_->size(), 0.0);
-  scatterPull(scratch);
-  system_->solve(scratch.vector, scratch.solve, forkJoin);
-  scratch.pulled = shape;
-  addGathered(scratch.vector, system_->slot(), scratch.pulled);
-  // What is left of the way pulls, too.
+  const auto& [system, modes, patches] = *pull_;
+  modes.fit(scratch.way, scratch.mode);
+  patches.find(modes, scratch.mode, frames, scratch.turn);
+  scratch.pulls.assign(shape.size(), Vec3::Zero());
+  // What a pull alone would leave of the way pulls, too.
   for (std::size_t i = 0; i < held_.size(); ++i)
-    scratch.way[i] += scratch.way[i] - (scratch.pulled[held_[i].vertex] - shape[held_[i].vertex]);
-  scratch.vector.assign(system_->size(), 0.0);
-  scatterPull(scratch);
-  patches_->addTo(shape, scratch.pulled, system_->slot(), scratch.turn, scratch.vector);
-  system_->solve(scratch.vector, scratch.solve, forkJoin);
-  addGathered(scratch.vector, system_->slot(), shape);
+    scratch.pulls[held_[i].vertex] = held_[i].weight * (2 * scratch.way[i] - modes.moved(i, scratch.mode));
+  patches.addTo(scratch.pulls, scratch.turn);
+  system.addSolved(scratch.pulls, shape, scratch.solve, forkJoin);
 }
 
 // From where each held vertex is to where it is wanted.
 void PinnedMotion::findWay(double t, const SpanPlace& place, const std::vector<Quaternion>& frames, const Vec3& mean,
                            const Positions& shape, Scratch& scratch) const {
-  target_.at(t, projectToRotation(turns_.sumOf(frames)), mean, scratch.target, scratch.body);
+  target_.at(t, frames, mean, scratch.target, scratch.body);
   scratch.way.clear();
   std::vector<Vec3> move;
   std::vector<RigidMotion> way;
   for (const auto& path : path_) move.push_back(path ? path->at(t) : Vec3::Zero());
   for (const Stay& stay : stays_) way.push_back(wayOf(stay, t));
   for (std::size_t i = 0; i < held_.size(); ++i) {
-    const Held& h = held_[i];
+    const HeldVertex& h = held_[i];
     const Positions* kept = stays_[h.pin].pose;
     const Vec3 wanted = kept ? way[h.pin]((*kept)[h.vertex]) : scratch.target[i];
     scratch.way.push_back(place.within() * (wanted + move[h.pin] - shape[h.vertex]));
   }
-}
-
-void PinnedMotion::scatterPull(Scratch& scratch) const {
-  for (std::size_t i = 0; i < held_.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      scratch.vector[system_->at(static_cast<std::size_t>(held_[i].vertex)) + k] = held_[i].weight * scratch.way[i][k];
 }
 
 }  // namespace shapespline

@@ -1,5 +1,5 @@
-// A motion whose pins are held: the shape is pulled to where they are wanted, its patches turn along, and it is pulled
-// once more. A fixed number of solves with one factored system: as smooth in time as what pulls.
+// A motion whose pins are held: what patches turn by is foretold from where the pins are wanted, and the shape is
+// pulled there. One solve with a factored system, whatever the time: as smooth as what pulls.
 #pragma once
 
 #include <memory>
@@ -24,9 +24,9 @@ class PinnedMotion {
                                                             const PinnedMotion* before);
 
   struct Scratch {
-    Positions target, body, pulled, way;
-    std::vector<double> vector;
-    PatchTurn::Scratch turn;
+    Positions target, body, way, pulls;
+    std::vector<Vec3> mode;
+    std::vector<Mat3> turn;
     HoldSystem::Scratch solve;
   };
 
@@ -39,11 +39,11 @@ class PinnedMotion {
   std::vector<int> verticesOf(int pin) const;
 
  private:
-  /// One vertex that is held.
-  struct Held {
-    int vertex, pin;
-    double weight;
-    bool operator==(const Held&) const = default;
+  /// What depends on which vertices are held alone.
+  struct Pull {
+    HoldSystem system;
+    PullModes modes;
+    PatchTurn patches;
   };
 
   /// A key whose place is kept. In a loop that ends elsewhere what stays goes with it, evenly.
@@ -52,24 +52,21 @@ class PinnedMotion {
     double time = 0;
   };
 
-  PinnedMotion(const HoldInput& input, const Curve& curve, std::vector<Held> held, const std::vector<Pin>& pins);
+  PinnedMotion(const HoldInput& input, const Curve& curve, std::vector<HeldVertex> held, const std::vector<Pin>& pins);
   RigidMotion wayOf(const Stay& stay, double t) const;
-  static std::vector<Held> heldVertices(const HoldInput& input, const std::vector<Pin>& pins,
-                                        const std::vector<int>& weldedOf);
+  static std::vector<HeldVertex> heldVertices(const HoldInput& input, const std::vector<Pin>& pins,
+                                              const std::vector<int>& weldedOf);
   void findWay(double t, const SpanPlace& place, const std::vector<Quaternion>& frames, const Vec3& mean,
                const Positions& shape, Scratch& scratch) const;
-  void scatterPull(Scratch& scratch) const;
 
-  std::vector<Held> held_;
+  std::vector<HeldVertex> held_;
   std::vector<int> vertices_;
-  KeyTurns turns_;
   RestTarget target_;
   std::vector<Stay> stays_;  // of each pin; without a pose it follows its own splines
   std::optional<RigidMotion> closing_;
   double period_;
   std::vector<std::unique_ptr<const PinPath>> path_;
-  std::shared_ptr<const PatchTurn> patches_;
-  std::shared_ptr<const HoldSystem> system_;
+  std::shared_ptr<const Pull> pull_;
 };
 
 }  // namespace shapespline

@@ -1,8 +1,9 @@
 #include "core/hold/rest_target.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "core/base/centroid.h"
+#include "core/hold/bodies.h"
 #include "core/hold/hold_passes.h"
 
 namespace shapespline {
@@ -22,10 +23,14 @@ Positions picked(const Positions& pose, const std::vector<int>& vertices) {
 
 }  // namespace
 
-KeyTurns::KeyTurns(const HoldInput& input, const Curve& curve) : frameArea(input.rotation.front().size(), 0.0) {
+KeyTurns::KeyTurns(const HoldInput& input, const Curve& curve, const std::vector<int>& bodyOf, int body)
+    : frameArea(input.rotation.front().size(), 0.0) {
   const std::vector<double> faceArea = faceAreas(input.mesh);
-  for (std::size_t f = 0; f < faceArea.size(); ++f)
-    if (input.mesh.frameOf[f] >= 0) frameArea[input.mesh.frameOf[f]] += faceArea[f];
+  for (std::size_t f = 0; f < faceArea.size(); ++f) {
+    const bool in = bodyOf.empty() || bodyOf[input.mesh.shape.faces[f][0]] == body;
+    if (in && input.mesh.frameOf[f] >= 0) frameArea[input.mesh.frameOf[f]] += faceArea[f];
+  }
+  for (const double frame : frameArea) area += frame;
   for (const std::vector<Quaternion>& pose : input.rotation) whole.push_back(projectToRotation(sumOf(pose)));
   std::vector<double> own(frameArea.size(), 0.0);
   double turned = 0, turnedAgainst = 0;
@@ -52,31 +57,53 @@ Mat3 KeyTurns::sumOf(const std::vector<Quaternion>& frames) const {
   return sum;
 }
 
-RestTarget::RestTarget(const HoldInput& input, const Curve& curve, const KeyTurns& turns, const std::vector<int>* only)
-    : deforms_(turns.deforms) {
+RestTarget::RestTarget(const HoldInput& input, const Curve& curve, const std::vector<int>* only) {
   const WeldedShape* shape = &input.mesh.shape;
   const double diagonal = keyDiagonal(*shape);
+  const std::vector<int> bodyOf = only ? std::vector<int>(shape->poses[0].size(), 0) : bodiesOf(input.mesh);
+  for (std::size_t v = 0; v < bodyOf.size(); ++v) {
+    if (bodyOf[v] == static_cast<int>(bodies_.size()))
+      bodies_.emplace_back(new Body{KeyTurns(input, curve, bodyOf, bodyOf[v]), {}});
+    bodies_[bodyOf[v]]->vertices.push_back(static_cast<int>(v));
+  }
+  std::vector<Vec3> mean;
+  for (const std::unique_ptr<Body>& body : bodies_)
+    for (const Positions& pose : shape->poses) mean.push_back(centroidOf(picked(pose, body->vertices)));
   if (only) {
     std::vector<Positions> poses;
     for (const Positions& pose : shape->poses) poses.push_back(picked(pose, *only));
     some_ = shape->withMesh({}, std::move(poses));
     shape = &some_;
+    bodies_[0]->vertices.resize(only->size());  // 0, 1, ...
   }
   path_.emplace(*shape, curve, PathRest{PathRest::WhereStill, diagonal});
-  if (deforms_ >= 1) return;
-  // Every pose seen from the frame of the whole; there no period differs from another.
-  body_ = shape->withMesh({}, shape->poses);
-  body_.closing.reset();
-  for (std::size_t pose = 0; pose < body_.poses.size(); ++pose)
-    for (Vec3& p : body_.poses[pose]) p = turns.whole[pose].transpose() * (p - input.meanPosition[pose]);
-  rigid_.emplace(body_, curve, PathRest{});
+  const Vec3* meanOf = mean.data();
+  for (const std::unique_ptr<Body>& body : bodies_) {
+    const KeyTurns& turns = body->turns;
+    if (turns.deforms < 1) {
+      // Every pose seen from the frame of the body; there no period differs from another.
+      body->shape = shape->withMesh({}, {});
+      body->shape.closing.reset();
+      for (std::size_t pose = 0; pose < shape->poses.size(); ++pose) {
+        Positions& seen = body->shape.poses.emplace_back(picked(shape->poses[pose], body->vertices));
+        for (Vec3& p : seen) p = turns.whole[pose].transpose() * (p - meanOf[pose]);
+      }
+      body->path.emplace(body->shape, curve, PathRest{});
+    }
+    meanOf += shape->poses.size();
+  }
 }
 
-void RestTarget::at(double t, const Mat3& turn, const Vec3& mean, Positions& target, Positions& body) const {
+void RestTarget::at(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& target,
+                    Positions& scratch) const {
   path_->positionsAt(t, target);
-  if (!rigid_) return;
-  rigid_->positionsAt(t, body);
-  blendWithBody(deforms_, turn, mean, body, target);
+  for (const std::unique_ptr<Body>& body : bodies_) {
+    if (!body->path) continue;
+    body->path->positionsAt(t, scratch);
+    const Vec3 own = bodies_.size() > 1 ? centroidOf(picked(target, body->vertices)) : mean;
+    blendWithBody(body->turns.deforms, projectToRotation(body->turns.sumOf(frames)), own, scratch, body->vertices,
+                  target);
+  }
 }
 
 }  // namespace shapespline

@@ -10,6 +10,7 @@ namespace {
 constexpr double restsLittle = 0.1,
                  restsWhole = 0.6;  // mean rest of a patch that is not held yet, and of one that is held whole
 constexpr double softness = 0.1;    // of the mean compliance
+constexpr int mostResponses = 48;   // about what a solve reads for each vertex
 
 // Lower triangular L with L L^T = a, by rows, in place.
 void factorise(std::vector<double>& a, int n) {
@@ -25,7 +26,7 @@ void factorise(std::vector<double>& a, int n) {
 
 RestingPatches::RestingPatches(const VertexPath& path, const HoldSystem& system, const std::vector<int>& patchOf,
                                int patches, const std::vector<double>& area)
-    : handleOf_(patchOf.size(), -1), share_(patchOf.size(), 0.0), loop_(path.loop()), spans_(path.spans()) {
+    : loop_(path.loop()), spans_(path.spans()) {
   std::vector<double> patchArea(patches, 0.0), rest(static_cast<std::size_t>(patches) * spans_, 0.0);
   for (std::size_t v = 0; v < patchOf.size(); ++v) {
     if (patchOf[v] < 0) continue;
@@ -46,23 +47,25 @@ RestingPatches::RestingPatches(const VertexPath& path, const HoldSystem& system,
   }
   for (std::size_t v = 0; v < patchOf.size(); ++v)
     if (patchOf[v] >= 0 && number[patchOf[v]] >= 0)
-      handleOf_[v] = number[patchOf[v]], share_[v] = area[v] / patchArea[patchOf[v]];
-  findCompliance(system);
+      shares_.push_back({static_cast<int>(v), number[patchOf[v]], area[v] / patchArea[patchOf[v]]});
+  findCompliance(system, patchOf.size());
 }
 
 // How far a pull at one handle moves the others, three handles at once.
-void RestingPatches::findCompliance(const HoldSystem& system) {
+void RestingPatches::findCompliance(const HoldSystem& system, std::size_t vertices) {
   factor_.assign(static_cast<std::size_t>(count_) * count_, 0.0);
+  if (count_ <= mostResponses) response_.resize(vertices * count_);
   HoldSystem::Scratch scratch;
-  std::vector<double> x;
   for (int first = 0; first < count_; first += 3) {
-    x.assign(system.size(), 0.0);
-    for (std::size_t v = 0; v < handleOf_.size(); ++v)
-      if (const int k = handleOf_[v] - first; handleOf_[v] >= 0 && k >= 0 && k < 3) x[system.at(v) + k] = share_[v];
-    system.solve(x, scratch, nullptr);
-    for (std::size_t v = 0; v < handleOf_.size(); ++v)
-      for (int k = 0; handleOf_[v] >= 0 && k < std::min(3, count_ - first); ++k)
-        factor_[handleOf_[v] * count_ + first + k] += share_[v] * x[system.at(v) + k];
+    Positions pull(vertices, Vec3::Zero()), moved = pull;
+    const int some = std::min(3, count_ - first);
+    for (const auto& [vertex, handle, share] : shares_)
+      if (handle >= first && handle < first + some) pull[vertex][handle - first] = share;
+    system.addSolved(pull, moved, scratch, nullptr);
+    for (const auto& [vertex, handle, share] : shares_)
+      for (int k = 0; k < some; ++k) factor_[handle * count_ + first + k] += share * moved[vertex][k];
+    for (std::size_t v = 0; v < vertices && !response_.empty(); ++v)
+      for (int k = 0; k < some; ++k) response_[v * count_ + first + k] = static_cast<float>(moved[v][k]);
   }
   double mean = 0;
   for (int h = 0; h < count_; ++h) mean += factor_[h * count_ + h] / count_;
@@ -90,6 +93,15 @@ void RestingPatches::pull(std::vector<Vec3>& left) const {
     for (int k = i + 1; k < n; ++k) left[i] -= factor_[k * n + i] * left[k];
     left[i] /= factor_[i * n + i];
   }
+}
+
+void RestingPatches::meanWays(const Positions& from, const Positions& to, std::vector<Vec3>& way) const {
+  way.assign(count_, Vec3::Zero());
+  for (const auto& [vertex, handle, share] : shares_) way[handle] += share * (to[vertex] - from[vertex]);
+}
+
+void RestingPatches::addTo(Positions& pulls, const std::vector<Vec3>& pull) const {
+  for (const auto& [vertex, handle, share] : shares_) pulls[vertex] += share * pull[handle];
 }
 
 }  // namespace shapespline

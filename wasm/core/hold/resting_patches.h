@@ -15,10 +15,8 @@ class RestingPatches {
   RestingPatches(const VertexPath& path, const HoldSystem& system, const std::vector<int>& patchOf, int patches,
                  const std::vector<double>& area);
 
-  int count() const { return count_; }
-  /// Of each vertex, or -1, and the vertex's share in the handle.
-  const std::vector<int>& handleOf() const { return handleOf_; }
-  const std::vector<double>& share() const { return share_; }
+  /// The mean ways of the vertices of each handle.
+  void meanWays(const Positions& from, const Positions& to, std::vector<Vec3>& way) const;
 
   /// How much each handle holds at a place, in [0, 1]; false where none does.
   bool weightsAt(const SpanPlace& place, std::vector<double>& weight) const;
@@ -27,15 +25,27 @@ class RestingPatches {
   /// `left`.
   void pull(std::vector<Vec3>& left) const;
 
- private:
-  void findCompliance(const HoldSystem& system);
+  /// Adds the handles' pulls to those of their vertices.
+  void addTo(Positions& pulls, const std::vector<Vec3>& pull) const;
 
-  std::vector<int> handleOf_;
-  std::vector<double> share_;
+  /// What each handle's pull moves every vertex by, a row per vertex (hold_passes.h); empty where that is no less work
+  /// than to solve.
+  const std::vector<float>& response() const { return response_; }
+
+ private:
+  // What a handle holds of a vertex.
+  struct Share {
+    int vertex, handle;
+    double share;
+  };
+  void findCompliance(const HoldSystem& system, std::size_t vertices);
+
+  std::vector<Share> shares_;
   bool loop_;
   int spans_;
   std::vector<double> rest_;  // of each handle in each span
   int count_ = 0;
+  std::vector<float> response_;
   std::vector<double> factor_;  // lower Cholesky factor of (handles' compliance + a tenth of its mean), by rows
 };
 

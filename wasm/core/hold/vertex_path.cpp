@@ -12,6 +12,8 @@ namespace {
 // A vertex rests in a span where it moves less than .03 of what it moves in a neighbouring one, and not from .10 on.
 constexpr double atRest = 0.03, inMotion = 0.10;
 constexpr double leastMotion = 1e-4;  // of the diagonal
+// Cosine of the angle from where it is on to that it turns back, and how much slower it may be on one side.
+constexpr double backwards = 0.5, dawdles = 0.1, hurries = 0.3;
 
 RigidMotion motionOf(const WeldedShape& shape, int periods) {
   return shape.closing && periods != 0 ? shape.closing->power(periods) : RigidMotion{};
@@ -79,12 +81,26 @@ void VertexPath::findRest(double diagonal) {
     const auto movedIn = [&](int span) { return span >= 0 && span < count ? moved[span] : 0; };
     for (int s = 0; s < count; ++s) {
       const double around = std::max(movedIn(neighbour(s - 1)), movedIn(neighbour(s + 1)));
-      rest_[s][v] = static_cast<float>(1 - fade(moved[s] / (around + leastMotion * diagonal), atRest, inMotion));
+      rest_[s][v] = static_cast<float>((1 - fade(moved[s] / (around + leastMotion * diagonal), atRest, inMotion)) *
+                                       (1 - turnsBack(v, neighbour(s - 1), neighbour(s + 1))));
     }
     const auto restIn = [&](int span) { return span >= 0 && span < count ? rest_[span][v] : 0; };
     for (int k = 0; k <= count; ++k)
       knotRest_[k][v] = std::max(restIn(loop_ ? neighbour(k - 1) : k - 1), restIn(loop_ ? neighbour(k) % count : k));
   }
+}
+
+// A limb that swings hardly moves between two keys on either side of its turning point, and does not rest there: it
+// goes back as fast as it came.
+double VertexPath::turnsBack(std::size_t v, int before, int after) const {
+  if (before < 0 || after < 0 || before >= spans() || after >= spans()) return 0;
+  const auto speed = [&](int s) -> Vec3 {
+    return ((*knots_[s + 1])[v] - (*knots_[s])[v]) / (spans_[s].end - spans_[s].start);
+  };
+  const Vec3 came = speed(before), goes = speed(after);
+  const double slower = std::min(came.norm(), goes.norm()), faster = std::max(came.norm(), goes.norm());
+  if (!(slower > 0)) return 0;
+  return fade(-came.dot(goes) / (slower * faster), 0, backwards) * fade(slower / faster, dawdles, hurries);
 }
 
 bool VertexPath::hasSpansOf(const VertexPath& other) const {

@@ -34,8 +34,8 @@ class VertexPath {
   /// Whether it runs through the same keys at the same times: of the same shape, the same vertices rest then.
   bool hasSpansOf(const VertexPath& other) const;
 
-  /// How little a vertex moves in a span beside the spans before and after it, in [0, 1]. Speeds are compared, so that
-  /// neither size nor unit of time matter.
+  /// How little a vertex moves in a span beside the spans before and after it, in [0, 1], and not only turns around.
+  /// Speeds are compared, so that neither size nor unit of time matter.
   float rest(int span, std::size_t v) const { return rest_[span][v]; }
 
   /// All vertices at time t: the quintic that has the spline's position at both keys, and there its velocity and
@@ -44,6 +44,7 @@ class VertexPath {
 
  private:
   void findRest(double diagonal);
+  double turnsBack(std::size_t v, int before, int after) const;
 
   std::vector<KeySpan> spans_;
   bool loop_ = false;

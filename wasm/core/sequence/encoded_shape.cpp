@@ -261,7 +261,6 @@ HoldInput EncodedShape::holdInput() const {
     return HoldInput{{*shape_, frames.ofFace, lri.places, lri.loose},
                      patchOfFace_,
                      frames.rotation,
-                     lri.meanPosition,
                      std::is_same_v<Real, float> ? Precision::Single : Precision::Double};
   });
 }

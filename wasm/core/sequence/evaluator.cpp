@@ -31,11 +31,11 @@ void Evaluator::hold(const EncodedShape& encoded, const Motion& motion, double t
   const Vec3 move = motion.loopMove(encoded, point);
   const Vec3 mean = shapespline::blend(encoded.meanPosition(), poseWeights(point, encoded.shape().roles())) + move;
   const bool moved = move != Vec3::Zero();
-  if (moved) moveRigidly(Mat3::Identity(), move, welded_);
+  if (moved) moveBy(move, welded_);
   const double time = motion.curve().wrap(t).time;
   if (motion.held()) motion.held()->apply(time, frames_.rotation, mean, welded_, heldScratch_, forkJoin_);
   if (motion.pinned()) motion.pinned()->apply(time, frames_.rotation, mean, welded_, pinnedScratch_, forkJoin_);
-  if (moved) moveRigidly(Mat3::Identity(), -move, welded_);
+  if (moved) moveBy(-move, welded_);
 }
 
 void Evaluator::frame(const EncodedShape& encoded, const Motion& motion, double t, Frame& frame) {

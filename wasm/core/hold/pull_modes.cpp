@@ -1,0 +1,121 @@
+#include "core/hold/pull_modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapespline {
+
+namespace {
+
+constexpr std::size_t fields = 4;  // constant, and along three axes
+// A pin that is flat or a single vertex shows no field across, as a share of its extent.
+constexpr double leastExtent = 1e-3, rounding = 1e-7;
+// Of the largest gradient of a patch: a pull hardly turns what has less.
+constexpr double littleGradient = 5e-3;
+
+}  // namespace
+
+PullModes::PullModes(const HoldInput& input, const HoldSystem& system, std::span<const HeldVertex> held, int pins)
+    : modes_(fields * static_cast<std::size_t>(pins)), held_(held.begin(), held.end()) {
+  int patches = 0;
+  for (const int p : input.patchOfFace) patches = std::max(patches, p + 1);
+  planes_.assign(patches, Mat3::Zero());
+  gradient_.assign(planes_.size() * modes_, Vec3::Zero());
+  response_.assign(held_.size() * modes_, 0.0);
+  findFields(input.mesh.shape.poses[input.mesh.shape.reference]);
+  HoldSystem::Scratch scratch;
+  for (std::size_t first = 0; first < modes_; first += 3) {
+    Positions pull(input.mesh.shape.poses[0].size(), Vec3::Zero()), moved = pull;
+    const std::size_t count = std::min<std::size_t>(3, modes_ - first);
+    for (std::size_t i = 0; i < held_.size(); ++i)
+      for (std::size_t k = 0; k < count; ++k)
+        if (held_[i].pin == static_cast<int>((first + k) / fields))
+          pull[held_[i].vertex][k] = held_[i].weight * field_[fields * i + (first + k) % fields];
+    system.addSolved(pull, moved, scratch, nullptr);
+    for (std::size_t i = 0; i < held_.size(); ++i)
+      for (std::size_t k = 0; k < count; ++k) response_[modes_ * i + first + k] = moved[held_[i].vertex][k];
+    addGradients(input, moved, first);
+  }
+  std::vector<double> most(planes_.size(), 0.0);
+  for (std::size_t i = 0; i < gradient_.size(); ++i) most[i / modes_] += gradient_[i].squaredNorm();
+  const double largest = *std::max_element(most.begin(), most.end());
+  for (const double square : most) little_.push_back(square <= littleGradient * littleGradient * largest);
+}
+
+// Of each pin: one, and the places of its vertices, orthonormal over its weights.
+void PullModes::findFields(const Positions& reference) {
+  field_.assign(fields * held_.size(), 0.0);
+  for (std::size_t begin = 0, end = 0; begin < held_.size(); begin = end) {
+    double whole = 0;
+    for (; end < held_.size() && held_[end].pin == held_[begin].pin; ++end) whole += held_[end].weight;
+    const auto product = [&](std::size_t a, std::size_t b) {
+      double sum = 0;
+      for (std::size_t i = begin; i < end; ++i)
+        sum += held_[i].weight * field_[fields * i + a] * field_[fields * i + b];
+      return sum / whole;
+    };
+    double extent = 0;
+    for (std::size_t field = 0; field < fields; ++field) {
+      for (std::size_t i = begin; i < end; ++i)
+        field_[fields * i + field] = field == 0 ? 1 : reference[held_[i].vertex][field - 1];
+      const double given = std::sqrt(product(field, field));
+      for (std::size_t before = 0; before < field; ++before) {
+        const double share = product(before, field);
+        for (std::size_t i = begin; i < end; ++i) field_[fields * i + field] -= share * field_[fields * i + before];
+        if (before == 0) extent = std::max(extent, std::sqrt(product(field, field)));
+      }
+      const double size = std::sqrt(product(field, field));
+      for (std::size_t i = begin; i < end; ++i) {
+        double& f = field_[fields * i + field];
+        f = size > std::max(leastExtent * extent, rounding * given) ? f / size : 0;
+      }
+    }
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t k = 0; k < fields; ++k) fit_.push_back(held_[i].weight / whole * field_[fields * i + k]);
+  }
+}
+
+void PullModes::addGradients(const HoldInput& input, const Positions& moved, std::size_t first) {
+  const WeldedShape& shape = input.mesh.shape;
+  const Positions& p = shape.poses[shape.reference];
+  std::vector<double> area(planes_.size(), 0.0);
+  for (int pass = 0; pass < 2; ++pass)
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+      const int patch = input.mesh.frameOf[f] < 0 ? -1 : input.patchOfFace[f];
+      if (patch < 0) continue;
+      const Triangle& t = shape.faces[f];
+      const Vec3 normal = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+      const double size = normal.norm();
+      if (pass == 0) {
+        area[patch] += size;
+        continue;
+      }
+      if (first == 0)
+        planes_[patch] += size / area[patch] * (Mat3::Identity() - normal * normal.transpose() / (size * size));
+      for (int c = 0; c < 3; ++c) {
+        const Vec3 hat = (normal / size).cross(p[t[(c + 2) % 3]] - p[t[(c + 1) % 3]]) / area[patch];
+        for (std::size_t k = 0; k < 3 && first + k < modes_; ++k)
+          gradient_[modes_ * patch + first + k] += moved[t[c]][k] * hat;
+      }
+    }
+}
+
+void PullModes::fit(std::span<const Vec3> way, std::vector<Vec3>& mode) const {
+  mode.assign(modes_, Vec3::Zero());
+  for (std::size_t i = 0; i < held_.size(); ++i)
+    for (std::size_t k = 0; k < fields; ++k) mode[fields * held_[i].pin + k] += fit_[fields * i + k] * way[i];
+}
+
+Vec3 PullModes::moved(std::size_t held, const std::vector<Vec3>& mode) const {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t m = 0; m < modes_; ++m) sum += response_[modes_ * held + m] * mode[m];
+  return sum;
+}
+
+Mat3 PullModes::gradient(std::size_t patch, const std::vector<Vec3>& mode) const {
+  Mat3 sum = Mat3::Zero();
+  for (std::size_t m = 0; m < modes_; ++m) sum.noalias() += mode[m] * gradient_[modes_ * patch + m].transpose();
+  return sum;
+}
+
+}  // namespace shapespline
