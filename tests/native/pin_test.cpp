@@ -167,6 +167,16 @@ TEST_CASE("pins on real shapes: keys, rigid motions, fading, purity") {
   }
 }
 
+TEST_CASE("a pin on a vertex in no face holds nothing, and one on a single vertex its place") {
+  Keyframes k = swaying();
+  for (Key& key : k.keys) key.positions.push_back(Vec3(3, 0, 0));
+  const int loose = static_cast<int>(k.keys[0].positions.size()) - 1;
+  Sequence plain = make(k), none = make(k, pinned({loose, 0.05, 0})), one = make(k, pinned({tip(k), 1e-6, 0}));
+  CHECK(largestDistance(shapeAt(none, 1), shapeAt(plain, 1)) < 1e-6 * diagonalOf(k));
+  const Vec3 home = k.keys[0].positions[tip(k)];
+  CHECK((shapeAt(one, 1)[tip(k)] - home).norm() < (shapeAt(plain, 1)[tip(k)] - home).norm());
+}
+
 TEST_CASE("pins that cannot be meant are refused") {
   const Keyframes k = swaying();
   for (const Pin& pin : {Pin{-1, 0.1}, Pin{1 << 20, 0.1}, Pin{0, -0.1}, Pin{0, 0.1, 4},

@@ -46,7 +46,7 @@ PullModes::PullModes(const HoldInput& input, const HoldSystem& system, std::span
 void PullModes::findFields(const Positions& reference) {
   field_.assign(fields * held_.size(), 0.0);
   for (std::size_t begin = 0, end = 0; begin < held_.size(); begin = end) {
-    double whole = 0;
+    double whole = 1e-300;  // a loose vertex has no weight
     for (; end < held_.size() && held_[end].pin == held_[begin].pin; ++end) whole += held_[end].weight;
     const auto product = [&](std::size_t a, std::size_t b) {
       double sum = 0;
