@@ -24,3 +24,47 @@ test('nothing is drawn before the first sample is at work, and the start is mark
   expect(marks.flat()).toEqual(marks.flat().sort((a, b) => a - b));
   expect(marks.every((times) => times.length > 0)).toBe(true);
 });
+
+test('the first picture waits for its own shape alone: not for the floor, a second motion or the panels', async ({
+  app,
+}) => {
+  await app.page.addInitScript(() => {
+    const { linkProgram } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.linkProgram = function (program) {
+      performance.mark('linked');
+      linkProgram.call(this, program);
+    };
+    const { width } = Object.getOwnPropertyDescriptors(HTMLCanvasElement.prototype);
+    Object.defineProperty(HTMLCanvasElement.prototype, 'width', {
+      ...width,
+      set(value: number) {
+        if (this.isConnected) performance.mark('canvas made anew');
+        width.set!.call(this, value);
+      },
+    });
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (this: Worker, ...given: [unknown, StructuredSerializeOptions?]) {
+      if ((given[0] as { type?: string }).type === 'create') performance.mark('motion asked');
+      postMessage.apply(this, given);
+    } as typeof postMessage;
+  });
+  await app.open({ first: true });
+  await app.settled();
+  const at = (name: string): Promise<number[]> =>
+    app.page.evaluate((of) => performance.getEntriesByName(of).map(({ startTime }) => startTime), name);
+  const [[read], [seen]] = [await at('shapespline read'), await at('shapespline seen')];
+  const [linked, asked] = [await at('linked'), await at('motion asked')];
+  expect(linked.filter((time) => time < seen!)).toHaveLength(1);
+  expect(linked.length).toBeGreaterThan(3);
+  expect(asked.filter((time) => time < seen!)).toHaveLength(1);
+  expect(asked).toHaveLength(2);
+  expect((await at('canvas made anew')).filter((time) => time > read! && time < seen!)).toHaveLength(0);
+  const panels = await app.page.evaluate(() =>
+    performance
+      .getEntriesByType('resource')
+      .filter(({ name }) => /(panel|figure|playground)-/.test(name))
+      .map(({ startTime }) => startTime),
+  );
+  expect(panels.length).toBeGreaterThan(0);
+  expect(Math.min(...panels)).toBeGreaterThan(seen!);
+});

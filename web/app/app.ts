@@ -23,7 +23,7 @@ import { createViewState } from './panels/view-state.ts';
 import type { Blend, ViewStateHolder } from './panels/view-state.ts';
 import { listenToLeaving, listenToNetwork, listenToPointer, reducedMotion } from './panels/window-events.ts';
 import { createSession } from './session/session.ts';
-import type { Session } from './session/session.ts';
+import type { Session, StartedEngine } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
 import { fetchSample } from './sources/samples.ts';
 import { sourceTitle } from './sources/own-files.ts';
@@ -35,29 +35,28 @@ import type { TestHook } from './test-hook.ts';
 import { createWays } from './ways.ts';
 import type { Ways } from './ways.ts';
 
-export function startApp(root: HTMLElement): void {
+export function startApp(root: HTMLElement, engine: StartedEngine): void {
   const layout = createLayout();
   const newVersion = createOffer('new-version');
   const notReopened = createOffer('not-reopened');
   const importOffer = createOffer('import-offer');
   const poseOffer = createOffer('pose-offer');
   const redraw = (): void => {
+    // What is open comes before what is said of it.
+    if (store.get().source.kind !== 'none' && !scene.viewer.hasSeen && !viewState.get().errorMessage) return;
     page.redraw();
     guide.follow(facts);
   };
   const viewState = createViewState(redraw);
   const feedback = createFeedback(viewState);
-  const session = createSession({
+  const session = createSession(engine, {
     onServed: () => onServed(),
     onRestart() {
       feedback.say('The browser stopped the computation. Restarting it; nothing was lost.');
       void frameLoop.request(store.get().time);
     },
-    onWorking(working) {
-      // The worker is at it: time for the floor.
-      if (working && working.fraction > 0) scene.viewer.start();
-      feedback.onWorking(working);
-    },
+    onWorking: feedback.onWorking,
+    onRead: (info) => scene.expect(info),
     onError: feedback.onError,
   });
   const { store, workspace, sequence } = session;
@@ -235,20 +234,24 @@ export function startApp(root: HTMLElement): void {
   );
   listenToNetwork((offline) => viewState.change({ offline }));
   const ready = visit(location.hash).then(() => frameLoop.idle());
+  /** With all that is shown of it, as far as there is anything. */
+  const shown = ready
+    .then(() => (workspace.info ? scene.viewer.firstSeen : undefined))
+    .then(() => workspace.idle())
+    .then(() => frameLoop.idle())
+    .then(() => scene.viewer.drawn());
+  void scene.viewer.firstSeen.then(redraw);
   const title = (): string => sourceTitle(store.get().source, viewState.get().samples);
-  ready
+  shown
     .then(() => import('./sources/playground.ts'))
     .then((playground) =>
       playground.listenToPlayground({ store, workspace, sequence, title, onError: feedback.onError }),
     )
     .catch(feedback.onError);
   installTestHook(testHookOf(ready, session, display, files, onMoved));
-  registerServiceWorker(
-    (reload) => {
-      newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
-    },
-    ready.then(() => scene.viewer.drawn()),
-  );
+  registerServiceWorker((reload) => {
+    newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
+  }, shown);
   applyLook();
   redraw();
 }
@@ -312,6 +315,13 @@ interface Followers {
   redraw(): void;
 }
 
+/** At once, but on a visit that has seen no shape yet: other motions than the first one do not hold it up. */
+function serveAfterFirst({ serve, store }: Session, { scene: { viewer }, playback }: Display): void {
+  if (viewer.hasSeen) return serve();
+  void viewer.firstSeen.then(serve);
+  playback.frameLoop.follow(store.get().time);
+}
+
 /** The one subscriber of the state: what changed decides who hears of it. */
 function followState({ session, display, ways, applyLook, onEdit, onMoved, onOpened, redraw }: Followers): void {
   const { store } = session;
@@ -320,7 +330,7 @@ function followState({ session, display, ways, applyLook, onEdit, onMoved, onOpe
     const changed = changesBetween(before, state);
     before = state;
     if (changed.time || changed.started || changed.motions || changed.opened) onMoved();
-    if (changed.motions) session.serve();
+    if (changed.motions) serveAfterFirst(session, display);
     if (changed.look) applyLook();
     display.playback.follow(state, changed);
     if (changed.opened) onOpened();
@@ -354,6 +364,7 @@ function testHookOf(
     },
     async idle() {
       await files.idle();
+      if (workspace.info) await scene.viewer.firstSeen;
       await workspace.idle();
       await frameLoop.idle();
     },

@@ -46,11 +46,9 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
     onContextRestored: () => void playback.frameLoop.request(store.get().time),
   };
   const scene = new SceneController(layout.viewport, events, layout.showFilmLabels);
-  let seen = false;
+  void scene.viewer.firstSeen.then(() => performance.mark('shapespline seen'));
   const show = async (frames: FrameSet, eased: boolean): Promise<void> => {
     await scene.show(frames, store.get(), range(), eased && !reducedMotion());
-    if (!seen) void scene.viewer.drawn().then(() => performance.mark('shapespline seen'));
-    seen = true;
     viewState.change(shownView(frames.frames[0], frames.preview));
   };
   const playback = createPlayback({

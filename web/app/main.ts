@@ -1,14 +1,20 @@
-/** The page's entrance. */
-import { startApp } from './app.ts';
+/** The page's entrance: the engine starts while the app, which is larger, is still on its way. */
+import { createEngine } from '../engine/index.ts';
+import type { StartedEngine } from './session/session.ts';
 
-// Marks of the start: scripts, files read, motion made, first shape on the screen (npm run bench -- start).
-performance.mark('shapespline scripts');
 const root = document.getElementById('app');
-if (root) start(root);
+if (root) void start(root);
 
-function start(element: HTMLElement): void {
+async function start(element: HTMLElement): Promise<void> {
   try {
-    startApp(element);
+    const started: StartedEngine = {
+      engine: createEngine({ onLost: () => started.onLost() }),
+      onLost: () => undefined,
+    };
+    const { startApp } = await import('./app.ts');
+    // Marks of the start: scripts, files read, motion made, first shape on the screen (npm run bench -- start).
+    performance.mark('shapespline scripts');
+    startApp(element, started);
   } catch (error) {
     // Before there are components nothing else can say it.
     const message = document.createElement('p');

@@ -1,8 +1,11 @@
 /**
- * Tells the browser in the page's head of what its script will ask for: the wasm, the list of samples and what makes
- * the first one come beside it.
+ * Tells the browser in the page's head of what its first script will ask for: the app, which that script does not wait
+ * for, the wasm, the list of samples and what makes the first one come beside it.
  */
 import type { Plugin } from 'vite';
+
+/** Of a bundle, as far as it matters here. */
+type Bundle = Record<string, { type: string; imports?: readonly string[] }>;
 
 export function preload(): Plugin {
   return {
@@ -10,21 +13,31 @@ export function preload(): Plugin {
     apply: 'build',
     transformIndexHtml: {
       order: 'post',
-      handler(_, { bundle, path }) {
-        const wasm = Object.keys(bundle ?? {}).find((name) => /(^|\/)shapespline-[^/]*\.wasm$/.test(name));
+      handler(html, { bundle = {}, path }) {
+        const named = (pattern: RegExp): string[] => Object.keys(bundle).filter((name) => pattern.test(name));
+        const [wasm] = named(/(^|\/)shapespline-[^/]*\.wasm$/);
         if (path !== '/index.html' || !wasm) return [];
-        const link = (href: string, type: string) => ({
+        const link = (attrs: Record<string, string>) => ({
           tag: 'link',
-          attrs: { rel: 'preload', as: 'fetch', crossorigin: true, href: `./${href}`, type },
+          attrs: { crossorigin: true, ...attrs },
           injectTo: 'head' as const,
         });
-        const make = Object.keys(bundle ?? {}).find((name) => /(^|\/)make-[^/]*\.js$/.test(name));
+        const scripts = withImports(bundle as Bundle, named(/(^|\/)(app|make)-[^/]*\.js$/));
         return [
-          link(wasm, 'application/wasm'),
-          link('samples/samples.json', 'application/json'),
-          ...(make ? [{ tag: 'link', attrs: { rel: 'modulepreload', crossorigin: true, href: `./${make}` } }] : []),
+          link({ rel: 'preload', as: 'fetch', href: `./${wasm}`, type: 'application/wasm' }),
+          ...scripts
+            .filter((name) => !html.includes(name))
+            .map((name) => link({ rel: 'modulepreload', href: `./${name}` })),
+          link({ rel: 'preload', as: 'fetch', href: './samples/samples.json', type: 'application/json' }),
         ];
       },
     },
   };
+}
+
+/** Chunks with all that they import at once. */
+function withImports(bundle: Bundle, names: readonly string[]): string[] {
+  const found = new Set(names);
+  for (const name of found) for (const imported of bundle[name]?.imports ?? []) found.add(imported);
+  return [...found];
 }

@@ -3,7 +3,7 @@ import { Group, Layers } from 'three';
 import type { Camera, WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import { GhostView } from './ghost.ts';
-import { NOTHING, Shape, topologyOf } from './shape.ts';
+import { Shape, topologyOf, triangleOf } from './shape.ts';
 import type { Topology } from './shape.ts';
 import type { Studio } from './studio.ts';
 import { decodeTextures } from './textures.ts';
@@ -11,6 +11,8 @@ import type { Extra, GhostPicture, Look } from './types.ts';
 
 /** How long a shape takes to go over into the exact one. */
 const EASE_MS = 150;
+/** The first picture waits no longer for its textures. */
+const TEXTURES_MS = 200;
 const DEFAULT_LOOK: Look = { colouring: 'texture', shading: 'smooth', wireframe: false, floor: true, dark: false };
 
 /**
@@ -24,6 +26,8 @@ export const MOST_VIEWS = FIRST_EXTRAS - FIRST_SHAPE;
 
 export class Contents {
   readonly object = new Group();
+  /** The import that the topology is of. */
+  private of: KeysInfo | null = null;
   private topology: Topology | null = null;
   private shapes: Shape[] = [];
   /** By view. */
@@ -65,26 +69,37 @@ export class Contents {
   textured: Promise<void> = Promise.resolve();
 
   /**
-   * Draws a triangle without area until there is a shape, with what draws shapes: so that the graphics card has its
-   * programs when the first shape comes, and keeps them from one import to the next.
+   * Draws a triangle without area until there is a shape, with what will draw the shapes of `info`: so that the
+   * graphics card has its programs when the first shape comes, and keeps them from one import to the next. Resolves
+   * once it has been told of all of them, and where it can say so, has made them.
    */
-  warm(): void {
-    this.warming = this.addShape(NOTHING, FIRST_SHAPE);
-  }
-
-  /** Resolves once the graphics card has made those programs. */
-  async compile(renderer: WebGLRenderer, camera: Camera): Promise<void> {
+  async warm(info: KeysInfo, renderer: WebGLRenderer, camera: Camera): Promise<void> {
+    this.prepare(info);
+    // With a texture a material is another program.
+    await Promise.race([this.textured, new Promise((resolve) => setTimeout(resolve, TEXTURES_MS))]);
+    if (this.topology) this.warming = this.addShape(triangleOf(this.topology), FIRST_SHAPE);
     if (this.warming) await renderer.compileAsync(this.warming.surface, camera);
   }
 
   /** A new import: fresh buffers. */
   setImport(info: KeysInfo): void {
+    this.prepare(info);
+  }
+
+  /** Its textures are decoded meanwhile. */
+  private prepare(info: KeysInfo): void {
+    if (this.of === info && this.shapes.length === 0) return;
+    this.of = info;
     this.clear();
-    if (this.warming) this.warming.object.visible = false;
     for (const texture of this.topology?.textures ?? []) texture?.dispose();
     this.topology = topologyOf(info);
     this.patchColours = null;
     this.textured = this.loadTextures(this.topology);
+  }
+
+  /** Whether a shape is in the picture. */
+  get isShown(): boolean {
+    return this.shapes.some(({ object }) => object.visible) || this.extras.flat().length > 0;
   }
 
   /** How many shapes are shown side by side; those that exist keep their frame. */
@@ -109,6 +124,7 @@ export class Contents {
     if (!shape || !this.fits(positions)) return;
     if (eased) shape.setFrameEased(positions, normals);
     else shape.setFrame(positions, normals);
+    if (this.warming) this.warming.object.visible = false;
     this.easedSince = eased ? 0 : null;
     shape.object.visible = true;
     this.colours[view] = colour;

@@ -35,15 +35,17 @@ export interface Topology {
   textures: (Texture | null)[];
 }
 
-/** One triangle. */
-export const NOTHING: Topology = {
-  vertices: 3,
-  scene: { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] },
-  index: new BufferAttribute(new Uint32Array([0, 1, 2]), 1),
-  uv: null,
-  tint: null,
-  textures: [],
-};
+/** One triangle for each group of materials, all of them the same, without area: drawn as the shape will be. */
+export function triangleOf({ scene, uv, tint, textures }: Topology): Topology {
+  return {
+    vertices: 3,
+    scene: { ...scene, seams: null, groups: scene.groups.map((group) => ({ ...group, start: 0, count: 1 })) },
+    index: new BufferAttribute(new Uint32Array([0, 1, 2]), 1),
+    uv: uv && new BufferAttribute(new Float32Array(6), 2),
+    tint: tint && new Float32Array(9),
+    textures,
+  };
+}
 
 export function topologyOf({ report, faces, scene }: KeysInfo): Topology {
   return {

@@ -1,5 +1,5 @@
 /** Where pictures are drawn, and where they are seen. */
-import { WebGLRenderer } from 'three';
+import { Vector2, WebGLRenderer } from 'three';
 
 export interface Surface {
   readonly renderer: WebGLRenderer;
@@ -33,8 +33,11 @@ export function ownSurface(): Surface {
     renderer,
     canvas,
     setSize(width, height, ratio, styled) {
-      renderer.setPixelRatio(ratio);
-      renderer.setSize(width, height, styled);
+      if (styled) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
+      // A canvas is made anew by every setting of its size, even to what it has.
+      const before = renderer.getSize(new Vector2());
+      if (before.x !== width || before.y !== height || renderer.getPixelRatio() !== ratio)
+        renderer.setDrawingBufferSize(width, height, ratio);
     },
     begin: () => undefined,
     end: () => undefined,

@@ -54,10 +54,19 @@ export class Viewer {
   private pending = 0;
   private starting: Promise<void> | null = null;
   private started = false;
+  /** The floor follows the first shape, which does not wait for it. */
+  private flooring: Promise<void> | null = null;
+  private floored = false;
   private waiting: (() => void)[] = [];
   private readonly followers: (() => void)[] = [];
   private readonly resize: ResizeObserver;
   private readonly over = new AbortController();
+  hasSeen = false;
+  private onFirstSeen: () => void = () => undefined;
+  /** Resolves once a shape has been drawn for the first time; `hasSeen` from then on. */
+  readonly firstSeen = new Promise<void>((resolve) => {
+    this.onFirstSeen = resolve;
+  });
 
   /** Throws where the browser has no WebGL 2. */
   constructor(
@@ -85,6 +94,7 @@ export class Viewer {
         events.onContextRestored();
         this.stage.restore();
         this.started ||= this.starting !== null; // what was being made is gone
+        this.floored ||= this.flooring !== null;
         // The first drawing after it has neither floor nor transparent ground; the second one is whole.
         this.draw();
         this.invalidate();
@@ -100,30 +110,29 @@ export class Viewer {
   }
 
   /**
-   * Nothing is drawn before, and until the graphics card has made the programs for it: drawing at once would wait for
-   * them, and hold up the first shape.
+   * An import that is read and about to be set: while its motion is made, the graphics card makes the programs for the
+   * first shape. Nothing is drawn before. Without effect where something was drawn already.
    */
-  start(): void {
-    if (this.starting) return;
-    this.contents.warm();
-    this.starting = this.compile()
+  expect(info: KeysInfo): void {
+    this.starting ??= this.contents
+      .warm(info, this.renderer, this.rig.camera)
       .catch(() => undefined)
       .then(() => {
         this.started = true;
-        this.invalidate();
+        this.draw();
       });
   }
 
-  /** Where the graphics card can do it beside other work. */
-  private async compile(): Promise<void> {
-    const { renderer, rig } = this;
-    if (!renderer.extensions.has('KHR_parallel_shader_compile')) return;
-    await Promise.all([this.stage.compile(renderer, rig.camera), this.contents.compile(renderer, rig.camera)]);
+  private async addFloor(): Promise<void> {
+    await new Promise(requestAnimationFrame); // the first shape is on its way to the screen
+    await this.stage.compile(this.renderer, this.rig.camera).catch(() => undefined);
+    this.floored = true;
+    this.change();
   }
 
   /** A new import; nothing of it is seen until its first frame. */
   setImport(info: KeysInfo, bounds: Bounds, points: Float32Array): void {
-    this.start();
+    this.expect(info);
     this.contents.setImport(info);
     this.tileAspect = 1;
     this.stage.setBounds(bounds);
@@ -373,13 +382,14 @@ export class Viewer {
   /** Resolves once everything set so far has been drawn, no view is being turned to and no shape eased. */
   async drawn(): Promise<void> {
     // One draw shows all that was set before it; what is set meanwhile, as by a motion that plays, is not waited for.
-    if (this.pending === 0 && !this.moving && !this.compiling) return;
+    if (this.pending === 0 && !this.moving && !this.compiling && this.floored === (this.flooring !== null)) return;
     do {
+      await this.flooring;
       await new Promise<void>((resolve) => {
         this.waiting.push(resolve);
         this.invalidate();
       });
-    } while (this.moving);
+    } while (this.moving || (this.flooring !== null && !this.floored));
   }
 
   /** Draws now and calls `use` before the browser may clear the canvas. */
@@ -455,8 +465,14 @@ export class Viewer {
     const seen = this.sides(size);
     const tiles = this.started ? this.tiles(size) : [];
     this.surface.begin();
+    this.stage.object.visible = this.floored;
     tiles.forEach((rect, view) => this.renderOne(rect, seen[view]!, size.height, this.contents.layersOf(view)));
     this.surface.end();
+    if (!this.flooring && tiles.length > 0 && this.contents.isShown) {
+      this.flooring = this.addFloor();
+      this.hasSeen = true;
+      this.onFirstSeen();
+    }
     const waiting = this.waiting;
     this.waiting = [];
     for (const resolve of waiting) resolve();
@@ -481,7 +497,7 @@ export class Viewer {
     this.renderer.clear();
     this.rig.prepare(rect.width / rect.height, this.zoomOf(rect));
     this.studio.follow(this.rig.camera);
-    this.stage.prepare(this.renderer, this.scene, layers.mask, this.version);
+    if (this.floored) this.stage.prepare(this.renderer, this.scene, layers.mask, this.version);
     this.rig.camera.layers.mask = layers.mask;
     this.renderer.render(this.scene, this.rig.camera);
   }

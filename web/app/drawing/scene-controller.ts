@@ -119,6 +119,11 @@ export class SceneController {
     this.heatMap.bar = { ...this.heatMap.bar, ...besideOf(rects[0]!, this.viewer.rects()[0]) };
   }
 
+  /** An import that will be set once its motion is made. */
+  expect(info: KeysInfo): void {
+    this.viewer.expect(info);
+  }
+
   /** A new import: another mesh, another size. `camera` keeps a view that came with a link. */
   setImport(info: KeysInfo, pool: PosePool, camera: View['camera']): void {
     this.original = null;

@@ -1,7 +1,6 @@
 /** What is open, with the engine that serves it: every edit becomes sequences, or is taken back. */
 import type { Engine, Sequence } from '../../engine/api/api.ts';
-import { createEngine } from '../../engine/index.ts';
-import type { Progress } from '../../engine/api/types.ts';
+import type { KeysInfo, Progress } from '../../engine/api/types.ts';
 import { EMPTY_STATE } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { motionRange } from './motion-range.ts';
@@ -14,12 +13,21 @@ import { Workspace } from './workspace.ts';
 
 export interface SessionEvents {
   onWorking(working: Progress | null): void;
+  /** Files are read; their motion is not made yet. */
+  onRead(info: KeysInfo): void;
   /** The sequences follow the document now. */
   onServed(): void;
   /** The engine refused an edit, which is taken back. */
   onError(error: unknown): void;
   /** A worker has ended; asking for a frame starts another one. */
   onRestart(): void;
+}
+
+/** An engine that was started before there was anything to hear of it. */
+export interface StartedEngine {
+  engine: Engine;
+  /** A worker has ended by itself. */
+  onLost(): void;
 }
 
 export interface Session {
@@ -36,13 +44,18 @@ export interface Session {
   cancel(): void;
 }
 
-export function createSession({ onWorking, onServed, onError, onRestart }: SessionEvents): Session {
+export function createSession(
+  started: StartedEngine,
+  { onWorking, onRead, onServed, onError, onRestart }: SessionEvents,
+): Session {
   const store = createStore(EMPTY_STATE);
   const restart = new WorkerRestart(onRestart);
-  const engine = createEngine({ onLost: () => void restart.tryAgain() });
+  const { engine } = started;
+  started.onLost = () => void restart.tryAgain();
   const served = new ServedDocument(store);
   const workspace = new Workspace(engine, {
     onProgress: onWorking,
+    onRead,
     onReady() {
       served.note(store.get());
       onServed();

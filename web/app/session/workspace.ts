@@ -18,6 +18,8 @@ export interface Opened {
 
 export interface WorkspaceEvents {
   onProgress(progress: Progress | null): void;
+  /** Files are read; the motion is not made yet. */
+  onRead(info: KeysInfo): void;
   onReady(plan: SequencePlan): void;
   onRefused(error: unknown, current: SequencePlan | null): void;
 }
@@ -125,6 +127,7 @@ export class Workspace {
       const options = again ?? given;
       performance.mark('shapespline read');
       const { info } = keys;
+      this.events.onRead(info);
       const pool = new PosePool(keys);
       const doc = adjust(documentFromImport(info, pool), pool);
       const set = await this.firstSet(pool, sequencePlan(doc), abort);

@@ -1,7 +1,7 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
-import type { ImportOptions, KeysInfo, Progress } from '../../engine/api/types.ts';
+import type { ImportOptions, InputFile, KeysInfo, Progress } from '../../engine/api/types.ts';
 import { orientationStep, reoriented } from '../../model/orientation.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { End } from '../../model/speeds.ts';
@@ -69,8 +69,8 @@ export interface OpenFilesParts {
 }
 
 export interface OpenFiles {
-  /** Resolve to whether what was asked for is open now. */
-  sample(id: string, link?: Permalink | null): Promise<boolean>;
+  /** Resolve to whether what was asked for is open now. `input`: the sample's files, where they are on their way. */
+  sample(id: string, link?: Permalink | null, input?: Promise<InputFile[]> | null): Promise<boolean>;
   /** Opens what a link names, without a step that undo goes back over. */
   show(link: Permalink): Promise<boolean>;
   /** Does with the files what `work` says, unless other ones are asked for before they are there. */
@@ -260,14 +260,19 @@ export function createOpenFiles({
   const stepTo = async (work: Work | null, onLeft: (work: Work) => void): Promise<boolean> =>
     work !== null && (await again(work, onLeft));
 
-  const openSample = (id: string, link: Permalink | null, onLeft?: (work: Work) => void): Promise<boolean> =>
+  const openSample = (
+    id: string,
+    link: Permalink | null,
+    given: Promise<InputFile[]> | null,
+    onLeft?: (work: Work) => void,
+  ): Promise<boolean> =>
     guarded(async () => {
       const sample = samples().find((one) => one.id === id);
       if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
       fetching.abort();
       fetching = new AbortController();
       const { signal } = fetching;
-      const input = await fetchSample(sample, signal).catch((error: unknown) => {
+      const input = await (given ?? fetchSample(sample, signal)).catch((error: unknown) => {
         if (signal.aborted) return null;
         throw error;
       });
@@ -325,8 +330,8 @@ export function createOpenFiles({
     });
 
   const opener: OpenFiles = {
-    sample: (id, link = null) => openSample(id, link),
-    show: (link) => openSample(link.sample, link, forgotten),
+    sample: (id, link = null, input = null) => openSample(id, link, input),
+    show: (link) => openSample(link.sample, link, null, forgotten),
     run: (given, work) =>
       guarded(async () => {
         fetching.abort();

@@ -8,12 +8,13 @@ import type { OpenFiles } from './open-files.ts';
 import { guideLink } from './page-link.ts';
 import { readPermalink } from './permalink.ts';
 import type { RememberedFiles } from '../kept/remembered-files.ts';
-import { fetchSamples } from './samples.ts';
+import { fetchSamples, makeSample } from './samples.ts';
 import type { Sample } from './samples.ts';
 
 const VISITED = 'shapespline.visited';
 /** Blended positions on the left of a divider, this method on its right; at a time that tells even if nothing moves. */
-const FIRST_VISIT = 'sample=column&compare=linear&split=0.5&t=0.25&play=1';
+const FIRST_SAMPLE = 'column';
+const FIRST_VISIT = `sample=${FIRST_SAMPLE}&compare=linear&split=0.5&t=0.25&play=1`;
 
 export interface OpenFirstParts {
   files: OpenFiles;
@@ -34,10 +35,12 @@ export async function openFirst(
 ): Promise<void> {
   const named = readPermalink(fragment);
   const page = guideLink(fragment);
+  const isFirstVisit = !named && readSetting(VISITED) === null;
+  const made = isFirstVisit && !page ? makeSample(FIRST_SAMPLE) : null;
+  made?.catch(() => undefined); // said where it is opened
   const [samples, kept] = await Promise.all([fetchSamples(), remembered.recall()]);
   onSamples(samples);
   if (page && (await onGuide(page))) return;
-  const isFirstVisit = !named && readSetting(VISITED) === null;
   if (!named) writeSetting(VISITED, '1');
   const [left] = named ? [] : kept;
   if (left?.opening) {
@@ -50,7 +53,7 @@ export async function openFirst(
   const link = named ?? (isFirstVisit && !left ? readPermalink(FIRST_VISIT) : null);
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
   if (!first) throw new Error('This page has no samples. Open your own files.');
-  await files.sample(first.id, first.id === link?.sample ? link : null);
+  await files.sample(first.id, first.id === link?.sample ? link : null, first.id === FIRST_SAMPLE ? made : null);
   if (named && named.sample !== first.id)
     say(`There is no sample named “${named.sample}”. This is “${first.title}”; choose another under Samples.`);
 }

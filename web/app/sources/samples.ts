@@ -51,16 +51,19 @@ export async function fetchSamples(): Promise<Sample[]> {
 
 /** `detail`: less than 1 is enough for a small picture, where a sample is made on the spot. */
 export async function fetchSample(sample: Sample, signal: AbortSignal, detail = 1): Promise<InputFile[]> {
-  if (sample.made) {
-    const { make } = await import('../../sculpt/make.ts');
-    return Promise.all(sample.files.map(async (name) => ({ name, bytes: await make(sample.id, detail) })));
-  }
+  if (sample.made) return makeSample(sample.id, detail);
   return Promise.all(
     sample.files.map(async (name) => {
       const response = await request(FOLDER + name, signal);
       return { name, bytes: new Uint8Array(await response.arrayBuffer()) };
     }),
   );
+}
+
+/** One of those that are made. */
+export async function makeSample(id: string, detail = 1): Promise<InputFile[]> {
+  const { make } = await import('../../sculpt/make.ts');
+  return [{ name: `${id}.glb`, bytes: await make(id, detail) }];
 }
 
 async function request(path: string, signal?: AbortSignal): Promise<Response> {
