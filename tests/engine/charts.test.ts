@@ -1,6 +1,6 @@
 /** What the analysis panel draws of real keys with large turns: no curve jumps, and slivers set no patch. */
 import { describe, expect, it } from 'vitest';
-import type { Sequence } from '../../web/engine/api/api.ts';
+import type { Keys, Sequence } from '../../web/engine/api/api.ts';
 import type { ImportOptions, Method } from '../../web/engine/api/types.ts';
 import { patchCurves } from '../../web/app/analysis/patch-curves.ts';
 import { dataFile, hasData } from './support/data.ts';
@@ -44,6 +44,7 @@ const cats = [2, 5, 8].map((pose) => `turns/cat/cat${pose}.off`);
 const lowpoly = ['01', '13', '25'].map((pose) => `obj/lowpoly-cat/cat_0000${pose}.obj`);
 
 interface Opened {
+  keys: Keys;
   sequence: Sequence;
   from: number;
   to: number;
@@ -55,7 +56,7 @@ async function opened(names: string[], options: ImportOptions = {}, method: Meth
   const sequence = await engine.createSequence(keys, { method });
   const [first, last] = sequence.range;
   const margin = 0.4 * (last - first);
-  return { sequence, from: first - margin, to: last + margin, reference: first };
+  return { keys, sequence, from: first - margin, to: last + margin, reference: first };
 }
 
 describe.skipIf(!hasData)('charts of real keys with large turns', () => {
@@ -108,6 +109,35 @@ describe.skipIf(!hasData)('charts of real keys with large turns', () => {
       const stretch = rowsOf(numbers, 1 + 4 * neighbours.length).map(([value]) => value!);
       expect(Math.max(...stretch), `patch ${patch + 1}`).toBeLessThan(8);
       expect(Math.min(...stretch), `patch ${patch + 1}`).toBeGreaterThan(-4);
+    }
+  });
+
+  it('cat: the stretch of a patch is the mean over its area', async () => {
+    const { sequence, keys } = await opened(cats);
+    const patchOf = await sequence.patches();
+    const rest = keys.positions(0);
+    const corner = (face: number, which: number): number[] => {
+      const at = 3 * keys.info.faces[3 * face + which]!;
+      return [...rest.subarray(at, at + 3)];
+    };
+    const areaOf = (face: number): number => {
+      const [a, b, c] = [0, 1, 2].map((which) => corner(face, which)) as [number[], number[], number[]];
+      const [u, v] = [b, c].map((to) => to.map((value, axis) => value - a[axis]!)) as [number[], number[]];
+      return Math.hypot(...[0, 1, 2].map((k) => u[(k + 1) % 3]! * v[(k + 2) % 3]! - u[(k + 2) % 3]! * v[(k + 1) % 3]!));
+    };
+    const [, time] = keys.info.times;
+    for (const patch of [2, 50, 175]) {
+      const faces = [...patchOf.keys()].filter((face) => patchOf[face] === patch);
+      const stretches = await Promise.all(
+        faces.map(async (face) => {
+          const { numbers } = await sequence.faceCurve(face, [time!]);
+          return (numbers[3]! + numbers[5]!) / 2;
+        }),
+      );
+      const areas = faces.map(areaOf);
+      const mean = stretches.reduce((sum, value, i) => sum + value * areas[i]!, 0) / areas.reduce((a, b) => a + b, 0);
+      const { numbers } = await sequence.patchCurve(patch, [time!]);
+      expect(numbers[0]! / mean, `patch ${patch + 1}`).toBeCloseTo(1, 4);
     }
   });
 });
