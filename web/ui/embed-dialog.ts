@@ -19,7 +19,7 @@ export function createEmbedDialog({ onSave, onError }: EmbedDialogEvents): Embed
   const code = h('code', {});
   const snippet = h(
     'pre',
-    { class: 'snippet', tabindex: 0, 'aria-label': 'Lines for your page', 'data-testid': 'embed-snippet' },
+    { class: 'snippet', dir: 'ltr', tabindex: 0, 'aria-label': 'Lines for your page', 'data-testid': 'embed-snippet' },
     code,
   );
   const said = h('p', { class: 'hint', role: 'status', 'data-testid': 'embed-said' });
