@@ -20,6 +20,8 @@ import type { Look } from '../viewer/types.ts';
 import { Viewer } from '../viewer/viewer.ts';
 import { userOf } from './motions.ts';
 
+export type { CameraOrbit } from '../model/camera-words.ts';
+
 export interface CanvasViewerEvents {
   /** Another moment has been handed to the picture. */
   onTime(t: number, phase: Phase): void;

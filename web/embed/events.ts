@@ -44,7 +44,10 @@ export type ShapeSplineEventMap = { [N in keyof EventDetails]: CustomEvent<Event
 
 /** For the manifest and the documentation. */
 export const EVENTS: Readonly<Record<keyof EventDetails, { detail: string; doc: string }>> = {
-  load: { detail: '{ vertices, faces, keyTimes }', doc: 'The shape is drawn: at first, and again when its keys or its motion have changed.' },
+  load: {
+    detail: '{ vertices, faces, keyTimes }',
+    doc: 'The shape is drawn: at first, and again when its keys or its motion have changed.',
+  },
   error: { detail: '{ code, message, key }', doc: 'It cannot be shown; the message says why and what to do.' },
   progress: { detail: '{ stage, fraction }', doc: 'Of fetching and computing.' },
   play: { detail: 'null', doc: 'It begins to play.' },
