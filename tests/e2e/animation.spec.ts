@@ -149,6 +149,28 @@ test('sample times are spread, typed, added by a click on the timeline, moved an
   await app.expectNoProblems();
 });
 
+test('marks and numbers of many keys stay apart', async ({ app }) => {
+  await app.open();
+  await dropped(app, upload('rig.glb', (await rigFile()).bytes));
+  await app.by('sample-count').fill('64');
+  await app.by('sample-count').press('Enter');
+  await expect.poll(async () => (await keyTimes(app)).length).toBe(64);
+  await app.settled();
+  await app.nextFrame();
+  const gaps = await app.page.evaluate(() => {
+    const gap = (selector: string): number => {
+      const boxes = [...document.querySelectorAll(selector)].map((one) => {
+        const range = document.createRange();
+        range.selectNodeContents(one);
+        return one.textContent ? range.getBoundingClientRect() : one.getBoundingClientRect();
+      });
+      return Math.min(...boxes.slice(1).map(({ left }, index) => left - boxes[index]!.right));
+    };
+    return [gap('.diamond'), gap('.tick:not([data-unnumbered]) .tick-number')];
+  });
+  expect(Math.min(...gaps)).toBeGreaterThan(0);
+});
+
 const animated = [
   { what: 'a generated rig', file: async () => upload('rig.glb', (await rigFile()).bytes) },
   { what: 'Soldier', file: async () => realFile('skin/Soldier.glb') },

@@ -25,6 +25,8 @@ import { createTimePeek } from './time-peek.ts';
 const SNAP_PX = 7;
 /** Pixels that a press on a tick may move and still be a click. */
 const CLICK_PX = 4;
+/** Keys nearer to each other than this, in pixels, are drawn small. */
+const DENSE_PX = 16;
 /** Pixels that the number of a key takes. */
 const NUMBER_PX = 20;
 /** Pixels that a number of the ruler takes. */
@@ -197,6 +199,12 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const drawTicks = memo(
     ({ keys, range, part, fps, width }: Pick<TimelineProps, 'keys' | 'range' | 'fps'> & Part & { width: number }) => {
       let numbered = -Infinity;
+      const across = keys.length > 1 ? (keys.at(-1)!.time - keys[0]!.time) / length(part) : 0;
+      setAttribute(
+        ticks,
+        'data-dense',
+        width > 0 && (across * width) / (keys.length - 1) < DENSE_PX && keys.length > 2,
+      );
       while (ticks.children.length > keys.length) ticks.lastElementChild?.remove();
       keys.forEach((key, index) => {
         const tick = (ticks.children[index] ?? ticks.appendChild(makeTick(index))) as HTMLElement;
