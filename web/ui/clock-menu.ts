@@ -109,7 +109,7 @@ export function createClockMenu(events: ClockMenuEvents): {
         frames.element,
         h('span', { class: 'spacer' }),
         fps,
-        h('span', { class: 'unit' }, 'per second'),
+        h('span', { class: 'unit' }, 'fps'),
       ),
       fpsHint,
     ),

@@ -247,7 +247,7 @@ export const PER_KEY = {
       'per key, from -1 to 1: below 0 the slope leans towards the next key, above 0 it carries on the motion from the ' +
       'key before',
     undo: 'bias',
-    label: 'Earlier / later',
+    label: 'Lean earlier / later',
     hint:
       'Bias of the slope at this key: to the left it leans towards the next key, to the right it carries on the motion from the ' +
       'key before',
