@@ -101,7 +101,10 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   await app.by('compare-lri').uncheck();
   await app.settled();
 
-  const { download } = await exported(app, () => app.by('export-targets-every').check());
+  const { download } = await exported(app, async () => {
+    await app.by('export-targets-every').check();
+    await expect(app.by('export-dialog')).toContainText('keeps only pins on their own splines');
+  });
   const seen = await app.positionsAt(t1);
   const saved = testInfo.outputPath('pinned.glb');
   await download.saveAs(saved);

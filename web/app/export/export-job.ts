@@ -86,6 +86,13 @@ function counted(numbers: ExportNumbers): ExportNumbers {
   );
 }
 
+/** The keys of a file are shapes as pins held them; what moved between them by hand is not found again. */
+function lostPins({ kind, animation }: ExportRequest, { options }: Sequence): string[] {
+  const lost = options.pins.some(({ stay, path }) => stay !== undefined || path !== undefined);
+  if (kind !== 'animation' || animation !== 'glb' || !lost) return [];
+  return ['Opened here again, it keeps only pins on their own splines: between its keys it moves otherwise.'];
+}
+
 /** What would be made, in words. */
 export interface ExportPlan {
   text: string;
@@ -110,7 +117,7 @@ export async function describeExport(
     const plan = await sequence.planExport(options, { signal });
     return {
       text: request.kind === 'pose' ? `One shape, about ${bytesText(plan.bytes)}` : planText(request, playing, plan),
-      warnings: plan.warnings.map(({ message }) => message),
+      warnings: [...plan.warnings.map(({ message }) => message), ...lostPins(request, sequence)],
     };
   }
   if (isVideoRequest(request)) return { text: await videoText(request, playing, window), warnings: [] };
