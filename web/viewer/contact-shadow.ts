@@ -17,6 +17,8 @@ import {
 } from 'three';
 import type { Texture, Vector3, WebGLRenderer } from 'three';
 
+import { makePrograms } from './programs.ts';
+
 /** Casters of a layer are on this many layers above it, too. */
 export const CASTER_LAYERS = 16;
 const PIXELS = 192;
@@ -69,7 +71,7 @@ export class ContactShadow {
   async compile(renderer: WebGLRenderer): Promise<void> {
     const caster = new Mesh(this.triangle, this.depth);
     renderer.setRenderTarget(this.targets[0]!);
-    const both = [this.screen, caster].map((object) => renderer.compileAsync(object, this.camera));
+    const both = [this.screen, caster].map((object) => makePrograms(renderer, object, this.camera));
     renderer.setRenderTarget(null);
     await Promise.all(both);
   }

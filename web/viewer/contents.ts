@@ -5,6 +5,7 @@ import type { KeysInfo } from '../engine/api/types.ts';
 import { GhostView } from './ghost.ts';
 import { Shape, topologyOf, triangleOf } from './shape.ts';
 import type { Topology } from './shape.ts';
+import { makePrograms } from './programs.ts';
 import type { Studio } from './studio.ts';
 import { decodeTextures } from './textures.ts';
 import type { Extra, GhostPicture, Look } from './types.ts';
@@ -78,7 +79,7 @@ export class Contents {
     // With a texture a material is another program.
     await Promise.race([this.textured, new Promise((resolve) => setTimeout(resolve, TEXTURES_MS))]);
     if (this.topology) this.warming = this.addShape(triangleOf(this.topology), FIRST_SHAPE);
-    if (this.warming) await renderer.compileAsync(this.warming.surface, camera);
+    if (this.warming) await makePrograms(renderer, this.warming.surface, camera);
   }
 
   /** A new import: fresh buffers. */

@@ -1,6 +1,7 @@
 /** The floor: a grid that fades, the shadow that the shape casts on it, and a ring in the colour of the moment. */
 import { Color, Group, Mesh, PlaneGeometry, SRGBColorSpace, ShaderMaterial, Vector3 } from 'three';
 import type { Camera, Scene, WebGLRenderer } from 'three';
+import { makePrograms } from './programs.ts';
 import { ContactShadow, REACH } from './contact-shadow.ts';
 
 /** What the stage is made for: the box around all keys. */
@@ -56,7 +57,7 @@ export class Stage {
 
   /** Resolves once the graphics card has what draws it. */
   async compile(renderer: WebGLRenderer, camera: Camera): Promise<void> {
-    await Promise.all([renderer.compileAsync(this.floor, camera), this.shadow.compile(renderer)]);
+    await Promise.all([makePrograms(renderer, this.floor, camera), this.shadow.compile(renderer)]);
   }
 
   /** Before each drawing; see ContactShadow.render. */
