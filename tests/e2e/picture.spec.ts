@@ -342,3 +342,35 @@ test('no sample stands under the first sentence, and names of views move with th
   await expect.poll(async () => (await app.by('tile-1').boundingBox())!.y).toBeGreaterThan(beside.y + 100);
   expect((await app.by('tile-1').boundingBox())!.x).toBeLessThan(10);
 });
+
+test('a shape that was fitted stays whole when a telephone is turned, one that was moved stays where it is', async ({
+  app,
+}) => {
+  await app.page.setViewportSize({ width: 844, height: 390 });
+  await app.open({ sample: 'octopus' });
+  await app.by('fit').click();
+  await app.settled();
+  const across = () =>
+    app.page.evaluate(() => {
+      const points = window.__shapespline!.project(window.__shapespline!.positions());
+      const x = points.filter((_, index) => index % 2 === 0);
+      return [x.reduce((a, b) => Math.min(a, b)), x.reduce((a, b) => Math.max(a, b))] as const;
+    });
+  await app.page.setViewportSize({ width: 360, height: 740 });
+  await expect.poll(async () => (await app.by('viewport').locator('canvas').boundingBox())!.width).toBe(360);
+  await app.settled();
+  const [left, right] = await across();
+  expect(left).toBeGreaterThan(0);
+  expect(right).toBeLessThan(360);
+  expect(right - left).toBeGreaterThan(200);
+  await app.page.evaluate(() => window.__shapespline!.settled());
+  const box = (await app.by('viewport').boundingBox())!;
+  await app.page.mouse.move(box.x + 180, box.y + 150);
+  await app.page.mouse.wheel(0, -400);
+  await app.settled();
+  const { camera } = (await app.state()).view;
+  await app.page.setViewportSize({ width: 844, height: 390 });
+  await expect.poll(async () => (await app.by('viewport').locator('canvas').boundingBox())!.width).not.toBe(360);
+  await app.settled();
+  expect((await app.state()).view.camera).toEqual(camera);
+});

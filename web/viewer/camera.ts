@@ -14,6 +14,8 @@ export class CameraRig {
   private aspect = 1;
   private insets: Insets = NO_INSETS;
   private turn = 0;
+  /** Where a fitted view left it. */
+  private whole: CameraPose | null = null;
 
   constructor(
     element: HTMLElement,
@@ -64,9 +66,19 @@ export class CameraRig {
   fit(view: ViewName | null, eased: boolean): void {
     const direction = view ? directionOf(view) : this.camera.position.clone().sub(this.target).normalize();
     const pose = this.fitted(direction);
+    this.whole = pose;
     if (eased) return this.turnTo(pose);
     this.setPose(pose);
     this.onUserMove();
+  }
+
+  /** It stands, or is on its way, where a fitted view put it: nobody has moved it since. */
+  get isFitted(): boolean {
+    if (this.turning || !this.whole) return this.turning;
+    const { position, target } = this.whole;
+    const off =
+      this.camera.position.distanceTo(new Vector3(...position)) + this.target.distanceTo(new Vector3(...target));
+    return off < 1e-4 * this.extent.radius;
   }
 
   /** Turns about the target by angles in radians; from the keyboard. */

@@ -101,8 +101,12 @@ export class Viewer {
       },
       { signal },
     );
+    let width = host.clientWidth;
     this.resize = new ResizeObserver(() => {
       this.fitCanvas();
+      // A telephone that is turned would cut off what was whole.
+      if (host.clientWidth !== width && this.rig.isFitted) this.fit(null, false);
+      width = host.clientWidth;
       events.onResize();
     });
     this.resize.observe(host);
