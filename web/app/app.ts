@@ -41,9 +41,11 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   const notReopened = createOffer('not-reopened');
   const importOffer = createOffer('import-offer');
   const poseOffer = createOffer('pose-offer');
+  /** What is open comes before what is said of it. */
+  const waits = (): boolean =>
+    store.get().source.kind !== 'none' && !scene.viewer.hasSeen && !viewState.get().errorMessage;
   const redraw = (): void => {
-    // What is open comes before what is said of it.
-    if (store.get().source.kind !== 'none' && !scene.viewer.hasSeen && !viewState.get().errorMessage) return;
+    if (waits()) return;
     page.redraw();
     guide.follow(facts);
   };
@@ -152,6 +154,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
       takeFiles,
       undo,
     },
+    waits,
     onAnalysisError,
     onBlend: showBlend,
     onGallery: (open) => void showPreviews(open).catch(feedback.onError),

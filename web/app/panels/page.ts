@@ -39,6 +39,8 @@ export interface PageParts {
   takeFiles: TakeFiles;
   undo: Undo;
   theme: ThemeSwitch;
+  /** Nothing is shown anew now; asked for again afterwards. */
+  waits(): boolean;
   onGallery(open: boolean): void;
   onPeek(t: number | null): void;
   onLink(): void;
@@ -185,6 +187,7 @@ export function createPage(parts: PageParts): Page {
   let frame = 0;
   const draw = (): void => {
     frame = 0;
+    if (parts.waits()) return;
     presentation.update(store.get().view.present);
     setAttribute(layout.viewport, 'data-placing', viewState.get().placing);
     components.update({
