@@ -1,5 +1,5 @@
 /** One frame going over into another on the graphics card: positions and normals blended in the vertex shader. */
-import type { Material } from 'three';
+import type { BufferGeometry, Material } from 'three';
 import { extend } from './studio.ts';
 
 const ATTRIBUTES = 'uniform float easing;\nattribute vec3 fromPosition;\nattribute vec3 fromNormal;\n';
@@ -28,5 +28,13 @@ export class Easing {
             '#include <begin_vertex>\ntransformed = mix(fromPosition, transformed, easing);',
           );
     });
+  }
+}
+
+/** Lets another geometry be drawn from a shape's buffers, while it goes over into another frame, too. */
+export function shareBuffers(shape: BufferGeometry, other: BufferGeometry): void {
+  for (const name of ['position', 'normal', 'fromPosition', 'fromNormal']) {
+    const attribute = shape.getAttribute(name);
+    if (attribute) other.setAttribute(name, attribute);
   }
 }

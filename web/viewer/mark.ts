@@ -9,6 +9,7 @@ import {
   MeshBasicMaterial,
   MeshStandardMaterial,
 } from 'three';
+import { shareBuffers } from './easing.ts';
 import type { Easing } from './easing.ts';
 import { Rim } from './studio.ts';
 import type { Studio } from './studio.ts';
@@ -54,10 +55,7 @@ export class Mark {
 
   /** The shape has other buffers now: the mark is drawn from the same. */
   follow(shape: BufferGeometry): void {
-    for (const name of ['position', 'normal', 'fromPosition', 'fromNormal']) {
-      const attribute = shape.getAttribute(name);
-      if (attribute) this.geometry.setAttribute(name, attribute);
-    }
+    shareBuffers(shape, this.geometry);
   }
 
   dispose(): void {

@@ -1,5 +1,6 @@
 /** The edges of a shape's polygons as lines over it; those along which polygons were cut into faces are left out. */
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
+import { shareBuffers } from './easing.ts';
 import type { Easing } from './easing.ts';
 
 /**
@@ -50,10 +51,7 @@ export class Wire {
 
   /** The shape has other buffers now: its edges are drawn from the same. */
   follow(shape: BufferGeometry): void {
-    for (const name of ['position', 'normal', 'fromPosition', 'fromNormal']) {
-      const attribute = shape.getAttribute(name);
-      if (attribute) this.geometry.setAttribute(name, attribute);
-    }
+    shareBuffers(shape, this.geometry);
   }
 
   dispose(): void {
