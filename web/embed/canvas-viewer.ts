@@ -33,6 +33,8 @@ export interface CanvasViewerEvents {
   onPlaces(): void;
   /** Pixels at the bottom that something lies over. */
   covered(): number;
+  /** Of shapes in a phase; any CSS colour that three.js reads. */
+  colourOf(kind: PhaseKind): string;
 }
 
 const UNHEARD: CanvasViewerEvents = {
@@ -42,6 +44,7 @@ const UNHEARD: CanvasViewerEvents = {
   onContext: () => undefined,
   onPlaces: () => undefined,
   covered: () => 0,
+  colourOf: (kind) => PHASE_COLOURS[kind],
 };
 
 /** While it plays, a moment this near to a key (a share of the range) counts as being at it. */
@@ -53,7 +56,6 @@ export class CanvasViewer {
   /** Whether the reader may turn it. */
   turnable = true;
   play: Play = { playing: false, speed: 1, loop: 'once', between: null, fps: null };
-  colours: Record<PhaseKind, string> = { ...PHASE_COLOURS };
   private motions: readonly RunningMotion[] = [];
   private keys: Keys | null = null;
   private now = 0;
@@ -229,9 +231,8 @@ export class CanvasViewer {
     const keys = this.keyTimes.map((time, index) => ({ time, name: this.keys?.info.names[index] ?? '' }));
     const tolerance = this.play.playing ? PLAYING_TOLERANCE : undefined;
     const phase = phaseOf({ t, keys, range: this.range, periodic: this.periodic, tolerance });
-    frames.forEach((frame, view) =>
-      this.viewer.setFrame(view, frame.positions, frame.normals, this.colours[phase.kind], eased),
-    );
+    const colour = this.events.colourOf(phase.kind);
+    frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, colour, eased));
     this.events.onTime(t, phase);
   }
 

@@ -46,7 +46,7 @@ export function takeKeys(
   onProgress?: (part: Stage) => void,
 ): KeysLease {
   const all: ImportOptions = times && list.length > MOST_OWN_KEYS ? { ...options, keyTimes: times } : options;
-  const key = JSON.stringify([list.map((source) => keyOf(source, base)), all]);
+  const key = JSON.stringify([list.map((source, index) => keyOf(source, index, base)), all]);
   const lease = imports.take(
     key,
     async (making) => {

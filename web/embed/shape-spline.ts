@@ -14,7 +14,7 @@ import { keyboardStep } from '../model/keyboard-step.ts';
 import { METHOD_WORDS } from '../model/method-words.ts';
 import { GHOST_FACES } from '../model/state.ts';
 import { PHASE_COLOURS, clamp, neighbourKey } from '../model/time-scale.ts';
-import type { Phase, Range } from '../model/time-scale.ts';
+import type { Phase, PhaseKind, Range } from '../model/time-scale.ts';
 import { ATTRIBUTES, PROPERTIES, ROWS, attributeOf, engineCallOf, propertyOf } from './attributes.ts';
 import type { Concern, PropertyName, ShapeSplineProperties } from './attributes.ts';
 import type { CanvasViewer } from './canvas-viewer.ts';
@@ -478,7 +478,9 @@ export class ShapeSplineElement extends Base {
     const covered = (): number => (this.controls ? CONTROLS_PX : 0) + (frame.named ? NAMES_PX : 0);
     const view = new Viewer(frame.viewport, {
       onTime: (t, phase) => this.#shown(t, phase),
+      colourOf: (kind) => this.#phaseColour(kind),
       onEnd: () => {
+        this.#reach(this.#view!.time);
         this.#tell('loopend', { currentTime: this.#view!.time });
         this.#setPlaying(false);
       },
@@ -515,12 +517,13 @@ export class ShapeSplineElement extends Base {
   }
 
   #colour(view: CanvasViewer): void {
-    const style = getComputedStyle(this);
-    for (const kind of ['key', 'between', 'beyond'] as const) {
-      const own = style.getPropertyValue(`--shape-spline-${kind}`).trim();
-      view.colours[kind] = CSS.supports('color', own) ? own : PHASE_COLOURS[kind];
-    }
-    view.setLook({ colouring: this.colour, dark: isDark(style) });
+    view.setLook({ colouring: this.colour, dark: isDark(getComputedStyle(this)) });
+  }
+
+  /** Of a phase, as the page's style has it when a shape is shown. */
+  #phaseColour(kind: PhaseKind): string {
+    const own = getComputedStyle(this).getPropertyValue(`--shape-spline-${kind}`).trim();
+    return CSS.supports('color', own) ? own : PHASE_COLOURS[kind];
   }
 
   #shownRange(): Range {
@@ -531,14 +534,24 @@ export class ShapeSplineElement extends Base {
     if (!this.#outdated) this.#time = t;
     this.#frame!.setTime(t, phase.text);
     this.#tell('timeupdate', { currentTime: t });
-    const { time, step, key } = this.#before;
+    const { time, step } = this.#before;
     const next = t - time;
-    // Where it plays back and forth, or begins again, it goes the other way at once.
-    if (this.#playing && next * step < 0) this.#tell('loopend', { currentTime: t });
-    const reached = this.#sequence!.keyTimes.filter((one) => one <= t + 1e-9).length - 1;
-    if (reached !== key && reached >= 0) this.#tell('keychange', { index: reached });
+    // Where it plays back and forth, or begins again, it goes the other way at once, between two shapes.
+    if (this.#playing && next * step < 0) {
+      const end = this.#range[step > 0 ? 1 : 0];
+      this.#reach(end);
+      this.#tell('loopend', { currentTime: end });
+    }
+    this.#reach(t);
     const turned = this.loop !== 'bounce' && next * step < 0;
-    this.#before = { time: t, step: turned ? 0 : next, key: reached };
+    this.#before = { ...this.#before, time: t, step: turned ? 0 : next };
+  }
+
+  #reach(t: number): void {
+    const { key } = this.#before;
+    const reached = this.#sequence!.keyTimes.filter((one) => one <= t + 1e-9).length - 1;
+    this.#before = { ...this.#before, key: reached };
+    if (reached !== key && reached >= 0) this.#tell('keychange', { index: reached });
   }
 
   #setPlaying(playing: boolean): void {

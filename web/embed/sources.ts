@@ -29,9 +29,21 @@ export function sourcesOf(keys: readonly KeySource[] | null, src: string, elemen
 let numbered = 0;
 const numbers = new WeakMap<object, number>();
 
-/** The same for the same sources: an address, or that very object. */
-export function keyOf(source: KeySource, base: string): string {
-  if (typeof source === 'string' || source instanceof URL) return new URL(source, base).href;
+/** Throws where a page says what no address is. */
+function addressOf(source: string | URL, key: number, base: string): URL {
+  if (URL.canParse(source, base)) return new URL(source, base);
+  throw new EngineError('not-found', `“${source}” is no address. Check the address of key ${key + 1}.`, { key });
+}
+
+/** The same for the same sources: an address, or that very object. Throws where a page gives something else. */
+export function keyOf(source: KeySource, key: number, base: string): string {
+  if (typeof source === 'string' || source instanceof URL) return addressOf(source, key, base).href;
+  if (![Blob, ArrayBuffer, Uint8Array].some((kind) => source instanceof kind))
+    throw new EngineError(
+      'not-a-model',
+      `Key ${key + 1} is none of what keys can be: an address, a File or Blob, an ArrayBuffer or a Uint8Array.`,
+      { key },
+    );
   if (!numbers.has(source)) numbers.set(source, ++numbered);
   return `object ${numbers.get(source)}`;
 }
@@ -51,7 +63,7 @@ export async function readSources(list: readonly KeySource[], base: string, maki
 }
 
 async function readOne(source: KeySource, key: number, base: string, signal: AbortSignal): Promise<InputFile[]> {
-  if (typeof source === 'string' || source instanceof URL) return fetchModel(new URL(source, base), key, signal);
+  if (typeof source === 'string' || source instanceof URL) return fetchModel(addressOf(source, key, base), key, signal);
   const name = nameOf(source instanceof File ? source.name : '', key);
   const bytes = source instanceof Blob ? await source.arrayBuffer() : source;
   return [{ name, bytes: bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes) }];

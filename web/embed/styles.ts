@@ -28,6 +28,13 @@ const CSS = `
 [part=key], [part=thumb] { position: absolute; inset-block-start: 50%; translate: -50% -50%; border-radius: 50%; }
 [part=key] { inline-size: 10px; block-size: 10px; background: var(--key); }
 [part=thumb] { inline-size: 18px; block-size: 18px; background: currentColor; }
+@media (forced-colors: active) {
+  [part=timeline]::before, [part=key], [part=thumb] { forced-color-adjust: none; }
+  [part=timeline]::before, [part=thumb] { background: CanvasText; opacity: 1; }
+  [part=key] { background: Highlight; }
+  [part=key], [part=thumb] { outline: 2px solid Canvas; }
+  [part=progress] { forced-color-adjust: none; background: Highlight; }
+}
 .caption { position: absolute; inset-block-start: 8px; inset-inline: 12px; pointer-events: none; }
 `;
 

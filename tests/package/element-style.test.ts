@@ -1,0 +1,78 @@
+/** What a page's style and a reader's settings change at once, and what is told of a loop. */
+import { expect, it } from 'vitest';
+import { KEYS, on, openElements, picture, seek, told, useElements, when } from './support/element.ts';
+
+useElements();
+
+const ONE = `<shape-spline id="a" src="${KEYS}" controls alt="A bar that bends"></shape-spline>`;
+const CALM = { reducedMotion: 'reduce' } as const;
+
+it('colours of the phases are those of the style when a shape is shown', async () => {
+  const page = await openElements(ONE, CALM);
+  await when(page, 'load');
+  await on(page, (shape) => (shape.colour = 'phase'));
+  for (const [kind, t] of [
+    ['key', 0],
+    ['between', 0.5],
+    ['beyond', 1.3],
+  ] as const) {
+    await seek(page, t);
+    const before = await picture(page);
+    await on(page, (shape, name) => shape.style.setProperty(name, 'magenta'), `--shape-spline-${kind}`);
+    await seek(page, t);
+    expect(await picture(page), kind).not.toBe(before);
+    await on(page, (shape, name) => shape.style.removeProperty(name), `--shape-spline-${kind}`);
+    await seek(page, t);
+    expect(await picture(page), kind).toBe(before);
+  }
+});
+
+it('a loop tells of the key and the time at which it ends', async () => {
+  const page = await openElements(`<shape-spline id="a" src="${KEYS}" loop playback-rate="2"></shape-spline>`);
+  await when(page, 'load');
+  await seek(page, 0);
+  await on(page, (shape) => {
+    shape.range = [0, 1];
+    shape.play();
+  });
+  expect(await when(page, 'loopend', 'a', 2)).toEqual({ currentTime: 1 });
+  await on(page, (shape) => shape.pause());
+  expect((await told(page, 'keychange')).slice(0, 4)).toEqual([{ index: 0 }, { index: 1 }, { index: 0 }, { index: 1 }]);
+});
+
+it('the timeline is there in forced colours', async () => {
+  const page = await openElements(ONE, { ...CALM, forcedColors: 'active' });
+  await when(page, 'load');
+  const grounds = await on(page, (shape) => {
+    const root = shape.shadowRoot!;
+    const ground = (part: string, pseudo?: string): string =>
+      getComputedStyle(root.querySelector(`[part=${part}]`)!, pseudo).backgroundColor;
+    return {
+      page: 'rgb(255, 255, 255)',
+      key: ground('key'),
+      thumb: ground('thumb'),
+      track: ground('timeline', '::before'),
+    };
+  });
+  for (const part of ['key', 'thumb', 'track'] as const) expect(grounds[part], part).not.toBe(grounds.page);
+});
+
+it('what is no address and no file is told with its key', async () => {
+  const page = await openElements('<shape-spline id="a"></shape-spline>');
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  await on(page, (shape) => (shape.keys = [5 as never]));
+  expect(await when(page, 'error')).toEqual({
+    code: 'not-a-model',
+    key: 0,
+    message: 'Key 1 is none of what keys can be: an address, a File or Blob, an ArrayBuffer or a Uint8Array.',
+  });
+  await on(page, (shape) => {
+    shape.keys = null;
+    shape.src = 'pose-0.glb http://[bad';
+  });
+  expect(await when(page, 'error', 'a', 2)).toEqual({
+    code: 'not-found',
+    key: 1,
+    message: '“http://[bad” is no address. Check the address of key 2.',
+  });
+});
