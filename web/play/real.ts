@@ -20,6 +20,8 @@ export interface Real {
 
 const TAKE = '#take';
 
+const ASK_AGAIN_MS = 1000;
+
 export function createReal({ get, change }: RealParts): Real {
   const channel = 'BroadcastChannel' in window ? playgroundChannel() : null;
   const shapes = new Map<string, OpenShape>();
@@ -30,6 +32,8 @@ export function createReal({ get, change }: RealParts): Real {
   const ask = (): void => {
     shapes.clear();
     send({ type: 'ask' });
+    // The app may still be starting.
+    if (asked) window.setTimeout(ask, ASK_AGAIN_MS);
   };
 
   const none = h(
