@@ -358,7 +358,6 @@ it('two hundred that come and go leave nothing behind', { timeout: 600_000 }, as
   // What is disposed of last may take a moment.
   const grown = async (): Promise<string[]> => {
     const after = await kept();
-    console.log('kept', before, after);
     return [
       ...(after.workers > before.workers ? ['workers'] : []),
       ...(after.nodes >= before.nodes + 50 ? ['nodes'] : []),

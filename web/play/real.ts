@@ -28,12 +28,14 @@ export function createReal({ get, change }: RealParts): Real {
   let chosen = '';
   /** A link that asks for the first coordinate that is offered. */
   let asked = location.hash === TAKE;
+  let again = 0;
   const send = (message: PlaygroundMessage): void => channel?.postMessage(message);
   const ask = (): void => {
     shapes.clear();
     send({ type: 'ask' });
     // The app may still be starting.
-    if (asked) window.setTimeout(ask, ASK_AGAIN_MS);
+    window.clearTimeout(again);
+    if (asked) again = window.setTimeout(ask, ASK_AGAIN_MS);
   };
 
   const none = h(
