@@ -82,9 +82,7 @@ const kept = (app: App): Promise<string[]> =>
 
 async function open(app: App, url: string): Promise<void> {
   await app.page.goto(url);
-  await app.page.waitForFunction(() => window.__shapespline !== undefined);
-  await app.page.evaluate(() => window.__shapespline!.ready);
-  await app.settled();
+  await app.started();
 }
 
 const askForUpdate = (app: App): Promise<void> =>

@@ -136,8 +136,7 @@ test('a shape from a file is taken as end tangent: chosen, dropped, undone, and 
   await app.by('tangent-file-input').setInputFiles([file('c.obj', 0.2), file('d.obj', 0.4)]);
   await expect(app.by('error-message')).toContainText('These files hold 2 poses, but a tangent is one shape.');
   await app.by('error-close').click();
-  await app.page.reload();
-  await app.settled();
+  await app.reload();
   await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
   expect(difference(await app.positionsAt(0.3), towards)).toBeLessThan(1e-6);
 });

@@ -81,10 +81,7 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   // The link holds it; the arrow keys move it, too.
   const link = (): Promise<string> => app.page.evaluate(() => decodeURIComponent(location.hash));
   await expect.poll(link).toMatch(/pins=[^&]*\//);
-  await app.page.reload();
-  await app.page.waitForFunction(() => window.__shapespline !== undefined);
-  await app.page.evaluate(() => window.__shapespline!.ready);
-  await app.settled();
+  await app.reload();
   await expect(app.by('pin-0-path')).toHaveText('Dragged at 1 time');
   expect(difference(await app.positionsAt(t), dragged)).toBeLessThan(1e-3 * size);
   await app.setTime(t1);

@@ -80,8 +80,7 @@ test('a link opens the page in it, and its QR code says the link', async ({ app 
   expect(await presented(app)).toBe('volume');
   await app.page.goto('about:blank');
   await app.page.goto(link!);
-  await app.page.waitForFunction(() => window.__shapespline !== undefined);
-  await app.page.evaluate(() => window.__shapespline!.ready);
+  await app.started();
   expect(await presented(app)).toBe('volume');
 });
 

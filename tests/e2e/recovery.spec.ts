@@ -50,8 +50,7 @@ test('a worker that ends is noticed on a page without https, too, where there ar
   baseURL,
 }) => {
   await app.page.goto(`http://insecure.test:${new URL(baseURL!).port}${new URL(baseURL!).pathname}`);
-  await app.page.waitForFunction(() => window.__shapespline !== undefined);
-  await app.page.evaluate(() => window.__shapespline!.ready);
+  await app.started();
   expect(await app.page.evaluate(() => [isSecureContext, 'locks' in navigator])).toEqual([false, false]);
   const before = await app.positionsAt(0.3);
   await killWorkers(app);

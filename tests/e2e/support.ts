@@ -51,10 +51,24 @@ export class App {
         if (location.protocol !== 'about:') localStorage.setItem('shapespline.visited', '1');
       });
     await this.page.goto(`./${search}${sample ? `#sample=${sample}` : hash}`);
+    await this.started();
+    return this;
+  }
+
+  /** Loads the same page once more, as soon as nothing would be lost, and waits for its first shape. */
+  async reload(): Promise<void> {
+    const asks = (): Promise<boolean> =>
+      this.page.evaluate(() => !window.dispatchEvent(new Event('beforeunload', { cancelable: true })));
+    await expect.poll(asks).toBe(false);
+    await this.page.reload();
+    await this.started();
+  }
+
+  /** Waits for the first shape of a page that is being loaded. */
+  async started(): Promise<void> {
     await this.page.waitForFunction(() => window.__shapespline !== undefined);
     await this.page.evaluate(() => window.__shapespline!.ready);
     await this.settled();
-    return this;
   }
 
   /** Opens a generated mesh with three keys in place of what is open (wasm/samples/bench_mesh.h). */

@@ -158,9 +158,7 @@ test('the way back in the browser leads out of the tour, too, and the one onward
   expect((await app.state()).doc).toEqual(doc);
   await app.page.goForward();
   await expectStep(app, 6);
-  await app.page.reload();
-  await app.page.waitForFunction(() => window.__shapespline !== undefined);
-  await app.page.evaluate(() => window.__shapespline!.ready);
+  await app.reload();
   await expectStep(app, 6);
   await app.expectNoProblems();
 });
@@ -309,9 +307,7 @@ test('own files, edited, are there again when the page was loaded anew in the mi
   const { doc } = await app.state();
   await app.page.evaluate(() => (location.hash = '#tour=4'));
   await expectStep(app, 3);
-  await app.page.reload();
-  await app.page.waitForFunction(() => window.__shapespline !== undefined);
-  await app.page.evaluate(() => window.__shapespline!.ready);
+  await app.reload();
   await expectStep(app, 3);
   await app.by('guide-close').click();
   await expect(app.by('guide')).toHaveCount(0);

@@ -1,18 +1,19 @@
 // The test runner; every other file of this folder registers its cases with it. Takes doctest's options, and
-// --report=FILE for the counts as JSON. A case that cannot run here (say, without its data) says
-// MESSAGE("SKIPPED: <why>") and returns: it is counted as skipped.
+// --report=FILE for the counts and the names of what failed, as JSON. A case that cannot run here (say, without its
+// data) says MESSAGE("SKIPPED: <why>") and returns: it is counted as skipped.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <vector>
 
 namespace {
 
 struct Counts {
   int passed = 0;
-  int failed = 0;
+  std::vector<std::string> failed;
   int skipped = 0;
 };
 Counts counts;
@@ -20,12 +21,16 @@ Counts counts;
 struct Counter : doctest::IReporter {
   explicit Counter(const doctest::ContextOptions&) {}
 
-  void test_case_start(const doctest::TestCaseData&) override { saidSkipped = false; }
+  void test_case_start(const doctest::TestCaseData& data) override {
+    saidSkipped = false;
+    name = data.m_name;
+  }
   void log_message(const doctest::MessageData& message) override {
     saidSkipped |= std::strncmp(message.m_string.c_str(), "SKIPPED", 7) == 0;
   }
   void test_case_end(const doctest::CurrentTestCaseStats& stats) override {
-    ++(stats.failure_flags != 0 ? counts.failed : saidSkipped ? counts.skipped : counts.passed);
+    if (stats.failure_flags != 0) return counts.failed.push_back(name);
+    ++(saidSkipped ? counts.skipped : counts.passed);
   }
 
   void report_query(const doctest::QueryData&) override {}
@@ -40,13 +45,30 @@ struct Counter : doctest::IReporter {
   void test_case_skipped(const doctest::TestCaseData&) override {}
 
   bool saidSkipped = false;
+  std::string name;
 };
 REGISTER_LISTENER("counts", 1, Counter);
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names) result += (result.empty() ? "" : ",") + quoted(name);
+  return "[" + result + "]";
+}
 
 bool writeReport(const std::string& path) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (!file) return false;
-  std::fprintf(file, "{\"passed\":%d,\"failed\":%d,\"skipped\":%d}\n", counts.passed, counts.failed, counts.skipped);
+  std::fprintf(file, "{\"passed\":%d,\"failed\":%zu,\"skipped\":%d,\"names\":%s}\n", counts.passed,
+               counts.failed.size(), counts.skipped, listed(counts.failed).c_str());
   return std::fclose(file) == 0;
 }
 

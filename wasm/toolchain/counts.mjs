@@ -1,18 +1,19 @@
-// What a suite's report says: how many of its tests passed, failed and were skipped.
+// What a suite's report says: how many of its tests passed, failed and were skipped, and the names of what failed.
 import { existsSync, readFileSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { run } from './exec.mjs';
 import { buildDir } from './paths.mjs';
 
 export const reports = path.join(buildDir, 'reports');
-export const nothing = { passed: 0, failed: 0, skipped: 0 };
+export const nothing = { passed: 0, failed: 0, skipped: 0, names: [] };
 
 export const sum = (list) =>
   list.reduce(
-    (total, { passed, failed, skipped }) => ({
+    (total, { passed, failed, skipped, names = [] }) => ({
       passed: total.passed + passed,
       failed: total.failed + failed,
       skipped: total.skipped + skipped,
+      names: [...total.names, ...names],
     }),
     nothing,
   );
@@ -26,7 +27,8 @@ export async function runReported(name, program, args, { count = (counts) => cou
   const report = path.join(reports, `${name}.json`);
   rmSync(report, { force: true });
   const { code } = await run(program, args(report), { show, allowFailure: true, env });
-  if (!existsSync(report)) return { ...nothing, failed: 1 };
+  if (!existsSync(report)) return { ...nothing, failed: 1, names: [`${name} wrote no report`] };
   const counts = count(JSON.parse(readFileSync(report, 'utf8')));
-  return code !== 0 && counts.failed === 0 ? { ...counts, failed: 1 } : counts;
+  if (code === 0 || counts.failed > 0) return counts;
+  return { ...counts, failed: 1, names: [`${name} ended with code ${code}`] };
 }

@@ -21,7 +21,9 @@ const biome = (...how) => [process.execPath, [inRoot('node_modules/@biomejs/biom
 async function each(tools) {
   const tasks = tools.map(([program, how, files]) => async () => {
     const { code } = await run(program, [...how, ...files], { show: 'after', allowFailure: true });
-    return { ...nothing, [code === 0 ? 'passed' : 'failed']: 1 };
+    return code === 0
+      ? { ...nothing, passed: 1 }
+      : { ...nothing, failed: 1, names: [[program, ...how].map((part) => path.basename(part)).join(' ')] };
   });
   return sum(await inParallel(tasks));
 }

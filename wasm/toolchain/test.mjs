@@ -34,7 +34,7 @@ async function typecheck() {
     const kept = ['--incremental', '--tsBuildInfoFile', path.join(buildDir, 'types', `${folder}.tsbuildinfo`)];
     const args = [bin('typescript/bin/tsc'), '-p', folder, ...kept];
     const { code } = await run(node, args, { show: 'after', allowFailure: true });
-    return { ...nothing, [code === 0 ? 'passed' : 'failed']: 1 };
+    return code === 0 ? { ...nothing, passed: 1 } : { ...nothing, failed: 1, names: [`the types of ${folder}`] };
   });
   return sum(await inParallel(tasks));
 }
@@ -76,6 +76,14 @@ function countVitest(report) {
     passed: report.numPassedTests,
     failed: report.numFailedTests + brokenFiles.length,
     skipped: report.numPendingTests + report.numTodoTests,
+    names: [
+      ...brokenFiles.map(({ name }) => path.basename(name)),
+      ...report.testResults.flatMap(({ name, assertionResults }) =>
+        assertionResults
+          .filter(({ status }) => status === 'failed')
+          .map(({ fullName }) => `${path.basename(name)}: ${fullName}`),
+      ),
+    ],
   };
 }
 
@@ -96,8 +104,20 @@ const vitest = (project) => async (words) => {
   return runReported(project, node, args, { count: countVitest });
 };
 
-function countPlaywright({ stats, errors }) {
-  return { passed: stats.expected + stats.flaky, failed: stats.unexpected + errors.length, skipped: stats.skipped };
+const specsOf = ({ suites = [], specs = [] }) => [...specs, ...suites.flatMap(specsOf)];
+
+function countPlaywright({ suites, stats, errors }) {
+  return {
+    passed: stats.expected + stats.flaky,
+    failed: stats.unexpected + errors.length,
+    skipped: stats.skipped,
+    names: [
+      ...errors.map(({ message }) => message),
+      ...specsOf({ suites })
+        .filter(({ ok }) => !ok)
+        .map(({ file, title }) => `${file}: ${title}`),
+    ],
+  };
 }
 
 async function endToEnd(words) {
@@ -180,7 +200,8 @@ async function runSuite(name, words) {
     if (!(error instanceof Explained)) throw error;
     process.stderr.write(`${error.message}\n`);
     making ??= secondsSince(started);
-    return { ...nothing, failed: 1, making, running: secondsSince(started) - making };
+    const names = [error.message.split('\n', 1)[0]];
+    return { ...nothing, failed: 1, names, making, running: secondsSince(started) - making };
   }
 }
 
@@ -198,6 +219,8 @@ function summarise(results, settingUp, total) {
     console.log(row(name, missing ? 'no files yet' : sentence(counts), duration(counts.making), running));
   }
   const all = sum(Object.values(results));
+  for (const [name, { names = [] }] of Object.entries(results))
+    for (const one of names) console.log(`failed in ${name}: ${one}`);
   console.log(`${sentence(all)}, in ${Math.floor(total / 60)} min ${(total % 60).toFixed(0)} s`);
   return all;
 }

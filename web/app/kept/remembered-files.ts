@@ -234,7 +234,9 @@ export function createRememberedFiles({
       if (id !== waiting) stopWaiting();
       if (timer || id === null || dropped.has(id) || !wanted()) return;
       waiting = id;
-      timer = window.setTimeout(keep, SAVE_DELAY_MS, id);
+      // A new pose does not wait: leaving would lose it.
+      const delay = isKept() && kept.get(id)!.poses !== added() ? 0 : SAVE_DELAY_MS;
+      timer = window.setTimeout(keep, delay, id);
     },
     flush() {
       if (!timer || waiting === null) return;
