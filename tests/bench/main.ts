@@ -19,6 +19,7 @@ import { TABLE_2 } from './paper.ts';
 import type { Runner } from './runner.ts';
 import { report, type Results } from './report.ts';
 import { benchEmbed } from './embed.ts';
+import { holdTables } from './hold.ts';
 import { benchStart } from './start.ts';
 import type { Family } from './tables.ts';
 import { threadsLine } from './threads.ts';
@@ -97,7 +98,7 @@ async function runAll(runner: Runner, sizes: number[]): Promise<Results> {
   return results;
 }
 
-function save(text: string, kind: '' | '-browser' | '-exports'): void {
+function save(text: string, kind: '' | '-browser' | '-exports' | '-hold'): void {
   const { version } = JSON.parse(readFileSync(path.join(repository, 'package.json'), 'utf8')) as { version: string };
   const file = path.join(repository, 'tests/bench/results', `${version}${kind}.md`);
   mkdirSync(path.dirname(file), { recursive: true });
@@ -139,6 +140,12 @@ async function benchExports({ sizes, save: wanted }: Wanted): Promise<void> {
   if (wanted) save(`# Exported animations in players: ${machine()}\n\n${text}\n`, '-exports');
 }
 
+async function benchHold({ files, save: wanted }: Wanted): Promise<void> {
+  const text = await holdTables(files, say);
+  console.log(text);
+  if (wanted) save(`# Motions that hold what rests: ${machine()}\n\n${text}\n`, '-hold');
+}
+
 const benches = {
   stages: bench,
   threads: benchThreads,
@@ -147,6 +154,7 @@ const benches = {
   'ghost browser': benchGhostInBrowser,
   embed: benchEmbed,
   start: benchStart,
+  hold: benchHold,
 };
 const wanted = benchArguments(process.argv.slice(2));
 await benches[wanted.what](wanted);

@@ -24,18 +24,20 @@ import { quantile, spread } from '../bench/quantile.ts';
 import { boundMs, frameOverSolve, ofRounds, solveOverBound } from '../bench/ratios.ts';
 import { report } from '../bench/report.ts';
 import { isInside, SWEEP, sweptParts, type Swept } from '../bench/sweep.ts';
+import { aligned, Sliding } from '../bench/truth.ts';
 import { errorTable, frameTable, keysTable, type Result } from '../bench/tables.ts';
 import { keysTarget, targetsOf, verdict } from '../bench/targets.ts';
 
 describe('the words behind npm run bench --', () => {
   it('say what is measured, on which sizes, and where', () => {
-    expect(benchArguments([])).toEqual({ what: 'stages', sizes: null, browser: false, save: false });
+    expect(benchArguments([])).toEqual({ what: 'stages', sizes: null, files: [], browser: false, save: false });
     expect(benchArguments(['64,4000000', '--save', '--browser'])).toEqual({
       what: 'stages',
       sizes: [
         { faces: 64, keys: null },
         { faces: 4_000_000, keys: null },
       ],
+      files: [],
       browser: true,
       save: true,
     });
@@ -43,6 +45,7 @@ describe('the words behind npm run bench --', () => {
     expect(benchArguments(['exports', '2000', '--save'])).toEqual({
       what: 'exports',
       sizes: [{ faces: 2000, keys: null }],
+      files: [],
       browser: false,
       save: true,
     });
@@ -57,6 +60,15 @@ describe('the words behind npm run bench --', () => {
     expect(() => benchArguments(['embed', '--browser'])).toThrow();
     expect(benchArguments(['start'])).toMatchObject({ what: 'start', sizes: null, save: false });
     expect(() => benchArguments(['start', '1000'])).toThrow();
+    expect(benchArguments(['hold', 'walk.glb', 'run.glb', '--save'])).toEqual({
+      what: 'hold',
+      sizes: null,
+      files: ['walk.glb', 'run.glb'],
+      browser: false,
+      save: true,
+    });
+    expect(() => benchArguments(['hold'])).toThrow();
+    expect(() => benchArguments(['hold', 'walk.glb', '--browser'])).toThrow();
     expect(benchArguments(['ghost', 'browser', '1000'])).toMatchObject({
       what: 'ghost browser',
       sizes: [{ faces: 1000, keys: null }],
@@ -557,5 +569,34 @@ describe('a program that replies', () => {
         return ask();
       }),
     ).rejects.toThrow('ended without a reply');
+  });
+});
+
+describe('a motion beside a captured one', () => {
+  const shape = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3);
+
+  it('is laid over it, turned and moved as a whole', () => {
+    // A quarter turn about z, which takes x to y, and a step.
+    const turned = shape.map((_, i) => [5 - shape[i + 1]!, shape[i - 1]! - 1, shape[i]! + 2][i % 3]!);
+    aligned(shape, turned).forEach((value, i) => {
+      expect(value).toBeCloseTo(turned[i]!, 5);
+    });
+    expect(
+      aligned(
+        shape,
+        shape.map((value) => 2 * value),
+      ),
+    ).not.toEqual(shape);
+  });
+
+  it('slides as far as what rests in the captured one goes from its last key', () => {
+    const moved = (x: number, which: number): Float32Array => shape.map((value, i) => value + (i === which ? x : 0));
+    const sliding = new Sliding(10);
+    expect(sliding.percent).toBeNaN();
+    sliding.add(shape, shape, true);
+    // The first vertex goes away in truth, so that three of them rest; one of these slides by 1, 10 % of the diagonal.
+    sliding.add(moved(1, 0), moved(1, 3), false);
+    sliding.add(moved(1, 0), moved(1, 0), true);
+    expect(sliding.percent).toBeCloseTo(10 * Math.sqrt(1 / 6), 5);
   });
 });

@@ -5,9 +5,11 @@ export interface Size {
 }
 
 export interface Wanted {
-  what: 'stages' | 'threads' | 'exports' | 'ghost' | 'ghost browser' | 'embed' | 'start';
+  what: 'stages' | 'threads' | 'exports' | 'ghost' | 'ghost browser' | 'embed' | 'start' | 'hold';
   /** null: the usual ones. */
   sizes: Size[] | null;
+  /** Animations, for `hold`. */
+  files: string[];
   browser: boolean;
   save: boolean;
 }

@@ -10,11 +10,13 @@ const USAGE = [
   '       npm run bench -- ghost browser [FACES,...]',
   '       npm run bench -- embed [FACES,...]',
   '       npm run bench -- start',
+  '       npm run bench -- hold FILE... [--save]',
   'with 64 to 4000000 faces and 2 to 100 keys',
 ].join('\n');
 
-/** What is measured, on which sizes (null: the usual ones), and where. */
+/** What is measured, on which sizes (null: the usual ones) or files, and where. */
 export function benchArguments(words) {
+  if (words[0] === 'hold') return withFiles(words);
   const what = ['threads', 'exports', 'embed', 'start'].includes(words[0])
     ? words[0]
     : words[0] !== 'ghost'
@@ -36,7 +38,16 @@ export function benchArguments(words) {
     !(save && what !== 'stages' && what !== 'exports') &&
     !(browser && (what.startsWith('ghost') || ['exports', 'embed', 'start'].includes(what)));
   if (!good) throw new Explained(USAGE);
-  return { what, sizes, browser, save };
+  return { what, sizes, files: [], browser, save };
+}
+
+function withFiles([what, ...words]) {
+  const {
+    values: { browser = false, save = false },
+    positionals: files,
+  } = parsed(words);
+  if (files.length === 0 || browser) throw new Explained(USAGE);
+  return { what, sizes: null, files, browser, save };
 }
 
 function parsed(args) {

@@ -1,0 +1,186 @@
+/**
+ * npm run bench -- hold FILE... [--save]: captured animations against what is made of every n-th of their frames: by
+ * the method as published, with what rests held (contact, anchored), and by the cubic of the vertices; then what a
+ * frame costs with these and with pins.
+ */
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import type { Engine, Sequence } from '../../web/engine/api/api.ts';
+import { createEngine } from '../../web/engine/node.ts';
+import type { AnimationInfo, InputFile, MotionOptions } from '../../web/engine/api/types.ts';
+import { KgError } from '../../web/study/kg-error.ts';
+import { readReference, type ReferenceMotion } from '../../web/study/reference-motion.ts';
+import { frameOf } from './frames.ts';
+import { short, table } from './format.ts';
+import { quantile } from './quantile.ts';
+import { aligned, Sliding } from './truth.ts';
+
+/** Frames of the animation from key to key. */
+const STEPS = [5, 8, 10];
+const FEWEST_KEYS = 4;
+/** Frames of each motion, in turn. */
+const ROUNDS = 60;
+
+const MOTIONS = {
+  'vertex cubic': { method: 'cubic-vertex', hold: 'off' },
+  plain: { method: 'lri', hold: 'off' },
+  contact: { method: 'lri', hold: 'contact' },
+  anchored: { method: 'lri', hold: 'anchored' },
+} as const satisfies Record<string, Partial<MotionOptions>>;
+type Name = keyof typeof MOTIONS;
+const NAMES = Object.keys(MOTIONS) as Name[];
+
+/** In percent; `sliding` of the diagonal, NaN where nothing rests. */
+interface Errors {
+  raw: number;
+  aligned: number;
+  sliding: number;
+}
+
+interface Run {
+  name: string;
+  errors: Record<Name, Errors>;
+}
+
+/** Milliseconds of a frame over those of the plain one's, and its own. */
+interface Costs {
+  name: string;
+  plainMs: number;
+  ratios: Record<string, number>;
+}
+
+export async function holdTables(files: readonly string[], say: (what: string) => void): Promise<string> {
+  const runs: Run[] = [];
+  const costs: Costs[] = [];
+  for (const file of files) {
+    const engine = createEngine();
+    try {
+      const input = [{ name: path.basename(file), bytes: new Uint8Array(await readFile(file)) }];
+      const { info } = await engine.importKeyframes(input);
+      for (const [index, animation] of info.animations.entries()) {
+        const reference = await readReference(engine, input, index, animation, info.report.vertices, {});
+        const title = `${path.basename(file)}, ${animation.name}`;
+        say(title);
+        for (const step of STEPS.filter((one) => keyTimes(reference, one).length >= FEWEST_KEYS))
+          runs.push(await compare(engine, { input, index, animation, reference, step, title }));
+        reference.dispose();
+      }
+      costs.push(await timed(engine, input, path.basename(file)));
+    } finally {
+      engine.dispose();
+    }
+  }
+  return [errorTable(runs), meansOf(runs), costTable(costs)].join('\n\n');
+}
+
+interface Wanted {
+  input: InputFile[];
+  index: number;
+  animation: AnimationInfo;
+  reference: ReferenceMotion;
+  step: number;
+  title: string;
+}
+
+const keyTimes = ({ times }: ReferenceMotion, step: number): number[] => times.filter((_, i) => i % step === 0);
+
+async function compare(engine: Engine, { input, index, reference, step, title }: Wanted): Promise<Run> {
+  const sample = keyTimes(reference, step);
+  const keys = await engine.importKeyframes(input, { animation: index, sample });
+  const sequence = await engine.createSequence(keys, keys.info.project ?? {});
+  const { diagonal } = keys.info.report;
+  const errors = {} as Record<Name, Errors>;
+  for (const name of NAMES) {
+    await sequence.update(MOTIONS[name]);
+    errors[name] = await errorsOf(sequence, reference, sample, diagonal);
+  }
+  sequence.dispose();
+  keys.dispose();
+  return { name: `${title}, every ${step}th`, errors };
+}
+
+async function errorsOf(
+  sequence: Sequence,
+  { keys, times }: ReferenceMotion,
+  sample: readonly number[],
+  diagonal: number,
+): Promise<Errors> {
+  const [raw, turned, sliding] = [new KgError(), new KgError(), new Sliding(diagonal)];
+  const last = sample.at(-1)!;
+  for (const [i, t] of times.entries()) {
+    if (t > last) break;
+    const truth = keys.positions(i);
+    const frame = await frameOf(sequence.evaluate(t));
+    raw.add(truth, frame.positions);
+    turned.add(truth, aligned(frame.positions, truth));
+    sliding.add(truth, frame.positions, sample.includes(t));
+    frame.release();
+  }
+  return { raw: raw.percent, aligned: turned.percent, sliding: sliding.percent };
+}
+
+const PINNED = [0.1, 0.5, 0.9];
+
+async function timed(engine: Engine, input: InputFile[], name: string): Promise<Costs> {
+  const keys = await engine.importKeyframes(input, { sample: 8 });
+  const { vertices } = keys.info.report;
+  const pins = PINNED.map((share) => ({ vertex: Math.floor(share * vertices), radius: 0.05 }));
+  const motions: Record<string, Partial<MotionOptions>> = {
+    plain: {},
+    contact: { hold: 'contact' },
+    anchored: { hold: 'anchored' },
+    'one pin': { pins: pins.slice(0, 1) },
+    'three pins, contact': { pins, hold: 'contact' },
+  };
+  const sequences: [string, Sequence][] = [];
+  for (const [title, options] of Object.entries(motions))
+    sequences.push([title, await engine.createSequence(keys, { ...keys.info.project, hold: 'off', ...options })]);
+  const ms = new Map<string, number[]>(sequences.map(([title]) => [title, []]));
+  for (let round = 0; round < ROUNDS; round += 1) {
+    for (const [title, sequence] of sequences) {
+      const [first, last] = sequence.range;
+      const frame = await frameOf(sequence.evaluate(first + ((round + 0.5) / ROUNDS) * (last - first)));
+      ms.get(title)!.push(frame.ms);
+      frame.release();
+    }
+  }
+  for (const [, sequence] of sequences) sequence.dispose();
+  keys.dispose();
+  const plain = ms.get('plain')!;
+  const ratios = Object.fromEntries(
+    [...ms].map(([title, list]) => [title, quantile(list.map((value, round) => value / plain[round]!))]),
+  );
+  return { name: `${name}, ${vertices} vertices`, plainMs: quantile(plain), ratios };
+}
+
+const cell = ({ raw, aligned: rigid, sliding }: Errors): string => [raw, rigid, sliding].map(short).join(' / ');
+
+function errorTable(runs: readonly Run[]): string {
+  const rows = runs.map(({ name, errors }) => [name, ...NAMES.map((one) => cell(errors[one]))]);
+  return `KG error in %, the same with every frame aligned, sliding in % of the diagonal:\n\n${table(['', ...NAMES], rows)}`;
+}
+
+/** Geometric mean, least and largest of the ratios to the plain motion. */
+function meansOf(runs: readonly Run[]): string {
+  const text = (ratios: number[]): string => {
+    const known = ratios.filter((ratio) => Number.isFinite(ratio) && ratio > 0);
+    const mean = Math.exp(known.reduce((sum, ratio) => sum + Math.log(ratio), 0) / known.length);
+    return `${short(mean)} [${short(Math.min(...known))}, ${short(Math.max(...known))}]`;
+  };
+  const over = (name: Name, part: keyof Errors): string =>
+    text(runs.map(({ errors }) => errors[name][part] / errors.plain[part]));
+  const parts = ['raw', 'aligned', 'sliding'] as const;
+  const rows = NAMES.filter((name) => name !== 'plain').map((name) => [name, ...parts.map((part) => over(name, part))]);
+  const titles = ['over plain', 'KG error', 'aligned', 'sliding'];
+  return `Geometric means [least, largest] over ${runs.length} runs:\n\n${table(titles, rows)}`;
+}
+
+function costTable(costs: readonly Costs[]): string {
+  const titles = Object.keys(costs[0]?.ratios ?? {}).filter((title) => title !== 'plain');
+  const rows = costs.map(({ name, plainMs, ratios }) => [
+    name,
+    short(plainMs),
+    ...titles.map((title) => short(ratios[title]!)),
+  ]);
+  return `A frame in wasm, in turn: milliseconds of the plain one, and the others over it (medians):\n\n${table(['', 'plain', ...titles], rows)}`;
+}

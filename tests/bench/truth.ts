@@ -1,0 +1,82 @@
+/** What a motion is compared with a captured one by: shapes laid over each other, and how far slides what rests. */
+import { leadingEigenvector } from '../../web/study/symmetric-eigen.ts';
+
+type Vector = [number, number, number];
+
+function centroidOf(shape: Float32Array): Vector {
+  const sum: Vector = [0, 0, 0];
+  for (let i = 0; i < shape.length; i += 1) sum[i % 3]! += shape[i]!;
+  return sum.map((value) => value / (shape.length / 3)) as Vector;
+}
+
+/** `shape` turned and moved to where it is nearest to `target` (Horn 1987); 3 x vertices both. */
+export function aligned(shape: Float32Array, target: Float32Array): Float32Array {
+  const [from, to] = [centroidOf(shape), centroidOf(target)];
+  const s = new Float64Array(9);
+  for (let i = 0; i < shape.length; i += 3)
+    for (let a = 0; a < 3; a += 1)
+      for (let b = 0; b < 3; b += 1) s[3 * a + b]! += (shape[i + a]! - from[a]!) * (target[i + b]! - to[b]!);
+  const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = s as unknown as number[];
+  const matrix = [
+    [xx! + yy! + zz!, yz! - zy!, zx! - xz!, xy! - yx!],
+    [yz! - zy!, xx! - yy! - zz!, xy! + yx!, zx! + xz!],
+    [zx! - xz!, xy! + yx!, yy! - xx! - zz!, yz! + zy!],
+    [xy! - yx!, zx! + xz!, yz! + zy!, zz! - xx! - yy!],
+  ].flat();
+  // Its largest eigenvalue is to be the one of largest size, too.
+  const shift = matrix.reduce((sum, value) => sum + Math.abs(value), 0);
+  const [w, x, y, z] = leadingEigenvector(
+    matrix.map((value, index) => value + (index % 5 === 0 ? shift : 0)),
+    4,
+  ) as [number, number, number, number];
+  const turn = [
+    [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+  ];
+  const result = new Float32Array(shape.length);
+  for (let i = 0; i < shape.length; i += 3)
+    for (let a = 0; a < 3; a += 1)
+      result[i + a] = to[a]! + turn[a]!.reduce((sum, value, b) => sum + value * (shape[i + b]! - from[b]!), 0);
+  return result;
+}
+
+/** Of the diagonal: a vertex rests between two keys where its true path stays within this of where it begins. */
+const RESTS = 0.005;
+
+/**
+ * How far vertices that rest go from where they were in the key before, root of the mean square over all of them, in
+ * percent of the diagonal.
+ */
+export class Sliding {
+  private squares = 0;
+  private count = 0;
+  private start: Float32Array | null = null;
+  private frames: { truth: Float32Array; shape: Float32Array }[] = [];
+
+  constructor(private readonly diagonal: number) {}
+
+  /** The next frame of both, 3 x vertices; whether it is a key, which the first and the last are. */
+  add(truth: Float32Array, shape: Float32Array, isKey: boolean): void {
+    this.frames.push({ truth: truth.slice(), shape: shape.slice() });
+    if (!isKey) return;
+    if (this.start) this.addInterval(this.start);
+    this.start = truth.slice();
+    this.frames = [];
+  }
+
+  private addInterval(start: Float32Array): void {
+    const far = (shape: Float32Array, i: number): number =>
+      Math.hypot(shape[i]! - start[i]!, shape[i + 1]! - start[i + 1]!, shape[i + 2]! - start[i + 2]!);
+    for (let i = 0; i < start.length; i += 3) {
+      if (this.frames.some(({ truth }) => far(truth, i) > RESTS * this.diagonal)) continue;
+      for (const { shape } of this.frames) this.squares += far(shape, i) ** 2;
+      this.count += this.frames.length;
+    }
+  }
+
+  /** NaN where nothing rests. */
+  get percent(): number {
+    return (100 * Math.sqrt(this.squares / this.count)) / this.diagonal;
+  }
+}
