@@ -45,8 +45,8 @@ export function aligned(shape: Float32Array, target: Float32Array): Float32Array
 const RESTS = 0.005;
 
 /**
- * How far vertices that rest go from where they were in the key before, root of the mean square over all of them, in
- * percent of the diagonal.
+ * How far vertices that rest are from where they truly are, root of the mean square over all of them, in percent of the
+ * diagonal.
  */
 export class Sliding {
   private squares = 0;
@@ -66,12 +66,13 @@ export class Sliding {
   }
 
   private addInterval(start: Float32Array): void {
-    const far = (shape: Float32Array, i: number): number =>
-      Math.hypot(shape[i]! - start[i]!, shape[i + 1]! - start[i + 1]!, shape[i + 2]! - start[i + 2]!);
+    const far = (a: Float32Array, b: Float32Array, i: number): number =>
+      Math.hypot(a[i]! - b[i]!, a[i + 1]! - b[i + 1]!, a[i + 2]! - b[i + 2]!);
     for (let i = 0; i < start.length; i += 3) {
-      if (this.frames.some(({ truth }) => far(truth, i) > RESTS * this.diagonal)) continue;
-      for (const { shape } of this.frames) this.squares += far(shape, i) ** 2;
-      this.count += this.frames.length;
+      if (this.frames.some(({ truth }) => far(truth, start, i) > RESTS * this.diagonal)) continue;
+      // The last frame is a key, which every motion meets.
+      for (const { truth, shape } of this.frames.slice(0, -1)) this.squares += far(shape, truth, i) ** 2;
+      this.count += this.frames.length - 1;
     }
   }
 

@@ -589,7 +589,7 @@ describe('a motion beside a captured one', () => {
     ).not.toEqual(shape);
   });
 
-  it('slides as far as what rests in the captured one goes from its last key', () => {
+  it('slides as far as what rests in the captured one is from where it truly is', () => {
     const moved = (x: number, which: number): Float32Array => shape.map((value, i) => value + (i === which ? x : 0));
     const sliding = new Sliding(10);
     expect(sliding.percent).toBeNaN();
@@ -597,6 +597,6 @@ describe('a motion beside a captured one', () => {
     // The first vertex goes away in truth, so that three of them rest; one of these slides by 1, 10 % of the diagonal.
     sliding.add(moved(1, 0), moved(1, 3), false);
     sliding.add(moved(1, 0), moved(1, 0), true);
-    expect(sliding.percent).toBeCloseTo(10 * Math.sqrt(1 / 6), 5);
+    expect(sliding.percent).toBeCloseTo(10 * Math.sqrt(1 / 3), 5);
   });
 });
