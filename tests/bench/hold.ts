@@ -7,13 +7,14 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import { createEngine } from '../../web/engine/node.ts';
-import type { AnimationInfo, InputFile, MotionOptions } from '../../web/engine/api/types.ts';
+import type { InputFile, MotionOptions } from '../../web/engine/api/types.ts';
 import { KgError } from '../../web/study/kg-error.ts';
-import { readReference, type ReferenceMotion } from '../../web/study/reference-motion.ts';
+import { readReference } from '../../web/study/reference-motion.ts';
+import { poseFiles } from '../engine/support/glb.ts';
 import { frameOf } from './frames.ts';
 import { short, table } from './format.ts';
 import { quantile } from './quantile.ts';
-import { aligned, Sliding } from './truth.ts';
+import { aligned, Sliding, walkedOn } from './truth.ts';
 
 /** Frames of the animation from key to key. */
 const STEPS = [5, 8, 10];
@@ -49,6 +50,16 @@ interface Costs {
   ratios: Record<string, number>;
 }
 
+/** A dense sequence of shapes. */
+interface Captured {
+  title: string;
+  faces: Uint32Array;
+  /** Seconds. */
+  times: readonly number[];
+  /** 3 x vertices at each time. */
+  shapes: Float32Array[];
+}
+
 export async function holdTables(files: readonly string[], say: (what: string) => void): Promise<string> {
   const runs: Run[] = [];
   const costs: Costs[] = [];
@@ -56,14 +67,10 @@ export async function holdTables(files: readonly string[], say: (what: string) =
     const engine = createEngine();
     try {
       const input = [{ name: path.basename(file), bytes: new Uint8Array(await readFile(file)) }];
-      const { info } = await engine.importKeyframes(input);
-      for (const [index, animation] of info.animations.entries()) {
-        const reference = await readReference(engine, input, index, animation, info.report.vertices, {});
-        const title = `${path.basename(file)}, ${animation.name}`;
-        say(title);
-        for (const step of STEPS.filter((one) => keyTimes(reference, one).length >= FEWEST_KEYS))
-          runs.push(await compare(engine, { input, index, animation, reference, step, title }));
-        reference.dispose();
+      for (const captured of await readAll(engine, input)) {
+        say(captured.title);
+        for (const step of STEPS.filter((one) => captured.times.length > (FEWEST_KEYS - 1) * one))
+          runs.push(await compare(engine, captured, step));
       }
       costs.push(await timed(engine, input, path.basename(file)));
     } finally {
@@ -73,50 +80,48 @@ export async function holdTables(files: readonly string[], say: (what: string) =
   return [errorTable(runs), meansOf(runs), costTable(costs)].join('\n\n');
 }
 
-interface Wanted {
-  input: InputFile[];
-  index: number;
-  animation: AnimationInfo;
-  reference: ReferenceMotion;
-  step: number;
-  title: string;
+/** Every animation, and after one that walks in place the same as it walks on. */
+async function readAll(engine: Engine, input: InputFile[]): Promise<Captured[]> {
+  const { info } = await engine.importKeyframes(input);
+  const { vertices, diagonal } = info.report;
+  const all: Captured[] = [];
+  for (const [index, animation] of info.animations.entries()) {
+    const reference = await readReference(engine, input, index, animation, vertices, {});
+    const { times, keys } = reference;
+    const shapes = times.map((_, i) => keys.positions(i).slice());
+    reference.dispose();
+    const captured = { title: `${input[0]!.name}, ${animation.name}`, faces: info.faces, times, shapes };
+    const onward = walkedOn(shapes, diagonal);
+    all.push(captured, ...(onward ? [{ ...captured, title: `${captured.title}, walking on`, shapes: onward }] : []));
+  }
+  return all;
 }
 
-const keyTimes = ({ times }: ReferenceMotion, step: number): number[] => times.filter((_, i) => i % step === 0);
-
-async function compare(engine: Engine, { input, index, reference, step, title }: Wanted): Promise<Run> {
-  const sample = keyTimes(reference, step);
-  const keys = await engine.importKeyframes(input, { animation: index, sample });
+async function compare(engine: Engine, { title, faces, times, shapes }: Captured, step: number): Promise<Run> {
+  const isKey = (_: unknown, i: number): boolean => i % step === 0;
+  const poses = shapes.filter(isKey);
+  const mesh = { positions: shapes[0]!, indices: faces };
+  const keys = await engine.importKeyframes(poseFiles(mesh, poses));
   const sequence = await engine.createSequence(keys, keys.info.project ?? {});
+  const keyTimes = times.filter(isKey);
   const { diagonal } = keys.info.report;
   const errors = {} as Record<Name, Errors>;
   for (const name of NAMES) {
-    await sequence.update(MOTIONS[name]);
-    errors[name] = await errorsOf(sequence, reference, sample, diagonal);
+    await sequence.update({ ...MOTIONS[name], keyTimes });
+    const [raw, turned, sliding] = [new KgError(), new KgError(), new Sliding(diagonal)];
+    for (let i = 0; i <= (poses.length - 1) * step; i += 1) {
+      const truth = shapes[i]!;
+      const frame = await frameOf(sequence.evaluate(times[i]!));
+      raw.add(truth, frame.positions);
+      turned.add(truth, aligned(frame.positions, truth));
+      sliding.add(truth, frame.positions, i % step === 0);
+      frame.release();
+    }
+    errors[name] = { raw: raw.percent, aligned: turned.percent, sliding: sliding.percent };
   }
   sequence.dispose();
   keys.dispose();
   return { name: `${title}, every ${step}th`, errors };
-}
-
-async function errorsOf(
-  sequence: Sequence,
-  { keys, times }: ReferenceMotion,
-  sample: readonly number[],
-  diagonal: number,
-): Promise<Errors> {
-  const [raw, turned, sliding] = [new KgError(), new KgError(), new Sliding(diagonal)];
-  const last = sample.at(-1)!;
-  for (const [i, t] of times.entries()) {
-    if (t > last) break;
-    const truth = keys.positions(i);
-    const frame = await frameOf(sequence.evaluate(t));
-    raw.add(truth, frame.positions);
-    turned.add(truth, aligned(frame.positions, truth));
-    sliding.add(truth, frame.positions, sample.includes(t));
-    frame.release();
-  }
-  return { raw: raw.percent, aligned: turned.percent, sliding: sliding.percent };
 }
 
 const PINNED = [0.1, 0.5, 0.9];

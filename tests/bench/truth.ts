@@ -41,6 +41,44 @@ export function aligned(shape: Float32Array, target: Float32Array): Float32Array
   return result;
 }
 
+/** Of the diagonal: what is no higher than this above the lowest vertex is on the ground. */
+const ON_GROUND = 0.015;
+/** Of the diagonal: what gets no further than this does not walk. */
+const WALKS = 0.5;
+
+/**
+ * A walk in place, y up, moved on frame by frame so that what is on the ground stays there in the mean; null where that
+ * leads nowhere. 3 x vertices each.
+ */
+export function walkedOn(shapes: readonly Float32Array[], diagonal: number): Float32Array[] | null {
+  const way = { x: 0, z: 0 };
+  const moved = shapes.map((shape, frame) => {
+    const before = shapes[frame - 1];
+    if (before) {
+      const step = groundStep(before, shape, ON_GROUND * diagonal);
+      way.x -= step.x;
+      way.z -= step.z;
+    }
+    return shape.map((value, i) => value + [way.x, 0, way.z][i % 3]!);
+  });
+  return Math.hypot(way.x, way.z) > WALKS * diagonal ? moved : null;
+}
+
+function groundStep(before: Float32Array, after: Float32Array, height: number): { x: number; z: number } {
+  const lowest = (shape: Float32Array): number =>
+    shape.reduce((low, value, i) => (i % 3 === 1 && value < low ? value : low), Infinity);
+  const [ground, next] = [lowest(before) + height, lowest(after) + height];
+  const step = { x: 0, z: 0 };
+  let count = 0;
+  for (let i = 0; i < before.length; i += 3) {
+    if (before[i + 1]! > ground || after[i + 1]! > next) continue;
+    step.x += after[i]! - before[i]!;
+    step.z += after[i + 2]! - before[i + 2]!;
+    count += 1;
+  }
+  return count === 0 ? step : { x: step.x / count, z: step.z / count };
+}
+
 /** Of the diagonal: a vertex rests between two keys where its true path stays within this of where it begins. */
 const RESTS = 0.005;
 

@@ -24,7 +24,7 @@ import { quantile, spread } from '../bench/quantile.ts';
 import { boundMs, frameOverSolve, ofRounds, solveOverBound } from '../bench/ratios.ts';
 import { report } from '../bench/report.ts';
 import { isInside, SWEEP, sweptParts, type Swept } from '../bench/sweep.ts';
-import { aligned, Sliding } from '../bench/truth.ts';
+import { aligned, Sliding, walkedOn } from '../bench/truth.ts';
 import { errorTable, frameTable, keysTable, type Result } from '../bench/tables.ts';
 import { keysTarget, targetsOf, verdict } from '../bench/targets.ts';
 
@@ -598,5 +598,13 @@ describe('a motion beside a captured one', () => {
     sliding.add(moved(1, 0), moved(1, 3), false);
     sliding.add(moved(1, 0), moved(1, 0), true);
     expect(sliding.percent).toBeCloseTo(10 * Math.sqrt(1 / 3), 5);
+  });
+
+  it('walks on where what is on the ground stays, and nowhere without steps', () => {
+    // A head, and a foot that slides back by 1 a frame along x and z.
+    const frames = Array.from({ length: 8 }, (_, i) => Float32Array.of(0, 10, 0, -i, 0, -i, -i, 0.1, -i));
+    const onward = walkedOn(frames, 10)!;
+    expect(Array.from(onward[7]!)).toEqual([7, 10, 7, 0, 0, 0, 0, expect.closeTo(0.1, 5), 0]);
+    expect(walkedOn(frames.slice(0, 3), 10)).toBeNull();
   });
 });
