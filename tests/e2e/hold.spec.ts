@@ -120,3 +120,34 @@ test('a link holds, and other methods and two keys have nothing to hold', async 
   }
   await expect(app.by('hold-contact')).toBeHidden();
 });
+
+test('the paws of the sample that strolls stay where they stand, beside the same with nothing held', async ({
+  app,
+}) => {
+  await app.open({ sample: 'stroll' });
+  await expect(app.by('hold-contact')).toBeChecked();
+  await app.by('compare-lri').check();
+  await app.settled();
+  const { keys } = (await app.state()).doc;
+  const size = diagonal(await app.positionsAt(0));
+  let [held, plain, planted] = [0, 0, 0];
+  for (let key = 0; key + 1 < keys.length; key++) {
+    const [from, to] = [keys[key]!.time, keys[key + 1]!.time];
+    const [before, after] = [await app.positionsAt(from), await app.positionsAt(to)];
+    const still = before.flatMap((_, i) =>
+      i % 3 === 0 && Math.hypot(...[0, 1, 2].map((k) => after[i + k]! - before[i + k]!)) < 0.005 * size ? [i] : [],
+    );
+    await app.setTime(from + 0.5 * (to - from));
+    const off = (shape: number[]): number =>
+      still.reduce((sum, i) => sum + Math.hypot(...[0, 1, 2].map((k) => shape[i + k]! - before[i + k]!)), 0);
+    held += off(await app.positions(0));
+    plain += off(await app.positions(1));
+    planted += still.length;
+  }
+  expect(planted).toBeGreaterThan(100);
+  expect(plain / planted).toBeGreaterThan(0.001 * size);
+  expect(held).toBeLessThan(0.6 * plain);
+  // A link to it holds, unless it says that it does not.
+  await app.by('hold-off').check();
+  await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('hold=off');
+});

@@ -128,9 +128,26 @@ TEST_CASE("samples: a paw of the dachshund that is planted moves with the ground
   }
 }
 
-TEST_CASE("samples: the list names each file, its times and its boundary") {
+TEST_CASE("samples: a paw that is planted on the way across the floor stays where it is") {
+  const Keyframes stroll = makeStroll().keyframes;
+  REQUIRE(stroll.keyCount() == 9);
+  CHECK(stroll.keys[8].positions[0].x() - stroll.keys[0].positions[0].x() == doctest::Approx(4 * 0.22 / 0.62));
+  int planted = 0;
+  for (int j = 0; j < 8; ++j)
+    for (std::size_t v = 0; v < stroll.keys[j].positions.size(); ++v) {
+      const Vec3 &before = stroll.keys[j].positions[v], &after = stroll.keys[j + 1].positions[v];
+      // On the floor at both ends: of paws that stand, and of none that swings by.
+      if (before.y() > 0.02 || after.y() > 0.02 || (after - before).norm() > 0.1) continue;
+      ++planted;
+      CHECK((after - before).norm() < 0.02);  // of a body 5 long
+    }
+  CHECK(planted > 100);
+}
+
+TEST_CASE("samples: the list names each file, its times, its boundary and what it holds") {
   Sample sample = makeTwistedBar();
   sample.boundary = BoundaryKind::Periodic;
+  sample.hold = Hold::Contact;
   sample.description = "with \"quotes\"";
   const auto list = nlohmann::json::parse(sampleList({sample, sample}));
   REQUIRE(list.size() == 2);
@@ -138,6 +155,7 @@ TEST_CASE("samples: the list names each file, its times and its boundary") {
   CHECK(list[0]["files"] == nlohmann::json{"twisted-bar.glb"});
   CHECK(list[0]["times"] == nlohmann::json{0.0, 0.5, 1.0});
   CHECK(list[0]["boundary"] == "periodic");
+  CHECK(list[0]["hold"] == "contact");
   CHECK(list[0]["description"] == sample.description);
 }
 

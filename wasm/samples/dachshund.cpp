@@ -1,4 +1,5 @@
-// A dachshund's walk: eight keys of a cycle that closes, seen from a camera that walks along.
+// A dachshund's walk: eight keys of a cycle that closes, seen from a camera that walks along; and the same across the
+// floor.
 #include <cmath>
 
 #include <Eigen/LU>
@@ -190,6 +191,26 @@ Sample makeDachshund() {
           BoundaryKind::Periodic,
           posedKeyframes(body, poses, 1.0 / keyCount, 24),
           0xa9714b};
+}
+
+Sample makeStroll() {
+  constexpr int cycles = 2, keysPerCycle = 4;
+  constexpr double way = 2 * halfStride / stance;  // of a cycle
+  const Body body = dachshundBody();
+  std::vector<Pose> poses;
+  for (int j = 0; j <= cycles * keysPerCycle; ++j) {
+    const double phase = double(j) / keysPerCycle;
+    Pose pose = walkPose(body, phase);
+    pose.root = Eigen::Translation3d(way * (phase - 0.5 * cycles), 0, 0) * pose.root;
+    poses.push_back(pose);
+  }
+  return {"stroll",
+          "Stroll",
+          "A dachshund crosses the floor in nine poses; what rests is held, so that its paws stay where they stand.",
+          BoundaryKind::Natural,
+          posedKeyframes(body, poses, 1.0 / keysPerCycle, 24),
+          0xc08d5f,
+          Hold::Contact};
 }
 
 }  // namespace shapespline

@@ -4,7 +4,7 @@ namespace shapespline {
 
 const std::vector<SampleMaker>& sampleMakers() {
   static const std::vector<SampleMaker> makers{
-      {"cactus", makeCactus}, {"dachshund", makeDachshund}, {"octopus", makeOctopus},
+      {"cactus", makeCactus}, {"dachshund", makeDachshund}, {"stroll", makeStroll},          {"octopus", makeOctopus},
       {"hand", makeHand},     {"gymnast", makeGymnast},     {"twisted-bar", makeTwistedBar},
   };
   return makers;

@@ -17,11 +17,13 @@ struct Sample {
   BoundaryKind boundary = BoundaryKind::Natural;
   Keyframes keyframes;
   std::uint32_t colour = 0xc9b5a4;  ///< of its surface: red, green and blue in sRGB
+  Hold hold = Hold::Off;
 };
 
 Sample makeCactus();
 Sample makeTwistedBar();
 Sample makeDachshund();
+Sample makeStroll();
 Sample makeOctopus();
 Sample makeHand();
 Sample makeGymnast();

@@ -14,8 +14,8 @@ namespace shapespline {
 /// times are the keys' times. Positions are float32; there are no normals, which every reader can compute.
 Result<std::vector<std::uint8_t>> sampleGlb(const Sample& sample);
 
-/// samples.json: an array of {"id", "title", "description", "files", "times", "boundary", "credit"}, in the order
-/// offered; files are named relative to it.
+/// samples.json: an array of {"id", "title", "description", "files", "times", "boundary", "hold", "credit"}, in
+/// the order offered; files are named relative to it.
 std::string sampleList(const std::vector<Sample>& samples);
 
 /// The name of a sample's file.

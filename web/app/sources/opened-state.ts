@@ -33,10 +33,10 @@ export function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
   };
 }
 
-/** The document of a sample: its end condition and the names of its poses. */
-export function ofSample(doc: Doc, { boundary, names }: Sample): Doc {
+/** The document of a sample: its end condition, what it holds, and the names of its poses. */
+export function ofSample(doc: Doc, { boundary, hold, names }: Sample): Doc {
   const keys = doc.keys.map((key, index) => ({ ...key, name: names?.[index] ?? key.name }));
-  return setMotion({ ...doc, keys }, { boundary });
+  return setMotion({ ...doc, keys }, { boundary, hold });
 }
 
 /** The look stays, but not a divider; the camera is fitted unless a link says where it was. */

@@ -1,7 +1,6 @@
 /** The built-in samples: a list and their files, fetched from beside the page. */
-import type { InputFile } from '../../engine/api/types.ts';
-import type { Boundary } from '../../engine/api/types.ts';
-import { BOUNDARIES } from '../../model/state.ts';
+import type { Boundary, Hold, InputFile } from '../../engine/api/types.ts';
+import { BOUNDARIES, HOLDS } from '../../model/state.ts';
 
 export interface Sample {
   id: string;
@@ -15,6 +14,7 @@ export interface Sample {
   /** Times of the keys; null = the file's own or evenly spaced. */
   times: number[] | null;
   boundary: Boundary;
+  hold: Hold;
 }
 
 const FOLDER = 'samples/';
@@ -30,6 +30,7 @@ const MADE: readonly Sample[] = [
     names: ['Straight', 'Half a turn', 'A whole turn'],
     times: [0, 0.5, 1],
     boundary: 'natural',
+    hold: 'off',
   },
   {
     id: 'serpent',
@@ -40,6 +41,7 @@ const MADE: readonly Sample[] = [
     names: ['Winding', 'Winding back', 'Coiled'],
     times: [0, 0.5, 1],
     boundary: 'natural',
+    hold: 'off',
   },
 ];
 
@@ -77,7 +79,7 @@ async function request(path: string, signal?: AbortSignal): Promise<Response> {
 
 function readSample(entry: unknown): Sample[] {
   if (typeof entry !== 'object' || entry === null) return [];
-  const { id, title, description, file, files, times, boundary } = entry as Record<string, unknown>;
+  const { id, title, description, file, files, times, boundary, hold } = entry as Record<string, unknown>;
   const names = Array.isArray(files) ? files : [file];
   if (typeof id !== 'string' || !names.every((name) => typeof name === 'string')) return [];
   return [
@@ -90,6 +92,7 @@ function readSample(entry: unknown): Sample[] {
       names: null,
       times: Array.isArray(times) && times.every((time) => Number.isFinite(time)) ? times : null,
       boundary: BOUNDARIES.find((known) => known === boundary) ?? 'natural',
+      hold: HOLDS.find((known) => known === hold) ?? 'off',
     },
   ];
 }
