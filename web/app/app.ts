@@ -170,6 +170,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     onExport: (request) => void ways.exporting.run(request),
     snippet: ways.exporting.snippet,
     onCancel() {
+      if (guide.cancel()) return;
       ways.exporting.cancel();
       animation.cancel();
       session.cancel();

@@ -33,9 +33,11 @@ export function createReal({ get, change }: RealParts): Real {
   const ask = (): void => {
     shapes.clear();
     send({ type: 'ask' });
-    // The app may still be starting.
+    // The app may still be starting, here or in another tab.
     window.clearTimeout(again);
-    if (asked) again = window.setTimeout(ask, ASK_AGAIN_MS);
+    again = window.setTimeout(() => {
+      if (shapes.size === 0 && !document.hidden) ask();
+    }, ASK_AGAIN_MS);
   };
 
   const none = h(

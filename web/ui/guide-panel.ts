@@ -28,6 +28,8 @@ export interface GuidePanel {
   show(props: GuidePanelProps): void;
   /** Numbers of what is shown; '' for none. */
   setLive(text: string): void;
+  /** The keyboard goes on from its title. */
+  focus(): void;
   /** As by its link, where there is one. */
   turn(to: 'previous' | 'next'): void;
 }
@@ -102,6 +104,7 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
       setText(live, text);
       setHidden(live, text === '');
     },
+    focus: () => title.focus(),
     turn(to) {
       const link = { previous, next }[to];
       if (!link.hidden) link.click();

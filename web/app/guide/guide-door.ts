@@ -7,6 +7,8 @@ export interface GuideDoor {
   open(fragment: string): Promise<boolean>;
   /** Leaves it; false where it is not open. */
   close(): boolean;
+  /** Leaves it where a page of it is being opened; true where that is what is under way, or the way back is. */
+  cancel(): boolean;
   onOpened(): void;
   /** Asked only while it is open. */
   follow(facts: () => Facts | null): void;
@@ -24,6 +26,10 @@ export function createGuideDoor(parts: GuideParts): GuideDoor {
       if (!guide?.isOpen) return false;
       void guide.close();
       return true;
+    },
+    cancel() {
+      if (guide?.isTurning) void guide.close();
+      return guide?.isTurning === true || guide?.isReturning === true;
     },
     onOpened: () => guide?.onOpened(),
     follow(facts) {

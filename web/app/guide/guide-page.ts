@@ -1,4 +1,5 @@
 /** One page of the guide: a state of the app, and what is said of it. */
+import type { Sequence } from '../../engine/api/api.ts';
 import type { SequenceStats } from '../../engine/api/types.ts';
 import type { Formula } from '../../ui/guide-panel.ts';
 import type { PanelName } from '../panels/layout.ts';
@@ -29,6 +30,8 @@ export interface GuidePage {
   wide?: true;
   /** A control that is pressed for the reader, by its test id; a tick is taken back with the page. */
   press?: string;
+  /** A field that is filled in for the reader, by its test id; it is emptied with the page. */
+  fill?: { field: string; value: string };
   /** What is seen: a few sentences. */
   text: string;
   /** What the reader does. */
@@ -37,6 +40,8 @@ export interface GuidePage {
   sentence: string;
   /** Numbers from the engine, in words. */
   live?(facts: Facts): string;
+  /** Numbers that the engine is asked for, in words; `keyTimes`: as in Facts. */
+  ask?(sequence: Sequence, keyTimes: readonly number[]): Promise<string>;
   formula?: Formula;
   more?: string;
   /** A page of its own that it speaks of; where there is room it stands in the place of the options, under a title. */

@@ -15,7 +15,7 @@ import { readPermalink } from '../sources/permalink.ts';
 import { FIGURES } from './figures.ts';
 import type { Facts, GuidePage } from './guide-page.ts';
 import { TOUR } from './tour.ts';
-import { pressed, untilTouched, whenThere } from './when-there.ts';
+import { filled, pressed, untilTouched, whenThere } from './when-there.ts';
 
 export interface GuideParts {
   store: Store;
@@ -45,6 +45,10 @@ export interface Guide {
   /** What is shown has changed. */
   setFacts(facts: Facts | null): void;
   readonly isOpen: boolean;
+  /** A page of it is being opened. */
+  readonly isTurning: boolean;
+  /** What was open before is being opened again. */
+  readonly isReturning: boolean;
 }
 
 const nothing = (): void => undefined;
@@ -66,13 +70,18 @@ export function createGuide({
   let page: GuidePage | null = null;
   /** It is opening a page of its own. */
   let turning = 0;
+  /** It is opening what was there before, which is this. */
+  let returning = 0;
+  let comingBack: Work | null = null;
+  /** What had the focus before the first page. */
+  let focused: Element | null = null;
   /** What was open before the first page. */
   let before: Work | null = null;
   const panel = createGuidePanel(() => void guide.close());
 
   /** Of what the page on show has prepared. */
   let takeBack = nothing;
-  const prepare = ({ panel: name, part, press, beside }: GuidePage): void => {
+  const prepare = ({ panel: name, part, press, fill, beside }: GuidePage): void => {
     const undone: (() => void)[] = [];
     if (beside) {
       frame({ href: beside.href, title: beside.framed });
@@ -80,6 +89,7 @@ export function createGuide({
     }
     if (name) undone.push(untilTouched(name, () => showPanel(name, part)));
     if (press) undone.push(whenThere(press, (control) => undone.push(pressed(control))));
+    if (fill) undone.push(whenThere(fill.field, (field) => undone.push(filled(field, fill.value))));
     takeBack = () => undone.forEach((one) => one());
   };
 
@@ -90,6 +100,33 @@ export function createGuide({
     before = null;
     place(null);
     pin(null);
+  };
+
+  /** What the engine was asked for last, and of which motion. */
+  let asked: { of: Facts['stats']; answer: string } | null = null;
+  const ask = async (wanted: GuidePage, { stats, keyTimes }: Facts): Promise<void> => {
+    const sequence = workspace.sequences[0]?.sequence;
+    if (!sequence || !wanted.ask || asked?.of === stats) return;
+    const question = { of: stats, answer: '' };
+    asked = question;
+    const answer = await wanted.ask(sequence, keyTimes).catch(() => ''); // another motion came between
+    if (asked !== question) return;
+    question.answer = answer;
+    panel.setLive(answer);
+  };
+
+  /** Who left with the keyboard goes on where they came from. */
+  const focusAgain = (): void => {
+    const lost = document.activeElement === document.body;
+    if (lost && focused instanceof HTMLElement && focused.checkVisibility()) focused.focus();
+    focused = null;
+  };
+
+  const giveBack = async (left: Work | null): Promise<void> => {
+    if (left) return again(left);
+    // Of the guide's pages nothing is left: what is opened looks as on a first visit.
+    store.set({ view: DEFAULT_VIEW });
+    await openFirst();
   };
 
   /** As it was, moving where it moved. */
@@ -118,14 +155,18 @@ export function createGuide({
       if (!wanted || !state) return false;
       if (!page) {
         keep();
-        before = currentWork(store, workspace);
+        before = returning > 0 ? comingBack : currentWork(store, workspace);
+        focused = document.activeElement;
       }
+      const enters = page === null && document.activeElement !== document.body;
       page = wanted;
       pin(wanted.link);
       panel.show(shown(wanted));
       place(panel.element, wanted.wide);
+      if (enters) panel.focus();
       takeBack();
       takeBack = nothing;
+      asked = null;
       turning += 1;
       const present = presenting() ? 'shape' : null;
       await files.show({ ...state, view: { ...state.view, present } }).finally(() => (turning -= 1));
@@ -137,12 +178,10 @@ export function createGuide({
       const left = before;
       if (!page) return;
       leave();
-      if (left) await again(left);
-      else {
-        // Of the guide's pages nothing is left: what is opened looks as on a first visit.
-        store.set({ view: DEFAULT_VIEW });
-        await openFirst();
-      }
+      focusAgain();
+      returning += 1;
+      comingBack = left;
+      await giveBack(left).finally(() => (returning -= 1));
     },
     onOpened() {
       if (!page || turning > 0) return;
@@ -150,10 +189,19 @@ export function createGuide({
       leave();
     },
     setFacts(facts) {
-      if (page) panel.setLive((facts && page.live?.(facts)) ?? '');
+      if (!page) return;
+      const open = facts && turning === 0 ? facts : null;
+      if (open) void ask(page, open);
+      panel.setLive((open && page.live?.(open)) ?? (page.ask && asked?.answer) ?? '');
     },
     get isOpen() {
       return page !== null;
+    },
+    get isTurning() {
+      return page !== null && turning > 0;
+    },
+    get isReturning() {
+      return returning > 0;
     },
   };
   return guide;
@@ -162,7 +210,7 @@ export function createGuide({
 /** What the pages of a kind are called together. */
 const KINDS = [
   { name: 'Tour', pages: TOUR },
-  { name: 'The paper’s figures', pages: FIGURES },
+  { name: 'Figures', pages: FIGURES },
 ] as const;
 
 function shown(page: GuidePage): GuidePanelProps {

@@ -1,4 +1,5 @@
 /** The tour: ten steps from poses to the plane of shapes. */
+import { turnAlong } from '../../study/turn-along.ts';
 import type { GuidePage } from './guide-page.ts';
 
 const milliseconds = (ms: number): string => `${ms < 10 ? ms.toFixed(1) : ms.toFixed(0)} ms`;
@@ -6,11 +7,26 @@ const listed = (numbers: readonly number[]): string =>
   numbers.length < 2 ? numbers.join('') : `${numbers.slice(0, -1).join(', ')} and ${numbers.at(-1)!}`;
 const grouped = (count: number): string => count.toLocaleString('en');
 
+/** The same from the engine: from the first patch to the last, and from one to the next. */
+const twistOf: GuidePage['ask'] = async (sequence, keyTimes) => {
+  const { patches } = await sequence.stats();
+  const [first, last] = [keyTimes[0]!, keyTimes.at(-1)!];
+  const times = [(first + last) / 2, last];
+  const turn = await turnAlong(patches, times.length, (patch) => sequence.patchCurve(patch, times));
+  if (!turn) return '';
+  const [half, whole] = turn.total.map((angle) => angle.toFixed(0));
+  return (
+    `From the first to the last of ${turn.patches} patches: ${whole} degrees at the last key, ${half} halfway, ` +
+    `at most ${turn.largest.toFixed(0)} from one to the next.`
+  );
+};
+
 const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Three poses, one motion',
     state: 'sample=cactus&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
     text: 'Somebody made three poses of a cactus, the keys. Everything else that you see was found: the shapes between them, and those before the first and after the last.',
+    panel: 'motion',
     task: 'Drag the time, also past both ends.',
     sentence: 'Blue shapes were given, green ones are computed between them, yellow ones beyond.',
     live: ({ keyTimes, faces }) => `${keyTimes.length} keys of ${grouped(faces)} faces, at ${listed(keyTimes)}.`,
@@ -23,6 +39,8 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     title: 'Why not simply blend?',
     state: 'sample=twisted-bar&compare=linear&between=0,0.5&t=0.25&loop=bounce&play=1',
     text: 'Two poses of a bar differ by half a turn. The plainest thing is to move every vertex on a straight line from one to the other. How much of the bar is left halfway? Guess first.',
+    panel: 'analysis',
+    part: 'plot-volume',
     task: 'Drag the time to the middle, 0.25, and compare the two volumes.',
     sentence: 'Blending positions moves every point on a straight line, so a bend loses volume.',
     live: ({ volumes: [ours, blended] }) =>
@@ -40,6 +58,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     text: 'The surface is cut into patches. Of each pair of neighbours only the rotation from one to the other is kept, and of each face how it turns and stretches in its patch. Nothing says where the shape stands.',
     panel: 'analysis',
     part: 'faces',
+    fill: { field: 'face-number', value: '12000' },
     task: 'Click the shape: under Analysis, see how that face turns and stretches in its patch; then choose Patch.',
     sentence: 'Describe a shape by how neighbouring parts turn and stretch, and it no longer matters where it stands.',
     live: ({ faces, patches }) => `${grouped(faces)} faces in ${grouped(patches)} patches.`,
@@ -51,7 +70,9 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Adding up along the body',
     state: 'sample=twisted-bar&keys=0@0,2@1&between=0,1&t=0&loop=bounce&play=1',
-    text: 'Two keys: a straight bar and one twisted by 350 degrees. From patch to patch that is a few degrees only, so that halfway the bar is twisted by 175, and not by 5 the other way. Whether the whole bar turned once more meanwhile, no key can say.',
+    text: 'Two keys: a straight bar, and one twisted by almost a whole turn. Seen by its ends alone it could have turned a little the other way. From patch to patch it is a few degrees only, and these add up. Whether the whole bar turned once more meanwhile, no key can say.',
+    panel: 'motion',
+    ask: twistOf,
     task: 'Open the second key under the timeline, and add a whole turn to the bar.',
     sentence: 'Small turns add up along the body; but two keys cannot say how often.',
     formula: {
@@ -127,6 +148,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Two systems, factored once',
     state: 'sample=octopus&between=0,1.5&t=0&loop=bounce&play=1',
+    panel: 'motion',
     text: 'From coordinates back to a shape is two steps: the rotations of all patches, then all vertices. Each is one large linear system that never changes while the time does, so that it is prepared once.',
     task: 'Open poses of your own, and export the motion.',
     sentence: 'Rotations first, points second, both prepared once: that is why the slider is live.',

@@ -25,6 +25,19 @@ export function pressed(control: HTMLElement): () => void {
   };
 }
 
+/** Fills in a field for the reader; returns what empties it, where the reader has entered nothing else. */
+export function filled(field: HTMLElement, value: string): () => void {
+  if (!(field instanceof HTMLInputElement)) return () => undefined;
+  const enter = (text: string): void => {
+    field.value = text;
+    field.dispatchEvent(new Event('change'));
+  };
+  enter(value);
+  return () => {
+    if (field.value === value) enter('');
+  };
+}
+
 const TOUCHES = ['pointerdown', 'wheel', 'keydown'] as const;
 
 /**

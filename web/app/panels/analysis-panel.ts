@@ -49,6 +49,7 @@ const BENDING = 'curvature of the motion, relative';
 const BENDING_UNIT = 'Relative to the mean deformation energy between keys, per time⁴';
 /** Below it there is nothing but rounding to be seen. */
 const LEAST_SLIDING = 0.01;
+const LEAST_BENDING = 1;
 const SLIDING = 'distance of what rests between keys from its place, % of the diagonal';
 
 /** Fills its place, `element`. */
@@ -101,7 +102,13 @@ export function createAnalysisPanel(
     volume.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.volume, analysis)) });
     area.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.area, analysis)) });
     const floor = logFloor(motions.map((motion) => motion.bending));
-    bending.draw({ ...common, series: series((motion) => motion.bending), include: 0, floor });
+    bending.draw({
+      ...common,
+      series: series((motion) => motion.bending),
+      include: 0,
+      leastSpan: LEAST_BENDING,
+      floor,
+    });
     // Where nothing rests in any interval there is nothing to plot.
     setHidden(
       sliding.element,
@@ -119,11 +126,15 @@ export function createAnalysisPanel(
 
   cache.observe({
     onChange: () => {
+      element.dataset['stale'] = '';
       updateFaces({ version: facesProps.version + 1 });
       if (visible) plane.refresh();
     },
     onStale: computeSoon,
-    onFresh: draw,
+    onFresh(analysis) {
+      delete element.dataset['stale'];
+      draw(analysis);
+    },
   });
 
   new IntersectionObserver(([entry]) => {

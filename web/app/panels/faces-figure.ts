@@ -84,12 +84,16 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
       testId: `${of}-number`,
       min: first,
       step: 1,
-      onInput: (value) => show(of, Math.round(value) - first, typed(of, Math.round(value))),
+      empty: NaN,
+      onInput: (value) =>
+        Number.isNaN(value) ? show(of, null) : show(of, Math.round(value) - first, typed(of, Math.round(value))),
     });
   const fields = {
     face: number('face', 'Face, counted from 0 as in the file', 0),
     patch: number('patch', 'Patch, counted from 1', 1),
   };
+  fields.face.placeholder = 'Face';
+  fields.patch.placeholder = 'Patch';
   const said = h('span', { class: 'muted', 'aria-live': 'polite', 'data-testid': 'face-patch' });
   const charts = {
     face: createFaceCharts(events),

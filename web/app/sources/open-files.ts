@@ -243,6 +243,8 @@ export function createOpenFiles({
   };
 
   const again = (left: Remembered | Work, onLeft?: (work: Work) => void): Promise<boolean> => {
+    // A sample that is on its way is not wanted any more.
+    fetching.abort();
     const { source, project } = left.state;
     const sample = source.kind === 'sample' && samples().find(({ id }) => id === source.id);
     return open({

@@ -1,0 +1,70 @@
+/**
+ * How far a shape is turned from one end to the other: the rotations between neighbouring patches, added up along the
+ * way from the one to the other.
+ */
+import type { PatchCurve } from '../engine/api/types.ts';
+import { rotationVector } from './rotation-vectors.ts';
+import type { Quaternion, Vector } from './rotation-vectors.ts';
+
+export interface TurnAlong {
+  /** Patches on the way, both ends included. */
+  patches: number;
+  /** Degrees, at each time. */
+  total: number[];
+  /** Degrees: the largest between two neighbours on the way, at any of the times. */
+  largest: number;
+}
+
+type Turns = ReadonlyMap<number, Vector[]>;
+
+const DEGREES = 180 / Math.PI;
+
+/**
+ * `curveOf` gives a patch at the times, of which it holds `count`. The ends are as many patches apart as can be; the sum
+ * means something where all turns are about much the same axis, as in a bar that is twisted. null without neighbours.
+ */
+export async function turnAlong(
+  patches: number,
+  count: number,
+  curveOf: (patch: number) => Promise<PatchCurve>,
+): Promise<TurnAlong | null> {
+  const curves = await Promise.all(Array.from({ length: patches }, (_, patch) => curveOf(patch)));
+  const turns = curves.map((curve) => turnsOf(curve, count));
+  const start = wayToFurthest(turns, 0).at(-1) ?? 0;
+  const way = wayToFurthest(turns, start);
+  if (way.length < 2) return null;
+  const steps = way.slice(1).map((patch, i) => turns[way[i]!]!.get(patch)!);
+  const times = Array.from({ length: count }, (_, time) => time);
+  const sumAt = (time: number, axis: number): number => steps.reduce((sum, step) => sum + step[time]![axis]!, 0);
+  return {
+    patches: way.length,
+    total: times.map((time) => DEGREES * Math.hypot(sumAt(time, 0), sumAt(time, 1), sumAt(time, 2))),
+    largest: DEGREES * Math.max(...steps.flat().map((vector) => Math.hypot(...vector))),
+  };
+}
+
+/** Of each neighbour: its rotation vector at each time. */
+function turnsOf({ neighbours, numbers }: PatchCurve, count: number): Turns {
+  const width = 1 + 4 * neighbours.length;
+  const turnAt = (time: number, place: number): Vector => {
+    const [w, x, y, z] = numbers.slice(time * width + 1 + 4 * place) as unknown as Quaternion;
+    return rotationVector([1, 0, 0, 0], [w, x, y, z]);
+  };
+  const times = Array.from({ length: count }, (_, time) => time);
+  return new Map(neighbours.map((patch, place) => [patch, times.map((time) => turnAt(time, place))]));
+}
+
+/** From one patch to one of those that are most steps away, over as few as can be. */
+function wayToFurthest(turns: readonly Turns[], from: number): number[] {
+  const before = new Map<number, number>([[from, from]]);
+  const reached = [from];
+  for (const patch of reached)
+    for (const next of turns[patch]?.keys() ?? [])
+      if (!before.has(next)) {
+        before.set(next, patch);
+        reached.push(next);
+      }
+  const way = [reached.at(-1)!];
+  while (way[0] !== from) way.unshift(before.get(way[0]!)!);
+  return way;
+}
