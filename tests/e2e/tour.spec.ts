@@ -129,6 +129,14 @@ test('the bar of the fourth step turns by as many degrees as is told of it', asy
   }
 });
 
+test('of the eighth step, a face is inside out far out, and with logarithmic stretch it is not', async ({ app }) => {
+  await app.open({ hash: '#tour=8' });
+  await expect(app.by('guide-live')).toHaveText(/has -\d+ % of its width: it is inside out/);
+  await app.by('stretch-log').check();
+  await expect(app.by('guide-live')).toHaveText(/has [1-9]\d* % of its width: it only grows narrower/);
+  await app.expectNoProblems();
+});
+
 test('what was open before comes back with its edits, and undo knows nothing of the tour', async ({ app }) => {
   await app.open();
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);

@@ -13,6 +13,7 @@ export function factsOf({ info, stats, ms }: ViewState, { doc }: AppState, label
     patches: stats.patches,
     volumes: labels.map(({ volume }) => volume),
     stats,
+    stretch: doc.encoding.stretch,
     ms,
   };
 }

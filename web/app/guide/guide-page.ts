@@ -1,6 +1,6 @@
 /** One page of the guide: a state of the app, and what is said of it. */
 import type { Sequence } from '../../engine/api/api.ts';
-import type { SequenceStats } from '../../engine/api/types.ts';
+import type { SequenceStats, Stretch } from '../../engine/api/types.ts';
 import type { Formula } from '../../ui/guide-panel.ts';
 import type { PanelName } from '../panels/layout.ts';
 
@@ -12,6 +12,7 @@ export interface Facts {
   /** Volume in whole percent of the first key's, of this method and of the one beside it. */
   volumes: readonly string[];
   stats: SequenceStats;
+  stretch: Stretch;
   /** Milliseconds of the last exact frame. */
   ms: number | null;
 }
@@ -40,8 +41,8 @@ export interface GuidePage {
   sentence: string;
   /** Numbers from the engine, in words. */
   live?(facts: Facts): string;
-  /** Numbers that the engine is asked for, in words; `keyTimes`: as in Facts. */
-  ask?(sequence: Sequence, keyTimes: readonly number[]): Promise<string>;
+  /** Numbers that the engine is asked for, in words. */
+  ask?(sequence: Sequence, facts: Facts): Promise<string>;
   formula?: Formula;
   more?: string;
   /** A page of its own that it speaks of; where there is room it stands in the place of the options, under a title. */

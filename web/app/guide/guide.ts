@@ -104,12 +104,13 @@ export function createGuide({
 
   /** What the engine was asked for last, and of which motion. */
   let asked: { of: Facts['stats']; answer: string } | null = null;
-  const ask = async (wanted: GuidePage, { stats, keyTimes }: Facts): Promise<void> => {
+  const ask = async (wanted: GuidePage, facts: Facts): Promise<void> => {
+    const { stats } = facts;
     const sequence = workspace.sequences[0]?.sequence;
     if (!sequence || !wanted.ask || asked?.of === stats) return;
     const question = { of: stats, answer: '' };
     asked = question;
-    const answer = await wanted.ask(sequence, keyTimes).catch(() => ''); // another motion came between
+    const answer = await wanted.ask(sequence, facts).catch(() => ''); // another motion came between
     if (asked !== question) return;
     question.answer = answer;
     panel.setLive(answer);

@@ -8,7 +8,7 @@ const listed = (numbers: readonly number[]): string =>
 const grouped = (count: number): string => count.toLocaleString('en');
 
 /** The same from the engine: from the first patch to the last, and from one to the next. */
-const twistOf: GuidePage['ask'] = async (sequence, keyTimes) => {
+const twistOf: GuidePage['ask'] = async (sequence, { keyTimes }) => {
   const { patches } = await sequence.stats();
   const [first, last] = [keyTimes[0]!, keyTimes.at(-1)!];
   const times = [(first + last) / 2, last];
@@ -19,6 +19,17 @@ const twistOf: GuidePage['ask'] = async (sequence, keyTimes) => {
     `From the first to the last of ${turn.patches} patches: ${whole} degrees at the last key, ${half} halfway, ` +
     `at most ${turn.largest.toFixed(0)} from one to the next.`
   );
+};
+
+/** A face in the bend of an arm, which grows narrower after the last key; it is told of far out. */
+const [NARROWING, FAR] = [18676, 2.4];
+const narrownessOf: GuidePage['ask'] = async (sequence, { stretch }) => {
+  const { numbers } = await sequence.faceCurve(NARROWING, [FAR]);
+  const [xx, xy, yy] = numbers.slice(3) as [number, number, number];
+  const least = (xx + yy) / 2 - Math.hypot((xx - yy) / 2, xy);
+  const share = stretch === 'log' ? Math.exp(least) : least;
+  const words = share > 0 ? 'it only grows narrower' : 'it is inside out';
+  return `At ${FAR} a face in the bend of an arm has ${(100 * share).toFixed(0)} % of its width: ${words}.`;
 };
 
 const STEPS: readonly Omit<GuidePage, 'link'>[] = [
@@ -125,6 +136,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     state: 'sample=cactus&colour=phase&between=1,2.4&t=1&loop=bounce&play=1',
     text: 'Past its last key the motion goes on as fast as it was. Turns may go on like that. A stretch may not: what shrinks by the same amount again and again is nothing one day, and then turns inside out.',
     task: 'Go far out, and choose between linear and logarithmic stretch under Shape.',
+    ask: narrownessOf,
     sentence: 'Past the last key the curve goes on straight; stretch must be counted in ratios there.',
     formula: {
       math: '<mrow><mi>f</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>=</mo><mi>f</mi><mo>(</mo><mn>1</mn><mo>)</mo><mo>+</mo><mo>(</mo><mi>t</mi><mo>−</mo><mn>1</mn><mo>)</mo><msup><mi>f</mi><mo>′</mo></msup><mo>(</mo><mn>1</mn><mo>)</mo></mrow>',
