@@ -20,8 +20,9 @@ type Turns = ReadonlyMap<number, Vector[]>;
 const DEGREES = 180 / Math.PI;
 
 /**
- * `curveOf` gives a patch at the times, of which it holds `count`. The ends are as many patches apart as can be; the sum
- * means something where all turns are about much the same axis, as in a bar that is twisted. null without neighbours.
+ * `curveOf` gives a patch at the times, of which it holds `count`. The ends are as many patches apart as can be. The
+ * sum means something where all turns are about much the same axis, as in a bar that is twisted. null without
+ * neighbours.
  */
 export async function turnAlong(
   patches: number,
