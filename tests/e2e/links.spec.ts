@@ -56,3 +56,23 @@ test('a camera inside the shape of its moment is left out of a link, also where 
   await app.open({ hash: link(0.5) });
   for (const axis of [0, 1, 2]) expect((await app.state()).view.camera!.position[axis]).toBeCloseTo(middle[axis]!, 3);
 });
+
+test('a link that names nothing is told of, and a camera that looks away leads back', async ({ app }) => {
+  await app.open({ hash: '#t=0.5' });
+  await expect(app.by('toast')).toContainText('The link names no sample and no page of the tour');
+  await app.page.goto('about:blank');
+  await app.open({ hash: '#sample=octopus&camera=0,0,5,0,0,10' });
+  await expect(app.by('out-of-view')).toBeVisible();
+  await app.by('fit-hint').click();
+  await expect(app.by('out-of-view')).toBeHidden();
+  await app.expectNoProblems();
+});
+
+test('a typed time beyond the zoom is shown on the timeline', async ({ app }) => {
+  await app.open({ hash: '#sample=octopus&window=0,0.25' });
+  await app.by('time').fill('0.75');
+  await app.by('time').press('Enter');
+  await expect.poll(async () => (await app.state()).view.window).toEqual([0, 0.75 + 0.05 * 0.75]);
+  expect((await app.state()).time).toBe(0.75);
+  await app.expectNoProblems();
+});

@@ -125,3 +125,32 @@ test('a first pose that waits is let go of with one click', async ({ app }) => {
   await app.settled();
   await expect(app.by('pose-offer')).toBeHidden();
 });
+
+test('two poses of the open mesh that come together become keys, also of real files; undo takes both back', async ({
+  app,
+}) => {
+  const lions = [1, 2, 3, 4].map((number) => realFile(`turns/lion/${number}.obj`));
+  test.skip(lions.includes(null), 'the real files are not here');
+  await app.open();
+  await app.drop(lions.slice(0, 2) as string[]);
+  await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['1', '2']);
+  await app.settled();
+  await app.drop(lions.slice(2) as string[]);
+  await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['1', '2', '3', '4']);
+  await app.settled();
+  expect((await keys(app)).map(([, time]) => time)).toEqual([0, 1, 2, 3]);
+  await app.by('undo').click();
+  await expect.poll(() => keys(app)).toHaveLength(2);
+  await app.settled();
+  // The editor of a key has the keyboard wherever the focus is, and gives way to other work.
+  await app.by('key-1-edit').click();
+  await expect(app.by('key-editor')).toBeVisible();
+  await app.page.evaluate(() => (document.activeElement as HTMLElement).blur());
+  await app.page.keyboard.press('Escape');
+  await expect(app.by('key-editor')).toBeHidden();
+  await app.by('key-1-edit').click();
+  await expect(app.by('key-editor')).toBeVisible();
+  await app.page.locator('.side-nav button').nth(1).click();
+  await expect(app.by('key-editor')).toBeHidden();
+  await app.expectNoProblems();
+});

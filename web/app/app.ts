@@ -1,4 +1,5 @@
 /** The composition root: makes every part, gives it what it needs, and says who hears of what. */
+import type { Warning } from '../engine/api/types.ts';
 import { clampTime } from '../model/time-scale.ts';
 import { registerServiceWorker } from '../offline/register.ts';
 import { createOffer } from '../ui/messages.ts';
@@ -9,6 +10,7 @@ import { AnalysisCache } from './analysis/analysis-cache.ts';
 import { createDisplay } from './display.ts';
 import type { Display } from './display.ts';
 import { originalOf } from './drawing/original.ts';
+import { withPlaces } from './drawing/warning-places.ts';
 import type { SamplePreviews } from './drawing/sample-previews.ts';
 import { createCommands } from './panels/commands.ts';
 import type { Commands } from './panels/commands.ts';
@@ -209,7 +211,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   function onServed(): void {
     const main = sequence();
     if (!main) return;
-    viewState.change({ warnings: workspace.warnings });
+    viewState.change({ warnings: warningsOf(session) });
     marking.follow();
     main.stats().then((stats) => viewState.change({ stats }), feedback.onError);
     frameLoop.follow(store.get().time);
@@ -317,6 +319,15 @@ interface Followers {
   /** Something else is open. */
   onOpened(): void;
   redraw(): void;
+}
+
+/** With the place of each, in the pose of its key. */
+function warningsOf({ store, workspace: { warnings, info, pool } }: Session): Warning[] {
+  if (!info || !pool) return warnings;
+  return withPlaces(warnings, info.faces, (key) => {
+    const pose = store.get().doc.keys[key]?.pose;
+    return pose === undefined ? null : pool.keys.positions(pose);
+  });
 }
 
 /** At once, but on a visit that has seen no shape yet: other motions than the first one do not hold it up. */

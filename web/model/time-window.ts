@@ -49,6 +49,14 @@ export function revealing(window: Range, scale: TimeScale, t: number): Range | n
   return panned(window, scale, t > window[1] ? t - lead - window[0] : t + lead - window[1]);
 }
 
+/** The window made larger, just far enough to hold t; null where the whole is shown. */
+export function including(window: Range, scale: TimeScale, t: number): Range | null {
+  if (t >= window[0] && t <= window[1]) return orNull(window, scale);
+  const [start, end] = [Math.min(window[0], t), Math.max(window[1], t)];
+  const lead = 0.05 * (end - start);
+  return orNull([t < window[0] ? start - lead : start, t > window[1] ? end + lead : end], scale);
+}
+
 /** Lengths that differ by less of themselves are the same. */
 const NEARLY = 1e-9;
 

@@ -46,6 +46,12 @@ function componentChoices(count: number, turnsOf: (component: number) => number)
   return [{ value: '', label: 'Whole shape' }, ...each];
 }
 
+const OTHER_WORK = '.side, .app-header, .tabs, .warning-count';
+
+function isOwn(target: EventTarget | null): boolean {
+  return document.querySelector('dialog[open]') !== null || (target as Element | null)?.closest?.('.popover') != null;
+}
+
 export interface KeyEditor {
   element: HTMLElement;
   /** `from`: what was pressed, where the focus goes back to. False where that closes the editor. */
@@ -164,16 +170,31 @@ export function createKeyEditor(events: KeyEditorEvents): KeyEditor {
     h('div', { class: 'button-row' }, reference, remove),
     reason,
   );
-  element.addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape') return;
-    event.stopPropagation();
-    close();
+  // Wherever the focus is, before Escape means anything else; dialogs and menus have their own.
+  window.addEventListener(
+    'keydown',
+    (event) => {
+      if (event.key !== 'Escape' || element.hidden || isOwn(event.target)) return;
+      event.stopPropagation();
+      close();
+    },
+    { capture: true },
+  );
+  // The shape and the time can be moved meanwhile, and steps be taken back; other work has its room again.
+  document.addEventListener('pointerdown', ({ target }) => {
+    if (target instanceof Element && target.closest(OTHER_WORK) && !target.closest('.history')) hide();
   });
+  window.addEventListener('drop', () => hide(), { capture: true });
 
-  const close = (): void => {
+  const hide = (): void => {
     if (element.hidden) return;
     element.hidden = true;
     chooseComponent(null);
+  };
+
+  const close = (): void => {
+    if (element.hidden) return;
+    hide();
     opener?.focus();
   };
 

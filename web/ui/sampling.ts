@@ -82,10 +82,14 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     label: 'Number of keys; another one spaces them evenly',
     testId: 'sample-count',
     min: 2,
-    max: MOST_SAMPLED,
     step: 1,
-    onInput: (value) => takeSoon(evenly(span(), Math.round(value))),
+    onInput(value) {
+      takeSoon(evenly(span(), Math.min(Math.round(value), MOST_SAMPLED)));
+      setText(most, value > MOST_SAMPLED ? `An animation gives at most ${MOST_SAMPLED} keys.` : '');
+      setHidden(most, value <= MOST_SAMPLED);
+    },
   });
+  const most = h('p', { class: 'reason', role: 'status', 'data-testid': 'sample-most', hidden: true });
   const tolerance = numberField({
     label: 'Largest error in percent of the diagonal',
     testId: 'sample-tolerance',
@@ -112,6 +116,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     title,
     animation.element,
     row('Number of keys', count),
+    most,
     row('Fewest within', tolerance, h('span', { class: 'muted' }, '%'), fewest),
     found,
     original.element,

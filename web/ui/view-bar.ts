@@ -232,7 +232,7 @@ export function createPhaseLabel(onShowLost: () => void): {
 
 function lostWords(share: number, { kind }: Phase): string {
   const percent = `${Number((100 * share).toPrecision(share < 0.1 ? 1 : 2))}\u00a0% of the faces fold over here`;
-  return kind === 'beyond' ? `${percent}, this far from the keys.` : `${percent}. A key in between helps.`;
+  return kind === 'beyond' ? `${percent}, this far from the keys.` : `${percent}.`;
 }
 
 export interface TileLabel {

@@ -321,7 +321,11 @@ export class Viewer {
     const points = this.contents.sample(SAMPLED);
     if (points.length === 0) return true;
     const places = this.project(points);
+    const { camera } = this.rig;
+    const point = new Vector3();
     for (let i = 0; i < places.length; i += 2) {
+      // What lies behind the eye is projected as if it lay before it.
+      if (point.fromArray(points, (3 * i) / 2).applyMatrix4(camera.matrixWorldInverse).z >= 0) continue;
       const x = places[i]! - rect.x;
       const y = places[i + 1]! - rect.y;
       if (x >= 0 && x <= rect.width && y >= 0 && y <= rect.height) return true;

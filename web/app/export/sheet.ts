@@ -44,7 +44,7 @@ function evened({ width, height }: PictureSize): PictureSize {
 function sheetOf(scene: SceneController, size: PictureSize): Sheet {
   const { viewer } = scene;
   const canvas = Object.assign(document.createElement('canvas'), size);
-  const context = canvas.getContext('2d')!;
+  const context = canvas.getContext('2d', { willReadFrequently: true })!;
   // In the middle, should the view on the screen get another size, or have an odd one.
   const shift = (): [number, number] => [
     Math.ceil((canvas.width - viewer.canvas.width) / 2),

@@ -36,7 +36,7 @@ import {
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey, timeScale } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { loopRange, withEnd } from '../../model/frames.ts';
-import { windowOf, zoomed } from '../../model/time-window.ts';
+import { including, windowOf, zoomed } from '../../model/time-window.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 
@@ -93,6 +93,14 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
 
   return {
     seek,
+    /** To a time that was typed, which the timeline shows then. */
+    goTo(t: number): void {
+      const reached = clampTime(t, range());
+      const scale = timeScale(range(), state().doc.keys.length);
+      window(including(windowOf(state().view.window, scale), scale, reached));
+      if (reached !== t) say(`The motion can be followed up to ${formatTime(reached, range())} s.`);
+      seek(t);
+    },
     view,
     between,
     window,

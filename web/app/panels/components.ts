@@ -166,7 +166,7 @@ export function createComponents(input: ComponentsInput): Components {
     onTogglePlay: commands.togglePlay,
     onLoop: commands.loop,
     onSpeed: commands.speed,
-    onSeek: commands.seek,
+    onSeek: commands.goTo,
   });
   const keyStrip = createKeyStrip({
     onSeek: commands.seek,

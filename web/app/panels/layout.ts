@@ -86,10 +86,11 @@ export function createLayout(): Layout {
     const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
     const bar = height(small ? '.colour-bar' : '.colour-bar[data-along]', (box) => box.bottom - host.top);
     const welcome = height('.welcome', (box) => box.bottom - host.top);
+    const offer = height('.offer:not([hidden])', (box) => box.bottom - host.top);
     const over = split && matchMedia('(max-width: 1023px)').matches;
     const type = app?.dataset['present'] ? LARGE_TYPE : 1;
     return {
-      top: Math.max(Math.max(status, bar) + (views > 1 ? type * TILE_LABEL_PX : 0), welcome),
+      top: Math.max(Math.max(status, bar) + (views > 1 ? type * TILE_LABEL_PX : 0), welcome, offer),
       bottom:
         buttons +
         (small || over || type > 1 ? type * PHASE_PX : 0) +

@@ -5,7 +5,7 @@
 import type { Offer } from '../../ui/messages.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { OpenFiles } from './open-files.ts';
-import { guideLink } from './page-link.ts';
+import { guideLink, strangeLink } from './page-link.ts';
 import { readPermalink } from './permalink.ts';
 import type { RememberedFiles } from '../kept/remembered-files.ts';
 import { fetchSamples, makeSample } from './samples.ts';
@@ -41,6 +41,8 @@ export async function openFirst(
   const [samples, kept] = await Promise.all([fetchSamples(), remembered.recall()]);
   onSamples(samples);
   if (page && (await onGuide(page))) return;
+  const strange = named ? null : strangeLink(fragment);
+  if (strange) say(strange);
   if (!named) writeSetting(VISITED, '1');
   const [left] = named ? [] : kept;
   if (left?.opening) {

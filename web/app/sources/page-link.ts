@@ -30,6 +30,12 @@ export function guideLink(fragment: string): string | null {
   return /^#?(tour=\d+|figure=\w+)$/.exec(fragment)?.[1] ?? null;
 }
 
+/** A fragment that names nothing that there is; null where it names nothing at all. */
+export function strangeLink(fragment: string): string | null {
+  if (fragment.replace(/^#/, '') === '') return null;
+  return 'The link names no sample and no page of the tour: it was left out.';
+}
+
 const WRITE_DELAY_MS = 300;
 
 export function createPageLink({ store, initial, say, onLink, onGuide }: PageLinkParts): PageLink {
@@ -54,6 +60,10 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
     if (page) onGuide(page);
     else if (link) onLink(link);
     else if (pinned && hash === '') onGuide(null);
+    else {
+      const strange = strangeLink(hash);
+      if (strange) say(strange);
+    }
   });
 
   return {

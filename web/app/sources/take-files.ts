@@ -3,9 +3,10 @@
  * motion, which waits for the next.
  */
 import { EngineError } from '../../engine/api/errors.ts';
-import { fileName } from '../../engine/api/paths.ts';
+import { fileName, isModel } from '../../engine/api/paths.ts';
 import { isMismatch } from '../../engine/api/read-poses.ts';
 import type { Offer } from '../../ui/messages.ts';
+import type { Source } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
 import type { Store } from '../session/store.ts';
@@ -93,6 +94,7 @@ export function createTakeFiles({ store, files, say, onOffer, onPick }: TakeFile
       if (await add(picked, place)) return true;
       return askInstead(picked, () => void files.run(Promise.resolve([...picked]), (taken) => take(taken, null)));
     }
+    if (waiting.length === 0 && areFurtherPoses(picked, store.get().source) && (await add(picked, null))) return true;
     return files.open([...waiting, ...picked]).then(done, (error: unknown) => orElse(picked, error));
   };
 
@@ -102,6 +104,16 @@ export function createTakeFiles({ store, files, say, onOffer, onPick }: TakeFile
       await files.run(picked, (taken) => take(taken, place));
     },
   };
+}
+
+/** More numbered files than this are an animation. */
+const MOST_POSES = 32;
+
+/** A few files of one pose each that are not among those that are open, which are a motion of the user's own. */
+function areFurtherPoses(picked: readonly PickedFile[], source: Source): boolean {
+  const models = picked.map(({ name }) => name).filter(isModel);
+  const known = source.kind === 'files' ? source.names : models;
+  return models.length > 1 && models.length <= MOST_POSES && !models.some((name) => known.includes(name));
 }
 
 function titleOf(picked: readonly PickedFile[]): string {

@@ -1,0 +1,52 @@
+/** Turn warnings in words that say where on the shape, each place once. */
+import type { KeysInfo, Warning } from '../../engine/api/types.ts';
+
+/** About neighbours on the surface, where two tests may find the same place. */
+const BETWEEN_NEIGHBOURS = ['ambiguous-patch-turn', 'ambiguous-face-turn'];
+const KEYS = /^Between key \d+ and key \d+ /;
+/** Low and high along x, y and z, as seen from the front. */
+const SIDES = [
+  ['left', 'right'],
+  ['bottom', 'top'],
+  ['back', 'front'],
+] as const;
+
+/** `positionsOf`: of the key with this number, V x 3. */
+export function withPlaces(
+  warnings: readonly Warning[],
+  faces: KeysInfo['faces'],
+  positionsOf: (key: number) => Float32Array | null,
+): Warning[] {
+  const told = new Set<string>();
+  return warnings.flatMap((warning) => {
+    const { code, key, face, message } = warning;
+    const positions = KEYS.test(message) && face >= 0 ? positionsOf(key) : null;
+    if (!positions) return [warning];
+    const part = partOf(positions, faces, face);
+    if (BETWEEN_NEIGHBOURS.includes(code)) {
+      if (told.has(`${key} ${part}`)) return [];
+      told.add(`${key} ${part}`);
+    }
+    return [{ ...warning, message: message.replace(KEYS, (keys) => `${keys.trimEnd()}, ${part}, `) }];
+  });
+}
+
+/** In which of the thirds of the shape's box a face lies: "at the top left front". */
+export function partOf(positions: Float32Array, faces: KeysInfo['faces'], face: number): string {
+  const words = [1, 0, 2].flatMap((axis) => {
+    const [low, high] = extentAlong(positions, axis);
+    const corners = [0, 1, 2].map((corner) => positions[3 * faces[3 * face + corner]! + axis]!);
+    const share = (corners.reduce((sum, x) => sum + x, 0) / 3 - low) / Math.max(high - low, Number.MIN_VALUE);
+    return share < 1 / 3 ? [SIDES[axis]![0]] : share > 2 / 3 ? [SIDES[axis]![1]] : [];
+  });
+  return words.length === 0 ? 'in the middle' : `at the ${words.join(' ')}`;
+}
+
+function extentAlong(positions: Float32Array, axis: number): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (let i = axis; i < positions.length; i += 3) {
+    low = Math.min(low, positions[i]!);
+    high = Math.max(high, positions[i]!);
+  }
+  return [low, high];
+}
