@@ -74,6 +74,7 @@ export class Stage {
 
   dispose(): void {
     this.shadow.dispose();
+    this.floor.geometry.dispose();
     this.material.dispose();
   }
 
