@@ -236,10 +236,19 @@ it('the poster is there before the shape, and longer where the page says so', as
 });
 
 it('pages put their own things into its slots and dress its parts', async () => {
-  const page = await openElements(
-    `<shape-spline id="a" src="${KEYS}" controls><button slot="controls" id="own">Go</button>` +
-      `<progress slot="progress" id="bar"></progress></shape-spline><shape-spline id="b" src="${KEYS}" controls></shape-spline>`,
-  );
+  const page = await openElements('');
+  let answer = (): void => undefined;
+  const held = new Promise<void>((resolve) => {
+    answer = resolve;
+  });
+  await page.route('**/pose-1.glb?slow', (route) => held.then(() => route.continue()));
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  await page.evaluate((markup) => {
+    document.body.innerHTML = markup;
+  }, `<shape-spline id="a" src="${KEYS}?slow" controls><button slot="controls" id="own">Go</button>` +
+    `<progress slot="progress" id="bar"></progress></shape-spline><shape-spline id="b" src="${KEYS}" controls></shape-spline>`);
+  await page.locator('#bar').waitFor({ state: 'visible' });
+  answer();
   await Promise.all([when(page, 'load', 'a'), when(page, 'load', 'b')]);
   expect(await page.locator('#own').isVisible()).toBe(true);
   expect(await page.locator('#a [part=play]').isVisible()).toBe(false);

@@ -76,3 +76,54 @@ it('what is no address and no file is told with its key', async () => {
     message: '“http://[bad” is no address. Check the address of key 2.',
   });
 });
+
+it('focus() goes to the shape; a poster of words covers it until it is dismissed', async () => {
+  const page = await openElements(
+    `<shape-spline id="a" src="${KEYS}" controls reveal="manual"><b slot="poster">Soon</b></shape-spline>`,
+    CALM,
+  );
+  await when(page, 'load');
+  const inside = await on(page, (shape) => {
+    shape.focus();
+    return [document.activeElement === shape, shape.shadowRoot!.activeElement?.getAttribute('part')];
+  });
+  expect(inside).toEqual([true, 'viewport']);
+  const ground = await page.locator('#a .poster').evaluate((poster) => getComputedStyle(poster).backgroundColor);
+  expect(ground).toMatch(/^rgb\(/);
+  await on(page, (shape) => shape.dismissPoster());
+  expect(await page.locator('#a .poster').isVisible()).toBe(false);
+});
+
+it('a wrong value is said once on the console, and the default shown', async () => {
+  const said: string[] = [];
+  const page = await openElements('');
+  page.on('console', (message) => void said.push(message.text()));
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  await page.evaluate((keys) => {
+    document.body.innerHTML = `<shape-spline id="a" src="${keys}" patches="2.5" range="5 5"></shape-spline>`;
+  }, KEYS);
+  await when(page, 'load');
+  expect(await on(page, (shape) => [shape.range, shape.duration])).toEqual([null, 1]);
+  await expect
+    .poll(() => said.filter((text) => text.startsWith('<shape-spline>')))
+    .toEqual([
+      '<shape-spline>: patches="2.5" must be a whole number.',
+      '<shape-spline>: range="5 5" must be two numbers, the smaller one first.',
+    ]);
+});
+
+it('what has left the document has ended: no report, no length, paused', async () => {
+  const page = await openElements(`<shape-spline id="a" src="${KEYS}" loop></shape-spline>`, CALM);
+  await when(page, 'load');
+  await on(page, (shape) => {
+    shape.play();
+    Object.assign(window, { left: shape });
+    shape.remove();
+  });
+  const state = (): Promise<unknown> =>
+    page.evaluate(() => {
+      const shape = (window as never as { left: HTMLElementTagNameMap['shape-spline'] }).left;
+      return { report: shape.report, duration: shape.duration, paused: shape.paused };
+    });
+  await expect.poll(state, { timeout: 30_000 }).toEqual({ report: null, duration: NaN, paused: true });
+});

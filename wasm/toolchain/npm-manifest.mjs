@@ -25,7 +25,11 @@ export function npmManifest({ element }) {
   const ofElement = {
     './element': typed('element'),
     './element-class': typed('element-class'),
-    './canvas-viewer': typed('canvas-viewer'),
+    './canvas-viewer': {
+      types: './canvas-viewer.d.ts',
+      node: './node/canvas-viewer.mjs',
+      default: './canvas-viewer.js',
+    },
     './cdn': typed('cdn'),
     './jsx': { types: './jsx.d.ts', default: './jsx.js' },
     ...asItIs(['custom-elements.json']),

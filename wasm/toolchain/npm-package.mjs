@@ -129,6 +129,14 @@ async function madeBy(file, name) {
   return made;
 }
 
+/** Where there is no page, nothing is asked of three.js, which may not be there. */
+const viewerInNode = `export class CanvasViewer {
+  constructor() {
+    throw new Error('CanvasViewer draws into a page: it can be imported in Node, but made in a browser only.');
+  }
+}
+`;
+
 const write = (name, text) => writeFileSync(inPackage(name), text);
 const asJson = (value) => `${JSON.stringify(value, null, 2)}\n`;
 
@@ -137,6 +145,7 @@ async function ofElement() {
   write('custom-elements.json', asJson(manifest));
   write('element.d.ts', elementTypes);
   write('jsx.d.ts', jsxTypes(manifest));
+  write('node/canvas-viewer.mjs', viewerInNode);
   // Types alone: importing it does nothing.
   write('jsx.js', 'export {};\n');
 }

@@ -32,6 +32,7 @@ export interface NumberRow extends Described {
   least?: number;
   above?: number;
   most: number;
+  whole?: boolean;
 }
 export interface ChoiceRow extends Described {
   kind: 'choice';
@@ -238,10 +239,10 @@ function rowOf(name: string, option: Option): Row {
   if (option.kind === 'flag') return { ...described, kind: 'flag', default: option.default === true };
   if (option.kind === 'animation') return { ...described, kind: 'text', default: '' };
   if (option.kind !== 'number' || name in SHAPED) return { ...described, kind: 'numbers', default: null };
-  const { above, most, default: usual = null, zero } = option;
+  const { above, most, default: usual = null, zero, whole = false } = option;
   // What the command line calls off is 0 here.
   const least = zero === undefined ? option.least : 0;
-  return { ...described, kind: 'number', default: usual, above, least, most };
+  return { ...described, kind: 'number', default: usual, above, least, most, whole };
 }
 
 function sentence(words: string): string {

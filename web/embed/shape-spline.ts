@@ -127,7 +127,7 @@ export class ShapeSplineElement extends Base {
 
   constructor() {
     super();
-    const root = this.attachShadow({ mode: 'open' });
+    const root = this.attachShadow({ mode: 'open', delegatesFocus: true });
     this.#frame = new Frame(root, {
       onToggle: () => (this.paused ? this.play() : this.pause()),
       onSeek: (t) => this.#byHand(t),
@@ -180,6 +180,8 @@ export class ShapeSplineElement extends Base {
   attributeChangedCallback(attribute: string, before: string | null, text: string | null): void {
     const property = propertyOf(attribute);
     if (!property || before === text) return;
+    // What is wrong is said at once, also where nothing is loaded yet.
+    this.#read(property);
     if (property === 'currentTime' && text !== null) this.#setTime(this.#read('currentTime') as number);
     else this.#change(ROWS[property].concern);
   }
@@ -602,6 +604,9 @@ export class ShapeSplineElement extends Base {
     this.#round += 1;
     this.#loading = null;
     this.#sequence = null;
+    this.#info = null;
+    this.#mayBegin ||= this.#playing;
+    this.#setPlaying(false);
     this.#view?.dispose();
     this.#view = null;
     for (const lease of [this.#keys, ...this.#motions]) lease?.release();

@@ -7,6 +7,7 @@ const CSS = `
   color: var(--fore); background: var(--shape-spline-background, light-dark(#f4f5f6, #1e2125)); }
 :host([hidden]), [hidden] { display: none !important; }
 [part=viewport], .poster { position: absolute; inset: 0; }
+.poster { background: var(--shape-spline-background, light-dark(#f4f5f6, #1e2125)); }
 [part=viewport] > canvas { display: block; }
 [part=viewport]:focus-visible { outline: 2px solid var(--key); outline-offset: -2px; }
 .poster img { inline-size: 100%; block-size: 100%; object-fit: contain; }

@@ -45,8 +45,9 @@ export function readAttribute(row: Row, text: string | null): Read {
 
 function numberOf(row: Extract<Row, { kind: 'number' }>, word: string): Read {
   const number = Number(word === '' ? NaN : word);
-  const { least = -Infinity, above = -Infinity, most } = row;
+  const { least = -Infinity, above = -Infinity, most, whole = false } = row;
   if (!Number.isFinite(number)) return bad(row, 'must be a number');
+  if (whole && !Number.isInteger(number)) return bad(row, 'must be a whole number');
   if (number < least || number <= above || number > most)
     return bad(row, `must be ${above > -Infinity ? `above ${above}` : `at least ${least}`} and at most ${most}`);
   return good(number);

@@ -62,6 +62,10 @@ list(
   ['Name', 'Type', 'What it is'],
   [
     ...Object.entries(FIELDS).map(([name, [type, doc]]) => [name, type, doc]),
-    ...Object.entries(METHODS).map(([name, [type, doc]]) => [`${name}()`, type, doc]),
+    ...Object.entries(METHODS).map(([name, { returns, doc, parameters = [] }]) => [
+      `${name}(${parameters.map(([parameter]) => parameter).join(', ')})`,
+      returns,
+      doc,
+    ]),
   ],
 );
