@@ -79,6 +79,34 @@ describe('the frame player', () => {
     expect(asked.slice(3).map(({ t }) => Math.round(10 * t))).toEqual([7, 10, 13]);
   });
 
+  it('asks for about as many as are drawn where drawing is slower than the clock, and for more when it is not', async () => {
+    const { sequence, asked } = heldSequence();
+    const player = new FramePlayer(sequence, settings);
+    let [tick, answered] = [0, 0];
+    const drawn = async (times: number, apart: number): Promise<{ asked: number; drawn: number }> => {
+      const before = asked.length;
+      let seen = 0;
+      for (let i = 0; i < times; i++, tick += apart) {
+        const frame = player.take(tick);
+        frame?.release();
+        seen += Number(frame !== null);
+        while (answered < asked.length) await asked[answered++]!.reply();
+      }
+      return { asked: asked.length - before, drawn: seen };
+    };
+    await drawn(20, 4);
+    const slow = await drawn(40, 4);
+    expect(slow.drawn).toBeGreaterThan(36);
+    expect(slow.asked).toBeLessThan(1.4 * slow.drawn);
+    await drawn(40, 1);
+    const fast = await drawn(40, 1);
+    expect(fast).toEqual({ asked: 40, drawn: 40 });
+    // A page that was out of sight for a while.
+    tick += 1000;
+    await drawn(8, 1);
+    expect(await drawn(40, 1)).toEqual({ asked: 40, drawn: 40 });
+  });
+
   it('asks once for ticks that show the same moment', async () => {
     const { sequence, asked } = heldSequence();
     const player = new FramePlayer(sequence, { ...settings, timeOf: (tick) => Math.floor(tick / 4) });

@@ -1,7 +1,7 @@
 /**
  * Playback: frames on a fixed grid of ticks, computed ahead of the clock in the sequence's worker. The look-ahead is
- * bounded, frames that came too late are skipped, and where the worker is slower than the clock only every second,
- * third, ... tick is asked for, so that what arrives is still to be shown.
+ * bounded, frames that came too late are skipped, and where the worker or what draws is slower than the clock only
+ * every second, third, ... tick is asked for, so that what arrives is still to be shown.
  */
 import type { AheadOptions } from './api.ts';
 import type { Frame } from './types.ts';
@@ -33,6 +33,8 @@ interface Ready<F> {
 
 /** How much of the latest cost enters the running mean. */
 const NEW_SHARE = 0.25;
+/** Ticks from one taking to the next: more are a pause, and say nothing of how long drawing takes. */
+const MOST_APART = 12;
 /** Ticks that are looked through for the next moment where several show the same one. */
 const FARTHEST = 30;
 
@@ -44,6 +46,8 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
   private underWay = 0;
   private asked = { tick: -Infinity, t: NaN };
   private meanMs = 0;
+  private taken = -Infinity;
+  private ticksApart = 1;
 
   constructor(source: FrameSource<F>, options: PlayerOptions) {
     this.source = source;
@@ -52,6 +56,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
 
   /** The newest frame that is due at this tick and was not taken yet, or null: then the one on show stays. */
   take(tick: number): F | null {
+    this.noteTaken(tick);
     let newest: F | null = null;
     while (this.ready[0] && this.ready[0].tick <= tick) {
       newest?.release();
@@ -71,6 +76,13 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
     return this.abort.signal.aborted;
   }
 
+  // While it draws nobody takes.
+  private noteTaken(tick: number): void {
+    const apart = tick - this.taken;
+    this.taken = tick;
+    if (apart > 0 && apart <= MOST_APART) this.ticksApart += NEW_SHARE * (apart - this.ticksApart);
+  }
+
   private ask(now: number): void {
     while (!this.stopped && this.underWay + this.ready.length < this.options.ahead) {
       const next = this.next(now);
@@ -82,8 +94,9 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
 
   /** The next tick that shows another moment; null where that is far off. */
   private next(now: number): { tick: number; t: number } | null {
-    // In ticks: what one frame costs.
-    const stride = Math.max(1, Math.ceil(this.options.frameMs() / 1000 / this.options.tickSeconds()));
+    // In ticks: what one frame costs, and what is drawn of those that came.
+    const cost = Math.ceil(this.options.frameMs() / 1000 / this.options.tickSeconds());
+    const stride = Math.max(1, cost, Math.floor(this.ticksApart));
     const late = this.asked.tick < now;
     const first = this.asked.tick === -Infinity ? now : (late ? now : this.asked.tick) + stride;
     for (let tick = first; tick < first + FARTHEST; ++tick) {
