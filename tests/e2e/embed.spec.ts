@@ -97,7 +97,7 @@ test('methods beside each other, time that follows the page, keys that the reade
   await expect(page.locator('#react')).toContainText("import 'shapespline/element'");
   await expect(page.locator('#attributes tbody tr').filter({ hasText: 'playback-rate' })).toHaveCount(1);
   await expect(page.locator('#events tbody tr')).toHaveCount(9);
-  await expect(page.locator('#members tbody tr').filter({ hasText: 'seek()' })).toHaveCount(1);
+  await expect(page.locator('#members tbody tr').filter({ hasText: 'seek(' })).toHaveCount(1);
   expect(problems).toEqual([]);
 });
 
