@@ -33,7 +33,9 @@ export function curveNotice(state: PlayState, derived: Derived, touched: Touched
     case 'shaped':
     case 'shaping': {
       const { tension, bias } = state.keys[selected]!;
-      return `Notice that tension ${number(tension)} and bias ${number(bias)} change the slope at key ${selected + 1} alone, so that only the two pieces beside it move. The bend no longer goes on there.`;
+      if (tension === 0 && bias === 0)
+        return `Notice that without tension and bias key ${selected + 1} is passed with the slope that the natural spline has there.`;
+      return `Notice that tension ${number(tension)} and bias ${number(bias)} change the slope at key ${selected + 1} alone, so that only the two pieces beside it move. The bend jumps there where the slope is another one now.`;
     }
     case 'plane':
       return 'Notice that two coordinates are two curves of the same kind, drawn against each other; a shape has thousands.';

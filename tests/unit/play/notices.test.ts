@@ -32,6 +32,15 @@ describe('the notices', () => {
     expect(percent).toBeLessThan(25);
   });
 
+  it('say that tension and bias change a slope, and nothing where there are none', () => {
+    const plain = of(INITIAL);
+    expect(curveNotice(plain.state, plain.derived, 'shaping')).toMatch(/slope that the natural spline has/);
+    const { selected } = INITIAL;
+    const keys = INITIAL.keys.map((key, index) => (index === selected ? { ...key, tension: 0.5 } : key));
+    const shaped = of({ ...INITIAL, keys });
+    expect(curveNotice(shaped.state, shaped.derived, 'shaping')).toMatch(/tension 0\.5 and bias 0 change the slope/);
+  });
+
   it('compare the total bending, of which the natural spline has the least', () => {
     const { state, derived } = of({ ...INITIAL, layers: ['natural', 'hermite', 'periodic', 'catmull-rom'] });
     const times = [...bendingNotice(state, derived).matchAll(/([\d.]+) times/g)].map(([, n]) => Number(n));

@@ -161,7 +161,7 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
       if (pace) {
         const tension = pace.tension.map((value) => Math.ceil(value * 1000) / 1000);
         if (state().doc.keys.every(({ shaping }, key) => shaping.tension === tension[key]))
-          return say('No key is overshot: there is nothing to change.');
+          return say('The motion keeps within the bound at every key: there is nothing to change.');
         store.edit(`${PER_KEY.tension.undo} without overshoot`, (doc) => setTightness(doc, tension));
       }
     },
