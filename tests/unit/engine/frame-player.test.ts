@@ -98,7 +98,11 @@ describe('the frame player', () => {
     const slow = await drawn(40, 4);
     expect(slow.drawn).toBeGreaterThan(36);
     expect(slow.asked).toBeLessThan(1.4 * slow.drawn);
-    await drawn(40, 1);
+    // A fifth of a second and more for a picture.
+    await drawn(20, 16);
+    const slowest = await drawn(40, 16);
+    expect(slowest.asked).toBeLessThan(2 * slowest.drawn);
+    await drawn(80, 1);
     const fast = await drawn(40, 1);
     expect(fast).toEqual({ asked: 40, drawn: 40 });
     // A page that was out of sight for a while.

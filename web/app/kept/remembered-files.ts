@@ -232,11 +232,12 @@ export function createRememberedFiles({
       const id = own();
       changed();
       if (id !== waiting) stopWaiting();
+      // A new pose does not wait: leaving would lose it.
+      const atOnce = id !== null && isKept() && kept.get(id)!.poses !== added();
+      if (atOnce) stopWaiting();
       if (timer || id === null || dropped.has(id) || !wanted()) return;
       waiting = id;
-      // A new pose does not wait: leaving would lose it.
-      const delay = isKept() && kept.get(id)!.poses !== added() ? 0 : SAVE_DELAY_MS;
-      timer = window.setTimeout(keep, delay, id);
+      timer = window.setTimeout(keep, atOnce ? 0 : SAVE_DELAY_MS, id);
     },
     flush() {
       if (!timer || waiting === null) return;

@@ -33,7 +33,7 @@ interface Ready<F> {
 
 /** How much of the latest cost enters the running mean. */
 const NEW_SHARE = 0.25;
-/** Ticks from one taking to the next: more are a pause, and say nothing of how long drawing takes. */
+/** Ticks from one taking to the next: more count as these, since they may be a pause. */
 const MOST_APART = 12;
 /** Ticks that are looked through for the next moment where several show the same one. */
 const FARTHEST = 30;
@@ -80,7 +80,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
   private noteTaken(tick: number): void {
     const apart = tick - this.taken;
     this.taken = tick;
-    if (apart > 0 && apart <= MOST_APART) this.ticksApart += NEW_SHARE * (apart - this.ticksApart);
+    if (apart > 0 && apart < Infinity) this.ticksApart += NEW_SHARE * (Math.min(apart, MOST_APART) - this.ticksApart);
   }
 
   private ask(now: number): void {
