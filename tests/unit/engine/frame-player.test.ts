@@ -107,7 +107,7 @@ describe('the frame player', () => {
     expect(fast).toEqual({ asked: 40, drawn: 40 });
     // A page that was out of sight for a while.
     tick += 1000;
-    await drawn(8, 1);
+    await drawn(40, 1);
     expect(await drawn(40, 1)).toEqual({ asked: 40, drawn: 40 });
   });
 
