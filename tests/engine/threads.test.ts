@@ -8,7 +8,8 @@ import createThreaded from '../../build/wasm/shapespline_threads.mjs';
 import { WasmCore } from '../../web/engine/worker/wasm-core.ts';
 import type { Frame } from '../../web/engine/api/types.ts';
 import type { CreateWasmModule, WasmModule } from '../../web/engine/worker/wasm-module.ts';
-import { bendData, createBend } from './support/core.ts';
+import { provideOrder, type SharedOrder, sharedOrder } from '../../web/engine/wire/shared-order.ts';
+import { bendData, createBend, motion } from './support/core.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { bar } from './support/shapes.ts';
 
@@ -89,6 +90,25 @@ describe('a large sequence', () => {
     }
     expect((await one!.stats()).threads).toBe(1);
     expect([1, 2]).toContain((await two!.stats()).threads);
+  });
+
+  it('is eliminated in the order that another worker found', async () => {
+    const { core } = await started(createWasm, 'shapespline');
+    const request = { ...bendData(bar(8, 80)), motion };
+    const factorWith = (order: SharedOrder | null): number =>
+      core.stats(core.createSequence({ ...request, order }).handle).factorBytes;
+    const own = factorWith(null);
+    const order = sharedOrder(request.positions[0]!.length / 3);
+    const found = core.eliminationOrder({ ...request, order });
+    provideOrder(order, () => found);
+    expect(factorWith(order)).toBe(own);
+    // One that is none, and another one, which has more fill.
+    provideOrder(order, () => found.map(() => 0));
+    expect(factorWith(order)).toBe(own);
+    provideOrder(order, () =>
+      Int32Array.from([...found.filter((_, at) => at % 2), ...found.filter((_, at) => !(at % 2))]),
+    );
+    expect(factorWith(order)).toBeGreaterThan(own);
   });
 
   it.runIf(existsSync(THREADS_OF_PROCESS))('ends with its second thread', async () => {

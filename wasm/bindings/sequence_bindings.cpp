@@ -35,11 +35,23 @@ EXPORT const char* shapespline_sequence(const char* request) {
     reportProgress("welding", 0);
     const Json json = Json::parse(request);
     Result<Sequence> sequence = Sequence::create(keyframesFrom(json), encodingFrom(json.at("encoding")),
-                                                 motionFrom(json.at("motion")), reportProgress);
+                                                 motionFrom(json.at("motion")), reportProgress, takeOrder);
     if (!sequence) return sequence.error();
     Json described = state(*sequence);
     described["handle"] = handleTable().add(SequenceObject{std::move(*sequence), {}, {}});
     return described;
+  });
+}
+
+/// The same -> {order}: int32 numbers, valid until the next call.
+EXPORT const char* shapespline_order(const char* request) {
+  return callResult([&]() -> Result<Json> {
+    static std::vector<int> order;
+    const Json json = Json::parse(request);
+    auto found = eliminationOrder(keyframesFrom(json), encodingFrom(json.at("encoding")));
+    if (!found) return found.error();
+    order = std::move(*found);
+    return Json{{"order", range(order.data(), order.size())}};
   });
 }
 

@@ -33,6 +33,7 @@ export function bendData(mesh: Mesh = bar()): Omit<RequestOf<'create'>, 'motion'
     positions: [0, 60, 120].map((degrees) => bent(mesh, degrees)),
     normals: null,
     encoding: ENCODING_DEFAULTS,
+    order: null,
   };
 }
 

@@ -9,6 +9,8 @@
 #include "core/base/compressed_rows.h"
 #include "core/base/sort_indices.h"
 #include "core/mesh/triangle.h"
+#include "core/sparse/graph.h"
+#include "core/sparse/ordering.h"
 
 namespace shapespline {
 
@@ -103,12 +105,17 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
   return result;
 }
 
-Result<PoissonSystem> PoissonSystem::create(const CotangentLaplacian& laplacian, Precision precision,
+std::vector<int> eliminationOrder(const CotangentLaplacian& laplacian) {
+  return fillReducingOrder(graphOf(laplacian.matrix), laplacian.coordinates);
+}
+
+Result<PoissonSystem> PoissonSystem::create(const CotangentLaplacian& laplacian, Precision precision, OrderSource order,
                                             const FractionReport& ordering, const FractionReport& factorising) {
   PoissonSystem system;
   Stopwatch watch;
   const Precision stored = precision == Precision::Double ? Precision::Double : Precision::Single;
-  if (Status status = system.solver_.analyse(laplacian.matrix, laplacian.coordinates, stored, ordering); !status)
+  const std::vector<int> given = order ? order(laplacian.matrix.size) : std::vector<int>();
+  if (Status status = system.solver_.analyse(laplacian.matrix, laplacian.coordinates, stored, ordering, given); !status)
     return status.error();
   reportFraction(ordering, 1);
   system.times_.order = watch.lap();

@@ -25,6 +25,13 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
                                       const Components& components, const Positions& reference,
                                       const FractionReport& onProgress = {});
 
+/// The order in which PoissonSystem eliminates the unknowns where it is given none: order[p] is the one at position p.
+std::vector<int> eliminationOrder(const CotangentLaplacian& laplacian);
+
+/// Waits for the order of so many unknowns, which is being made elsewhere, or null. Empty where there is none, which is
+/// no failure.
+using OrderSource = std::vector<int> (*)(int unknowns);
+
 /// The factored system and where each vertex lies in its vectors. Immutable.
 class PoissonSystem {
  public:
@@ -33,9 +40,9 @@ class PoissonSystem {
     double order = 0, factor = 0;
   };
 
-  /// Finds the order of elimination, then factorises. The reports are called at least a few times a second on large
-  /// meshes. Error: that of the solver.
-  static Result<PoissonSystem> create(const CotangentLaplacian& laplacian, Precision precision,
+  /// Finds the order of elimination where `order` has none for as many unknowns, then factorises. The reports are
+  /// called at least a few times a second on large meshes. Error: that of the solver.
+  static Result<PoissonSystem> create(const CotangentLaplacian& laplacian, Precision precision, OrderSource order,
                                       const FractionReport& ordering, const FractionReport& factorising);
 
   /// Slot of each vertex in right-hand sides and solutions; trashSlot() for pinned and loose ones.

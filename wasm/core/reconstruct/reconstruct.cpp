@@ -36,7 +36,8 @@ Result<Reconstructor<Real>> Reconstructor<Real>::create(const Input& in, LriCoor
   const CotangentLaplacian laplacian = cotangentLaplacian(in.shape.faces, in.topology.hasArea, in.topology.components,
                                                           in.shape.poses[in.shape.reference], partOf(ordering, 0, 0.1));
   const double laplacianMs = watch.lap();
-  auto poisson = PoissonSystem::create(laplacian, in.precision, partOf(ordering, 0.1, 1), partOf(factorising, 0, 0.8));
+  auto poisson =
+      PoissonSystem::create(laplacian, in.precision, in.order, partOf(ordering, 0.1, 1), partOf(factorising, 0, 0.8));
   if (!poisson) return poisson.error();
   const PoissonSystem::Times times = poisson->times();
   watch.lap();

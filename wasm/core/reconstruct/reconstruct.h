@@ -39,6 +39,7 @@ class Reconstructor {
     std::span<const int> frameOf;  ///< frame of each face; -1 where it has no area
     Stretch stretch;
     Precision precision;
+    OrderSource order = nullptr;
   };
 
   /// Overwritten by every reconstruction.

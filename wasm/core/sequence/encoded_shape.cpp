@@ -5,85 +5,22 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/centroid.h"
 #include "core/base/format.h"
 #include "core/base/stopwatch.h"
-#include "core/mesh/canonical_order.h"
-#include "core/rotation/rigid_fit.h"
 #include "core/sequence/mirrored_keys.h"
 
 namespace shapespline {
 
-namespace {
-
-constexpr int leastGhostFaces = 4;
-// Poses closer than this, over the diagonal, are the same up to rounding and a modeller's noise.
-constexpr double samePose = 1e-4;
-
-Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
-  const auto invalid = [](std::string message) { return Error{ErrorCode::InvalidOption, std::move(message)}; };
-  if (o.reference < 0 || o.reference >= k.keyCount())
-    return invalid("The reference is key " + std::to_string(o.reference + 1) + ", but there are " +
-                   std::to_string(k.keyCount()) + " keys.");
-  if (o.patches < 0)
-    return invalid("The number of patches is " + grouped(o.patches) + ". Use 0 for the default, or a positive number.");
-  if (o.ghostFaces < 0 || (o.ghostFaces > 0 && o.ghostFaces < leastGhostFaces))
-    return invalid("A ghost mesh needs at least " + std::to_string(leastGhostFaces) + " faces, but " +
-                   grouped(o.ghostFaces) + " are asked for. Use 0 to work without one.");
-  for (const auto* tangent : {&o.startTangent, &o.endTangent}) {
-    if (!*tangent) continue;
-    if (static_cast<int>((*tangent)->size()) != k.vertexCount())
-      return Error{ErrorCode::VertexCountMismatch,
-                   "A tangent shape has " + grouped(static_cast<std::int64_t>((*tangent)->size())) +
-                       " vertices, but the keys have " + grouped(k.vertexCount()) + ". Use a pose of the same mesh."};
-    for (std::size_t v = 0; v < (*tangent)->size(); ++v)
-      if (!(**tangent)[v].allFinite())
-        return Error{ErrorCode::NotFinite,
-                     "A tangent shape's vertex " + grouped(static_cast<std::int64_t>(v)) + " is not finite.", -1,
-                     static_cast<int>(v)};
-  }
-  return {};
-}
-
-// The motion that takes the first key to the last, where it takes all of it there.
-std::optional<RigidMotion> closingOf(const WeldedShape& shape, double diagonal) {
-  const Positions &first = shape.poses.front(), &last = shape.poses[shape.keys - 1];
-  const RigidFit fit = fitRigid(first, last);
-  if (fit.largestDistance > samePose * diagonal) return {};
-  const Quaternion rotation(fit.rotation);
-  return RigidMotion{rotation, centroidOf(last) - rotation * centroidOf(first)};
-}
-
-// Puts the welded mesh into its canonical order.
-void putInOrder(WeldedShape& shape, InputMesh& input, const FractionReport& onProgress) {
-  // Where a loop's last key is its first one again, it must not count twice: any key could be the first.
-  Positions repeated;
-  const auto last = shape.poses.begin() + (shape.keys - 1);
-  if (shape.closing) repeated = std::move(*last), shape.poses.erase(last);
-  const MeshOrder order = canonicalOrder(shape.faces, shape.poses, onProgress);
-  if (shape.closing) shape.poses.insert(shape.poses.begin() + (shape.keys - 1), std::move(repeated));
-  shape.faces = order.apply(shape.faces);
-  for (Positions& pose : shape.poses) pose = order.apply(pose);
-  input.welding = order.apply(input.welding);
-  input.inputFaceOf = order.oldFaces();
-}
-
-}  // namespace
-
 Result<EncodedShape> EncodedShape::build(Keyframes keyframes, const EncodingOptions& options,
-                                         const StageProgress& progress) {
+                                         const StageProgress& progress, OrderSource order) {
   const Stage welding{progress, "welding"}, factorising{progress, "factorising"};
-  welding(0);
-  if (Status status = validate(keyframes); !status) return status.error();
-  if (Status status = checkEncoding(options, keyframes); !status) return status.error();
-  EncodedShape encoded;
-  encoded.stretch_ = options.stretch;
   Stopwatch watch;
   const Positions normals = std::move(keyframes.normals);
-  encoded.weldKeys(std::move(keyframes), options, welding);
+  auto keys = weldKeys(std::move(keyframes), options, welding);
+  if (!keys) return keys.error();
+  EncodedShape encoded(std::move(*keys), options.stretch);
   encoded.stats_.weldMs = watch.lap();
-  welding(1);
-  if (Status status = encoded.encodePoses(options, progress); !status) return status.error();
+  if (Status status = encoded.encodePoses(options, order, progress); !status) return status.error();
   watch.lap();
   encoded.prepareNormals(normals, partOf(factorising, 0.95, 0.97));
   factorising(0.97);
@@ -94,28 +31,15 @@ Result<EncodedShape> EncodedShape::build(Keyframes keyframes, const EncodingOpti
   return encoded;
 }
 
-void EncodedShape::weldKeys(Keyframes keyframes, const EncodingOptions& options, const FractionReport& onProgress) {
-  std::vector<const Positions*> poses;
-  for (const Key& key : keyframes.keys) poses.push_back(&key.positions);
-  WeldedShape shape;
-  shape.keys = keyframes.keyCount();
-  shape.reference = options.reference;
-  if (options.startTangent)
-    shape.startTangent = static_cast<int>(poses.size()), poses.push_back(&*options.startTangent);
-  if (options.endTangent) shape.endTangent = static_cast<int>(poses.size()), poses.push_back(&*options.endTangent);
-  for (const Positions* pose : poses) diagonal_ = std::max(diagonal_, boundingDiagonal({&pose, 1}));
-  input_.faces = std::move(keyframes.faces);
-  input_.welding = weld(poses, weldTolerances(poses), partOf(onProgress, 0, 0.5));
-  shape.faces = weldFaces(input_.faces, input_.welding);
-  for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, input_.welding));
-  keyframes.keys.clear();  // what follows takes the most memory, and works on the welded poses
-  shape.closing = closingOf(shape, diagonal_);
-  putInOrder(shape, input_, partOf(onProgress, 0.55, 1));
+EncodedShape::EncodedShape(WeldedKeys keys, Stretch stretch)
+    : input_(std::move(keys.input)),
+      shape_(std::make_unique<const WeldedShape>(std::move(keys.shape))),
+      diagonal_(keys.diagonal),
+      stretch_(stretch) {
   stats_.weldedVertices = input_.welding.count;
-  shape_ = std::make_unique<const WeldedShape>(std::move(shape));
 }
 
-Status EncodedShape::encodePoses(const EncodingOptions& options, const StageProgress& progress) {
+Status EncodedShape::encodePoses(const EncodingOptions& options, OrderSource order, const StageProgress& progress) {
   const bool wantsGhost = options.ghostFaces > 0;
   const Stage simplifying{progress, "simplifying"}, encoding{progress, "encoding"};
   Stopwatch joining;
@@ -141,12 +65,12 @@ Status EncodedShape::encodePoses(const EncodingOptions& options, const StageProg
     patches_ = std::move(*patches);
     stats_.encodeMs += watch.lap();
   }
-  return options.precision == Precision::Single ? makeReconstructor<float>(topology, options, progress)
-                                                : makeReconstructor<double>(topology, options, progress);
+  return options.precision == Precision::Single ? makeReconstructor<float>(topology, options, order, progress)
+                                                : makeReconstructor<double>(topology, options, order, progress);
 }
 
 template <class Real>
-Status EncodedShape::makeReconstructor(const ShapeTopology& topology, const EncodingOptions& options,
+Status EncodedShape::makeReconstructor(const ShapeTopology& topology, const EncodingOptions& options, OrderSource order,
                                        const StageProgress& progress) {
   const Stage encoding{progress, "encoding"};
   Stopwatch watch;
@@ -156,7 +80,7 @@ Status EncodedShape::makeReconstructor(const ShapeTopology& topology, const Enco
   (ghost_ ? stats_.transferMs : stats_.encodeMs) += watch.lap();
   encoding(1);
   auto reconstructor = Reconstructor<Real>::create(
-      {*shape_, topology, frames.ofFace, options.stretch, options.precision}, std::move(coordinates), progress);
+      {*shape_, topology, frames.ofFace, options.stretch, options.precision, order}, std::move(coordinates), progress);
   if (!reconstructor) return reconstructor.error();
   stats_.orderMs = reconstructor->times().order;
   stats_.factorMs = reconstructor->times().factor;

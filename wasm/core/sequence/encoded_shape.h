@@ -15,11 +15,13 @@
 #include "core/mesh/vertex_normals.h"
 #include "core/patches/patch_motion.h"
 #include "core/reconstruct/reconstruct.h"
+#include "core/sequence/elimination_order.h"
 #include "core/sequence/gram_matrix.h"
 #include "core/sequence/input_mesh.h"
 #include "core/sequence/keyframes.h"
 #include "core/sequence/options.h"
 #include "core/sequence/sequence_stats.h"
+#include "core/sequence/welded_keys.h"
 
 namespace shapespline {
 
@@ -41,10 +43,11 @@ struct FramesScratch {
 /// pose of the input.
 class EncodedShape {
  public:
-  /// keyframes: freed once they are welded. progress: stages and fractions as in build_progress.h. Errors: those of
-  /// validate(), InvalidOption, VertexCountMismatch and NotFinite of tangent shapes, NoArea, and those of the solver.
+  /// keyframes: freed once they are welded. progress: stages and fractions as in build_progress.h. order: asked once
+  /// the poses are encoded; where it has none, the order is found then. Errors: those of weldKeys(), NoArea, and those
+  /// of the solver.
   static Result<EncodedShape> build(Keyframes keyframes, const EncodingOptions& options,
-                                    const StageProgress& progress = {});
+                                    const StageProgress& progress = {}, OrderSource order = nullptr);
 
   const WeldedShape& shape() const { return *shape_; }  ///< its mesh in canonical order
   const InputMesh& input() const { return input_; }
@@ -106,11 +109,10 @@ class EncodedShape {
  private:
   using AnyReconstructor = std::variant<Reconstructor<float>, Reconstructor<double>>;
 
-  EncodedShape() = default;
-  void weldKeys(Keyframes keyframes, const EncodingOptions& options, const FractionReport& onProgress);
-  Status encodePoses(const EncodingOptions& options, const StageProgress& progress);
+  EncodedShape(WeldedKeys keys, Stretch stretch);
+  Status encodePoses(const EncodingOptions& options, OrderSource order, const StageProgress& progress);
   template <class Real>
-  Status makeReconstructor(const ShapeTopology& topology, const EncodingOptions& options,
+  Status makeReconstructor(const ShapeTopology& topology, const EncodingOptions& options, OrderSource order,
                            const StageProgress& progress);
   Eigen::MatrixXd weldedFaceColumns(int face) const;
   void prepareNormals(const Positions& normals, const FractionReport& onProgress);

@@ -20,10 +20,11 @@ namespace shapespline {
 class Sequence {
  public:
   /// keyframes: moved in where the caller needs them no more; freed once they are welded. progress: called with a
-  /// stage's name and the fraction of the whole work that is done, in [0, 1] and never falling.
+  /// stage's name and the fraction of the whole work that is done, in [0, 1] and never falling. order: as for
+  /// EncodedShape::build.
   /// Errors: those of EncodedShape::build and of Motion::fit.
   static Result<Sequence> create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
-                                 const StageProgress& progress = {});
+                                 const StageProgress& progress = {}, OrderSource order = nullptr);
 
   /// Another motion through the same keys. Errors: those of Motion::fit; the old motion stays then.
   Status update(const MotionOptions& motion, const std::vector<double>& keyTimes);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/permutation.h"
 #include "core/sparse/graph.h"
 #include "core/sparse/multifrontal.h"
 #include "core/sparse/ordering.h"
@@ -54,7 +55,7 @@ Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision,
-                         const FractionReport& onProgress) {
+                         const FractionReport& onProgress, std::span<const int> order) {
   if (Status status = checkSymmetric(matrix); !status) return status;
   if (!coordinates.empty() && coordinates.size() != static_cast<std::size_t>(matrix.size))
     return Error{ErrorCode::Internal, "The coordinates for the elimination order are not one per unknown."};
@@ -70,8 +71,10 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
   reportFraction(onProgress, 0.02);
   const Graph graph = graphOf(matrix);
   reportFraction(onProgress, 0.05);
-  const std::vector<int> order = fillReducingOrder(graph, coordinates, partOf(onProgress, 0.05, 0.75));
-  state_->symbolic = analyseFactor(graph, order, partOf(onProgress, 0.75, 0.95));
+  const bool given = static_cast<int>(order.size()) == graph.size() && isPermutation(order);
+  const std::vector<int> used = given ? std::vector<int>(order.begin(), order.end())
+                                      : fillReducingOrder(graph, coordinates, partOf(onProgress, 0.05, 0.75));
+  state_->symbolic = analyseFactor(graph, used, partOf(onProgress, 0.75, 0.95));
   reportFraction(onProgress, 0.95);
   state_->assembly = planAssembly(matrix, state_->symbolic);
   reportFraction(onProgress, 0.97);

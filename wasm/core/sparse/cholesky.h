@@ -37,9 +37,10 @@ class Cholesky {
 
   /// Finds the elimination order and the factor's structure; drops any earlier factor. coordinates: one position per
   /// unknown, which makes for a better order of a large system, or empty. Error if the matrix is malformed or not
-  /// finite, or the coordinates are of another number. onProgress: fraction of the analysis, below 1.
+  /// finite, or the coordinates are of another number. onProgress: fraction of the analysis, below 1. order: what
+  /// fillReducingOrder() (ordering.h) found for this matrix elsewhere, used if it is a permutation of the unknowns.
   Status analyse(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, Precision precision,
-                 const FractionReport& onProgress = {});
+                 const FractionReport& onProgress = {}, std::span<const int> order = {});
 
   /// Starts a factorisation of a matrix with the analysed pattern. Error if the pattern differs or a value is not
   /// finite.

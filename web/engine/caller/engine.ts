@@ -6,7 +6,8 @@ import { KeysHandle } from './keyframes.ts';
 import { checkCall, checkImportOptions, checkSequenceOptions } from '../api/options.ts';
 import type { Program, WorkerFiles } from '../wire/protocol.ts';
 import { WorkerClient, type Spawn } from './worker-client.ts';
-import { SequenceClient } from './sequence.ts';
+import { orderBeside } from './order-beside.ts';
+import { requestOf, SequenceClient } from './sequence.ts';
 import type { ImportOptions, InputFile, SequenceOptions } from '../api/types.ts';
 
 export interface Platform {
@@ -71,12 +72,18 @@ export class EngineClient implements Engine {
       freshWorker: () => this.freshWorker(),
       onDispose: (gone: SequenceClient) => void this.sequences.delete(gone),
     };
-    const client = this.takeWorker(large);
-    const sequence = await this.task(client, call, () =>
-      SequenceClient.create(parts, client, { onProgress: call?.onProgress }),
-    );
-    this.sequences.add(sequence);
-    return sequence;
+    // What read the files has the memory for it already.
+    const beside = large ? orderBeside(this.takeWorker(), requestOf(parts)) : null;
+    const client = large ? this.freshWorker(large) : this.takeWorker();
+    try {
+      const sequence = await this.task(client, call, () =>
+        SequenceClient.create(parts, client, beside?.order ?? null, { onProgress: call?.onProgress }),
+      );
+      this.sequences.add(sequence);
+      return sequence;
+    } finally {
+      beside?.end();
+    }
   }
 
   dispose(): void {
@@ -87,12 +94,10 @@ export class EngineClient implements Engine {
     this.workers.clear();
   }
 
-  private takeWorker(large = false): WorkerClient {
+  private takeWorker(): WorkerClient {
     const { idle } = this;
     this.idle = null;
-    if (!large && idle?.alive) return idle;
-    idle?.terminate(disposed('engine')); // with the memory that reading large files took
-    return this.freshWorker(large);
+    return idle?.alive ? idle : this.freshWorker();
   }
 
   private freshWorker(large = false): WorkerClient {

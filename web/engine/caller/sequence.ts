@@ -16,6 +16,7 @@ import {
 } from '../api/options.ts';
 import { FramePool } from './frame-pool.ts';
 import type { CallName, FrameBuffers, KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
+import type { SharedOrder } from '../wire/shared-order.ts';
 import type { WorkerClient, WorkerCall } from './worker-client.ts';
 import { Scheduler, urgency, type Task, type Urgency } from './scheduler.ts';
 import type {
@@ -79,10 +80,15 @@ export class SequenceClient implements Sequence {
   }
 
   /** Builds it in `client`, which is the sequence's own from here on. */
-  static async create(parts: SequenceParts, client: WorkerClient, call: WorkerCall): Promise<SequenceClient> {
-    const motion: MotionSpec = { version: 0, options: motionOf(parts.options), keyTimes: parts.keys.info.times };
-    const state = await client.call('create', createRequest(parts.keys, encodingOf(parts.options), motion), call);
-    return new SequenceClient(parts, client, motion, state);
+  static async create(
+    parts: SequenceParts,
+    client: WorkerClient,
+    order: SharedOrder | null,
+    call: WorkerCall,
+  ): Promise<SequenceClient> {
+    const request = requestOf(parts);
+    const state = await client.call('create', { ...request, order }, call);
+    return new SequenceClient(parts, client, request.motion, state);
   }
 
   get options(): Readonly<SequenceOptions> {
@@ -317,7 +323,7 @@ export class SequenceClient implements Sequence {
   private async revive(): Promise<void> {
     this.client = this.parts.freshWorker();
     const request = createRequest(this.parts.keys, this.encoding, this.motion);
-    this.state = await this.client.call('create', request);
+    this.state = await this.client.call('create', { ...request, order: null });
   }
 
   private async scheduled<K extends CallName>(
@@ -366,10 +372,21 @@ export class SequenceClient implements Sequence {
   }
 }
 
+/** What a sequence is first made of. */
+export function requestOf({ keys, options }: Pick<SequenceParts, 'keys' | 'options'>): CreateRequest {
+  return createRequest(keys, encodingOf(options), {
+    version: 0,
+    options: motionOf(options),
+    keyTimes: keys.info.times,
+  });
+}
+
+type CreateRequest = Omit<RequestOf<'create'>, 'order'>;
+
 function createRequest(
   { info: { names, faces }, positions, normals }: KeyData,
   encoding: EncodingOptions,
   motion: MotionSpec,
-): RequestOf<'create'> {
+): CreateRequest {
   return { names, faces, positions, normals, encoding, motion };
 }

@@ -2,6 +2,7 @@
  * The messages between the engine and its workers: plain data, one union in each direction. A worker answers every
  * request exactly once, in order, and reports progress in between.
  */
+import type { SharedOrder } from './shared-order.ts';
 import type { ErrorData } from '../api/errors.ts';
 import type {
   DiscretePath,
@@ -60,9 +61,16 @@ export interface Calls {
   import: { request: { files: InputFile[]; options: ImportOptions }; result: KeyData };
   create: {
     request: Pick<KeysInfo, 'names' | 'faces'> &
-      Omit<KeyData, 'info'> & { encoding: EncodingOptions; motion: MotionSpec };
+      Omit<KeyData, 'info'> & {
+        encoding: EncodingOptions;
+        motion: MotionSpec;
+        /** Where another worker leaves the order of elimination (shared-order), or null. */
+        order: SharedOrder | null;
+      };
     result: { range: [number, number]; warnings: Warning[] };
   };
+  /** Finds the order of elimination for `create` in another worker. */
+  order: { request: Calls['create']['request'] & { order: SharedOrder }; result: null };
   /** Refits; on an error the motion before stays. */
   update: { request: { motion: MotionSpec }; result: { range: [number, number]; warnings: Warning[] } };
   evaluate: {

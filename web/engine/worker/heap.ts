@@ -24,6 +24,7 @@ const ARRAYS = {
   ghostFaceOf: Int32Array,
   patches: Int32Array,
   components: Int32Array,
+  order: Int32Array,
   positions: Float32Array,
   normals: Float32Array,
   uvs: Float32Array,

@@ -25,6 +25,7 @@ import type {
   Start,
   ToWorker,
 } from '../wire/protocol.ts';
+import { provideOrder } from '../wire/shared-order.ts';
 import type { MeasuresAt } from '../api/types.ts';
 import { ThreadChoice } from './thread-choice.ts';
 import type { CreateWasmModule } from './wasm-module.ts';
@@ -120,6 +121,10 @@ export class RequestHandler {
         this.sequence = handle;
         this.motionVersion = request.motion.version;
         return { range, warnings };
+      },
+      order: (core, request) => {
+        provideOrder(request.order, () => core.eliminationOrder(request));
+        return null;
       },
       update: (core, { motion }) => this.refit(core, motion),
       evaluate: (core, { motion, t, buffers, preview }) =>

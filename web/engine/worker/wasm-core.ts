@@ -4,6 +4,7 @@ import { EngineError, outOfMemory } from '../api/errors.ts';
 import type { SecondThreadStart } from './second-thread.ts';
 import { HeapScope, readFloats, readJson, readText, sharedFloats, writeFloats, type Range } from './heap.ts';
 import type { FrameBuffers, FrameData, KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
+import { awaitedOrder } from '../wire/shared-order.ts';
 import type {
   DiscretePath,
   FaceCurve,
@@ -138,14 +139,23 @@ export class WasmCore {
 
   /** Builds a sequence and returns its handle. */
   createSequence(
-    { names, faces, positions, normals, encoding, motion }: RequestOf<'create'>,
+    request: RequestOf<'create'>,
     onProgress: OnProgress = () => undefined,
   ): SequenceState & { handle: number } {
     this.hear(onProgress);
-    const keys = positions.map((of, key) => ({ name: names[key], time: motion.keyTimes[key], positions: of }));
-    return this.ask({ faces, normals, keys, encoding, motion: motion.options }, (address) =>
-      this.module._shapespline_sequence(address),
-    );
+    const { order } = request;
+    this.module.takeOrder = (address, unknowns) => {
+      const made = order && awaitedOrder(order);
+      if (made?.length !== unknowns) return false;
+      new Int32Array(this.module.HEAPU8.buffer, address >>> 0, unknowns).set(made);
+      return true;
+    };
+    return this.ask(madeOf(request), (address) => this.module._shapespline_sequence(address));
+  }
+
+  /** In which the unknowns of this sequence are eliminated. */
+  eliminationOrder(request: RequestOf<'order'>): Int32Array {
+    return this.ask<{ order: Int32Array }>(madeOf(request), (address) => this.module._shapespline_order(address)).order;
   }
 
   update(handle: number, motion: MotionSpec): SequenceState {
@@ -315,6 +325,11 @@ export class WasmCore {
   private rawResult<T>(address: Address): T {
     return checked(JSON.parse(readText(this.module, address)) as CallResult<T>);
   }
+}
+
+function madeOf({ names, faces, positions, normals, encoding, motion }: RequestOf<'create'>): object {
+  const keys = positions.map((of, key) => ({ name: names[key], time: motion.keyTimes[key], positions: of }));
+  return { faces, normals, keys, encoding, motion: motion.options };
 }
 
 function checked<T>(result: CallResult<T>): T {

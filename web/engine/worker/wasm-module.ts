@@ -1,4 +1,4 @@
-/** The generated wasm module as this folder sees it: what wasm/bindings exports, and the two calls that it makes. */
+/** The generated wasm module as this folder sees it: what wasm/bindings exports, and the three calls that it makes. */
 
 /** An address in the heap; above 2 GB it arrives negative, hence `>>> 0` wherever one is used. */
 export type Address = number;
@@ -7,6 +7,7 @@ export type Address = number;
 export interface JsImports {
   onProgress?: (stage: Address, fraction: number) => void;
   takeFrame?: (frame: number, positions: Address, normals: Address) => boolean;
+  takeOrder?: (order: Address, unknowns: number) => boolean;
 }
 
 export interface WasmModule extends JsImports {
@@ -19,6 +20,7 @@ export interface WasmModule extends JsImports {
   _shapespline_import(request: Address): Address;
   _shapespline_import_positions(handle: number, key: number): Address;
   _shapespline_sequence(request: Address): Address;
+  _shapespline_order(request: Address): Address;
   _shapespline_update(handle: number, request: Address): Address;
   _shapespline_evaluate(handle: number, t: number, preview: number): Address;
   _shapespline_blend(handle: number, request: Address): Address;

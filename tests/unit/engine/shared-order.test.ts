@@ -1,0 +1,26 @@
+/** What two workers say to each other about the order of elimination, by memory alone. */
+import { describe, expect, it } from 'vitest';
+import { awaitedOrder, giveUpOrder, provideOrder, sharedOrder } from '../../../web/engine/wire/shared-order.ts';
+
+describe('shared order', () => {
+  it('is what was found, of as many unknowns as there are', () => {
+    const order = sharedOrder(5);
+    provideOrder(order, () => Int32Array.of(2, 0, 1));
+    expect([...awaitedOrder(order)!]).toEqual([2, 0, 1]);
+    giveUpOrder(order); // too late
+    expect([...awaitedOrder(order)!]).toEqual([2, 0, 1]);
+  });
+
+  it('is nothing where nobody has begun, where it was given up and where it failed', () => {
+    expect(awaitedOrder(sharedOrder(3))).toBeNull();
+    const given = sharedOrder(3);
+    giveUpOrder(given);
+    expect(awaitedOrder(given)).toBeNull();
+    const failed = sharedOrder(3);
+    const fail = (): never => {
+      throw new Error('no area');
+    };
+    expect(() => provideOrder(failed, fail)).toThrow('no area');
+    expect(awaitedOrder(failed)).toBeNull();
+  });
+});

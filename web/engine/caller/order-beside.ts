@@ -1,0 +1,22 @@
+/** The order of elimination, which a worker of its own finds while the sequence's worker encodes. */
+import { disposed } from '../api/errors.ts';
+import type { RequestOf } from '../wire/protocol.ts';
+import { giveUpOrder, type SharedOrder, sharedOrder } from '../wire/shared-order.ts';
+import type { WorkerClient } from './worker-client.ts';
+
+export interface OrderBeside {
+  order: SharedOrder;
+  /** Ends the worker, whether it has finished or not. */
+  end(): void;
+}
+
+/** A failure is said by the sequence, which fails as well, or finds the order itself. */
+export function orderBeside(client: WorkerClient, request: Omit<RequestOf<'create'>, 'order'>): OrderBeside {
+  const order = sharedOrder(request.positions[0]!.length / 3);
+  const end = (): void => {
+    giveUpOrder(order);
+    client.terminate(disposed('engine'));
+  };
+  client.call('order', { ...request, order }).then(end, end);
+  return { order, end };
+}

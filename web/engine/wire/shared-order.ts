@@ -1,0 +1,46 @@
+/**
+ * The order of elimination of a large system, in memory that two workers share: one finds it while the other encodes,
+ * and neither needs the page for it.
+ */
+
+/** Its state, how many numbers it has, and these. */
+export type SharedOrder = Int32Array<SharedArrayBuffer>;
+
+const STATE = 0;
+const COUNT = 1;
+const HEADER = 2;
+const state = { notBegun: 0, begun: 1, made: 2, failed: 3 } as const;
+
+/** Milliseconds: far more than the largest order takes. */
+const PATIENCE = 60_000;
+
+export function sharedOrder(vertices: number): SharedOrder {
+  return new Int32Array(new SharedArrayBuffer(Int32Array.BYTES_PER_ELEMENT * (HEADER + vertices)));
+}
+
+/** Whoever waits goes on, with what `make` returned or without. */
+export function provideOrder(order: SharedOrder, make: () => Int32Array): void {
+  Atomics.store(order, STATE, state.begun);
+  try {
+    const made = make();
+    order.set(made, HEADER);
+    Atomics.store(order, COUNT, made.length);
+    Atomics.store(order, STATE, state.made);
+    Atomics.notify(order, STATE);
+  } finally {
+    giveUpOrder(order);
+  }
+}
+
+/** Nothing will come any more. What has been made stays. */
+export function giveUpOrder(order: SharedOrder): void {
+  for (const before of [state.notBegun, state.begun]) Atomics.compareExchange(order, STATE, before, state.failed);
+  Atomics.notify(order, STATE);
+}
+
+/** Blocks the worker until it is there; null where it failed, or where nobody has even begun with it. */
+export function awaitedOrder(order: SharedOrder): Int32Array | null {
+  Atomics.wait(order, STATE, state.begun, PATIENCE);
+  if (Atomics.load(order, STATE) !== state.made) return null;
+  return order.subarray(HEADER, HEADER + Atomics.load(order, COUNT));
+}
