@@ -195,6 +195,44 @@ test('left while its page is still being opened, it gives back what was open, an
   await expect.poll(() => fragment(app)).toBe('');
 });
 
+test('turned to before anything is there, it opens, and gives back what was on its way', async ({ app }) => {
+  const heldBack = async (what: RegExp) => {
+    let arrive = (): void => undefined;
+    const held = new Promise<void>((done) => (arrive = done));
+    const asked = app.page.waitForRequest(what);
+    await app.page.route(what, async (route) => {
+      await held;
+      await route.continue().catch(() => undefined); // nobody wants it any more
+    });
+    return { asked, arrive };
+  };
+  const leave = async (): Promise<void> => {
+    await app.page.keyboard.press('Escape');
+    await expect(app.by('guide')).toHaveCount(0);
+  };
+  const list = await heldBack(/samples\.json/);
+  await app.page.goto('./');
+  await list.asked;
+  await app.page.waitForFunction(() => window.__shapespline !== undefined);
+  await app.page.evaluate(() => (location.hash = '#tour=2'));
+  list.arrive();
+  await app.started();
+  await expectStep(app, 1);
+  await leave();
+  await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: 'column' });
+  expect((await app.state()).view.compare).toEqual(['linear']);
+  const octopus = await heldBack(/samples\/octopus/);
+  await app.page.goto('about:blank');
+  await app.page.goto('./#sample=octopus');
+  await octopus.asked;
+  await app.page.evaluate(() => (location.hash = '#tour=2'));
+  await expectStep(app, 1);
+  octopus.arrive();
+  await leave();
+  await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: 'octopus' });
+  await app.expectNoProblems();
+});
+
 test('the way back in the browser leads out of the tour, too, and the one onward into it', async ({ app }) => {
   await app.open();
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);

@@ -30,6 +30,7 @@ import { changesBetween } from './session/state-changes.ts';
 import { fetchSample } from './sources/samples.ts';
 import { sourceTitle } from './sources/own-files.ts';
 import { openFirst } from './sources/open-first.ts';
+import { guideLink } from './sources/page-link.ts';
 import type { OpenFiles } from './sources/open-files.ts';
 import { createTakeFiles } from './sources/take-files.ts';
 import { createTestHook, installTestHook } from './test-hook.ts';
@@ -84,23 +85,33 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     },
   });
   const { files, remembered, undo, animation } = ways;
-  const visit = (fragment: string): Promise<void> =>
+  /** What the address named before any page of the guide. */
+  let begun = '';
+  const address = (): string => {
+    if (!guideLink(location.hash)) begun = location.hash;
+    return location.hash;
+  };
+  const visit = (named: () => string): Promise<void> =>
     openFirst(
       {
         files,
         remembered,
-        onSamples: (samples) => viewState.change({ samples, offline: !navigator.onLine }),
+        onSamples(samples) {
+          viewState.change({ samples, offline: !navigator.onLine });
+          ways.link.listen();
+        },
         say: feedback.say,
         onGuide: (page) => guide.open(page),
         onStopped: notReopened.offer,
       },
-      fragment,
+      named,
     );
   const guide = createGuideDoor({
     store,
     workspace,
     files,
-    openFirst: () => visit(''),
+    // What was on its way when the guide was turned to.
+    openFirst: () => visit(() => begun),
     place: layout.setGuide,
     showPanel: layout.showPanel,
     frame: layout.setFramed,
@@ -239,7 +250,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     () => remembered.flush(),
   );
   listenToNetwork((offline) => viewState.change({ offline }));
-  const ready = visit(location.hash).then(() => frameLoop.idle());
+  const ready = visit(address).then(() => frameLoop.idle());
   /** With all that is shown of it, as far as there is anything. */
   const shown = ready
     .then(() => (workspace.info ? scene.viewer.firstSeen : undefined))

@@ -99,6 +99,8 @@ export interface OpenFiles {
   /** The shape of a file gives the tangent at an end of the motion. */
   takeTangent(files: PickedFile[] | Promise<PickedFile[]>, end: End): Promise<void>;
   readonly busy: boolean;
+  /** How often anything was asked for so far. */
+  readonly asks: number;
   /** Resolves when nothing is being opened. */
   idle(): Promise<void>;
 }
@@ -140,6 +142,7 @@ export function createOpenFiles({
 }: OpenFilesParts): OpenFiles {
   let fetching = new AbortController();
   const running = new Set<Promise<unknown>>();
+  let asks = 0;
 
   const openings = new Openings();
 
@@ -206,6 +209,7 @@ export function createOpenFiles({
   };
 
   const guarded = (work: () => Promise<boolean>): Promise<boolean> => {
+    asks += 1;
     const task = work().catch((error: unknown) => {
       onError(error);
       return false;
@@ -368,6 +372,9 @@ export function createOpenFiles({
     },
     get busy() {
       return running.size > 0;
+    },
+    get asks() {
+      return asks;
     },
     idle: async () => {
       while (running.size > 0) await Promise.all(running);

@@ -7,6 +7,7 @@ import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { OpenFiles } from './open-files.ts';
 import { guideLink, strangeLink } from './page-link.ts';
 import { readPermalink } from './permalink.ts';
+import type { Remembered } from '../kept/project-shelf.ts';
 import type { RememberedFiles } from '../kept/remembered-files.ts';
 import { fetchSamples, makeSample } from './samples.ts';
 import type { Sample } from './samples.ts';
@@ -29,21 +30,30 @@ export interface OpenFirstParts {
   onStopped(offer: Offer): void;
 }
 
+/** `address`: the fragment, which may be another one by the time at which there is something to open. */
 export async function openFirst(
   { files, remembered, onSamples, say, onGuide, onStopped }: OpenFirstParts,
-  fragment: string,
+  address: () => string,
 ): Promise<void> {
-  const named = readPermalink(fragment);
-  const page = guideLink(fragment);
-  const isFirstVisit = !named && readSetting(VISITED) === null;
-  const made = isFirstVisit && !page ? makeSample(FIRST_SAMPLE) : null;
+  let asked = files.asks;
+  const isOvertaken = (): boolean => files.asks !== asked;
+  const isNew = readSetting(VISITED) === null;
+  const made = isNew && opensFirstSample(address()) ? makeSample(FIRST_SAMPLE) : null;
   made?.catch(() => undefined); // said where it is opened
   const [samples, kept] = await Promise.all([fetchSamples(), remembered.recall()]);
   onSamples(samples);
-  if (page && (await onGuide(page))) return;
+  if (isOvertaken()) return;
+  const fragment = address();
+  const named = readPermalink(fragment);
+  const page = guideLink(fragment);
+  if (page && ((await onGuide(page)) || isOvertaken())) return;
   const strange = named ? null : strangeLink(fragment);
   if (strange) say(strange);
-  if (!named) writeSetting(VISITED, '1');
+  const again = async (work: Remembered): Promise<boolean> => {
+    if (isOvertaken()) return false;
+    asked += 1;
+    return files.again(work);
+  };
   const [left] = named ? [] : kept;
   if (left?.opening) {
     onStopped({
@@ -51,11 +61,15 @@ export async function openFirst(
       action: 'Open it',
       onAccept: () => void remembered.reopen(left.id, files.again),
     });
-  } else if (left && (await remembered.reopen(left.id, files.again).catch(() => false))) return;
-  const link = named ?? (isFirstVisit && !left ? readPermalink(FIRST_VISIT) : null);
+  } else if (left && ((await remembered.reopen(left.id, again).catch(() => false)) || isOvertaken())) return;
+  const link = named ?? (isNew && !left ? readPermalink(FIRST_VISIT) : null);
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
   if (!first) throw new Error('This page has no samples. Open your own files.');
-  await files.sample(first.id, first.id === link?.sample ? link : null, first.id === FIRST_SAMPLE ? made : null);
+  const input = first.id === FIRST_SAMPLE ? made : null;
+  const opened = await files.sample(first.id, first.id === link?.sample ? link : null, input);
+  if (opened && !named) writeSetting(VISITED, '1');
   if (named && named.sample !== first.id)
     say(`There is no sample named “${named.sample}”. This is “${first.title}”; choose another under Samples.`);
 }
+
+const opensFirstSample = (fragment: string): boolean => !readPermalink(fragment) && !guideLink(fragment);

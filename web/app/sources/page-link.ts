@@ -16,6 +16,8 @@ export interface PageLinkParts {
 }
 
 export interface PageLink {
+  /** From now on what the address is changed to is opened; what it is until then, whoever opens the page reads. */
+  listen(): void;
   /** The state has changed. */
   follow(): void;
   copy(): Promise<void>;
@@ -52,7 +54,8 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
     return link && new URL(`#${link}`, location.href).href;
   };
 
-  window.addEventListener('hashchange', ({ newURL }) => {
+  const onChange = ({ newURL }: HashChangeEvent): void => {
+    window.clearTimeout(timer); // it would write what was, while the new one is on its way
     // What was written into the address since then is not what was asked for.
     const { hash } = new URL(newURL);
     const page = guideLink(hash);
@@ -64,9 +67,10 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
       const strange = strangeLink(hash);
       if (strange) say(strange);
     }
-  });
+  };
 
   return {
+    listen: () => window.addEventListener('hashchange', onChange),
     follow() {
       window.clearTimeout(timer);
       timer = window.setTimeout(() => {
