@@ -1,4 +1,4 @@
-/** Samples that are made on the spot: closed, painted, as large as promised, and of one volume in every pose. */
+/** Samples that are made on the spot: closed, painted, as large as promised; of one volume where they do not shrink. */
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { measure } from '../../web/app/drawing/measures.ts';
@@ -6,6 +6,7 @@ import { column } from '../../web/sculpt/column.ts';
 import type { Sculpture } from '../../web/sculpt/glb.ts';
 import { make } from '../../web/sculpt/make.ts';
 import { serpent } from '../../web/sculpt/serpent.ts';
+import { turret } from '../../web/sculpt/turret.ts';
 
 /** How often each edge is run along minus how often against, where vertices at the same places are one. */
 function openEdges({ skin, keys }: Sculpture): number {
@@ -29,6 +30,7 @@ function openEdges({ skin, keys }: Sculpture): number {
 describe.each([
   ['column', column],
   ['serpent', serpent],
+  ['turret', turret],
 ] as const)('the %s', (name, sculptor) => {
   it('is closed, and its faces look outwards', async () => {
     const made = await sculptor(0.3);
@@ -36,7 +38,7 @@ describe.each([
     for (const key of made.keys) expect(measure(key, made.skin.faces).volume).toBeGreaterThan(0);
   });
 
-  it('has one volume in every pose', async () => {
+  it.runIf(name !== 'turret')('has one volume in every pose', async () => {
     const { skin, keys } = await sculptor(0.6);
     const [first, ...others] = keys.map((key) => measure(key, skin.faces).volume);
     for (const volume of others) expect(volume / first!).toBeCloseTo(1, 1.4);
@@ -53,6 +55,24 @@ describe.each([
     const view = new DataView(bytes.buffer);
     expect([view.getUint32(0, true), view.getUint32(8, true)]).toEqual([0x46546c67, bytes.length]);
   });
+});
+
+it('the upper part of the turret is a fifth as high and as wide in its last pose', async () => {
+  const { keys } = await turret(1);
+  const pose = (key: Float32Array) => {
+    const heights = key.filter((_, i) => i % 3 === 1);
+    const high = Math.max(...heights);
+    const places = [...Array(key.length / 3).keys()].filter((v) => v % 80 === 0);
+    return { high, width: (v: number) => Math.hypot(key[3 * v]!, key[3 * v + 2]!), places };
+  };
+  const [first, last] = [pose(keys[0]!), pose(keys[2]!)];
+  const heightOf = (v: number): number => keys[0]![3 * v + 1]!;
+  const above = first.places.filter((v) => heightOf(v) > 2.3 && heightOf(v) < first.high - 0.2);
+  expect(above.length).toBeGreaterThan(5);
+  for (const v of above) {
+    expect(last.width(v) / first.width(v)).toBeCloseTo(0.2, 4);
+    expect((last.high - keys[2]![3 * v + 1]!) / (first.high - heightOf(v))).toBeCloseTo(0.2, 3);
+  }
 });
 
 it('the serpent has more than 300,000 faces', async () => {

@@ -10,26 +10,39 @@ const CORNER = 0.3;
 const LOBES = 6;
 const LOBE_DEPTH = 0.13;
 const TURNS = [0, 180, 350];
-const CREAM = [236, 222, 197] as const;
-const BRICK = [188, 84, 62] as const;
+export type Colour = readonly [number, number, number];
+const CREAM: Colour = [236, 222, 197];
+const BRICK: Colour = [188, 84, 62];
 
-export async function column(detail: number): Promise<Sculpture> {
+export function column(detail: number): Promise<Sculpture> {
+  return striped(detail, BRICK, TURNS.map(twisted));
+}
+
+/** A column of lobes in cream and another colour. */
+export async function striped(detail: number, colour: Colour, poses: readonly Place[]): Promise<Sculpture> {
   const surface = skin(Math.round(84 * detail), LOBES * Math.round(13 * detail));
   const picture = await painted(256, 4, (u) => {
     // The colours meet in the grooves.
     const share = smooth(0.5 + 9 * Math.cos(LOBES * Math.PI * u));
-    return CREAM.map((level, i) => level + (BRICK[i]! - level) * share) as [number, number, number];
+    return CREAM.map((level, i) => level + (colour[i]! - level) * share) as [number, number, number];
   });
-  return { skin: surface, keys: TURNS.map((degrees) => placed(surface, twisted(degrees))), picture, roughness: 0.42 };
+  return { skin: surface, keys: poses.map((pose) => placed(surface, pose)), picture, roughness: 0.42 };
 }
 
 function twisted(degrees: number): Place {
+  return lobed((height) => ({ size: 1, raised: height, turn: ((degrees * Math.PI) / 180) * smooth(height / HEIGHT) }));
+}
+
+/** What has become of a height of the column: how wide it is, how high it stands, and how far it turns, in radians. */
+export type Level = (height: number) => { size: number; raised: number; turn: number };
+
+export function lobed(level: Level): Place {
   return (along) => {
     const [radius, height] = profile(along);
-    const turn = ((degrees * Math.PI) / 180) * smooth(height / HEIGHT);
+    const { size, raised, turn } = level(height);
     return (angle) => {
-      const away = radius * (1 + LOBE_DEPTH * Math.cos(LOBES * angle) * Math.min(radius / RADIUS, 1));
-      return [away * Math.cos(angle + turn), height, away * Math.sin(angle + turn)];
+      const away = size * radius * (1 + LOBE_DEPTH * Math.cos(LOBES * angle) * Math.min(radius / RADIUS, 1));
+      return [away * Math.cos(angle + turn), raised, away * Math.sin(angle + turn)];
     };
   };
 }

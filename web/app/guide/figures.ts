@@ -70,7 +70,7 @@ const LIST: readonly Figure[] = [
     name: 'Large turns',
     state: 'sample=gymnast&between=0,1&t=0&loop=bounce&play=1',
     text: 'The paper completes five poses of a person of which the first and the last differ by almost 180 degrees.',
-    task: 'Watch the arms: 205 degrees from the first pose to the last, and no arm takes the short way back.',
+    task: 'Watch the arms: more than half a turn from the first pose to the last, and no arm takes the short way back.',
     sentence: 'Rotations add up from key to key, so that a turn may be larger than any single rotation can say.',
   },
   {

@@ -21,15 +21,15 @@ const twistOf: GuidePage['ask'] = async (sequence, { keyTimes }) => {
   );
 };
 
-/** A face in the bend of an arm, which grows narrower after the last key; it is told of far out. */
-const [NARROWING, FAR] = [18676, 2.4];
+/** A face in the upper part of the turret, which shrinks; it is told of as far out as the plots go. */
+const [SHRINKING, FAR] = [116, 1.4];
 const narrownessOf: GuidePage['ask'] = async (sequence, { stretch }) => {
-  const { numbers } = await sequence.faceCurve(NARROWING, [FAR]);
+  const { numbers } = await sequence.faceCurve(SHRINKING, [FAR]);
   const [xx, xy, yy] = numbers.slice(3) as [number, number, number];
   const least = (xx + yy) / 2 - Math.hypot((xx - yy) / 2, xy);
   const share = stretch === 'log' ? Math.exp(least) : least;
-  const words = share > 0 ? 'it only grows narrower' : 'it is inside out';
-  return `At ${FAR} a face in the bend of an arm has ${(100 * share).toFixed(0)} % of its width: ${words}.`;
+  const words = share > 0 ? 'it only grows narrower' : 'it would be inside out';
+  return `By its line a face above has ${(100 * share).toFixed(0)} % of its width at ${FAR}: ${words}.`;
 };
 
 const STEPS: readonly Omit<GuidePage, 'link'>[] = [
@@ -52,7 +52,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     text: 'Two poses of a bar differ by half a turn. The plainest thing is to move every vertex on a straight line from one to the other. How much of the bar is left halfway? Guess first.',
     panel: 'analysis',
     part: 'plot-volume',
-    task: 'Drag the time to the middle, 0.25, and compare the two volumes.',
+    task: 'Drag the time to the middle between the first two keys, and compare the two volumes.',
     sentence: 'Blending positions moves every point on a straight line, so a bend loses volume.',
     live: ({ volumes: [ours, blended] }) =>
       ours && blended ? `Volume now: ${blended} blended, ${ours} in shape space.` : '',
@@ -97,7 +97,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     state: 'sample=cactus&compare=geodesic&between=0,1&t=0&loop=bounce&play=1',
     text: 'The second cactus goes from key to key on the shortest way, a geodesic. It is straight between two keys, and has a corner at the middle one: there it changes direction at once.',
     part: 'plot-bending',
-    task: 'Look at 0.5, and at the bending under Analysis.',
+    task: 'Look at the middle key, and at the bending under Analysis.',
     sentence: 'Straight from key to key is shortest, and turns sharply at each key.',
     formula: {
       math: '<mrow><mi>E</mi><mo>(</mo><mi>s</mi><mo>)</mo><mo>=</mo><munderover><mo>∫</mo><mn>0</mn><mn>1</mn></munderover><msup><mrow><mo>‖</mo><msup><mi>s</mi><mo>″</mo></msup><mo>(</mo><mi>t</mi><mo>)</mo><mo>‖</mo></mrow><mn>2</mn></msup><mi>d</mi><mi>t</mi></mrow>',
@@ -132,16 +132,19 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   },
   {
     title: 'Beyond the keys',
-    panel: 'shape',
-    state: 'sample=cactus&colour=phase&between=1,2.4&t=1&loop=bounce&play=1',
-    text: 'Past its last key the motion goes on as fast as it was. Turns may go on like that. A stretch may not: what shrinks by the same amount again and again is nothing one day, and then turns inside out.',
-    task: 'Go far out, and choose between linear and logarithmic stretch under Shape.',
+    panel: 'analysis',
+    part: 'faces',
+    fill: { field: 'face-number', value: `${SHRINKING}` },
+    state: 'sample=turret&colour=phase&between=0,1.4&t=0&loop=bounce&play=1',
+    text: 'Past its last key the motion goes on as fast as it was. Turns may go on like that. A stretch may not: what shrinks by the same amount again and again is nothing one day, and then inside out. The surface here stops short of it; its numbers go on.',
+    task: 'Look under Analysis where the stretch of a face crosses nothing; then choose logarithmic stretch under Shape.',
     ask: narrownessOf,
     sentence: 'Past the last key the curve goes on straight; stretch must be counted in ratios there.',
     formula: {
       math: '<mrow><mi>f</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>=</mo><mi>f</mi><mo>(</mo><mn>1</mn><mo>)</mo><mo>+</mo><mo>(</mo><mi>t</mi><mo>−</mo><mn>1</mn><mo>)</mo><msup><mi>f</mi><mo>′</mo></msup><mo>(</mo><mn>1</mn><mo>)</mo></mrow>',
       words: 'After the last key: from there on straight, with the speed that it had.',
     },
+    more: 'In the shape plane a mixture of keys is drawn as it is. Drag the point far past key 3: with linear stretch the upper part comes out upside down below, with logarithmic stretch it only grows small.',
   },
   {
     title: 'The plane of shapes',

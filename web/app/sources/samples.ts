@@ -33,6 +33,17 @@ const MADE: readonly Sample[] = [
     hold: 'off',
   },
   {
+    id: 'turret',
+    title: 'Turret',
+    description: 'A column whose upper part shrinks to a fifth: beyond the keys it shows how stretch is counted.',
+    files: ['turret.glb'],
+    made: true,
+    names: ['Whole', 'Smaller, turned', 'A fifth'],
+    times: [0, 0.5, 1],
+    boundary: 'natural',
+    hold: 'off',
+  },
+  {
     id: 'serpent',
     title: 'Serpent',
     description: '307,000 faces, every scale modelled: it winds, coils and raises its head.',
