@@ -129,7 +129,9 @@ test('the bar of the fourth step turns by as many degrees as is told of it', asy
   }
 });
 
-test('of the eighth step, a face would be inside out far out, and with logarithmic stretch it would not', async ({ app }) => {
+test('of the eighth step, a face would be inside out far out; with logarithmic stretch it would not', async ({
+  app,
+}) => {
   await app.open({ hash: '#tour=8' });
   await expect(app.by('guide-live')).toHaveText(/has -\d+ % of its width at 1\.4: it would be inside out/);
   await app.by('stretch-log').check();

@@ -144,7 +144,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
       math: '<mrow><mi>f</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>=</mo><mi>f</mi><mo>(</mo><mn>1</mn><mo>)</mo><mo>+</mo><mo>(</mo><mi>t</mi><mo>−</mo><mn>1</mn><mo>)</mo><msup><mi>f</mi><mo>′</mo></msup><mo>(</mo><mn>1</mn><mo>)</mo></mrow>',
       words: 'After the last key: from there on straight, with the speed that it had.',
     },
-    more: 'In the shape plane a mixture of keys is drawn as it is. Drag the point far past key 3: with linear stretch the upper part comes out upside down below, with logarithmic stretch it only grows small.',
+    more: 'In the shape plane a mixture of keys is drawn as it is. Drag the point past key 3, as far as it goes: with linear stretch the upper part is all but gone, with logarithmic stretch it stays a small tower.',
   },
   {
     title: 'The plane of shapes',
