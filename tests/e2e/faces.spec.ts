@@ -1,6 +1,6 @@
 /** Heat maps on the surface, and the coordinates of a face that is clicked. */
 import { expectAccessible } from './axe.ts';
-import { decode } from './png.ts';
+import { changedShare, decode } from './png.ts';
 import { viridis } from '../../web/plots/viridis.ts';
 import { type App, expect, realFile, test } from './support.ts';
 
@@ -171,6 +171,23 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   const [natural, own] = await Promise.all([0, 3].map((index) => curves.nth(index).getAttribute('d')));
   expect(natural).not.toBe(own);
   await expect(app.by('plot-face-rotation')).toContainText('natural');
+  await app.expectNoProblems();
+});
+
+test('the shape goes on moving when another face is marked, and when none is', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&floor=0' });
+  await app.by('faces').scrollIntoViewIfNeeded();
+  for (const numbers of [['3', '30'], ['']]) {
+    await app.setTime(0);
+    for (const number of numbers) {
+      await app.by('face-number').fill(number);
+      await app.by('face-number').press('Enter');
+      await app.picture(); // draws it
+    }
+    const first = await app.picture();
+    await app.setTime(1);
+    expect(changedShare(first, await app.picture()), `after “${numbers.at(-1)}”`).toBeGreaterThan(0.05);
+  }
   await app.expectNoProblems();
 });
 

@@ -38,3 +38,9 @@ export function shareBuffers(shape: BufferGeometry, other: BufferGeometry): void
     if (attribute) other.setAttribute(name, attribute);
   }
 }
+
+/** Gives back what another geometry has of its own; the shape's buffers stay on the graphics card. */
+export function disposeShared(other: BufferGeometry): void {
+  for (const name of Object.keys(other.attributes)) other.deleteAttribute(name);
+  other.dispose();
+}

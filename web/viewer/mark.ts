@@ -9,7 +9,7 @@ import {
   MeshBasicMaterial,
   MeshStandardMaterial,
 } from 'three';
-import { shareBuffers } from './easing.ts';
+import { disposeShared, shareBuffers } from './easing.ts';
 import type { Easing } from './easing.ts';
 import { Rim } from './studio.ts';
 import type { Studio } from './studio.ts';
@@ -60,7 +60,7 @@ export class Mark {
 
   dispose(): void {
     this.object.removeFromParent();
-    this.geometry.dispose();
+    disposeShared(this.geometry);
     for (const material of [this.seen, this.hidden]) material.dispose();
   }
 }

@@ -1,6 +1,6 @@
 /** The edges of a shape's polygons as lines over it; those along which polygons were cut into faces are left out. */
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
-import { shareBuffers } from './easing.ts';
+import { disposeShared, shareBuffers } from './easing.ts';
 import type { Easing } from './easing.ts';
 
 /**
@@ -56,7 +56,7 @@ export class Wire {
 
   dispose(): void {
     this.object.removeFromParent();
-    this.geometry.dispose();
+    disposeShared(this.geometry);
     this.lines.dispose();
   }
 }
