@@ -68,6 +68,7 @@ for (const { what, file, animation, times, middle } of inputs) {
     expect(await keyTimes(app)).toHaveLength(8);
     const labels = await app.by('animation').locator('option').allInnerTexts();
     await takeAt(app, labels.find((label) => animation.test(label))!, times);
+    await app.by('opening-done').click();
     await app.by('boundary-hermite').check();
     await app.by('start-speed-number').fill('0.5');
     await app.by('start-speed-number').press('Enter');
@@ -182,6 +183,8 @@ for (const { what, file } of animated) {
     test.skip(found === null, 'the real inputs are not there');
     await app.open();
     await dropped(app, typeof found === 'string' ? upload(path.basename(found), bytesOf(found)) : found!);
+    await app.by('opening-close').click();
+    await expect(app.by('opening')).toBeHidden();
     await expect(app.by('sampling')).toBeVisible();
     await app.by('boundary-periodic').check();
     await app.settled();
@@ -215,7 +218,7 @@ test('as few keys as an error allows are found, and the animation stands beside 
   for (const percent of [4, 2]) {
     await app.by('sample-tolerance').fill(String(percent));
     await app.by('sample-tolerance').press('Enter');
-    await app.by('sample-fewest').click();
+    await expect(app.by('sample-fewest')).toBeChecked();
     const found = (pattern: RegExp) => async (): Promise<number> =>
       Number((await app.by('sample-found').innerText()).match(pattern)?.[1] ?? Infinity);
     await expect.poll(found(/most ([\d.]+) %/), { timeout: 60_000 }).toBeLessThanOrEqual(percent);
@@ -235,6 +238,10 @@ test('as few keys as an error allows are found, and the animation stands beside 
   const off = difference(await app.positions(1), between) / diagonal(between);
   expect(off).toBeGreaterThan(1e-4);
   expect(off).toBeLessThan(0.03);
+  // The keyboard goes on under the sheet, which leaves.
+  await app.by('method').focus();
+  await app.page.keyboard.press('Shift');
+  await expect(app.by('opening')).toBeHidden();
   await app.by('heat-distance').check({ force: true });
   await app.settled();
   await expect(app.by('colour-bar')).toContainText('from the animation');
@@ -247,6 +254,61 @@ test('as few keys as an error allows are found, and the animation stands beside 
   await expect(app.by('tile-1')).toBeHidden();
   await app.expectNoProblems();
 });
+
+for (const { what, file } of animated) {
+  test(`${what}: one sheet asks how to take the animation, takes it at once, and goes back into its panel`, async ({
+    app,
+  }) => {
+    const found = await file();
+    test.skip(found === null, 'the real inputs are not there');
+    const given = typeof found === 'string' ? upload(path.basename(found), bytesOf(found)) : found!;
+    await app.open();
+    await dropped(app, given);
+    const sheet = app.by('opening');
+    await expect(sheet.getByTestId('sampling')).toBeVisible();
+    // It takes neither the keyboard nor room of the shape.
+    expect(await app.page.evaluate(() => document.activeElement === document.body)).toBe(true);
+    const [box, picture] = [(await sheet.boundingBox())!, (await app.by('viewport').boundingBox())!];
+    expect(box.x).toBeGreaterThanOrEqual(picture.x + picture.width);
+    const labels = await app.by('animation').locator('option').allInnerTexts();
+    expect(labels.length).toBeGreaterThan(1);
+    for (const label of labels) expect(label).toMatch(/\S.*\(\d+\.\d\d s\)/);
+
+    const before = await keyTimes(app);
+    await app.by('animation').selectOption({ index: 1 });
+    await expect.poll(() => keyTimes(app)).not.toEqual(before);
+    await app.by('sample-count').fill('5');
+    await app.by('sample-count').press('Enter');
+    await expect.poll(async () => (await keyTimes(app)).length).toBe(5);
+    await app.settled();
+    // What shows the effect leaves it there, anything else sends it away.
+    await app.by('view-front').click();
+    await app.by('play').click();
+    await app.by('play').click();
+    await expect(sheet).toBeVisible();
+    await app.page.locator('.side-nav button').first().click();
+    await expect(sheet).toBeHidden();
+    await expect(app.by('panel-motion').getByTestId('sampling')).toBeVisible();
+    await expect(app.by('import-offer')).toBeHidden();
+    expect(await keyTimes(app)).toHaveLength(5);
+    await app.by('undo').click();
+    await expect.poll(async () => (await keyTimes(app)).length).toBe(8);
+    await app.settled();
+    await expect(sheet).toBeHidden();
+
+    await app.page.setViewportSize({ width: 360, height: 740 });
+    await app.by('file-input').setInputFiles({ ...given, name: 'again.glb' });
+    await expect(sheet).toBeVisible();
+    await app.settled();
+    expect((await app.by('viewport').boundingBox())!.height).toBeGreaterThanOrEqual(370);
+    expect((await sheet.boundingBox())!.y).toBeGreaterThanOrEqual(370);
+    await app.by('sample-count').focus();
+    await app.page.keyboard.press('Escape');
+    await expect(sheet).toBeHidden();
+    await expect(app.by('play')).toBeVisible();
+    await app.expectNoProblems();
+  });
+}
 
 test('a motion that ends as it began offers to go on as a loop', async ({ app }) => {
   const closed = realFile('skin/Soldier.glb');
@@ -268,7 +330,9 @@ test('a motion that ends as it began offers to go on as a loop', async ({ app })
   await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('natural');
   if (closed) {
     await dropped(app, upload('Soldier.glb', bytesOf(closed)));
-    await expect(app.by('import-offer')).toContainText('The last pose is the first again');
+    await expect(app.by('opening').getByTestId('import-offer')).toContainText('The last pose is the first again');
+    await app.by('import-offer-accept').click();
+    await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('periodic');
   }
   await app.expectNoProblems();
 });

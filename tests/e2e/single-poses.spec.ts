@@ -114,6 +114,24 @@ test('a pose of another mesh asks before it takes the place of own work, which c
   await app.expectNoProblems();
 });
 
+test('several poses of another mesh ask, too, and are opened in its place where that is meant', async ({ app }) => {
+  await app.open();
+  await openTwo(app);
+  const others = [0, 0.5].map((x, index) => ({
+    name: `other-${index}.obj`,
+    mimeType: 'text/plain',
+    buffer: Buffer.from(TRIANGLE(x)),
+  }));
+  await app.by('file-input').setInputFiles(others);
+  await expect(app.by('pose-offer')).toContainText('“other-0.obj” and the others are of another mesh');
+  expect((await keys(app)).map(([name]) => name)).toEqual(['a', 'b']);
+  await app.by('pose-offer-accept').click();
+  await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['other-0', 'other-1']);
+  await app.settled();
+  await expect(app.by('pose-offer')).toBeHidden();
+  await app.expectNoProblems();
+});
+
 test('a first pose that waits is let go of with one click', async ({ app }) => {
   await app.open();
   await pick(app, 'a.obj', QUAD(0.5));

@@ -155,6 +155,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
       root,
       layout,
       offers,
+      importOffer: importOffer.element,
       session,
       viewState,
       feedback,
@@ -177,7 +178,11 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     onOwn: (id) => void ways.openOwn(id),
     onRemember: () => void remembered.toggle().catch(feedback.onError),
     onTake: (of, times) => void besideOriginal(() => files.resample(of, times)),
-    onFewest: (of, percent) => void besideOriginal(() => takeFewest(of, percent)),
+    onFewest: (of, percent) => besideOriginal(() => takeFewest(of, percent)),
+    onAsked() {
+      viewState.change({ opening: false });
+      importOffer.offer(null);
+    },
     onOriginal: (shown) => void showOriginal(shown),
     onExportPlan: ways.exporting.plan,
     onExport: (request) => void ways.exporting.run(request),

@@ -55,15 +55,26 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     store.edit('ends', (doc) => setMotion(doc, { boundary: 'periodic' }));
     store.set({ play: { ...store.get().play, loop: 'loop' } });
   };
+  /** Gone from above the shape, it leaves its room to it. */
+  const withRoom = (offer: Offer | null): Offer | null => {
+    const leave = (): void => scene.viewer.refit(!reducedMotion());
+    if (!offer) return null;
+    const onAccept = (): void => {
+      offer.onAccept?.();
+      leave();
+    };
+    return { ...offer, onAccept, onDecline: leave };
+  };
   const onOpened = (opened: OpenedFiles): void => {
     const { info, pool, source, doc, camera } = opened;
-    scene.setImport(info, pool, camera);
     viewState.change(openedView(opened, viewState.get()));
-    onOffer(importOffer(opened, files, loopMotion));
-    if (source.kind !== 'files') return;
-    const counts = `${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`;
-    const { length } = info.animations;
-    say(length > 1 ? `${counts} The files hold ${length} animations: choose one under Motion.` : counts);
+    const offer = withRoom(importOffer(opened, files, loopMotion));
+    // The shape is fitted below what is offered, which is beside it where there is a sheet.
+    if (!viewState.get().opening) onOffer(offer);
+    scene.setImport(info, pool, camera);
+    if (viewState.get().opening) onOffer(offer);
+    if (source.kind === 'files')
+      say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
   };
   const files = createOpenFiles({
     engine,

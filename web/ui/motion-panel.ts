@@ -74,7 +74,7 @@ export interface MotionPanelEvents {
   onPlacing(placing: boolean): void;
   /** The same tension for every key. */
   onTightness(tension: number): void;
-  /** As much as keeps the motion from overshooting. */
+  /** As much as keeps the slope at each key within its bound. */
   onAutoTightness(): void;
   onSpacing(spacing: Spacing): void;
   onReset(): void;
@@ -162,9 +162,10 @@ export function createMotionPanel(
     onInput: (value) => events.onTightness(value),
   });
   const auto = button({
-    label: 'Tension at each key as much as keeps the motion from overshooting it',
+    label:
+      'Tension at each key as much as keeps its slope within three times that of the straight way to either neighbour',
     testId: 'tightness-auto',
-    text: 'No overshoot',
+    text: 'Limit overshoot',
     kind: 'plain',
     onClick: () => events.onAutoTightness(),
   });

@@ -1,11 +1,11 @@
 /**
- * Where a file holds animations: which one the keys are taken from, how many, and at which times of its own timeline.
- * What is chosen is taken at once.
+ * Where a file holds animations: which one the keys are taken from, how many or how near to it, and at which times of
+ * its own timeline. What is chosen is taken at once.
  */
 import { MOST_SAMPLED, SAMPLED_KEYS } from '../engine/api/option-table.ts';
 import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
-import { button, checkbox, numberField, select } from './controls.ts';
-import { h, memo, setAttribute, setField, setHidden, setStyle, setText } from './dom.ts';
+import { checkbox, numberField, select } from './controls.ts';
+import { h, memo, setAttribute, setField, setHidden, setStyle, setText, uniqueId } from './dom.ts';
 
 /** Of the error that the fewest keys are found for, in percent of the diagonal. */
 const TOLERANCE = { least: 0.1, most: 20, default: 2 };
@@ -23,8 +23,8 @@ export interface SamplingProps {
 
 export interface SamplingEvents {
   onTake(animation: number, times: number[]): void;
-  /** As few keys as keep the error below so many percent of the diagonal. */
-  onFewest(animation: number, percent: number): void;
+  /** As few keys as keep the error below so many percent of the diagonal; resolves when they are taken or not. */
+  onFewest(animation: number, percent: number): Promise<void>;
   onOriginal(shown: boolean): void;
 }
 
@@ -40,6 +40,9 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   /** The keys are of the animation, not beside it. */
   let taken = false;
   let timer = 0;
+  /** The fewest keys are being looked for. */
+  let searching = 0;
+  let fewestFound = false;
 
   const span = (): AnimationInfo => animations[chosen] ?? { name: '', start: 0, end: 1, keys: 0 };
   const choose = (next: number[]): void => {
@@ -48,6 +51,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   };
   const takeSoon = (next: number[]): void => {
     taken = true;
+    fewestFound = false;
     choose(next);
     window.clearTimeout(timer);
     timer = window.setTimeout(() => {
@@ -90,34 +94,52 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     },
   });
   const most = h('p', { class: 'reason', role: 'status', 'data-testid': 'sample-most', hidden: true });
+  const search = async (): Promise<void> => {
+    window.clearTimeout(timer);
+    timer = 0;
+    searching += 1;
+    drawWay();
+    await onFewest(chosen, tolerance.valueAsNumber || TOLERANCE.default);
+    searching -= 1;
+    drawWay();
+  };
   const tolerance = numberField({
     label: 'Largest error in percent of the diagonal',
     testId: 'sample-tolerance',
     min: TOLERANCE.least,
     max: TOLERANCE.most,
-    onInput: (value) => setField(tolerance, String(value)),
+    onInput(value) {
+      setField(tolerance, String(value));
+      void search();
+    },
   });
   tolerance.value = tolerance.defaultValue = String(TOLERANCE.default);
-  const fewest = button({
-    label: 'Take as few keys as keep the motion this close to the animation',
-    testId: 'sample-fewest',
-    text: 'Find',
-    kind: 'plain',
-    onClick: () => onFewest(chosen, tolerance.valueAsNumber || TOLERANCE.default),
-  });
+  const name = uniqueId('sample-way');
+  const way = (testId: string, hint: string, text: string, onChange: () => void): [HTMLInputElement, HTMLElement] => {
+    const input = h('input', { type: 'radio', name, 'data-testid': testId, onchange: onChange });
+    return [input, h('label', { class: 'check label', title: hint }, input, h('span', {}, text))];
+  };
+  const [byCount, countLabel] = way('sample-number', 'Keys at even times', 'Number of keys', () =>
+    takeSoon(evenly(span(), count.valueAsNumber || times.length)),
+  );
+  const [byError, errorLabel] = way(
+    'sample-fewest',
+    'As few keys as keep the motion this near to the animation',
+    'Fewest within',
+    () => void search(),
+  );
   const found = h('p', { class: 'hint', role: 'status', 'data-testid': 'sample-found', hidden: true });
-  const original = checkbox('Show the animation beside it', 'sample-original', onOriginal);
+  const original = checkbox('Show the animation beside the motion', 'sample-original', onOriginal);
   const title = h('strong', {}, '');
-  const row = (label: string, ...controls: HTMLElement[]): HTMLElement =>
-    h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...controls);
+  const row = (...parts: HTMLElement[]): HTMLElement => h('div', { class: 'field row' }, ...parts);
   const element = h(
     'section',
     { class: 'group animation-source', hidden: true, 'data-testid': 'sampling', 'aria-label': 'Animation' },
     title,
     animation.element,
-    row('Number of keys', count),
+    row(countLabel, count),
     most,
-    row('Fewest within', tolerance, h('span', { class: 'muted' }, '%'), fewest),
+    row(errorLabel, tolerance, h('span', { class: 'muted' }, '%')),
     found,
     original.element,
     h(
@@ -135,8 +157,15 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     setHidden(reason, text === '');
   }
 
+  function drawWay(): void {
+    const fewest = searching > 0 || fewestFound;
+    byError.checked = fewest;
+    byCount.checked = !fewest && taken;
+  }
+
   function draw(): void {
     complain('');
+    drawWay();
     track.update(span(), times);
     setField(list, times.map(short).join(', '));
     const shown = taken ? String(times.length) : '';
@@ -176,8 +205,11 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     element,
     update(props) {
       read({ info: props.info });
-      setHidden(found, props.fewest === null);
-      setText(found, props.fewest ? foundText(props.fewest) : '');
+      fewestFound = props.fewest !== null && timer === 0;
+      drawWay();
+      const says = props.fewest ? foundText(props.fewest) : coarseText(span(), taken ? times.length : Infinity);
+      setHidden(found, says === '');
+      setText(found, says);
       original.update(props.original);
     },
   };
@@ -189,6 +221,11 @@ function sameTimes(a: readonly number[], b: readonly number[]): boolean {
 
 function foundText({ keys, percent }: { keys: number; percent: number }): string {
   return `${keys} keys: the motion is at most ${Number(percent.toPrecision(2))} % of the diagonal off.`;
+}
+
+/** Keys far apart are not the animation. */
+function coarseText({ keys }: AnimationInfo, taken: number): string {
+  return taken < keys ? `The animation itself has ${keys.toLocaleString('en')} keys.` : '';
 }
 
 function evenly({ start, end }: AnimationInfo, count: number): number[] {

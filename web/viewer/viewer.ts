@@ -105,7 +105,7 @@ export class Viewer {
     this.resize = new ResizeObserver(() => {
       this.fitCanvas();
       // A telephone that is turned would cut off what was whole.
-      if (host.clientWidth !== width && this.rig.isFitted) this.fit(null, false);
+      if (host.clientWidth !== width) this.refit(false);
       width = host.clientWidth;
       events.onResize();
     });
@@ -220,6 +220,11 @@ export class Viewer {
     this.rig.setAspect(this.aspect());
     this.rig.setInsets(this.insets());
     this.rig.fit(view, eased);
+  }
+
+  /** Other things cover the views now: a shape that nobody has moved takes what is free. */
+  refit(eased: boolean): void {
+    if (this.rig.isFitted) this.fit(null, eased);
   }
 
   /** Lets light, floor and fitted views follow other shapes than the keys: what is extrapolated, a film strip. */

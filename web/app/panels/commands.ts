@@ -155,14 +155,14 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
       store.edit(PER_KEY[name].undo, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
     tightness: (tension: number): void =>
       store.edit(`${PER_KEY.tension.undo} of all keys`, (doc) => setTightness(doc, tension), 'tightness'),
-    /** As much tension at each key as keeps the motion from overshooting it. */
+    /** As much tension at each key as keeps its slope within the bound of `KeyPace`. */
     async autoTightness(): Promise<void> {
       const pace = await paceOfKeys();
       if (pace) {
         const tension = pace.tension.map((value) => Math.ceil(value * 1000) / 1000);
         if (state().doc.keys.every(({ shaping }, key) => shaping.tension === tension[key]))
           return say('The motion keeps within the bound at every key: there is nothing to change.');
-        store.edit(`${PER_KEY.tension.undo} without overshoot`, (doc) => setTightness(doc, tension));
+        store.edit(`${PER_KEY.tension.undo} against overshoot`, (doc) => setTightness(doc, tension));
       }
     },
     async spaceKeys(spacing: Spacing): Promise<void> {

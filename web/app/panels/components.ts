@@ -25,6 +25,7 @@ import type { KeyItem } from '../../ui/key-strip.ts';
 import { createErrorMessage, createFitHint, createProgress, createWelcome } from '../../ui/messages.ts';
 import type { LinkDialog } from '../../ui/link-dialog.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
+import type { OpeningSheet } from '../../ui/opening-sheet.ts';
 import type { Sampling, SamplingProps } from '../../ui/sampling.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
 import { createStatusLine } from '../../ui/status-line.ts';
@@ -44,6 +45,7 @@ import type { OpenFiles } from '../sources/open-files.ts';
 import { ownFiles } from '../sources/own-files.ts';
 import type { TakeFiles } from '../sources/take-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
+import { h } from '../../ui/dom.ts';
 import { later } from '../../ui/later.ts';
 import type { Later } from '../../ui/later.ts';
 import type { ViewState } from './view-state.ts';
@@ -58,6 +60,8 @@ export interface ComponentsInput {
   toast: HTMLElement;
   /** What waits for the user's word. */
   offers: readonly HTMLElement[];
+  /** The one of them that is about files just opened. */
+  importOffer: HTMLElement;
   commands: Commands;
   files: OpenFiles;
   takeFiles: TakeFiles;
@@ -91,7 +95,9 @@ export interface ComponentsInput {
   /** Takes the keys anew, at these seconds of the animation. */
   onTake(animation: number, times: number[]): void;
   /** Looks for the fewest keys of an animation, for an error in percent of the diagonal. */
-  onFewest(animation: number, percent: number): void;
+  onFewest(animation: number, percent: number): Promise<void>;
+  /** The sheet on opening an animation has been seen. */
+  onAsked(): void;
   onOriginal(shown: boolean): void;
   onExportOpen(): void;
   onExportChange(request: ExportRequest): void;
@@ -186,6 +192,26 @@ export function createComponents(input: ComponentsInput): Components {
     const { createSampling } = await import('../../ui/sampling.ts');
     return createSampling({ onTake: input.onTake, onFewest: input.onFewest, onOriginal: input.onOriginal });
   }, input.onError);
+  const opening = h('section', {
+    class: 'opening',
+    'aria-label': 'The animation',
+    'data-testid': 'opening',
+    hidden: true,
+  });
+  const openingSheet = later<boolean, OpeningSheet>(
+    async () => {
+      const [{ createOpeningSheet }] = await Promise.all([import('../../ui/opening-sheet.ts'), sampling.need()]);
+      return createOpeningSheet({
+        element: opening,
+        choices: sampling.element,
+        offer: input.importOffer,
+        next: layout.viewport,
+        onClose: input.onAsked,
+      });
+    },
+    input.onError,
+    opening,
+  );
   const motionPanel = createMotionPanel(
     {
       onMotion: commands.motion,
@@ -270,6 +296,7 @@ export function createComponents(input: ComponentsInput): Components {
     keyStrip: keyStrip.element,
     warnings: warnings.element,
     status: status.element,
+    opening,
     overlays: [
       tileLabels.element,
       input.pinHandles,
@@ -412,6 +439,8 @@ export function createComponents(input: ComponentsInput): Components {
       fewest: viewState.fewest,
       original: viewState.original,
     });
+    if (viewState.opening) void openingSheet.need();
+    openingSheet.update(viewState.opening);
     viewBar.update({ view, up: lying?.up ?? null, disabled });
     // A film strip shows no one moment.
     phaseLabel.update(disabled || view.film ? null : shownPhase, {

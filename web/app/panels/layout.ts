@@ -17,6 +17,8 @@ export interface LayoutParts {
   transport: HTMLElement;
   warnings: HTMLElement;
   status: HTMLElement;
+  /** Asks about what has just been opened, beside the viewport. */
+  opening: HTMLElement;
   /** Dialogs, drop zone, file inputs, toast. */
   floating: HTMLElement[];
 }
@@ -86,7 +88,7 @@ export function createLayout(): Layout {
     const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
     const bar = height(small ? '.colour-bar' : '.colour-bar[data-along]', (box) => box.bottom - host.top);
     const welcome = height('.welcome', (box) => box.bottom - host.top);
-    const offer = height('.offer:not([hidden])', (box) => box.bottom - host.top);
+    const offer = height('.overlay-top > .offer:not([hidden])', (box) => box.bottom - host.top);
     const over = split && matchMedia('(max-width: 1023px)').matches;
     const type = app?.dataset['present'] ? LARGE_TYPE : 1;
     return {
@@ -144,6 +146,7 @@ export function createLayout(): Layout {
           h('div', { class: 'overlay-top' }, ...parts.messages),
         ),
         createSide(parts.panels),
+        parts.opening,
         h('div', { class: 'deck' }, parts.keyStrip, parts.transport, parts.warnings),
         parts.status,
       );

@@ -28,6 +28,8 @@ export interface PageParts {
   root: HTMLElement;
   layout: Layout;
   offers: readonly HTMLElement[];
+  /** The one of them that is about files just opened. */
+  importOffer: HTMLElement;
   session: Session;
   viewState: ViewStateHolder;
   feedback: Feedback;
@@ -54,7 +56,9 @@ export interface PageParts {
   /** Escape was pressed, and neither work nor a message is there to end. */
   onEscape(): void;
   onTake(animation: number, times: number[]): void;
-  onFewest(animation: number, percent: number): void;
+  onFewest(animation: number, percent: number): Promise<void>;
+  /** The sheet on opening an animation has been seen. */
+  onAsked(): void;
   onOriginal(shown: boolean): void;
   onExportPlan(request: ExportRequest): void;
   onExport(request: ExportRequest): void;
@@ -89,6 +93,7 @@ export function createPage(parts: PageParts): Page {
     else if (working) onCancel();
     else if (blend) parts.onBlend(null);
     else if (errorMessage) closeError();
+    else if (viewState.get().opening) parts.onAsked();
     else if (store.get().view.present) commands.present(null);
     else parts.onEscape();
   };
@@ -141,6 +146,7 @@ export function createPage(parts: PageParts): Page {
     toast: feedback.toast,
     onError,
     offers: parts.offers,
+    importOffer: parts.importOffer,
     commands,
     files: parts.files,
     takeFiles: parts.takeFiles,
@@ -170,6 +176,7 @@ export function createPage(parts: PageParts): Page {
     onSingleKeys: (singleKeys) => viewState.change({ singleKeys }),
     onTake: parts.onTake,
     onFewest: parts.onFewest,
+    onAsked: parts.onAsked,
     onOriginal: parts.onOriginal,
     onExportOpen: () => planExport(viewState.get().exporting.request),
     onExportChange: planExport,

@@ -63,6 +63,8 @@ export interface ViewState {
   fewest: Fewest | null;
   /** The animation is shown beside the motion. */
   original: boolean;
+  /** The sheet that asks which keys to take of an animation is up. */
+  opening: boolean;
   /** Shown instead of the motion, until the time moves. */
   blend: Blend | null;
   /** What the browser can write; null until the export dialog has asked. */
@@ -90,6 +92,7 @@ export function openedView(opened: OpenedFiles, before: ViewState): Partial<View
     placing: false,
     fewest: null,
     original: false,
+    opening: opened.picked ? asksForKeys(info) : opened.stays && before.opening,
     blend: null,
     stats: null,
     shownWarning: null,
@@ -99,6 +102,13 @@ export function openedView(opened: OpenedFiles, before: ViewState): Partial<View
     threads: null,
     welcome: before.welcome && source.kind === 'sample',
   };
+}
+
+/** There is more in the animations than the keys: project files, and poses of their own, have said what is wanted. */
+function asksForKeys({ animation, animations, names, project, warnings }: KeysInfo): boolean {
+  const alike = warnings.some(({ code }) => code === 'same-poses');
+  const whole = animations.length === 1 && animations[0]!.keys <= names.length;
+  return project === null && animations.length > 0 && (animation >= 0 ? !whole : alike);
 }
 
 /** What is to be said of the frame on the screen. */
@@ -152,6 +162,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   placing: false,
   fewest: null,
   original: false,
+  opening: false,
   blend: null,
   videoFormats: null,
   exporting: { request: { ...DEFAULT_REQUEST }, plan: null },

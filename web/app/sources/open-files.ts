@@ -49,6 +49,10 @@ export interface OpenedFiles {
   objects: readonly string[];
   /** Of a link or an earlier visit. */
   camera: View['camera'];
+  /** The user has just picked them, and has chosen nothing about them yet. */
+  picked: boolean;
+  /** The same mesh as before, with other keys or lying otherwise. */
+  stays: boolean;
 }
 
 export interface OpenFilesParts {
@@ -113,8 +117,8 @@ interface Request {
   project: string | null;
   adjust(doc: Doc, pool: PosePool): Doc;
   link: Permalink | null;
-  /** Shapes that seem to lie are stood up. */
-  standsUp?: boolean;
+  /** By the user just now: shapes that seem to lie are stood up. */
+  picked?: boolean;
   /** How it was left before. */
   left?: Remembered | Work;
   /** The document is the one that is open, its time and history go on. */
@@ -154,7 +158,7 @@ export function createOpenFiles({
     let stoodUp = false;
     const opened = await workspace.open(input, options, {
       otherwise({ warnings }) {
-        stoodUp = request.standsUp === true && warnings.some(({ code }) => code === 'z-up');
+        stoodUp = request.picked === true && warnings.some(({ code }) => code === 'z-up');
         return stoodUp ? { ...options, up: 'z' } : null;
       },
       adjust(doc, pool) {
@@ -190,6 +194,8 @@ export function createOpenFiles({
       stoodUp,
       objects: options.objects ?? [],
       camera: view.camera,
+      picked: request.picked === true,
+      stays: request.stays === true,
     });
     if (request.onTurned) {
       store.set({ view });
@@ -332,7 +338,7 @@ export function createOpenFiles({
       project: newProjectId(),
       adjust: (doc) => doc,
       link: null,
-      standsUp: true,
+      picked: true,
     });
 
   const opener: OpenFiles = {

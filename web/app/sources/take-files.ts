@@ -67,8 +67,9 @@ export function createTakeFiles({ store, files, say, onOffer, onPick }: TakeFile
 
   /** Work of the user's own is replaced only where that is meant. */
   const askInstead = (picked: readonly PickedFile[], start: () => void): boolean => {
+    const several = picked.filter(({ name }) => isModel(name)).length > 1;
     onOffer({
-      message: `${titleOf(picked)} is of another mesh than what is open.`,
+      message: `${titleOf(picked)}${several ? ' and the others are' : ' is'} of another mesh than what is open.`,
       action: 'Open it instead',
       onAccept: start,
     });
@@ -89,13 +90,19 @@ export function createTakeFiles({ store, files, say, onOffer, onPick }: TakeFile
     return false;
   };
 
+  const open = (picked: readonly PickedFile[]): Promise<boolean> =>
+    files.open([...waiting, ...picked]).then(done, (error: unknown) => orElse(picked, error));
+
   const take = async (picked: readonly PickedFile[], place: number | null): Promise<boolean> => {
     if (place !== null && waiting.length === 0) {
       if (await add(picked, place)) return true;
-      return askInstead(picked, () => void files.run(Promise.resolve([...picked]), (taken) => take(taken, null)));
+      return askInstead(picked, () => void files.run([...picked], (taken) => take(taken, null)));
     }
-    if (waiting.length === 0 && areFurtherPoses(picked, store.get().source) && (await add(picked, null))) return true;
-    return files.open([...waiting, ...picked]).then(done, (error: unknown) => orElse(picked, error));
+    if (waiting.length === 0 && areFurtherPoses(picked, store.get().source)) {
+      if (await add(picked, null)) return true;
+      if (store.get().source.kind === 'files') return askInstead(picked, () => void files.run([...picked], open));
+    }
+    return open(picked);
   };
 
   return {

@@ -95,7 +95,7 @@ export interface Sequence {
   faceCurve(face: number, times: number[]): Promise<FaceCurve>;
   /** A patch's coordinates at these times; `patch` as in `patches`. */
   patchCurve(patch: number, times: number[]): Promise<PatchCurve>;
-  /** For spacing keys by how different they are, and for tensions without overshoot. */
+  /** For spacing keys by how different they are, and for tensions that limit overshoot. */
   keyPace(): Promise<KeyPace>;
   /** Speed and overshoot over time; yields to frames that are shown or fetched ahead. */
   motionPace(times: number[]): Promise<MotionPace>;

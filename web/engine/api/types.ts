@@ -292,7 +292,7 @@ export interface MeasuresAt {
   sliding: number | null;
 }
 
-/** How far the keys lie apart in shape space, and what keeps the motion from overshooting them. */
+/** How far the keys lie apart in shape space, and the tensions that bound the slope at them. */
 export interface KeyPace {
   /** Between each key and the next, without unit. */
   distance: number[];
