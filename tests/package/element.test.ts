@@ -42,6 +42,26 @@ async function withPeers(files: Record<string, string>): Promise<string> {
   return folder;
 }
 
+/** What TypeScript says of the folder's own files, without the types of any framework that is not there. */
+async function problemsOf(folder: string): Promise<string> {
+  const compilerOptions = {
+    strict: true,
+    noEmit: true,
+    target: 'es2022',
+    lib: ['es2023', 'dom', 'dom.iterable'],
+    types: [],
+    jsx: 'react-jsx',
+    module: 'esnext',
+    moduleResolution: 'bundler',
+  };
+  writeFileSync(path.join(folder, 'tsconfig.json'), JSON.stringify({ compilerOptions, include: ['*.ts', '*.tsx'] }));
+  const tsc = path.resolve('node_modules/typescript/bin/tsc');
+  const { stdout } = await promisify(execFile)(process.execPath, [tsc, '-p', '.'], { cwd: folder }).catch(
+    (failed: { stdout: string }) => failed,
+  );
+  return stdout;
+}
+
 describe.skipIf(!there)('the element', () => {
   it('is one file from another host, under a strict policy', async () => {
     const headers = { 'access-control-allow-origin': '*' };
@@ -180,24 +200,52 @@ describe.skipIf(!there)('the element', () => {
       `,
       'example.tsx': readFileSync(new URL('../../web/embed/examples/react-component.tsx', import.meta.url), 'utf8'),
     });
-    const options = {
-      strict: true,
-      noEmit: true,
-      target: 'es2022',
-      lib: ['es2023', 'dom', 'dom.iterable'],
-      types: [],
-      jsx: 'react-jsx',
-      module: 'esnext',
-      moduleResolution: 'bundler',
-    };
-    writeFileSync(
-      path.join(folder, 'tsconfig.json'),
-      JSON.stringify({ compilerOptions: options, include: ['use.tsx', 'example.tsx'] }),
-    );
-    const tsc = path.resolve('node_modules/typescript/bin/tsc');
-    const { stdout } = await promisify(execFile)(process.execPath, [tsc, '-p', '.'], { cwd: folder }).catch(
-      (failed: { stdout: string }) => failed,
-    );
-    expect(stdout).toBe('');
+    expect(await problemsOf(folder)).toBe('');
+  });
+
+  it('has types for Vue and Svelte, which need no types of React', async () => {
+    const folder = await newProject({
+      // What the two have for others to add to, by the names of Vue 3.5 and Svelte 5.
+      'node_modules/vue/index.d.ts': `
+        export interface HTMLAttributes { class?: string; onClick?: (event: MouseEvent) => void; onPlay?: () => void }
+        export interface PublicProps { ref?: unknown }
+        export interface GlobalComponents { Other: new () => { $props: {} } }`,
+      'node_modules/vue/package.json': '{ "name": "vue", "types": "index.d.ts" }',
+      'node_modules/svelte/elements.d.ts': `
+        export interface HTMLAttributes<T extends EventTarget> { class?: string; onplay?: (event: T) => void }
+        export interface SvelteHTMLElements { a: { href?: string } }`,
+      'node_modules/svelte/package.json':
+        '{ "name": "svelte", "exports": { "./elements": { "types": "./elements.d.ts" } } }',
+      'use.ts': `
+        import type {} from 'shapespline/vue';
+        import type {} from 'shapespline/svelte';
+        import type { GlobalComponents } from 'vue';
+        import type { SvelteHTMLElements } from 'svelte/elements';
+        type Vue = InstanceType<GlobalComponents['shape-spline']>['$props'];
+        type Svelte = SvelteHTMLElements['shape-spline'];
+        export const vue: Vue[] = [
+          { class: 'big', src: 'a.glb b.glb', 'key-times': '0 2', loop: 'bounce', controls: true },
+          { keyTimes: [0, 2], keys: [new Blob()], onSeeked: ({ detail }) => console.log(detail.currentTime) },
+          // @ts-expect-error
+          { boundary: 'no such' },
+          // @ts-expect-error
+          { borundary: 'natural' },
+          // @ts-expect-error
+          { onSeeked: ({ detail }) => console.log(detail.index) },
+        ];
+        export const svelte: Svelte[] = [
+          { class: 'big', src: 'a.glb b.glb', 'key-times': '0 2', loop: 'bounce', controls: true },
+          { keyTimes: [0, 2], keys: [new Blob()], onseeked: ({ detail }) => console.log(detail.currentTime) },
+          { onkeychange: ({ detail }) => console.log(detail.index), 'on:play': () => console.log('plays') },
+          // @ts-expect-error
+          { boundary: 'no such' },
+          // @ts-expect-error
+          { borundary: 'natural' },
+          // @ts-expect-error
+          { onseeked: ({ detail }) => console.log(detail.index) },
+        ];
+      `,
+    });
+    expect(await problemsOf(folder)).toBe('');
   });
 });

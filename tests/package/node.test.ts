@@ -17,6 +17,7 @@ const hasElement = './element' in manifest.exports;
 it('the tarball holds these files and no others', () => {
   const chunks = /^(chunk-\w+\.js|types-[\w-]+\.d\.ts)$/;
   const ofElement = [
+    'attributes.d.ts',
     'canvas-viewer.d.ts',
     'canvas-viewer.js',
     'cdn.d.ts',
@@ -29,6 +30,10 @@ it('the tarball holds these files and no others', () => {
     'jsx.d.ts',
     'jsx.js',
     'node/canvas-viewer.mjs',
+    'svelte.d.ts',
+    'svelte.js',
+    'vue.d.ts',
+    'vue.js',
   ];
   expect(
     inject('packed')

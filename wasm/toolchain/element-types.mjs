@@ -13,26 +13,38 @@ declare global {
 export {};
 `;
 
-const HEAD = `import type { DetailedHTMLProps, HTMLAttributes } from 'react';
-import type { KeySource, ShapeSplineElement, ShapeSplineEventMap, ShapeSplineProperties } from './element-class.js';
-`;
-
-const PARTS = `/** React 19 and others listen to events by these names. */
-export type ShapeSplineListeners = {
-  [N in keyof ShapeSplineEventMap as \`on\${N}\`]?: ((event: ShapeSplineEventMap[N]) => void) | undefined;
-};
-
-/** They set properties, too: those whose names are not attributes'. */
-export type ShapeSplineExtras = ShapeSplineListeners & {
+/** What every framework needs: attributes, and what is set and listened to beside them. */
+const OWN = `/** Properties that have no attribute of the same name. */
+export type ShapeSplineExtras = {
   [N in Exclude<keyof ShapeSplineProperties, keyof ShapeSplineAttributes>]?: ShapeSplineProperties[N] | undefined;
 } & {
   /** Comes before src: addresses, Blobs or ArrayBuffers of one key each, or of all. */
   keys?: readonly KeySource[] | null | undefined;
 };
 
+/** Listeners, by the name that a framework gives to one of an event. */
+export type ShapeSplineListeners<Before extends string = 'on'> = {
+  [N in keyof ShapeSplineEventMap as \`\${Before}\${N}\`]?: ((event: ShapeSplineEventMap[N]) => void) | undefined;
+};
+`;
+
+const FROM_ATTRIBUTES = `import type { ShapeSplineAttributes, ShapeSplineExtras, ShapeSplineListeners } from './attributes.js';`;
+const SHARED_NAMES = `export type { ShapeSplineAttributes, ShapeSplineExtras, ShapeSplineListeners } from './attributes.js';`;
+
+/**
+ * Types for each framework, which augment its own: an entry each, as a name that is augmented must be there. React 19
+ * and Svelte 5 listen by the event's name (`onseeked`), Vue by `@seeked`, which its types call `onSeeked`.
+ */
+export const FRAMEWORKS = {
+  jsx: `import type { DetailedHTMLProps, HTMLAttributes } from 'react';
+import type { ShapeSplineElement } from './element-class.js';
+${FROM_ATTRIBUTES}
+${SHARED_NAMES}
+
 export type ShapeSplineProps = DetailedHTMLProps<HTMLAttributes<ShapeSplineElement>, ShapeSplineElement> &
   ShapeSplineAttributes &
-  ShapeSplineExtras;
+  ShapeSplineExtras &
+  ShapeSplineListeners;
 
 declare module 'react' {
   namespace JSX {
@@ -41,7 +53,55 @@ declare module 'react' {
     }
   }
 }
-`;
+`,
+  vue: `import type { HTMLAttributes, PublicProps } from 'vue';
+import type { ShapeSplineElement, ShapeSplineEventMap, ShapeSplineProperties } from './element-class.js';
+import type { ShapeSplineAttributes, ShapeSplineExtras } from './attributes.js';
+export type { ShapeSplineAttributes, ShapeSplineExtras } from './attributes.js';
+
+/** Templates know \`key-times\` as \`keyTimes\`, too. */
+type Camel<S extends string> = S extends \`\${infer A}-\${infer B}\` ? \`\${A}\${Capitalize<Camel<B>>}\` : S;
+type InTemplates = {
+  [A in keyof ShapeSplineAttributes as Camel<A>]?:
+    | ShapeSplineAttributes[A]
+    | (Camel<A> extends keyof ShapeSplineProperties ? ShapeSplineProperties[Camel<A>] : never);
+};
+type Listeners = {
+  [N in keyof ShapeSplineEventMap as \`on\${Capitalize<N>}\`]?: ((event: ShapeSplineEventMap[N]) => void) | undefined;
+};
+
+export type ShapeSplineProps = Omit<HTMLAttributes, keyof Listeners> &
+  PublicProps &
+  ShapeSplineAttributes &
+  Omit<ShapeSplineExtras, keyof InTemplates> &
+  InTemplates &
+  Listeners;
+
+declare module 'vue' {
+  interface GlobalComponents {
+    'shape-spline': new () => ShapeSplineElement & { $props: ShapeSplineProps };
+  }
+}
+`,
+  svelte: `import type { HTMLAttributes } from 'svelte/elements';
+import type { ShapeSplineElement } from './element-class.js';
+${FROM_ATTRIBUTES}
+${SHARED_NAMES}
+
+type Listeners = ShapeSplineListeners & ShapeSplineListeners<'on:'>;
+
+export type ShapeSplineProps = Omit<HTMLAttributes<ShapeSplineElement>, keyof Listeners> &
+  ShapeSplineAttributes &
+  ShapeSplineExtras &
+  Listeners;
+
+declare module 'svelte/elements' {
+  interface SvelteHTMLElements {
+    'shape-spline': ShapeSplineProps;
+  }
+}
+`,
+};
 
 // An attribute is text; what it stands for may be written as what it is.
 const asWritten = (type) => {
@@ -50,12 +110,13 @@ const asWritten = (type) => {
   return type === 'string' || type.includes('[]') ? 'string' : type;
 };
 
-/** `jsx.d.ts`: the element in React 19; the attributes alone serve other frameworks. */
-export function jsxTypes(manifest) {
+/** `attributes.d.ts`, made of the element's manifest. */
+export function attributeTypes(manifest) {
   const { attributes } = manifest.modules[0].declarations[0];
   const members = attributes.flatMap(({ name, type, description }) => [
     `  /** ${description.replaceAll('*/', '* /')} */`,
     `  '${name}'?: ${asWritten(type.text)} | undefined;`,
   ]);
-  return [HEAD, 'export interface ShapeSplineAttributes {', ...members, '}', '', PARTS].join('\n');
+  const head = "import type { KeySource, ShapeSplineEventMap, ShapeSplineProperties } from './element-class.js';";
+  return [head, '', 'export interface ShapeSplineAttributes {', ...members, '}', '', OWN].join('\n');
 }

@@ -1,5 +1,6 @@
 // The package.json of the npm package. Name, version and the like are those of the repository's own.
 import { readFileSync } from 'node:fs';
+import { FRAMEWORKS } from './element-types.mjs';
 import { inRoot } from './paths.mjs';
 
 /** What is beside the scripts and has an address of its own, for `configure` and for those who copy files. */
@@ -31,7 +32,7 @@ export function npmManifest({ element }) {
       default: './canvas-viewer.js',
     },
     './cdn': typed('cdn'),
-    './jsx': { types: './jsx.d.ts', default: './jsx.js' },
+    ...Object.fromEntries(Object.keys(FRAMEWORKS).map((name) => [`./${name}`, typed(name)])),
     ...asItIs(['custom-elements.json']),
   };
   return {

@@ -4,7 +4,7 @@
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { elementTypes, jsxTypes } from './element-types.mjs';
+import { FRAMEWORKS, attributeTypes, elementTypes } from './element-types.mjs';
 import { NOTICES, notices, packageOf } from './notices.mjs';
 import { npmManifest } from './npm-manifest.mjs';
 import { buildDir, inRoot } from './paths.mjs';
@@ -144,10 +144,13 @@ async function ofElement() {
   const manifest = await madeBy('embed/manifest.ts', 'customElementsManifest');
   write('custom-elements.json', asJson(manifest));
   write('element.d.ts', elementTypes);
-  write('jsx.d.ts', jsxTypes(manifest));
+  write('attributes.d.ts', attributeTypes(manifest));
   write('node/canvas-viewer.mjs', viewerInNode);
-  // Types alone: importing it does nothing.
-  write('jsx.js', 'export {};\n');
+  for (const [name, types] of Object.entries(FRAMEWORKS)) {
+    write(`${name}.d.ts`, types);
+    // Types alone: importing it does nothing.
+    write(`${name}.js`, 'export {};\n');
+  }
 }
 
 /** Makes build/package anew. */

@@ -61,6 +61,9 @@ export async function newProject(files: Record<string, string> = {}): Promise<st
     'main.js': script(),
     ...files,
   };
-  for (const [name, text] of Object.entries(all)) writeFileSync(path.join(folder, name), text);
+  for (const [name, text] of Object.entries(all)) {
+    mkdirSync(path.dirname(path.join(folder, name)), { recursive: true });
+    writeFileSync(path.join(folder, name), text);
+  }
   return folder;
 }
