@@ -77,6 +77,36 @@ it('what is no address and no file is told with its key', async () => {
   });
 });
 
+it('one source alone and the files of an input are lists, too', async () => {
+  const page = await openElements('<shape-spline id="a"></shape-spline><input type="file" id="files" multiple />');
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  const shown = await on(page, async (shape) => {
+    const seen: unknown[] = [];
+    const files = new DataTransfer();
+    for (const name of ['pose-0.glb', 'pose-1.glb'])
+      files.items.add(new File([await (await fetch(name)).blob()], name));
+    const input = document.getElementById('files') as HTMLInputElement;
+    input.files = files.files;
+    shape.keys = input.files as never;
+    await shape.seek(0.5);
+    const motion = await shape.exportGLB();
+    for (const one of [motion, new Uint8Array(await motion.arrayBuffer()), 'pose-0.glb']) {
+      shape.keys = one as never;
+      seen.push(
+        await shape.seek(0.25).then(
+          () => shape.report!.vertices > 100,
+          (error: { code: string }) => error.code,
+        ),
+      );
+    }
+    shape.keys = {} as never;
+    const wrong = await shape.seek(0).catch((error: { code: string }) => error.code);
+    return [...seen, wrong];
+  });
+  // One pose makes no motion.
+  expect(shown).toEqual([true, true, 'too-few-keys', 'not-a-model']);
+});
+
 it('focus() goes to the shape; a poster of words covers it until it is dismissed', async () => {
   const page = await openElements(
     `<shape-spline id="a" src="${KEYS}" controls reveal="manual"><b slot="poster">Soon</b></shape-spline>`,

@@ -21,7 +21,7 @@ import type { CanvasViewer } from './canvas-viewer.ts';
 import type { EventDetails, ShapeSplineEventMap } from './events.ts';
 import { Frame } from './frame.ts';
 import type { KeysLease, MotionLease } from './motions.ts';
-import { sourcesOf } from './sources.ts';
+import { listOf, sourcesOf } from './sources.ts';
 import type { KeySource, Sources } from './sources.ts';
 import { isDark, lessMotion, watch } from './surroundings.ts';
 import { readAttribute, writeAttribute } from './values.ts';
@@ -192,7 +192,7 @@ export class ShapeSplineElement extends Base {
   }
 
   set keys(keys: readonly KeySource[] | null) {
-    this.#given = keys;
+    this.#given = listOf(keys);
     this.#change('source');
   }
 

@@ -14,6 +14,13 @@ export interface Sources {
   times: number[] | null;
 }
 
+/** What a page gives as keys: a list, the files of an input, or one source alone. */
+export function listOf(given: unknown): readonly KeySource[] | null {
+  if (given === null || given === undefined) return null;
+  if (Array.isArray(given)) return given as KeySource[];
+  return given instanceof FileList ? [...given] : [given as KeySource];
+}
+
 /** The property `keys` comes before `src`, and that before children. */
 export function sourcesOf(keys: readonly KeySource[] | null, src: string, element: Element): Sources {
   if (keys && keys.length > 0) return { list: keys, times: null };
