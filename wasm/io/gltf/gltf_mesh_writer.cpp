@@ -160,13 +160,13 @@ json MeshWriter::primitive(const DrawnPrimitive& drawn, json attributes) {
 }
 
 // glTF's own default is polished metal, which is black where there is nothing to mirror; white cannot be seen on a
-// white page.
+// white page. The clay of web/viewer/shape.ts, so that what is opened again looks as it did.
 int MeshWriter::addPlainMaterial() {
   glb.doc["materials"].push_back({{"name", "plain"},
                                   {"pbrMetallicRoughness",
-                                   {{"baseColorFactor", {0.35, 0.38, 0.42, 1}},  // linear
+                                   {{"baseColorFactor", {0.584, 0.462, 0.371, 1}},  // linear
                                     {"metallicFactor", 0},
-                                    {"roughnessFactor", 0.8}}},
+                                    {"roughnessFactor", 0.6}}},
                                   {"doubleSided", true}});
   return static_cast<int>(glb.doc["materials"].size()) - 1;
 }
