@@ -66,6 +66,11 @@ for (const { what, file, animation, times, middle } of inputs) {
     await app.open();
     await dropped(app, typeof found === 'string' ? upload(path.basename(found), bytesOf(found)) : found!);
     expect(await keyTimes(app)).toHaveLength(8);
+    // Moments of an animation are held where they rest, until the visitor says otherwise; the export goes on so.
+    await expect(app.by('hold-contact')).toBeChecked();
+    await app.by('hold-off').check();
+    await app.by('undo').click();
+    await expect(app.by('hold-contact')).toBeChecked();
     const labels = await app.by('animation').locator('option').allInnerTexts();
     await takeAt(app, labels.find((label) => animation.test(label))!, times);
     await app.by('opening-done').click();

@@ -36,7 +36,10 @@ test('a file with morph targets becomes its keys', async ({ app }) => {
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.settled();
   await expect(app.by('status-vertices')).toHaveText('796 vertices');
-  expect((await app.state()).doc.keys.length).toBeGreaterThanOrEqual(8);
+  const { doc } = await app.state();
+  expect(doc.keys.length).toBeGreaterThanOrEqual(8);
+  // Its targets are poses: nothing is sampled, and nothing held.
+  expect(doc.motion.hold).toBe('off');
   expect((await app.positions()).every(Number.isFinite)).toBe(true);
   await app.expectNoProblems();
 });

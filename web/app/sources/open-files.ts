@@ -16,6 +16,7 @@ import { readFiles } from './input-files.ts';
 import { Openings } from '../kept/openings.ts';
 import {
   isBuried,
+  ofFiles,
   ofSample,
   openingPlay,
   openingTime,
@@ -236,11 +237,14 @@ export function createOpenFiles({
   };
 
   /** The files once more, lying as they were said to lie; what keys there are is asked anew. */
-  const reread = (change: ImportOptions): Promise<boolean> => {
+  const reread = (change: ImportOptions, first?: typeof ofFiles): Promise<boolean> => {
     const { up, unit, objects } = workspace.options;
     const options = { up, unit, objects, ...change };
     const { source, project, doc } = store.get();
-    const adjust = (fresh: Doc): Doc => withSettings(fresh, doc);
+    const adjust = (fresh: Doc, pool: PosePool): Doc => {
+      const same = withSettings(fresh, doc);
+      return first ? first(same, pool.keys.info) : same;
+    };
     return open({
       input: workspace.input,
       options,
@@ -262,7 +266,7 @@ export function createOpenFiles({
       options: left.options,
       source,
       project: source.kind === 'files' ? (project ?? newProjectId()) : null,
-      adjust: (doc) => (sample ? ofSample(doc, sample) : doc),
+      adjust: (doc, pool) => (sample ? ofSample(doc, sample) : ofFiles(doc, pool.keys.info)),
       link: null,
       left,
       onLeft,
@@ -336,7 +340,7 @@ export function createOpenFiles({
       options: {},
       source: { kind: 'files', names: files.map(({ name }) => name) },
       project: newProjectId(),
-      adjust: (doc) => doc,
+      adjust: (doc, pool) => ofFiles(doc, pool.keys.info),
       link: null,
       picked: true,
     });
@@ -359,7 +363,7 @@ export function createOpenFiles({
     forth: () => guarded(async () => stepTo(openings.after, (work) => openings.steppedForth(work))),
     openings,
     resample: (animation, times) => guarded(() => reread({ animation, sample: times })),
-    takeAnimation: () => guarded(() => reread({ animation: 0 })),
+    takeAnimation: () => guarded(() => reread({ animation: 0 }, ofFiles)),
     takeObjects: (objects) => {
       const { animation, sample } = workspace.options;
       return guarded(() => reread({ animation, sample, objects: objects.length > 0 ? objects : undefined }));

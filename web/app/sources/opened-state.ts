@@ -1,7 +1,7 @@
 /** What is shown first of what was opened: its document with what is known of it, view, time and playing. */
 import { IMPORT } from '../../engine/api/option-table.ts';
 import { extensionOf, isModel } from '../../engine/api/paths.ts';
-import type { ImportOptions, InputFile } from '../../engine/api/types.ts';
+import type { ImportOptions, InputFile, KeysInfo } from '../../engine/api/types.ts';
 import { isInside } from '../../model/camera.ts';
 import { setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
@@ -38,6 +38,17 @@ export function ofSample(doc: Doc, { boundary, hold, names }: Sample): Doc {
   const keys = doc.keys.map((key, index) => ({ ...key, name: names?.[index] ?? key.name }));
   return setMotion({ ...doc, keys }, { boundary, hold });
 }
+
+/**
+ * The document of the user's files. Keys that are sampled from a longer animation are moments of a world in which feet
+ * stand; poses move by the method as published, and a project as it says.
+ */
+export function ofFiles(doc: Doc, { animation, animations, project }: OfFiles): Doc {
+  const sampled = project === null && (animations[animation]?.keys ?? 0) > doc.keys.length;
+  return sampled && doc.keys.length >= 3 ? setMotion(doc, { hold: 'contact' }) : doc;
+}
+
+type OfFiles = Pick<KeysInfo, 'animation' | 'animations' | 'project'>;
 
 /** The look stays, but not a divider; the camera is fitted unless a link says where it was. */
 export function openingView(view: View, link: Permalink | null): View {
