@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { WebIO, type Accessor, type Primitive } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { MeshoptDecoder } from 'meshoptimizer';
@@ -245,6 +246,19 @@ describe('an animated GLB', () => {
     expect(json.meshes![0]!.extras!.targetNames).toEqual(
       bend.keys.info.names.slice(1).map((name, i) => `${name} t=${0.5 * (i + 1)}`),
     );
+  });
+
+  it('what has no material looks as on the page wherever it is shown', async () => {
+    const [, clay] = /const CLAY = '#([0-9a-f]{6})'/.exec(readFileSync('web/viewer/shape.ts', 'utf8'))!;
+    const linear = [0, 2, 4].map((at) => {
+      const share = Number.parseInt(clay!.slice(at, at + 2), 16) / 255;
+      return ((share + 0.055) / 1.055) ** 2.4;
+    });
+    const { materials } = jsonOf(await exported(bend.sequence, { frames: 3 })) as {
+      materials: { pbrMetallicRoughness: { baseColorFactor: number[] } }[];
+    };
+    const { baseColorFactor } = materials[0]!.pbrMetallicRoughness;
+    for (const [channel, value] of linear.entries()) expect(baseColorFactor[channel]).toBeCloseTo(value, 2);
   });
 
   it.each(['quantized', 'meshopt'] as const)(
