@@ -40,11 +40,12 @@ export function ofSample(doc: Doc, { boundary, hold, names }: Sample): Doc {
 }
 
 /**
- * The document of the user's files. Keys that are sampled from a longer animation are moments of a world in which feet
- * stand; poses move by the method as published, and a project as it says.
+ * The document of the user's files. Moments that are sampled from an animation, which are others than its own keys, are
+ * of a world in which feet stand; poses move by the method as published, and a project as it says.
  */
 export function ofFiles(doc: Doc, { animation, animations, project }: OfFiles): Doc {
-  const sampled = project === null && (animations[animation]?.keys ?? 0) > doc.keys.length;
+  const keys = animations[animation]?.keys ?? doc.keys.length;
+  const sampled = project === null && keys !== doc.keys.length;
   return sampled && doc.keys.length >= 3 ? setMotion(doc, { hold: 'contact' }) : doc;
 }
 
