@@ -69,14 +69,14 @@ for (const { what, file, animation, times, middle, hold } of inputs) {
     await app.open();
     await dropped(app, typeof found === 'string' ? upload(path.basename(found), bytesOf(found)) : found!);
     expect(await keyTimes(app)).toHaveLength(8);
+    const labels = await app.by('animation').locator('option').allInnerTexts();
+    await takeAt(app, labels.find((label) => animation.test(label))!, times);
+    await app.by('opening-done').click();
     // Moments of an animation are held where they rest, until the visitor says otherwise; the export goes on so.
     await expect(app.by(`hold-${hold}`)).toBeChecked();
     await app.by('hold-anchored').check();
     await app.by('undo').click();
     await expect(app.by(`hold-${hold}`)).toBeChecked();
-    const labels = await app.by('animation').locator('option').allInnerTexts();
-    await takeAt(app, labels.find((label) => animation.test(label))!, times);
-    await app.by('opening-done').click();
     await app.by('boundary-hermite').check();
     await app.by('start-speed-number').fill('0.5');
     await app.by('start-speed-number').press('Enter');
