@@ -203,6 +203,27 @@ it('another src while the first is loaded, removal while it is loaded, and a see
   expect(await told(page, 'error')).toEqual([]);
 });
 
+it('a seek ends wherever the element is removed on the way to its first shape', async () => {
+  const page = await openElements('<div id="place"></div>');
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  const outcomes = await page.evaluate(async (keys) => {
+    const removed = async (_: unknown, i: number): Promise<string> => {
+      const shape = document.createElement('shape-spline');
+      shape.src = `${keys}?${i % 2}`;
+      document.getElementById('place')!.append(shape);
+      const sought = shape.seek(0.5).then(
+        () => 'drawn',
+        (error: { code: string }) => error.code,
+      );
+      await new Promise((later) => setTimeout(later, 60 * i));
+      shape.remove();
+      return Promise.race([sought, new Promise<string>((late) => setTimeout(late, 10_000, `open after ${60 * i} ms`))]);
+    };
+    return Promise.all(Array.from({ length: 24 }, removed));
+  }, KEYS);
+  for (const outcome of outcomes) expect(['not-connected', 'drawn']).toContain(outcome);
+});
+
 it('moves in the document as it is, and begins anew after a while outside of it', async () => {
   const page = await openElements(`<div id="first">${shown(KEYS, 'controls')}</div><div id="second"></div>`);
   await when(page, 'load');

@@ -61,6 +61,10 @@ export class Viewer {
   private readonly followers: (() => void)[] = [];
   private readonly resize: ResizeObserver;
   private readonly over = new AbortController();
+  /** Nothing more is drawn. */
+  private readonly ended = new Promise<void>((resolve) => {
+    this.over.signal.addEventListener('abort', () => resolve());
+  });
   hasSeen = false;
   private onFirstSeen: () => void = () => undefined;
   /** Resolves once a shape has been drawn for the first time; `hasSeen` from then on. */
@@ -397,7 +401,8 @@ export class Viewer {
     // One draw shows all that was set before it; what is set meanwhile, as by a motion that plays, is not waited for.
     if (this.pending === 0 && !this.moving && !this.compiling && this.floored === (this.flooring !== null)) return;
     do {
-      await this.flooring;
+      await Promise.race([this.flooring, this.ended]);
+      if (this.over.signal.aborted) return;
       await new Promise<void>((resolve) => {
         this.waiting.push(resolve);
         this.invalidate();
