@@ -86,17 +86,17 @@ test('a shape can be taken as end tangent', async ({ app }) => {
 test('a shape from a file is taken as end tangent: chosen, dropped, undone, and kept in the project', async ({
   app,
 }, testInfo) => {
-  const bar = (bend: number): string => {
+  const bar = (bend: number, long: number): string => {
     const rings = Array.from({ length: 9 }, (_, i) => {
       const [x, z] = [Math.sin((bend * i) / 8) * 4, Math.cos((bend * i) / 8) * 4];
-      return [-0.3, 0.3].map((y) => `v ${bend === 0 ? i / 2 : x} ${y} ${bend === 0 ? 0 : 4 - z}`);
+      return [-0.3, 0.3].map((y) => `v ${bend === 0 ? (i * long) / 8 : x} ${y} ${bend === 0 ? 0 : 4 - z}`);
     });
     const quads = Array.from({ length: 8 }, (_, i) => `f ${2 * i + 1} ${2 * i + 3} ${2 * i + 4} ${2 * i + 2}`);
     return [...rings.flat(), ...quads, ''].join('\n');
   };
-  const file = (name: string, bend: number): string => {
+  const file = (name: string, bend: number, long = 4): string => {
     const path = testInfo.outputPath(name);
-    writeFileSync(path, bar(bend));
+    writeFileSync(path, bar(bend, long));
     return path;
   };
   await app.open();
@@ -131,6 +131,26 @@ test('a shape from a file is taken as end tangent: chosen, dropped, undone, and 
   await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
   await app.settled();
   expect(difference(await app.positionsAt(0.3), towards)).toBeLessThan(1e-6);
+
+  // A shape that lies close is offered greater speeds everywhere, and any speed can be typed.
+  await expect(app.by('start-speed-handle')).toHaveAttribute('aria-valuemax', '4');
+  await app.by('tangent-file-input').setInputFiles(file('near.obj', 0, 4.3));
+  await expect(app.by('start-tangent').locator('option:checked')).toHaveText('near');
+  const most = app.by('start-speed-handle');
+  await expect(most).not.toHaveAttribute('aria-valuemax', '4');
+  const fastest = Number(await most.getAttribute('aria-valuemax'));
+  expect(fastest).toBeGreaterThan(4);
+  await expect(app.by('start-speed')).toHaveAttribute('max', String(fastest));
+  await expect(app.by('plane-start-speed')).toHaveAttribute('aria-valuemax', String(fastest));
+  await app.by('plane-start-speed').press('End');
+  expect((await app.state()).doc.motion.startSpeed).toBe(fastest);
+  await expect(app.by('start-speed-number')).toHaveValue(String(fastest));
+  await app.by('start-speed-number').fill('33');
+  await app.by('start-speed-number').press('Enter');
+  expect((await app.state()).doc.motion.startSpeed).toBe(33);
+  await most.press('Delete');
+  await app.by('tangent-file-input').setInputFiles(file('far.obj', 1.4));
+  await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
 
   // Several poses are no tangent, and another mesh is none either; nothing is lost.
   await app.by('tangent-file-input').setInputFiles([file('c.obj', 0.2), file('d.obj', 0.4)]);

@@ -48,6 +48,7 @@ test('A shows one plot after the other, large, beside the shape', async ({ app }
     const figure = app.by(`plot-${plot}`);
     await expect(figure.locator('svg.plot .curve').first()).toBeVisible();
     await expect(app.page.locator('.figure:visible')).toHaveCount(1);
+    if (plot === 'plane') expect(await sizeOf(app, 'plane-draw')).toBeGreaterThan(16);
     const { width } = (await figure.boundingBox())!;
     expect(width).toBeGreaterThan(0.55 * app.page.viewportSize()!.width);
     expect((await app.by('viewport').boundingBox())!.width).toBeGreaterThan(0.3 * app.page.viewportSize()!.width);

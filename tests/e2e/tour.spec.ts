@@ -232,6 +232,19 @@ test('turned to before anything is there, it opens, and gives back what was on i
   octopus.arrive();
   await leave();
   await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: 'octopus' });
+  // Files that came before the link are what is given back.
+  const late = await heldBack(/samples\.json/);
+  await app.page.goto('about:blank');
+  await app.page.goto('./');
+  await late.asked;
+  await app.page.waitForFunction(() => window.__shapespline !== undefined);
+  await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.page.evaluate(() => (location.hash = '#tour=2'));
+  late.arrive();
+  await expectStep(app, 1);
+  await leave();
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.expectNoProblems();
 });
 
@@ -333,6 +346,15 @@ test('on a projector a step is large, with nothing to press, and a clicker turns
   const [told, shape] = [(await app.by('guide').boundingBox())!, (await app.by('viewport').boundingBox())!];
   expect(told.x + told.width).toBeLessThanOrEqual(shape.x + 1);
   expect(shape.width).toBeGreaterThan(0.55 * 1024);
+  expect(await app.page.locator('.guide-scroll').evaluate((one) => one.scrollHeight - one.clientHeight)).toBeLessThan(
+    2,
+  );
+  await expectAccessible(app);
+  // The step's own plot comes first, beside its words.
+  await app.page.keyboard.press('a');
+  expect((await app.state()).view.present).toBe('volume');
+  await expect(app.by('plot-volume').locator('svg.plot .curve').first()).toBeVisible();
+  await expect(app.page.locator('.guide-sentence')).toBeVisible();
   expect(await app.page.locator('.guide-scroll').evaluate((one) => one.scrollHeight - one.clientHeight)).toBeLessThan(
     2,
   );

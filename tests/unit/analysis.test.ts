@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { AnalysisCache } from '../../web/app/analysis/analysis-cache.ts';
 import { analysisInput, relativeToFirstKey } from '../../web/app/analysis/analysis.ts';
-import { computeShapePlanes } from '../../web/app/analysis/shape-plane.ts';
+import { computeShapePlanes, mostSpeeds } from '../../web/app/analysis/shape-plane.ts';
 import type { RunningSequence } from '../../web/app/session/sequence-set.ts';
 import type { Method } from '../../web/engine/api/types.ts';
 import { docOfKeys, keyRef } from './documents.ts';
@@ -112,5 +112,14 @@ describe('shape planes', () => {
     expect([early.start.shape, early.end.shape]).toEqual([[3, 9], null]);
     expect(early.end.handle.every(Number.isFinite)).toBe(true);
     expect((await computeShapePlanes({ ...input, towards: null })).tangents).toBeNull();
+  });
+
+  it('tell which speeds are on offer, by how close the tangents lie to their keys', async () => {
+    const plane = { ...(await running('lri', []).sequence.shapePlane([])), tangents: [1.2, 0.6, 3, 9] };
+    const towards = { start: 'shape', end: 'shape' } as const;
+    expect(mostSpeeds(plane, towards)).toEqual({ start: 20, end: 4 });
+    expect(mostSpeeds(plane, { start: 'neighbour', end: 'shape' })).toEqual({ start: 4, end: 5 });
+    expect(mostSpeeds({ ...plane, tangents: [] }, towards)).toEqual({ start: 4, end: 4 });
+    expect(mostSpeeds(plane, null)).toEqual({ start: 4, end: 4 });
   });
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { formatSpeed, offeredSpeed, steppedSpeed } from '../../web/model/speeds.ts';
+import { formatSpeed, mostSpeed, offeredSpeed, steppedSpeed } from '../../web/model/speeds.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, endTangents } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
 import { keyRef } from './documents.ts';
@@ -17,6 +17,13 @@ describe('Hermite speeds', () => {
     }
     expect(steppedSpeed(speed, 1)).toBe(4);
     expect(steppedSpeed(-3, -1)).toBe(0);
+  });
+
+  it('go as far towards a close shape as 4 does towards the neighbour, within reason', () => {
+    expect([null, 3, 2, 0.4, 0.01, 0].map((shape) => mostSpeed(2, shape))).toEqual([4, 4, 4, 20, 40, 40]);
+    expect(mostSpeed(0, 0)).toBe(4);
+    expect([17.02, 99].map((wanted) => offeredSpeed(wanted, 20))).toEqual([17, 20]);
+    expect([steppedSpeed(19.95, 1, 20), steppedSpeed(19.95, 10, 20)]).toEqual([20, 20]);
   });
 
   it('are written with their unit', () => {

@@ -1,5 +1,7 @@
 /** The composition root: makes every part, gives it what it needs, and says who hears of what. */
 import type { Warning } from '../engine/api/types.ts';
+import { endTangents } from '../model/state.ts';
+import type { Plot } from '../model/state.ts';
 import { clampTime } from '../model/time-scale.ts';
 import { registerServiceWorker } from '../offline/register.ts';
 import { createOffer } from '../ui/messages.ts';
@@ -69,9 +71,13 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   const display = createDisplay({ session, layout, viewState, feedback, seek, onResize: redraw });
   const { scene, marking } = display;
   const { frameLoop } = display.playback;
-  const commands = commandsOf(session, display, viewState, feedback.say);
+  const commands = commandsOf(session, display, viewState, feedback.say, () => guide.plot);
   const { analysis, onAnalysisError } = analysisOf(session, viewState, feedback);
-  const motionPace = createMotionPace({ sequence, onPace: (pace) => viewState.change({ pace }) });
+  const motionPace = createMotionPace({
+    sequence,
+    towards: () => endTangents(store.get().doc),
+    onPace: (pace, mostSpeeds) => viewState.change({ pace, mostSpeeds }),
+  });
   const ways = createWays({
     session,
     display,
@@ -283,6 +289,7 @@ function commandsOf(
   display: Display,
   viewState: ViewStateHolder,
   say: (text: string) => void,
+  ownPlot: () => Plot | null,
 ): Commands {
   const { scene, playback } = display;
   return createCommands({
@@ -296,6 +303,7 @@ function commandsOf(
       return scene.viewer.positions(0);
     },
     fit: (view) => scene.fit(view, !reducedMotion()),
+    ownPlot,
     onUse: () => viewState.change({ welcome: false }),
     say,
   });

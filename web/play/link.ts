@@ -1,8 +1,9 @@
 /** The playground's state in the page's address, and back. Whatever does not fit is left out. */
 import type { Spacing } from '../model/key-spacing.ts';
 import { SPACINGS } from '../model/key-spacing.ts';
+import { TYPED_SPEED } from '../model/speeds.ts';
 import type { Ends } from './splines/slopes.ts';
-import { INITIAL, LAYERS, MAX_KEYS, MAX_SAMPLES, MIN_KEYS, MIN_SAMPLES, MOST_SPEED } from './state.ts';
+import { INITIAL, LAYERS, MAX_KEYS, MAX_SAMPLES, MIN_KEYS, MIN_SAMPLES } from './state.ts';
 import type { Layer, PlayKey, PlayState } from './state.ts';
 
 const ENDS: readonly Ends[] = ['natural', 'hermite', 'periodic'];
@@ -43,7 +44,7 @@ export function readLink(hash: string): PlayState | null {
     layers: words('show') ? LAYERS.filter((layer: Layer) => words('show')!.includes(layer)) : INITIAL.layers,
     ends: oneOf(params.get('ends'), ENDS) ?? INITIAL.ends,
     speeds:
-      speeds?.length === 2 && speeds.every((speed) => speed >= 0 && speed <= MOST_SPEED)
+      speeds?.length === 2 && speeds.every((speed) => speed >= 0 && speed <= TYPED_SPEED)
         ? [speeds[0]!, speeds[1]!]
         : INITIAL.speeds,
     samples: whole(params.get('samples'), MIN_SAMPLES, MAX_SAMPLES) ?? INITIAL.samples,

@@ -2,6 +2,7 @@
 import { button, segments, select, slider } from '../ui/controls.ts';
 import { h, setHidden, setText } from '../ui/dom.ts';
 import type { Spacing } from '../model/key-spacing.ts';
+import { TYPED_SPEED } from '../model/speeds.ts';
 import { ENDS_WORDS } from './figures/words.ts';
 import type { Ends } from './splines/slopes.ts';
 import type { PlayState } from './state.ts';
@@ -97,6 +98,7 @@ export function createCurveControls(events: PanelEvents): Panel {
       testId,
       min: 0,
       max: MOST_SPEED,
+      typedMax: TYPED_SPEED,
       step: 0.05,
       fallback: 1,
       hint: 'In units of the straight way to the next key: 0 eases, 1 is as fast as that',

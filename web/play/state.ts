@@ -48,6 +48,7 @@ export const MIN_KEYS = 2;
 export const MAX_KEYS = 12;
 export const MIN_SAMPLES = 5;
 export const MAX_SAMPLES = 60;
+/** As far as handles and sliders go; faster ones can be typed. */
 export const MOST_SPEED = 4;
 /** Two keys are at least this share of the whole time apart. */
 const LEAST_GAP = 0.02;

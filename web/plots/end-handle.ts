@@ -9,8 +9,6 @@ export const ENDS: readonly End[] = ['start', 'end'];
 type Vector = readonly [number, number];
 
 export interface EndHandleEvents {
-  /** The longest handle. */
-  most: number;
   label(end: End): string;
   words(speed: number): string;
   onSpeed(end: End, speed: number): void;
@@ -30,12 +28,12 @@ export interface Placed {
 export interface EndHandle {
   element: SVGGElement;
   place(placed: Placed | null): void;
-  /** null = there is none. */
-  setSpeed(speed: number | null): void;
+  /** `most`: the fastest on offer. Speed null = there is no handle. */
+  setSpeed(speed: number | null, most: number): void;
 }
 
-/** Shorter than this at speed 1, a handle could not be dragged. */
-const LEAST_UNIT = 14;
+/** Shorter than this at its longest, a handle could not be dragged. */
+const LEAST_LENGTH = 56;
 /** Distance that the grip keeps from the picture's edge. */
 const EDGE = 10;
 
@@ -50,24 +48,26 @@ export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHan
     tabindex: 0,
     'aria-label': events.label(end),
     'aria-valuemin': 0,
-    'aria-valuemax': events.most,
     'data-testid': `plane-${end}-speed`,
     display: 'none',
   });
   element.append(stem, reach, grip, value);
+  let at: Placed | null = null;
   let placed: Placed | null = null;
   let speed: number | null = null;
+  let most = 1;
 
   const draw = (): void => {
     element.setAttribute('display', placed && speed !== null ? 'inline' : 'none');
     if (!placed || speed === null) return;
     const [x1, y1] = placed.from;
-    const length = Math.min(Math.max(speed, 0), events.most);
+    const length = Math.min(Math.max(speed, 0), most);
     const [x2, y2] = [x1 + placed.unit[0] * length, y1 + placed.unit[1] * length];
     set(stem, { x1, y1, x2, y2 });
     for (const circle of [grip, reach]) set(circle, { cx: x2, cy: y2 });
     set(value, beside([x2, y2], placed.unit));
     value.textContent = events.words(speed);
+    element.setAttribute('aria-valuemax', String(most));
     element.setAttribute('aria-valuenow', String(Number(speed.toFixed(6))));
     element.setAttribute('aria-valuetext', events.words(speed));
   };
@@ -75,8 +75,8 @@ export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHan
   element.addEventListener('pointerdown', (event) => {
     if (!placed || speed === null || event.button !== 0) return;
     const [from, { unit }, scale] = [speed, placed, placed.width / picture.getBoundingClientRect().width];
-    const move = (at: PointerEvent): void => {
-      const along = ((at.clientX - event.clientX) * unit[0] + (at.clientY - event.clientY) * unit[1]) * scale;
+    const move = (to: PointerEvent): void => {
+      const along = ((to.clientX - event.clientX) * unit[0] + (to.clientY - event.clientY) * unit[1]) * scale;
       events.onSpeed(end, from + along / (unit[0] ** 2 + unit[1] ** 2));
     };
     event.preventDefault();
@@ -93,12 +93,14 @@ export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHan
   return {
     element,
     place(next) {
-      placed = next && usable(next, events.most);
+      at = next;
+      placed = at && usable(at, most);
       draw();
     },
-    setSpeed(next) {
-      if (next === speed) return;
-      speed = next;
+    setSpeed(next, nextMost) {
+      if (next === speed && nextMost === most) return;
+      [speed, most] = [next, nextMost];
+      placed = at && usable(at, most);
       draw();
     },
   };
@@ -123,7 +125,7 @@ function usable(placed: Placed, most: number): Placed | null {
     [from[0], unit[0], width],
     [from[1], unit[1], height],
   ].map(([at, step, size]) => (step === 0 ? Infinity : ((step! > 0 ? size! - EDGE : EDGE) - at!) / step!) / most);
-  const scale = Math.min(Math.max(1, LEAST_UNIT / length), ...room.map((share) => Math.max(share, 0)));
+  const scale = Math.min(Math.max(1, LEAST_LENGTH / (length * most)), ...room.map((share) => Math.max(share, 0)));
   return { ...placed, unit: [unit[0] * scale, unit[1] * scale] };
 }
 

@@ -62,8 +62,8 @@ export interface ShapePlanePlot {
   /** The path that was drawn, or null. */
   setPath(points: readonly Vector[] | null): void;
   setDrawing(on: boolean): void;
-  /** How long the handles are, before the curve is worked out anew. */
-  setSpeeds(speeds: Readonly<Record<End, number>> | null): void;
+  /** How long the handles are, before the curve is worked out anew, and how long they can be. */
+  setSpeeds(speeds: Readonly<Record<End, number>> | null, most: Readonly<Record<End, number>>): void;
 }
 
 const EXTRAPOLATED = 'extrapolated';
@@ -128,8 +128,8 @@ export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
       );
       for (const end of ENDS) handles[end].place(onPicture(data, end, place));
     },
-    setSpeeds(speeds) {
-      for (const end of ENDS) handles[end].setSpeed(speeds?.[end] ?? null);
+    setSpeeds(speeds, most) {
+      for (const end of ENDS) handles[end].setSpeed(speeds?.[end] ?? null, most[end]);
     },
     setCursor(t) {
       time = t;

@@ -141,6 +141,8 @@ export interface NumberOptions {
   testId: string;
   min: number;
   max: number;
+  /** As far as a number can be typed, where that is farther than the slider goes. */
+  typedMax?: number;
   step: number;
   /** What the reset button goes back to. */
   fallback: number;
@@ -151,12 +153,13 @@ export interface NumberOptions {
 
 export interface NumberControl {
   element: HTMLElement;
-  update(value: number, disabledReason?: string): void;
+  /** `reach`: the slider's end where it is another than `max`. */
+  update(value: number, disabledReason?: string, reach?: number): void;
 }
 
 /** A slider with its number beside it, which can be typed, and a button back to the default. */
 export function slider(options: NumberOptions): NumberControl {
-  const { label, testId, min, max, step, fallback, hint, onInput } = options;
+  const { label, testId, min, max, typedMax = max, step, fallback, hint, onInput } = options;
   const format = options.format ?? ((value) => String(Number(value.toFixed(3))));
   const id = uniqueId(testId);
   const range = h('input', {
@@ -169,7 +172,8 @@ export function slider(options: NumberOptions): NumberControl {
     title: hint,
     oninput: () => onInput(Number(range.value)),
   });
-  const number = numberField({ label: `${label}, as a number`, testId: `${testId}-number`, min, max, step, onInput });
+  const typed = { min, max: typedMax, step, onInput };
+  const number = numberField({ label: `${label}, as a number`, testId: `${testId}-number`, ...typed });
   const reset = button({
     label: `Reset ${label.toLowerCase()} to ${format(fallback)}`,
     testId: `${testId}-reset`,
@@ -184,7 +188,8 @@ export function slider(options: NumberOptions): NumberControl {
   );
   return {
     element,
-    update(value, disabledReason) {
+    update(value, disabledReason, reach = max) {
+      setAttribute(range, 'max', reach);
       if (Number(range.value) !== value) range.value = String(value);
       setAttribute(range, 'aria-valuetext', format(value));
       setField(number, format(value));

@@ -2,12 +2,12 @@
 import type { Boundary, Hold, Method } from '../engine/api/types.ts';
 import type { Encoding, KeyRef, Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
-import type { End } from '../model/speeds.ts';
+import type { End, Speeds } from '../model/speeds.ts';
 import { keyLabel } from '../model/key-names.ts';
 import type { DropPoint } from './file-drop.ts';
 import { METHOD_WORDS, PLAIN_WORDS } from '../model/method-words.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
-import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TANGENT_NAME } from '../model/speeds.ts';
+import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TANGENT_NAME, TYPED_SPEED } from '../model/speeds.ts';
 import { BOUNDARIES, DEFAULT_MOTION, HOLDS, METHODS, holds, ignoresHermite } from '../model/state.ts';
 import { button, checkbox, numberField, segments, select, slider } from './controls.ts';
 import { createPinList } from './pin-list.ts';
@@ -50,6 +50,8 @@ export interface MotionPanelProps {
   motion: Motion;
   encoding: Encoding;
   compare: readonly Method[];
+  /** The fastest on offer at the ends. */
+  mostSpeeds: Speeds;
   keys: readonly KeyRef[];
   /** Of any shape that was opened, a key or not. */
   poseName: (pose: number) => string;
@@ -238,8 +240,8 @@ export function createMotionPanel(
     setText(boundaryHint, BOUNDARY_WORDS[motion.boundary].hint);
     setHidden(hermite, motion.boundary !== 'hermite');
     setHidden(periodic, motion.boundary !== 'periodic');
-    start.update(motion.startSpeed);
-    end.update(motion.endSpeed);
+    start.update(motion.startSpeed, undefined, props.mostSpeeds.start);
+    end.update(motion.endSpeed, undefined, props.mostSpeeds.end);
     tangents.start.update(props, props.encoding.startTangentPose, 'the next key');
     tangents.end.update(props, props.encoding.endTangentPose, 'the key before');
     tightness.update(Number(props.tightness.toFixed(3)));
@@ -269,11 +271,12 @@ function speedSlider(label: string, testId: string, onInput: (value: number) => 
     testId,
     min: 0,
     max: MAX_SPEED,
+    typedMax: TYPED_SPEED,
     step: SPEED_STEP,
     fallback: DEFAULT_SPEED,
     onInput,
     format: (value) => `${Number(value.toFixed(2))}`,
-    hint: 'Relative to the speed between the end key and its neighbour; 0 eases in and out',
+    hint: 'Relative to the straight speed towards the neighbour, or the shape of the tangent; 0 eases. Any can be typed',
   });
 }
 

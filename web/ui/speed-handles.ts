@@ -5,7 +5,7 @@
 import { h, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import type { Range } from '../model/time-scale.ts';
 import { length } from '../model/time-scale.ts';
-import type { End } from '../model/speeds.ts';
+import type { End, Speeds } from '../model/speeds.ts';
 import { DEFAULT_SPEED, MAX_SPEED, formatSpeed, offeredSpeed, steppedSpeed } from '../model/speeds.ts';
 import { fractionIn } from '../model/time-window.ts';
 import { drag, focusPressed } from './pointer.ts';
@@ -26,7 +26,9 @@ export const SPEED_WORDS: Record<End, { label: string; verb: string; neighbour: 
 
 export interface SpeedHandlesProps {
   /** null = the boundary has no speeds. */
-  speeds: Readonly<Record<End, number>> | null;
+  speeds: Speeds | null;
+  /** The fastest on offer. */
+  most: Speeds;
   /** Times of the first and the last key. */
   range: Range;
   window: Range;
@@ -41,28 +43,31 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
   let props: SpeedHandlesProps | null = null;
   let width = 0;
   const speedOf = (end: End): number => props?.speeds?.[end] ?? DEFAULT_SPEED;
+  const mostOf = (end: End): number => props?.most[end] ?? MAX_SPEED;
   // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
   const set = (end: End, speed: number): void => {
     if (props?.speeds) props = { ...props, speeds: { ...props.speeds, [end]: speed } };
     onSpeed(end, speed);
   };
 
-  // Both handles at their longest share the room between the keys.
-  const unit = (): number =>
-    props ? Math.min(UNIT_PX, ((length(props.range) / length(props.window)) * width) / (2 * MAX_SPEED + 1)) : UNIT_PX;
+  // Both handles at their longest share the room between the keys, and are as long.
+  const unit = (end: End): number => {
+    const room = props ? ((length(props.range) / length(props.window)) * width) / (2 * MAX_SPEED + 1) : UNIT_PX;
+    return (Math.min(UNIT_PX, room) * MAX_SPEED) / mostOf(end);
+  };
 
   const pressed = (end: End, event: PointerEvent): void => {
     if (event.button !== 0 || !event.isPrimary) return;
     event.preventDefault();
     focusPressed(event.currentTarget as HTMLElement);
-    const [from, pixels] = [speedOf(end), (end === 'start' ? 1 : -1) * unit()];
+    const [from, pixels] = [speedOf(end), (end === 'start' ? 1 : -1) * unit(end)];
     drag(event.currentTarget as HTMLElement, event, {
-      onMove: (moved) => set(end, offeredSpeed(from + (moved.clientX - event.clientX) / pixels)),
+      onMove: (moved) => set(end, offeredSpeed(from + (moved.clientX - event.clientX) / pixels, mostOf(end))),
     });
   };
 
   const typed = (end: End, event: KeyboardEvent): void => {
-    const speed = typedSpeed(event, speedOf(end), end);
+    const speed = typedSpeed(event, speedOf(end), end, mostOf(end));
     if (speed === null) return;
     event.preventDefault();
     set(end, speed);
@@ -79,7 +84,6 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
       'aria-label': label,
       'aria-orientation': 'horizontal',
       'aria-valuemin': 0,
-      'aria-valuemax': MAX_SPEED,
       title: `${label}, relative to the straight speed from ${neighbour}. Drag it, or use the arrow keys; double-click for ${formatSpeed(DEFAULT_SPEED)}`,
       onpointerdown: (event: PointerEvent) => pressed(end, event),
       onkeydown: (event: KeyboardEvent) => typed(end, event),
@@ -96,7 +100,7 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
 
   const draw = (): void => {
     if (!props) return;
-    const { speeds, range, window } = props;
+    const { speeds, most, range, window } = props;
     setHidden(element, speeds === null);
     if (!speeds) return;
     for (const { end, grip, value, element: handle } of handles) {
@@ -105,8 +109,9 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
       const room = (end === 'start' ? at : 1 - at) * width;
       setHidden(handle, at < -1e-9 || at > 1 + 1e-9);
       setStyle(handle, 'left', `${(at * 100).toFixed(4)}%`);
-      setStyle(handle, '--reach', `${(Math.min(Math.max(speed, 0), MAX_SPEED) * unit()).toFixed(2)}px`);
+      setStyle(handle, '--reach', `${(Math.min(Math.max(speed, 0), most[end]) * unit(end)).toFixed(2)}px`);
       setAttribute(handle, 'data-inside', room < (width < ROOM_FOR_WORDS_PX ? NUMBER_PX : WORDS_PX));
+      setAttribute(grip, 'aria-valuemax', most[end]);
       setAttribute(grip, 'aria-valuenow', Number(speed.toFixed(6)));
       setAttribute(
         grip,
@@ -134,26 +139,27 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
  * Left and right move the handle as it lies, up and down make it faster and slower; null where the key means nothing
  * here.
  */
-export function typedSpeed(event: KeyboardEvent, speed: number, end: End): number | null {
+export function typedSpeed(event: KeyboardEvent, speed: number, end: End, most: number): number | null {
   const step = event.shiftKey ? LARGE : 1;
   const inward = end === 'start' ? step : -step;
+  const stepped = (steps: number): number => steppedSpeed(speed, steps, most);
   switch (event.key) {
     case 'ArrowRight':
-      return steppedSpeed(speed, inward);
+      return stepped(inward);
     case 'ArrowLeft':
-      return steppedSpeed(speed, -inward);
+      return stepped(-inward);
     case 'ArrowUp':
-      return steppedSpeed(speed, step);
+      return stepped(step);
     case 'ArrowDown':
-      return steppedSpeed(speed, -step);
+      return stepped(-step);
     case 'PageUp':
-      return steppedSpeed(speed, LARGE);
+      return stepped(LARGE);
     case 'PageDown':
-      return steppedSpeed(speed, -LARGE);
+      return stepped(-LARGE);
     case 'Home':
       return 0;
     case 'End':
-      return MAX_SPEED;
+      return most;
     case 'Delete':
     case 'Backspace':
       return DEFAULT_SPEED;

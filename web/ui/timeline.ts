@@ -48,6 +48,8 @@ export interface TimelineProps extends TimeScale {
   window: Range | null;
   /** Hermite: how fast the motion leaves the first key and arrives at the last; null = another boundary. */
   speeds: SpeedHandlesProps['speeds'];
+  /** The fastest on offer there. */
+  mostSpeeds: SpeedHandlesProps['most'];
   /** null = not known yet. */
   pace: Pace | null;
   /** Of the last moment that was pointed at, as an address; null = none of this motion. */
@@ -313,13 +315,13 @@ export function createTimeline(events: TimelineEvents): Timeline {
     update(next) {
       const last = props;
       props = next;
-      const { range, whole, keys, periodic, disabled, fps, between, window, speeds, phase } = next;
+      const { range, whole, keys, periodic, disabled, fps, between, window, speeds, mostSpeeds, phase } = next;
       const part = windowOf(window, next);
       drawRange({ range, whole, part, between, periodic, disabled });
       drawTicks({ keys, range, part, fps, width });
       drawRuler({ part, fps, width });
       handles.update({ range, window: part, between: loopRange(between, range), fps, disabled });
-      speedHandles.update({ speeds, range, window: part });
+      speedHandles.update({ speeds, most: mostSpeeds, range, window: part });
       pace.update({ pace: next.pace, range, part });
       peek.update({ pace: next.pace, range, fps, picture: next.picture });
       if (disabled) setHidden(playhead, true);

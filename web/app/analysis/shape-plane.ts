@@ -1,6 +1,7 @@
 /** The motions in the principal plane of the keys, with the tangents at the ends. */
 import type { ShapePlane } from '../../engine/api/types.ts';
-import type { End } from '../../model/speeds.ts';
+import { USUAL_MOST, mostSpeed } from '../../model/speeds.ts';
+import type { End, Speeds } from '../../model/speeds.ts';
 import { isInLri } from '../../model/state.ts';
 import type { Towards } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
@@ -57,17 +58,47 @@ export function knownShapes({ keys, curve, weights }: ShapePlane): PlaneShapes {
   return { keys, points: [...keys, ...(own ? curve : [])], weights: [...units, ...(own ? weights : [])] };
 }
 
+/** The fastest that is offered at the ends, by how close the tangents' shapes lie to their keys in the plane. */
+export function mostSpeeds(plane: ShapePlane, towards: ShapePlaneInput['towards']): Speeds {
+  if (!towards) return USUAL_MOST;
+  const { start, end } = endsOf(plane, towards);
+  const most = ({ key, neighbour, shape }: Ended): number =>
+    mostSpeed(apart(key, neighbour), shape && apart(key, shape));
+  return { start: most(start), end: most(end) };
+}
+
 /** The handle of a cubic with slope m over a time h ends at its second Bézier point: h m / 3 from the first. */
-function tangentsOf({ keys, tangents }: ShapePlane, towards: Readonly<Record<End, Towards>>): Tangents {
-  const at = (list: readonly number[], index: number): [number, number] => [list[2 * index]!, list[2 * index + 1]!];
-  // A motion that is still being built has none of them yet.
-  const shape = (index: number): [number, number] | null => (2 * index < tangents.length ? at(tangents, index) : null);
-  const last = keys.length / 2 - 1;
-  const tangent = (key: number, neighbour: number, towardsShape: [number, number] | null): Tangent => {
-    const [from, to] = [at(keys, key), towardsShape ?? at(keys, neighbour)];
-    return { handle: [(to[0] - from[0]) / 3, (to[1] - from[1]) / 3], shape: towardsShape };
+function tangentsOf(plane: ShapePlane, towards: Readonly<Record<End, Towards>>): Tangents {
+  const { start, end } = endsOf(plane, towards);
+  const tangent = ({ key, neighbour, shape }: Ended): Tangent => {
+    const to = shape ?? neighbour;
+    return { handle: [(to[0] - key[0]) / 3, (to[1] - key[1]) / 3], shape };
   };
+  return { start: tangent(start), end: tangent(end) };
+}
+
+type Point = [number, number];
+
+/** Where an end's key lies, the key beside it, and the shape that gives the tangent, if one does. */
+interface Ended {
+  key: Point;
+  neighbour: Point;
+  shape: Point | null;
+}
+
+function endsOf({ keys, tangents }: ShapePlane, towards: Readonly<Record<End, Towards>>): Record<End, Ended> {
+  const at = (list: readonly number[], index: number): Point => [list[2 * index]!, list[2 * index + 1]!];
+  // A motion that is still being built has none of them yet.
+  const shape = (index: number): Point | null => (2 * index < tangents.length ? at(tangents, index) : null);
+  const last = keys.length / 2 - 1;
   const start = towards.start === 'shape' ? shape(0) : null;
   const end = towards.end === 'shape' ? shape(start ? 1 : 0) : null;
-  return { start: tangent(0, 1, start), end: tangent(last, last - 1, end) };
+  return {
+    start: { key: at(keys, 0), neighbour: at(keys, 1), shape: start },
+    end: { key: at(keys, last), neighbour: at(keys, last - 1), shape: end },
+  };
+}
+
+function apart([x, y]: Point, [u, v]: Point): number {
+  return Math.hypot(u - x, v - y);
 }

@@ -37,6 +37,8 @@ const MEASURED_FACES = 60_000;
 const MEASURE_MS = 200;
 /** Between the shape and its ghost beside it, in widths of the shape. */
 const BESIDE = 1.12;
+/** A view as narrow as this, in CSS pixels, has little room for names. */
+const NARROW_PX = 220;
 /** Of names under a film strip, with what parts them from it. */
 const NAMES_PX = 24;
 /** Neither key nor between nor beyond. */
@@ -272,7 +274,7 @@ export class SceneController {
     const rects = this.viewer.seen();
     const sizes = sequences.filter(({ ghost }) => ghost > 0).length > 1;
     const tiles = sequences.map((running, index) => ({
-      title: titleOf(running, this.viewer.isSplit, sizes),
+      title: sizes ? sizeName(running, rects[index]?.width ?? 0) : titleOf(running, this.viewer.isSplit),
       positions: frames[index]?.positions,
     }));
     if (original) tiles.push({ title: 'The animation', positions: original });
@@ -420,12 +422,14 @@ export class SceneController {
   }
 }
 
-/**
- * Beside a divider, a blend is called what those know it by who have never heard of it; among ghosts of several sizes
- * (Fig. 7), where names have little room, the size is the name.
- */
-function titleOf({ ghost, ...motion }: RunningMotion, split: boolean, sizes: boolean): string {
-  if (sizes) return ghost > 0 ? `Ghost of ${ghost.toLocaleString('en')} faces` : 'No ghost';
+/** Among ghosts of several sizes (Fig. 7), where names have little room, the size is the name. */
+function sizeName({ ghost }: RunningMotion, width: number): string {
+  if (ghost === 0) return 'No ghost';
+  return `${width < NARROW_PX ? '' : 'Ghost of '}${ghost.toLocaleString('en')} faces`;
+}
+
+/** Beside a divider, a blend is called what those know it by who have never heard of it. */
+function titleOf({ ghost, ...motion }: RunningMotion, split: boolean): string {
   const title = motionWords(motion)[split || ghost > 0 ? 'short' : 'label'];
   return ghost > 0 ? `${title}, ghost mesh of ${ghost.toLocaleString('en')} faces` : title;
 }

@@ -40,6 +40,7 @@ const LIST: readonly Figure[] = [
     panel: 'analysis',
     text: 'The paper draws three motions through four shapes in the plane of their two leading components: global minimisation, the spline and linear interpolation in shape space.',
     part: 'plot-plane',
+    plot: 'plane',
     wide: true,
     press: 'minimised',
     task: 'Enlarge the shape plane under Analysis, and change the number of samples of the minimisation.',
@@ -102,6 +103,7 @@ const LIST: readonly Figure[] = [
     panel: 'shape',
     text: 'The paper plots the KG error of a sequence and the time of a frame against the size of the ghost.',
     part: 'study-start',
+    plot: 'ghost-error',
     press: 'study-start',
     task: 'Wait for the two charts under Shape, Ghost mesh; “Compare sizes” measures anew.',
     sentence: 'The same two curves are measured here, in your browser, on one shape instead of four.',
@@ -113,6 +115,7 @@ const LIST: readonly Figure[] = [
     panel: 'analysis',
     text: 'The paper plots the second derivative of motions through ten poses of a person: geodesics peak at every key, splines stay low.',
     part: 'plot-bending',
+    plot: 'bending',
     wide: true,
     task: 'Enlarge the bending under Analysis, and look at the geodesic at the keys.',
     sentence:

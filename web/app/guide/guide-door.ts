@@ -1,4 +1,5 @@
 /** The way into the guide, which is loaded when somebody turns to it. */
+import type { Plot } from '../../model/state.ts';
 import type { Guide, GuideParts } from './guide.ts';
 import type { Facts } from './guide-page.ts';
 
@@ -9,6 +10,8 @@ export interface GuideDoor {
   close(): boolean;
   /** Leaves it where a page of it is being opened; true where that is what is under way, or the way back is. */
   cancel(): boolean;
+  /** The plot that the page on show speaks of, or null. */
+  readonly plot: Plot | null;
   onOpened(): void;
   /** Asked only while it is open. */
   follow(facts: () => Facts | null): void;
@@ -30,6 +33,9 @@ export function createGuideDoor(parts: GuideParts): GuideDoor {
     cancel() {
       if (guide?.isTurning) void guide.close();
       return guide?.isTurning === true || guide?.isReturning === true;
+    },
+    get plot() {
+      return guide?.plot ?? null;
     },
     onOpened: () => guide?.onOpened(),
     follow(facts) {

@@ -1,6 +1,7 @@
 /** One page of the guide: a state of the app, and what is said of it. */
 import type { Sequence } from '../../engine/api/api.ts';
 import type { SequenceStats, Stretch } from '../../engine/api/types.ts';
+import type { Plot } from '../../model/state.ts';
 import type { Formula } from '../../ui/guide-panel.ts';
 import type { PanelName } from '../panels/layout.ts';
 
@@ -27,6 +28,8 @@ export interface GuidePage {
   panel?: PanelName;
   /** What of that panel is brought in sight, by its test id. */
   part?: string;
+  /** The plot that it speaks of: the first one of a presentation. */
+  plot?: Plot;
   /** Options and plots have more room than the rest of the time. */
   wide?: true;
   /** A control that is pressed for the reader, by its test id; a tick is taken back with the page. */

@@ -3,6 +3,7 @@
  * unless the reader has opened something else meanwhile.
  */
 import { DEFAULT_VIEW } from '../../model/state.ts';
+import type { Plot } from '../../model/state.ts';
 import { createGuidePanel } from '../../ui/guide-panel.ts';
 import type { GuidePanelProps } from '../../ui/guide-panel.ts';
 import type { Work } from '../kept/work.ts';
@@ -45,6 +46,8 @@ export interface Guide {
   /** What is shown has changed. */
   setFacts(facts: Facts | null): void;
   readonly isOpen: boolean;
+  /** The plot that the page on show speaks of, or null. */
+  readonly plot: Plot | null;
   /** A page of it is being opened. */
   readonly isTurning: boolean;
   /** What was open before is being opened again. */
@@ -197,6 +200,9 @@ export function createGuide({
     },
     get isOpen() {
       return page !== null;
+    },
+    get plot() {
+      return page?.plot ?? null;
     },
     get isTurning() {
       return page !== null && turning > 0;

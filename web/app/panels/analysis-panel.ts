@@ -34,6 +34,7 @@ export interface AnalysisPanelProps {
   blend: Parameters<ShapePlaneFigure['setBlend']>[0];
   keys: Parameters<ShapePlaneFigure['setBlend']>[1];
   speeds: Parameters<ShapePlaneFigure['setSpeeds']>[0];
+  mostSpeeds: Parameters<ShapePlaneFigure['setSpeeds']>[1];
 }
 
 export interface AnalysisPanel {
@@ -145,11 +146,11 @@ export function createAnalysisPanel(
 
   return {
     element,
-    update({ time, colouring, blend, keys, speeds }) {
+    update({ time, colouring, blend, keys, speeds, mostSpeeds }) {
       setCursor(time);
       updateFaces({ colouring });
       plane.setBlend(blend, keys);
-      plane.setSpeeds(speeds);
+      plane.setSpeeds(speeds, mostSpeeds);
     },
     clicked: (pick) => void faces.need().then((figure) => figure?.clicked(pick)),
   };

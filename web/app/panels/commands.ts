@@ -21,7 +21,7 @@ import { undoName } from '../../model/page-options.ts';
 import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
 import type { End } from '../../model/speeds.ts';
 import { SPEED_NAME } from '../../model/speeds.ts';
-import type { Doc, Encoding, LoopMode, Motion, Play, Presented, View } from '../../model/state.ts';
+import type { Doc, Encoding, LoopMode, Motion, Play, Plot, Presented, View } from '../../model/state.ts';
 import {
   BOUNDARIES,
   DEFAULT_ENCODING,
@@ -57,12 +57,15 @@ export interface CommandParts {
   /** The exact shape of a moment, drawn and copied. */
   exactShape(t: number): Promise<Float32Array>;
   fit(view: ViewName | null): void;
+  /** The plot that the page of the guide speaks of, or null. */
+  ownPlot(): Plot | null;
   /** The visitor has found out how to move through time. */
   onUse(): void;
   say(text: string): void;
 }
 
-export function createCommands({ store, pool, range, initial, keyPace, exactShape, fit, onUse, say }: CommandParts) {
+export function createCommands(parts: CommandParts) {
+  const { store, pool, range, initial, keyPace, exactShape, fit, ownPlot, onUse, say } = parts;
   const state = store.get;
   const times = (): number[] => state().doc.keys.map((key) => key.time);
 
@@ -140,10 +143,13 @@ export function createCommands({ store, pool, range, initial, keyPace, exactShap
     },
     present,
     togglePresent: (): void => present(state().view.present === null ? 'shape' : null),
-    /** In the presentation: one plot after the other, then the shape alone. */
+    /** In the presentation: one plot after the other, that of the guide's page first, then the shape alone. */
     nextPlot(): void {
-      const shown = PRESENTED.findIndex((one) => one === (state().view.present ?? 'shape'));
-      present(PRESENTED[(shown + 1) % PRESENTED.length]!);
+      const own = ownPlot();
+      const order: Presented[] = PRESENTED.filter((one) => one !== own);
+      if (own) order.splice(1, 0, own);
+      const shown = order.indexOf(state().view.present ?? 'shape');
+      present(order[(shown + 1) % order.length]!);
     },
 
     moveKey: (from: number, to: number): void => store.edit('order of keys', (doc) => moveKey(doc, from, to)),

@@ -377,6 +377,7 @@ export function createComponents(input: ComponentsInput): Components {
       between,
       window: view.window,
       speeds,
+      mostSpeeds: viewState.mostSpeeds,
       pace: disabled ? null : viewState.pace,
       picture: viewState.timePicture,
     });
@@ -399,6 +400,7 @@ export function createComponents(input: ComponentsInput): Components {
       motion: doc.motion,
       encoding: doc.encoding,
       compare: view.compare,
+      mostSpeeds: viewState.mostSpeeds,
       keys: doc.keys,
       poseName: input.poseName,
       placing: viewState.placing,
@@ -481,7 +483,8 @@ export function createComponents(input: ComponentsInput): Components {
     });
     help.update(viewState.singleKeys);
     if (viewState.ms !== null) void analysis.need();
-    analysis.update({ time, colouring: view.colouring, blend: viewState.blend, keys: doc.keys, speeds });
+    const { blend, mostSpeeds } = viewState;
+    analysis.update({ time, colouring: view.colouring, blend, keys: doc.keys, speeds, mostSpeeds });
   };
   return {
     update,

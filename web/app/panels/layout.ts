@@ -44,6 +44,8 @@ export interface Layout {
 /** Title and measures over a view; the line in words above the buttons, on a small screen. */
 const TILE_LABEL_PX = 54;
 const PHASE_PX = 34;
+/** The line over four views beside a page of the guide on a small screen: words stand at the left of the shapes. */
+const CROWDED_PX = 26;
 /** The panels stand beside the viewport. */
 const BESIDE = '(min-width: 768px)';
 /** The row of the panels' names. */
@@ -84,6 +86,8 @@ export function createLayout(): Layout {
     // A phone held sideways: words and buttons stand beside the shape.
     if (matchMedia('(max-height: 520px)').matches) return { top: 0, bottom: 0 };
     const small = matchMedia('(max-width: 767px)').matches;
+    const crowded = small && views > 3 && app?.dataset['guide'] !== undefined && !app.dataset['sheet'];
+    if (crowded) return { top: CROWDED_PX, bottom: 0 };
     const buttons = height('.view-buttons', (box) => host.bottom - box.top);
     const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
     const bar = height(small ? '.colour-bar' : '.colour-bar[data-along]', (box) => box.bottom - host.top);

@@ -1,6 +1,6 @@
 /** The figure of the shape plane: its curve takes a millisecond to compute and follows every change at once. */
-import { DEFAULT_SPEED, MAX_SPEED, formatSpeed, offeredSpeed } from '../../model/speeds.ts';
-import type { End } from '../../model/speeds.ts';
+import { DEFAULT_SPEED, USUAL_MOST, formatSpeed, offeredSpeed } from '../../model/speeds.ts';
+import type { End, Speeds } from '../../model/speeds.ts';
 import { createShapePlane } from '../../plots/shape-plane.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../model/method-words.ts';
@@ -15,8 +15,6 @@ import { createOffCurve } from './off-curve.ts';
 import { createPlaneCurves } from './plane-curves.ts';
 import type { Blend } from './view-state.ts';
 
-export type Speeds = Readonly<Record<End, number>>;
-
 export interface ShapePlaneFigureEvents extends FigureEvents {
   onSpeed(end: End, speed: number): void;
   onBlend(blend: Blend | null): void;
@@ -29,8 +27,8 @@ export interface ShapePlaneFigure {
   setCursor(t: number): void;
   /** The shape that is shown instead of the motion's, or null. */
   setBlend(blend: Blend | null, keys: readonly { name: string }[]): void;
-  /** Hermite: the lengths of the handles at the ends; null = none. */
-  setSpeeds(speeds: Speeds | null): void;
+  /** Hermite: the lengths of the handles at the ends, null = none; and the longest on offer. */
+  setSpeeds(speeds: Speeds | null, most: Speeds): void;
 }
 
 const POINT_LABEL = 'The shape that is shown. Arrow keys move it off the curve, Escape brings it back.';
@@ -42,6 +40,7 @@ export function createShapePlaneFigure(
   { onSpeed, onBlend, onEnlarge, onError }: ShapePlaneFigureEvents,
 ): ShapePlaneFigure {
   let speeds: Speeds | null = null;
+  let most = USUAL_MOST;
   let cursor = 0;
   let stale = false;
   let running = false;
@@ -57,13 +56,12 @@ export function createShapePlaneFigure(
     onPoint: offCurve.onPoint,
     onPath: offCurve.onPath,
     onPointKey: offCurve.onPointKey,
-    most: MAX_SPEED,
     label: (end) => SPEED_WORDS[end].label,
     words: formatSpeed,
-    onSpeed: (end, speed) => set(end, offeredSpeed(speed)),
+    onSpeed: (end, speed) => set(end, offeredSpeed(speed, most[end])),
     onReset: (end) => set(end, DEFAULT_SPEED),
     onKey(end, event) {
-      const speed = typedSpeed(event, speeds?.[end] ?? DEFAULT_SPEED, end);
+      const speed = typedSpeed(event, speeds?.[end] ?? DEFAULT_SPEED, end, most[end]);
       if (speed === null) return;
       event.preventDefault();
       set(end, speed);
@@ -107,7 +105,7 @@ export function createShapePlaneFigure(
     known = { ...planeNumbers(computed), keep: asked.keyTimes };
     redrawn();
     offCurve.setShapes(knownShapes(main.plane));
-    plot.setSpeeds(speeds);
+    plot.setSpeeds(speeds, most);
     plot.setCursor(cursor);
     await curves.show(asked);
   };
@@ -133,9 +131,9 @@ export function createShapePlaneFigure(
       offCurve.setCurvePoint(plot.curvePoint(t));
     },
     setBlend: offCurve.update,
-    setSpeeds(next) {
-      speeds = next;
-      plot.setSpeeds(next);
+    setSpeeds(next, nextMost) {
+      [speeds, most] = [next, nextMost];
+      plot.setSpeeds(speeds, most);
     },
   };
 }

@@ -1,6 +1,8 @@
 /** What the page shows besides the state: work under way, what was found, thumbnails. It is never saved. */
 import type { Frame, KeysInfo, SequenceStats, Warning } from '../../engine/api/types.ts';
 import type { Pace } from '../../model/pace.ts';
+import { USUAL_MOST } from '../../model/speeds.ts';
+import type { Speeds } from '../../model/speeds.ts';
 import type { Doc } from '../../model/state.ts';
 import type { ExportRequest, VideoFormat } from '../../model/export-request.ts';
 import { DEFAULT_REQUEST } from '../../model/export-request.ts';
@@ -48,6 +50,8 @@ export interface ViewState {
   thumbnails: ReadonlyMap<number, string>;
   /** How the motion goes over time; null until it is known. */
   pace: Pace | null;
+  /** Hermite: the fastest on offer at the ends. */
+  mostSpeeds: Speeds;
   /** Of the moment that the mouse points at on the timeline, as an address; null = none of this motion. */
   timePicture: string | null;
   welcome: boolean;
@@ -88,6 +92,7 @@ export function openedView(opened: OpenedFiles, before: ViewState): Partial<View
     warnings: info.warnings,
     thumbnails: new Map(),
     pace: null,
+    mostSpeeds: USUAL_MOST,
     timePicture: null,
     placing: false,
     fewest: null,
@@ -153,6 +158,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   indefiniteFace: -1,
   thumbnails: new Map(),
   pace: null,
+  mostSpeeds: USUAL_MOST,
   timePicture: null,
   welcome: true,
   offline: false,

@@ -38,9 +38,23 @@ export async function openFirst(
   let asked = files.asks;
   const isOvertaken = (): boolean => files.asks !== asked;
   const isNew = readSetting(VISITED) === null;
-  const made = isNew && opensFirstSample(address()) ? makeSample(FIRST_SAMPLE) : null;
+  const begun = address();
+  const made = isNew && opensFirstSample(begun) ? makeSample(FIRST_SAMPLE) : null;
   made?.catch(() => undefined); // said where it is opened
-  const [samples, kept] = await Promise.all([fetchSamples(), remembered.recall()]);
+  // What the address is changed to meanwhile comes after what was asked for until then.
+  let isChanged = false;
+  const onAddress = (): void => {
+    const named = address();
+    if (named === begun || opensFirstSample(named)) return;
+    isChanged = true;
+    asked = files.asks;
+  };
+  window.addEventListener('hashchange', onAddress);
+  const [samples, kept] = await Promise.all([fetchSamples(), remembered.recall()]).finally(() =>
+    window.removeEventListener('hashchange', onAddress),
+  );
+  // The files that were dropped before are what is given back.
+  if (isChanged) await files.idle();
   onSamples(samples);
   if (isOvertaken()) return;
   const fragment = address();

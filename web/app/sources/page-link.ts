@@ -18,7 +18,7 @@ export interface PageLinkParts {
 export interface PageLink {
   /** From now on what the address is changed to is opened; what it is until then, whoever opens the page reads. */
   listen(): void;
-  /** The state has changed. */
+  /** The state has changed: the address follows where it is listened to. */
   follow(): void;
   copy(): Promise<void>;
   /** Keeps a fragment in the address, whatever the state becomes; null: no longer. */
@@ -43,6 +43,7 @@ const WRITE_DELAY_MS = 300;
 export function createPageLink({ store, initial, say, onLink, onGuide }: PageLinkParts): PageLink {
   let timer = 0;
   let pinned: string | null = null;
+  let listening = false;
 
   const text = (): string | null => {
     const doc = initial();
@@ -70,8 +71,13 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
   };
 
   return {
-    listen: () => window.addEventListener('hashchange', onChange),
+    listen() {
+      window.addEventListener('hashchange', onChange);
+      listening = true;
+      if (initial()) this.follow();
+    },
     follow() {
+      if (!listening) return;
       window.clearTimeout(timer);
       timer = window.setTimeout(() => {
         const link = pinned ?? text();

@@ -53,7 +53,6 @@ export function createCurveFigure(events: CurveFigureEvents): CurveFigure {
   });
   const handleOf = (end: End): EndHandle =>
     createEndHandle(end, element, {
-      most: MOST_SPEED,
       label: (at) => (at === 'start' ? 'Speed at the first key' : 'Speed at the last key'),
       words: (speed) => speed.toFixed(2),
       onSpeed: (at, speed) => events.onSpeed(at, Math.min(Math.max(speed, 0), MOST_SPEED)),
@@ -102,7 +101,7 @@ export function createCurveFigure(events: CurveFigureEvents): CurveFigure {
     const put = (handle: EndHandle, from: Point, towards: Point, speed: number): void => {
       const unit: Point = [(towards[0] - from[0]) * HANDLE, (towards[1] - from[1]) * HANDLE];
       handle.place(on ? { from, unit, width: box.width, height: box.height } : null);
-      handle.setSpeed(on ? speed : null);
+      handle.setSpeed(on ? speed : null, MOST_SPEED);
     };
     put(handles.start, at(0), at(1), state.speeds[0]);
     put(handles.end, at(last), at(last - 1), state.speeds[1]);
