@@ -140,6 +140,7 @@ test('a shape from a file is taken as end tangent: chosen, dropped, undone, and 
   await expect(most).not.toHaveAttribute('aria-valuemax', '4');
   const fastest = Number(await most.getAttribute('aria-valuemax'));
   expect(fastest).toBeGreaterThan(4);
+  await expect(most).toHaveAttribute('aria-valuetext', /from the first key to the shape of its tangent$/);
   await expect(app.by('start-speed')).toHaveAttribute('max', String(fastest));
   await expect(app.by('plane-start-speed')).toHaveAttribute('aria-valuemax', String(fastest));
   await app.by('plane-start-speed').press('End');

@@ -5,6 +5,7 @@ import type { Plot } from '../model/state.ts';
 import { clampTime } from '../model/time-scale.ts';
 import { registerServiceWorker } from '../offline/register.ts';
 import { createOffer } from '../ui/messages.ts';
+import type { PickedFile } from '../ui/dropped-files.ts';
 import { createTheme } from '../ui/theme.ts';
 import { analysisInput } from './analysis/analysis.ts';
 import { createMotionPace } from './analysis/motion-pace.ts';
@@ -190,6 +191,8 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
       importOffer.offer(null);
     },
     onOriginal: (shown) => void showOriginal(shown),
+    onTruth: (picked) => void compareWith(picked).catch(feedback.onError),
+    truth: () => animation.truth,
     onExportPlan: ways.exporting.plan,
     onExport: (request) => void ways.exporting.run(request),
     snippet: ways.exporting.snippet,
@@ -228,6 +231,15 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     viewState.change({ original: reference !== null });
     analysis.invalidate();
     await frameLoop.request(store.get().time);
+  };
+
+  /** An animation of other files, or again that of the keys. */
+  const compareWith = async (picked: PickedFile[] | Promise<PickedFile[]> | null): Promise<void> => {
+    if (!picked) {
+      animation.dropTruth();
+      return showOriginal(false);
+    }
+    if (await animation.takeTruth(picked)) await showOriginal(true);
   };
 
   function onServed(): void {

@@ -7,16 +7,19 @@ const RATE = 30;
 const [FEWEST, MOST] = [9, 241];
 const MOST_BYTES = 192e6;
 
-export interface ReferenceMotion {
-  /** One key a sample. */
-  readonly keys: Keys;
+export interface TimedShapes {
   readonly times: readonly number[];
   /** Straight between two samples, and the end ones beyond: 3 x vertices, the same array for every time. */
   at(t: number): Float32Array;
+}
+
+export interface ReferenceMotion extends TimedShapes {
+  /** One key a sample. */
+  readonly keys: Keys;
   dispose(): void;
 }
 
-/** `vertices`: of the mesh, for how many samples fit. `options` say how its files were read. */
+/** `vertices`: of the mesh, for how many samples fit. `options` say how its files were read, and like which keys. */
 export async function readReference(
   engine: Engine,
   files: InputFile[],
@@ -31,8 +34,8 @@ export async function readReference(
   const sample = Array.from({ length: count }, (_, i) =>
     i === count - 1 ? end : start + ((end - start) * i) / (count - 1),
   );
-  const { up, unit, objects } = options;
-  const keys = await engine.importKeyframes(files, { up, unit, objects, animation, sample }, call);
+  const { up, unit, objects, like, likePose } = options;
+  const keys = await engine.importKeyframes(files, { up, unit, objects, like, likePose, animation, sample }, call);
   return new Samples(keys);
 }
 

@@ -7,6 +7,7 @@ import type { Range } from '../model/time-scale.ts';
 import { length } from '../model/time-scale.ts';
 import type { End, Speeds } from '../model/speeds.ts';
 import { DEFAULT_SPEED, MAX_SPEED, formatSpeed, offeredSpeed, steppedSpeed } from '../model/speeds.ts';
+import type { Towards } from '../model/state.ts';
 import { fractionIn } from '../model/time-window.ts';
 import { drag, focusPressed } from './pointer.ts';
 
@@ -16,6 +17,11 @@ const UNIT_PX = 40;
 const NUMBER_PX = 56;
 const WORDS_PX = 112;
 const ROOM_FOR_WORDS_PX = 480;
+/** Where a shape gives the tangent. */
+const SHAPED: Record<End, string> = {
+  start: 'the first key to the shape of its tangent',
+  end: 'the shape of its tangent to the last key',
+};
 /** Steps that Shift makes of one. */
 const LARGE = 10;
 
@@ -29,6 +35,8 @@ export interface SpeedHandlesProps {
   speeds: Speeds | null;
   /** The fastest on offer. */
   most: Speeds;
+  /** What the ends lead towards; null = as speeds. */
+  towards: Readonly<Record<End, Towards>> | null;
   /** Times of the first and the last key. */
   range: Range;
   window: Range;
@@ -100,7 +108,7 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
 
   const draw = (): void => {
     if (!props) return;
-    const { speeds, most, range, window } = props;
+    const { speeds, most, towards, range, window } = props;
     setHidden(element, speeds === null);
     if (!speeds) return;
     for (const { end, grip, value, element: handle } of handles) {
@@ -116,7 +124,7 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
       setAttribute(
         grip,
         'aria-valuetext',
-        `${Number(speed.toFixed(2))} times the straight speed from ${SPEED_WORDS[end].neighbour}`,
+        `${Number(speed.toFixed(2))} times the straight speed from ${towards?.[end] === 'shape' ? SHAPED[end] : SPEED_WORDS[end].neighbour}`,
       );
       setText(value, formatSpeed(speed));
     }

@@ -50,6 +50,7 @@ export interface TimelineProps extends TimeScale {
   speeds: SpeedHandlesProps['speeds'];
   /** The fastest on offer there. */
   mostSpeeds: SpeedHandlesProps['most'];
+  towards: SpeedHandlesProps['towards'];
   /** null = not known yet. */
   pace: Pace | null;
   /** Of the last moment that was pointed at, as an address; null = none of this motion. */
@@ -315,13 +316,13 @@ export function createTimeline(events: TimelineEvents): Timeline {
     update(next) {
       const last = props;
       props = next;
-      const { range, whole, keys, periodic, disabled, fps, between, window, speeds, mostSpeeds, phase } = next;
+      const { range, whole, keys, periodic, disabled, fps, between, window, speeds, mostSpeeds, towards, phase } = next;
       const part = windowOf(window, next);
       drawRange({ range, whole, part, between, periodic, disabled });
       drawTicks({ keys, range, part, fps, width });
       drawRuler({ part, fps, width });
       handles.update({ range, window: part, between: loopRange(between, range), fps, disabled });
-      speedHandles.update({ speeds, most: mostSpeeds, range, window: part });
+      speedHandles.update({ speeds, most: mostSpeeds, towards, range, window: part });
       pace.update({ pace: next.pace, range, part });
       peek.update({ pace: next.pace, range, fps, picture: next.picture });
       if (disabled) setHidden(playhead, true);

@@ -1,4 +1,4 @@
-/** How far the motions on the screen are from the first one, or from the animation that the keys were taken from. */
+/** How far the motions on the screen are from the first one, or from an animation. */
 import type { Method } from '../../engine/api/types.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import { MotionError } from '../../study/motion-error.ts';
@@ -9,6 +9,8 @@ import type { AnalysisInput } from './analysis.ts';
 export interface Compared {
   /** Of the animation at a time, where it is shown. */
   original: ((t: number) => { positions: Float32Array }) | null;
+  /** The animation's name where it is of other files than the keys, else null. */
+  truth?: string | null;
   diagonal: number;
 }
 

@@ -1,5 +1,5 @@
-/** The animation that the keys were taken from, as frames beside the motion. */
-import type { ReferenceMotion } from '../../study/reference-motion.ts';
+/** The animation that the motion is compared with, as frames beside it. */
+import type { TimedShapes } from '../../study/reference-motion.ts';
 import { vertexNormals } from './vertex-normals.ts';
 
 export interface OriginalFrame {
@@ -10,7 +10,7 @@ export interface OriginalFrame {
 
 export type Original = (t: number) => OriginalFrame;
 
-export function originalOf(reference: ReferenceMotion, faces: Uint32Array): Original {
+export function originalOf(reference: TimedShapes, faces: Uint32Array): Original {
   const normals = new Float32Array(reference.at(reference.times[0]!).length);
   return (t) => {
     const positions = reference.at(t);

@@ -26,6 +26,8 @@ export interface AnalysisPanelEvents extends FigureEvents {
   onColouring: FacesFigureEvents['onColouring'];
   onMark: FacesFigureEvents['onMark'];
   compared: FacesFigureEvents['compared'];
+  onPickTruth: FacesFigureEvents['onPickTruth'];
+  onLeaveTruth: FacesFigureEvents['onLeaveTruth'];
 }
 
 export interface AnalysisPanelProps {

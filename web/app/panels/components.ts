@@ -4,7 +4,7 @@ import { tightness } from '../../model/edits.ts';
 import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ExportRequest } from '../../model/export-request.ts';
 import type { AppState } from '../../model/state.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION, bounces, isInLri, referenceKey } from '../../model/state.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, bounces, endTangents, isInLri, referenceKey } from '../../model/state.ts';
 import { playRange } from '../../model/frames.ts';
 import { OFF_CURVE, phaseOf, timeScale } from '../../model/time-scale.ts';
 import type { End } from '../../model/speeds.ts';
@@ -16,6 +16,7 @@ import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import type { ExportDialog, ExportDialogProps } from '../../ui/export-dialog.ts';
 import type { EmbedDialog } from '../../ui/embed-dialog.ts';
 import { createDivider } from '../../ui/divider.ts';
+import type { PickedFile } from '../../ui/dropped-files.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
 import { createGhostPanel } from '../../ui/ghost-panel.ts';
 import { createHeader } from '../../ui/header.ts';
@@ -99,6 +100,8 @@ export interface ComponentsInput {
   /** The sheet on opening an animation has been seen. */
   onAsked(): void;
   onOriginal(shown: boolean): void;
+  /** Files hold an animation to compare with. */
+  onTruth(picked: PickedFile[] | Promise<PickedFile[]>): void;
   onExportOpen(): void;
   onExportChange(request: ExportRequest): void;
   onExport(request: ExportRequest): void;
@@ -123,6 +126,8 @@ export interface Shown {
 export interface Components {
   update(shown: Shown): void;
   openFiles(): void;
+  /** Has the user choose an animation to compare with. */
+  openTruth(): void;
   openExport(): void;
   openHelp(): void;
   openLink(): void;
@@ -136,7 +141,10 @@ export function createComponents(input: ComponentsInput): Components {
   const keyPicker = createPicker('key-file-input', (picked) => void files.addKeys(picked));
   let tangentOf: End = 'start';
   const tangentPicker = createPicker('tangent-file-input', (picked) => void files.takeTangent(picked, tangentOf));
+  const truthPicker = createPicker('truth-file-input', input.onTruth);
   const dropZone = createDropZone((dropped, at) => {
+    if (document.elementsFromPoint(at.x, at.y).some((one) => one.closest('[data-takes="truth"]')))
+      return input.onTruth(dropped);
     const end = motionPanel.endAt(at);
     void (end ? files.takeTangent(dropped, end) : input.takeFiles.take(dropped, keyStrip.placeAt(at)));
   });
@@ -318,6 +326,7 @@ export function createComponents(input: ComponentsInput): Components {
       picker.element,
       keyPicker.element,
       tangentPicker.element,
+      truthPicker.element,
       input.toast,
     ],
   });
@@ -378,6 +387,7 @@ export function createComponents(input: ComponentsInput): Components {
       window: view.window,
       speeds,
       mostSpeeds: viewState.mostSpeeds,
+      towards: endTangents(doc),
       pace: disabled ? null : viewState.pace,
       picture: viewState.timePicture,
     });
@@ -489,6 +499,7 @@ export function createComponents(input: ComponentsInput): Components {
   return {
     update,
     openFiles: picker.open,
+    openTruth: truthPicker.open,
     openExport,
     openHelp,
     openLink,

@@ -1,6 +1,7 @@
 /** The distance of the motions on the screen from one of them, or from the animation, over time. */
 import { createLineChart } from '../../plots/line-chart.ts';
 import type { LineChartData } from '../../plots/line-chart.ts';
+import { button } from '../../ui/controls.ts';
 import { h, setHidden, setText, svg } from '../../ui/dom.ts';
 import { METHOD_WORDS, lineStyle, motionWords } from '../../model/method-words.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
@@ -13,6 +14,8 @@ import type { FigureEvents } from './figure-tools.ts';
 export interface DistanceFigureParts extends FigureEvents {
   input(): AnalysisInput | null;
   compared(): Compared | null;
+  onPickTruth(): void;
+  onLeaveTruth(): void;
   onSeek(t: number): void;
 }
 
@@ -30,7 +33,8 @@ export interface DistanceFigure {
 }
 
 const TITLE = 'Distance';
-const ALONE = 'Compare with another method under Motion, or show the animation that the keys were taken from.';
+const ALONE =
+  'Compare with another method under Motion, show the animation that the keys were taken from, or drop another one of this mesh here.';
 
 export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure {
   const plot = createLineChart(parts.onSeek);
@@ -43,7 +47,22 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
     plot.element,
   );
   const alone = h('p', { class: 'plane-note', hidden: true }, ALONE);
-  const element = h('div', { class: 'group', hidden: true }, alone, figure);
+  const pick = button({
+    label: 'Compare with an animation of the same mesh; it can be dropped here, too',
+    testId: 'truth-pick',
+    text: 'An animation from a file…',
+    kind: 'plain',
+    onClick: parts.onPickTruth,
+  });
+  const leave = button({
+    label: 'Compare with this animation no more',
+    testId: 'truth-leave',
+    text: 'Without it',
+    kind: 'plain',
+    onClick: parts.onLeaveTruth,
+  });
+  const tools = h('div', { class: 'plane-tools' }, pick, leave);
+  const element = h('div', { class: 'group', hidden: true, 'data-takes': 'truth' }, alone, figure, tools);
   let drawn: LineChartData | null = null;
   let cursor = 0;
   let served = -1;
@@ -55,8 +74,9 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
     numbers: () => drawn && chartNumbers(drawn),
   });
 
-  const draw = ({ times, from, motions }: MotionDistances, { keyTimes, range }: AnalysisInput): void => {
-    const against = from === null ? 'the animation' : METHOD_WORDS[from].label;
+  const draw = (found: MotionDistances, { keyTimes, range }: AnalysisInput, truth: string | null): void => {
+    const { times, from, motions } = found;
+    const against = from === null ? (truth ? `“${truth}”` : 'the animation') : METHOD_WORDS[from].label;
     const words = `mean over the vertices from ${against}, % of the diagonal`;
     drawn = {
       ...{ title: TITLE, unit: words, times, keyTimes, range, include: 0 },
@@ -85,7 +105,8 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
     if (mine !== asked) return;
     setHidden(alone, found !== null);
     setHidden(figure, found === null);
-    if (input && found) draw(found, input);
+    setHidden(leave, !compared?.truth);
+    if (input && found) draw(found, input, compared?.truth ?? null);
   };
   return {
     element,

@@ -16,6 +16,9 @@ export interface FacesFigureEvents extends CoordinateChartEvents {
   onColouring(colouring: Colouring): void;
   /** What distances are from; null where nothing is open. */
   compared(): Compared | null;
+  /** An animation to compare with is to be chosen, or is not wanted any more. */
+  onPickTruth(): void;
+  onLeaveTruth(): void;
   /** Marks what moves with a face, or these patches; null: nothing. */
   onMark(what: { face: number } | { patches: number[] } | null): void;
 }

@@ -1,5 +1,6 @@
 /** The page: its components with their commands, the keyboard, and one redrawing per animation frame. */
 import type { ExportRequest } from '../../model/export-request.ts';
+import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { ThemeSwitch } from '../../ui/theme.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { Marking } from '../drawing/marking.ts';
@@ -60,6 +61,10 @@ export interface PageParts {
   /** The sheet on opening an animation has been seen. */
   onAsked(): void;
   onOriginal(shown: boolean): void;
+  /** Files hold an animation to compare with; null: no more. */
+  onTruth(picked: PickedFile[] | Promise<PickedFile[]> | null): void;
+  /** What it is called; null: there is none. */
+  truth(): string | null;
   onExportPlan(request: ExportRequest): void;
   onExport(request: ExportRequest): void;
   snippet(): Promise<string>;
@@ -128,8 +133,10 @@ export function createPage(parts: PageParts): Page {
       onBlend: parts.onBlend,
       compared() {
         const diagonal = workspace.info?.report.diagonal;
-        return diagonal === undefined ? null : { original: scene.shownOriginal, diagonal };
+        return diagonal === undefined ? null : { original: scene.shownOriginal, truth: parts.truth(), diagonal };
       },
+      onPickTruth: () => components.openTruth(),
+      onLeaveTruth: () => parts.onTruth(null),
       onColouring: (colouring) => commands.view({ colouring }),
       onMark(what) {
         if (!what) return parts.marking.component(null);
@@ -178,6 +185,7 @@ export function createPage(parts: PageParts): Page {
     onFewest: parts.onFewest,
     onAsked: parts.onAsked,
     onOriginal: parts.onOriginal,
+    onTruth: parts.onTruth,
     onExportOpen: () => planExport(viewState.get().exporting.request),
     onExportChange: planExport,
     onExport: parts.onExport,

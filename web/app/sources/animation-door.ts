@@ -11,6 +11,11 @@ export function createAnimationDoor(parts: AnimationParts): Animation {
   return {
     takeFewest: async (of, percent) => (await load()).takeFewest(of, percent),
     reference: async () => (await load()).reference(),
+    takeTruth: async (picked) => (await load()).takeTruth(picked),
+    dropTruth: () => animation?.dropTruth(),
+    get truth() {
+      return animation?.truth ?? null;
+    },
     cancel: () => animation?.cancel(),
   };
 }

@@ -1,13 +1,23 @@
-/** The animation that the open files hold: how few of its shapes suffice as keys, and itself to compare with. */
+/**
+ * The animation that the open files hold: how few of its shapes suffice as keys, and itself to compare with; or that of
+ * other files to compare with.
+ */
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
+import { fileName, modelName } from '../../engine/api/paths.ts';
 import type { InputFile, Progress } from '../../engine/api/types.ts';
 import { fewestKeys } from '../../study/fewest-keys.ts';
 import { readReference } from '../../study/reference-motion.ts';
-import type { ReferenceMotion } from '../../study/reference-motion.ts';
+import type { ReferenceMotion, TimedShapes } from '../../study/reference-motion.ts';
 import { MOST_SAMPLED } from '../../engine/api/option-table.ts';
+import { length } from '../../model/time-scale.ts';
+import type { Range } from '../../model/time-scale.ts';
+import { leadingName } from '../../ui/dropped-files.ts';
+import type { PickedFile } from '../../ui/dropped-files.ts';
+import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
+import { readFiles } from './input-files.ts';
 import type { OpenFiles } from './open-files.ts';
 
 export interface AnimationParts {
@@ -27,9 +37,21 @@ export interface Fewest {
 export interface Animation {
   /** Takes as few keys as keep the motion so near, in percent of the diagonal; null where they are not taken. */
   takeFewest(animation: number, percent: number): Promise<Fewest | null>;
-  /** The animation that the keys are of now; null where there is none, or it could not be read. */
-  reference(): Promise<ReferenceMotion | null>;
+  /** The animation to compare with; null where there is none, or it could not be read. */
+  reference(): Promise<TimedShapes | null>;
+  /** What other files hold is compared with from now on, not the animation of the keys; false where it is not taken. */
+  takeTruth(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean>;
+  dropTruth(): void;
+  /** What it is called; null: there is none. */
+  readonly truth: string | null;
   cancel(): void;
+}
+
+/** The animation of other files, of the mesh of these poses. */
+interface Truth {
+  name: string;
+  pool: PosePool;
+  motion: ReferenceMotion;
 }
 
 interface Read {
@@ -40,6 +62,7 @@ interface Read {
 
 export function createAnimation({ engine, store, workspace, files, onWorking, onError }: AnimationParts): Animation {
   let read: Read | null = null;
+  let truth: Truth | null = null;
   let working = new AbortController();
 
   /** Read once for the same files. */
@@ -54,6 +77,21 @@ export function createAnimation({ engine, store, workspace, files, onWorking, on
     const motion = await readReference(engine, input, animation, span, vertices, options, { signal });
     read = { input, animation, motion };
     return motion;
+  };
+
+  /** Of what is open now. */
+  const truthNow = (): Truth | null => (truth?.pool === workspace.pool ? truth : null);
+
+  const readTruth = async (files: InputFile[], pool: PosePool, signal: AbortSignal): Promise<ReferenceMotion> => {
+    const { up, unit, objects } = workspace.options;
+    const { info } = pool.keys;
+    const options = { up, unit, objects, like: info.faces, likePose: pool.keys.positions(0) };
+    const found = await engine.importKeyframes(files, options, { signal });
+    const at = Math.max(found.info.animation, 0);
+    const span = found.info.animations[at];
+    found.dispose();
+    if (!span) throw new Error(`${fileName(files[0]!.name)} holds no animation to compare with.`);
+    return readReference(engine, files, at, span, info.report.vertices, options, { signal });
   };
 
   const guarded = async <T>(work: (signal: AbortSignal) => Promise<T | null>): Promise<T | null> => {
@@ -89,7 +127,47 @@ export function createAnimation({ engine, store, workspace, files, onWorking, on
       if (!found || !(await files.resample(animation, found.times))) return null;
       return { keys: found.times.length, percent: 100 * found.error };
     },
-    reference: () => guarded((signal) => referenceOf(workspace.info?.animation ?? -1, signal)),
+    async reference() {
+      const given = truthNow();
+      if (given) return spread(given.motion, () => keyRange(store, workspace));
+      return guarded((signal) => referenceOf(workspace.info?.animation ?? -1, signal));
+    },
+    async takeTruth(files) {
+      const picked = await files;
+      const { pool } = workspace;
+      if (!pool || picked.length === 0) return false;
+      const motion = await guarded(async (signal) =>
+        readTruth(await readFiles(picked, undefined, signal), pool, signal),
+      );
+      if (!motion || workspace.pool !== pool) return false;
+      // The one before is not disposed of: it is on the screen until this one is.
+      truth = { name: modelName(leadingName(picked.map(({ name }) => name))), pool, motion };
+      return true;
+    },
+    dropTruth() {
+      truth = null;
+    },
+    get truth() {
+      return truthNow()?.name ?? null;
+    },
     cancel: () => working.abort(),
+  };
+}
+
+/** Where the animation lies in the motion; null: at its own times, which the keys have, too. */
+function keyRange(store: Store, { info }: Workspace): Range | null {
+  const { keys } = store.get().doc;
+  return info && info.animation >= 0 ? null : [keys[0]!.time, keys.at(-1)!.time];
+}
+
+/** The animation from the first key to the last. */
+function spread(motion: ReferenceMotion, range: () => Range | null): TimedShapes {
+  const [start, end] = [motion.times[0]!, motion.times.at(-1)!];
+  return {
+    times: motion.times,
+    at(t) {
+      const to = range();
+      return motion.at(to ? start + ((t - to[0]) / length(to)) * (end - start) : t);
+    },
   };
 }
