@@ -93,6 +93,19 @@ test('a pose that is dropped between two keys becomes a key between them', async
   await app.expectNoProblems();
 });
 
+test('a pose that is dropped at the corner of a phone, where no keys are shown, is the last key', async ({
+  app,
+}, info) => {
+  await app.page.setViewportSize({ width: 360, height: 740 });
+  await app.open();
+  await openTwo(app);
+  const file = info.outputPath('next.obj');
+  writeFileSync(file, QUAD(0.9));
+  await app.drop([file], { x: 0, y: 0 });
+  await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['a', 'b', 'next']);
+  await app.expectNoProblems();
+});
+
 test('a pose of another mesh asks before it takes the place of own work, which comes back by undo', async ({ app }) => {
   await app.open();
   await openTwo(app);

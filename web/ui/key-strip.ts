@@ -99,7 +99,8 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
 
   const placeAt = ({ x, y }: { x: number; y: number }): number | null => {
     const { left, right, top, bottom } = list.getBoundingClientRect();
-    if (x < left || x > right || y < top || y > bottom) return null;
+    // Hidden it has no extent, and lies at the corner of the page.
+    if (x < left || x >= right || y < top || y >= bottom) return null;
     return cards.filter((card) => middleOf(card.element) < x).length;
   };
   return { element, update: draw, placeAt };
