@@ -5,6 +5,7 @@ import {
   removeKey,
   renameKey,
   retimeKey,
+  reverseMotion,
   setEncoding,
   setMotion,
   setShaping,
@@ -47,6 +48,33 @@ describe('edits of keys', () => {
     const past = retimeKey(doc, 0, 0.5);
     expect(poses(past)).toEqual([1, 0, 2]);
     expectShapings(past);
+  });
+
+  it('run the motion backwards, with all that belongs to its keys, and twice as it was', () => {
+    const pins = [{ vertex: 7, radius: 0.1, stay: 2, path: [0.25, 0.5].map((time) => ({ time, move: [time, 0, 0] })) }];
+    const start = setMotion(setEncoding(doc, { startTangentPose: 1, referencePose: 0 }), {
+      startSpeed: 0,
+      endSpeed: 2,
+      pins: pins as Doc['motion']['pins'],
+    });
+    const next = reverseMotion(start);
+    expect(poses(next)).toEqual([2, 1, 0]);
+    expect(times(next)).toEqual([0, 0.6, 1]);
+    expect(next.keys.map(({ shaping }) => shaping.bias)).toEqual([1, 0, 0]);
+    // What turned on the way from the first to the second turns back on the way from that to the first.
+    expect(next.keys.map(({ shaping }) => shaping.turns)).toEqual([
+      [],
+      [],
+      [{ turns: -1 }, { component: 4, turns: -2 }],
+    ]);
+    expect(next.motion).toMatchObject({ startSpeed: 2, endSpeed: 0 });
+    expect(next.motion.pins[0]!.path).toEqual([
+      { time: 0.5, move: [0.5, 0, 0] },
+      { time: 0.75, move: [0.25, 0, 0] },
+    ]);
+    expect(next.encoding).toMatchObject({ startTangentPose: null, endTangentPose: 1, referencePose: 0 });
+    expect(poses(next)[referenceKey(next)]).toBe(0);
+    expect(reverseMotion(next)).toEqual(start);
   });
 
   it('refuse a time that another key has', () => {

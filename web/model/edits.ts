@@ -4,6 +4,7 @@ import { spacedTimes } from './key-spacing.ts';
 import type { KeyTurns, Shaping, ShapingNumber } from './shaping.ts';
 import { DEFAULT_SHAPING, turnsOf, withTurns } from './shaping.ts';
 import type { Doc, Encoding, KeyRef, Motion } from './state.ts';
+import { referenceKey } from './state.ts';
 import { clamp } from './time-scale.ts';
 
 /** Puts a key elsewhere in the order; the times stay where they are and the shapes change places. */
@@ -80,6 +81,34 @@ export function spaceKeys(doc: Doc, distance: readonly number[], power: number):
   const times = spacedTimes(first, last, distance, power);
   if (doc.keys.every(({ time }, index) => time === times[index])) return doc;
   return { ...doc, keys: doc.keys.map((key, index) => ({ ...key, time: times[index]! })) };
+}
+
+/** The same motion from its end to its beginning, between the same times: t becomes first + last - t. */
+export function reverseMotion(doc: Doc): Doc {
+  const { keys, motion, encoding } = doc;
+  const both = (keys[0]?.time ?? 0) + (keys.at(-1)?.time ?? 0);
+  const mirrored = <T extends { time: number }>(ones: readonly T[]): T[] =>
+    ones.map((one) => ({ ...one, time: both - one.time })).reverse();
+  const shapings = keys.map(({ shaping }, index): Shaping => {
+    // The way to a key is the one back from the key after it.
+    const way = keys[index + 1]?.shaping.turns ?? [];
+    return { ...shaping, bias: -shaping.bias + 0, turns: way.map((one) => ({ ...one, turns: -one.turns })) };
+  });
+  return {
+    keys: mirrored(keys.map((key, index) => ({ ...key, shaping: shapings[index]! }))),
+    motion: {
+      ...motion,
+      startSpeed: motion.endSpeed,
+      endSpeed: motion.startSpeed,
+      pins: motion.pins.map((pin) => (pin.path ? { ...pin, path: mirrored(pin.path) } : pin)),
+    },
+    encoding: {
+      ...encoding,
+      referencePose: keys[referenceKey(doc)]?.pose ?? null,
+      startTangentPose: encoding.endTangentPose,
+      endTangentPose: encoding.startTangentPose,
+    },
+  };
 }
 
 /** Mean tension of the keys. */

@@ -79,6 +79,8 @@ export interface MotionPanelEvents {
   /** As much as keeps the slope at each key within its bound. */
   onAutoTightness(): void;
   onSpacing(spacing: Spacing): void;
+  /** The motion is to run from its end to its beginning. */
+  onReverse(): void;
   onReset(): void;
 }
 
@@ -184,6 +186,19 @@ export function createMotionPanel(
       ),
     ),
   );
+  const reverse = button({
+    label: 'Run from the last key to the first, in the same time',
+    testId: 'reverse',
+    text: 'Reverse',
+    kind: 'plain',
+    onClick: () => events.onReverse(),
+  });
+  const direction = h(
+    'div',
+    { class: 'field', role: 'group', 'aria-label': 'Direction' },
+    h('span', { class: 'label' }, 'Direction'),
+    h('div', { class: 'button-row' }, reverse),
+  );
   const reset = button({
     label: 'Reset the motion to what it was when opened',
     testId: 'motion-reset',
@@ -211,6 +226,7 @@ export function createMotionPanel(
     pins.element,
     tight,
     spacing,
+    direction,
   );
 
   const draw = memo((props: MotionPanelProps) => {

@@ -7,6 +7,7 @@ import {
   removeKey,
   renameKey,
   retimeKey,
+  reverseMotion,
   setEncoding,
   setMotion,
   setShaping,
@@ -174,6 +175,14 @@ export function createCommands(parts: CommandParts) {
     async spaceKeys(spacing: Spacing): Promise<void> {
       const pace = await paceOfKeys();
       if (pace) store.edit('times of the keys', (doc) => spaceKeys(doc, pace.distance, SPACINGS[spacing]));
+    },
+    /** The shape on the screen and the stretch that plays stay what they are. */
+    reverse(): void {
+      const both = range()[0] + range()[1];
+      const { between: part } = state().play;
+      store.edit('direction of the motion', reverseMotion);
+      store.set({ time: both - state().time });
+      if (part) between([both - part[1], both - part[0]]);
     },
     turns: (key: number, added: KeyTurns): void => {
       const whose = added.component === undefined ? '' : ` of component ${added.component + 1}`;
