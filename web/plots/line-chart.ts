@@ -37,6 +37,8 @@ const TOP = 8;
 const BOTTOM = 16;
 /** Numbers of keys are at least so far from each other. */
 const KEY_NUMBERS = 13;
+/** Beyond the keys, curves are followed this far off what they span between them: a share of the highest, at least. */
+const FOLLOWED = 0.2;
 
 export interface LineChart {
   element: SVGSVGElement;
@@ -92,6 +94,7 @@ export function createLineChart(onPick: (t: number) => void): LineChart {
 function parts(data: LineChartData, x: Scale): SVGElement[] {
   const { y, levels } = vertical(data);
   const [start, end] = data.range;
+  const seen = (value = NaN): number => (value > y.domain[1] || (value < y.domain[0] && !data.floor) ? NaN : y(value));
   const shade = (from: number, to: number): SVGElement =>
     make('rect', {
       class: 'beyond',
@@ -117,7 +120,7 @@ function parts(data: LineChartData, x: Scale): SVGElement[] {
       namedCurve(
         series.label,
         series.style,
-        data.times.map((t, index) => [x(t), y(series.values[index] ?? NaN)]),
+        data.times.map((t, index) => [x(t), seen(series.values[index])]),
       ),
     ),
     ...(data.dots ? keyDots(data, x, y) : []),
@@ -126,8 +129,8 @@ function parts(data: LineChartData, x: Scale): SVGElement[] {
 
 /** The vertical axis, and what is written beside it. */
 function vertical(data: LineChartData): { y: Scale; levels: { value: number; label: string }[] } {
-  const { floor, include, leastSpan = 0, series } = data;
-  const span = extent([...series.flatMap(({ values }) => [...values]), ...(include === undefined ? [] : [include])]);
+  const { floor, leastSpan = 0 } = data;
+  const span = followed(data);
   if (floor) {
     const y = logScale([floor, span[1] * (span[1] / floor) ** 0.08], HEIGHT - BOTTOM, TOP);
     const label = (value: number): string => (value === floor ? `≤ ${tickLabel(value)}` : tickLabel(value));
@@ -136,6 +139,19 @@ function vertical(data: LineChartData): { y: Scale; levels: { value: number; lab
   const around = padded(span, 0.08, Math.max(0, (leastSpan - (span[1] - span[0])) / 2));
   const y = linearScale(around, HEIGHT - BOTTOM, TOP);
   return { y, levels: ticks(y.domain, 3).map((value) => ({ value, label: tickLabel(value) })) };
+}
+
+/** Lowest and highest value of the picture: what lies far off beyond the keys leaves it. */
+function followed({ times, series, range: [start, end], include, leastSpan = 0 }: LineChartData): [number, number] {
+  const spanOf = (isIn: (t: number) => boolean): [number, number] =>
+    extent([
+      ...series.flatMap(({ values }) => values.filter((_, index) => isIn(times[index]!))),
+      ...(include === undefined ? [] : [include]),
+    ]);
+  const [low, high] = spanOf((t) => t >= start && t <= end);
+  const [least, most] = spanOf(() => true);
+  const room = Math.max(high - low, leastSpan, FOLLOWED * Math.max(high, -low));
+  return [Math.max(least, low - room), Math.min(most, high + room)];
 }
 
 function keyDots({ times, keyTimes, series }: LineChartData, x: Scale, y: Scale): SVGElement[] {

@@ -18,7 +18,8 @@ export interface Thumbnails {
   refresh(): void;
 }
 
-const MAX_KEYS = 64;
+/** More cards nobody looks through. */
+const MAX_KEYS = 256;
 
 export function createThumbnails({ store, workspace, scene, idle, has, onThumbnail }: ThumbnailParts): Thumbnails {
   let running = false;

@@ -195,8 +195,10 @@ function chart(title: string, unit: string, name: Plot, events: AnalysisPanelEve
       plot.setCursor(t);
       if (!data) return;
       const after = data.times.findIndex((time) => time >= t);
-      const at = data.series[0]?.values[after < 0 ? data.times.length - 1 : after];
-      setText(value, at === undefined || !Number.isFinite(at) ? '' : String(Number(at.toPrecision(4))));
+      const at = after < 0 ? data.times.length - 1 : after;
+      const numbers = data.series.map(({ values }) => values[at] ?? NaN);
+      const words = numbers.map((number) => (Number.isFinite(number) ? String(Number(number.toPrecision(4))) : '–'));
+      setText(value, numbers.some(Number.isFinite) ? words.join(' / ') : '');
     },
   };
 }
