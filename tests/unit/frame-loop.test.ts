@@ -33,7 +33,7 @@ function setUp({
   const shown: string[] = [];
   const errors: unknown[] = [];
   const measured: number[] = [];
-  const screen = { easing: false, slow: false, drawn: [] as (() => void)[] };
+  const screen = { easing: false, slow: false, yields: false, drawn: [] as (() => void)[] };
   let released = 0;
   let frames = 0;
   const frame = (t: number, preview: boolean): Frame => {
@@ -86,6 +86,7 @@ function setUp({
       // An eased shape is drawn when the test says so, as is every one on a slow screen.
       drawn: () =>
         screen.easing || screen.slow ? new Promise((resolve) => screen.drawn.push(resolve)) : Promise.resolve(),
+      yields: () => screen.yields,
       onError: (error) => errors.push(error),
     },
     new Demand(() => sequences, new PreviewPolicy(moving)),
@@ -560,6 +561,34 @@ describe('while the motion plays', () => {
     loop.pause();
     await pass();
     expect(balance()).toBe(0);
+  });
+
+  it.each([
+    ['leaves a slow machine to other work for four times as long as it was drawn', 200, [1, 1, 2]],
+    ['goes on beside other work where drawing is quick', 20, [1, 2, 3]],
+  ])('%s', async (_, drawingMs, counts) => {
+    const { loop, shown, screen, reply, pass, draw, wanted } = setUp();
+    Object.assign(screen, { slow: true, yields: true });
+    const time = clock();
+    loop.play(time);
+    await pass();
+    for (let round = 0; round < counts.length; round += 1) {
+      while (wanted().length > 0) await reply();
+      loop.advance();
+      await pass(drawingMs);
+      await draw();
+      expect(shown).toHaveLength(counts[round]!);
+      // With the drawing half a second goes by from round to round.
+      time.tick += 30;
+      await pass(500 - drawingMs);
+    }
+    // What is asked for is not held up.
+    void loop.request(0.7);
+    await pass();
+    while (wanted().length > 0) await reply();
+    expect(shown.at(-1)).toBe('0.7');
+    loop.pause();
+    await draw();
   });
 
   it('a scrub takes back what was asked for ahead', async () => {

@@ -136,6 +136,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
       fetch: fetchSample,
       isDark: () => theme.isDark(),
       has: (id) => viewState.get().previews.has(id),
+      onDrawing: (drawsSamples) => viewState.change({ drawsSamples }),
       onPictures: (id, pictures) => viewState.change({ previews: new Map(viewState.get().previews).set(id, pictures) }),
     });
     if (open) previews.start();

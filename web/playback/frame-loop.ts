@@ -15,8 +15,15 @@ export interface Screen {
   show(frames: FrameSet, eased: boolean): void | Promise<void>;
   /** Resolves when what was shown has been drawn, and none is being eased. */
   drawn(): Promise<void>;
+  /** Other work waits for the machine. */
+  yields?(): boolean;
   onError(error: unknown): void;
 }
+
+/** Milliseconds of a drawing that takes a processor from other work. */
+const SLOW_MS = 50;
+/** So many times as long as it was drawn, a frame that plays stays then, and no longer than the second in ms. */
+const [STAYS, LONGEST_MS] = [4, 1000];
 
 interface Waiting {
   resolve(): void;
@@ -29,6 +36,8 @@ export class FrameLoop {
   private running: Promise<void> | null = null;
   private waiting: Waiting[] = [];
   private calls: (() => void)[] = [];
+  /** Until then what plays leaves the machine to other work. */
+  private yieldsUntil = -Infinity;
   private readonly survey: PreviewSurvey;
 
   constructor(
@@ -192,7 +201,8 @@ export class FrameLoop {
   }
 
   private async playOn(): Promise<void> {
-    const frames = this.lookAhead?.take();
+    const from = performance.now();
+    const frames = from < this.yieldsUntil ? null : this.lookAhead?.take();
     if (!frames) return this.called();
     try {
       if (this.demand.isCurrent(frames)) await this.show(frames, false);
@@ -203,6 +213,9 @@ export class FrameLoop {
       frames.release();
     }
     await this.drawing;
+    const took = performance.now() - from;
+    if (took > SLOW_MS && this.screen.yields?.())
+      this.yieldsUntil = performance.now() + Math.min(STAYS * took, LONGEST_MS);
   }
 
   private async show(frames: FrameSet, eased: boolean): Promise<void> {

@@ -25,6 +25,8 @@ export interface SamplePreviewsParts<Known extends Sample> {
   has(id: string): boolean;
   /** In the order in which they are shown, over and over. */
   onPictures(id: string, pictures: readonly HTMLCanvasElement[]): void;
+  /** Samples are without a picture yet, which are being made. */
+  onDrawing(drawing: boolean): void;
 }
 
 export interface SamplePreviews {
@@ -44,18 +46,25 @@ export function createSamplePreviews<Known extends Sample>(parts: SamplePreviews
   /** First a picture of each, then each in motion. */
   const work = async (signal: AbortSignal): Promise<void> => {
     const read: Read<Known>[] = [];
+    const still = parts.samples().filter(({ id }) => !moving.has(id));
     try {
-      for (const sample of parts.samples()) {
-        if (moving.has(sample.id)) continue;
+      parts.onDrawing(still.some(({ id }) => !parts.has(id)));
+      let files = fetched(parts, still[0], signal);
+      for (const [index, sample] of still.entries()) {
+        const these = await files;
         signal.throwIfAborted();
-        read.push(await drawStill(parts, sample, signal));
+        // The next one comes while this one is drawn.
+        files = fetched(parts, still[index + 1], signal);
+        read.push(await drawStill(parts, sample, these!, signal));
       }
+      parts.onDrawing(false);
       for (const one of read) {
         signal.throwIfAborted();
         await drawMotion(parts, one, signal);
         moving.add(one.sample.id);
       }
     } finally {
+      if (!running || running.signal === signal) parts.onDrawing(false);
       for (const { keys, pictures } of read) {
         pictures.dispose();
         keys.dispose();
@@ -88,12 +97,23 @@ interface Read<Known> {
   pictures: Pictures;
 }
 
+/** Whose failure is that of who waits for it. */
+function fetched<Known extends Sample>(
+  { fetch }: SamplePreviewsParts<Known>,
+  sample: Known | undefined,
+  signal: AbortSignal,
+): Promise<InputFile[] | null> {
+  const files = sample ? fetch(sample, signal, DETAIL) : Promise.resolve(null);
+  files.catch(() => undefined);
+  return files;
+}
+
 async function drawStill<Known extends Sample>(
-  { engine, viewer, fetch, isDark, has, onPictures }: SamplePreviewsParts<Known>,
+  { engine, viewer, isDark, has, onPictures }: SamplePreviewsParts<Known>,
   sample: Known,
+  files: InputFile[],
   signal: AbortSignal,
 ): Promise<Read<Known>> {
-  const files = await fetch(sample, signal, DETAIL);
   const keys = await engine.importKeyframes(files, sample.times ? { keyTimes: sample.times } : {}, { signal });
   const poses = keys.info.times.map((_, index) => keys.positions(index));
   const { bounds, points } = extentOf(poses);
