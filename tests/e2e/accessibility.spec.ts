@@ -132,6 +132,7 @@ test.describe('at 360 px', () => {
     expect(slider.height).toBeGreaterThanOrEqual(44);
     const picture = (await app.by('viewport').boundingBox())!;
     expect(picture.height).toBeGreaterThan(300);
+    await expect(app.by('link')).toBeInViewport({ ratio: 1 });
     const before = await app.positions();
     await page.touchscreen.tap(slider.x + slider.width * 0.45, slider.y + 10);
     await app.settled();

@@ -236,6 +236,9 @@ test('as few keys as an error allows are found, and the animation stands beside 
   }
   expect(counts[0]).toBeLessThan(counts[1]!);
 
+  // What is under way is told in the sheet, and not over the shape.
+  await expect(app.by('opening').getByTestId('progress')).toHaveCount(1);
+
   await app.by('sample-original').check();
   await expect(app.by('tile-1')).toContainText('The animation');
   const times = await keyTimes(app);
@@ -250,6 +253,7 @@ test('as few keys as an error allows are found, and the animation stands beside 
   await app.by('method').focus();
   await app.page.keyboard.press('Shift');
   await expect(app.by('opening')).toBeHidden();
+  await expect(app.page.locator('.overlay-top').getByTestId('progress')).toHaveCount(1);
   await app.by('heat-distance').check({ force: true });
   await app.settled();
   await expect(app.by('colour-bar')).toContainText('from the animation');
@@ -314,6 +318,18 @@ for (const { what, file } of animated) {
     await app.page.keyboard.press('Escape');
     await expect(sheet).toBeHidden();
     await expect(app.by('play')).toBeVisible();
+
+    // A key that plays or shows leaves it there, one that edits sends it away.
+    await app.by('file-input').setInputFiles({ ...given, name: 'once-more.glb' });
+    await expect(sheet).toBeVisible();
+    await app.settled();
+    await app.page.keyboard.press('w');
+    await expect.poll(async () => (await app.state()).view.wireframe).toBe(true);
+    await expect(sheet).toBeVisible();
+    await app.page.keyboard.press('m');
+    await expect.poll(async () => (await app.state()).doc.motion.method).toBe('geodesic');
+    await expect(sheet).toBeHidden();
+    await app.settled();
     await app.expectNoProblems();
   });
 }
@@ -339,6 +355,14 @@ test('a motion that ends as it began offers to go on as a loop', async ({ app })
   if (closed) {
     await dropped(app, upload('Soldier.glb', bytesOf(closed)));
     await expect(app.by('opening').getByTestId('import-offer')).toContainText('The last pose is the first again');
+    // On the smallest phone, too, what puts it off stands beside the first line, at its end.
+    await app.page.setViewportSize({ width: 360, height: 740 });
+    const [offer, close] = [
+      (await app.by('import-offer').boundingBox())!,
+      (await app.by('import-offer-later').boundingBox())!,
+    ];
+    expect(close.y).toBeLessThan(offer.y + 12);
+    expect(offer.x + offer.width - (close.x + close.width)).toBeLessThan(12);
     await app.by('import-offer-accept').click();
     await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('periodic');
   }

@@ -87,6 +87,10 @@ test('the editor goes to its key and stays with it when another time gives it an
   const { keys } = (await app.state()).doc;
   expect(keys[0]).toMatchObject({ pose: second!.pose, time: -1 });
   expect(keys[2]).toMatchObject({ pose: third!.pose, time: third!.time });
+  // It lies over no words on a smaller screen, either.
+  await app.page.setViewportSize({ width: 1024, height: 768 });
+  const [words, editor] = [(await app.by('phase').boundingBox())!, (await app.by('key-editor').boundingBox())!];
+  expect(words.x + words.width).toBeLessThanOrEqual(editor.x);
 });
 
 test('one slider tightens the motion at every key, and is undone as one', async ({ app }) => {
@@ -126,6 +130,27 @@ test('keys are spaced by how different they are, and overshoot is taken away', a
   await expect
     .poll(async () => Math.max(...(await app.state()).doc.keys.map(({ shaping }) => shaping.tension)))
     .toBeGreaterThan(0);
+});
+
+test('the motion runs backwards, and forwards again by undo', async ({ app }) => {
+  await app.open();
+  const [first, , last] = (await app.state()).doc.keys;
+  const both = first!.time + last!.time;
+  const moments = [0.1, 0.4, 0.7, 1.2];
+  const before: number[][] = [];
+  for (const t of moments) before.push(await app.positionsAt(t));
+  await app.by('reverse').click();
+  await app.settled();
+  // The shape on the screen has stayed.
+  expect((await app.state()).time).toBeCloseTo(both - 1.2, 9);
+  for (const [index, t] of moments.entries())
+    expect(difference(await app.positionsAt(both - t), before[index]!), `${t}`).toBeLessThan(
+      1e-3 * diagonal(before[index]!),
+    );
+  await expect(app.by('undo')).toHaveAccessibleName(/direction of the motion/);
+  await app.by('undo').click();
+  await app.settled();
+  expect(difference(await app.positionsAt(0.4), before[1]!)).toBeLessThan(1e-6);
 });
 
 test('a key is removed with the Delete key on its card', async ({ app }) => {
@@ -207,4 +232,9 @@ test('the plots follow the motion and the cursor', async ({ app }) => {
   await plot.scrollIntoViewIfNeeded();
   await plot.click({ position: { x: 60, y: 40 } });
   expect((await app.state()).time).not.toBe(0.8);
+  // The number of every curve stands beside the title.
+  await expect(app.by('plot-volume-value')).toHaveText(/^[\d.]+$/);
+  await app.by('compare-linear').check();
+  await app.by('plot-volume').scrollIntoViewIfNeeded();
+  await expect(app.by('plot-volume-value')).toHaveText(/^[\d.]+ \/ [\d.]+$/);
 });

@@ -1,6 +1,7 @@
 /**
  * What a file with animations asks once it is open: one sheet with the choices that otherwise stand in a panel, and
- * with what is offered besides. The shape and its time go on; anything else that is pressed sends it away.
+ * with the work under way and what is offered besides. The shape and its time go on; anything else that is pressed
+ * sends it away.
  */
 import { button } from './controls.ts';
 import { h, setHidden, setStyle } from './dom.ts';
@@ -18,16 +19,19 @@ export interface OpeningSheetParts {
   element: HTMLElement;
   /** The choices, in their panel. */
   choices: HTMLElement;
-  /** Something that waits for the user's word, in its usual place. */
-  offer: HTMLElement;
+  /** What is otherwise said over the shape, in its usual place: work under way, what waits for the user's word. */
+  over: readonly HTMLElement[];
   /** Takes the keyboard when the sheet goes. */
   next: HTMLElement;
   onClose(): void;
+  /** Escape was pressed in the sheet. */
+  onEscape(): void;
 }
 
-export function createOpeningSheet({ element, choices, offer, next, onClose }: OpeningSheetParts): OpeningSheet {
+export function createOpeningSheet(parts: OpeningSheetParts): OpeningSheet {
+  const { element, choices, over, next, onClose, onEscape } = parts;
   const panel = choices.parentElement!;
-  const offers = offer.parentElement!;
+  const messages = over[0]!.parentElement!;
   const place = h('div', { 'aria-hidden': 'true' });
   const close = button({ label: 'Close', testId: 'opening-close', icon: 'close', shortcut: 'Esc', onClick: onClose });
   const done = button({ label: 'Done', testId: 'opening-done', text: 'Done', kind: 'plain', onClick: onClose });
@@ -38,12 +42,12 @@ export function createOpeningSheet({ element, choices, offer, next, onClose }: O
     // What stands below in the panel stays where it is.
     setStyle(place, 'height', `${choices.offsetHeight}px`);
     panel.replaceChild(place, choices);
-    end.before(choices, offer);
+    end.before(choices, ...over);
   };
   const shut = (): void => {
     const had = element.contains(document.activeElement);
     panel.replaceChild(choices, place);
-    offers.append(offer);
+    messages.append(...over);
     if (had) next.focus({ preventScroll: true });
   };
 
@@ -51,7 +55,7 @@ export function createOpeningSheet({ element, choices, offer, next, onClose }: O
     if (event.key !== 'Escape' || event.defaultPrevented) return;
     event.preventDefault();
     event.stopPropagation();
-    onClose();
+    onEscape();
   });
   // With the click: what is pressed must not move away before.
   document.addEventListener('click', (event) => {

@@ -99,6 +99,8 @@ export interface ComponentsInput {
   onFewest(animation: number, percent: number): Promise<void>;
   /** The sheet on opening an animation has been seen. */
   onAsked(): void;
+  /** Escape: ends the newest of what can be ended. */
+  onStepBack(): void;
   onOriginal(shown: boolean): void;
   /** Files hold an animation to compare with. */
   onTruth(picked: PickedFile[] | Promise<PickedFile[]>): void;
@@ -212,9 +214,10 @@ export function createComponents(input: ComponentsInput): Components {
       return createOpeningSheet({
         element: opening,
         choices: sampling.element,
-        offer: input.importOffer,
+        over: [progress.element, input.importOffer],
         next: layout.viewport,
         onClose: input.onAsked,
+        onEscape: input.onStepBack,
       });
     },
     input.onError,
@@ -234,6 +237,7 @@ export function createComponents(input: ComponentsInput): Components {
       onTightness: commands.tightness,
       onAutoTightness: () => void commands.autoTightness().catch(input.onError),
       onSpacing: (spacing) => void commands.spaceKeys(spacing).catch(input.onError),
+      onReverse: commands.reverse,
       onReset: commands.resetMotion,
     },
     sampling.element,

@@ -19,6 +19,8 @@ export interface KeyboardTargets {
   redo(): void;
   /** Ends the work under way or closes a message. */
   escape(): void;
+  /** What is open is edited by a key. */
+  onEdit(): void;
 }
 
 export function createShortcuts(store: Store, commands: Commands, targets: KeyboardTargets): Shortcut[] {
@@ -26,6 +28,10 @@ export function createShortcuts(store: Store, commands: Commands, targets: Keybo
     const { view } = store.get();
     const other = name === 'onion' ? { film: false } : name === 'film' ? { onion: false } : {};
     commands.view({ [name]: !view[name], ...other });
+  };
+  const edit = (run: () => void) => (): void => {
+    targets.onEdit();
+    run();
   };
   return [
     { keys: [' '], shown: 'Space', does: 'Play or pause', run: commands.togglePlay },
@@ -58,10 +64,10 @@ export function createShortcuts(store: Store, commands: Commands, targets: Keybo
     { keys: ['-'], shown: '-', does: 'Zoom out of the timeline', run: () => commands.zoomTime(0.5) },
     { keys: ['0'], shown: '0', does: 'The whole timeline', run: () => commands.window(null) },
     { keys: ['t'], shown: 'T', does: 'Frames, loop and zoom', run: targets.toggleClock },
-    { keys: ['k'], shown: 'K', does: 'Add the current shape as a key', run: () => void commands.addCurrent() },
-    { keys: ['b'], shown: 'B', does: 'Ends: free, ease or loop', run: commands.nextBoundary },
-    { keys: ['m'], shown: 'M', does: 'Next method', run: commands.nextMethod },
-    { keys: ['n'], shown: 'N', does: 'Ghost mesh on or off', run: commands.toggleGhost },
+    { keys: ['k'], shown: 'K', does: 'Add the current shape as a key', run: edit(() => void commands.addCurrent()) },
+    { keys: ['b'], shown: 'B', does: 'Ends: free, ease or loop', run: edit(commands.nextBoundary) },
+    { keys: ['m'], shown: 'M', does: 'Next method', run: edit(commands.nextMethod) },
+    { keys: ['n'], shown: 'N', does: 'Ghost mesh on or off', run: edit(commands.toggleGhost) },
     { keys: ['f'], shown: 'F', does: 'Fit the shape into view', run: () => commands.fit(null) },
     { keys: ['1'], shown: '1', does: 'Front view', run: () => commands.fit('front') },
     { keys: ['3'], shown: '3', does: 'Right view', run: () => commands.fit('right') },
@@ -86,8 +92,8 @@ export function createShortcuts(store: Store, commands: Commands, targets: Keybo
     { keys: ['d'], shown: 'D', does: 'Light, dark or system colours', run: targets.nextTheme },
     { keys: ['e'], shown: 'E', does: 'Export', run: targets.openExport },
     { keys: ['ctrl+o'], shown: 'Ctrl+O', does: 'Open files', run: targets.openFiles },
-    { keys: ['ctrl+z'], shown: 'Ctrl+Z', does: 'Undo', run: targets.undo },
-    { keys: ['ctrl+shift+z', 'ctrl+y'], shown: 'Ctrl+Shift+Z', does: 'Redo', run: targets.redo },
+    { keys: ['ctrl+z'], shown: 'Ctrl+Z', does: 'Undo', run: edit(targets.undo) },
+    { keys: ['ctrl+shift+z', 'ctrl+y'], shown: 'Ctrl+Shift+Z', does: 'Redo', run: edit(targets.redo) },
     {
       keys: ['escape'],
       shown: 'Esc',

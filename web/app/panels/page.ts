@@ -121,6 +121,8 @@ export function createPage(parts: PageParts): Page {
     redo: undo.redo,
     openLink: () => components.openLink(),
     escape: stepBack,
+    // What it is seen by lies under the sheet.
+    onEdit: () => viewState.get().opening && parts.onAsked(),
   });
   const onEnlarge = (plot: Plot): void => commands.present(store.get().view.present === plot ? null : plot);
   const pins = createPinsInView({ store, viewState, scene, commands, range, say: feedback.say });
@@ -184,6 +186,7 @@ export function createPage(parts: PageParts): Page {
     onTake: parts.onTake,
     onFewest: parts.onFewest,
     onAsked: parts.onAsked,
+    onStepBack: stepBack,
     onOriginal: parts.onOriginal,
     onTruth: parts.onTruth,
     onExportOpen: () => planExport(viewState.get().exporting.request),
