@@ -6,7 +6,7 @@ import { afterEach, describe, expect, it } from 'vitest';
 import createWasm from '../../build/wasm/shapespline.mjs';
 import createThreaded from '../../build/wasm/shapespline_threads.mjs';
 import { WasmCore } from '../../web/engine/worker/wasm-core.ts';
-import type { Frame } from '../../web/engine/api/types.ts';
+import type { Frame, Progress } from '../../web/engine/api/types.ts';
 import type { CreateWasmModule, WasmModule } from '../../web/engine/worker/wasm-module.ts';
 import { provideOrder, type SharedOrder, sharedOrder } from '../../web/engine/wire/shared-order.ts';
 import { bendData, createBend, motion } from './support/core.ts';
@@ -98,17 +98,46 @@ describe('a large sequence', () => {
     const factorWith = (order: SharedOrder | null): number =>
       core.stats(core.createSequence({ ...request, order }).handle).factorBytes;
     const own = factorWith(null);
-    const order = sharedOrder(request.positions[0]!.length / 3);
-    const found = core.eliminationOrder({ ...request, order });
-    provideOrder(order, () => found);
-    expect(factorWith(order)).toBe(own);
+    const empty = (): SharedOrder => sharedOrder(request.positions[0]!.length / 3);
+    const factorBy = (order: Int32Array): number => {
+      const shared = empty();
+      provideOrder(shared, () => order);
+      return factorWith(shared);
+    };
+    const found = core.eliminationOrder({ ...request, order: empty() });
+    expect(factorBy(found)).toBe(own);
     // One that is none, and another one, which has more fill.
-    provideOrder(order, () => found.map(() => 0));
-    expect(factorWith(order)).toBe(own);
-    provideOrder(order, () =>
-      Int32Array.from([...found.filter((_, at) => at % 2), ...found.filter((_, at) => !(at % 2))]),
+    expect(factorBy(found.map(() => 0))).toBe(own);
+    const other = [...found.filter((_, at) => at % 2), ...found.filter((_, at) => !(at % 2))];
+    expect(factorBy(Int32Array.from(other))).toBeGreaterThan(own);
+  });
+
+  it('is made all the same where the worker that finds its order ends in the middle of that', async () => {
+    const large = bar(40, 250);
+    const began = performance.now();
+    const [one, two] = await Promise.all(
+      [testEngine(), testEngine({ workerUrl: faultyWorker })].map(async (engine) =>
+        engine.createSequence((await bendKeys(engine, large)).keys, { patches: 201 }),
+      ),
     );
-    expect(factorWith(order)).toBeGreaterThan(own);
+    // Who is told nothing waits for a minute.
+    expect(performance.now() - began).toBeLessThan(60_000);
+    expect(bytes(await frameAt(two!, 0.3)).equals(bytes(await frameAt(one!, 0.3)))).toBe(true);
+  });
+
+  it.runIf(existsSync(THREADS_OF_PROCESS))('can be cancelled while it waits for its order, and all ends', async () => {
+    const before = readdirSync(THREADS_OF_PROCESS).length;
+    const engine = testEngine({ workerUrl: faultyWorker });
+    const { keys } = await bendKeys(engine, bar(40, 250));
+    const controller = new AbortController();
+    // Encoded: from here on it is the order that is waited for.
+    const onProgress = ({ stage }: Progress): void => {
+      if (stage === 'ordering') setTimeout(() => controller.abort(), 500);
+    };
+    const made = engine.createSequence(keys, { patches: 202 }, { signal: controller.signal, onProgress });
+    expect((await failureOf(made)).code).toBe('cancelled');
+    engine.dispose();
+    await expect.poll(() => readdirSync(THREADS_OF_PROCESS).length, { timeout: 10_000 }).toBeLessThanOrEqual(before);
   });
 
   it.runIf(existsSync(THREADS_OF_PROCESS))('ends with its second thread', async () => {

@@ -1,7 +1,7 @@
 // The real worker, with faults that a test calls for by the time of a frame. Nothing of the worker itself is replaced:
 // the process ends, an exception is thrown, or the wasm memory is overwritten so that the next call traps. A second
 // thread is the real one, too, with a stack that ends where it begins: it traps in the middle of the first frame that
-// it helps with.
+// it helps with. An order of elimination is begun and never found, by the number of patches.
 import { syncBuiltinESMExports } from 'node:module';
 import threads, { parentPort, Worker } from 'node:worker_threads';
 
@@ -31,10 +31,22 @@ const faults = {
   },
 };
 
+const sleep = (ms) => Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, ms);
+const orderFaults = {
+  // Long enough for the other worker to wait for it.
+  201: () => sleep(3000) && process.exit(3),
+  202: () => sleep(),
+};
+
 // The fault comes first, then the worker hears the message as ever.
 const on = parentPort.on.bind(parentPort);
 parentPort.on = (name, listener) => on(name, (message) => {
   if (message.type === 'evaluate') faults[message.t]?.();
+  const orderFault = message.type === 'order' && orderFaults[message.encoding.patches];
+  if (orderFault) {
+    Atomics.store(message.order, 0, 1);
+    orderFault();
+  }
   listener(message);
 });
 

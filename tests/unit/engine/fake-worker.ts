@@ -1,5 +1,5 @@
 /** A worker that replies by hand, for tests of what the engine does with one. */
-import { EngineClient } from '../../../web/engine/caller/engine.ts';
+import { EngineClient, type Platform } from '../../../web/engine/caller/engine.ts';
 import { EngineError } from '../../../web/engine/api/errors.ts';
 import type { FromWorker, Request, ToWorker } from '../../../web/engine/wire/protocol.ts';
 import type { PortEvents } from '../../../web/engine/caller/worker-client.ts';
@@ -73,14 +73,21 @@ export function replyTo(request: Request): FromWorker {
 
 const EMPTY_MODULE = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
 
-/** An engine over fake workers; `reply` returns null for what the test itself replies to. */
-export function fakeEngine(reply: (request: Request) => FromWorker | null = replyTo): {
+/**
+ * An engine over fake workers; `reply` returns null for what the test itself replies to. `threaded`: as of a page where
+ * threads can share memory.
+ */
+export function fakeEngine(
+  reply: (request: Request) => FromWorker | null = replyTo,
+  threaded: Platform['threaded'] = null,
+): {
   engine: EngineClient;
   workers: FakeWorker[];
 } {
   const workers: FakeWorker[] = [];
   const engine = new EngineClient({
     module: Promise.resolve(EMPTY_MODULE),
+    threaded,
     spawn: (events) => {
       const worker = new FakeWorker(events, reply);
       workers.push(worker);

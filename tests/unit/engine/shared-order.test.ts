@@ -16,6 +16,11 @@ describe('shared order', () => {
     const given = sharedOrder(3);
     giveUpOrder(given);
     expect(awaitedOrder(given)).toBeNull();
+    // Who comes later must not begin: it may end in the middle, and nobody would say so.
+    provideOrder(given, () => {
+      throw new Error('begun');
+    });
+    expect(awaitedOrder(given)).toBeNull();
     const failed = sharedOrder(3);
     const fail = (): never => {
       throw new Error('no area');

@@ -18,9 +18,9 @@ export function sharedOrder(vertices: number): SharedOrder {
   return new Int32Array(new SharedArrayBuffer(Int32Array.BYTES_PER_ELEMENT * (HEADER + vertices)));
 }
 
-/** Whoever waits goes on, with what `make` returned or without. */
+/** Whoever waits goes on, with what `make` returned or without. What was given up before is not begun. */
 export function provideOrder(order: SharedOrder, make: () => Int32Array): void {
-  Atomics.store(order, STATE, state.begun);
+  if (Atomics.compareExchange(order, STATE, state.notBegun, state.begun) !== state.notBegun) return;
   try {
     const made = make();
     order.set(made, HEADER);

@@ -10,10 +10,11 @@ const held: IDBDatabase[] = [];
 /** In the worker: takes the lock for as long as it lives; `taken` is called once it has it. */
 export function holdLock(name: string, taken: () => void): void {
   if ('locks' in navigator) {
-    void navigator.locks.request(name, () => {
+    const ended = navigator.locks.request(name, () => {
       taken();
       return new Promise(() => undefined);
     });
+    ended.catch(() => undefined); // a page that may store nothing is refused
     return;
   }
   const opening = indexedDB.open(name);
