@@ -57,6 +57,31 @@ it('the timeline is there in forced colours', async () => {
   for (const part of ['key', 'thumb', 'track'] as const) expect(grounds[part], part).not.toBe(grounds.page);
 });
 
+it('a page that zooms gets as many pixels as the screen has for the shape', async () => {
+  const page = await openElements(ONE, CALM);
+  await when(page, 'load');
+  /** Pixels across that are drawn, and that are there. */
+  const across = (): Promise<[number, number]> =>
+    on(page, (shape) => [
+      shape.shadowRoot!.querySelector('canvas')!.width,
+      Math.round(shape.getBoundingClientRect().width),
+    ]);
+  const zoom = (text: string, width = ''): Promise<void> =>
+    on(page, (shape, words) => void Object.assign(shape.style, words), { zoom: text, width });
+  for (const [text, width, expected] of [
+    ['', '', 600],
+    ['2', '', 600],
+    // As many of the page's pixels as before, each as large as two.
+    ['', '200px', 200],
+    ['2', '200px', 400],
+    ['0.5', '200px', 100],
+    ['', '', 600],
+  ] as const) {
+    await zoom(text, width);
+    await expect.poll(across, { timeout: 30_000 }).toEqual([expected, expected]);
+  }
+});
+
 it('what is no address and no file is told with its key', async () => {
   const page = await openElements('<shape-spline id="a"></shape-spline>');
   await page.waitForFunction(() => customElements.get('shape-spline'));

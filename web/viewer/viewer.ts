@@ -60,6 +60,9 @@ export class Viewer {
   private waiting: (() => void)[] = [];
   private readonly followers: (() => void)[] = [];
   private readonly resize: ResizeObserver;
+  private readonly pixels: ResizeObserver;
+  /** Of the screen for one of the page's, as it is drawn. */
+  private ratio = 1;
   private readonly over = new AbortController();
   /** Nothing more is drawn. */
   private readonly ended = new Promise<void>((resolve) => {
@@ -114,7 +117,19 @@ export class Viewer {
       events.onResize();
     });
     this.resize.observe(host);
+    // Another screen, or the page's own `zoom`: as large as before, of other pixels.
+    this.pixels = new ResizeObserver(() => {
+      if (this.ratio !== this.wantedRatio) this.fitCanvas();
+    });
+    if ('devicePixelContentBoxSize' in ResizeObserverEntry.prototype)
+      this.pixels.observe(host, { box: 'device-pixel-content-box' });
     this.fitCanvas();
+  }
+
+  /** Never more than two: what is finer is hardly seen, and costs four times as much. */
+  private get wantedRatio(): number {
+    // Not every browser tells how a page zooms its parts.
+    return Math.min(window.devicePixelRatio * (this.host.currentCSSZoom ?? 1), 2);
   }
 
   /**
@@ -434,6 +449,7 @@ export class Viewer {
   dispose(): void {
     cancelAnimationFrame(this.pending);
     this.resize.disconnect();
+    this.pixels.disconnect();
     this.contents.dispose();
     this.rig.dispose();
     this.stage.dispose();
@@ -468,7 +484,10 @@ export class Viewer {
     const { clientWidth, clientHeight } = this.host;
     if (this.pictureSize) this.surface.setSize(this.pictureSize.width, this.pictureSize.height, 1, false);
     else if (clientWidth === 0 || clientHeight === 0) return;
-    else this.surface.setSize(clientWidth, clientHeight, Math.min(window.devicePixelRatio, 2), true);
+    else {
+      this.ratio = this.wantedRatio;
+      this.surface.setSize(clientWidth, clientHeight, this.ratio, true);
+    }
     this.rig.setInsets(this.pictureSize ? NO_INSETS : this.insets());
     this.draw();
   }
