@@ -125,15 +125,22 @@ it('what was set before the element is known counts; children say when their key
     `<shape-spline id="a"></shape-spline><shape-spline id="b">${children}</shape-spline>`,
     { script: 'none' },
   );
+  const said: string[] = [];
+  page.on('console', (message) => void said.push(message.text()));
   await page.evaluate((keys) => {
     const shape = document.getElementById('a') as ShapeSplineElement;
     Object.assign(shape, { src: keys, controls: true, currentTime: 0.5, keyTimes: [0, 2] });
+    // What would be thrown later is said, and the rest is shown.
+    Object.assign(document.getElementById('b')!, { currentTime: NaN });
   }, KEYS);
   await page.addScriptTag({ url: `${libraryAddress()}cdn.js`, type: 'module' });
   expect(await when(page, 'load', 'a')).toMatchObject({ keyTimes: [0, 2] });
   expect(await on(page, (shape) => [shape.controls, shape.currentTime])).toEqual([true, 0.5]);
   expect(await when(page, 'load', 'b')).toMatchObject({ keyTimes: [1, 4] });
   expect(await on(page, (shape) => [shape.currentTime, shape.duration], null, 'b')).toEqual([1, 3]);
+  expect(said.filter((text) => text.startsWith('<shape-spline>'))).toEqual([
+    '<shape-spline>: currentTime must be a finite number.',
+  ]);
   await page.evaluate(() => document.querySelector('#b source:last-child')!.setAttribute('time', '3'));
   expect(await when(page, 'load', 'b', 2)).toMatchObject({ keyTimes: [1, 3] });
 });

@@ -409,6 +409,23 @@ it('every row of the table goes there and back, from the attribute and from the 
     });
   }, rows);
   expect(wrong).toEqual([]);
+  // As of HTMLMediaElement.
+  const times = await page.evaluate(async () => {
+    const shape = document.createElement('shape-spline');
+    shape.setAttribute('current-time', '3');
+    const seen: unknown[] = [];
+    for (const value of [NaN, Infinity, 'soon', {}, '0.5', 0.25, undefined, null] as never[])
+      try {
+        shape.currentTime = value;
+        seen.push(shape.currentTime);
+      } catch (error) {
+        seen.push((error as Error).name);
+      }
+    seen.push(shape.hasAttribute('current-time'), await shape.seek(NaN).catch((error: Error) => error.name));
+    return seen;
+  });
+  const refusals = Array.from({ length: 4 }, () => 'TypeError');
+  expect(times).toEqual([...refusals, 0.5, 0.25, 0.25, 0.25, false, 'RangeError']);
   const { modules } = customElementsManifest() as { modules: { declarations: { members: { name: string }[] }[] }[] };
   const missing = await page.evaluate(
     (names) => names.filter((name) => !(name in document.createElement('shape-spline'))),

@@ -75,6 +75,25 @@ describe.skipIf(!there)('the element', () => {
     expect(await outcomeOf(await host([folder, path.join(folder, 'public')], { headers: strict }))).toEqual(SHOWN);
   });
 
+  it('is shown by the page of the README, on a plain server and on those of Vite as they are', async () => {
+    const readme = readFileSync(path.join(packageIn(inject('installed')), 'README.md'), 'utf8');
+    const [html] = /<!doctype html>\n<meta charset[^`]*/.exec(readme)!;
+    const folder = await newProject({ 'index.html': `${html}<script type="module">${WATCH}</script>` });
+    for (const [pose, name] of ['a', 'b'].entries())
+      cpSync(path.join(folder, 'public', `pose-${pose}.glb`), path.join(folder, `${name}.glb`));
+    expect(await outcomeOf(await host([folder]))).toEqual(SHOWN);
+    for (const vite of [vite7, vite8 as unknown as typeof vite7]) {
+      const settings = { root: folder, configFile: false as const, logLevel: 'error' as const };
+      const server = await vite.createServer({ ...settings, server: { port: 0, host: 'localhost' } });
+      try {
+        await server.listen();
+        expect(await outcomeOf(server.resolvedUrls!.local[0]!)).toEqual(SHOWN);
+      } finally {
+        await server.close();
+      }
+    }
+  });
+
   it.each([
     ['Vite 7', vite7 as Pick<typeof vite7, 'createServer' | 'build'>],
     ['Vite 8', vite8 as unknown as Pick<typeof vite7, 'createServer' | 'build'>],

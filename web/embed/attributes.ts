@@ -102,7 +102,8 @@ const OWN = {
     concern: 'play',
     doc:
       'The time that is shown, in the unit of the keys: seconds. It may lie beyond the keys. The attribute says where ' +
-      'it begins, the property where it is.',
+      'it begins, the property where it is; set to what is no finite number it throws a TypeError, to null or ' +
+      'undefined it takes the attribute away.',
   },
   range: {
     kind: 'numbers',

@@ -37,7 +37,7 @@ export const METHODS: Readonly<Record<string, { returns: string; doc: string; pa
   pause: { returns: 'void', doc: 'Plays no more, and does not begin by itself.' },
   seek: {
     returns: 'Promise<void>',
-    doc: 'Resolves when the shape at that time is drawn.',
+    doc: 'Resolves when the shape at that time is drawn; rejects with a RangeError where that is no finite number.',
     parameters: [['t', 'number', 'The time, in the unit of the keys; it may lie beyond them.']],
   },
   evaluate: {

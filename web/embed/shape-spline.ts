@@ -142,7 +142,12 @@ export class ShapeSplineElement extends Base {
       if (!Object.hasOwn(this, name)) continue;
       const value: unknown = this[name];
       delete this[name];
-      Object.assign(this, { [name]: value });
+      try {
+        Object.assign(this, { [name]: value });
+      } catch (error) {
+        // Nobody who set it hears of it any more.
+        console.warn(`<shape-spline>: ${messageOf(error)}`);
+      }
     }
     this.#watch ??= watch(this, {
       onNear: (near) => {
@@ -298,8 +303,10 @@ export class ShapeSplineElement extends Base {
   static write(element: ShapeSplineElement, property: PropertyName, value: unknown): void {
     if (property === 'currentTime') {
       if (value === null || value === undefined) return element.removeAttribute('current-time');
-      if (!Number.isFinite(value)) throw new TypeError('currentTime must be a finite number.');
-      return element.#setTime(value as number);
+      // Frameworks give words as they stand in the markup.
+      const t = Number(value);
+      if (!Number.isFinite(t)) throw new TypeError('currentTime must be a finite number.');
+      return element.#setTime(t);
     }
     const text = writeAttribute(ROWS[property], value);
     if (text === null) element.removeAttribute(attributeOf(property));
