@@ -9,14 +9,13 @@ import { poseFiles } from './support/glb.ts';
 
 const engine = testEngine();
 const mesh = bar();
+const files = poseFiles(
+  mesh,
+  [0, 50, 20, 70].map((degrees) => bent(mesh, degrees)),
+);
 
 it('is chosen and taken back by an update, which encodes nothing, and leaves the keys where they are', async () => {
-  const keys = await engine.importKeyframes(
-    poseFiles(
-      mesh,
-      [0, 50, 20, 70].map((degrees) => bent(mesh, degrees)),
-    ),
-  );
+  const keys = await engine.importKeyframes(files);
   const sequence = await engine.createSequence(keys);
   const before = await sequence.stats();
   const at = async (t: number): Promise<Float32Array> => (await frameAt(sequence, t)).positions;
@@ -39,6 +38,30 @@ it('is chosen and taken back by an update, which encodes nothing, and leaves the
   expect((await sequence.stats()).encodings).toBe(before.encodings);
   await expect(sequence.update({ hold: 'tight' as Hold })).rejects.toMatchObject({ code: 'invalid-option' });
   sequence.dispose();
+});
+
+it('is in the table of the command line: how far what rests slides', async () => {
+  const folder = await folderOf(files);
+  const keys = await engine.importKeyframes(files);
+  const largest: number[] = [];
+  for (const hold of ['off', 'contact'] as const) {
+    const words = ['measure', ...files.map(({ name }) => name), '--hold', hold, '--frames', '13'];
+    const { code, stdout, stderr } = await runCli(folder, ...words);
+    expect([code, stderr]).toEqual([0, '']);
+    const [head, ...rows] = stdout
+      .trimEnd()
+      .split('\n')
+      .filter((line) => !line.startsWith('#'))
+      .map((line) => line.split(','));
+    const column = (name: string): number[] => rows.map((row) => Number(row[head!.indexOf(name)]));
+    const sequence = await engine.createSequence(keys, { hold });
+    const { sliding } = await sequence.measures(column('time'));
+    column('lri sliding').forEach((cell, index) => expect(cell).toBeCloseTo(sliding[index]!, 4));
+    largest.push(Math.max(...sliding));
+    sequence.dispose();
+  }
+  expect(largest[0]).toBeGreaterThan(0.05);
+  expect(largest[1]).toBeLessThan(0.6 * largest[0]!);
 });
 
 it.skipIf(!hasData)('brings a captured walk nearer to the truth, from the command line', async () => {
