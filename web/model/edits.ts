@@ -83,7 +83,10 @@ export function spaceKeys(doc: Doc, distance: readonly number[], power: number):
   return { ...doc, keys: doc.keys.map((key, index) => ({ ...key, time: times[index]! })) };
 }
 
-/** The same motion from its end to its beginning, between the same times: t becomes first + last - t. */
+/**
+ * The motion from its end to its beginning, between the same times: t becomes first + last - t. Off the keys it differs
+ * by a little where these turn far, because turns that follow each other do not commute.
+ */
 export function reverseMotion(doc: Doc): Doc {
   const { keys, motion, encoding } = doc;
   const both = (keys[0]?.time ?? 0) + (keys.at(-1)?.time ?? 0);
