@@ -132,7 +132,7 @@ test('keys are spaced by how different they are, and overshoot is taken away', a
     .toBeGreaterThan(0);
 });
 
-test('the motion runs backwards, and forwards again by undo', async ({ app }) => {
+test('the motion runs backwards through the same keys', async ({ app }) => {
   await app.open();
   const [first, second, last] = (await app.state()).doc.keys;
   const both = first!.time + last!.time;
@@ -149,10 +149,6 @@ test('the motion runs backwards, and forwards again by undo', async ({ app }) =>
     expect(difference(await app.positionsAt(both - t), before[index]!), `${t}`).toBeLessThan(
       (t === second!.time ? 1e-5 : 0.02) * diagonal(before[index]!),
     );
-  await expect(app.by('undo')).toHaveAccessibleName(/direction of the motion/);
-  await app.by('undo').click();
-  await app.settled();
-  expect(difference(await app.positionsAt(0.1), before[0]!)).toBeLessThan(1e-6);
 });
 
 test('a key is removed with the Delete key on its card', async ({ app }) => {
