@@ -286,7 +286,7 @@ for (const { width, height } of [
     await app.page.setViewportSize({ width, height });
     await app.open({ hash: '#figure=7' });
     await expect(app.by('colour-bar-now')).toContainText('at most');
-    await expect(app.by('tile-0')).toContainText(width < 768 ? /^250 faces/ : 'Ghost of 250 faces');
+    await expect(app.by('tile-0')).toContainText('250 faces');
     await app.nextFrame();
     const boxes = await app.page.evaluate(() => {
       const words = (selector: string): DOMRect[] => {
